@@ -1,0 +1,127 @@
+//! What can go wrong, and where in the input.
+
+use crate::execution::Interruption;
+use std::fmt;
+
+/// One step on the way to an offending value: a field's name or an index into a list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Step {
+    Field(&'static str),
+    Index(usize),
+}
+
+/// Where in a solver's input a value stands, for example `boundaries`, 0, 17.
+///
+/// Fields are named as in the service's requests, so that a caller can turn a place into a pointer of its own.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Place(pub Vec<Step>);
+
+impl Place {
+    #[must_use]
+    pub fn field(name: &'static str) -> Self {
+        Self(vec![Step::Field(name)])
+    }
+    /// This place, one index further down.
+    #[must_use]
+    pub fn at(mut self, index: usize) -> Self {
+        self.0.push(Step::Index(index));
+        self
+    }
+    /// This place, one field further down.
+    #[must_use]
+    pub fn then(mut self, name: &'static str) -> Self {
+        self.0.push(Step::Field(name));
+        self
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for step in &self.0 {
+            match step {
+                Step::Field(name) => write!(f, "/{name}")?,
+                Step::Index(index) => write!(f, "/{index}")?,
+            }
+        }
+        Ok(())
+    }
+}
+
+/// One value that the solver cannot work with, and why. The value itself is never echoed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct InputError {
+    pub place: Place,
+    pub detail: String,
+}
+
+impl InputError {
+    pub fn new(place: Place, detail: impl Into<String>) -> Self {
+        Self { place, detail: detail.into() }
+    }
+}
+
+/// Why a solver returned no mesh.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// The input is not what the solver's documentation asks for. Found before the work starts wherever possible.
+    Input(Vec<InputError>),
+    /// The input is well formed, but no valid mesh came out of it.
+    NoResult {
+        /// A short name of the reason, stable, in snake case: `self_intersecting_boundary`.
+        reason: &'static str,
+        /// What was wrong with the geometry and what to try, for a person.
+        detail: String,
+        /// The values that caused it, where they are known.
+        places: Vec<InputError>,
+    },
+    /// The caller asked to stop, or its deadline passed before there was a valid mesh.
+    Interrupted(Interruption),
+}
+
+impl Error {
+    pub fn input(place: Place, detail: impl Into<String>) -> Self {
+        Self::Input(vec![InputError::new(place, detail)])
+    }
+    pub fn no_result(reason: &'static str, detail: impl Into<String>) -> Self {
+        Self::NoResult { reason, detail: detail.into(), places: Vec::new() }
+    }
+}
+
+impl From<Interruption> for Error {
+    fn from(interruption: Interruption) -> Self {
+        Self::Interrupted(interruption)
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Input(errors) => {
+                for (k, error) in errors.iter().enumerate() {
+                    let separator = if k == 0 { "" } else { "; " };
+                    write!(f, "{separator}{}: {}", error.place, error.detail)?;
+                }
+                Ok(())
+            }
+            Self::NoResult { reason, detail, .. } => write!(f, "{reason}: {detail}"),
+            Self::Interrupted(Interruption::Cancelled) => f.write_str("cancelled"),
+            Self::Interrupted(Interruption::DeadlinePassed) => f.write_str("the deadline passed"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// Something about the input or the result that the caller should know although the solve went through.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Warning {
+    /// Stable, snake case: `folds`, `merged_points`, `not_converged`.
+    pub code: &'static str,
+    pub detail: String,
+}
+
+impl Warning {
+    pub fn new(code: &'static str, detail: impl Into<String>) -> Self {
+        Self { code, detail: detail.into() }
+    }
+}

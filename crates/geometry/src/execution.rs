@@ -1,0 +1,90 @@
+//! Progress out, cancel in: one small synchronous value that every solver is handed.
+
+use std::cell::Cell;
+use std::fmt;
+
+/// What the caller wants of a running solver.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Signal {
+    Continue,
+    /// Stop and return nothing.
+    Cancel,
+    /// Time is used up: stop, and return the valid mesh reached so far if there is one.
+    Deadline,
+}
+
+/// Why a solver stopped early.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Interruption {
+    Cancelled,
+    DeadlinePassed,
+}
+
+/// How far a solver has come.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// 0 to 1, never falling within one solve.
+    pub fraction: f64,
+    /// What it is doing: `initial_mesh`, `newton`, `strip`.
+    pub phase: &'static str,
+    pub iteration: u64,
+    pub objective_value: Option<f64>,
+    pub residual: Option<f64>,
+}
+
+/// The line between a solver and its caller.
+///
+/// A solver calls [`look`](Self::look) at least every 50 ms on real hardware (one sparse factorisation apart) and says
+/// how much work it has done since; tests read [`largest_work_between_looks`](Self::largest_work_between_looks), so
+/// that the promise is kept without a clock.
+pub struct Execution<'a> {
+    signal: &'a dyn Fn() -> Signal,
+    report: &'a dyn Fn(Progress),
+    largest_work: Cell<u64>,
+    looks: Cell<u64>,
+}
+
+impl fmt::Debug for Execution<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Execution").field("looks", &self.looks).field("largest_work", &self.largest_work).finish()
+    }
+}
+
+impl<'a> Execution<'a> {
+    pub fn new(signal: &'a dyn Fn() -> Signal, report: &'a dyn Fn(Progress)) -> Self {
+        Self { signal, report, largest_work: Cell::new(0), looks: Cell::new(0) }
+    }
+
+    /// Asks whether to go on. `work` is the number of elementary operations (cells, triangles visited) since the last look.
+    ///
+    /// # Errors
+    /// The interruption, if the caller wants the solver to stop.
+    pub fn look(&self, work: u64) -> Result<(), Interruption> {
+        self.looks.set(self.looks.get() + 1);
+        self.largest_work.set(self.largest_work.get().max(work));
+        match (self.signal)() {
+            Signal::Continue => Ok(()),
+            Signal::Cancel => Err(Interruption::Cancelled),
+            Signal::Deadline => Err(Interruption::DeadlinePassed),
+        }
+    }
+
+    pub fn report(&self, progress: Progress) {
+        (self.report)(progress);
+    }
+
+    pub fn looks(&self) -> u64 {
+        self.looks.get()
+    }
+
+    pub fn largest_work_between_looks(&self) -> u64 {
+        self.largest_work.get()
+    }
+}
+
+impl Default for Execution<'static> {
+    /// Never stops the solver and drops its progress.
+    fn default() -> Self {
+        Self::new(&|| Signal::Continue, &|_| {})
+    }
+}

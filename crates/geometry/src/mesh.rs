@@ -1,0 +1,27 @@
+//! An indexed, oriented triangle mesh. Connectivity ([`topology`]) never sees positions; [`measure`] and [`check`] see both.
+
+pub mod check;
+pub mod measure;
+pub mod topology;
+
+use crate::DVec3;
+
+/// Triangles over vertices; counter-clockwise seen from the side that the normals point to.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    pub vertices: Vec<DVec3>,
+    pub triangles: Vec<[u32; 3]>,
+}
+
+impl Mesh {
+    #[must_use]
+    pub fn new(vertices: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Self {
+        Self { vertices, triangles }
+    }
+
+    /// The three corners of a triangle.
+    #[must_use]
+    pub fn corners(&self, triangle: [u32; 3]) -> [DVec3; 3] {
+        triangle.map(|vertex| self.vertices[vertex as usize])
+    }
+}

@@ -1,0 +1,40 @@
+//! One check for every mesh that leaves a solver; tests call it after every operation.
+
+use crate::Mesh;
+use crate::mesh::topology::{Defect, NONE, Topology};
+
+impl Mesh {
+    /// Checks that the mesh is an oriented manifold (with or without boundary) with finite coordinates and without isolated vertices.
+    ///
+    /// Says nothing about shape: degenerate or flipped triangles are counted by [`measure`](crate::mesh::measure).
+    ///
+    /// # Errors
+    /// What is wrong, in words.
+    pub fn check(&self) -> Result<Topology, String> {
+        if let Some(vertex) = self.vertices.iter().position(|v| !v.is_finite()) {
+            return Err(format!("vertex {vertex} is not finite"));
+        }
+        let topology = Topology::build(&self.triangles, self.vertices.len()).map_err(|defect| format!("{defect:?}"))?;
+        match topology.outgoing.iter().position(|&h| h == NONE) {
+            Some(vertex) => Err(format!("{:?}", Defect::IsolatedVertex { vertex: vertex as u32 })),
+            None => Ok(topology),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::DVec3;
+
+    #[test]
+    fn isolated_vertices_and_infinite_ones_are_refused() {
+        let corner = |x, y| DVec3::new(x, y, 0.0);
+        let mut mesh = Mesh::new(vec![corner(0.0, 0.0), corner(1.0, 0.0), corner(0.0, 1.0)], vec![[0, 1, 2]]);
+        assert!(mesh.check().is_ok());
+        mesh.vertices.push(corner(5.0, 5.0));
+        assert!(mesh.check().unwrap_err().contains("IsolatedVertex"));
+        mesh.vertices[3].x = f64::NAN;
+        assert!(mesh.check().unwrap_err().contains("not finite"));
+    }
+}
