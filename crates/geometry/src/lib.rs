@@ -16,6 +16,7 @@
 
 pub mod error;
 pub mod execution;
+pub mod linear;
 pub mod mesh;
 pub mod polyline;
 
