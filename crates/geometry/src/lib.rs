@@ -18,6 +18,7 @@ pub mod error;
 pub mod execution;
 pub mod linear;
 pub mod mesh;
+pub mod minimal_surface;
 pub mod polyline;
 
 pub use error::{Error, InputError, Place};

@@ -1,6 +1,8 @@
-//! An indexed, oriented triangle mesh. Connectivity ([`topology`]) never sees positions; [`measure`] and [`check`] see both.
+//! An indexed, oriented triangle mesh. Connectivity ([`topology`]) never sees positions; [`edit`] changes it;
+//! [`measure`] and [`check`] see both.
 
 pub mod check;
+pub mod edit;
 pub mod measure;
 pub mod topology;
 

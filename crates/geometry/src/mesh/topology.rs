@@ -25,7 +25,7 @@ pub struct Topology {
     pub twin: Vec<u32>,
     /// One outgoing half-edge per vertex; for a boundary vertex the outgoing *boundary* half-edge. [`NONE`] if isolated.
     pub outgoing: Vec<u32>,
-    triangles: Vec<[u32; 3]>,
+    pub(super) triangles: Vec<[u32; 3]>,
 }
 
 /// The next half-edge in the same triangle.
@@ -37,7 +37,7 @@ pub fn next(half_edge: u32) -> u32 {
 /// The previous half-edge in the same triangle.
 #[must_use]
 pub fn previous(half_edge: u32) -> u32 {
-    if half_edge % 3 == 0 { half_edge + 2 } else { half_edge - 1 }
+    if half_edge.is_multiple_of(3) { half_edge + 2 } else { half_edge - 1 }
 }
 
 impl Topology {

@@ -1,0 +1,117 @@
+//! Changes of connectivity that keep a mesh an oriented manifold: flipping the diagonal of two triangles.
+
+use crate::mesh::topology::{NONE, Topology, next, previous};
+
+impl Topology {
+    /// The triangles as they are now.
+    #[must_use]
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// Whether an edge joins the two vertices.
+    #[must_use]
+    pub fn are_adjacent(&self, a: u32, b: u32) -> bool {
+        self.outgoing_half_edges(a).any(|h| self.to(h) == b || self.from(previous(h)) == b)
+    }
+
+    /// The vertex opposite a half-edge in its triangle.
+    #[must_use]
+    pub fn opposite(&self, half_edge: u32) -> u32 {
+        self.from(previous(half_edge))
+    }
+
+    /// Whether the edge has two triangles and its two opposite vertices are not joined yet, so that [`flip`](Self::flip)
+    /// keeps the mesh a manifold. Says nothing about shape.
+    #[must_use]
+    pub fn can_flip(&self, half_edge: u32) -> bool {
+        let twin = self.twin[half_edge as usize];
+        if twin == NONE {
+            return false;
+        }
+        let (c, d) = (self.opposite(half_edge), self.opposite(twin));
+        c != d && !self.are_adjacent(c, d)
+    }
+
+    /// Replaces the edge a-b of the triangles (a, b, c) and (b, a, d) by the edge d-c: (d, c, a) and (c, d, b).
+    ///
+    /// The half-edge keeps its index and then runs from d to c. Only where [`can_flip`](Self::can_flip) allows it.
+    pub fn flip(&mut self, half_edge: u32) {
+        let (h, g) = (half_edge, self.twin[half_edge as usize]);
+        debug_assert!(self.can_flip(h));
+        let (a, b) = (self.from(h), self.to(h));
+        let (c, d) = (self.opposite(h), self.opposite(g));
+        let (bc, ca, ad, db) = (next(h), previous(h), next(g), previous(g));
+        let outside = [bc, ca, ad, db].map(|e| self.twin[e as usize]);
+        self.set_corners(h, [d, c, a]);
+        self.set_corners(g, [c, d, b]);
+        // Where each of the four outer half-edges stands now.
+        let moved = [(previous(g), b), (next(h), c), (previous(h), a), (next(g), d)];
+        for ((place, vertex), twin) in moved.into_iter().zip(outside) {
+            self.twin[place as usize] = twin;
+            if twin != NONE {
+                self.twin[twin as usize] = place;
+            }
+            // A boundary vertex keeps its outgoing boundary half-edge; if that was one of the four, it has moved.
+            let before = self.outgoing[vertex as usize];
+            if [h, g, bc, ca, ad, db].contains(&before) {
+                self.outgoing[vertex as usize] = place;
+            }
+        }
+    }
+
+    /// Writes a triangle so that its corners start at the given half-edge.
+    fn set_corners(&mut self, half_edge: u32, corners: [u32; 3]) {
+        let (triangle, first) = (half_edge as usize / 3, half_edge as usize % 3);
+        for (k, corner) in corners.into_iter().enumerate() {
+            self.triangles[triangle][(first + k) % 3] = corner;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// A triangulated k x k grid.
+    fn grid(k: u32) -> Topology {
+        let at = |i, j| i * (k + 1) + j;
+        let triangles: Vec<[u32; 3]> = (0..k)
+            .flat_map(|i| (0..k).map(move |j| (i, j)))
+            .flat_map(|(i, j)| [[at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)]])
+            .collect();
+        Topology::build(&triangles, ((k + 1) * (k + 1)) as usize).unwrap()
+    }
+
+    proptest! {
+        #[test]
+        fn flipped_topology_equals_the_one_built_afresh(edges in prop::collection::vec(0u32..96, 1..60)) {
+            let mut topology = grid(4);
+            for h in edges {
+                if topology.can_flip(h) {
+                    let (c, d) = (topology.opposite(h), topology.opposite(topology.twin[h as usize]));
+                    topology.flip(h);
+                    prop_assert_eq!((topology.from(h), topology.to(h)), (d, c));
+                }
+            }
+            let fresh = Topology::build(topology.triangles(), 25).unwrap();
+            prop_assert_eq!(&fresh.twin, &topology.twin);
+            prop_assert_eq!(fresh.euler_characteristic(), 1);
+            for v in 0..25 {
+                let h = topology.outgoing[v as usize];
+                prop_assert_eq!(topology.from(h), v);
+                prop_assert_eq!(topology.is_boundary(v), fresh.is_boundary(v));
+                prop_assert_eq!(
+                    topology.outgoing_half_edges(v).count(), fresh.outgoing_half_edges(v).count());
+            }
+        }
+    }
+
+    #[test]
+    fn a_flip_that_would_double_an_edge_is_refused() {
+        // The faces of a tetrahedron: every pair of vertices is joined already.
+        let topology = Topology::build(&[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]], 4).unwrap();
+        assert!((0..12).all(|h| !topology.can_flip(h)));
+    }
+}

@@ -1,0 +1,315 @@
+//! Minimal surfaces: the least area, or another energy, among the meshes that span closed boundary polygons.
+//!
+//! [`solve`] is the front door: boundary polygons and a resolution in; a mesh, its measurements and the reason why the
+//! solver stopped out. The boundary never moves; everything else is the solver's to place.
+//!
+//! Sources: Chen, Cai, Zheng, *Constructing Triangular Meshes of Minimal Area* (2008); Pinkall, Polthier, *Computing
+//! Discrete Minimal Surfaces and Their Conjugates* (1993).
+
+mod film;
+mod initial_mesh;
+mod statistics;
+mod vertex_relaxation;
+
+pub use initial_mesh::InitialMeshKind;
+pub use statistics::{Curvature, HistoryRow, MeanCurvature, Pinch, Stability, Statistics, StopReason};
+pub use vertex_relaxation::Process;
+
+use crate::error::{InputError, Warning};
+use crate::polyline::merge_equal_neighbours;
+use crate::{DVec3, Error, Execution, Mesh, Place};
+use film::{Film, Run};
+
+/// What is made least.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Objective {
+    /// The sum of the triangles' areas.
+    #[default]
+    MinimalArea,
+}
+
+/// One objective, for people and for catalogues.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Description {
+    pub name: &'static str,
+    pub minimises: &'static str,
+    pub unit: &'static str,
+    pub source: &'static str,
+}
+
+impl Objective {
+    pub const ALL: [Self; 1] = [Self::MinimalArea];
+
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.describe().name
+    }
+
+    #[must_use]
+    pub fn describe(self) -> Description {
+        match self {
+            Self::MinimalArea => Description {
+                name: "minimal_area",
+                minimises: "the sum of the triangles' areas, boundary fixed",
+                unit: "u²",
+                source: "Chen, Cai, Zheng 2008, eq. 3",
+            },
+        }
+    }
+}
+
+/// How the area is minimised.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Solver {
+    /// The best of the others for the request at hand; the statistics say which one ran.
+    #[default]
+    Auto,
+    /// Chen, Cai, Zheng: Laplacian fairing, area minimising vertex by vertex, edge swapping.
+    VertexRelaxation,
+}
+
+impl Solver {
+    pub const ALL: [Self; 2] = [Self::Auto, Self::VertexRelaxation];
+
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::VertexRelaxation => "vertex_relaxation",
+        }
+    }
+}
+
+/// How fine the mesh is to be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Resolution {
+    /// Number of triangles. Exact for [`InitialMesh::Rings`] with [`BoundarySampling::Keep`], else within 10%.
+    Triangles(usize),
+    /// Mean edge length, in the caller's unit.
+    EdgeLength(f64),
+    /// Number of vertices that are not on the boundary.
+    InteriorVertices(usize),
+}
+
+/// Whether points may be added on the segments of the boundary.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BoundarySampling {
+    /// The polygon's own vertices only, as in the papers.
+    #[default]
+    Keep,
+}
+
+/// The mesh that the solver starts from. It also settles the topology of the result.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum InitialMesh {
+    /// The best of the others for the boundaries at hand; the statistics say which one it was.
+    #[default]
+    Auto,
+    /// Chen, Cai, Zheng 3.4: rings towards the mean of the boundary; between two boundaries, rings from one to the other.
+    Rings,
+}
+
+/// What a solve is asked for. [`Options::new`] gives the defaults; only the resolution has none.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    pub objective: Objective,
+    pub solver: Solver,
+    pub resolution: Resolution,
+    pub boundary_sampling: BoundarySampling,
+    pub initial_mesh: InitialMesh,
+    /// The residual (dimensionless, see [`Statistics::residual`]) at which a surface counts as converged.
+    pub tolerance: f64,
+    /// Relative change of area per iteration at which [`Solver::VertexRelaxation`] ends its area minimising (ε₂).
+    pub area_tolerance: f64,
+    /// The same for its Laplacian fairing (ε₁); `None`: as `area_tolerance`.
+    pub fairing_tolerance: Option<f64>,
+    /// Stages of [`Solver::VertexRelaxation`] in the caller's own order, each repeated until its tolerance; `None`: the paper's.
+    pub processes: Option<Vec<Vec<Process>>>,
+    /// `None`: the solver's own default (10,000 sweeps of vertex relaxation).
+    pub max_iterations: Option<u32>,
+}
+
+impl Options {
+    #[must_use]
+    pub fn new(resolution: Resolution) -> Self {
+        Self {
+            objective: Objective::default(),
+            solver: Solver::default(),
+            resolution,
+            boundary_sampling: BoundarySampling::default(),
+            initial_mesh: InitialMesh::default(),
+            tolerance: 1e-6,
+            area_tolerance: 1e-6,
+            fairing_tolerance: None,
+            processes: None,
+            max_iterations: None,
+        }
+    }
+
+    fn check(&self) -> Vec<InputError> {
+        let mut errors = Vec::new();
+        let positive = [
+            ("tolerance", Some(self.tolerance)),
+            ("area_tolerance", Some(self.area_tolerance)),
+            ("fairing_tolerance", self.fairing_tolerance),
+        ];
+        for (name, value) in positive {
+            if value.is_some_and(|value| !(value.is_finite() && value >= 0.0)) {
+                errors.push(InputError::new(Place::field(name), "must be a finite number, not negative"));
+            }
+        }
+        if let Resolution::EdgeLength(length) = self.resolution
+            && !(length.is_finite() && length > 0.0)
+        {
+            let place = Place::field("resolution").then("edge_length");
+            errors.push(InputError::new(place, "must be a finite number above 0"));
+        }
+        if let Some(stages) = &self.processes {
+            for (k, stage) in stages.iter().enumerate() {
+                if stage.iter().all(|process| *process == Process::EdgeSwapping) {
+                    let place = Place::field("processes").at(k);
+                    errors.push(InputError::new(place, "a stage needs laplacian_fairing or area_minimising"));
+                }
+            }
+        }
+        errors
+    }
+}
+
+/// A mesh that spans the boundaries, and what is known about it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MinimalSurface {
+    /// Vertices: the input's points in input order, boundary by boundary, equal neighbours once, at exactly the given
+    /// coordinates; then points added on the boundaries; then the interior.
+    pub mesh: Mesh,
+    /// Each boundary as a loop of mesh vertices, in the input's direction, added points included.
+    pub boundaries: Vec<Vec<u32>>,
+    /// For each input point its vertex.
+    pub input_vertices: Vec<Vec<u32>>,
+    /// Per vertex |area gradient| / (2/3 of the ring's area), in 1/unit; 0 where the vertex is fixed.
+    pub mean_curvature: Vec<f64>,
+    pub statistics: Statistics,
+    pub warnings: Vec<Warning>,
+}
+
+/// Spans the boundaries (closed polygons that do not repeat their first point) with a mesh that makes the objective least.
+///
+/// The result is an oriented manifold whose boundary loops are exactly the given ones. It depends on nothing but the
+/// arguments, to the byte, and turns, moves and scales with them up to rounding. Exactly equal neighbouring points are
+/// merged, with the warning `merged_points`. The least found is a *local* one: a boundary may bound several minimal
+/// surfaces, and which one comes out follows from the initial mesh. A surface that stopped above the tolerance is
+/// returned with `converged: false` and the warning `not_converged`, at a deadline too.
+///
+/// # Errors
+/// [`Error::Input`] for what the arguments themselves show (a coordinate that is not finite or beyond 1e70, fewer than
+/// three distinct points on a boundary, an impossible resolution); [`Error::NoResult`] if no valid mesh came out;
+/// [`Error::Interrupted`] on cancel, and on a deadline that passes before there is a mesh.
+pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<MinimalSurface, Error> {
+    let input = Input::read(boundaries, options)?;
+    exec.look(input.point_count() as u64)?;
+    let (mut film, kind) = initial_mesh::build(&input.centred, options, exec)?;
+    let initial_area = film.area();
+    let run = match options.solver {
+        Solver::Auto | Solver::VertexRelaxation => vertex_relaxation::run(&mut film, options, exec)?,
+    };
+    finish(input, film, kind, initial_area, run, options)
+}
+
+/// The boundaries without equal neighbours, and around the origin, so that an offset of 1e7 costs no digits.
+#[derive(Debug)]
+struct Input {
+    centre: DVec3,
+    given: Vec<Vec<DVec3>>,
+    centred: Vec<Vec<DVec3>>,
+    /// For each input point its vertex.
+    vertices: Vec<Vec<u32>>,
+    dropped: usize,
+}
+
+/// Coordinates beyond this could overflow when lengths are multiplied.
+const LARGEST_COORDINATE: f64 = 1e70;
+
+impl Input {
+    fn read(boundaries: &[Vec<DVec3>], options: &Options) -> Result<Self, Error> {
+        let mut errors = options.check();
+        let place = || Place::field("boundaries");
+        if boundaries.is_empty() {
+            errors.push(InputError::new(place(), "needs at least one closed polygon"));
+        }
+        let mut given = Vec::with_capacity(boundaries.len());
+        let mut vertices = Vec::with_capacity(boundaries.len());
+        let (mut first, mut dropped) = (0u32, 0);
+        for (k, boundary) in boundaries.iter().enumerate() {
+            for (i, point) in boundary.iter().enumerate() {
+                if !(point.is_finite() && point.abs().max_element() <= LARGEST_COORDINATE) {
+                    let detail = "every coordinate must be a finite number of magnitude at most 1e70";
+                    errors.push(InputError::new(place().at(k).at(i), detail));
+                }
+            }
+            let merged = merge_equal_neighbours(boundary, true);
+            let mut distinct: Vec<[f64; 3]> = merged.points.iter().map(|p| (*p + DVec3::ZERO).to_array()).collect();
+            distinct.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+            distinct.dedup();
+            if distinct.len() < 3 {
+                errors.push(InputError::new(place().at(k), "needs at least three distinct points"));
+            }
+            vertices.push(merged.vertex_of.iter().map(|&v| first + v as u32).collect());
+            first += merged.points.len() as u32;
+            dropped += merged.dropped();
+            given.push(merged.points);
+        }
+        if !errors.is_empty() {
+            return Err(Error::Input(errors));
+        }
+        let all: Vec<DVec3> = given.iter().flatten().copied().collect();
+        let centre = crate::polyline::mean(&all);
+        let centred = given.iter().map(|points| points.iter().map(|&p| p - centre).collect()).collect();
+        Ok(Self { centre, given, centred, vertices, dropped })
+    }
+
+    fn point_count(&self) -> usize {
+        self.given.iter().map(Vec::len).sum()
+    }
+}
+
+/// Puts the mesh back where the caller's is, in the promised vertex order, and measures it.
+fn finish(
+    input: Input,
+    film: Film,
+    kind: InitialMeshKind,
+    initial_area: f64,
+    run: Run,
+    options: &Options,
+) -> Result<MinimalSurface, Error> {
+    let film = film.with_boundary_first(input.point_count());
+    let topology = film.mesh().check().map_err(|defect| {
+        Error::no_result("invalid_mesh", format!("the solver left a mesh that is no oriented manifold ({defect})"))
+    })?;
+    let measured = Curvature::of(&film);
+    let statistics =
+        statistics::collect(&film, &topology, &measured, statistics::Origin { kind, initial_area, run }, options);
+    let mut warnings = Vec::new();
+    if input.dropped > 0 {
+        let detail = format!("{} points equal to their neighbour were merged with it", input.dropped);
+        warnings.push(Warning::new("merged_points", detail));
+    }
+    if !statistics.converged {
+        warnings.push(Warning::new("not_converged", statistics.shortfall(options.tolerance)));
+    }
+    let boundaries = film.boundaries.clone();
+    let mut mesh = film.into_mesh();
+    for vertex in &mut mesh.vertices {
+        *vertex += input.centre;
+    }
+    for (vertex, &point) in mesh.vertices.iter_mut().zip(input.given.iter().flatten()) {
+        *vertex = point;
+    }
+    Ok(MinimalSurface {
+        mesh,
+        boundaries,
+        input_vertices: input.vertices,
+        mean_curvature: measured.mean_curvature,
+        statistics,
+        warnings,
+    })
+}

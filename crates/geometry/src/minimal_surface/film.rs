@@ -1,0 +1,106 @@
+//! What the solvers of minimal surfaces share: the mesh while it moves, what on it is fixed, and what a run reports.
+
+use super::statistics::{HistoryRow, Pinch, Stability, StopReason};
+use crate::mesh::measure;
+use crate::mesh::topology::Topology;
+use crate::{DVec3, Mesh};
+
+/// A mesh between its boundaries while a solver works on it. Positions are centred on the mean of the boundary points.
+///
+/// Vertices: the boundaries' input points first; where points added on the boundary stand is the initial mesh's choice.
+#[derive(Clone, Debug)]
+pub(super) struct Film {
+    pub vertices: Vec<DVec3>,
+    pub topology: Topology,
+    /// Vertices that never move: the boundary, and points that the caller fixed.
+    pub fixed: Vec<bool>,
+    /// Edges that must stay, each smaller vertex first, sorted. Boundary edges stay anyway and are not listed.
+    pub locked: Vec<[u32; 2]>,
+    /// The boundary loops, in the input's order and direction.
+    pub boundaries: Vec<Vec<u32>>,
+}
+
+impl Film {
+    /// A film without constraints: the boundary loops are fixed, everything else moves. `None` if the triangles are no manifold.
+    pub fn new(vertices: Vec<DVec3>, triangles: &[[u32; 3]], boundaries: Vec<Vec<u32>>) -> Option<Self> {
+        let topology = Topology::build(triangles, vertices.len()).ok()?;
+        let mut fixed = vec![false; vertices.len()];
+        for &vertex in boundaries.iter().flatten() {
+            fixed[vertex as usize] = true;
+        }
+        Some(Self { vertices, topology, fixed, locked: Vec::new(), boundaries })
+    }
+
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        self.topology.triangles()
+    }
+
+    pub fn corners(&self, triangle: [u32; 3]) -> [DVec3; 3] {
+        triangle.map(|vertex| self.vertices[vertex as usize])
+    }
+
+    pub fn area(&self) -> f64 {
+        self.triangles().iter().map(|&t| 0.5 * measure::double_area_vector(self.corners(t)).length()).sum()
+    }
+
+    /// R: the largest distance of a boundary vertex from the mean of the boundary vertices.
+    pub fn radius(&self) -> f64 {
+        let points: Vec<DVec3> = self.boundaries.iter().flatten().map(|&v| self.vertices[v as usize]).collect();
+        let mean = crate::polyline::mean(&points);
+        points.iter().map(|point| point.distance(mean)).fold(0.0, f64::max)
+    }
+
+    /// Whether the edge between two vertices must stay.
+    pub fn is_locked(&self, a: u32, b: u32) -> bool {
+        !self.locked.is_empty() && self.locked.binary_search(&[a.min(b), a.max(b)]).is_ok()
+    }
+
+    pub fn mesh(&self) -> Mesh {
+        Mesh::new(self.vertices.clone(), self.triangles().to_vec())
+    }
+
+    pub fn into_mesh(self) -> Mesh {
+        let triangles = self.topology.triangles().to_vec();
+        Mesh::new(self.vertices, triangles)
+    }
+
+    /// The same film with the points added on the boundaries moved to stand right after the `input_points` first vertices.
+    pub fn with_boundary_first(self, input_points: usize) -> Self {
+        let added: Vec<u32> =
+            self.boundaries.iter().flatten().copied().filter(|&v| v as usize >= input_points).collect();
+        if added.iter().enumerate().all(|(k, &v)| v as usize == input_points + k) {
+            return self;
+        }
+        let count = self.vertices.len();
+        let mut is_added = vec![false; count];
+        added.iter().for_each(|&v| is_added[v as usize] = true);
+        let rest = (input_points..count).filter(|&v| !is_added[v]).map(|v| v as u32);
+        let order: Vec<u32> = (0..input_points as u32).chain(added.iter().copied()).chain(rest).collect();
+        let mut place = vec![0u32; count];
+        order.iter().enumerate().for_each(|(new, &old)| place[old as usize] = new as u32);
+        let moved = |v: u32| place[v as usize];
+        let triangles: Vec<[u32; 3]> = self.triangles().iter().map(|t| t.map(moved)).collect();
+        let mut locked: Vec<[u32; 2]> = self.locked.iter().map(|&[a, b]| [moved(a), moved(b)]).collect();
+        locked.iter_mut().for_each(|edge| edge.sort_unstable());
+        locked.sort_unstable();
+        Self {
+            vertices: order.iter().map(|&v| self.vertices[v as usize]).collect(),
+            topology: Topology::build(&triangles, count).expect("renaming vertices keeps a manifold one"),
+            fixed: order.iter().map(|&v| self.fixed[v as usize]).collect(),
+            locked,
+            boundaries: self.boundaries.iter().map(|boundary| boundary.iter().map(|&v| moved(v)).collect()).collect(),
+        }
+    }
+}
+
+/// What a solver did to a film.
+#[derive(Clone, Debug)]
+pub(super) struct Run {
+    pub solver: super::Solver,
+    pub stop_reason: StopReason,
+    pub iterations: u32,
+    pub history: Vec<HistoryRow>,
+    pub edges_swapped: u64,
+    pub pinches: Vec<Pinch>,
+    pub stability: Option<Stability>,
+}

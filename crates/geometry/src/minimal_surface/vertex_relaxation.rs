@@ -1,0 +1,294 @@
+//! Chen, Cai, Zheng, *Constructing Triangular Meshes of Minimal Area* (Computer-Aided Design & Applications 5, 2008).
+//!
+//! Three processes on a mesh whose boundary is fixed (their sections 3.1 to 3.3):
+//! 1. *Laplacian fairing*: every interior vertex at once to Σ w_ij P_j, w_ij in proportion to the area of the two
+//!    triangles at the edge ij.
+//! 2. *Area minimising*: one vertex at a time, in index order, to the solution of the linearised equation ∂A/∂P_h = 0
+//!    (their eq. 5).
+//! 3. *Edge swapping*: every interior edge whose swap reduces the area and leaves a manifold, until there is none.
+//!
+//! Their algorithm (section 3.4): swapping once; fairing and swapping until the area changes by less than ε₁; area
+//! minimising and swapping until it changes by less than ε₂. The caller may name other stages.
+//!
+//! Departures.
+//! - Their tolerances are areas; ours are relative to the area, so that they mean the same at every scale.
+//! - Eq. 5 is written for the step P_h(new) - P_h, so that far coordinates cost no digits. With weights frozen it is
+//!   the least weighted sum of squared distances to the lines of the opposite edges, hence never raises the area
+//!   (Weiszfeld); where a triangle has no height its weight would be infinite and is bounded instead.
+//! - A swap must gain more than rounding (1e-12 of the two triangles) and must not make a degenerate triangle.
+//! - Fairing does not lower the area in every step and could go on for ever between two states: each stage has at most
+//!   its share of the iterations that are left.
+
+use super::film::{Film, Run};
+use super::statistics::{Curvature, HistoryRow, StopReason};
+use super::{Options, Solver};
+use crate::mesh::measure::{double_area_vector, is_degenerate};
+use crate::mesh::topology::{next, previous};
+use crate::{DVec3, Error, Execution, Interruption, Progress};
+use glam::DMat3;
+
+/// One of the paper's three processes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Process {
+    LaplacianFairing,
+    AreaMinimising,
+    EdgeSwapping,
+}
+
+impl Process {
+    pub const ALL: [Self; 3] = [Self::LaplacianFairing, Self::AreaMinimising, Self::EdgeSwapping];
+
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::LaplacianFairing => "laplacian_fairing",
+            Self::AreaMinimising => "area_minimising",
+            Self::EdgeSwapping => "edge_swapping",
+        }
+    }
+}
+
+/// Sweeps that a run may take if the caller does not say.
+const DEFAULT_SWEEPS: u32 = 10_000;
+
+/// Triangles visited between two looks: under a millisecond of work.
+const LOOK_EVERY: u64 = 20_000;
+
+/// Relaxes the film stage by stage. Its mesh is valid at every moment; a deadline ends the run with what was reached.
+///
+/// # Errors
+/// [`Error::Interrupted`] on cancel.
+pub(super) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
+    let paper = || {
+        vec![
+            vec![Process::LaplacianFairing, Process::EdgeSwapping],
+            vec![Process::AreaMinimising, Process::EdgeSwapping],
+        ]
+    };
+    let stages = options.processes.clone().unwrap_or_else(paper);
+    let mut relaxation = Relaxation {
+        film,
+        exec,
+        limit: options.max_iterations.unwrap_or(DEFAULT_SWEEPS),
+        iterations: 0,
+        history: Vec::new(),
+        swapped: 0,
+        work: 0,
+        fraction: 0.0,
+    };
+    let stop_reason = match relaxation.stages(&stages, options) {
+        Ok(reason) => reason,
+        Err(Interruption::DeadlinePassed) => StopReason::Deadline,
+        Err(Interruption::Cancelled) => return Err(Interruption::Cancelled.into()),
+    };
+    let Relaxation { iterations, history, swapped, .. } = relaxation;
+    Ok(Run {
+        solver: Solver::VertexRelaxation,
+        stop_reason,
+        iterations,
+        history,
+        edges_swapped: swapped,
+        pinches: Vec::new(),
+        stability: None,
+    })
+}
+
+struct Relaxation<'a> {
+    film: &'a mut Film,
+    exec: &'a Execution<'a>,
+    limit: u32,
+    iterations: u32,
+    history: Vec<HistoryRow>,
+    swapped: u64,
+    /// Triangles visited since the last look.
+    work: u64,
+    fraction: f64,
+}
+
+impl Relaxation<'_> {
+    fn stages(&mut self, stages: &[Vec<Process>], options: &Options) -> Result<StopReason, Interruption> {
+        if self.film.fixed.iter().all(|&fixed| fixed) {
+            return Ok(StopReason::NothingToMove);
+        }
+        if stages.iter().flatten().any(|&process| process == Process::EdgeSwapping) {
+            self.swap_edges()?;
+        }
+        let mut reason = StopReason::AreaChange;
+        for (k, stage) in stages.iter().enumerate() {
+            let tolerance = if stage.contains(&Process::AreaMinimising) {
+                options.area_tolerance
+            } else {
+                options.fairing_tolerance.unwrap_or(options.area_tolerance)
+            };
+            let share = (self.limit - self.iterations) / (stages.len() - k) as u32;
+            let span = (k as f64 / stages.len() as f64, (k + 1) as f64 / stages.len() as f64);
+            let ended = self.stage(stage, tolerance, self.iterations + share, span)?;
+            // Only the last stage settles the surface; one cut short before it leaves its rest to the next.
+            reason = if ended { StopReason::AreaChange } else { StopReason::MaxIterations };
+        }
+        Ok(reason)
+    }
+
+    /// Repeats a stage until the area changes by less than the tolerance (true) or the iterations are used up.
+    fn stage(
+        &mut self,
+        stage: &[Process],
+        tolerance: f64,
+        last_iteration: u32,
+        span: (f64, f64),
+    ) -> Result<bool, Interruption> {
+        let phase =
+            stage.iter().find(|process| **process != Process::EdgeSwapping).map_or("edge_swapping", |p| p.name());
+        let mut area = self.film.area();
+        let mut first_change = None;
+        loop {
+            if self.iterations >= last_iteration {
+                return Ok(false);
+            }
+            for process in stage {
+                match process {
+                    Process::LaplacianFairing => self.fair()?,
+                    Process::AreaMinimising => self.minimise_area()?,
+                    Process::EdgeSwapping => self.swap_edges()?,
+                }
+            }
+            self.iterations += 1;
+            let before = std::mem::replace(&mut area, self.film.area());
+            let change = (before - area).abs() / area;
+            let ended = change.is_nan() || change <= tolerance;
+            let first_change = *first_change.get_or_insert(change);
+            // Changes fall geometrically, so the logarithm of the change tells how far the stage has come.
+            let part = (first_change / change).ln() / (first_change / tolerance.max(1e-16)).ln();
+            let part = if ended { 1.0 } else { part.clamp(0.0, 1.0) };
+            self.remember(phase, area, span.0 + (span.1 - span.0) * part, ended || self.iterations >= last_iteration);
+            if ended {
+                return Ok(true);
+            }
+        }
+    }
+
+    /// Keeps a history row and reports progress, thinned out as [`Statistics::history`](super::Statistics) says.
+    fn remember(&mut self, phase: &'static str, area: f64, fraction: f64, last: bool) {
+        let k = self.iterations;
+        let kept = k <= 100 || k.is_multiple_of(100) || (k <= 1000 && k.is_multiple_of(10));
+        if !(kept || last) {
+            return;
+        }
+        let residual = Curvature::of(self.film).residual;
+        self.work += 2 * self.film.triangles().len() as u64;
+        self.history.push(HistoryRow { phase, iteration: k, area, residual });
+        self.fraction = self.fraction.max(if fraction.is_nan() { 0.0 } else { fraction });
+        self.exec.report(Progress {
+            fraction: self.fraction,
+            phase,
+            iteration: u64::from(k),
+            objective_value: Some(area),
+            residual: Some(residual),
+        });
+    }
+
+    fn worked(&mut self, triangles: u64) -> Result<(), Interruption> {
+        self.work += triangles;
+        if self.work >= LOOK_EVERY { self.exec.look(std::mem::take(&mut self.work)) } else { Ok(()) }
+    }
+
+    /// Section 3.2, one iteration.
+    fn fair(&mut self) -> Result<(), Interruption> {
+        let mut sums = vec![(DVec3::ZERO, 0.0); self.film.vertices.len()];
+        for (k, &[a, b, c]) in self.film.triangles().iter().enumerate() {
+            let [p, q, r] = self.film.corners([a, b, c]);
+            let area = double_area_vector([p, q, r]).length();
+            for (vertex, others) in [(a, q + r), (b, r + p), (c, p + q)] {
+                let sum = &mut sums[vertex as usize];
+                sum.0 += area * others;
+                sum.1 += 2.0 * area;
+            }
+            if k as u64 % LOOK_EVERY == LOOK_EVERY - 1 {
+                self.exec.look(self.work + LOOK_EVERY)?;
+                self.work = 0;
+            }
+        }
+        for (v, (sum, weight)) in sums.into_iter().enumerate() {
+            if !self.film.fixed[v] && weight > 0.0 {
+                self.film.vertices[v] = sum / weight;
+            }
+        }
+        self.worked(self.film.triangles().len() as u64 % LOOK_EVERY)
+    }
+
+    /// Section 3.1, one iteration.
+    fn minimise_area(&mut self) -> Result<(), Interruption> {
+        for v in 0..self.film.vertices.len() as u32 {
+            if self.film.fixed[v as usize] {
+                continue;
+            }
+            let (step, ring) = eq5_step(self.film, v);
+            self.film.vertices[v as usize] += step;
+            self.worked(ring)?;
+        }
+        Ok(())
+    }
+
+    /// Section 3.3: passes over all edges until one swaps none.
+    fn swap_edges(&mut self) -> Result<(), Interruption> {
+        loop {
+            let mut swapped = 0;
+            for h in 0..self.film.topology.twin.len() as u32 {
+                if h < self.film.topology.twin[h as usize] && gains(self.film, h) && self.film.topology.can_flip(h) {
+                    self.film.topology.flip(h);
+                    swapped += 1;
+                }
+                self.worked(1)?;
+            }
+            self.swapped += swapped;
+            if swapped == 0 {
+                return Ok(());
+            }
+        }
+    }
+}
+
+/// Whether swapping the edge reduces the area by more than rounding and leaves no degenerate triangle.
+fn gains(film: &Film, h: u32) -> bool {
+    let topology = &film.topology;
+    let twin = topology.twin[h as usize];
+    if twin == crate::mesh::topology::NONE {
+        return false;
+    }
+    let (a, b, c, d) = (topology.from(h), topology.to(h), topology.opposite(h), topology.opposite(twin));
+    let [p, q, r, s] = [a, b, c, d].map(|v| film.vertices[v as usize]);
+    let double_area = |corners| double_area_vector(corners).length();
+    let before = double_area([p, q, r]) + double_area([q, p, s]);
+    let after = double_area([s, r, p]) + double_area([r, s, q]);
+    after < before * (1.0 - 1e-12) && !is_degenerate([s, r, p]) && !is_degenerate([r, s, q]) && !film.is_locked(a, b)
+}
+
+/// The step of eq. 5 for one vertex, and the number of its triangles.
+fn eq5_step(film: &Film, v: u32) -> (DVec3, u64) {
+    let topology = &film.topology;
+    let at = |vertex: u32| film.vertices[vertex as usize];
+    let here = at(v);
+    let (mut matrix, mut pull, mut ring) = (DMat3::ZERO, DVec3::ZERO, 0);
+    for h in topology.outgoing_half_edges(v) {
+        let j = at(topology.to(h));
+        let edge = at(topology.from(previous(h))) - j;
+        debug_assert_eq!(next(next(h)), previous(h));
+        let to_j = j - here;
+        let length_squared = edge.length_squared();
+        // Twice the triangle's area; bounded below, so that a vertex on the opposite edge's line is not stuck there.
+        let double_area = edge.cross(to_j).length().max(1e-8 * length_squared);
+        if double_area > 0.0 {
+            let outer = DMat3::from_cols(edge.x * edge, edge.y * edge, edge.z * edge);
+            matrix += (DMat3::from_diagonal(DVec3::splat(length_squared)) - outer) * (1.0 / double_area);
+            pull += (length_squared * to_j - edge.dot(to_j) * edge) / double_area;
+        }
+        ring += 1;
+    }
+    // Singular only if all opposite edges are parallel.
+    let scale = matrix.x_axis.x + matrix.y_axis.y + matrix.z_axis.z;
+    let determinant = matrix.determinant();
+    if determinant.is_nan() || determinant <= 1e-14 * scale * scale * scale {
+        return (DVec3::ZERO, ring);
+    }
+    (matrix.inverse() * pull, ring)
+}
