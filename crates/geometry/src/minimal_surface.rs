@@ -215,6 +215,36 @@ pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> 
     finish(input, film, kind, initial_area, run, options)
 }
 
+/// What [`solve`] would say of its arguments before any work: linear in the number of points.
+///
+/// # Errors
+/// The [`Error::Input`] that [`solve`] would begin with. Arguments that pass may still turn out to have no valid mesh.
+pub fn check(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
+    Input::read(boundaries, options).map(drop)
+}
+
+/// About how many triangles a request asks for, so that a service can price it before the work.
+///
+/// Exact where a count is asked for; for an edge length the area of the boundaries' fans about their means is divided by
+/// that of an equilateral triangle, which is right within a small factor unless the boundaries are far apart.
+#[must_use]
+pub fn estimate_triangles(boundaries: &[Vec<DVec3>], options: &Options) -> f64 {
+    let points: usize = boundaries.iter().map(Vec::len).sum();
+    match options.resolution {
+        Resolution::Triangles(count) => count as f64,
+        Resolution::InteriorVertices(count) => (2 * count + points) as f64,
+        Resolution::EdgeLength(length) => {
+            let all: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
+            let centre = crate::polyline::mean(&all);
+            let fans = boundaries.iter().flat_map(|boundary| {
+                let next = boundary.iter().cycle().skip(1);
+                boundary.iter().zip(next).map(|(&a, &b)| 0.5 * (a - centre).cross(b - centre).length())
+            });
+            fans.sum::<f64>() / (length * length * 0.75_f64.sqrt() * 0.5)
+        }
+    }
+}
+
 /// The boundaries without equal neighbours, and around the origin, so that an offset of 1e7 costs no digits.
 #[derive(Debug)]
 struct Input {
