@@ -8,6 +8,8 @@
 
 mod film;
 mod initial_mesh;
+#[allow(dead_code, reason = "the initial meshes that use it follow")]
+mod remesh;
 mod statistics;
 mod vertex_relaxation;
 

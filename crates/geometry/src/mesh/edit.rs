@@ -1,4 +1,5 @@
-//! Changes of connectivity that keep a mesh an oriented manifold: flipping the diagonal of two triangles.
+//! Changes of connectivity that keep a mesh an oriented manifold: flipping the diagonal of two triangles, and regular
+//! subdivision.
 
 use crate::mesh::topology::{NONE, Topology, next, previous};
 
@@ -60,6 +61,57 @@ impl Topology {
         }
     }
 
+    /// Splits every triangle into four at its edges' midpoints: the new topology, and for each new vertex the ends of
+    /// the edge that it halves.
+    ///
+    /// Old vertices keep their numbers, new ones follow. Triangle `t` becomes `4 t + k` at its corner `k` and `4 t + 3` in the
+    /// middle. O(n), without pairing half-edges afresh.
+    #[must_use]
+    pub fn subdivided(&self) -> (Self, Vec<[u32; 2]>) {
+        let old = self.outgoing.len() as u32;
+        let mut parents = Vec::with_capacity(self.twin.len() / 2 + 1);
+        let mut midpoint = vec![NONE; self.twin.len()];
+        for h in 0..self.twin.len() as u32 {
+            if midpoint[h as usize] == NONE {
+                midpoint[h as usize] = old + parents.len() as u32;
+                if self.twin[h as usize] != NONE {
+                    midpoint[self.twin[h as usize] as usize] = midpoint[h as usize];
+                }
+                parents.push([self.from(h), self.to(h)]);
+            }
+        }
+        // The two halves of half-edge 3 t + k: from corner k to the midpoint, and on to the next corner.
+        let first_half = |h: u32| 3 * (4 * (h / 3) + h % 3);
+        let second_half = |h: u32| 3 * (4 * (h / 3) + (h % 3 + 1) % 3) + 2;
+        let mut triangles = Vec::with_capacity(4 * self.triangles.len());
+        let mut twin = vec![NONE; 4 * self.twin.len()];
+        let mut outgoing = vec![NONE; old as usize + parents.len()];
+        for (t, &corners) in self.triangles.iter().enumerate() {
+            let middle: [u32; 3] = [midpoint[3 * t], midpoint[3 * t + 1], midpoint[3 * t + 2]];
+            for k in 0..3 {
+                triangles.push([corners[k], middle[k], middle[(k + 2) % 3]]);
+                let (inner, centre) = (3 * (4 * t + k) + 1, 3 * (4 * t + 3) + (k + 2) % 3);
+                twin[inner] = centre as u32;
+                twin[centre] = inner as u32;
+            }
+            triangles.push(middle);
+        }
+        for h in 0..self.twin.len() as u32 {
+            let other = self.twin[h as usize];
+            if other != NONE {
+                twin[first_half(h) as usize] = second_half(other);
+                twin[second_half(h) as usize] = first_half(other);
+            }
+            outgoing[midpoint[h as usize] as usize] = second_half(h);
+        }
+        for (v, &h) in self.outgoing.iter().enumerate() {
+            if h != NONE {
+                outgoing[v] = first_half(h);
+            }
+        }
+        (Self { twin, outgoing, triangles }, parents)
+    }
+
     /// Writes a triangle so that its corners start at the given half-edge.
     fn set_corners(&mut self, half_edge: u32, corners: [u32; 3]) {
         let (triangle, first) = (half_edge as usize / 3, half_edge as usize % 3);
@@ -105,6 +157,22 @@ mod tests {
                 prop_assert_eq!(
                     topology.outgoing_half_edges(v).count(), fresh.outgoing_half_edges(v).count());
             }
+        }
+    }
+
+    #[test]
+    fn subdivided_topology_equals_the_one_built_afresh() {
+        let coarse = grid(3);
+        let (fine, parents) = coarse.subdivided();
+        assert_eq!((fine.triangles().len(), parents.len()), (4 * 18, coarse.edge_count()));
+        let fresh = Topology::build(fine.triangles(), 16 + parents.len()).unwrap();
+        assert_eq!(fresh.twin, fine.twin);
+        for v in 0..fine.outgoing.len() as u32 {
+            assert_eq!(fine.from(fine.outgoing[v as usize]), v);
+            assert_eq!(fine.is_boundary(v), fresh.is_boundary(v));
+        }
+        for (k, &[a, b]) in parents.iter().enumerate() {
+            assert!(fine.are_adjacent(a, 16 + k as u32) && fine.are_adjacent(b, 16 + k as u32));
         }
     }
 
