@@ -6,11 +6,18 @@
 //! Sources: Chen, Cai, Zheng, *Constructing Triangular Meshes of Minimal Area* (2008); Pinkall, Polthier, *Computing
 //! Discrete Minimal Surfaces and Their Conjugates* (1993).
 
+mod cotangent;
 mod film;
 mod initial_mesh;
+mod newton;
+mod pinkall_polthier;
+mod record;
 #[allow(dead_code, reason = "the initial meshes that use it follow")]
 mod remesh;
+mod stability;
 mod statistics;
+#[cfg(test)]
+mod structured;
 mod vertex_relaxation;
 
 pub use initial_mesh::InitialMeshKind;
@@ -68,16 +75,22 @@ pub enum Solver {
     Auto,
     /// Chen, Cai, Zheng: Laplacian fairing, area minimising vertex by vertex, edge swapping.
     VertexRelaxation,
+    /// Pinkall, Polthier: the harmonic map from the current mesh, again and again.
+    PinkallPolthier,
+    /// A few Pinkall-Polthier solves, then Newton's method in normal heights.
+    Newton,
 }
 
 impl Solver {
-    pub const ALL: [Self; 2] = [Self::Auto, Self::VertexRelaxation];
+    pub const ALL: [Self; 4] = [Self::Auto, Self::VertexRelaxation, Self::PinkallPolthier, Self::Newton];
 
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Auto => "auto",
             Self::VertexRelaxation => "vertex_relaxation",
+            Self::PinkallPolthier => "pinkall_polthier",
+            Self::Newton => "newton",
         }
     }
 }
@@ -111,6 +124,16 @@ pub enum InitialMesh {
     Rings,
 }
 
+/// What to do with a stationary surface that is no local minimum.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum OnUnstable {
+    /// Return it, and say so.
+    #[default]
+    Report,
+    /// Leave it along its lowest mode and go on to a minimum.
+    Descend,
+}
+
 /// What a solve is asked for. [`Options::new`] gives the defaults; only the resolution has none.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
@@ -127,7 +150,8 @@ pub struct Options {
     pub fairing_tolerance: Option<f64>,
     /// Stages of [`Solver::VertexRelaxation`] in the caller's own order, each repeated until its tolerance; `None`: the paper's.
     pub processes: Option<Vec<Vec<Process>>>,
-    /// `None`: the solver's own default (10,000 sweeps of vertex relaxation).
+    pub on_unstable: OnUnstable,
+    /// `None`: the solver's own default (10,000 sweeps of vertex relaxation, 200 linear solves).
     pub max_iterations: Option<u32>,
 }
 
@@ -144,6 +168,7 @@ impl Options {
             area_tolerance: 1e-6,
             fairing_tolerance: None,
             processes: None,
+            on_unstable: OnUnstable::default(),
             max_iterations: None,
         }
     }
@@ -212,7 +237,9 @@ pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> 
     let (mut film, kind) = initial_mesh::build(&input.centred, options, exec)?;
     let initial_area = film.area();
     let run = match options.solver {
-        Solver::Auto | Solver::VertexRelaxation => vertex_relaxation::run(&mut film, options, exec)?,
+        Solver::VertexRelaxation => vertex_relaxation::run(&mut film, options, exec)?,
+        Solver::PinkallPolthier => pinkall_polthier::run(&mut film, options, exec)?,
+        Solver::Auto | Solver::Newton => newton::run(&mut film, options, exec)?,
     };
     finish(input, film, kind, initial_area, run, options)
 }

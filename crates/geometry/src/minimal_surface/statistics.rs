@@ -16,6 +16,10 @@ pub enum StopReason {
     /// There is no vertex to move.
     NothingToMove,
     MaxIterations,
+    /// No step gains any more, although the residual is above the tolerance: a fold is in the way, or rounding is reached.
+    Stalled,
+    /// A part of the mesh has shrunk so far that its linear system has no trustworthy solution.
+    Collapsed,
     Deadline,
 }
 
@@ -27,6 +31,8 @@ impl StopReason {
             Self::AreaChange => "area_change",
             Self::NothingToMove => "nothing_to_move",
             Self::MaxIterations => "max_iterations",
+            Self::Stalled => "stalled",
+            Self::Collapsed => "collapsed",
             Self::Deadline => "deadline",
         }
     }

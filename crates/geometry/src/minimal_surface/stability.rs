@@ -1,0 +1,256 @@
+//! Whether a minimal surface is a true local minimum: the second variation of area under normal motion.
+//!
+//! K is the matrix of [`newton`](super::newton) at the final positions, M the lumped mass (a third of each ring's area).
+//! - The Morse index is the number of negative eigenvalues of K. By Sylvester's law it is the number of negative pivots
+//!   in K = L D Lᵀ, whatever the mass; no eigenvalue needs to be computed for it.
+//! - The lowest eigenvalue of K x = λ M x and its vector: locally optimal preconditioned conjugate gradients (Knyazev, *Toward
+//!   the Optimal Preconditioned Eigensolver*, 2001, for one vector). The preconditioner is the factor of K, or of K + s M with
+//!   s large enough to make it positive definite, so that a handful of iterations suffice.
+//!
+//! The start is the constant height. The lowest eigenfunction of a connected surface has one sign, so the two are never orthogonal,
+//! and the result depends on no random number.
+
+use super::cotangent::Pattern;
+use super::film::Film;
+use super::newton::State;
+use crate::linear::{LinearError, Symbolic, SymmetricMatrix};
+
+/// Iterations end when the eigenvalue moves by less than this fraction of itself (or of 1/1000 of 1/R²).
+const EIGENVALUE_TOLERANCE: f64 = 1e-9;
+const MAX_ITERATIONS: usize = 60;
+/// Shifts tried, in units of 1/R², each four times the last, before an indefinite matrix is given up.
+const MAX_SHIFTS: usize = 24;
+
+/// An eigenvalue with its vector (unit in the lumped mass).
+#[derive(Clone, Debug)]
+pub(super) struct Mode {
+    pub eigenvalue: f64,
+    pub heights: Vec<f64>,
+}
+
+/// The second variation at one position, analysed.
+#[derive(Clone, Debug)]
+pub(super) struct SecondVariation {
+    pub morse_index: usize,
+    pub lowest: Mode,
+}
+
+/// Morse index by inertia and lowest mode, at the film's position. `None` for a film without free vertices.
+///
+/// # Errors
+/// A [`LinearError`] if no factorisation is possible (a degenerate mesh).
+pub(super) fn analyse(
+    film: &Film,
+    pattern: &Pattern,
+    symbolic: &Symbolic,
+    matrix: &mut SymmetricMatrix,
+    state: &State,
+    radius: f64,
+) -> Result<Option<SecondVariation>, LinearError> {
+    if pattern.vertex.is_empty() {
+        return Ok(None);
+    }
+    pattern.second_variation(&film.vertices, film.triangles(), &state.normals, 0.0, matrix);
+    let mass = &state.first.mass;
+    let unit = 1.0 / (radius * radius);
+    let start = vec![1.0; mass.len()];
+    // A singular matrix is a surface at the very edge of stability: a hair's breadth of mass decides which side it is on.
+    let mut factorised = symbolic.factorise(matrix);
+    let nudged;
+    if matches!(factorised, Err(LinearError::Singular)) {
+        nudged = shifted(matrix, mass, 1e-13 * unit);
+        factorised = symbolic.factorise(&nudged);
+    }
+    let factorisation = factorised?;
+    let morse_index = factorisation.inertia().negative;
+    if morse_index == 0 {
+        let lowest = lowest_mode(matrix, mass, unit, start, |residual| factorisation.solve_unchecked(residual));
+        return Ok(Some(SecondVariation { morse_index, lowest }));
+    }
+    drop(factorisation);
+    let mut shift = unit;
+    for _ in 0..MAX_SHIFTS {
+        let raised = shifted(matrix, mass, shift);
+        match symbolic.factorise(&raised) {
+            Ok(factorisation) if factorisation.inertia().is_positive_definite() => {
+                let lowest = lowest_mode(matrix, mass, unit, start, |residual| factorisation.solve_unchecked(residual));
+                return Ok(Some(SecondVariation { morse_index, lowest }));
+            }
+            Ok(_) | Err(LinearError::Singular) => shift *= 4.0,
+            Err(error) => return Err(error),
+        }
+    }
+    Err(LinearError::Singular)
+}
+
+/// K + shift M.
+fn shifted(matrix: &SymmetricMatrix, mass: &[f64], shift: f64) -> SymmetricMatrix {
+    let mut result = matrix.clone();
+    for (row, mass) in mass.iter().enumerate() {
+        result.values[result.row_start[row] as usize] += shift * mass;
+    }
+    result
+}
+
+/// The lowest eigenvalue of K x = λ M x from a start vector; `precondition` applies an approximate positive definite inverse of K in place.
+/// `unit` is the eigenvalue scale 1/R².
+pub(super) fn lowest_mode(
+    matrix: &SymmetricMatrix,
+    mass: &[f64],
+    unit: f64,
+    start: Vec<f64>,
+    precondition: impl Fn(&mut [f64]),
+) -> Mode {
+    let inner = |a: &[f64], b: &[f64]| a.iter().zip(b).zip(mass).map(|((a, b), m)| a * b * m).sum::<f64>();
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let n = mass.len();
+    // The basis: the iterate, the preconditioned residual, the last direction; each with its product by K.
+    let mut x = Vector { value: start, product: vec![0.0; n] };
+    matrix.multiply(&x.value, &mut x.product);
+    x.scale(1.0 / inner(&x.value, &x.value).sqrt());
+    let mut eigenvalue = dot(&x.value, &x.product);
+    let mut last: Option<Vector> = None;
+    for _ in 0..MAX_ITERATIONS {
+        let mut residual: Vec<f64> =
+            x.product.iter().zip(&x.value).zip(mass).map(|((kx, x), m)| kx - eigenvalue * m * x).collect();
+        precondition(&mut residual);
+        let mut basis = vec![x];
+        let mut w = Vector { value: residual, product: vec![0.0; n] };
+        w.orthonormalise(&basis, inner);
+        matrix.multiply(&w.value, &mut w.product);
+        basis.push(w);
+        if let Some(mut direction) = last.take() {
+            direction.orthonormalise(&basis, inner);
+            basis.push(direction);
+        }
+        basis.retain(|vector| vector.value.iter().all(|value| value.is_finite()));
+        let size = basis.len();
+        let mut small = [[0.0; 3]; 3];
+        for i in 0..size {
+            for j in 0..size {
+                small[i][j] = dot(&basis[i.min(j)].value, &basis[i.max(j)].product);
+            }
+        }
+        let (lowest, weights) = lowest_of_three(small, size);
+        let mut next = Vector { value: vec![0.0; n], product: vec![0.0; n] };
+        let mut direction = Vector { value: vec![0.0; n], product: vec![0.0; n] };
+        for (k, (vector, &weight)) in basis.iter().zip(&weights).enumerate() {
+            next.add(weight, vector);
+            if k > 0 {
+                direction.add(weight, vector);
+            }
+        }
+        x = next;
+        x.scale(1.0 / inner(&x.value, &x.value).sqrt());
+        last = Some(direction);
+        let change = (eigenvalue - lowest).abs();
+        eigenvalue = lowest;
+        if change.is_nan() || change <= EIGENVALUE_TOLERANCE * eigenvalue.abs().max(1e-3 * unit) {
+            break;
+        }
+    }
+    Mode { eigenvalue, heights: x.value }
+}
+
+/// A vector and its product by K, which take part in the same linear combinations.
+struct Vector {
+    value: Vec<f64>,
+    product: Vec<f64>,
+}
+
+impl Vector {
+    fn scale(&mut self, factor: f64) {
+        self.value.iter_mut().chain(&mut self.product).for_each(|value| *value *= factor);
+    }
+
+    fn add(&mut self, weight: f64, other: &Self) {
+        self.value.iter_mut().zip(&other.value).for_each(|(value, other)| *value += weight * other);
+        self.product.iter_mut().zip(&other.product).for_each(|(value, other)| *value += weight * other);
+    }
+
+    /// Twice is enough (Kahan). Becomes not finite if nothing is left.
+    fn orthonormalise(&mut self, basis: &[Self], inner: impl Fn(&[f64], &[f64]) -> f64) {
+        for _ in 0..2 {
+            for other in basis {
+                let weight = -inner(&self.value, &other.value);
+                self.add(weight, other);
+            }
+            let norm = inner(&self.value, &self.value).sqrt();
+            self.scale(if norm > 0.0 { 1.0 / norm } else { f64::NAN });
+        }
+    }
+}
+
+/// The lowest eigenvalue and unit vector of the leading `size` rows of a symmetric matrix, by Jacobi's rotations.
+fn lowest_of_three(mut a: [[f64; 3]; 3], size: usize) -> (f64, [f64; 3]) {
+    let mut vectors = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    for _sweep in 0..12 {
+        for (p, q) in [(0, 1), (0, 2), (1, 2)] {
+            if q >= size || a[p][q] == 0.0 {
+                continue;
+            }
+            let theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
+            let t = theta.signum() / (theta.abs() + (theta * theta + 1.0).sqrt());
+            let c = 1.0 / (t * t + 1.0).sqrt();
+            let s = t * c;
+            for row in &mut a {
+                (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
+            }
+            let (row_p, row_q) = (a[p], a[q]);
+            a[p] = std::array::from_fn(|k| c * row_p[k] - s * row_q[k]);
+            a[q] = std::array::from_fn(|k| s * row_p[k] + c * row_q[k]);
+            for row in &mut vectors {
+                (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
+            }
+        }
+    }
+    let lowest = (0..size).min_by(|&i, &j| a[i][i].total_cmp(&a[j][j])).unwrap_or(0);
+    (a[lowest][lowest], vectors.map(|row| row[lowest]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::newton::{Aim, Heights, Outcome, Settings};
+    use super::super::structured::{catenoid, patch};
+    use super::*;
+    use crate::{DVec3, Execution};
+    use std::f64::consts::PI;
+
+    fn converged(mut film: Film, aim: Aim) -> SecondVariation {
+        let settings = Settings { aim, tolerance: 1e-9, max_steps: 20, radius: film.radius() };
+        let mut heights = Heights::new(&film).unwrap();
+        let outcome = heights.iterate(&mut film, settings, &Execution::default(), &mut |_, _| {});
+        assert_eq!(outcome, Outcome::Converged);
+        let state = State::of(&heights.pattern, &film.vertices, film.triangles(), settings.radius);
+        analyse(&film, &heights.pattern, &heights.symbolic, &mut heights.matrix, &state, settings.radius)
+            .unwrap()
+            .unwrap()
+    }
+
+    #[test]
+    fn the_unit_square_vibrates_at_two_pi_squared() {
+        // On a flat film the second variation is the Dirichlet energy: -Δ, with λ = 2 π² on the unit square.
+        let lowest = |n| converged(patch(n, n, |u, v| DVec3::new(u, v, 0.0)), Aim::Minimum).lowest.eigenvalue;
+        let errors = [8, 16, 32].map(|n| (lowest(n) - 2.0 * PI * PI).abs());
+        assert!(errors[2] < 0.05 && errors[1] / errors[2] > 3.5 && errors[0] / errors[1] > 3.5, "{errors:?}");
+    }
+
+    #[test]
+    fn a_catenoid_sector_beyond_the_critical_one_has_index_one() {
+        let sector = 6.0 * PI / 5.0;
+        for (reach, index) in [(1.5, 0), (2.0, 1)] {
+            let film = patch(52, 52, catenoid(sector, reach));
+            let variation = converged(film, Aim::Stationary);
+            assert_eq!(variation.morse_index, index);
+            assert_eq!(variation.lowest.eigenvalue < 0.0, index > 0);
+        }
+    }
+
+    #[test]
+    fn the_lowest_of_three() {
+        let (value, vector) = lowest_of_three([[2.0, -1.0, 0.0], [-1.0, 2.0, -1.0], [0.0, -1.0, 2.0]], 3);
+        assert!((value - (2.0 - 2f64.sqrt())).abs() < 1e-14);
+        assert!((vector[1] / vector[0] - 2f64.sqrt()).abs() < 1e-12);
+        assert!((lowest_of_three([[2.0, -1.0, 9.0], [-1.0, 2.0, 9.0], [9.0, 9.0, 9.0]], 2).0 - 1.0).abs() < 1e-14);
+    }
+}
