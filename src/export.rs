@@ -1,0 +1,135 @@
+//! Meshes as bytes: the stored artefact ([`archive`]) and the formats that are derived from it on request.
+//!
+//! A solver's result is kept once, in f64, as an [`Archive`]; every download is made from it, so that two formats of one
+//! job can never disagree. Everything here is a pure function of the archive: the same archive gives the same bytes.
+//!
+//! | format | axes and unit | numbers |
+//! | --- | --- | --- |
+//! | [`gltf`] (GLB, glTF JSON) | Y up, metres | f32 around an f64 origin |
+//! | [`obj`], [`ply`] | the client's | f64, every digit |
+//! | [`stl`] | the client's | f32 |
+//! | [`svg`], [`dxf`] (flat pattern) | flat; SVG in mm, DXF in the client's unit | f64, every digit |
+//!
+//! This module knows no job and no HTTP; it depends on the geometry crate alone.
+
+pub mod archive;
+pub mod dxf;
+pub mod gltf;
+pub mod obj;
+pub mod pattern;
+pub mod ply;
+pub mod stl;
+pub mod svg;
+
+pub use archive::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Polyline, SegmentValues, Unit, UpAxis};
+pub use pattern::{Fold, Pattern, Piece};
+
+/// What a mesh can be downloaded as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum MeshFormat {
+    Glb,
+    Gltf,
+    Obj,
+    Ply,
+    Stl,
+}
+
+impl MeshFormat {
+    pub const ALL: [Self; 5] = [Self::Glb, Self::Gltf, Self::Obj, Self::Ply, Self::Stl];
+
+    /// The short name, which is the file's extension too.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Glb => "glb",
+            Self::Gltf => "gltf",
+            Self::Obj => "obj",
+            Self::Ply => "ply",
+            Self::Stl => "stl",
+        }
+    }
+
+    #[must_use]
+    pub fn media_type(self) -> &'static str {
+        match self {
+            Self::Glb => "model/gltf-binary",
+            Self::Gltf => "model/gltf+json",
+            Self::Obj => "model/obj",
+            Self::Ply => "application/x-ply",
+            Self::Stl => "model/stl",
+        }
+    }
+
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.name() == name)
+    }
+
+    /// The mesh in this format. Linear in the mesh's size, in time and memory.
+    ///
+    /// # Errors
+    /// [`Error`] where the format cannot hold this mesh: coordinates beyond f32, a file beyond the format's 4 GiB.
+    pub fn encode(self, archive: &Archive) -> Result<Vec<u8>, Error> {
+        match self {
+            Self::Glb => gltf::to_glb(archive),
+            Self::Gltf => gltf::to_gltf_json(archive),
+            Self::Obj => Ok(obj::to_obj(archive)),
+            Self::Ply => Ok(ply::to_ply(archive)),
+            Self::Stl => stl::to_stl(archive),
+        }
+    }
+}
+
+/// What a flat pattern can be downloaded as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PatternFormat {
+    Svg,
+    Dxf,
+}
+
+impl PatternFormat {
+    pub const ALL: [Self; 2] = [Self::Svg, Self::Dxf];
+
+    /// The short name, which is the file's extension too.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Svg => "svg",
+            Self::Dxf => "dxf",
+        }
+    }
+
+    #[must_use]
+    pub fn media_type(self) -> &'static str {
+        match self {
+            Self::Svg => "image/svg+xml",
+            Self::Dxf => "image/vnd.dxf",
+        }
+    }
+
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.name() == name)
+    }
+
+    /// The flat pattern in this format; `None` if the archive has none (only open ruled strips do).
+    #[must_use]
+    pub fn encode(self, archive: &Archive) -> Option<Vec<u8>> {
+        let pattern = archive.contents().pattern.as_ref()?;
+        Some(match self {
+            Self::Svg => svg::to_svg(pattern, archive.contents()),
+            Self::Dxf => dxf::to_dxf(pattern, archive.contents()),
+        })
+    }
+}
+
+/// Why a mesh cannot be written in a format.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Error {
+    /// A coordinate leaves the range of f32 (STL, glTF), or the mesh is too small for f32 to tell its vertices apart.
+    #[error("the mesh does not fit into {format}'s 32-bit coordinates: {detail}; OBJ and PLY hold every digit")]
+    OutOfRange { format: &'static str, detail: &'static str },
+    /// The file would be larger than the format's 32-bit lengths can say.
+    #[error("the mesh is larger than the 4 GiB that a {format} file can hold")]
+    TooLarge { format: &'static str },
+}

@@ -1,0 +1,366 @@
+//! glTF 2.0, binary or JSON with the buffer embedded.
+//!
+//! - Metres and Y up, as glTF demands: a client's (x, y, z) with z up becomes (x, z, -y).
+//! - Positions are f32 around an origin, the middle of the mesh's box, that every node carries as its translation in f64:
+//!   survey coordinates of 1e7 keep a ten-millionth of the mesh's size. `asset.extras.origin` is the same point in the
+//!   client's unit and axes.
+//! - The surface is node 0; every line set is a node of its own (`LINES`, `LINE_STRIP`) over the same positions, so a
+//!   viewer can switch it. Segments with values have positions of their own and carry the value at both ends.
+//! - `NORMAL` is area-weighted and of unit length everywhere: where no triangle gives a direction, it is the up axis.
+//! - `_MEAN_CURVATURE` is in 1/m (clamped to f32); `COLOR_0` runs from blue through green to red over
+//!   `asset.extras.color_range`, interpolated linearly between its stops.
+//!
+//! The document is put together as JSON values: gltf-json's types keep a node's translation in f32.
+
+use base64::Engine as _;
+use plateau_geometry::mesh::measure;
+use plateau_geometry::{DVec3, Mesh};
+use serde_json::{Value, json};
+
+use super::Error;
+use super::archive::{Archive, Contents, LineSet, Lines, MeanCurvature, Polyline, UpAxis};
+
+const ARRAY_BUFFER: u32 = 34962;
+const ELEMENT_ARRAY_BUFFER: u32 = 34963;
+const UNSIGNED_BYTE: u32 = 5121;
+const UNSIGNED_INT: u32 = 5125;
+const FLOAT: u32 = 5126;
+const LINES: u32 = 1;
+const LINE_STRIP: u32 = 3;
+const TRIANGLES: u32 = 4;
+
+/// Below this size f32 can no longer tell a ten-millionth of the mesh from zero.
+const LEAST_EXTENT_METRES: f64 = 1e-30;
+
+/// Equal steps from low to high, linear RGB.
+const COLOR_STOPS: [[f64; 3]; 5] =
+    [[0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
+
+/// Binary glTF: one file with the buffer in it.
+///
+/// # Errors
+/// [`Error::OutOfRange`] if f32 cannot hold the positions, [`Error::TooLarge`] from 4 GiB.
+pub fn to_glb(archive: &Archive) -> Result<Vec<u8>, Error> {
+    let (mut document, buffer) = document(archive)?;
+    document["buffers"] = json!([{ "byteLength": buffer.len() }]);
+    let mut text = to_text(&document);
+    text.resize(text.len().next_multiple_of(4), b' ');
+    let total = 12 + 8 + text.len() + 8 + buffer.len();
+    let length = |bytes: usize| u32::try_from(bytes).map_err(|_| Error::TooLarge { format: "GLB" });
+
+    let mut glb = Vec::with_capacity(total);
+    glb.extend_from_slice(b"glTF");
+    glb.extend_from_slice(&2u32.to_le_bytes());
+    glb.extend_from_slice(&length(total)?.to_le_bytes());
+    glb.extend_from_slice(&length(text.len())?.to_le_bytes());
+    glb.extend_from_slice(b"JSON");
+    glb.extend_from_slice(&text);
+    glb.extend_from_slice(&length(buffer.len())?.to_le_bytes());
+    glb.extend_from_slice(b"BIN\0");
+    glb.extend_from_slice(&buffer);
+    Ok(glb)
+}
+
+/// glTF as JSON text, the buffer embedded as a base64 data URI.
+///
+/// # Errors
+/// As for [`to_glb`].
+pub fn to_gltf_json(archive: &Archive) -> Result<Vec<u8>, Error> {
+    let (mut document, buffer) = document(archive)?;
+    let mut uri = String::from("data:application/octet-stream;base64,");
+    base64::engine::general_purpose::STANDARD.encode_string(&buffer, &mut uri);
+    document["buffers"] = json!([{ "byteLength": buffer.len(), "uri": uri }]);
+    Ok(to_text(&document))
+}
+
+fn to_text(document: &Value) -> Vec<u8> {
+    serde_json::to_vec(document).expect("a JSON value of finite numbers and string keys always has a text")
+}
+
+/// How client coordinates become f32 metres around the origin.
+struct Frame {
+    origin: DVec3,
+    metres: f64,
+    up: UpAxis,
+}
+
+impl Frame {
+    fn new(contents: &Contents) -> Result<Self, Error> {
+        let bounds =
+            contents.mesh.vertices.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &vertex| {
+                (low.min(vertex), high.max(vertex))
+            });
+        let metres = contents.unit.metres();
+        let extent = (bounds.1 - bounds.0).max_element() * metres;
+        let fault = |detail| Err(Error::OutOfRange { format: "glTF", detail });
+        if extent > f64::from(f32::MAX) {
+            return fault("it is larger than 3e38 m");
+        }
+        if extent > 0.0 && extent < LEAST_EXTENT_METRES {
+            return fault("it is smaller than 1e-30 m");
+        }
+        let frame = Self { origin: 0.5 * bounds.0 + 0.5 * bounds.1, metres, up: contents.up };
+        if !frame.translation().is_finite() {
+            return fault("it is too far from the origin");
+        }
+        Ok(frame)
+    }
+
+    /// The client's axes to glTF's: y up.
+    fn turn(&self, vector: DVec3) -> DVec3 {
+        match self.up {
+            UpAxis::Y => vector,
+            UpAxis::Z => DVec3::new(vector.x, vector.z, -vector.y),
+        }
+    }
+
+    fn translation(&self) -> DVec3 {
+        self.turn(self.origin) * self.metres
+    }
+
+    fn position(&self, vertex: DVec3) -> [f32; 3] {
+        (self.turn(vertex - self.origin) * self.metres).to_array().map(|x| x as f32)
+    }
+}
+
+/// The buffer under construction, with the views and accessors into it.
+#[derive(Default)]
+struct Buffer {
+    bytes: Vec<u8>,
+    views: Vec<Value>,
+    accessors: Vec<Value>,
+}
+
+impl Buffer {
+    /// Appends data as a view and an accessor of their own; gives the accessor's index. Every item is a multiple of four
+    /// bytes, so the alignment that glTF asks for holds by itself.
+    fn push(&mut self, data: impl Iterator<Item = [u8; 4]>, target: u32, mut accessor: Value) -> usize {
+        let offset = self.bytes.len();
+        data.for_each(|word| self.bytes.extend_from_slice(&word));
+        accessor["bufferView"] = self.views.len().into();
+        self.views.push(
+            json!({ "buffer": 0, "byteOffset": offset, "byteLength": self.bytes.len() - offset, "target": target }),
+        );
+        self.accessors.push(accessor);
+        self.accessors.len() - 1
+    }
+
+    fn positions(&mut self, positions: &[[f32; 3]]) -> usize {
+        let start = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+        let (min, max) = positions.iter().fold(start, |(min, max), p| {
+            ([0, 1, 2].map(|axis| min[axis].min(p[axis])), [0, 1, 2].map(|axis| max[axis].max(p[axis])))
+        });
+        // As f64: an f32 in JSON must read back as exactly the buffer's value.
+        let (min, max) = (min.map(f64::from), max.map(f64::from));
+        let accessor =
+            json!({ "componentType": FLOAT, "type": "VEC3", "count": positions.len(), "min": min, "max": max });
+        self.push(positions.iter().flatten().map(|x| x.to_le_bytes()), ARRAY_BUFFER, accessor)
+    }
+
+    fn vectors(&mut self, vectors: impl ExactSizeIterator<Item = [f32; 3]>) -> usize {
+        let accessor = json!({ "componentType": FLOAT, "type": "VEC3", "count": vectors.len() });
+        self.push(vectors.flat_map(|v| v.map(f32::to_le_bytes)), ARRAY_BUFFER, accessor)
+    }
+
+    fn scalars(&mut self, values: impl ExactSizeIterator<Item = f32>) -> usize {
+        let accessor = json!({ "componentType": FLOAT, "type": "SCALAR", "count": values.len() });
+        self.push(values.map(f32::to_le_bytes), ARRAY_BUFFER, accessor)
+    }
+
+    fn colors(&mut self, colors: impl ExactSizeIterator<Item = [u8; 4]>) -> usize {
+        let accessor = json!({
+            "componentType": UNSIGNED_BYTE, "normalized": true, "type": "VEC4", "count": colors.len()
+        });
+        self.push(colors, ARRAY_BUFFER, accessor)
+    }
+
+    fn indices(&mut self, indices: impl Iterator<Item = u32>) -> usize {
+        let start = self.bytes.len();
+        let index = self.push(
+            indices.map(u32::to_le_bytes),
+            ELEMENT_ARRAY_BUFFER,
+            json!({ "componentType": UNSIGNED_INT, "type": "SCALAR" }),
+        );
+        self.accessors[index]["count"] = ((self.bytes.len() - start) / 4).into();
+        index
+    }
+}
+
+/// Everything but `buffers`, and the buffer.
+fn document(archive: &Archive) -> Result<(Value, Vec<u8>), Error> {
+    let contents = archive.contents();
+    let frame = Frame::new(contents)?;
+    let mut buffer = Buffer::default();
+    let positions: Vec<[f32; 3]> = contents.mesh.vertices.iter().map(|&vertex| frame.position(vertex)).collect();
+    let shared = buffer.positions(&positions);
+
+    let mut attributes = json!({
+        "POSITION": shared,
+        "NORMAL": buffer.vectors(normals(&contents.mesh, &frame).into_iter()),
+    });
+    if let Some(curvature) = &contents.mean_curvature {
+        let per_metre = |value: f64| (value / frame.metres).min(f64::from(f32::MAX)) as f32;
+        attributes["_MEAN_CURVATURE"] = buffer.scalars(curvature.values.iter().map(|&value| per_metre(value))).into();
+        let range = curvature.range();
+        attributes["COLOR_0"] = buffer.colors(curvature.values.iter().map(|&value| color(value, range))).into();
+    }
+    let triangles = buffer.indices(contents.mesh.triangles.iter().flatten().copied());
+
+    let base_color = if contents.mean_curvature.is_some() { [1.0, 1.0, 1.0, 1.0] } else { [0.55, 0.68, 0.8, 1.0] };
+    let mut materials = vec![material("surface", base_color, true)];
+    let mut meshes = vec![json!({ "name": "surface", "primitives": [
+        { "attributes": attributes, "indices": triangles, "material": 0, "mode": TRIANGLES }
+    ] })];
+    let translation = frame.translation().to_array();
+    let mut nodes = vec![json!({ "name": "surface", "mesh": 0, "translation": translation })];
+    for set in &contents.line_sets {
+        let primitives = line_primitives(set, materials.len(), shared, &positions, &mut buffer);
+        if primitives.is_empty() {
+            continue;
+        }
+        let name = set.full_name();
+        let mut node = json!({ "name": name, "mesh": meshes.len(), "translation": translation });
+        if let Lines::Segments { values: Some(values), .. } = &set.lines {
+            node["extras"] = json!({ attribute_name(&values.name): { "unit": values.unit } });
+        }
+        nodes.push(node);
+        meshes.push(json!({ "name": name, "primitives": primitives }));
+        materials.push(material(&name, line_color(set), false));
+    }
+
+    let document = json!({
+        "asset": { "version": "2.0", "generator": contents.generator, "extras": asset_extras(contents, &frame) },
+        "scene": 0,
+        "scenes": [{ "name": contents.title, "nodes": (0..nodes.len()).collect::<Vec<_>>() }],
+        "nodes": nodes, "meshes": meshes, "materials": materials,
+        "accessors": buffer.accessors, "bufferViews": buffer.views,
+    });
+    Ok((document, buffer.bytes))
+}
+
+fn asset_extras(contents: &Contents, frame: &Frame) -> Value {
+    let statistics: Value = serde_json::from_str(&contents.statistics).expect("an archive's statistics are JSON");
+    let mut extras = json!({
+        "title": contents.title,
+        "origin": frame.origin.to_array(), "unit": contents.unit.symbol(), "up": contents.up.symbol(),
+        "statistics": statistics, "input_vertices": contents.input_vertices,
+    });
+    if let Some(curvature) = &contents.mean_curvature {
+        extras["color_range"] = color_range(curvature, frame.metres);
+    }
+    extras
+}
+
+fn color_range(curvature: &MeanCurvature, metres: f64) -> Value {
+    json!({ "attribute": "_MEAN_CURVATURE", "unit": "1/m", "min": 0.0, "max": finite(curvature.range() / metres), "stops": COLOR_STOPS })
+}
+
+/// JSON has no infinity; 1e308 per millimetre is still said as a number.
+fn finite(value: f64) -> f64 {
+    value.min(f64::MAX)
+}
+
+fn attribute_name(name: &str) -> String {
+    format!("_{}", name.to_ascii_uppercase())
+}
+
+/// The primitives of a line set, their material still to be pushed; none for an empty set.
+fn line_primitives(
+    set: &LineSet,
+    material: usize,
+    shared: usize,
+    positions: &[[f32; 3]],
+    buffer: &mut Buffer,
+) -> Vec<Value> {
+    match &set.lines {
+        Lines::Polylines(polylines) => polylines
+            .iter()
+            .map(|line| {
+                let indices = buffer.indices(along(line));
+                json!({ "attributes": { "POSITION": shared }, "indices": indices, "material": material, "mode": LINE_STRIP })
+            })
+            .collect(),
+        Lines::Segments { pairs, .. } if pairs.is_empty() => Vec::new(),
+        Lines::Segments { pairs, values: None } => {
+            let indices = buffer.indices(pairs.iter().flatten().copied());
+            vec![json!({ "attributes": { "POSITION": shared }, "indices": indices, "material": material, "mode": LINES })]
+        }
+        Lines::Segments { pairs, values: Some(values) } => {
+            let ends: Vec<[f32; 3]> = pairs.iter().flatten().map(|&vertex| positions[vertex as usize]).collect();
+            let own = buffer.positions(&ends);
+            let at_ends: Vec<f32> = values.values.iter().flat_map(|&value| [clamped(value); 2]).collect();
+            let scalars = buffer.scalars(at_ends.into_iter());
+            let attributes = json!({ "POSITION": own, attribute_name(&values.name): scalars });
+            vec![json!({ "attributes": attributes, "material": material, "mode": LINES })]
+        }
+    }
+}
+
+fn along(line: &Polyline) -> impl Iterator<Item = u32> {
+    let back = line.closed.then(|| line.vertices.first().copied()).flatten();
+    line.vertices.iter().copied().chain(back)
+}
+
+fn clamped(value: f64) -> f32 {
+    value.clamp(f64::from(f32::MIN), f64::from(f32::MAX)) as f32
+}
+
+fn material(name: &str, base_color: [f64; 4], double_sided: bool) -> Value {
+    json!({
+        "name": name, "doubleSided": double_sided,
+        "pbrMetallicRoughness": { "baseColorFactor": base_color, "metallicFactor": 0.0, "roughnessFactor": 0.9 },
+    })
+}
+
+fn line_color(set: &LineSet) -> [f64; 4] {
+    match set.name.as_str() {
+        "boundaries" | "directrices" => [0.01, 0.01, 0.015, 1.0],
+        "bridges" => [0.2, 0.22, 0.25, 1.0],
+        _ => [0.35, 0.12, 0.02, 1.0],
+    }
+}
+
+/// Blue at 0 to red at `range`; all blue if the range is empty.
+fn color(value: f64, range: f64) -> [u8; 4] {
+    let steps = (COLOR_STOPS.len() - 1) as f64;
+    let position = if range > 0.0 { (value / range).clamp(0.0, 1.0) * steps } else { 0.0 };
+    let low = (position.floor() as usize).min(COLOR_STOPS.len() - 2);
+    let fraction = position - low as f64;
+    let channel = |c: usize| {
+        let value = COLOR_STOPS[low][c] + fraction * (COLOR_STOPS[low + 1][c] - COLOR_STOPS[low][c]);
+        (255.0 * value).round() as u8
+    };
+    [channel(0), channel(1), channel(2), 255]
+}
+
+/// Unit vertex normals in glTF's axes. Worked out at size 1, so that neither huge nor tiny meshes overflow a square.
+fn normals(mesh: &Mesh, frame: &Frame) -> Vec<[f32; 3]> {
+    let relative: Vec<DVec3> = mesh.vertices.iter().map(|&vertex| vertex - frame.origin).collect();
+    let extent = relative.iter().map(|v| v.abs().max_element()).fold(0.0, f64::max);
+    let scale = if extent > 0.0 { extent } else { 1.0 };
+    let unit_size = Mesh::new(relative.into_iter().map(|vertex| vertex / scale).collect(), mesh.triangles.clone());
+    let mut normals = measure::vertex_normals(&unit_size);
+    if normals.contains(&DVec3::ZERO) {
+        replace_missing(&unit_size, &mut normals);
+    }
+    normals
+        .into_iter()
+        .map(|normal| {
+            let turned = if normal == DVec3::ZERO { DVec3::Y } else { frame.turn(normal) };
+            turned.to_array().map(|x| x as f32)
+        })
+        .collect()
+}
+
+/// Where the triangles' normals cancel out (a full fold), the first triangle that has a direction gives the normal.
+fn replace_missing(mesh: &Mesh, normals: &mut [DVec3]) {
+    for &triangle in &mesh.triangles {
+        let normal = measure::double_area_vector(mesh.corners(triangle)).normalize_or_zero();
+        for vertex in triangle {
+            let missing = &mut normals[vertex as usize];
+            if *missing == DVec3::ZERO {
+                *missing = normal;
+            }
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! Wavefront OBJ in the client's axes and unit. Every number reads back as exactly the f64 that it was.
+
+use std::io::Write as _;
+
+use super::archive::{Archive, Lines};
+
+/// Vertices in archive order (OBJ counts from 1), one object `surface` of triangles, one object per line set.
+#[must_use]
+pub fn to_obj(archive: &Archive) -> Vec<u8> {
+    let contents = archive.contents();
+    let mut out = Vec::with_capacity(64 * contents.mesh.vertices.len() + 24 * contents.mesh.triangles.len());
+    // Writing to a Vec cannot fail, so `put` needs no error path.
+    macro_rules! put {
+        ($($argument:tt)*) => { writeln!(out, $($argument)*).expect("writing to memory") };
+    }
+    put!("# {}", one_line(&contents.generator));
+    put!("# unit {}, {} up", contents.unit.symbol(), contents.up.symbol());
+    for vertex in &contents.mesh.vertices {
+        // `{:?}` is the shortest text that reads back as the same f64, with an exponent where that is shorter.
+        put!("v {:?} {:?} {:?}", vertex.x, vertex.y, vertex.z);
+    }
+    put!("o surface");
+    for [a, b, c] in contents.mesh.triangles.iter().map(|t| t.map(from_one)) {
+        put!("f {a} {b} {c}");
+    }
+    for set in &contents.line_sets {
+        put!("o {}", one_line(&set.full_name()).replace(' ', "_"));
+        match &set.lines {
+            Lines::Polylines(polylines) => {
+                for line in polylines {
+                    let back = line.closed.then(|| line.vertices[0]);
+                    let indices = line.vertices.iter().copied().chain(back).map(|v| from_one(v).to_string());
+                    put!("l {}", indices.collect::<Vec<_>>().join(" "));
+                }
+            }
+            Lines::Segments { pairs, .. } => {
+                for [a, b] in pairs.iter().map(|pair| pair.map(from_one)) {
+                    put!("l {a} {b}");
+                }
+            }
+        }
+    }
+    out
+}
+
+fn from_one(index: u32) -> u64 {
+    u64::from(index) + 1
+}
+
+/// A comment or a name must not start a line of its own.
+pub(super) fn one_line(text: &str) -> String {
+    text.replace(|c: char| c.is_control(), " ")
+}

@@ -1,0 +1,39 @@
+//! PLY, binary little endian, in the client's axes and unit: `double` coordinates, `mean_curvature` (1/unit) where known.
+
+use super::archive::Archive;
+use super::obj::one_line;
+
+/// Vertices and triangles in archive order.
+#[must_use]
+pub fn to_ply(archive: &Archive) -> Vec<u8> {
+    let contents = archive.contents();
+    let (vertices, triangles) = (&contents.mesh.vertices, &contents.mesh.triangles);
+    let curvature = contents.mean_curvature.as_ref().map(|curvature| curvature.values.as_slice());
+    let mut header = format!(
+        "ply\nformat binary_little_endian 1.0\ncomment {}\ncomment unit {}, {} up\n\
+         element vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
+        one_line(&contents.generator),
+        contents.unit.symbol(),
+        contents.up.symbol(),
+        vertices.len(),
+    );
+    if curvature.is_some() {
+        header.push_str("property double mean_curvature\n");
+    }
+    header
+        .push_str(&format!("element face {}\nproperty list uchar uint vertex_indices\nend_header\n", triangles.len()));
+
+    let mut out = header.into_bytes();
+    out.reserve(32 * vertices.len() + 13 * triangles.len());
+    for (index, vertex) in vertices.iter().enumerate() {
+        vertex.to_array().iter().for_each(|x| out.extend_from_slice(&x.to_le_bytes()));
+        if let Some(curvature) = curvature {
+            out.extend_from_slice(&curvature[index].to_le_bytes());
+        }
+    }
+    for triangle in triangles {
+        out.push(3);
+        triangle.iter().for_each(|v| out.extend_from_slice(&v.to_le_bytes()));
+    }
+    out
+}

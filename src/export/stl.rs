@@ -1,0 +1,47 @@
+//! Binary STL in the client's axes and unit. The format knows f32 only, and no origin: coordinates far from zero lose
+//! digits, which OBJ and PLY keep.
+
+use plateau_geometry::DVec3;
+use plateau_geometry::mesh::measure;
+
+use super::Error;
+use super::archive::Archive;
+
+/// Triangles in archive order, their unit normals from the f64 corners (zero for a triangle without area).
+///
+/// # Errors
+/// [`Error::OutOfRange`] if a coordinate is beyond f32.
+pub fn to_stl(archive: &Archive) -> Result<Vec<u8>, Error> {
+    let mesh = &archive.contents().mesh;
+    let beyond = |v: &DVec3| v.abs().max_element() > f64::from(f32::MAX);
+    if mesh.vertices.iter().any(beyond) {
+        return Err(Error::OutOfRange { format: "STL", detail: "a coordinate is beyond 3e38" });
+    }
+    let count = u32::try_from(mesh.triangles.len()).expect("an archive has at most 2^32 triangles");
+    // Readers take a file that starts with "solid" for the text format.
+    let mut header = [b' '; 80];
+    let text = format!("binary STL, unit {}, {} up", archive.contents().unit.symbol(), archive.contents().up.symbol());
+    header[..text.len()].copy_from_slice(text.as_bytes());
+
+    let mut out = Vec::with_capacity(84 + 50 * mesh.triangles.len());
+    out.extend_from_slice(&header);
+    out.extend_from_slice(&count.to_le_bytes());
+    for &triangle in &mesh.triangles {
+        let corners = mesh.corners(triangle);
+        for vector in std::iter::once(unit_normal(corners)).chain(corners) {
+            vector.to_array().iter().for_each(|&x| out.extend_from_slice(&(x as f32).to_le_bytes()));
+        }
+        out.extend_from_slice(&[0, 0]);
+    }
+    Ok(out)
+}
+
+/// Scaled to size 1 first, so that no square overflows or vanishes.
+fn unit_normal([a, b, c]: [DVec3; 3]) -> DVec3 {
+    let extent = (b - a).abs().max((c - a).abs()).max_element();
+    if extent > 0.0 {
+        measure::double_area_vector([DVec3::ZERO, (b - a) / extent, (c - a) / extent]).normalize_or_zero()
+    } else {
+        DVec3::ZERO
+    }
+}

@@ -1,0 +1,65 @@
+//! Archives for the export tests: everything that one can hold, at any place and size.
+
+use plateau::export::{
+    Archive, Contents, Fold, LineSet, Lines, MeanCurvature, Pattern, Piece, Polyline, SegmentValues, Unit, UpAxis,
+};
+use plateau_geometry::{DVec2, DVec3, Mesh};
+
+/// A roof of four triangles over a unit square, its apex off the middle, scaled and moved.
+pub fn roof(scale: f64, offset: DVec3) -> Contents {
+    let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.1], [1.0, 1.0, 0.0], [0.0, 1.0, 0.1], [0.4, 0.6, 0.7]];
+    let vertices = corners.iter().map(|&corner| offset + scale * DVec3::from_array(corner)).collect();
+    Contents {
+        generator: "plateau test".into(),
+        title: "roof".into(),
+        unit: Unit::Metre,
+        up: UpAxis::Z,
+        mesh: Mesh::new(vertices, vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]),
+        input_vertices: vec![vec![0, 1, 1, 2, 3]],
+        statistics: r#"{"area":1.25,"converged":true}"#.into(),
+        ..Contents::default()
+    }
+}
+
+/// The roof in centimetres with every part of an archive filled in.
+pub fn full() -> Archive {
+    let mut contents = roof(250.0, DVec3::new(3.0, -5.0, 0.25));
+    contents.unit = Unit::Centimetre;
+    contents.title = "roof <of> \"four\" & more — é\nx".into();
+    contents.mean_curvature = Some(MeanCurvature { values: vec![0.0, 0.0, 0.0, 0.0, 0.02], least_range: 1e-9 });
+    contents.line_sets = vec![
+        LineSet {
+            name: "boundaries".into(),
+            group: String::new(),
+            lines: Lines::Polylines(vec![Polyline { vertices: vec![0, 1, 2, 3], closed: true }]),
+        },
+        LineSet {
+            name: "bridges".into(),
+            group: String::new(),
+            lines: Lines::Segments { pairs: vec![[0, 4], [1, 4]], values: None },
+        },
+        LineSet {
+            name: "members".into(),
+            group: "lattice".into(),
+            lines: Lines::Segments {
+                pairs: vec![[2, 4], [3, 4]],
+                values: Some(SegmentValues { name: "length".into(), unit: "cm".into(), values: vec![2.5, 0.125] }),
+            },
+        },
+        LineSet { name: "directrices".into(), group: String::new(), lines: Lines::Polylines(Vec::new()) },
+    ];
+    let fold = |x: f64, angle_deg: f64| Fold { ends: [DVec2::new(x, 0.0), DVec2::new(x, 100.0)], angle_deg };
+    let rectangle =
+        |width: f64| [[0.0, 0.0], [width, 0.0], [width, 100.0], [0.0, 100.0]].map(DVec2::from_array).to_vec();
+    contents.pattern = Some(Pattern {
+        pieces: vec![
+            Piece {
+                name: "strip 1".into(),
+                outline: rectangle(200.0),
+                folds: vec![fold(50.0, 12.5), fold(100.0, -3.0)],
+            },
+            Piece { name: "strip 2 é".into(), outline: rectangle(150.0), folds: vec![fold(75.0, 0.0)] },
+        ],
+    });
+    Archive::new(contents).expect("the sample is sound")
+}

@@ -1,0 +1,144 @@
+//! The stored artefact: what goes in comes out, and no bytes can do harm.
+
+#[path = "export/sample.rs"]
+mod sample;
+
+use plateau::export::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Polyline};
+use plateau_geometry::DVec3;
+use proptest::prelude::*;
+use sha2::{Digest, Sha256};
+
+/// The bytes with a checksum that fits, so that a change reaches the code behind it.
+fn signed(mut body: Vec<u8>) -> Vec<u8> {
+    let checksum = Sha256::digest(&body);
+    body.extend_from_slice(&checksum);
+    body
+}
+
+fn body(archive: &Archive) -> Vec<u8> {
+    let mut bytes = archive.to_bytes();
+    bytes.truncate(bytes.len() - 32);
+    bytes
+}
+
+#[test]
+fn everything_comes_back_and_the_bytes_repeat() {
+    let archive = sample::full();
+    let bytes = archive.to_bytes();
+    assert_eq!(Archive::from_bytes(&bytes).as_ref(), Ok(&archive));
+    assert_eq!(Archive::from_bytes(&bytes).unwrap().to_bytes(), bytes);
+    let plain = Archive::new(sample::roof(1.0, DVec3::ZERO)).unwrap();
+    assert_eq!(Archive::from_bytes(&plain.to_bytes()), Ok(plain));
+}
+
+#[test]
+fn coordinates_keep_every_bit() {
+    let odd = [f64::MIN_POSITIVE / 8.0, -0.0, 0.1 + 0.2, 1e300, -1e-300, 500_123.456_789_012_3];
+    let mut contents = sample::roof(1.0, DVec3::ZERO);
+    contents.mesh.vertices[0] = DVec3::new(odd[0], odd[1], odd[2]);
+    contents.mesh.vertices[1] = DVec3::new(odd[3], odd[4], odd[5]);
+    let back = Archive::from_bytes(&Archive::new(contents).unwrap().to_bytes()).unwrap();
+    let read: Vec<u64> =
+        back.contents().mesh.vertices[..2].iter().flat_map(|v| v.to_array()).map(f64::to_bits).collect();
+    assert_eq!(read, odd.map(f64::to_bits));
+}
+
+/// A file of version 1 as it was written when version 1 was new: it must open for ever, and be written so while 1 is current.
+#[test]
+fn version_one_is_frozen() {
+    let frozen = include_bytes!("export/archive-v1.bin");
+    assert_eq!(Archive::from_bytes(frozen), Ok(sample::full()));
+    assert!(sample::full().to_bytes() == frozen);
+}
+
+#[test]
+fn foreign_newer_cut_and_changed_files_are_told_apart() {
+    let bytes = sample::full().to_bytes();
+    assert_eq!(Archive::from_bytes(b""), Err(Defect::Magic));
+    assert_eq!(Archive::from_bytes(b"glTF and so on"), Err(Defect::Magic));
+    let mut newer = bytes.clone();
+    newer[8] = 2;
+    assert_eq!(Archive::from_bytes(&newer), Err(Defect::Version(2)));
+    for length in 12..bytes.len() {
+        assert_eq!(Archive::from_bytes(&bytes[..length]), Err(Defect::Checksum), "cut to {length} bytes");
+    }
+    for at in 12..bytes.len() {
+        let mut changed = bytes.clone();
+        changed[at] ^= 0x10;
+        assert_eq!(Archive::from_bytes(&changed), Err(Defect::Checksum), "byte {at} changed");
+    }
+}
+
+#[test]
+fn a_cut_or_longer_body_under_a_fitting_checksum_is_refused() {
+    let body = body(&sample::full());
+    for length in 12..body.len() {
+        assert!(Archive::from_bytes(&signed(body[..length].to_vec())).is_err(), "cut to {length} bytes");
+    }
+    let longer = [body.as_slice(), &[0]].concat();
+    assert!(matches!(Archive::from_bytes(&signed(longer)), Err(Defect::Bytes { .. })));
+}
+
+#[test]
+fn a_huge_count_is_refused_before_memory_is_asked_for() {
+    let mut body = b"\x89PLATEAU\x01\0\0\0".to_vec();
+    body.extend_from_slice(&[0; 4 + 4 + 1 + 1]);
+    body.extend_from_slice(&u32::MAX.to_le_bytes());
+    let defect = Archive::from_bytes(&signed(body)).unwrap_err();
+    assert_eq!(defect, Defect::Bytes { at: 26, what: "a list longer than the file" });
+}
+
+#[test]
+fn unsound_contents_are_refused_by_name() {
+    let curvature = |values: Vec<f64>| Some(MeanCurvature { values, least_range: 0.0 });
+    let line = |vertices: Vec<u32>| {
+        let lines = Lines::Polylines(vec![Polyline { vertices, closed: false }]);
+        vec![LineSet { name: "boundaries".into(), group: String::new(), lines }]
+    };
+    type Change = Box<dyn Fn(&mut Contents)>;
+    let cases: Vec<(&str, Change)> = vec![
+        ("no triangle", Box::new(|c| c.mesh.triangles.clear())),
+        ("not finite", Box::new(|c| c.mesh.vertices[3].y = f64::NAN)),
+        ("triangle names", Box::new(|c| c.mesh.triangles[2][1] = 5)),
+        ("differ in number", Box::new(move |c| c.mean_curvature = curvature(vec![0.0; 4]))),
+        ("negative", Box::new(move |c| c.mean_curvature = curvature(vec![0.0, 0.0, 0.0, 0.0, -1.0]))),
+        ("not finite", Box::new(move |c| c.mean_curvature = curvature(vec![0.0, 0.0, 0.0, 0.0, f64::INFINITY]))),
+        ("line names", Box::new(move |c| c.line_sets = line(vec![0, 5]))),
+        ("fewer than two", Box::new(move |c| c.line_sets = line(vec![0]))),
+        ("input point", Box::new(|c| c.input_vertices = vec![vec![9]])),
+        ("not JSON", Box::new(|c| c.statistics = "{".into())),
+        ("not JSON", Box::new(|c| c.statistics = String::new())),
+    ];
+    for (expected, change) in cases {
+        let mut contents = sample::roof(1.0, DVec3::ZERO);
+        change(&mut contents);
+        let defect = Archive::new(contents).unwrap_err();
+        assert!(matches!(defect, Defect::Contents(what) if what.contains(expected)), "{expected}: {defect}");
+    }
+}
+
+proptest! {
+    /// Any bytes behind a right start and checksum: an archive that writes the same bytes again, or a refusal.
+    #[test]
+    fn any_payload_is_read_or_refused(payload in prop::collection::vec(any::<u8>(), 0..400)) {
+        let body = [b"\x89PLATEAU\x01\0\0\0".as_slice(), &payload].concat();
+        let bytes = signed(body);
+        if let Ok(archive) = Archive::from_bytes(&bytes) {
+            prop_assert_eq!(archive.to_bytes(), bytes);
+        }
+    }
+
+    /// A real archive with a few bytes overwritten gets further into the reader than noise does.
+    #[test]
+    fn any_change_is_read_or_refused(changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6)) {
+        let mut body = body(&sample::full());
+        for (at, value) in changes {
+            let at = 12 + at.index(body.len() - 12);
+            body[at] = value;
+        }
+        let bytes = signed(body);
+        if let Ok(archive) = Archive::from_bytes(&bytes) {
+            prop_assert_eq!(archive.to_bytes(), bytes);
+        }
+    }
+}

@@ -1,0 +1,462 @@
+//! Every download format, read back by a reader of the test's own.
+
+#[path = "export/sample.rs"]
+mod sample;
+
+use plateau::export::{Archive, Contents, Error, MeanCurvature, MeshFormat, PatternFormat, Unit, UpAxis};
+use plateau_geometry::DVec3;
+use serde_json::{Value, json};
+
+/// A GLB taken apart: its document and its buffer.
+struct Glb {
+    document: Value,
+    buffer: Vec<u8>,
+}
+
+fn word(bytes: &[u8], at: usize) -> u32 {
+    u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap())
+}
+
+impl Glb {
+    fn of(archive: &Archive) -> Self {
+        let bytes = MeshFormat::Glb.encode(archive).unwrap();
+        assert_eq!((&bytes[..4], word(&bytes, 4), word(&bytes, 8) as usize), (&b"glTF"[..], 2, bytes.len()));
+        let text = word(&bytes, 12) as usize;
+        assert_eq!((&bytes[16..20], text % 4), (&b"JSON"[..], 0));
+        let start = 20 + text + 8;
+        assert_eq!(&bytes[start - 4..start], b"BIN\0");
+        let document: Value = serde_json::from_slice(&bytes[20..20 + text]).unwrap();
+        let buffer = bytes[start..].to_vec();
+        assert_eq!(document["buffers"], json!([{ "byteLength": buffer.len() }]));
+        assert_eq!(word(&bytes, start - 8) as usize, buffer.len());
+        Self { document, buffer }
+    }
+
+    /// The bytes of an accessor, `size` for each item.
+    fn items(&self, accessor: &Value, size: usize) -> Vec<&[u8]> {
+        let accessor = &self.document["accessors"][accessor.as_u64().unwrap() as usize];
+        let view = &self.document["bufferViews"][accessor["bufferView"].as_u64().unwrap() as usize];
+        let (start, length) =
+            (view["byteOffset"].as_u64().unwrap() as usize, view["byteLength"].as_u64().unwrap() as usize);
+        let items: Vec<_> = self.buffer[start..start + length].chunks(size).collect();
+        assert_eq!((start % 4, items.len() as u64), (0, accessor["count"].as_u64().unwrap()));
+        items
+    }
+
+    fn floats(&self, accessor: &Value) -> Vec<f32> {
+        self.items(accessor, 4).iter().map(|item| f32::from_bits(word(item, 0))).collect()
+    }
+
+    fn vectors(&self, accessor: &Value) -> Vec<DVec3> {
+        let component = |item: &[u8], c: usize| f64::from(f32::from_bits(word(item, 4 * c)));
+        let items = self.items(accessor, 12);
+        items.iter().map(|item| DVec3::new(component(item, 0), component(item, 1), component(item, 2))).collect()
+    }
+
+    fn indices(&self, accessor: &Value) -> Vec<u32> {
+        self.items(accessor, 4).iter().map(|item| word(item, 0)).collect()
+    }
+
+    fn primitive(&self, mesh: usize) -> &Value {
+        &self.document["meshes"][mesh]["primitives"][0]
+    }
+
+    fn translation(&self) -> DVec3 {
+        let nodes = self.document["nodes"].as_array().unwrap();
+        assert!(nodes.iter().all(|node| node["translation"] == nodes[0]["translation"]));
+        DVec3::from_array(serde_json::from_value(nodes[0]["translation"].clone()).unwrap())
+    }
+
+    /// Metres, Y up, as a viewer with f64 would place them.
+    fn world(&self) -> Vec<DVec3> {
+        let positions = self.vectors(&self.primitive(0)["attributes"]["POSITION"]);
+        positions.into_iter().map(|position| position + self.translation()).collect()
+    }
+}
+
+fn archive(contents: Contents) -> Archive {
+    Archive::new(contents).unwrap()
+}
+
+#[test]
+fn glb_holds_the_mesh_in_metres_with_y_up() {
+    let mut contents = sample::roof(250.0, DVec3::new(3.0, -5.0, 0.25));
+    contents.unit = Unit::Centimetre;
+    let expected: Vec<DVec3> = contents.mesh.vertices.iter().map(|v| DVec3::new(v.x, v.z, -v.y) * 0.01).collect();
+    let glb = Glb::of(&archive(contents.clone()));
+    for (found, expected) in glb.world().iter().zip(&expected) {
+        assert!(found.distance(*expected) < 1e-6 * 2.5, "{found} instead of {expected}");
+    }
+    let indices = glb.indices(&glb.primitive(0)["indices"]);
+    assert_eq!(indices, contents.mesh.triangles.concat());
+
+    contents.up = UpAxis::Y;
+    let expected = contents.mesh.vertices.iter().map(|v| *v * 0.01);
+    for (found, expected) in Glb::of(&archive(contents.clone())).world().iter().zip(expected) {
+        assert!(found.distance(expected) < 1e-6 * 2.5, "{found} instead of {expected}");
+    }
+}
+
+/// A millimetre roof ten thousand kilometres away, and meshes of nearly any size: f32 loses a ten-millionth of the size at most.
+#[test]
+fn glb_keeps_a_ten_millionth_of_the_size_wherever_the_mesh_is() {
+    let far = DVec3::new(1e7, -1e7 + 0.125, 3e6);
+    for (scale, offset) in [
+        (1.0, far),
+        (1e-25, DVec3::ZERO),
+        (1e-3, far * 1e-3),
+        (1e30, DVec3::splat(-1e30)),
+        (1e7, far),
+        (1.0, DVec3::ZERO),
+    ] {
+        let contents = sample::roof(scale, offset);
+        let glb = Glb::of(&archive(contents.clone()));
+        let origin =
+            DVec3::from_array(serde_json::from_value(glb.document["asset"]["extras"]["origin"].clone()).unwrap());
+        let translation = DVec3::new(origin.x, origin.z, -origin.y);
+        assert_eq!(glb.translation(), translation, "the translation is the origin, digit for digit");
+        let positions = glb.vectors(&glb.primitive(0)["attributes"]["POSITION"]);
+        for (found, vertex) in positions.iter().zip(&contents.mesh.vertices) {
+            let expected = *vertex - origin;
+            let expected = DVec3::new(expected.x, expected.z, -expected.y);
+            assert!(found.distance(expected) < 1e-7 * scale, "scale {scale}: {found} instead of {expected}");
+        }
+    }
+}
+
+#[test]
+fn glb_bounds_are_exactly_those_of_the_positions() {
+    let glb = Glb::of(&archive(sample::roof(0.1, DVec3::new(1e7, 0.3, 0.7))));
+    let accessor = &glb.primitive(0)["attributes"]["POSITION"];
+    let positions = glb.vectors(accessor);
+    let accessor = &glb.document["accessors"][accessor.as_u64().unwrap() as usize];
+    let low = positions.iter().copied().fold(DVec3::INFINITY, DVec3::min);
+    let high = positions.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
+    assert_eq!((&accessor["min"], &accessor["max"]), (&json!(low.to_array()), &json!(high.to_array())));
+}
+
+/// The roof with a triangle and its reverse (their normals cancel), one of no area, and a vertex of no triangle; also
+/// where these vertices start.
+fn odd_places(scale: f64) -> (Contents, usize) {
+    let mut contents = sample::roof(scale, DVec3::ZERO);
+    let apex = contents.mesh.vertices[4];
+    let start = contents.mesh.vertices.len();
+    let flat = [apex, apex + DVec3::X * scale, apex + DVec3::Y * scale, apex, apex, apex, DVec3::ZERO];
+    contents.mesh.vertices.extend(flat);
+    let triangles = [[0, 1, 2], [0, 2, 1], [3, 4, 5]];
+    contents.mesh.triangles.extend(triangles.map(|t| t.map(|v| start as u32 + v)));
+    (contents, start)
+}
+
+#[test]
+fn glb_normals_are_of_unit_length_at_folds_slivers_and_loose_points() {
+    for scale in [1.0, 1e-25, 1e30] {
+        let (contents, start) = odd_places(scale);
+        let glb = Glb::of(&archive(contents));
+        let normals = glb.vectors(&glb.primitive(0)["attributes"]["NORMAL"]);
+        assert!(normals.iter().all(|normal| (normal.length() - 1.0).abs() < 1e-6), "{normals:?}");
+        assert_eq!(normals[start], DVec3::Y, "the folded triangle's own normal, turned");
+        assert_eq!(normals[start + 6], DVec3::Y, "up where nothing gives a direction");
+        assert!(normals[0].y > 0.0, "the roof's normals point up");
+    }
+}
+
+#[test]
+fn glb_colours_run_from_blue_to_red_over_the_stated_range() {
+    let mut contents = sample::roof(1.0, DVec3::ZERO);
+    contents.unit = Unit::Millimetre;
+    contents.mean_curvature = Some(MeanCurvature { values: vec![0.0, 0.5, 1.0, 1.5, 2.0], least_range: 1e-6 });
+    let glb = Glb::of(&archive(contents.clone()));
+    let attributes = &glb.primitive(0)["attributes"];
+    let range = &glb.document["asset"]["extras"]["color_range"];
+    assert_eq!((&range["min"], &range["max"], &range["unit"]), (&json!(0.0), &json!(2000.0), &json!("1/m")));
+    assert_eq!(glb.floats(&attributes["_MEAN_CURVATURE"]), [0.0, 500.0, 1000.0, 1500.0, 2000.0]);
+    let colors = glb.items(&attributes["COLOR_0"], 4);
+    let expected: [[u8; 4]; 5] =
+        [[0, 0, 255, 255], [0, 255, 255, 255], [0, 255, 0, 255], [255, 255, 0, 255], [255, 0, 0, 255]];
+    assert_eq!(colors, expected.each_ref().map(|color| &color[..]));
+
+    // Rounding far below the tolerance stays blue, and no curvature at all is no division by zero.
+    for (values, least_range) in [(vec![1e-12; 5], 1.0), (vec![0.0; 5], 0.0)] {
+        contents.mean_curvature = Some(MeanCurvature { values, least_range });
+        let glb = Glb::of(&archive(contents.clone()));
+        let colors = glb.items(&glb.primitive(0)["attributes"]["COLOR_0"], 4);
+        assert!(colors.iter().all(|color| color == &[0, 0, 255, 255]), "{colors:?}");
+    }
+}
+
+#[test]
+fn glb_lines_are_nodes_of_their_own() {
+    let archive = sample::full();
+    let glb = Glb::of(&archive);
+    let nodes = glb.document["nodes"].as_array().unwrap();
+    let names: Vec<_> = nodes.iter().map(|node| node["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["surface", "boundaries", "bridges", "members lattice"], "the empty set has no node");
+    assert_eq!(glb.document["scenes"][0]["nodes"], json!([0, 1, 2, 3]));
+
+    let strip = glb.primitive(1);
+    assert_eq!((&strip["mode"], glb.indices(&strip["indices"])), (&json!(3), vec![0, 1, 2, 3, 0]));
+    assert_eq!(strip["attributes"]["POSITION"], glb.primitive(0)["attributes"]["POSITION"]);
+    let lines = glb.primitive(2);
+    assert_eq!((&lines["mode"], glb.indices(&lines["indices"])), (&json!(1), vec![0, 4, 1, 4]));
+    let members = glb.primitive(3);
+    assert_eq!(members["mode"], json!(1));
+    assert_eq!(glb.floats(&members["attributes"]["_LENGTH"]), [2.5, 2.5, 0.125, 0.125]);
+    assert_eq!(nodes[3]["extras"], json!({ "_LENGTH": { "unit": "cm" } }));
+    let ends = glb.vectors(&members["attributes"]["POSITION"]);
+    let positions = glb.vectors(&glb.primitive(0)["attributes"]["POSITION"]);
+    assert_eq!(ends, [positions[2], positions[4], positions[3], positions[4]]);
+}
+
+#[test]
+fn glb_extras_carry_the_statistics_and_the_way_back_to_the_input() {
+    let glb = Glb::of(&sample::full());
+    let extras = &glb.document["asset"]["extras"];
+    assert_eq!(extras["statistics"], json!({ "area": 1.25, "converged": true }));
+    assert_eq!(extras["input_vertices"], json!([[0, 1, 1, 2, 3]]));
+    assert_eq!((&extras["unit"], &extras["up"]), (&json!("cm"), &json!("z")));
+}
+
+#[test]
+fn gltf_json_is_the_same_document_with_the_buffer_embedded() {
+    let archive = sample::full();
+    let glb = Glb::of(&archive);
+    let mut document: Value = serde_json::from_slice(&MeshFormat::Gltf.encode(&archive).unwrap()).unwrap();
+    let uri = document["buffers"][0]["uri"].take();
+    let text = uri.as_str().unwrap().strip_prefix("data:application/octet-stream;base64,").unwrap().to_owned();
+    assert_eq!(base64_decoded(&text), glb.buffer);
+    document["buffers"][0].as_object_mut().unwrap().remove("uri");
+    assert_eq!(document, glb.document);
+}
+
+fn base64_decoded(text: &str) -> Vec<u8> {
+    let digit = |c: u8| match c {
+        b'A'..=b'Z' => u32::from(c - b'A'),
+        b'a'..=b'z' => u32::from(c - b'a') + 26,
+        b'0'..=b'9' => u32::from(c - b'0') + 52,
+        b'+' => 62,
+        b'/' => 63,
+        _ => 0,
+    };
+    let mut out: Vec<u8> = text
+        .as_bytes()
+        .chunks(4)
+        .flat_map(|four| four.iter().fold(0, |bits, &c| bits << 6 | digit(c)).to_be_bytes()[1..].to_vec())
+        .collect();
+    out.truncate(out.len() - text.bytes().filter(|&c| c == b'=').count());
+    out
+}
+
+#[test]
+fn what_f32_cannot_hold_is_refused_and_the_f64_formats_still_work() {
+    for (scale, offset) in [(1e39, DVec3::ZERO), (1e308, DVec3::ZERO), (1e-40, DVec3::ZERO)] {
+        let archive = archive(sample::roof(scale, offset));
+        for format in [MeshFormat::Glb, MeshFormat::Gltf] {
+            assert!(matches!(format.encode(&archive), Err(Error::OutOfRange { format: "glTF", .. })), "{scale}");
+        }
+        assert!(MeshFormat::Obj.encode(&archive).is_ok() && MeshFormat::Ply.encode(&archive).is_ok());
+    }
+    let archive = archive(sample::roof(1.0, DVec3::X * 1e39));
+    assert!(matches!(MeshFormat::Stl.encode(&archive), Err(Error::OutOfRange { format: "STL", .. })));
+}
+
+/// Coordinates whose shortest texts are awkward: many digits, exponents, a signed zero, far from the origin.
+fn awkward() -> Archive {
+    let mut contents = sample::roof(1.0, DVec3::new(500_123.456_789_012_3, 1e7 / 3.0, -0.1));
+    contents.mesh.vertices[0] = DVec3::new(f64::MIN_POSITIVE / 8.0, -0.0, 0.1 + 0.2);
+    contents.mesh.vertices[1] = DVec3::new(1e300, -1e-300, 123_456_789.012_345_67);
+    archive(contents)
+}
+
+fn bits(vertices: &[DVec3]) -> Vec<[u64; 3]> {
+    vertices.iter().map(|v| v.to_array().map(f64::to_bits)).collect()
+}
+
+#[test]
+fn obj_reads_back_to_the_same_bits() {
+    let archive = awkward();
+    let text = String::from_utf8(MeshFormat::Obj.encode(&archive).unwrap()).unwrap();
+    let mut vertices = Vec::new();
+    let mut triangles = Vec::new();
+    for line in text.lines() {
+        let mut words = line.split(' ');
+        match words.next() {
+            Some("v") => vertices.push(DVec3::from_slice(&words.map(|w| w.parse().unwrap()).collect::<Vec<f64>>())),
+            Some("f") => triangles.push(words.map(|w| w.parse::<u32>().unwrap() - 1).collect::<Vec<_>>()),
+            _ => {}
+        }
+    }
+    assert_eq!(bits(&vertices), bits(&archive.contents().mesh.vertices));
+    assert_eq!(triangles.concat(), archive.contents().mesh.triangles.concat());
+}
+
+#[test]
+fn obj_has_the_lines_and_its_texts_stay_on_one_line() {
+    let text = String::from_utf8(MeshFormat::Obj.encode(&sample::full()).unwrap()).unwrap();
+    assert!(text.starts_with("# plateau test\n# unit cm, z up\nv "), "{text}");
+    assert!(
+        text.contains("\no boundaries\nl 1 2 3 4 1\no bridges\nl 1 5\nl 2 5\no members_lattice\nl 3 5\nl 4 5\n"),
+        "{text}"
+    );
+    let known = ["#", "v", "o", "f", "l"];
+    assert!(text.lines().all(|line| known.contains(&line.split(' ').next().unwrap())), "{text}");
+}
+
+#[test]
+fn ply_reads_back_to_the_same_bits() {
+    let archive = awkward();
+    let bytes = MeshFormat::Ply.encode(&archive).unwrap();
+    let end = bytes.windows(11).position(|w| w == b"end_header\n").unwrap() + 11;
+    let header = std::str::from_utf8(&bytes[..end]).unwrap();
+    assert_eq!(
+        header,
+        "ply\nformat binary_little_endian 1.0\ncomment plateau test\ncomment unit m, z up\nelement vertex 5\n\
+         property double x\nproperty double y\nproperty double z\nelement face 4\n\
+         property list uchar uint vertex_indices\nend_header\n"
+    );
+    let (vertices, faces) = bytes[end..].split_at(5 * 24);
+    let vertices: Vec<DVec3> = vertices
+        .chunks(24)
+        .map(|v| DVec3::from_slice(&v.chunks(8).map(|x| f64::from_le_bytes(x.try_into().unwrap())).collect::<Vec<_>>()))
+        .collect();
+    assert_eq!(bits(&vertices), bits(&archive.contents().mesh.vertices));
+    let faces: Vec<_> = faces.chunks(13).map(|f| (f[0], [word(f, 1), word(f, 5), word(f, 9)])).collect();
+    let expected: Vec<_> = archive.contents().mesh.triangles.iter().map(|&t| (3, t)).collect();
+    assert_eq!(faces, expected);
+}
+
+#[test]
+fn ply_carries_the_mean_curvature() {
+    let bytes = MeshFormat::Ply.encode(&sample::full()).unwrap();
+    let end = bytes.windows(11).position(|w| w == b"end_header\n").unwrap() + 11;
+    assert!(
+        std::str::from_utf8(&bytes[..end]).unwrap().contains("\nproperty double z\nproperty double mean_curvature\n")
+    );
+    assert_eq!(bytes.len(), end + 5 * 32 + 4 * 13);
+    assert_eq!(f64::from_le_bytes(bytes[end + 4 * 32 + 24..end + 5 * 32].try_into().unwrap()), 0.02);
+}
+
+#[test]
+fn stl_holds_each_triangle_with_its_normal() {
+    for scale in [1.0, 1e-30, 1e30] {
+        let archive = archive(sample::roof(scale, DVec3::ZERO));
+        let bytes = MeshFormat::Stl.encode(&archive).unwrap();
+        assert!(!bytes.starts_with(b"solid"));
+        assert_eq!((bytes.len(), word(&bytes, 80)), (84 + 4 * 50, 4));
+        for (facet, &triangle) in bytes[84..].chunks(50).zip(&archive.contents().mesh.triangles) {
+            let vectors: Vec<DVec3> = facet[..48]
+                .chunks(12)
+                .map(|v| DVec3::from_slice(&[0, 4, 8].map(|at| f64::from(f32::from_bits(word(v, at))))))
+                .collect();
+            let corners = archive.contents().mesh.corners(triangle);
+            assert_eq!(vectors[1..], corners.map(|c| DVec3::from_array(c.to_array().map(|x| f64::from(x as f32)))));
+            let expected = ((corners[1] - corners[0]) / scale).cross((corners[2] - corners[0]) / scale).normalize();
+            assert!(vectors[0].distance(expected) < 1e-6, "{} instead of {expected}", vectors[0]);
+        }
+    }
+}
+
+#[test]
+fn svg_is_true_to_scale_in_millimetres() {
+    let text = String::from_utf8(PatternFormat::Svg.encode(&sample::full()).unwrap()).unwrap();
+    // 200 x 100 cm above 150 x 100 cm, 10 cm between them, margins of 2% of the larger side (2.1 m): 4.2 cm.
+    assert!(text.contains(r#"width="2084.0mm" height="2184.0mm" viewBox="0 0 2084.0 2184.0""#), "{text}");
+    assert!(text.contains(r#"d="M42.0,1042.0L2042.0,1042.0L2042.0,42.0L42.0,42.0Z""#), "{text}");
+    assert!(
+        text.contains(r#"<line class="mountain" x1="542.0" y1="1042.0" x2="542.0" y2="42.0"><title>12.50°</title>"#),
+        "{text}"
+    );
+    assert!(
+        text.contains(r#"<line class="valley" x1="1042.0""#) && text.contains(r#"<line class="flat" x1="792.0""#),
+        "{text}"
+    );
+    assert!(text.contains("<title>roof &lt;of&gt; &quot;four&quot; &amp; more — é x</title>"), "{text}");
+}
+
+/// DXF as (group code, value) pairs.
+fn dxf_pairs(archive: &Archive) -> Vec<(u16, String)> {
+    let text = String::from_utf8(PatternFormat::Dxf.encode(archive).unwrap()).unwrap();
+    let lines: Vec<&str> = text.lines().collect();
+    lines.chunks(2).map(|pair| (pair[0].trim().parse().unwrap(), pair[1].to_owned())).collect()
+}
+
+#[test]
+fn dxf_is_true_to_scale_in_the_clients_unit_with_a_layer_for_each_tool() {
+    let pairs = dxf_pairs(&sample::full());
+    let at = |code: u16, value: &str| pairs.iter().position(|(c, v)| *c == code && v == value).unwrap();
+    assert_eq!(pairs[at(9, "$INSUNITS") + 1], (70, "5".into()));
+    let entities = &pairs[at(2, "ENTITIES")..at(2, "OBJECTS") - 1];
+    let starts: Vec<usize> = (0..entities.len()).filter(|&i| entities[i].0 == 0).collect();
+    let described: Vec<(String, String, Vec<f64>)> = starts
+        .windows(2)
+        .map(|range| {
+            let fields = &entities[range[0]..range[1]];
+            let layer = fields.iter().find(|(code, _)| *code == 8).map(|(_, layer)| layer.clone()).unwrap_or_default();
+            let numbers =
+                fields.iter().filter(|(c, _)| matches!(c, 10..=11 | 20..=21)).map(|(_, v)| v.parse().unwrap());
+            (fields[0].1.clone(), layer, numbers.collect())
+        })
+        .collect();
+    let expected: [(&str, &str, &[f64]); 7] = [
+        ("LWPOLYLINE", "CUT", &[0.0, 110.0, 200.0, 110.0, 200.0, 210.0, 0.0, 210.0]),
+        ("LINE", "FOLD_MOUNTAIN", &[50.0, 110.0, 50.0, 210.0]),
+        ("LINE", "FOLD_VALLEY", &[100.0, 110.0, 100.0, 210.0]),
+        ("TEXT", "LABEL", &[100.0, 160.0, 100.0, 160.0]),
+        ("LWPOLYLINE", "CUT", &[0.0, 0.0, 150.0, 0.0, 150.0, 100.0, 0.0, 100.0]),
+        ("LINE", "FOLD_FLAT", &[75.0, 0.0, 75.0, 100.0]),
+        ("TEXT", "LABEL", &[75.0, 50.0, 75.0, 50.0]),
+    ];
+    for (found, expected) in described.iter().zip(&expected) {
+        assert_eq!((found.0.as_str(), found.1.as_str(), found.2.as_slice()), *expected);
+    }
+    assert_eq!(described.len(), expected.len());
+}
+
+/// A reader refuses a file with two objects of one handle, or a seed that would make it happen.
+#[test]
+fn dxf_handles_are_unique_and_below_the_seed() {
+    let pairs = dxf_pairs(&sample::full());
+    let seed_at = pairs.iter().position(|(_, value)| value == "$HANDSEED").unwrap();
+    let hex = |text: &str| u32::from_str_radix(text, 16).unwrap();
+    let seed = hex(&pairs[seed_at + 1].1);
+    let mut handles: Vec<u32> =
+        pairs.iter().skip(seed_at + 2).filter(|(code, _)| matches!(code, 5 | 105)).map(|(_, v)| hex(v)).collect();
+    assert!(handles.iter().all(|&handle| handle < seed));
+    let count = handles.len();
+    handles.sort_unstable();
+    handles.dedup();
+    assert_eq!(handles.len(), count);
+    assert!(pairs.iter().any(|(code, text)| *code == 1 && text == "strip 2 \\U+00E9"));
+}
+
+#[test]
+fn only_archives_with_a_pattern_have_pattern_files() {
+    let archive = archive(sample::roof(1.0, DVec3::ZERO));
+    assert!(PatternFormat::ALL.iter().all(|format| format.encode(&archive).is_none()));
+}
+
+/// `scripts/test` hands these files to the Khronos validator.
+#[test]
+fn files_for_the_validator() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("gltf");
+    std::fs::create_dir_all(&folder).unwrap();
+    let far = sample::roof(1.0, DVec3::new(1e7, -1e7 + 0.1, 3e6));
+    let archives = [("everything", sample::full()), ("far", archive(far)), ("odd-places", archive(odd_places(1.0).0))];
+    for (name, archive) in archives {
+        for format in [MeshFormat::Glb, MeshFormat::Gltf] {
+            let bytes = format.encode(&archive).unwrap();
+            std::fs::write(folder.join(format!("{name}.{}", format.name())), bytes).unwrap();
+        }
+    }
+}
+
+#[test]
+fn every_format_is_found_by_its_name() {
+    for format in MeshFormat::ALL {
+        assert_eq!(MeshFormat::from_name(format.name()), Some(format));
+    }
+    for format in PatternFormat::ALL {
+        assert_eq!(PatternFormat::from_name(format.name()), Some(format));
+    }
+    assert_eq!((MeshFormat::from_name("GLB"), PatternFormat::from_name("pdf")), (None, None));
+}
