@@ -9,6 +9,7 @@
 mod cotangent;
 mod film;
 mod initial_mesh;
+mod mean_curvature_lm;
 mod newton;
 mod pinkall_polthier;
 mod record;
@@ -35,6 +36,8 @@ pub enum Objective {
     /// The sum of the triangles' areas.
     #[default]
     MinimalArea,
+    /// Liu and Wang: half the sum of the squared discrete mean curvatures.
+    MinimalMeanCurvature,
 }
 
 /// One objective, for people and for catalogues.
@@ -47,7 +50,7 @@ pub struct Description {
 }
 
 impl Objective {
-    pub const ALL: [Self; 1] = [Self::MinimalArea];
+    pub const ALL: [Self; 2] = [Self::MinimalArea, Self::MinimalMeanCurvature];
 
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -62,6 +65,13 @@ impl Objective {
                 minimises: "the sum of the triangles' areas, boundary fixed",
                 unit: "u²",
                 source: "Chen, Cai, Zheng 2008, eq. 3",
+            },
+            Self::MinimalMeanCurvature => Description {
+                name: "minimal_mean_curvature",
+                minimises: "half the sum of squared mean curvatures (angle between normals times half the edge, over a \
+                    third of the ring's area), lengths divided by the boundary's radius",
+                unit: "1",
+                source: "Liu, Wang 2011, eq. 1",
             },
         }
     }
@@ -79,10 +89,13 @@ pub enum Solver {
     PinkallPolthier,
     /// A few Pinkall-Polthier solves, then Newton's method in normal heights.
     Newton,
+    /// Liu, Wang: Levenberg and Marquardt on the mean curvatures. For [`Objective::MinimalMeanCurvature`] alone.
+    LevenbergMarquardt,
 }
 
 impl Solver {
-    pub const ALL: [Self; 4] = [Self::Auto, Self::VertexRelaxation, Self::PinkallPolthier, Self::Newton];
+    pub const ALL: [Self; 5] =
+        [Self::Auto, Self::VertexRelaxation, Self::PinkallPolthier, Self::Newton, Self::LevenbergMarquardt];
 
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -91,6 +104,7 @@ impl Solver {
             Self::VertexRelaxation => "vertex_relaxation",
             Self::PinkallPolthier => "pinkall_polthier",
             Self::Newton => "newton",
+            Self::LevenbergMarquardt => "levenberg_marquardt",
         }
     }
 }
@@ -122,6 +136,9 @@ pub enum InitialMesh {
     Auto,
     /// Chen, Cai, Zheng 3.4: rings towards the mean of the boundary; between two boundaries, rings from one to the other.
     Rings,
+    /// Liu, Wang: points at barycentres inside one boundary, chosen by [`Options::seed`], in a Delaunay triangulation.
+    /// What [`InitialMesh::Auto`] is for one boundary under [`Objective::MinimalMeanCurvature`].
+    Barycentres,
 }
 
 /// What to do with a stationary surface that is no local minimum.
@@ -144,15 +161,22 @@ pub struct Options {
     pub initial_mesh: InitialMesh,
     /// The residual (dimensionless, see [`Statistics::residual`]) at which a surface counts as converged.
     pub tolerance: f64,
-    /// Relative change of area per iteration at which [`Solver::VertexRelaxation`] ends its area minimising (ε₂).
+    /// Relative change of area per iteration at which [`Solver::VertexRelaxation`] ends its area minimising (ε₂);
+    /// Liu and Wang's ε for [`Solver::LevenbergMarquardt`].
     pub area_tolerance: f64,
     /// The same for its Laplacian fairing (ε₁); `None`: as `area_tolerance`.
     pub fairing_tolerance: Option<f64>,
     /// Stages of [`Solver::VertexRelaxation`] in the caller's own order, each repeated until its tolerance; `None`: the paper's.
     pub processes: Option<Vec<Vec<Process>>>,
     pub on_unstable: OnUnstable,
-    /// `None`: the solver's own default (10,000 sweeps of vertex relaxation, 200 linear solves).
+    /// `None`: the solver's own default (10,000 sweeps of vertex relaxation, 200 linear solves, 500 steps of Levenberg
+    /// and Marquardt).
     pub max_iterations: Option<u32>,
+    /// Which of the candidate points [`InitialMesh::Barycentres`] takes.
+    pub seed: u64,
+    /// Whether the boundary's vertices count in [`Objective::MinimalMeanCurvature`] (with their interior edges), as
+    /// Liu and Wang's do.
+    pub boundary_curvature: bool,
 }
 
 impl Options {
@@ -170,6 +194,8 @@ impl Options {
             processes: None,
             on_unstable: OnUnstable::default(),
             max_iterations: None,
+            seed: 1,
+            boundary_curvature: true,
         }
     }
 
@@ -190,6 +216,11 @@ impl Options {
         {
             let place = Place::field("resolution").then("edge_length");
             errors.push(InputError::new(place, "must be a finite number above 0"));
+        }
+        let least_squares = self.objective == Objective::MinimalMeanCurvature;
+        if self.solver != Solver::Auto && (self.solver == Solver::LevenbergMarquardt) != least_squares {
+            let detail = format!("{} does not solve {}", self.solver.name(), self.objective.name());
+            errors.push(InputError::new(Place::field("solver"), detail));
         }
         if let Some(stages) = &self.processes {
             for (k, stage) in stages.iter().enumerate() {
@@ -236,10 +267,13 @@ pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> 
     exec.look(input.point_count() as u64)?;
     let (mut film, kind) = initial_mesh::build(&input.centred, options, exec)?;
     let initial_area = film.area();
-    let run = match options.solver {
-        Solver::VertexRelaxation => vertex_relaxation::run(&mut film, options, exec)?,
-        Solver::PinkallPolthier => pinkall_polthier::run(&mut film, options, exec)?,
-        Solver::Auto | Solver::Newton => newton::run(&mut film, options, exec)?,
+    let run = match (options.objective, options.solver) {
+        (Objective::MinimalMeanCurvature, _) | (_, Solver::LevenbergMarquardt) => {
+            mean_curvature_lm::run(&mut film, options, exec)?
+        }
+        (_, Solver::VertexRelaxation) => vertex_relaxation::run(&mut film, options, exec)?,
+        (_, Solver::PinkallPolthier) => pinkall_polthier::run(&mut film, options, exec)?,
+        (_, Solver::Auto | Solver::Newton) => newton::run(&mut film, options, exec)?,
     };
     finish(input, film, kind, initial_area, run, options)
 }

@@ -103,4 +103,22 @@ pub(super) struct Run {
     pub edges_swapped: u64,
     pub pinches: Vec<Pinch>,
     pub stability: Option<Stability>,
+    /// Where the objective is not the area.
+    pub objective_value: Option<f64>,
+}
+
+impl Run {
+    /// Nothing done yet.
+    pub fn new(solver: super::Solver) -> Self {
+        Self {
+            solver,
+            stop_reason: StopReason::NothingToMove,
+            iterations: 0,
+            history: Vec::new(),
+            edges_swapped: 0,
+            pinches: Vec::new(),
+            stability: None,
+            objective_value: None,
+        }
+    }
 }

@@ -251,7 +251,7 @@ pub(super) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Resul
         Err(Stop::TooLarge) => return Err(too_large(LinearError::TooLarge)),
     };
     let Solve { record: Record { history, iterations, .. }, edges_swapped, .. } = solve;
-    Ok(Run { solver: Solver::Newton, stop_reason, iterations, history, edges_swapped, pinches: Vec::new(), stability })
+    Ok(Run { stop_reason, iterations, history, edges_swapped, stability, ..Run::new(Solver::Newton) })
 }
 
 /// Why a solve was left half way.

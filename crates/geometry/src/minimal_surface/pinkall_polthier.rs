@@ -103,15 +103,7 @@ pub(super) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Resul
             break StopReason::AreaChange;
         }
     };
-    Ok(Run {
-        solver: Solver::PinkallPolthier,
-        stop_reason,
-        iterations: record.iterations,
-        history: record.history,
-        edges_swapped: 0,
-        pinches: Vec::new(),
-        stability: None,
-    })
+    Ok(Run { stop_reason, iterations: record.iterations, history: record.history, ..Run::new(Solver::PinkallPolthier) })
 }
 
 /// The error for a mesh whose factor does not fit.

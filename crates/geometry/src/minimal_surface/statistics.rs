@@ -15,6 +15,10 @@ pub enum StopReason {
     AreaChange,
     /// There is no vertex to move.
     NothingToMove,
+    /// The objective, its gradient or the step's length fell below Liu and Wang's criteria.
+    ObjectiveChange,
+    Gradient,
+    StepLength,
     MaxIterations,
     /// No step gains any more, although the residual is above the tolerance: a fold is in the way, or rounding is reached.
     Stalled,
@@ -30,6 +34,9 @@ impl StopReason {
             Self::Residual => "residual",
             Self::AreaChange => "area_change",
             Self::NothingToMove => "nothing_to_move",
+            Self::ObjectiveChange => "objective_change",
+            Self::Gradient => "gradient",
+            Self::StepLength => "step_length",
             Self::MaxIterations => "max_iterations",
             Self::Stalled => "stalled",
             Self::Collapsed => "collapsed",
@@ -204,9 +211,7 @@ pub(super) fn collect(
     let Origin { kind, initial_area, run } = origin;
     Statistics {
         objective: options.objective,
-        objective_value: match options.objective {
-            Objective::MinimalArea => area,
-        },
+        objective_value: run.objective_value.unwrap_or(area),
         solver: run.solver,
         initial_mesh: kind,
         vertices: mesh.vertices.len(),

@@ -82,15 +82,7 @@ pub(super) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Resul
         Err(Interruption::Cancelled) => return Err(Interruption::Cancelled.into()),
     };
     let Relaxation { iterations, history, swapped, .. } = relaxation;
-    Ok(Run {
-        solver: Solver::VertexRelaxation,
-        stop_reason,
-        iterations,
-        history,
-        edges_swapped: swapped,
-        pinches: Vec::new(),
-        stability: None,
-    })
+    Ok(Run { stop_reason, iterations, history, edges_swapped: swapped, ..Run::new(Solver::VertexRelaxation) })
 }
 
 struct Relaxation<'a> {

@@ -1,0 +1,116 @@
+//! Liu and Wang, *Constructing Minimal Triangular Mesh Based on Discrete Mean Curvature*, CISME 1(7), 2011.
+//!
+//! 1. Candidate points inside the loop by barycentres, n of them by a seeded choice, Delaunay ([`candidate_mesh`]).
+//! 2. F = ½ Σ H_i² over the vertices, H_i = (1/B_i) Σ_e β(e)|e|/2 ([`curvature`]), least by Levenberg and Marquardt
+//!    (their Fig. 5) over the interior vertices.
+//! 3. Delaunay again. Steps 2 and 3 repeat until the triangulation stays as it is.
+//!
+//! Our departures:
+//! - Lengths are divided by the boundary's radius R first: the four criteria are not free of scale.
+//! - |F_k - F_{k-1}| is tested after accepted steps only. As printed, every rejected step would end the run.
+//! - The gradient of the dihedral angle is the closed one that is regular at a flat edge: eq. 3 is 0/0 there and has a
+//!   slip of sign.
+//! - Step 3 flips edges whose two opposite angles add up to more than 180°: that is Delaunay on the surface itself, and
+//!   needs no plane onto which the surface would have to project. It ends, as each flip lowers the Dirichlet energy.
+//! - A boundary without interior vertices, or a mesh of several loops, is taken as it is given.
+
+mod candidates;
+mod curvature;
+mod levenberg_marquardt;
+mod polygon_domain;
+
+pub(super) use candidates::candidate_mesh;
+
+use super::film::{Film, Run};
+use super::remesh::flip_to_delaunay;
+use super::statistics::{Curvature, HistoryRow, StopReason};
+use super::{Options, Solver};
+use crate::{DVec3, Error, Execution, Interruption, Progress};
+use curvature::CurvatureRows;
+use levenberg_marquardt::{Criteria, Stop, levenberg_marquardt};
+
+/// Their k_max where the caller gives none, over all rounds together.
+const MAX_ITERATIONS: u32 = 500;
+/// How often steps 2 and 3 may repeat. Flips and solves could undo each other for ever.
+const MAX_ROUNDS: usize = 50;
+
+/// Steps 2 and 3 on a film: lowers F = ½ Σ H² until the triangulation stays as it is.
+///
+/// `options.area_tolerance` is their ε, in lengths divided by R: |ΔF| < ε(1 + F), ‖∇F‖∞ < ∛ε(1 + F),
+/// ‖δ‖∞ < √ε(1 + ‖δ‖∞), or `max_iterations` steps. A vanishing F is a surface whose *normal cycle* curvature vanishes,
+/// near a minimal one and not the least of its area: judge it by its residual. Looks after every sweep over the
+/// triangles and every factorisation; at a deadline the film holds the best so far.
+///
+/// # Errors
+/// [`Interruption::Cancelled`].
+pub(super) fn run(film: &mut Film, options: &Options, execution: &Execution) -> Result<Run, Error> {
+    let mut run = Run::new(Solver::LevenbergMarquardt);
+    let radius = film.radius();
+    let given = film.vertices.clone();
+    film.vertices.iter_mut().for_each(|vertex| *vertex /= radius);
+    let outcome = rounds(film, options, radius, &mut run, execution);
+    for (vertex, (given, fixed)) in film.vertices.iter_mut().zip(given.into_iter().zip(&film.fixed)) {
+        *vertex = if *fixed { given } else { *vertex * radius };
+    }
+    match outcome {
+        Ok(stop_reason) => run.stop_reason = stop_reason,
+        Err(Interruption::DeadlinePassed) => run.stop_reason = StopReason::Deadline,
+        Err(interruption) => return Err(interruption.into()),
+    }
+    Ok(run)
+}
+
+fn rounds(
+    film: &mut Film,
+    options: &Options,
+    radius: f64,
+    run: &mut Run,
+    execution: &Execution,
+) -> Result<StopReason, Interruption> {
+    let max_iterations = options.max_iterations.unwrap_or(MAX_ITERATIONS);
+    run.edges_swapped += flip_to_delaunay(film);
+    execution.look(film.triangles().len() as u64)?;
+    let mut stop_reason = StopReason::NothingToMove;
+    for _ in 0..MAX_ROUNDS {
+        let moves: Vec<bool> = film.fixed.iter().map(|fixed| !fixed).collect();
+        let mut rows = CurvatureRows::new(&film.topology, &moves, options.boundary_curvature);
+        let criteria = Criteria {
+            tolerance: options.area_tolerance,
+            max_iterations: u64::from(max_iterations.saturating_sub(run.iterations)),
+        };
+        let mut vertices = film.vertices.clone();
+        let mut observe = |vertices: &[DVec3], objective_value: f64| {
+            film.vertices.copy_from_slice(vertices);
+            run.iterations += 1;
+            let residual = Curvature::of(film).residual;
+            let area = film.area() * radius * radius;
+            let iteration = run.iterations;
+            run.history.push(HistoryRow { phase: "mean_curvature", iteration, area, residual });
+            execution.report(Progress {
+                fraction: f64::from(iteration) / f64::from(max_iterations.max(1)),
+                phase: "mean_curvature",
+                iteration: u64::from(iteration),
+                objective_value: Some(objective_value),
+                residual: Some(residual),
+            });
+        };
+        let (stop, objective_value) =
+            levenberg_marquardt(&mut vertices, &mut rows, &criteria, &mut observe, execution)?;
+        run.objective_value = Some(objective_value);
+        stop_reason = match stop {
+            Stop::ChangeOfObjective => StopReason::ObjectiveChange,
+            Stop::Gradient => StopReason::Gradient,
+            Stop::Step => StopReason::StepLength,
+            Stop::NoUnknowns => StopReason::NothingToMove,
+            Stop::NoStep => StopReason::Stalled,
+            Stop::MaxIterations => return Ok(StopReason::MaxIterations),
+        };
+        let swapped = flip_to_delaunay(film);
+        execution.look(film.triangles().len() as u64)?;
+        run.edges_swapped += swapped;
+        if swapped == 0 {
+            break;
+        }
+    }
+    Ok(stop_reason)
+}

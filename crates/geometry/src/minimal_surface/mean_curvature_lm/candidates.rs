@@ -1,0 +1,253 @@
+//! Liu and Wang's start: candidate points by barycentres from the centroid, a seeded choice of n, Delaunay.
+
+use super::polygon_domain::{Domain, domain_of, snapped};
+use crate::mesh::topology::NONE;
+use crate::minimal_surface::film::Film;
+use crate::{DVec2, DVec3, Error, Execution, polyline};
+use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
+
+/// A point of the surface to be, and where it stands in the plane in which the triangulation is made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Candidate {
+    space: DVec3,
+    plane: DVec2,
+}
+
+impl Candidate {
+    fn barycentre([a, b, c]: [Self; 3]) -> Self {
+        Self { space: (a.space + b.space + c.space) / 3.0, plane: snapped((a.plane + b.plane + c.plane) / 3.0) }
+    }
+}
+
+/// A small generator of its own (splitmix64), so that a seed means the same on every machine and in every build.
+#[derive(Clone, Debug)]
+struct Seeded(u64);
+
+impl Seeded {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^ (z >> 31)
+    }
+
+    /// Uniform in `0..bound` (to 2⁻⁶⁴ · bound).
+    fn below(&mut self, bound: usize) -> usize {
+        ((u128::from(self.next()) * bound as u128) >> 64) as usize
+    }
+}
+
+/// A film with the given loop as boundary (vertices 0.., in order) and `interior_vertices` more, chosen by
+/// `seed` among Liu and Wang's candidates: the loop's centroid, then the barycentre of each triangle that the centroid
+/// and a side of the loop span, then the barycentres of the three parts into which each barycentre cuts its triangle,
+/// and so on, until there are at least as many as asked for.
+///
+/// The triangulation is constrained Delaunay in the plane onto which the loop encloses the largest area, if the loop's
+/// image there is simple, and else in the disk with the loop on its rim by arc length. Candidates outside of the loop's
+/// image (concave loops) are passed over. Our departure: the last side of the loop, which the paper's indices leave
+/// out, gets its candidates too.
+///
+/// # Errors
+/// [`Error::NoResult`] with `no_room_for_interior_vertices` if ten levels of candidates do not hold enough, with
+/// `no_initial_mesh` if the loop cannot be triangulated in either plane. O((m + n) log(m + n) + m n) for m loop points.
+pub(in crate::minimal_surface) fn candidate_mesh(
+    boundary: &[DVec3],
+    interior_vertices: usize,
+    seed: u64,
+    execution: &Execution<'_>,
+) -> Result<Film, Error> {
+    let mut last = None;
+    for domain in domain_of(boundary) {
+        match triangulate(boundary, &domain, interior_vertices, seed, execution) {
+            Ok(film) => return Ok(film),
+            Err(error @ (Error::Interrupted(_) | Error::Input(_))) => return Err(error),
+            Err(error) => last = Some(error),
+        }
+    }
+    Err(last.unwrap_or_else(|| {
+        Error::no_result("no_initial_mesh", "The loop has no triangulation in its best plane nor in a disk.")
+    }))
+}
+
+fn triangulate(
+    boundary: &[DVec3],
+    domain: &Domain,
+    interior_vertices: usize,
+    seed: u64,
+    execution: &Execution<'_>,
+) -> Result<Film, Error> {
+    let chosen = choose(candidates(boundary, domain, interior_vertices, execution)?, interior_vertices, seed);
+    let points: Vec<Point2<f64>> =
+        domain.rim.iter().copied().chain(chosen.iter().map(|c| c.plane)).map(|p| Point2::new(p.x, p.y)).collect();
+    let m = boundary.len();
+    let sides = (0..m).map(|k| [k, (k + 1) % m]).collect();
+    let count = points.len();
+    let mut crossing = false;
+    let failed = |detail: &str| Error::no_result("no_initial_mesh", detail);
+    let plane = ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(points, sides, |_| crossing = true)
+        .map_err(|error| failed(&format!("The loop's image cannot be triangulated: {error:?}.")))?;
+    if crossing || plane.num_vertices() != count {
+        return Err(failed("The loop's image crosses or touches itself."));
+    }
+    execution.look(count as u64)?;
+    let mut triangles = Vec::with_capacity(2 * count);
+    for face in plane.inner_faces() {
+        let corners = face.vertices();
+        let middle = corners.iter().map(|v| DVec2::new(v.position().x, v.position().y)).sum::<DVec2>() / 3.0;
+        if domain.contains(middle) {
+            triangles.push(corners.map(|v| v.fix().index() as u32));
+        }
+        if triangles.len() % 1024 == 0 {
+            execution.look((1024 * m) as u64)?;
+        }
+    }
+    let vertices = boundary.iter().copied().chain(chosen.iter().map(|c| c.space)).collect();
+    let rim: Vec<u32> = (0..m as u32).collect();
+    Film::new(vertices, &triangles, vec![rim])
+        .filter(|film| film.topology.euler_characteristic() == 1 && is_only_boundary(film, m as u32))
+        .ok_or_else(|| failed("The loop's image does not bound one disk."))
+}
+
+/// Whether the film's boundary edges are exactly those from vertex k to k + 1, of the first m.
+fn is_only_boundary(film: &Film, m: u32) -> bool {
+    let topology = &film.topology;
+    let mut count = 0;
+    (0..topology.twin.len() as u32).filter(|&h| topology.twin[h as usize] == NONE).all(|h| {
+        count += 1;
+        topology.from(h) < m && topology.to(h) == (topology.from(h) + 1) % m
+    }) && count == m
+}
+
+/// Level by level, until at least `wanted` candidates lie inside the domain.
+fn candidates(
+    boundary: &[DVec3],
+    domain: &Domain,
+    wanted: usize,
+    execution: &Execution<'_>,
+) -> Result<Vec<Candidate>, Error> {
+    let corner = |k: usize| Candidate { space: boundary[k], plane: domain.rim[k] };
+    let m = boundary.len();
+    let centre =
+        Candidate { space: polyline::mean(boundary), plane: snapped(domain.rim.iter().sum::<DVec2>() / m as f64) };
+    let mut found = Vec::new();
+    if domain.contains(centre.plane) {
+        found.push(centre);
+    }
+    let mut triangles: Vec<[Candidate; 3]> = (0..m).map(|k| [corner(k), corner((k + 1) % m), centre]).collect();
+    for _ in 0..10 {
+        if found.len() >= wanted {
+            break;
+        }
+        let mut parts = Vec::with_capacity(3 * triangles.len());
+        for (k, &[a, b, c]) in triangles.iter().enumerate() {
+            let middle = Candidate::barycentre([a, b, c]);
+            if domain.contains(middle.plane) {
+                found.push(middle);
+            }
+            parts.extend([[a, b, middle], [a, c, middle], [b, c, middle]]);
+            if k % 256 == 255 {
+                execution.look((256 * m) as u64)?;
+            }
+        }
+        drop_repeated(&mut found);
+        triangles = parts;
+    }
+    if found.len() < wanted {
+        let detail = format!("Only {} candidate points lie inside the boundary; ask for fewer.", found.len());
+        return Err(Error::NoResult { reason: "no_room_for_interior_vertices", detail, places: Vec::new() });
+    }
+    Ok(found)
+}
+
+/// Drops candidates that stand where an earlier one does in the plane (two triangles of a symmetric loop may share a
+/// barycentre), whose lengths are those of a unit disk. The order stays that of generation, which no motion changes.
+fn drop_repeated(found: &mut Vec<Candidate>) {
+    const SAME: f64 = 1e-9;
+    let mut order: Vec<usize> = (0..found.len()).collect();
+    order.sort_by(|&a, &b| found[a].plane.x.total_cmp(&found[b].plane.x).then(a.cmp(&b)));
+    let mut repeated = vec![false; found.len()];
+    for (place, &a) in order.iter().enumerate() {
+        let near = order[place + 1..].iter().take_while(|&&b| found[b].plane.x - found[a].plane.x <= SAME);
+        for &b in near {
+            if !repeated[a] && !repeated[b] && (found[a].plane.y - found[b].plane.y).abs() <= SAME {
+                repeated[a.max(b)] = true;
+            }
+        }
+    }
+    let mut repeated = repeated.into_iter();
+    found.retain(|_| !repeated.next().unwrap_or(false));
+}
+
+/// A choice of `count`, each subset equally likely over the seeds, in the candidates' order.
+fn choose(candidates: Vec<Candidate>, count: usize, seed: u64) -> Vec<Candidate> {
+    let mut seeded = Seeded(seed);
+    let mut order: Vec<usize> = (0..candidates.len()).collect();
+    for k in 0..count {
+        order.swap(k, k + seeded.below(candidates.len() - k));
+    }
+    order.truncate(count);
+    order.sort_unstable();
+    order.into_iter().map(|k| candidates[k]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ring(n: usize, height: impl Fn(f64) -> f64) -> Vec<DVec3> {
+        (0..n)
+            .map(|k| {
+                let t = k as f64 * std::f64::consts::TAU / n as f64;
+                DVec3::new(t.cos(), t.sin(), height(t))
+            })
+            .collect()
+    }
+
+    #[test]
+    fn counts_are_exact_and_the_boundary_comes_first() {
+        for (m, n) in [(28, 20), (24, 25), (9, 4), (3, 0), (12, 300)] {
+            let boundary = ring(m, |t| 0.2 * (3.0 * t).cos());
+            let mesh = candidate_mesh(&boundary, n, 1, &Execution::default()).unwrap();
+            assert_eq!((mesh.vertices.len(), mesh.triangles().len()), (m + n, m + 2 * n - 2));
+            assert_eq!(mesh.vertices[..m], boundary);
+        }
+    }
+
+    #[test]
+    fn the_seed_decides_and_nothing_else() {
+        let boundary = ring(20, |_| 0.0);
+        let with = |seed| candidate_mesh(&boundary, 12, seed, &Execution::default()).unwrap();
+        assert_eq!(with(7).mesh(), with(7).mesh());
+        assert_ne!(with(7).vertices, with(8).vertices);
+    }
+
+    #[test]
+    fn a_loop_without_a_simple_projection_is_triangulated_in_the_disk() {
+        // A trefoil: every projection crosses itself.
+        let boundary: Vec<DVec3> = (0..60)
+            .map(|k| {
+                let t = f64::from(k) * std::f64::consts::TAU / 60.0;
+                DVec3::new(t.sin() + 2.0 * (2.0 * t).sin(), t.cos() - 2.0 * (2.0 * t).cos(), -(3.0 * t).sin())
+            })
+            .collect();
+        let mesh = candidate_mesh(&boundary, 30, 1, &Execution::default()).unwrap();
+        assert_eq!(mesh.topology.euler_characteristic(), 1);
+    }
+
+    #[test]
+    fn a_concave_loop_keeps_its_candidates_inside() {
+        let corners = [(0.0, 0.0), (3.0, 0.0), (3.0, 3.0), (2.6, 3.0), (2.6, 0.4), (0.4, 0.4), (0.4, 3.0), (0.0, 3.0)];
+        let boundary: Vec<DVec3> = corners.iter().map(|&(x, y)| DVec3::new(x, y, 0.1 * x)).collect();
+        let mesh = candidate_mesh(&boundary, 10, 3, &Execution::default()).unwrap();
+        let area: f64 = mesh
+            .triangles()
+            .iter()
+            .map(|&t| {
+                let [a, b, c] = mesh.corners(t);
+                0.5 * (b - a).cross(c - a).z
+            })
+            .sum();
+        assert!((area - (9.0 - 2.2 * 2.6)).abs() < 1e-12);
+    }
+}

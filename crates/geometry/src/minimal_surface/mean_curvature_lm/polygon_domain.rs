@@ -1,0 +1,67 @@
+//! Plane images of a boundary loop in which a triangulation can be made.
+
+use crate::{DVec2, DVec3, polyline};
+
+/// The images of the loop's points, counter-clockwise.
+#[derive(Clone, Debug)]
+pub(super) struct Domain {
+    pub rim: Vec<DVec2>,
+}
+
+impl Domain {
+    /// Whether a point lies inside the rim (even-odd; a point on the rim may count either way).
+    pub fn contains(&self, point: DVec2) -> bool {
+        let mut inside = false;
+        let mut previous = self.rim[self.rim.len() - 1];
+        for &current in &self.rim {
+            if (current.y > point.y) != (previous.y > point.y) {
+                let (low, high) = if current.y > previous.y { (previous, current) } else { (current, previous) };
+                let coord = |p: DVec2| robust::Coord { x: p.x, y: p.y };
+                inside ^= robust::orient2d(coord(low), coord(high), coord(point)) > 0.0;
+            }
+            previous = current;
+        }
+        inside
+    }
+}
+
+/// Domains to try, best first: the plane of the loop's area vector, then the disk with arc length along its rim.
+///
+/// The first is left out where the loop encloses no area; whether it is simple is for the triangulation to find out.
+pub(super) fn domain_of(boundary: &[DVec3]) -> Vec<Domain> {
+    let centre = polyline::mean(boundary);
+    let m = boundary.len();
+    let offset: Vec<DVec3> = boundary.iter().map(|p| *p - centre).collect();
+    let area_vector: DVec3 = (0..m).map(|k| offset[k].cross(offset[(k + 1) % m])).sum();
+    let reach2 = offset.iter().map(|p| p.length_squared()).fold(0.0, f64::max);
+    let mut domains = Vec::new();
+    if area_vector.length() > 1e-6 * reach2 {
+        let normal = area_vector.normalize();
+        // A direction that turns with the loop. u, v, normal are right-handed, so the loop runs counter-clockwise.
+        let farthest = (0..m).fold(0, |best, k| {
+            let reach = |k: usize| offset[k].reject_from_normalized(normal).length_squared();
+            if reach(k) > reach(best) * (1.0 + 1e-9) { k } else { best }
+        });
+        let u = offset[farthest].reject_from_normalized(normal).normalize();
+        let v = normal.cross(u);
+        let scale = 1.0 / reach2.sqrt();
+        domains.push(Domain { rim: offset.iter().map(|p| snapped(DVec2::new(p.dot(u), p.dot(v)) * scale)).collect() });
+    }
+    let total = polyline::length(boundary, true);
+    let mut walked = 0.0;
+    let mut rim = Vec::with_capacity(m);
+    for k in 0..m {
+        let angle = walked / total * std::f64::consts::TAU;
+        rim.push(snapped(DVec2::new(angle.cos(), angle.sin())));
+        walked += boundary[k].distance(boundary[(k + 1) % m]);
+    }
+    domains.push(Domain { rim });
+    domains
+}
+
+/// The nearest point of a fine grid. Symmetric loops put four points on one circle; the choice of diagonal must not hang on
+/// the last bits, which a change of scale or a motion alters.
+pub(super) fn snapped(point: DVec2) -> DVec2 {
+    const GRID: f64 = (1u64 << 32) as f64;
+    (point * GRID).round() / GRID
+}
