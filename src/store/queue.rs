@@ -1,0 +1,532 @@
+//! The queue: submit, claim, renew, progress, finish, cancel, hand back, and what happens to lost leases.
+//!
+//! Fairness is start-time fair queueing (Goyal, Vin & Cheng 1996) with every job counted alike. A job's `turn` is one
+//! more than the later of its owner's last waiting turn and the turn before the one served next; the lowest turn is
+//! claimed first, older jobs first among equals. An owner who queues a thousand jobs gets a thousand turns in a row, so
+//! the single job of another owner comes right after the job served next. With one owner this is first come, first
+//! served.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use sha2::{Digest, Sha256};
+
+use super::engine::Result;
+use super::record::{COLUMNS, JobRow, Lookup, Status};
+use super::sql::{Connection, Row, Value};
+use super::{Store, StoreError, milliseconds};
+
+/// A job to be.
+#[derive(Debug, Clone)]
+pub struct NewJob {
+    /// Unique, sorting by time.
+    pub id: String,
+    pub kind: String,
+    pub owner: Option<String>,
+    /// Canonical: equal requests have equal bytes.
+    pub request: Vec<u8>,
+    /// Unique per owner and kind for as long as the job is kept.
+    pub idempotency_key: Option<String>,
+    /// What a second submission with the same idempotency key is compared by.
+    pub body_hash: [u8; 32],
+    /// JSON array.
+    pub warnings: String,
+    /// True if a kept result of the same owner, request and result version may be taken instead of solving again.
+    pub reuse: bool,
+}
+
+/// What became of a submission.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Submitted {
+    /// A new job: queued, or succeeded at once with a shared result.
+    Created(Box<JobRow>),
+    /// The job that the same idempotency key and body made before.
+    Existing(Box<JobRow>),
+    /// The idempotency key was used with another body.
+    KeyConflict,
+}
+
+/// A job that the claimer now works on.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Claimed {
+    pub id: String,
+    pub kind: String,
+    pub owner: Option<String>,
+    pub request: Vec<u8>,
+    /// JSON array of the warnings at submission.
+    pub warnings: String,
+    pub attempt: i64,
+}
+
+/// How a worker stands with its job.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Renewed {
+    Held,
+    /// The client does not want the result any more.
+    Cancelled,
+    /// The lease ran out and the job moved on, or it was deleted.
+    Lost,
+}
+
+/// How an attempt ended. Texts are JSON.
+#[derive(Debug, Clone)]
+pub enum Outcome {
+    Succeeded {
+        statistics: String,
+        warnings: String,
+        artefact: Vec<u8>,
+        /// True if the same request always gives this result, so that later jobs may share it.
+        reusable: bool,
+    },
+    Failed {
+        error: String,
+    },
+    Cancelled,
+}
+
+/// The line that a change of status adds to the history, with the values after the change.
+fn history(attempt: &str, status: Status) -> String {
+    format!("history || {attempt} || ' ' || (sequence + 1) || ' {} ' || now_ms() || '\n'", status.name())
+}
+
+/// Assignments that end a job, but for what only success has. `$2` is the retention.
+fn ending(status: Status) -> String {
+    format!(
+        "status = '{}', sequence = sequence + 1, finished_at = now_ms(), expires_at = now_ms() + $2, \
+         worker = NULL, lease_until = NULL, history = {}",
+        status.name(),
+        history("attempt", status)
+    )
+}
+
+impl Store {
+    /// Puts a job on disk. Refuses with `QueueFull` if the queue or the owner's share of it is full; a job that takes a
+    /// kept result does not count.
+    pub async fn submit(&self, job: NewJob) -> Result<Submitted> {
+        let options = &self.inner.options;
+        let (queue_limit, owner_limit) = (bounded(options.queue_limit), bounded(options.owner_queue_limit));
+        let retention = milliseconds(options.retention);
+        let content = content_hash(&options.result_version, &job.kind, &job.request);
+        let job = Arc::new(job);
+        let submitted = self
+            .inner
+            .engine
+            .write(move |connection| {
+                let job = Arc::clone(&job);
+                Box::pin(async move {
+                    if let Some(earlier) = earlier_submission(connection, &job).await? {
+                        return Ok(earlier);
+                    }
+                    if job.reuse
+                        && let Some(row) = share_result(connection, &job, &content, retention).await?
+                    {
+                        return Ok(Submitted::Created(Box::new(row)));
+                    }
+                    let turn = next_turn(connection, &job, queue_limit, owner_limit).await?;
+                    insert(connection, &job, &content, turn).await.map(|row| Submitted::Created(Box::new(row)))
+                })
+            })
+            .await?;
+        if let Submitted::Created(job) = &submitted
+            && job.status == Status::Queued
+        {
+            self.inner.changes.work();
+        }
+        Ok(submitted)
+    }
+
+    /// Takes the job whose turn it is, if any, for `lease`. Jobs whose lease ran out go back to the queue first.
+    pub async fn claim(&self, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
+        self.recover().await?;
+        let text = format!(
+            "UPDATE jobs SET status = 'running', attempt = attempt + 1, sequence = sequence + 1, worker = $1, \
+             lease_until = now_ms() + $2, started_at = now_ms(), progress = NULL, progress_sequence = 0, history = {} \
+             WHERE id = (SELECT id FROM jobs WHERE status = 'queued' ORDER BY turn, id LIMIT 1 /* skip locked */) \
+             RETURNING id, kind, owner, warnings, attempt",
+            history("(attempt + 1)", Status::Running)
+        );
+        if self.inner.engine.row("SELECT 1 FROM jobs WHERE status = 'queued' LIMIT 1", Vec::new()).await?.is_none() {
+            return Ok(None);
+        }
+        let values: Vec<Value> = vec![worker.into(), milliseconds(lease).into()];
+        let claimed = self
+            .inner
+            .engine
+            .write(move |connection| {
+                let (text, values) = (text.clone(), values.clone());
+                Box::pin(async move {
+                    let Some(row) = connection.row(&text, values).await? else { return Ok(None) };
+                    let id = row.text(0)?;
+                    let body = connection
+                        .row("SELECT body FROM requests WHERE job_id = $1", vec![id.as_str().into()])
+                        .await?
+                        .ok_or_else(|| StoreError::Internal(format!("job {id} has no request")))?;
+                    let owner = row.text(2)?;
+                    Ok(Some(Claimed {
+                        kind: row.text(1)?,
+                        owner: (!owner.is_empty()).then_some(owner),
+                        request: body.bytes(0)?,
+                        warnings: row.text(3)?,
+                        attempt: row.int(4)?,
+                        id,
+                    }))
+                })
+            })
+            .await?;
+        if let Some(claimed) = &claimed {
+            self.inner.changes.changed(&claimed.id);
+        }
+        Ok(claimed)
+    }
+
+    /// Extends the lease if the worker still holds the job.
+    pub async fn renew(&self, id: &str, attempt: i64, lease: Duration) -> Result<Renewed> {
+        let text = "UPDATE jobs SET lease_until = now_ms() + $3 WHERE id = $1 AND attempt = $2 AND status = 'running'";
+        self.hold(text, vec![id.into(), attempt.into(), milliseconds(lease).into()]).await
+    }
+
+    /// Stores the latest progress (JSON) if the worker still holds the job.
+    pub async fn progress(&self, id: &str, attempt: i64, progress: &str) -> Result<Renewed> {
+        let text = "UPDATE jobs SET progress = $3, sequence = sequence + 1, progress_sequence = sequence + 1 \
+                    WHERE id = $1 AND attempt = $2 AND status = 'running'";
+        let renewed = self.hold(text, vec![id.into(), attempt.into(), progress.into()]).await?;
+        if renewed == Renewed::Held {
+            self.inner.changes.changed(id);
+        }
+        Ok(renewed)
+    }
+
+    /// An update by the attempt that `values` begin with (id, attempt).
+    async fn hold(&self, text: &'static str, values: Vec<Value>) -> Result<Renewed> {
+        self.inner
+            .engine
+            .write(move |connection| {
+                let values = values.clone();
+                Box::pin(async move {
+                    let key = values[..2].to_vec();
+                    if connection.execute(text, values).await? > 0 {
+                        return Ok(Renewed::Held);
+                    }
+                    let cancelled = "SELECT 1 FROM jobs WHERE id = $1 AND attempt = $2 AND status = 'cancelled'";
+                    Ok(match connection.row(cancelled, key).await? {
+                        Some(_) => Renewed::Cancelled,
+                        None => Renewed::Lost,
+                    })
+                })
+            })
+            .await
+    }
+
+    /// Ends the attempt: the outcome and the new status are visible together or not at all. False, and nothing changed,
+    /// if the worker had lost the job.
+    pub async fn finish(&self, id: &str, attempt: i64, outcome: Outcome) -> Result<bool> {
+        let retention = milliseconds(self.inner.options.retention);
+        let key: Vec<Value> = vec![id.into(), retention.into(), attempt.into()];
+        // Hashed here, so that the one writer of SQLite need not wait for it.
+        let hash: [u8; 32] = match &outcome {
+            Outcome::Succeeded { artefact, .. } => Sha256::digest(artefact).into(),
+            Outcome::Failed { .. } | Outcome::Cancelled => [0; 32],
+        };
+        let outcome = Arc::new(outcome);
+        let finished = self
+            .inner
+            .engine
+            .write(move |connection| {
+                let (key, outcome) = (key.clone(), Arc::clone(&outcome));
+                Box::pin(async move { finish(connection, key, &outcome, &hash).await })
+            })
+            .await?;
+        if finished {
+            self.inner.changes.changed(id);
+        }
+        Ok(finished)
+    }
+
+    /// Gives a running job back to the queue, at its old place, without counting a lost lease. False if the worker had
+    /// lost it.
+    pub async fn hand_back(&self, id: &str, attempt: i64) -> Result<bool> {
+        let text = format!("UPDATE jobs SET {} WHERE id = $1 AND attempt = $2 AND status = 'running'", requeueing());
+        let values: Vec<Value> = vec![id.into(), attempt.into()];
+        let handed_back = self
+            .inner
+            .engine
+            .write(move |connection| {
+                let (text, values) = (text.clone(), values.clone());
+                Box::pin(async move { Ok(connection.execute(&text, values).await? > 0) })
+            })
+            .await?;
+        if handed_back {
+            self.inner.changes.changed(id);
+            self.inner.changes.work();
+        }
+        Ok(handed_back)
+    }
+
+    /// Cancels a queued or running job at once; any other is returned unchanged. The worker learns of it by its next
+    /// renewal or by watching the job.
+    pub async fn cancel(&self, id: &str, owner: Option<&str>) -> Result<Lookup> {
+        let text = format!(
+            "UPDATE jobs SET {} WHERE id = $1 AND ($3 = '' OR owner = $3) AND status IN ('queued', 'running') \
+             RETURNING {COLUMNS}",
+            ending(Status::Cancelled)
+        );
+        let retention = milliseconds(self.inner.options.retention);
+        let values: Vec<Value> = vec![id.into(), retention.into(), owner.unwrap_or_default().into()];
+        let cancelled = self
+            .inner
+            .engine
+            .write(move |connection| {
+                let (text, values) = (text.clone(), values.clone());
+                Box::pin(async move {
+                    let Some(row) = connection.row(&text, values).await? else { return Ok(None) };
+                    let job = JobRow::read(&row)?;
+                    drop_request(connection, &job.id).await?;
+                    Ok(Some(job))
+                })
+            })
+            .await?;
+        match cancelled {
+            Some(job) => {
+                self.inner.changes.changed(id);
+                Ok(Lookup::Found(Box::new(job)))
+            }
+            None => self.get(id, owner).await,
+        }
+    }
+
+    /// Puts jobs whose lease ran out back into the queue, or fails them if that happened too often. Returns how many it
+    /// touched.
+    pub(super) async fn recover(&self) -> Result<usize> {
+        let some = "SELECT 1 FROM jobs WHERE status = 'running' AND lease_until <= now_ms() LIMIT 1";
+        if self.inner.engine.row(some, Vec::new()).await?.is_none() {
+            return Ok(0);
+        }
+        let retention = milliseconds(self.inner.options.retention);
+        let max_attempts = i64::from(self.inner.options.max_attempts);
+        let touched = self
+            .inner
+            .engine
+            .write(move |connection| Box::pin(async move { recover(connection, retention, max_attempts).await }))
+            .await?;
+        for id in &touched {
+            self.inner.changes.changed(id);
+        }
+        if !touched.is_empty() {
+            self.inner.changes.work();
+        }
+        Ok(touched.len())
+    }
+}
+
+fn bounded(limit: u64) -> i64 {
+    i64::try_from(limit).unwrap_or(i64::MAX)
+}
+
+fn content_hash(version: &str, kind: &str, request: &[u8]) -> [u8; 32] {
+    let mut hash = Sha256::new();
+    for part in [version.as_bytes(), kind.as_bytes(), request] {
+        hash.update((part.len() as u64).to_le_bytes());
+        hash.update(part);
+    }
+    hash.finalize().into()
+}
+
+fn owner_column(job: &NewJob) -> Value {
+    job.owner.as_deref().unwrap_or_default().into()
+}
+
+async fn earlier_submission(connection: &mut Connection<'_>, job: &NewJob) -> Result<Option<Submitted>> {
+    let Some(key) = &job.idempotency_key else { return Ok(None) };
+    let text = format!("SELECT {COLUMNS}, body_hash FROM jobs WHERE owner = $1 AND kind = $2 AND idempotency_key = $3");
+    let values = vec![owner_column(job), job.kind.as_str().into(), key.as_str().into()];
+    let Some(row) = connection.row(&text, values).await? else { return Ok(None) };
+    let same = row.bytes(17)? == job.body_hash;
+    Ok(Some(if same { Submitted::Existing(Box::new(JobRow::read(&row)?)) } else { Submitted::KeyConflict }))
+}
+
+/// The first free turn for the job's owner.
+async fn next_turn(connection: &mut Connection<'_>, job: &NewJob, limit: i64, owner_limit: i64) -> Result<i64> {
+    let text = "SELECT \
+        (SELECT count(*) FROM (SELECT 1 FROM jobs WHERE status = 'queued' LIMIT $2) AS waiting), \
+        (SELECT count(*) FROM (SELECT 1 FROM jobs WHERE status = 'queued' AND owner = $1 LIMIT $3) AS own), \
+        (SELECT min(turn) FROM jobs WHERE status = 'queued'), \
+        (SELECT max(turn) FROM jobs WHERE status = 'queued' AND owner = $1)";
+    let row = connection
+        .row(text, vec![owner_column(job), limit.into(), owner_limit.into()])
+        .await?
+        .ok_or_else(|| StoreError::Internal("a SELECT without FROM gave no row".into()))?;
+    if row.int(0)? >= limit {
+        return Err(StoreError::QueueFull { own: false });
+    }
+    if row.int(1)? >= owner_limit {
+        return Err(StoreError::QueueFull { own: true });
+    }
+    let served_next = row.optional_int(2)?.unwrap_or(1);
+    Ok(served_next.max(row.optional_int(3)?.map_or(1, |last| last + 1)))
+}
+
+async fn insert(connection: &mut Connection<'_>, job: &NewJob, content: &[u8], turn: i64) -> Result<JobRow> {
+    let text = format!(
+        "INSERT INTO jobs (id, kind, owner, status, attempt, sequence, turn, created_at, idempotency_key, body_hash, \
+         content_hash, history, warnings) \
+         VALUES ($1, $2, $3, 'queued', 0, 1, $4, now_ms(), $5, $6, $7, '0 1 queued ' || now_ms() || '\n', $8) \
+         RETURNING {COLUMNS}"
+    );
+    let values = vec![
+        job.id.as_str().into(),
+        job.kind.as_str().into(),
+        owner_column(job),
+        turn.into(),
+        job.idempotency_key.clone().into(),
+        job.body_hash.as_slice().into(),
+        content.into(),
+        job.warnings.as_str().into(),
+    ];
+    let row = inserted(connection.row(&text, values).await?)?;
+    let values = vec![job.id.as_str().into(), job.request.as_slice().into()];
+    connection.execute("INSERT INTO requests (job_id, body) VALUES ($1, $2)", values).await?;
+    Ok(row)
+}
+
+fn inserted(row: Option<Row>) -> Result<JobRow> {
+    JobRow::read(&row.ok_or_else(|| StoreError::Internal("an INSERT returned no row".into()))?)
+}
+
+/// Makes the job an ended one with the result of an earlier job of the same content, if there is one.
+async fn share_result(
+    connection: &mut Connection<'_>,
+    job: &NewJob,
+    content: &[u8],
+    retention: i64,
+) -> Result<Option<JobRow>> {
+    let find = "SELECT id, artefact FROM jobs WHERE owner = $1 AND content_hash = $2 AND reusable = 1 \
+                ORDER BY id DESC LIMIT 1";
+    let Some(found) = connection.row(find, vec![owner_column(job), content.into()]).await? else { return Ok(None) };
+    if !touch(connection, &found.bytes(1)?).await? {
+        return Ok(None);
+    }
+    let text = format!(
+        "INSERT INTO jobs (id, kind, owner, status, attempt, sequence, turn, created_at, started_at, finished_at, \
+         expires_at, idempotency_key, body_hash, content_hash, reusable, history, warnings, statistics, artefact, \
+         progress, progress_sequence) \
+         SELECT $1, kind, owner, status, 0, 3, 0, now_ms(), now_ms(), now_ms(), now_ms() + $2, $3, $4, content_hash, 1, \
+         '0 1 queued ' || now_ms() || '\n0 3 succeeded ' || now_ms() || '\n', warnings, statistics, artefact, \
+         progress, 2 FROM jobs WHERE id = $5 RETURNING {COLUMNS}"
+    );
+    let values = vec![
+        job.id.as_str().into(),
+        retention.into(),
+        job.idempotency_key.clone().into(),
+        job.body_hash.as_slice().into(),
+        found.text(0)?.into(),
+    ];
+    inserted(connection.row(&text, values).await?).map(Some)
+}
+
+/// Marks an artefact as just taken, so that the sweep leaves it alone until this transaction is visible. False if it is
+/// not there.
+async fn touch(connection: &mut Connection<'_>, hash: &[u8]) -> Result<bool> {
+    let text = "UPDATE artefacts SET touched_at = now_ms() WHERE hash = $1";
+    Ok(connection.execute(text, vec![hash.into()]).await? > 0)
+}
+
+async fn drop_request(connection: &mut Connection<'_>, id: &str) -> Result<()> {
+    connection.execute("DELETE FROM requests WHERE job_id = $1", vec![id.into()]).await?;
+    Ok(())
+}
+
+/// `key` is id, retention and attempt; `hash` is the artefact's.
+async fn finish(connection: &mut Connection<'_>, key: Vec<Value>, outcome: &Outcome, hash: &[u8]) -> Result<bool> {
+    let id = key[..1].to_vec();
+    let fence = "WHERE id = $1 AND attempt = $3 AND status = 'running'";
+    let mut values = key;
+    let (status, text) = match outcome {
+        Outcome::Succeeded { statistics, warnings, reusable, .. } => {
+            values.extend([
+                statistics.as_str().into(),
+                warnings.as_str().into(),
+                hash.into(),
+                i64::from(*reusable).into(),
+            ]);
+            (Status::Succeeded, ", statistics = $4, warnings = $5, artefact = $6, reusable = $7")
+        }
+        Outcome::Failed { error } => {
+            values.push(error.as_str().into());
+            (Status::Failed, ", error = $4")
+        }
+        Outcome::Cancelled => (Status::Cancelled, ""),
+    };
+    if connection.execute(&format!("UPDATE jobs SET {}{text} {fence}", ending(status)), values).await? == 0 {
+        return Ok(false);
+    }
+    if let Outcome::Succeeded { artefact, .. } = outcome {
+        let text = "INSERT INTO artefacts (hash, size, touched_at, body) VALUES ($1, $2, now_ms(), $3) \
+                    ON CONFLICT (hash) DO UPDATE SET touched_at = now_ms()";
+        let size = bounded(artefact.len() as u64);
+        connection.execute(text, vec![hash.into(), size.into(), artefact.as_slice().into()]).await?;
+    }
+    connection.execute("DELETE FROM requests WHERE job_id = $1", id).await?;
+    Ok(true)
+}
+
+/// Assignments that put a running job back into the queue.
+fn requeueing() -> String {
+    format!(
+        "status = 'queued', sequence = sequence + 1, worker = NULL, lease_until = NULL, started_at = NULL, \
+         history = {}",
+        history("attempt", Status::Queued)
+    )
+}
+
+async fn recover(connection: &mut Connection<'_>, retention: i64, max_attempts: i64) -> Result<Vec<String>> {
+    let lost = connection
+        .rows(
+            "SELECT id, attempt, lost_leases + 1, worker, progress, losses, now_ms() - started_at FROM jobs \
+             WHERE status = 'running' AND lease_until <= now_ms() ORDER BY lease_until LIMIT 100 /* skip locked */",
+            Vec::new(),
+        )
+        .await?;
+    let mut touched = Vec::with_capacity(lost.len());
+    for row in lost {
+        let (id, attempt, count) = (row.text(0)?, row.int(1)?, row.int(2)?);
+        let losses = format!(
+            "{}attempt {attempt} on {} was lost after at most {:.1} s, last progress {}\n",
+            row.text(5)?,
+            row.optional_text(3)?.as_deref().unwrap_or("an unknown worker"),
+            row.int(6)? as f64 / 1000.0,
+            row.optional_text(4)?.as_deref().unwrap_or("none")
+        );
+        let fence = "WHERE id = $1 AND attempt = $3";
+        if count < max_attempts {
+            let text = format!("UPDATE jobs SET {}, lost_leases = $2, losses = $4 {fence}", requeueing());
+            let values = vec![id.as_str().into(), count.into(), attempt.into(), losses.as_str().into()];
+            connection.execute(&text, values).await?;
+        } else {
+            let error = serde_json::json!({
+                "type": "worker_lost",
+                "title": "The workers of this job died",
+                "detail": format!(
+                    "{count} workers in a row stopped without an answer while solving this job, so it is not tried \
+                     again. Ask for fewer triangles or iterations, or tell the operator:\n{losses}"
+                ),
+                "errors": [],
+            });
+            let text = format!(
+                "UPDATE jobs SET {}, lost_leases = $4, losses = $5, error = $6 {fence}",
+                ending(Status::Failed)
+            );
+            let values = vec![
+                id.as_str().into(),
+                retention.into(),
+                attempt.into(),
+                count.into(),
+                losses.as_str().into(),
+                error.to_string().as_str().into(),
+            ];
+            connection.execute(&text, values).await?;
+            drop_request(connection, &id).await?;
+        }
+        touched.push(id);
+    }
+    Ok(touched)
+}

@@ -1,0 +1,118 @@
+//! A PostgreSQL server of the tests' own: a fresh cluster in a temporary folder, reached by its socket only.
+//!
+//! The binaries come from `PLATEAU_POSTGRES_BIN` (a folder; `scripts/test` sets it where it had to fetch them), from
+//! Debian's `/usr/lib/postgresql`, or from the PATH. Without any of them there is no server and the caller skips.
+
+use std::fs;
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use sqlx::{AssertSqlSafe, Connection, PgConnection};
+
+/// A running server. Dropping it, or the end of this process however it comes, stops the server and removes its data.
+#[derive(Debug)]
+pub struct Postgres {
+    folder: PathBuf,
+    /// The shell that stops the server when its standard input closes.
+    guard: Child,
+    databases: AtomicU32,
+}
+
+impl Postgres {
+    /// Starts a server, or says on standard error why there is none.
+    pub fn start() -> Option<Self> {
+        let Some(binaries) = binaries() else {
+            eprintln!(
+                "SKIPPED on PostgreSQL: no `initdb` in PLATEAU_POSTGRES_BIN, /usr/lib/postgresql/*/bin or the PATH"
+            );
+            return None;
+        };
+        let folder = tempfile::Builder::new().prefix("plateau-postgres-").tempdir().expect("a temporary folder").keep();
+        // PostgreSQL refuses to run as root, so root lends the folder to another user.
+        let user = is_root().then(|| {
+            let user = if id_of("postgres").is_some() { "postgres" } else { "nobody" };
+            let lent = Command::new("chown").arg(user).arg(&folder).status().expect("chown runs").success();
+            assert!(lent, "the folder can be given to {user}");
+            user
+        });
+        let as_user = user.map_or(String::new(), |user| format!("setpriv --reuid {user} --clear-groups "));
+        let script = format!(
+            "cd {folder} && {as_user}{bin}/initdb -D {folder}/data -U postgres -A trust --no-sync >{folder}/log 2>&1 && \
+             {{ {as_user}{bin}/postgres -D {folder}/data -k {folder} -c listen_addresses= -c fsync=off \
+             -c max_connections=200 >>{folder}/log 2>&1 </dev/null & pid=$!; \
+             until [ -S {folder}/.s.PGSQL.5432 ] || ! kill -0 $pid 2>/dev/null; do sleep 0.05; done; echo started; \
+             read -r _; kill -INT $pid; wait $pid; }}; rm -rf {folder}",
+            folder = folder.display(),
+            bin = binaries.display(),
+        );
+        let mut guard = Command::new("sh")
+            .arg("-c")
+            .arg(script)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("a shell starts");
+        let mut line = String::new();
+        BufReader::new(guard.stdout.take().expect("a piped stdout")).read_line(&mut line).expect("the shell answers");
+        let socket = folder.join(".s.PGSQL.5432");
+        assert!(
+            line == "started\n" && socket.exists(),
+            "PostgreSQL did not start: {}",
+            fs::read_to_string(folder.join("log")).unwrap_or_default()
+        );
+        Some(Self { folder, guard, databases: AtomicU32::new(0) })
+    }
+
+    /// Creates an empty database and returns its URL.
+    pub async fn database(&self) -> String {
+        let name = format!("test{}", self.databases.fetch_add(1, Ordering::Relaxed));
+        // The server may still be starting up.
+        let mut connection = loop {
+            match PgConnection::connect(&self.url("postgres")).await {
+                Ok(connection) => break connection,
+                Err(sqlx::Error::Database(error)) if error.code().as_deref() == Some("57P03") => {
+                    tokio::task::yield_now().await;
+                }
+                Err(error) => panic!("connecting to PostgreSQL: {error}"),
+            }
+        };
+        sqlx::query(AssertSqlSafe(format!("CREATE DATABASE {name}")))
+            .execute(&mut connection)
+            .await
+            .expect("a database can be created");
+        self.url(&name)
+    }
+
+    fn url(&self, database: &str) -> String {
+        format!("postgres://postgres@localhost/{database}?host={}", self.folder.display())
+    }
+}
+
+impl Drop for Postgres {
+    fn drop(&mut self) {
+        drop(self.guard.stdin.take());
+        let _ = self.guard.wait();
+    }
+}
+
+fn binaries() -> Option<PathBuf> {
+    let has_initdb = |folder: &PathBuf| folder.join("initdb").exists();
+    let chosen = std::env::var_os("PLATEAU_POSTGRES_BIN").map(PathBuf::from);
+    let mut debian: Vec<PathBuf> = fs::read_dir("/usr/lib/postgresql")
+        .map(|versions| versions.flatten().map(|version| version.path().join("bin")).collect())
+        .unwrap_or_default();
+    debian.sort();
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    chosen.into_iter().chain(debian.into_iter().rev()).chain(std::env::split_paths(&path)).find(has_initdb)
+}
+
+fn is_root() -> bool {
+    fs::metadata("/proc/self").is_ok_and(|metadata| std::os::unix::fs::MetadataExt::uid(&metadata) == 0)
+}
+
+fn id_of(user: &str) -> Option<()> {
+    let users = fs::read_to_string(Path::new("/etc/passwd")).ok()?;
+    users.lines().any(|line| line.split(':').next() == Some(user)).then_some(())
+}

@@ -1,0 +1,735 @@
+//! What the store promises, held by both engines. Every case runs on SQLite and, where a server can be started, on
+//! PostgreSQL. A lease of zero has run out at once, so no case waits for a clock.
+
+mod postgres;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use plateau::store::{
+    Artefact, EventId, Filter, JobRow, Lookup, NewJob, Outcome, Renewed, Status, Store, StoreError, StoreOptions,
+    Submitted,
+};
+use tempfile::TempDir;
+
+const LEASE: Duration = Duration::from_secs(60);
+const NO_LEASE: Duration = Duration::ZERO;
+/// Longer than any case takes; only a defect runs into it.
+const TOO_LONG: Duration = Duration::from_secs(20);
+
+#[derive(Clone, Copy, PartialEq)]
+enum Engine {
+    Sqlite,
+    Postgres,
+}
+
+/// A database of one case.
+struct Database {
+    url: String,
+    /// Keep the file, or the server, while the case runs.
+    _folder: Option<TempDir>,
+    _server: Option<Arc<postgres::Postgres>>,
+}
+
+impl Database {
+    /// A fresh database, or `None` where PostgreSQL cannot be had.
+    async fn new(engine: Engine) -> Option<Self> {
+        if engine == Engine::Sqlite {
+            let folder = tempfile::tempdir().unwrap();
+            let url = format!("sqlite://{}/plateau.db", folder.path().display());
+            return Some(Self { url, _folder: Some(folder), _server: None });
+        }
+        // One server for all the cases; it goes when this process does.
+        static SERVER: Mutex<Option<Option<Arc<postgres::Postgres>>>> = Mutex::new(None);
+        let server = SERVER
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .get_or_insert_with(|| postgres::Postgres::start().map(Arc::new))
+            .clone()?;
+        Some(Self { url: server.database().await, _folder: None, _server: Some(server) })
+    }
+
+    async fn open(&self, options: StoreOptions) -> Store {
+        Store::open(&self.url, options).await.unwrap()
+    }
+}
+
+/// Runs each case on both engines.
+macro_rules! cases {
+    ($($name:ident),* $(,)?) => {
+        mod sqlite {
+            $(#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+            async fn $name() {
+                super::$name(super::Database::new(super::Engine::Sqlite).await.unwrap()).await;
+            })*
+        }
+        mod postgresql {
+            $(#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+            async fn $name() {
+                if let Some(database) = super::Database::new(super::Engine::Postgres).await {
+                    super::$name(database).await;
+                }
+            })*
+        }
+    };
+}
+
+cases! {
+    a_job_runs_from_queue_to_result,
+    a_worker_that_lost_its_lease_changes_nothing,
+    a_job_that_keeps_killing_its_workers_fails_and_says_why,
+    a_job_handed_back_keeps_its_place_and_costs_no_attempt,
+    an_owner_who_floods_the_queue_starves_nobody,
+    a_full_queue_refuses,
+    a_full_share_refuses_only_its_owner,
+    an_idempotency_key_makes_one_job,
+    equal_submissions_at_once_make_one_job,
+    cancelling_is_at_once_and_final,
+    a_deleted_job_is_gone_and_its_worker_learns_it,
+    an_owner_sees_no_job_of_another,
+    a_list_pages_through_every_job_once,
+    equal_requests_share_a_result,
+    a_result_is_not_shared_beyond_owner_version_or_wish,
+    expired_jobs_are_remembered_as_expired_and_then_forgotten,
+    only_as_many_ended_jobs_are_kept_as_allowed,
+    a_shared_result_outlives_the_job_that_made_it,
+    watchers_see_every_status,
+    a_watch_of_a_missing_job_says_so,
+    another_instance_sees_changes_and_work,
+    many_workers_end_every_job_once,
+    a_reopened_store_has_its_jobs,
+    a_closed_store_says_so,
+    counts_follow_the_queue,
+}
+
+fn job(number: usize) -> NewJob {
+    NewJob {
+        id: format!("{number:026}"),
+        kind: "ruled_surface".into(),
+        owner: None,
+        request: format!("{{\"number\":{number}}}").into_bytes(),
+        idempotency_key: None,
+        body_hash: [number as u8; 32],
+        warnings: "[]".into(),
+        reuse: true,
+    }
+}
+
+fn job_of(owner: &str, number: usize) -> NewJob {
+    NewJob { owner: Some(owner.into()), ..job(number) }
+}
+
+fn success(artefact: &[u8]) -> Outcome {
+    Outcome::Succeeded {
+        statistics: "{\"area\":1.5}".into(),
+        warnings: "[{\"code\":\"folds\"}]".into(),
+        artefact: artefact.to_vec(),
+        reusable: true,
+    }
+}
+
+async fn create(store: &Store, job: NewJob) -> JobRow {
+    match store.submit(job).await.unwrap() {
+        Submitted::Created(row) => *row,
+        other => panic!("expected a new job, got {other:?}"),
+    }
+}
+
+async fn find(store: &Store, id: &str) -> JobRow {
+    match store.get(id, None).await.unwrap() {
+        Lookup::Found(row) => *row,
+        other => panic!("expected {id}, got {other:?}"),
+    }
+}
+
+/// Claims the next job and ends it with `artefact`.
+async fn work_one(store: &Store, artefact: &[u8]) -> String {
+    let claimed = store.claim("worker", LEASE).await.unwrap().expect("a job to claim");
+    assert!(store.finish(&claimed.id, claimed.attempt, success(artefact)).await.unwrap());
+    claimed.id
+}
+
+fn statuses(job: &JobRow) -> Vec<Status> {
+    job.history.iter().map(|event| event.status).collect()
+}
+
+async fn a_job_runs_from_queue_to_result(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    let queued = create(&store, NewJob { warnings: "[1]".into(), ..job_of("me", 1) }).await;
+    assert_eq!((queued.status, queued.attempt, queued.warnings.as_str()), (Status::Queued, 0, "[1]"));
+    assert_eq!(queued.event_id().to_string(), "0.1");
+    assert_eq!(store.artefact(&queued.id, None).await.unwrap(), None);
+
+    let claimed = store.claim("worker", LEASE).await.unwrap().unwrap();
+    assert_eq!(claimed.id, queued.id);
+    assert_eq!((claimed.kind.as_str(), claimed.owner.as_deref()), ("ruled_surface", Some("me")));
+    assert_eq!((claimed.request.as_slice(), claimed.warnings.as_str()), (&b"{\"number\":1}"[..], "[1]"));
+    assert_eq!(store.claim("worker", LEASE).await.unwrap(), None);
+
+    assert_eq!(store.renew(&claimed.id, claimed.attempt, LEASE).await.unwrap(), Renewed::Held);
+    let reported = store.progress(&claimed.id, claimed.attempt, "{\"fraction\":0.5}").await.unwrap();
+    assert_eq!(reported, Renewed::Held);
+    let running = find(&store, &queued.id).await;
+    assert_eq!((running.status, running.progress.as_deref()), (Status::Running, Some("{\"fraction\":0.5}")));
+    assert_eq!(running.progress_since(None).unwrap().0.to_string(), "1.3");
+    assert_eq!(running.progress_since(Some(running.event_id())), None);
+    assert!(running.started_at_ms.unwrap() >= running.created_at_ms);
+    assert_eq!((running.finished_at_ms, running.expires_at_ms), (None, None));
+
+    assert!(store.finish(&claimed.id, claimed.attempt, success(b"mesh")).await.unwrap());
+    let ended = find(&store, &queued.id).await;
+    assert_eq!((ended.status, ended.sequence), (Status::Succeeded, 4));
+    assert_eq!(ended.statistics.as_deref(), Some("{\"area\":1.5}"));
+    assert_eq!(ended.warnings, "[{\"code\":\"folds\"}]");
+    assert_eq!(statuses(&ended), [Status::Queued, Status::Running, Status::Succeeded]);
+    assert!(ended.history.is_sorted_by(|a, b| a.id < b.id && a.at_ms <= b.at_ms));
+    let since: Vec<_> = ended.events_since(Some(EventId { attempt: 0, sequence: 1 })).collect();
+    assert_eq!(since, [&ended.history[1], &ended.history[2]]);
+    assert_eq!(ended.expires_at_ms.unwrap() - ended.finished_at_ms.unwrap(), 7 * 24 * 3_600_000);
+    let Artefact { hash, bytes } = store.artefact(&queued.id, None).await.unwrap().unwrap();
+    assert_eq!((bytes.as_slice(), Some(hash)), (&b"mesh"[..], ended.artefact));
+    assert!(!store.finish(&claimed.id, claimed.attempt, success(b"again")).await.unwrap());
+    assert_eq!(store.artefact(&queued.id, None).await.unwrap().unwrap().bytes, b"mesh");
+}
+
+async fn a_worker_that_lost_its_lease_changes_nothing(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    let id = create(&store, job(1)).await.id;
+    let stalled = store.claim("stalled", NO_LEASE).await.unwrap().unwrap();
+    let second = store.claim("second", LEASE).await.unwrap().unwrap();
+    assert_eq!((second.id.as_str(), second.attempt), (id.as_str(), stalled.attempt + 1));
+    assert_eq!(second.request, stalled.request);
+
+    assert_eq!(store.renew(&id, stalled.attempt, LEASE).await.unwrap(), Renewed::Lost);
+    assert_eq!(store.progress(&id, stalled.attempt, "{\"late\":true}").await.unwrap(), Renewed::Lost);
+    assert!(!store.hand_back(&id, stalled.attempt).await.unwrap());
+    assert!(!store.finish(&id, stalled.attempt, success(b"late")).await.unwrap());
+    let running = find(&store, &id).await;
+    assert_eq!((running.status, running.attempt, &running.progress), (Status::Running, second.attempt, &None));
+    assert_eq!(statuses(&running), [Status::Queued, Status::Running, Status::Queued, Status::Running]);
+
+    assert!(store.finish(&id, second.attempt, success(b"right")).await.unwrap());
+    assert!(!store.finish(&id, stalled.attempt, success(b"late")).await.unwrap());
+    assert_eq!(store.artefact(&id, None).await.unwrap().unwrap().bytes, b"right");
+}
+
+async fn a_job_that_keeps_killing_its_workers_fails_and_says_why(database: Database) {
+    let store = database.open(StoreOptions { max_attempts: 3, ..StoreOptions::default() }).await;
+    let id = create(&store, job(1)).await.id;
+    for attempt in 1..=3 {
+        let claimed = store.claim(&format!("victim {attempt}"), LEASE).await.unwrap().unwrap();
+        assert_eq!(claimed.attempt, attempt);
+        store.progress(&id, attempt, "{\"phase\":\"smoothing\"}").await.unwrap();
+        // Dies: its lease runs out.
+        store.renew(&id, attempt, NO_LEASE).await.unwrap();
+    }
+    assert_eq!(store.claim("survivor", LEASE).await.unwrap(), None);
+    let failed = find(&store, &id).await;
+    assert_eq!(failed.status, Status::Failed);
+    let error: serde_json::Value = serde_json::from_str(failed.error.as_deref().unwrap()).unwrap();
+    let detail = error["detail"].as_str().unwrap();
+    for attempt in 1..=3 {
+        assert!(detail.contains(&format!("attempt {attempt} on victim {attempt}")), "{detail}");
+    }
+    assert!(detail.contains("smoothing"), "{detail}");
+    assert!(failed.expires_at_ms.is_some());
+}
+
+async fn a_job_handed_back_keeps_its_place_and_costs_no_attempt(database: Database) {
+    let store = database.open(StoreOptions { max_attempts: 1, ..StoreOptions::default() }).await;
+    let first = create(&store, job(1)).await.id;
+    create(&store, job(2)).await;
+    for attempt in 1..=4 {
+        let claimed = store.claim("leaving", LEASE).await.unwrap().unwrap();
+        assert_eq!((claimed.id.as_str(), claimed.attempt), (first.as_str(), attempt));
+        assert!(store.hand_back(&first, attempt).await.unwrap());
+        assert!(!store.hand_back(&first, attempt).await.unwrap());
+    }
+    let job = find(&store, &first).await;
+    assert_eq!((job.status, job.started_at_ms), (Status::Queued, None));
+}
+
+async fn an_owner_who_floods_the_queue_starves_nobody(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    for number in 0..50 {
+        create(&store, job_of("flood", number)).await;
+    }
+    for _ in 0..10 {
+        work_one(&store, b"flood").await;
+    }
+    let small = create(&store, job_of("small", 100)).await.id;
+    let pair = [create(&store, job_of("pair", 101)).await.id, create(&store, job_of("pair", 102)).await.id];
+    let mut order = Vec::new();
+    for _ in 0..6 {
+        order.push(work_one(&store, b"mesh").await);
+    }
+    let place = |id: &String| order.iter().position(|worked| worked == id).expect("started among the next few");
+    assert!(place(&small) <= 2, "{order:?}");
+    assert!(place(&pair[0]) <= 2 && place(&pair[1]) <= 4, "{order:?}");
+    // The flood is served in its own order, and goes on.
+    let flood: Vec<_> = order.iter().filter(|id| **id != small && !pair.contains(id)).collect();
+    assert_eq!(flood.len(), 3);
+    assert!(flood.is_sorted());
+}
+
+async fn a_full_queue_refuses(database: Database) {
+    let store = database.open(StoreOptions { queue_limit: 3, ..StoreOptions::default() }).await;
+    for number in 0..3 {
+        create(&store, job(number)).await;
+    }
+    assert_eq!(store.submit(job(3)).await, Err(StoreError::QueueFull { own: false }));
+    assert_eq!(store.get(&job(3).id, None).await.unwrap(), Lookup::Missing);
+    work_one(&store, b"mesh").await;
+    create(&store, job(3)).await;
+    // A kept result needs no place in the queue.
+    let shared = create(&store, NewJob { id: job(4).id, ..job(0) }).await;
+    assert_eq!(shared.status, Status::Succeeded);
+}
+
+async fn a_full_share_refuses_only_its_owner(database: Database) {
+    let store = database.open(StoreOptions { owner_queue_limit: 2, ..StoreOptions::default() }).await;
+    create(&store, job_of("greedy", 1)).await;
+    create(&store, job_of("greedy", 2)).await;
+    assert_eq!(store.submit(job_of("greedy", 3)).await, Err(StoreError::QueueFull { own: true }));
+    create(&store, job_of("modest", 4)).await;
+}
+
+async fn an_idempotency_key_makes_one_job(database: Database) {
+    let store = database.open(StoreOptions { queue_limit: 3, ..StoreOptions::default() }).await;
+    let keyed = |number| NewJob { idempotency_key: Some("once".into()), body_hash: [7; 32], ..job_of("me", number) };
+    let first = create(&store, keyed(1)).await;
+    match store.submit(keyed(2)).await.unwrap() {
+        Submitted::Existing(row) => assert_eq!(row.id, first.id),
+        other => panic!("{other:?}"),
+    }
+    assert_eq!(store.submit(NewJob { body_hash: [8; 32], ..keyed(3) }).await.unwrap(), Submitted::KeyConflict);
+    // Another owner's or kind's key is another key.
+    create(&store, NewJob { owner: Some("you".into()), ..keyed(4) }).await;
+    create(&store, NewJob { kind: "minimal_surface".into(), ..keyed(5) }).await;
+    // The same job in its current state, even when the queue is full.
+    work_one(&store, b"mesh").await;
+    create(&store, job(6)).await;
+    match store.submit(keyed(7)).await.unwrap() {
+        Submitted::Existing(row) => assert_eq!((row.id, row.status), (first.id.clone(), Status::Succeeded)),
+        other => panic!("{other:?}"),
+    }
+    // The key is kept as long as the job.
+    store.cancel(&job(6).id, None).await.unwrap();
+    assert!(store.delete(&first.id, Some("me")).await.unwrap());
+    create(&store, NewJob { reuse: false, ..keyed(8) }).await;
+}
+
+async fn equal_submissions_at_once_make_one_job(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    let submissions = (0..24).map(|number| {
+        let store = store.clone();
+        tokio::spawn(async move {
+            store.submit(NewJob { idempotency_key: Some("k".into()), body_hash: [7; 32], ..job(number) }).await
+        })
+    });
+    let mut ids = BTreeSet::new();
+    let mut created = 0;
+    for submission in submissions.collect::<Vec<_>>() {
+        match submission.await.unwrap().unwrap() {
+            Submitted::Created(row) => {
+                created += 1;
+                ids.insert(row.id);
+            }
+            Submitted::Existing(row) => {
+                ids.insert(row.id);
+            }
+            Submitted::KeyConflict => panic!("the bodies are equal"),
+        }
+    }
+    assert_eq!((created, ids.len()), (1, 1));
+}
+
+async fn cancelling_is_at_once_and_final(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    let (queued, running, done) = (job(1).id, job(2).id, job(0).id);
+    create(&store, job(0)).await;
+    work_one(&store, b"mesh").await;
+    create(&store, job(2)).await;
+    let claimed = store.claim("worker", LEASE).await.unwrap().unwrap();
+    create(&store, job(1)).await;
+    for (id, expected) in [(&queued, Status::Cancelled), (&running, Status::Cancelled), (&done, Status::Succeeded)] {
+        for _ in 0..2 {
+            match store.cancel(id, None).await.unwrap() {
+                Lookup::Found(row) => assert_eq!((row.status, row.expires_at_ms.is_some()), (expected, true)),
+                other => panic!("{other:?}"),
+            }
+        }
+    }
+    assert_eq!(store.claim("worker", LEASE).await.unwrap(), None);
+    assert_eq!(store.renew(&running, claimed.attempt, LEASE).await.unwrap(), Renewed::Cancelled);
+    assert_eq!(store.progress(&running, claimed.attempt, "{}").await.unwrap(), Renewed::Cancelled);
+    assert!(!store.finish(&running, claimed.attempt, success(b"late")).await.unwrap());
+    assert_eq!(find(&store, &running).await.status, Status::Cancelled);
+    assert_eq!(store.cancel("nothing", None).await.unwrap(), Lookup::Missing);
+}
+
+async fn a_deleted_job_is_gone_and_its_worker_learns_it(database: Database) {
+    let store = database.open(StoreOptions { orphan_age: Duration::ZERO, ..StoreOptions::default() }).await;
+    create(&store, job(1)).await;
+    let claimed = store.claim("worker", LEASE).await.unwrap().unwrap();
+    assert!(store.delete(&claimed.id, None).await.unwrap());
+    assert!(!store.delete(&claimed.id, None).await.unwrap());
+    assert_eq!(store.get(&claimed.id, None).await.unwrap(), Lookup::Missing);
+    assert_eq!(store.renew(&claimed.id, claimed.attempt, LEASE).await.unwrap(), Renewed::Lost);
+    assert!(!store.finish(&claimed.id, claimed.attempt, success(b"late")).await.unwrap());
+
+    create(&store, job(2)).await;
+    let id = work_one(&store, b"mesh").await;
+    assert!(store.delete(&id, None).await.unwrap());
+    assert_eq!(store.artefact(&id, None).await.unwrap(), None);
+    // Its result is not shared any more, and the bytes go.
+    assert_eq!(create(&store, NewJob { id: job(3).id, ..job(2) }).await.status, Status::Queued);
+    assert_eq!(store.sweep().await.unwrap().artefacts, 1);
+}
+
+async fn an_owner_sees_no_job_of_another(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    create(&store, job_of("mine", 1)).await;
+    let id = work_one(&store, b"mesh").await;
+    let other = Some("other");
+    assert_eq!(store.get(&id, other).await.unwrap(), Lookup::Missing);
+    assert_eq!(store.cancel(&id, other).await.unwrap(), Lookup::Missing);
+    assert_eq!(store.artefact(&id, other).await.unwrap(), None);
+    assert!(!store.delete(&id, other).await.unwrap());
+    assert!(matches!(store.watch(&id, other).await.unwrap(), Err(Lookup::Missing)));
+    let filter = Filter { owner: Some("other".into()), ..Filter::default() };
+    assert_eq!(store.list(&filter, 10, None).await.unwrap(), (Vec::new(), None));
+    assert!(store.artefact(&id, Some("mine")).await.unwrap().is_some());
+    assert!(store.watch(&id, Some("mine")).await.unwrap().is_ok());
+    assert!(store.delete(&id, Some("mine")).await.unwrap());
+}
+
+async fn a_list_pages_through_every_job_once(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    for number in 0..25 {
+        let kind = if number % 2 == 0 { "ruled_surface" } else { "minimal_surface" };
+        create(&store, NewJob { kind: kind.into(), ..job_of(["a", "b"][number % 5 / 3], number) }).await;
+    }
+    let mut seen = Vec::new();
+    let mut cursor: Option<String> = None;
+    loop {
+        let (page, next) = store.list(&Filter::default(), 10, cursor.as_deref()).await.unwrap();
+        assert!(page.len() <= 10);
+        seen.extend(page.into_iter().map(|job| job.id));
+        // A job that comes between two pages is newer than any cursor.
+        if cursor.is_none() {
+            create(&store, job(99)).await;
+        }
+        cursor = next;
+        if cursor.is_none() {
+            break;
+        }
+    }
+    let expected: Vec<_> = (0..25).rev().map(|number| job(number).id).collect();
+    assert_eq!(seen, expected);
+    // An exact page has no successor.
+    assert_eq!(store.list(&Filter::default(), 26, None).await.unwrap().1, None);
+
+    store.cancel(&job(4).id, None).await.unwrap();
+    let count = async |filter: Filter| store.list(&filter, 100, None).await.unwrap().0.len();
+    assert_eq!(count(Filter { kind: Some("minimal_surface".into()), ..Filter::default() }).await, 12);
+    assert_eq!(count(Filter { owner: Some("b".into()), ..Filter::default() }).await, 10);
+    assert_eq!(count(Filter { status: Some(Status::Cancelled), ..Filter::default() }).await, 1);
+    let all = Filter { owner: Some("b".into()), kind: Some("ruled_surface".into()), status: Some(Status::Cancelled) };
+    assert_eq!(store.list(&all, 100, Some(&job(5).id)).await.unwrap().0[0].id, job(4).id);
+    assert_eq!(store.list(&all, 100, Some(&job(4).id)).await.unwrap().0, Vec::new());
+}
+
+async fn equal_requests_share_a_result(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    create(&store, job(1)).await;
+    let first = work_one(&store, b"mesh").await;
+    let second = create(&store, NewJob { id: job(2).id, warnings: "[2]".into(), ..job(1) }).await;
+    let first_row = find(&store, &first).await;
+    assert_eq!(second.id, job(2).id);
+    assert_eq!((second.status, &second.statistics), (Status::Succeeded, &first_row.statistics));
+    assert_eq!((&second.warnings, &second.artefact), (&first_row.warnings, &first_row.artefact));
+    assert_eq!(statuses(&second), [Status::Queued, Status::Succeeded]);
+    assert!(second.started_at_ms.is_some() && second.expires_at_ms.is_some());
+    assert_eq!(store.artefact(&second.id, None).await.unwrap().unwrap().bytes, b"mesh");
+    // Equal bytes made apart are stored once as well.
+    create(&store, job(3)).await;
+    let third = work_one(&store, b"mesh").await;
+    assert_eq!(find(&store, &third).await.artefact, first_row.artefact);
+    assert_eq!(store.claim("worker", LEASE).await.unwrap(), None);
+}
+
+async fn a_result_is_not_shared_beyond_owner_version_or_wish(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    create(&store, job_of("me", 1)).await;
+    work_one(&store, b"mesh").await;
+    let mut number = 10;
+    let mut again = || {
+        number += 1;
+        NewJob { id: job(number).id, ..job_of("me", 1) }
+    };
+    let expect_queued = [
+        NewJob { owner: Some("you".into()), ..again() },
+        NewJob { reuse: false, ..again() },
+        NewJob { kind: "minimal_surface".into(), ..again() },
+        NewJob { request: b"{\"number\":2}".to_vec(), ..again() },
+    ];
+    for new in expect_queued {
+        assert_eq!(create(&store, new).await.status, Status::Queued);
+    }
+    let newer = database.open(StoreOptions { result_version: "next".into(), ..StoreOptions::default() }).await;
+    assert_eq!(create(&newer, again()).await.status, Status::Queued);
+    // A result that depends on more than the request is not shared.
+    create(&store, job(50)).await;
+    while let Some(claimed) = store.claim("worker", LEASE).await.unwrap() {
+        let outcome = Outcome::Succeeded {
+            statistics: "{}".into(),
+            warnings: "[]".into(),
+            artefact: b"partial".to_vec(),
+            reusable: false,
+        };
+        store.finish(&claimed.id, claimed.attempt, outcome).await.unwrap();
+    }
+    assert_eq!(create(&store, NewJob { id: job(51).id, ..job(50) }).await.status, Status::Queued);
+}
+
+async fn expired_jobs_are_remembered_as_expired_and_then_forgotten(database: Database) {
+    let keep_nothing =
+        StoreOptions { retention: Duration::ZERO, orphan_age: Duration::ZERO, ..StoreOptions::default() };
+    let store = database.open(keep_nothing.clone()).await;
+    create(&store, job_of("me", 1)).await;
+    create(&store, job_of("me", 2)).await;
+    let ended = work_one(&store, b"mesh").await;
+    let swept = store.sweep().await.unwrap();
+    assert_eq!((swept.expired, swept.artefacts), (1, 1));
+    assert_eq!(store.get(&ended, None).await.unwrap(), Lookup::Expired);
+    assert_eq!(store.get(&ended, Some("me")).await.unwrap(), Lookup::Expired);
+    assert_eq!(store.get(&ended, Some("you")).await.unwrap(), Lookup::Missing);
+    assert_eq!(store.cancel(&ended, None).await.unwrap(), Lookup::Expired);
+    assert_eq!(store.artefact(&ended, None).await.unwrap(), None);
+    // What waits does not expire.
+    assert_eq!(find(&store, &job(2).id).await.status, Status::Queued);
+    assert_eq!(store.list(&Filter::default(), 10, None).await.unwrap().0.len(), 1);
+    let forgetful = database.open(StoreOptions { expired_retention: Duration::ZERO, ..keep_nothing }).await;
+    while store.get(&ended, None).await.unwrap() == Lookup::Expired {
+        forgetful.sweep().await.unwrap();
+    }
+    assert_eq!(store.get(&ended, None).await.unwrap(), Lookup::Missing);
+}
+
+async fn only_as_many_ended_jobs_are_kept_as_allowed(database: Database) {
+    let store = database.open(StoreOptions { max_jobs: 2, ..StoreOptions::default() }).await;
+    let mut ended = Vec::new();
+    for number in 0..5 {
+        create(&store, job(number)).await;
+        ended.push(work_one(&store, &[number as u8]).await);
+    }
+    create(&store, job(9)).await;
+    assert_eq!(store.sweep().await.unwrap().expired, 3);
+    let (left, _) = store.list(&Filter::default(), 10, None).await.unwrap();
+    assert_eq!(left.len(), 3);
+    assert!(left.iter().any(|job| job.status == Status::Queued));
+    assert_eq!(store.sweep().await.unwrap().expired, 0);
+}
+
+async fn a_shared_result_outlives_the_job_that_made_it(database: Database) {
+    let store = database.open(StoreOptions { orphan_age: Duration::ZERO, ..StoreOptions::default() }).await;
+    create(&store, job(1)).await;
+    let first = work_one(&store, b"mesh").await;
+    let second = create(&store, NewJob { id: job(2).id, ..job(1) }).await.id;
+    assert!(store.delete(&first, None).await.unwrap());
+    assert_eq!(store.sweep().await.unwrap().artefacts, 0);
+    assert_eq!(store.artefact(&second, None).await.unwrap().unwrap().bytes, b"mesh");
+    assert!(store.delete(&second, None).await.unwrap());
+    assert_eq!(store.sweep().await.unwrap().artefacts, 1);
+}
+
+/// Waits until the watched job fulfils `done`.
+async fn until(watch: &mut plateau::store::JobWatch, done: impl Fn(&JobRow) -> bool) -> Arc<JobRow> {
+    tokio::time::timeout(TOO_LONG, async {
+        loop {
+            let job = watch.current().expect("the job is there");
+            if done(&job) {
+                return job;
+            }
+            watch.changed().await;
+        }
+    })
+    .await
+    .expect("the watched job changes in time")
+}
+
+async fn watchers_see_every_status(database: Database) {
+    let store = database.open(StoreOptions { poll_interval: TOO_LONG * 10, ..StoreOptions::default() }).await;
+    let id = create(&store, job(1)).await.id;
+    let mut watches = Vec::new();
+    for _ in 0..50 {
+        watches.push(store.watch(&id, None).await.unwrap().unwrap());
+    }
+    for watch in &mut watches {
+        assert_eq!(watch.current().unwrap().status, Status::Queued);
+    }
+    let claimed = store.claim("worker", LEASE).await.unwrap().unwrap();
+    for watch in &mut watches {
+        until(watch, |job| job.status == Status::Running).await;
+    }
+    store.progress(&id, claimed.attempt, "{\"fraction\":0.25}").await.unwrap();
+    for watch in &mut watches {
+        until(watch, |job| job.progress.is_some()).await;
+    }
+    store.finish(&id, claimed.attempt, Outcome::Failed { error: "{}".into() }).await.unwrap();
+    for watch in &mut watches {
+        let ended = tokio::time::timeout(TOO_LONG, watch.ended()).await.unwrap().unwrap();
+        assert_eq!((ended.status, ended.error.as_deref()), (Status::Failed, Some("{}")));
+    }
+    store.delete(&id, None).await.unwrap();
+    for watch in &mut watches {
+        tokio::time::timeout(TOO_LONG, watch.changed()).await.unwrap();
+        assert_eq!(watch.current(), None);
+        assert_eq!(watch.ended().await, None);
+    }
+}
+
+async fn a_watch_of_a_missing_job_says_so(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    assert!(matches!(store.watch("nothing", None).await.unwrap(), Err(Lookup::Missing)));
+    // The id is free for a job to come.
+    let id = create(&store, job(1)).await.id;
+    assert!(store.watch(&id, None).await.unwrap().is_ok());
+}
+
+async fn another_instance_sees_changes_and_work(database: Database) {
+    // On SQLite instances find out by polling; on PostgreSQL polling is as good as off here.
+    let poll_interval = if database.url.starts_with("sqlite") { Duration::from_millis(20) } else { TOO_LONG * 10 };
+    let options = StoreOptions { poll_interval, ..StoreOptions::default() };
+    let (here, there) = (database.open(options.clone()).await, database.open(options).await);
+    let mut work = there.work_signal();
+    if database.url.starts_with("postgres") {
+        // The listener says so once it stands.
+        tokio::time::timeout(TOO_LONG, work.wait_for(|count| *count > 0)).await.unwrap().unwrap();
+    }
+    let seen = *work.borrow_and_update();
+    let id = create(&here, job(1)).await.id;
+    let mut watch = there.watch(&id, None).await.unwrap().unwrap();
+    if database.url.starts_with("postgres") {
+        tokio::time::timeout(TOO_LONG, work.wait_for(|count| *count > seen)).await.unwrap().unwrap();
+    }
+    let claimed = there.claim("worker", LEASE).await.unwrap().unwrap();
+    until(&mut watch, |job| job.status == Status::Running).await;
+    here.cancel(&id, None).await.unwrap();
+    until(&mut watch, |job| job.status == Status::Cancelled).await;
+    assert!(!there.finish(&id, claimed.attempt, success(b"late")).await.unwrap());
+}
+
+async fn many_workers_end_every_job_once(database: Database) {
+    const JOBS: usize = 120;
+    let store = database.open(StoreOptions { max_attempts: 1000, ..StoreOptions::default() }).await;
+    let submissions = (0..JOBS).map(|number| {
+        let store = store.clone();
+        tokio::spawn(async move { create(&store, NewJob { reuse: false, ..job(number) }).await })
+    });
+    for submission in submissions.collect::<Vec<_>>() {
+        submission.await.unwrap();
+    }
+    let ended = Arc::new(Mutex::new(BTreeMap::<String, usize>::new()));
+    let workers = (0..4).map(|worker| {
+        let (store, ended) = (store.clone(), Arc::clone(&ended));
+        tokio::spawn(async move {
+            let mut late = Vec::new();
+            let mut turn = 0;
+            loop {
+                turn += 1;
+                // Every third claim stalls past its lease and tries to answer much later.
+                let stalls = (turn + worker) % 3 == 0;
+                let lease = if stalls { NO_LEASE } else { LEASE };
+                let Some(claimed) = store.claim(&format!("worker {worker}"), lease).await.unwrap() else { break };
+                if stalls {
+                    late.push(claimed);
+                    continue;
+                }
+                let artefact = [claimed.request.as_slice(), b" solved"].concat();
+                if store.finish(&claimed.id, claimed.attempt, success(&artefact)).await.unwrap() {
+                    *ended.lock().unwrap().entry(claimed.id).or_default() += 1;
+                }
+            }
+            late
+        })
+    });
+    let mut late = Vec::new();
+    for worker in workers.collect::<Vec<_>>() {
+        late.extend(worker.await.unwrap());
+    }
+    assert!(!late.is_empty());
+    // Whoever stopped last may have left stalled jobs.
+    while let Some(claimed) = store.claim("last", LEASE).await.unwrap() {
+        let artefact = [claimed.request.as_slice(), b" solved"].concat();
+        assert!(store.finish(&claimed.id, claimed.attempt, success(&artefact)).await.unwrap());
+        *ended.lock().unwrap().entry(claimed.id).or_default() += 1;
+    }
+    for claimed in late {
+        assert!(!store.finish(&claimed.id, claimed.attempt, success(b"late")).await.unwrap());
+    }
+    let ended = ended.lock().unwrap().clone();
+    assert_eq!(ended.len(), JOBS);
+    assert!(ended.values().all(|times| *times == 1));
+    for number in 0..JOBS {
+        let bytes = store.artefact(&job(number).id, None).await.unwrap().unwrap().bytes;
+        assert_eq!(bytes, format!("{{\"number\":{number}}} solved").into_bytes());
+    }
+}
+
+async fn a_reopened_store_has_its_jobs(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    create(&store, job(1)).await;
+    let ended = work_one(&store, b"mesh").await;
+    create(&store, job(2)).await;
+    store.close().await;
+    let store = database.open(StoreOptions::default()).await;
+    assert_eq!(store.artefact(&ended, None).await.unwrap().unwrap().bytes, b"mesh");
+    assert_eq!(work_one(&store, b"other").await, job(2).id);
+}
+
+async fn a_closed_store_says_so(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    store.ping().await.unwrap();
+    store.close().await;
+    assert!(matches!(store.ping().await, Err(StoreError::Unavailable(_))));
+    assert!(matches!(store.submit(job(1)).await, Err(StoreError::Unavailable(_))));
+    store.close().await;
+}
+
+async fn counts_follow_the_queue(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    for number in 0..3 {
+        create(&store, job(number)).await;
+    }
+    store.claim("worker", LEASE).await.unwrap();
+    let counts = store.counts().await.unwrap();
+    assert_eq!((counts.queued, counts.running), (2, 1));
+    assert!(counts.longest_wait_ms >= 0);
+}
+
+#[tokio::test]
+async fn one_refusal_in_a_group_does_not_spoil_the_others() {
+    let database = Database::new(Engine::Sqlite).await.unwrap();
+    let store = database.open(StoreOptions { queue_limit: 10, ..StoreOptions::default() }).await;
+    let submissions: Vec<_> = (0..100).map(|number| store.submit(job(number))).collect();
+    let mut created = 0;
+    for result in futures_util::future::join_all(submissions).await {
+        match result {
+            Ok(Submitted::Created(_)) => created += 1,
+            Err(StoreError::QueueFull { own: false }) => {}
+            other => panic!("{other:?}"),
+        }
+    }
+    assert_eq!(created, 10);
+    assert_eq!(store.counts().await.unwrap().queued, 10);
+}
+
+#[tokio::test]
+async fn a_url_of_neither_engine_is_refused() {
+    for url in ["mysql://localhost/x", "plateau.db", ""] {
+        assert!(matches!(Store::open(url, StoreOptions::default()).await, Err(StoreError::Url(_))), "{url}");
+    }
+}
