@@ -20,6 +20,7 @@ pub mod linear;
 pub mod mesh;
 pub mod minimal_surface;
 pub mod polyline;
+pub mod uniform_mesh;
 
 pub use error::{Error, InputError, Place};
 pub use execution::{Execution, Interruption, Progress, Signal};

@@ -1,0 +1,308 @@
+//! A planar polygon in space, with holes: checked, brought into its plane in units of ℓ, its long sides split.
+
+use super::plane::Outline;
+use super::{Objective, Why};
+use crate::error::{Error, InputError, Place, Warning};
+use crate::polyline::{mean, merge_equal_neighbours};
+use crate::{DVec2, DVec3};
+
+/// How far a point may lie off the plane, as a fraction of the polygon's size.
+pub(super) const PLANARITY: f64 = 1e-6;
+/// Rounding allowed in counting how often ℓ goes into a side.
+const WHOLE: f64 = 1e-10;
+
+/// Points lie at origin + ℓ (x · right + y · up), seen from the side of `right` × `up`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    origin: DVec3,
+    right: DVec3,
+    up: DVec3,
+    unit: f64,
+}
+
+impl Frame {
+    pub fn point(&self, p: DVec2) -> DVec3 {
+        self.origin + (p.x * self.right + p.y * self.up) * self.unit
+    }
+}
+
+/// Where a boundary node stands: on one side of the polygon, or at the corner between two.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Stand {
+    on: [u32; 2],
+}
+
+/// One side of the polygon.
+#[derive(Clone, Copy, Debug)]
+struct Side {
+    /// The corner where it starts.
+    start: u32,
+    /// In ℓ.
+    length: f64,
+    /// The side after it in its loop, with the domain on the left.
+    next: u32,
+    /// Whether the inner angle at its end is below 90°.
+    sharp_end: bool,
+}
+
+/// A polygon ready to be meshed.
+#[derive(Debug)]
+pub(super) struct Polygon {
+    pub frame: Frame,
+    pub outline: Outline,
+    /// The outline's nodes in space; the corners first, exactly as given.
+    pub positions: Vec<DVec3>,
+    pub input_vertices: Vec<Option<u32>>,
+    pub warnings: Vec<Warning>,
+    stands: Vec<Stand>,
+    sides: Vec<Side>,
+    /// For each corner the loop and the index of the input point.
+    sources: Vec<(usize, usize)>,
+}
+
+/// The place of a point of loop `ring` (0: the outer one).
+fn place(ring: usize, point: usize) -> Place {
+    let domain = Place::field("domain");
+    if ring == 0 { domain.then("polygon").at(point) } else { domain.then("holes").at(ring - 1).at(point) }
+}
+
+fn ring_place(ring: usize) -> Place {
+    let domain = Place::field("domain");
+    if ring == 0 { domain.then("polygon") } else { domain.then("holes").at(ring - 1) }
+}
+
+impl Polygon {
+    /// Checks everything that needs no triangulation and places the nodes on the boundary.
+    ///
+    /// # Errors
+    /// Points that are not finite, fewer than three distinct points in a loop, no area, points off the plane.
+    pub fn new(outer: &[DVec3], holes: &[Vec<DVec3>], edge_length: f64, objective: Objective) -> Result<Self, Error> {
+        let rings: Vec<&[DVec3]> = std::iter::once(outer).chain(holes.iter().map(Vec::as_slice)).collect();
+        let mut errors = Vec::new();
+        for (ring, points) in rings.iter().enumerate() {
+            finite(ring, points)?;
+        }
+        let merged: Vec<_> = rings.iter().map(|points| merge_equal_neighbours(points, true)).collect();
+        for (ring, merged) in merged.iter().enumerate() {
+            if merged.points.len() < 3 {
+                errors.push(InputError::new(ring_place(ring), "needs at least three distinct points"));
+            }
+        }
+        if !errors.is_empty() {
+            return Err(Error::Input(errors));
+        }
+        let dropped: usize = merged.iter().map(|m| m.dropped()).sum();
+        let mut warnings = Vec::new();
+        if dropped > 0 {
+            warnings.push(Warning::new("merged_points", format!("{dropped} repeated points were merged")));
+        }
+        let frame = plane(&merged[0].points, edge_length)?;
+        let size = merged[0].points.iter().map(|p| p.distance(frame.origin)).fold(0.0, f64::max);
+        let normal = frame.right.cross(frame.up);
+        let tolerance = PLANARITY * size;
+        let off = merged
+            .iter()
+            .enumerate()
+            .flat_map(|(ring, m)| m.points.iter().zip(&m.source).map(move |(p, &k)| (ring, k, p)))
+            .map(|(ring, k, p)| ((*p - frame.origin).dot(normal).abs(), ring, k))
+            .fold((0.0, 0, 0), |worst, here| if here.0 > worst.0 { here } else { worst });
+        if off.0 > tolerance {
+            let detail = format!(
+                "the polygon is not planar: this point is {:.6e} off the plane through it all (allowed: {:.1e} of its size, {:.6e})",
+                off.0, PLANARITY, tolerance
+            );
+            return Err(Error::input(place(off.1, off.2), detail));
+        }
+
+        let mut polygon = Self {
+            frame,
+            outline: Outline::default(),
+            positions: Vec::new(),
+            input_vertices: Vec::new(),
+            warnings,
+            stands: Vec::new(),
+            sides: Vec::new(),
+            sources: Vec::new(),
+        };
+        let mut corner_loops = Vec::new();
+        for (ring, m) in merged.iter().enumerate() {
+            let first = polygon.positions.len() as u32;
+            polygon.input_vertices.extend(m.vertex_of.iter().map(|&v| Some(first + v as u32)));
+            polygon.sources.extend(m.source.iter().map(|&k| (ring, k)));
+            polygon.positions.extend_from_slice(&m.points);
+            polygon.outline.nodes.extend(m.points.iter().map(|&p| {
+                let p = (p - frame.origin) / frame.unit;
+                DVec2::new(p.dot(frame.right), p.dot(frame.up))
+            }));
+            let mut corners: Vec<u32> = (first..polygon.positions.len() as u32).collect();
+            let nodes = &polygon.outline.nodes;
+            let turning: f64 = corners
+                .iter()
+                .zip(corners.iter().cycle().skip(1))
+                .map(|(&a, &b)| {
+                    let o = nodes[first as usize];
+                    (nodes[a as usize] - o).perp_dot(nodes[b as usize] - o)
+                })
+                .sum();
+            // The outer loop is counter-clockwise by the choice of the frame; a hole must run the other way.
+            if ring > 0 && turning > 0.0 {
+                corners.reverse();
+            }
+            corner_loops.push(corners);
+        }
+        polygon.split(&corner_loops, objective);
+        Ok(polygon)
+    }
+
+    /// Splits the sides: pieces within [ℓ, 2ℓ] wherever the side is at least ℓ long.
+    fn split(&mut self, loops: &[Vec<u32>], objective: Objective) {
+        self.stands = vec![Stand { on: [u32::MAX; 2] }; self.positions.len()];
+        for corners in loops {
+            let count = corners.len();
+            let first = self.sides.len() as u32;
+            let mut nodes = Vec::new();
+            for k in 0..count {
+                let (a, b) = (corners[k] as usize, corners[(k + 1) % count] as usize);
+                let c = corners[(k + 2) % count] as usize;
+                let (p, q) = (self.outline.nodes[a], self.outline.nodes[b]);
+                let (edge, after) = (q - p, self.outline.nodes[c] - q);
+                let length = edge.length();
+                let pieces = pieces(length, objective);
+                let here = self.sides.len() as u32;
+                let next = if k + 1 == count { first } else { here + 1 };
+                let sharp_end = edge.perp_dot(after) > 0.0 && edge.dot(after) < 0.0;
+                self.sides.push(Side { start: a as u32, length, next, sharp_end });
+                self.stands[a].on[1] = here;
+                self.stands[b].on[0] = here;
+                nodes.push(a as u32);
+                let (from, to) = (self.positions[a], self.positions[b]);
+                for piece in 1..pieces {
+                    let part = f64::from(piece) / f64::from(pieces);
+                    nodes.push(self.positions.len() as u32);
+                    self.positions.push(from + (to - from) * part);
+                    self.outline.nodes.push(p + edge * part);
+                    self.stands.push(Stand { on: [here; 2] });
+                }
+            }
+            self.outline.loops.push(nodes);
+        }
+    }
+
+    /// Why an edge of the planar mesh (length in ℓ) is outside [ℓ, 2ℓ].
+    pub fn why(&self, edge: [u32; 2], length: f64) -> Why {
+        let [a, b] = edge.map(|v| self.stands.get(v as usize).copied());
+        let (Some(a), Some(b)) = (a, b) else { return Why::Unfinished };
+        if length > 1.0 {
+            return Why::Unfinished;
+        }
+        let side = |s: u32| self.sides[s as usize];
+        let short = |s: u32| side(s).length < 1.0;
+        if a.on.iter().any(|s| b.on.contains(s) && short(*s)) {
+            return Why::ShortSide;
+        }
+        for (a, b) in [(a, b), (b, a)] {
+            if a.on.iter().any(|&s| side(s).sharp_end && b.on.contains(&side(s).next)) {
+                return Why::SharpCorner;
+            }
+        }
+        // Two nodes less than 3ℓ apart along the boundary, with a short side on the way.
+        let at = |v: u32| self.outline.nodes[v as usize];
+        for (from, to) in [(edge[0], edge[1]), (edge[1], edge[0])] {
+            let mut s = self.stands[from as usize].on[1];
+            let (mut way, mut shorter) = (at(from).distance(at(side(side(s).next).start)), short(s));
+            while way < 3.0 {
+                s = side(s).next;
+                shorter |= short(s);
+                if self.stands[to as usize].on.contains(&s) {
+                    if shorter && way + at(side(s).start).distance(at(to)) < 3.0 {
+                        return Why::ShortSide;
+                    }
+                    break;
+                }
+                way += side(s).length;
+            }
+        }
+        Why::Narrow
+    }
+
+    /// The input point at a boundary node, or the one where its side starts.
+    pub fn place_of(&self, node: u32) -> Place {
+        let corner = if (node as usize) < self.sources.len() {
+            node as usize
+        } else {
+            let side = self.stands[node as usize].on[0];
+            self.stands.iter().position(|stand| stand.on[1] == side).unwrap_or(0)
+        };
+        let (ring, point) = self.sources[corner.min(self.sources.len() - 1)];
+        place(ring, point)
+    }
+
+    /// The loop that a boundary node belongs to.
+    pub fn ring_of(&self, node: u32) -> Place {
+        let ring = self.outline.loops.iter().position(|nodes| nodes.contains(&node)).unwrap_or(0);
+        ring_place(ring)
+    }
+
+    /// No triangulation of the domain with every edge at most 2ℓ has fewer nodes: a triangle covers at most √3 ℓ², a side of
+    /// length L needs ⌈L/2ℓ⌉ pieces, and Euler's formula turns both into nodes.
+    pub fn node_lower_bound(&self) -> usize {
+        let boundary: f64 = self.sides.iter().map(|side| (side.length / 2.0 - 1e-9).ceil().max(1.0)).sum();
+        let holes = self.outline.loops.len() as f64 - 1.0;
+        let nodes = (self.outline.area() / 3f64.sqrt() + boundary + 2.0 - 2.0 * holes) / 2.0;
+        ((nodes - 1e-9).ceil().max(0.0) as usize).max(self.sides.len())
+    }
+}
+
+/// Area (the vector sum over each loop, holes subtracted) and total boundary length.
+///
+/// # Errors
+/// Points that are not finite.
+pub(super) fn extent(outer: &[DVec3], holes: &[Vec<DVec3>]) -> Result<(f64, f64), Error> {
+    let (mut area, mut perimeter) = (0.0, 0.0);
+    for (ring, points) in std::iter::once(outer).chain(holes.iter().map(Vec::as_slice)).enumerate() {
+        finite(ring, points)?;
+        let centre = mean(points);
+        let around = || points.iter().zip(points.iter().cycle().skip(1));
+        let doubled: DVec3 = around().map(|(&a, &b)| (a - centre).cross(b - centre)).sum();
+        area += if ring == 0 { doubled.length() } else { -doubled.length() } / 2.0;
+        perimeter += around().map(|(a, b)| a.distance(*b)).sum::<f64>();
+    }
+    Ok((area.max(0.0), perimeter))
+}
+
+fn finite(ring: usize, points: &[DVec3]) -> Result<(), Error> {
+    let bad = |p: &DVec3| !p.is_finite() || p.abs().max_element() > super::LARGEST_COORDINATE;
+    let errors: Vec<_> = (0..points.len())
+        .filter(|&k| bad(&points[k]))
+        .map(|k| InputError::new(place(ring, k), "must be finite and below 1e100 in magnitude"))
+        .collect();
+    if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
+}
+
+/// How many pieces a side of the given length (in ℓ) is split into.
+fn pieces(length: f64, objective: Objective) -> u32 {
+    // Up to 2ℓ a side stays whole, but for one that is two members exactly.
+    let most = (length * (1.0 + WHOLE)).floor().max(1.0);
+    match objective {
+        _ if length < 2.0 * (1.0 - WHOLE) => 1,
+        // Pieces as near to ℓ as they get, so that the rim can go on where the lattice ends.
+        Objective::MostEqualEdges => most as u32,
+        // Pieces of at most √2 ℓ wherever possible: no inserted node then falls into the diametral circle of a piece.
+        Objective::FewestNodes => (length / std::f64::consts::SQRT_2).ceil().min(most) as u32,
+    }
+}
+
+/// The polygon's plane by Newell's normal, with the first side to the right.
+fn plane(points: &[DVec3], unit: f64) -> Result<Frame, Error> {
+    let origin = mean(points);
+    let size = points.iter().map(|p| (*p - origin).abs().max_element()).fold(0.0, f64::max);
+    let local = |k: usize| (points[k % points.len()] - origin) / size;
+    let normal: DVec3 = (0..points.len()).map(|k| local(k).cross(local(k + 1))).sum();
+    let Some(normal) = (normal.length() > 1e-10).then(|| normal.normalize()) else {
+        return Err(Error::input(ring_place(0), "encloses no area: all points lie on one line, or loops cancel out"));
+    };
+    let edge = local(1) - local(0);
+    // A side along the normal can only be noise; then any direction in the plane will do.
+    let right = (edge - normal * normal.dot(edge)).try_normalize().unwrap_or_else(|| normal.any_orthonormal_vector());
+    Ok(Frame { origin, right, up: normal.cross(right), unit })
+}

@@ -1,0 +1,418 @@
+//! A constrained Delaunay triangulation of one region of the plane that takes new points inside.
+//!
+//! The first triangulation comes from spade; from then on it is a plain array of triangles in which a point is inserted
+//! by splitting and flipping (Lawson) in constant time on average, because farthest-point insertion always knows the
+//! triangle where it starts. Edges without a twin are the constraints: the region's outline, holes, and slits (edges that
+//! must stay although the region lies on both sides of them). Nothing flips or looks across them.
+//! All decisions use the adaptive predicates of `robust`, so the result is Delaunay exactly, not to a tolerance.
+
+use crate::DVec2;
+use crate::mesh::topology::{NONE, next, previous};
+use robust::{Coord, incircle, orient2d};
+use spade::handles::FixedVertexHandle;
+use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation as _};
+use std::collections::VecDeque;
+
+fn coord(p: DVec2) -> Coord<f64> {
+    Coord { x: p.x, y: p.y }
+}
+
+/// Positive if `c` lies to the left of a→b; the sign is exact.
+pub(super) fn side(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+    orient2d(coord(a), coord(b), coord(c))
+}
+
+/// A point and its index among the caller's points; spade keeps both together.
+struct Site(DVec2);
+
+impl HasPosition for Site {
+    type Scalar = f64;
+    fn position(&self) -> Point2<f64> {
+        Point2::new(self.0.x, self.0.y)
+    }
+}
+
+/// What a constraint separates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Border {
+    /// A piece of the polygon's outline or of a hole, directed with the domain on its left.
+    Outline,
+    /// An edge with the lattice on exactly one side.
+    Lattice,
+    /// A lattice edge without a lattice triangle on either side.
+    Slit,
+}
+
+/// A segment between two points that the triangulation must contain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Constraint {
+    pub from: u32,
+    pub to: u32,
+    pub border: Border,
+}
+
+/// Why the constraints bound no region.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tangle {
+    /// Two points coincide.
+    Coincident(u32, u32),
+    /// This constraint crosses another one or runs through a point.
+    Crossing { from: u32, to: u32 },
+    /// This piece of outline has the domain on the wrong side: its loop is outside the outer one or nested in a hole.
+    WrongSide { from: u32, to: u32 },
+    /// Coordinates beyond what the triangulation takes.
+    OutOfRange,
+}
+
+/// Triangles counter-clockwise; half-edge `3 t + k` runs from corner k to corner k + 1 of triangle t, `twin` as in
+/// [`topology`](crate::mesh::topology).
+#[derive(Clone, Debug, Default)]
+pub(super) struct Triangulation {
+    pub points: Vec<DVec2>,
+    pub corners: Vec<[u32; 3]>,
+    pub twin: Vec<[u32; 3]>,
+    /// Scratch of `insert`, kept to save its allocation.
+    stack: Vec<u32>,
+}
+
+/// Where the straight way from a triangle to a point ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sight {
+    /// In this triangle.
+    In(u32),
+    /// Behind a constraint.
+    Hidden,
+}
+
+impl Triangulation {
+    /// The constrained Delaunay triangulation of the points, cut down to the region: inside the outer outline, outside
+    /// the holes, outside the lattice. O(n log n).
+    ///
+    /// # Errors
+    /// What is wrong with the constraints. Outlines must be disjoint simple loops.
+    pub fn build(points: Vec<DVec2>, constraints: &[Constraint]) -> Result<Self, Tangle> {
+        let mut order: Vec<u32> = (0..points.len() as u32).collect();
+        let key = |v: u32| (points[v as usize].x, points[v as usize].y);
+        order.sort_unstable_by(|&a, &b| {
+            key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal).then(a.cmp(&b))
+        });
+        if let Some(pair) = order.windows(2).find(|pair| points[pair[0] as usize] == points[pair[1] as usize]) {
+            return Err(Tangle::Coincident(pair[0], pair[1]));
+        }
+        let mut crossing = None;
+        let edges = constraints.iter().map(|c| [c.from as usize, c.to as usize]).collect();
+        let sites = points.iter().map(|&p| Site(p)).collect();
+        let cdt = ConstrainedDelaunayTriangulation::<Site>::try_bulk_load_cdt(sites, edges, |edge| {
+            crossing.get_or_insert(edge);
+        })
+        .map_err(|_| Tangle::OutOfRange)?;
+        if let Some([from, to]) = crossing {
+            return Err(Tangle::Crossing { from: from as u32, to: to as u32 });
+        }
+        let mut border: Vec<_> = constraints.iter().map(|c| ((c.from.min(c.to), c.from.max(c.to)), c.border)).collect();
+        border.sort_unstable_by_key(|&(ends, _)| ends);
+        let find = |a: u32, b: u32| {
+            border.binary_search_by_key(&(a.min(b), a.max(b)), |&(ends, _)| ends).ok().map(|k| border[k].1)
+        };
+
+        #[derive(Clone, Copy, PartialEq)]
+        struct Label {
+            depth: u32,
+            lattice: bool,
+        }
+        let mut label: Vec<Option<Label>> = vec![None; cdt.num_all_faces()];
+        let outer = cdt.outer_face().fix();
+        label[outer.index()] = Some(Label { depth: 0, lattice: false });
+        // One region is filled completely before the next border is crossed: a face beyond a crossing that has no label yet
+        // then belongs to a region that nobody has seen, one level further in.
+        let mut within: Vec<_> = cdt.convex_hull().flat_map(|edge| [edge, edge.rev()]).collect();
+        let mut crossings = VecDeque::new();
+        loop {
+            let (edge, border) = match (within.pop(), crossings.is_empty()) {
+                (Some(edge), _) if edge.is_constraint_edge() => {
+                    let (a, b) = (edge.from().fix().index() as u32, edge.to().fix().index() as u32);
+                    // A constraint that nobody asked for: spade split one at a point lying on it.
+                    let Some(border) = find(a, b) else { return Err(Tangle::Crossing { from: a, to: b }) };
+                    if border != Border::Slit {
+                        crossings.push_back((edge, border));
+                        continue;
+                    }
+                    (edge, Some(Border::Slit))
+                }
+                (Some(edge), _) => (edge, None),
+                (None, false) => match crossings.pop_front() {
+                    Some((edge, border)) => (edge, Some(border)),
+                    None => break,
+                },
+                (None, true) => break,
+            };
+            let (Some(here), None) = (label[edge.face().fix().index()], label[edge.rev().face().fix().index()]) else {
+                continue;
+            };
+            let there = match border {
+                Some(Border::Outline) => Label { depth: here.depth + 1, ..here },
+                Some(Border::Lattice) => Label { lattice: !here.lattice, ..here },
+                Some(Border::Slit) | None => here,
+            };
+            let Some(face) = edge.rev().face().as_inner() else { continue };
+            label[face.fix().index()] = Some(there);
+            within.extend(face.adjacent_edges());
+        }
+        for c in constraints {
+            let handle = |v: u32| FixedVertexHandle::from_index(v as usize);
+            let Some(edge) = cdt.get_edge_from_neighbors(handle(c.from), handle(c.to)) else {
+                return Err(Tangle::Crossing { from: c.from, to: c.to });
+            };
+            let depth = label[edge.face().fix().index()].map_or(0, |l| l.depth);
+            if !edge.is_constraint_edge() || (c.border == Border::Outline && depth != 1) {
+                return Err(Tangle::WrongSide { from: c.from, to: c.to });
+            }
+        }
+
+        let inside = |face: usize| label[face] == Some(Label { depth: 1, lattice: false });
+        // Numbered by their corners, not in spade's order, which a turned or scaled input changes.
+        let mut faces: Vec<([u32; 3], usize)> = cdt
+            .inner_faces()
+            .filter(|face| inside(face.fix().index()))
+            .map(|face| {
+                let mut corners = face.vertices().map(|v| v.fix().index() as u32);
+                let least = (0..3).min_by_key(|&k| corners[k]).unwrap_or(0);
+                corners.rotate_left(least);
+                (corners, face.fix().index())
+            })
+            .collect();
+        faces.sort_unstable();
+        let mut number = vec![NONE; cdt.num_all_faces()];
+        for (t, &(_, face)) in faces.iter().enumerate() {
+            number[face] = t as u32;
+        }
+        let corners: Vec<[u32; 3]> = faces.into_iter().map(|(corners, _)| corners).collect();
+        let mut twin = vec![[NONE; 3]; corners.len()];
+        for face in cdt.inner_faces().filter(|face| inside(face.fix().index())) {
+            let t = number[face.fix().index()];
+            for edge in face.adjacent_edges() {
+                if edge.is_constraint_edge() {
+                    continue;
+                }
+                let k = position(corners[t as usize], edge.from().fix().index() as u32);
+                let other = number[edge.rev().face().fix().index()];
+                if other != NONE {
+                    let j = position(corners[other as usize], edge.to().fix().index() as u32);
+                    twin[t as usize][k] = 3 * other + j as u32;
+                }
+            }
+        }
+        Ok(Self { points, corners, twin, stack: Vec::new() })
+    }
+
+    fn from(&self, half_edge: u32) -> u32 {
+        self.corners[half_edge as usize / 3][half_edge as usize % 3]
+    }
+
+    fn twin_of(&self, half_edge: u32) -> u32 {
+        self.twin[half_edge as usize / 3][half_edge as usize % 3]
+    }
+
+    fn position_of(&self, vertex: u32) -> DVec2 {
+        self.points[vertex as usize]
+    }
+
+    pub fn triangle(&self, t: u32) -> [DVec2; 3] {
+        self.corners[t as usize].map(|v| self.position_of(v))
+    }
+
+    /// Goes straight from the middle of triangle `start` towards `goal`. Second value: triangles visited.
+    pub fn look_towards(&self, start: u32, goal: DVec2) -> (Sight, u64) {
+        let [a, b, c] = self.triangle(start);
+        if side(a, b, goal) >= 0.0 && side(b, c, goal) >= 0.0 && side(c, a, goal) >= 0.0 {
+            return (Sight::In(start), 1);
+        }
+        let eye = (a + b + c) / 3.0;
+        // The way out of the first triangle: the edge whose ends lie right and left of the way, and beyond which the goal lies.
+        let corners = [a, b, c];
+        let way_out = (0..3).find(|&k| {
+            let (u, v) = (corners[k], corners[(k + 1) % 3]);
+            side(u, v, goal) < 0.0 && side(eye, goal, u) <= 0.0 && side(eye, goal, v) >= 0.0
+        });
+        let Some(k) = way_out else { return (Sight::Hidden, 1) };
+        let mut half_edge = 3 * start + k as u32;
+        let mut visited = 1;
+        // A straight way meets no triangle twice; the bound only guards against an eye that rounding put outside.
+        while visited <= self.corners.len() as u64 {
+            let entered = self.twin_of(half_edge);
+            if entered == NONE {
+                return (Sight::Hidden, visited);
+            }
+            visited += 1;
+            let apex = self.position_of(self.from(previous(entered)));
+            // Entered over v→u (u was on the right): the apex decides between u→apex and apex→v.
+            let out = if side(eye, goal, apex) >= 0.0 { next(entered) } else { previous(entered) };
+            let (from, to) = (self.position_of(self.from(out)), self.position_of(self.from(next(out))));
+            if side(from, to, goal) >= 0.0 {
+                return (Sight::In(entered / 3), visited);
+            }
+            half_edge = out;
+        }
+        (Sight::Hidden, visited)
+    }
+
+    /// Inserts a point that lies in triangle `t` (or on an edge of it that has a twin) and restores the Delaunay property.
+    /// Appends the triangles around the new point to `star`.
+    pub fn insert(&mut self, t: u32, point: DVec2, star: &mut Vec<u32>) {
+        let p = self.points.len() as u32;
+        self.points.push(point);
+        let [a, b, c] = self.corners[t as usize];
+        let [ab, bc, ca] = self.twin[t as usize];
+        let n = self.corners.len() as u32;
+        // Every triangle of the star keeps the new point at corner 2, so that edge 0 is the one to examine.
+        self.corners[t as usize] = [a, b, p];
+        self.corners.push([b, c, p]);
+        self.corners.push([c, a, p]);
+        self.twin[t as usize] = [ab, 3 * n + 2, 3 * (n + 1) + 1];
+        self.twin.push([bc, 3 * (n + 1) + 2, 3 * t + 1]);
+        self.twin.push([ca, 3 * t + 2, 3 * n + 1]);
+        self.point_back(bc, 3 * n);
+        self.point_back(ca, 3 * (n + 1));
+        let mut stack = std::mem::take(&mut self.stack);
+        stack.extend([t, n, n + 1]);
+        while let Some(t) = stack.pop() {
+            let across = self.twin[t as usize][0];
+            let flips = across != NONE && {
+                let d = self.position_of(self.from(previous(across)));
+                let [a, b, p] = self.triangle(t);
+                incircle(coord(a), coord(b), coord(p), coord(d)) > 0.0
+            };
+            if !flips {
+                star.push(t);
+                continue;
+            }
+            let s = across / 3;
+            let [a, b, p] = self.corners[t as usize];
+            let d = self.from(previous(across));
+            let (ad, db) = (self.twin_of(next(across)), self.twin_of(previous(across)));
+            let [_, bp, pa] = self.twin[t as usize];
+            self.corners[t as usize] = [a, d, p];
+            self.corners[s as usize] = [d, b, p];
+            self.twin[t as usize] = [ad, 3 * s + 2, pa];
+            self.twin[s as usize] = [db, bp, 3 * t + 1];
+            self.point_back(ad, 3 * t);
+            self.point_back(db, 3 * s);
+            self.point_back(bp, 3 * s + 1);
+            stack.extend([t, s]);
+        }
+        self.stack = stack;
+    }
+
+    fn point_back(&mut self, half_edge: u32, twin: u32) {
+        if half_edge != NONE {
+            self.twin[half_edge as usize / 3][half_edge as usize % 3] = twin;
+        }
+    }
+
+    /// Checks twins, orientation and the Delaunay property of every edge that may flip; for tests.
+    #[cfg(test)]
+    pub fn sanity_check(&self) {
+        for h in 0..3 * self.corners.len() as u32 {
+            let [a, b, c] = self.triangle(h / 3);
+            assert!(side(a, b, c) > 0.0, "triangle {} is not counter-clockwise", h / 3);
+            let twin = self.twin_of(h);
+            if twin == NONE {
+                continue;
+            }
+            assert_eq!(self.twin_of(twin), h);
+            assert_eq!((self.from(twin), self.from(next(twin))), (self.from(next(h)), self.from(h)));
+            let d = self.position_of(self.from(previous(twin)));
+            assert!(incircle(coord(a), coord(b), coord(c), coord(d)) <= 0.0, "edge {h} is not Delaunay");
+        }
+    }
+}
+
+fn position(corners: [u32; 3], vertex: u32) -> usize {
+    usize::from(corners[1] == vertex) + 2 * usize::from(corners[2] == vertex)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square_with_a_slit() -> Triangulation {
+        let mut points: Vec<DVec2> = Vec::new();
+        for k in 0..4 {
+            let corners = [[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]].map(DVec2::from);
+            points.extend([corners[k], (corners[k] + corners[(k + 1) % 4]) / 2.0]);
+        }
+        points.extend([DVec2::new(3.0, 4.0), DVec2::new(5.0, 4.5)]);
+        let outline = (0..8).map(|k| Constraint { from: k, to: (k + 1) % 8, border: Border::Outline });
+        let constraints: Vec<_> = outline.chain([Constraint { from: 8, to: 9, border: Border::Slit }]).collect();
+        Triangulation::build(points, &constraints).unwrap()
+    }
+
+    #[test]
+    fn insertion_keeps_the_triangulation_delaunay_and_the_slit_in_place() {
+        let mut region = square_with_a_slit();
+        let slit = |region: &Triangulation| {
+            (0..3 * region.corners.len() as u32)
+                .filter(|&h| [region.from(h), region.from(next(h))].iter().all(|v| [8, 9].contains(v)))
+                .map(|h| region.twin_of(h))
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(slit(&region), [NONE, NONE]);
+        let mut state = 1u64;
+        for _ in 0..400 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let p = DVec2::new(
+                (state >> 40) as f64 / (1u64 << 21) as f64,
+                (state >> 20 & 0xff_ffff) as f64 / (1u64 << 21) as f64,
+            );
+            // A grid of eighths makes many points fall on edges and circles.
+            let p = (p * 8.0).round() / 8.0;
+            let strictly_inside = p.min_element() > 0.0 && p.max_element() < 8.0;
+            if !strictly_inside || region.points.contains(&p) {
+                continue;
+            }
+            let holder = (0..region.corners.len() as u32).find(|&t| {
+                let [a, b, c] = region.triangle(t);
+                let on = |a, b, k: usize| {
+                    let s = side(a, b, p);
+                    s > 0.0 || (s == 0.0 && region.twin[t as usize][k] != NONE)
+                };
+                on(a, b, 0) && on(b, c, 1) && on(c, a, 2)
+            });
+            let Some(t) = holder else { continue };
+            let mut star = Vec::new();
+            region.insert(t, p, &mut star);
+            assert!(star.iter().all(|&t| region.corners[t as usize][2] as usize == region.points.len() - 1));
+            region.sanity_check();
+        }
+        assert!(region.points.len() > 200);
+        assert_eq!(slit(&region), [NONE, NONE]);
+    }
+
+    #[test]
+    fn nothing_is_seen_through_a_slit() {
+        let region = square_with_a_slit();
+        let middle = |t: u32| region.triangle(t).iter().sum::<DVec2>() / 3.0;
+        let below = (0..region.corners.len() as u32)
+            .find(|&t| {
+                region.corners[t as usize].contains(&8) && region.corners[t as usize].contains(&9) && middle(t).y < 4.0
+            })
+            .unwrap();
+        assert_eq!(region.look_towards(below, DVec2::new(4.1, 7.0)).0, Sight::Hidden);
+        assert_eq!(region.look_towards(below, DVec2::new(4.1, 9.0)).0, Sight::Hidden);
+        assert!(matches!(region.look_towards(below, DVec2::new(6.0, 1.0)).0, Sight::In(_)));
+    }
+
+    #[test]
+    fn tangled_outlines_are_named() {
+        let outline = |points: &[[f64; 2]]| {
+            let n = points.len() as u32;
+            let constraints: Vec<_> =
+                (0..n).map(|k| Constraint { from: k, to: (k + 1) % n, border: Border::Outline }).collect();
+            Triangulation::build(points.iter().map(|&p| DVec2::from(p)).collect(), &constraints).err()
+        };
+        assert_eq!(outline(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]), None);
+        assert_eq!(outline(&[[0.0, 0.0], [1.0, 0.0], [0.0, 0.0]]), Some(Tangle::Coincident(0, 2)));
+        assert!(matches!(outline(&[[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 7.0]]), Some(Tangle::Crossing { .. })));
+        assert!(matches!(outline(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0]]), Some(Tangle::WrongSide { .. })));
+    }
+}
