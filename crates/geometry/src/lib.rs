@@ -21,6 +21,7 @@ pub mod mesh;
 pub mod minimal_surface;
 pub mod polyline;
 pub mod uniform_mesh;
+pub mod ruled_surface;
 
 pub use error::{Error, InputError, Place};
 pub use execution::{Execution, Interruption, Progress, Signal};

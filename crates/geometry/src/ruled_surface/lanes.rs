@@ -1,0 +1,284 @@
+//! Numbers side by side: the kernels are written once, over [`Lanes`], and run on one `f64` or on four at a time.
+//!
+//! Every operation is a single correctly rounded IEEE operation on every lane and none is fused, so that all
+//! instances give the same bits. The wide instance is chosen at run time ([`Widest::get`]).
+
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Sub};
+
+/// `WIDTH` numbers. In the skewed sweep lane `r` belongs to row `r` of a band, one column behind lane `r - 1`.
+pub(super) trait Lanes:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    const WIDTH: usize;
+    type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask>;
+    fn splat(value: f64) -> Self;
+    /// `from[at..at + WIDTH]`.
+    ///
+    /// # Safety
+    /// The range lies within `from`.
+    unsafe fn load(from: &[f64], at: usize) -> Self;
+    fn sqrt(self) -> Self;
+    fn less(self, other: Self) -> Self::Mask;
+    fn at_most(self, other: Self) -> Self::Mask;
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// Lane `r` in bit `r`.
+    fn bits(mask: Self::Mask) -> u32;
+    fn from_bits(bits: u32) -> Self::Mask;
+    /// Every lane moves up by one, `first` becomes lane 0.
+    fn shift_in(self, first: f64) -> Self;
+    fn last(self) -> f64;
+    fn lane(self, lane: usize) -> f64;
+    /// Runs a task with this instance's instructions enabled.
+    fn run<T: Task<Self>>(task: T) -> T::Output;
+}
+
+/// A piece of work over lanes. `run` must be `#[inline(always)]`, so that it is compiled for the instance's instructions.
+pub(super) trait Task<V: Lanes> {
+    type Output;
+    fn run(self) -> Self::Output;
+}
+
+impl Lanes for f64 {
+    const WIDTH: usize = 1;
+    type Mask = bool;
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    unsafe fn load(from: &[f64], at: usize) -> Self {
+        debug_assert!(at < from.len());
+        // SAFETY: the caller's promise.
+        unsafe { *from.get_unchecked(at) }
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        f64::sqrt(self)
+    }
+    #[inline(always)]
+    fn less(self, other: Self) -> bool {
+        self < other
+    }
+    #[inline(always)]
+    fn at_most(self, other: Self) -> bool {
+        self <= other
+    }
+    #[inline(always)]
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+    #[inline(always)]
+    fn bits(mask: bool) -> u32 {
+        u32::from(mask)
+    }
+    #[inline(always)]
+    fn from_bits(bits: u32) -> bool {
+        bits & 1 == 1
+    }
+    #[inline(always)]
+    fn shift_in(self, first: f64) -> Self {
+        first
+    }
+    #[inline(always)]
+    fn last(self) -> f64 {
+        self
+    }
+    #[inline(always)]
+    fn lane(self, _: usize) -> f64 {
+        self
+    }
+    #[inline(always)]
+    fn run<T: Task<Self>>(task: T) -> T::Output {
+        task.run()
+    }
+}
+
+/// Which instance to use: the widest that this processor has, or the plain one on demand (tests compare the two).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Widest {
+    Plain,
+    #[cfg(target_arch = "x86_64")]
+    Avx2,
+}
+
+impl Widest {
+    pub(super) fn get() -> Self {
+        #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx2") {
+            return Self::Avx2;
+        }
+        Self::Plain
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+pub(super) use avx2::Wide;
+
+#[cfg(target_arch = "x86_64")]
+mod avx2 {
+    use super::{Lanes, Task};
+    use std::arch::x86_64::*;
+    use std::ops::{Add, BitAnd, BitOr, Div, Mul, Sub};
+
+    /// Four numbers in one AVX2 register. Only ever made where [`Widest`](super::Widest) found AVX2, which is what
+    /// makes every `unsafe` call of an intrinsic below sound.
+    #[derive(Clone, Copy)]
+    pub(in super::super) struct Wide(__m256d);
+    #[derive(Clone, Copy)]
+    pub(in super::super) struct WideMask(__m256d);
+
+    macro_rules! operator {
+        ($trait:ident, $method:ident, $type:ident, $intrinsic:ident) => {
+            impl $trait for $type {
+                type Output = Self;
+                #[inline(always)]
+                fn $method(self, other: Self) -> Self {
+                    // SAFETY: see the type.
+                    Self(unsafe { $intrinsic(self.0, other.0) })
+                }
+            }
+        };
+    }
+    operator!(Add, add, Wide, _mm256_add_pd);
+    operator!(Sub, sub, Wide, _mm256_sub_pd);
+    operator!(Mul, mul, Wide, _mm256_mul_pd);
+    operator!(Div, div, Wide, _mm256_div_pd);
+    operator!(BitAnd, bitand, WideMask, _mm256_and_pd);
+    operator!(BitOr, bitor, WideMask, _mm256_or_pd);
+
+    impl Lanes for Wide {
+        const WIDTH: usize = 4;
+        type Mask = WideMask;
+        #[inline(always)]
+        fn splat(value: f64) -> Self {
+            // SAFETY: see the type.
+            Self(unsafe { _mm256_set1_pd(value) })
+        }
+        #[inline(always)]
+        unsafe fn load(from: &[f64], at: usize) -> Self {
+            debug_assert!(at + 4 <= from.len());
+            // SAFETY: the caller's promise; the load needs no alignment.
+            Self(unsafe { _mm256_loadu_pd(from.as_ptr().add(at)) })
+        }
+        #[inline(always)]
+        fn sqrt(self) -> Self {
+            // SAFETY: see the type.
+            Self(unsafe { _mm256_sqrt_pd(self.0) })
+        }
+        #[inline(always)]
+        fn less(self, other: Self) -> WideMask {
+            // SAFETY: see the type.
+            WideMask(unsafe { _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, other.0) })
+        }
+        #[inline(always)]
+        fn at_most(self, other: Self) -> WideMask {
+            // SAFETY: see the type.
+            WideMask(unsafe { _mm256_cmp_pd::<_CMP_LE_OQ>(self.0, other.0) })
+        }
+        #[inline(always)]
+        fn select(mask: WideMask, yes: Self, no: Self) -> Self {
+            // SAFETY: see the type.
+            Self(unsafe { _mm256_blendv_pd(no.0, yes.0, mask.0) })
+        }
+        #[inline(always)]
+        fn bits(mask: WideMask) -> u32 {
+            // SAFETY: see the type.
+            unsafe { _mm256_movemask_pd(mask.0) as u32 }
+        }
+        #[inline(always)]
+        fn from_bits(bits: u32) -> WideMask {
+            // SAFETY: see the type.
+            unsafe {
+                let lanes = _mm256_set_epi64x(8, 4, 2, 1);
+                let set = _mm256_and_si256(_mm256_set1_epi64x(i64::from(bits)), lanes);
+                WideMask(_mm256_castsi256_pd(_mm256_cmpeq_epi64(set, lanes)))
+            }
+        }
+        #[inline(always)]
+        fn shift_in(self, first: f64) -> Self {
+            // SAFETY: see the type.
+            unsafe {
+                let moved = _mm256_permute4x64_pd::<0b10_01_00_00>(self.0);
+                Self(_mm256_blend_pd::<1>(moved, _mm256_set1_pd(first)))
+            }
+        }
+        #[inline(always)]
+        fn last(self) -> f64 {
+            // SAFETY: see the type.
+            unsafe {
+                let high = _mm256_extractf128_pd::<1>(self.0);
+                _mm_cvtsd_f64(_mm_unpackhi_pd(high, high))
+            }
+        }
+        #[inline(always)]
+        fn lane(self, lane: usize) -> f64 {
+            let mut all = [0.0; 4];
+            // SAFETY: see the type; `all` holds four.
+            unsafe { _mm256_storeu_pd(all.as_mut_ptr(), self.0) };
+            all[lane]
+        }
+        #[inline(always)]
+        fn run<T: Task<Self>>(task: T) -> T::Output {
+            #[target_feature(enable = "avx2")]
+            fn enabled<T: Task<Wide>>(task: T) -> T::Output {
+                task.run()
+            }
+            // SAFETY: see the type.
+            unsafe { enabled(task) }
+        }
+    }
+}
+
+/// A vector on every lane.
+#[derive(Clone, Copy)]
+pub(super) struct Vector<V> {
+    pub(super) x: V,
+    pub(super) y: V,
+    pub(super) z: V,
+}
+
+impl<V: Lanes> Vector<V> {
+    #[inline(always)]
+    pub(super) fn new(x: V, y: V, z: V) -> Self {
+        Self { x, y, z }
+    }
+    #[inline(always)]
+    pub(super) fn zero() -> Self {
+        Self::new(V::splat(0.0), V::splat(0.0), V::splat(0.0))
+    }
+    #[inline(always)]
+    pub(super) fn dot(self, other: Self) -> V {
+        self.x * other.x + self.y * other.y + self.z * other.z
+    }
+    #[inline(always)]
+    pub(super) fn cross(self, other: Self) -> Self {
+        Self {
+            x: self.y * other.z - self.z * other.y,
+            y: self.z * other.x - self.x * other.z,
+            z: self.x * other.y - self.y * other.x,
+        }
+    }
+    #[inline(always)]
+    pub(super) fn minus(self, other: Self) -> Self {
+        Self { x: self.x - other.x, y: self.y - other.y, z: self.z - other.z }
+    }
+    #[inline(always)]
+    pub(super) fn times(self, factor: V) -> Self {
+        Self { x: self.x * factor, y: self.y * factor, z: self.z * factor }
+    }
+    /// [`Lanes::shift_in`] on the three components.
+    #[inline(always)]
+    pub(super) fn shift_in(self, first: &[f64]) -> Self {
+        Self { x: self.x.shift_in(first[0]), y: self.y.shift_in(first[1]), z: self.z.shift_in(first[2]) }
+    }
+    #[inline(always)]
+    pub(super) fn select(mask: V::Mask, yes: Self, no: Self) -> Self {
+        Self { x: V::select(mask, yes.x, no.x), y: V::select(mask, yes.y, no.y), z: V::select(mask, yes.z, no.z) }
+    }
+}
+
+impl From<crate::DVec3> for Vector<f64> {
+    fn from(v: crate::DVec3) -> Self {
+        Self { x: v.x, y: v.y, z: v.z }
+    }
+}

@@ -1,0 +1,630 @@
+//! The graphs of sections 4 and 5 as kernels: what a cell of the grid of bridges does with its two predecessors.
+//!
+//! One layer (area, twist, convexity, normal variation): a bridge. Two layers (bending): a bridge and the step that led to
+//! it. Four (mean curvature variation, weighted sums): a bridge, the step that led to it and the step that leaves it.
+//! A path enters row 0 by a P-step and leaves the last row by one: virtual steps on an open strip, the closing triangle on
+//! a closed one, where every path takes exactly one step from p_{m-1} to p_0. That names a closed path's start without
+//! ambiguity.
+
+use super::lanes::{Lanes, Vector};
+use super::shortest_path::{Kernel, Score, Seed, Table};
+use super::strip::{Directrix, Strip};
+use super::weight::{self, Wing};
+
+/// The strip as arrays of numbers for the sweep. Columns are stored backwards, so that the lanes of a skewed band (row r one
+/// column behind row r - 1) lie side by side; `MARGIN` entries beyond both ends repeat the last ones and are never used.
+#[derive(Debug)]
+pub(super) struct Lattice {
+    pub(super) rows: usize,
+    /// n, or 2n on a closed strip: a path that starts in column j ends in column j + n.
+    pub(super) columns: usize,
+    row: Side,
+    column: Side,
+}
+
+const MARGIN: usize = 4;
+
+#[derive(Debug, Default)]
+struct Side {
+    point: [Vec<f64>; 3],
+    /// The bank edge that ends at the point; zero where there is none.
+    bank: [Vec<f64>; 3],
+    bank_squared: Vec<f64>,
+    tangent: [Vec<f64>; 3],
+    normal: [Vec<f64>; 3],
+}
+
+impl Side {
+    fn push(&mut self, directrix: &Directrix, index: usize, edge_exists: bool, closed: bool) {
+        let count = directrix.points.len();
+        let at = index % count;
+        let bank = if edge_exists { directrix.bank(at, 0, closed) } else { crate::DVec3::ZERO };
+        let normal = directrix.normals.get(at).copied();
+        for axis in 0..3 {
+            self.point[axis].push(directrix.points[at][axis]);
+            self.bank[axis].push(bank[axis]);
+            self.tangent[axis].push(directrix.tangents[at][axis]);
+            if let Some(normal) = normal {
+                self.normal[axis].push(normal[axis]);
+            }
+        }
+        self.bank_squared.push(bank.length_squared());
+    }
+}
+
+impl Lattice {
+    pub(super) fn new(strip: &Strip) -> Self {
+        let (rows, n, closed) = (strip.m(), strip.n(), strip.closed);
+        let columns = if closed { 2 * n } else { n };
+        let mut row = Side::default();
+        for k in 0..rows + 2 * MARGIN {
+            // Row `rows` holds the edge that leaves the last row; beyond, anything finite.
+            let index = if closed { k } else { k.min(rows - 1) };
+            row.push(&strip.p, index, closed || (k > 0 && k < rows), closed);
+        }
+        let mut column = Side::default();
+        for k in (0..columns + 2 * MARGIN).rev() {
+            let c = k as isize - MARGIN as isize;
+            let exists = closed || (c > 0 && c < columns as isize);
+            let index =
+                if closed { (c + 2 * columns as isize) as usize } else { c.clamp(0, columns as isize - 1) as usize };
+            column.push(&strip.q, index, exists, closed);
+        }
+        Self { rows, columns, row, column }
+    }
+
+    /// Where the lanes of step `t` start in a column array: lane r holds column t - r.
+    #[inline(always)]
+    fn at(&self, t: usize) -> usize {
+        self.columns + MARGIN - 1 - t
+    }
+}
+
+#[inline(always)]
+fn vector<V: Lanes>(from: &[Vec<f64>; 3], at: usize) -> Vector<V> {
+    // SAFETY: the arrays reach `MARGIN` beyond every row and column that a sweep visits (asserted in `sweep`), and all
+    // three have one length.
+    unsafe { Vector::new(V::load(&from[0], at), V::load(&from[1], at), V::load(&from[2], at)) }
+}
+
+#[inline(always)]
+fn number<V: Lanes>(from: &[f64], at: usize) -> V {
+    // SAFETY: as in `vector`.
+    unsafe { V::load(from, at) }
+}
+
+/// What a path has cost so far on every lane: one number, or a count of concave bridges and a number.
+pub(super) trait Cost<V: Lanes>: Copy {
+    const FIELDS: usize;
+    fn of(count: f64, value: f64) -> Self;
+    fn plus(self, value: V) -> Self;
+    /// Enters a bridge that is `concave` or not.
+    fn enter(self, concave: V::Mask) -> Self;
+    fn less(self, other: Self) -> V::Mask;
+    fn select(mask: V::Mask, yes: Self, no: Self) -> Self;
+    fn shift_in(self, top: &[f64]) -> Self;
+    fn keep(self, lane: usize, top: &mut [f64]);
+    fn score(top: &[f64]) -> Score;
+}
+
+#[derive(Clone, Copy)]
+pub(super) struct Value<V>(V);
+
+impl<V: Lanes> Cost<V> for Value<V> {
+    const FIELDS: usize = 1;
+    #[inline(always)]
+    fn of(_: f64, value: f64) -> Self {
+        Self(V::splat(value))
+    }
+    #[inline(always)]
+    fn plus(self, value: V) -> Self {
+        Self(self.0 + value)
+    }
+    #[inline(always)]
+    fn enter(self, _: V::Mask) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn less(self, other: Self) -> V::Mask {
+        self.0.less(other.0)
+    }
+    #[inline(always)]
+    fn select(mask: V::Mask, yes: Self, no: Self) -> Self {
+        Self(V::select(mask, yes.0, no.0))
+    }
+    #[inline(always)]
+    fn shift_in(self, top: &[f64]) -> Self {
+        Self(self.0.shift_in(top[0]))
+    }
+    #[inline(always)]
+    fn keep(self, lane: usize, top: &mut [f64]) {
+        top[0] = keep(self.0, lane);
+    }
+    fn score(top: &[f64]) -> Score {
+        Score { count: 0.0, value: top[0] }
+    }
+}
+
+/// Ordered by the count, then by the value. Counts are whole numbers far below 2^53.
+#[derive(Clone, Copy)]
+pub(super) struct Lexicographic<V> {
+    count: V,
+    value: V,
+}
+
+impl<V: Lanes> Cost<V> for Lexicographic<V> {
+    const FIELDS: usize = 2;
+    #[inline(always)]
+    fn of(count: f64, value: f64) -> Self {
+        Self { count: V::splat(count), value: V::splat(value) }
+    }
+    #[inline(always)]
+    fn plus(self, value: V) -> Self {
+        Self { count: self.count, value: self.value + value }
+    }
+    #[inline(always)]
+    fn enter(self, concave: V::Mask) -> Self {
+        Self { count: self.count + V::select(concave, V::splat(1.0), V::splat(0.0)), value: self.value }
+    }
+    #[inline(always)]
+    fn less(self, other: Self) -> V::Mask {
+        let same = self.count.at_most(other.count);
+        self.count.less(other.count) | (same & self.value.less(other.value))
+    }
+    #[inline(always)]
+    fn select(mask: V::Mask, yes: Self, no: Self) -> Self {
+        Self { count: V::select(mask, yes.count, no.count), value: V::select(mask, yes.value, no.value) }
+    }
+    #[inline(always)]
+    fn shift_in(self, top: &[f64]) -> Self {
+        Self { count: self.count.shift_in(top[0]), value: self.value.shift_in(top[1]) }
+    }
+    #[inline(always)]
+    fn keep(self, lane: usize, top: &mut [f64]) {
+        top[0] = keep(self.count, lane);
+        top[1] = keep(self.value, lane);
+    }
+    fn score(top: &[f64]) -> Score {
+        Score { count: top[0], value: top[1] }
+    }
+}
+
+#[inline(always)]
+fn keep<V: Lanes>(value: V, lane: usize) -> f64 {
+    if lane + 1 == V::WIDTH { value.last() } else { value.lane(lane) }
+}
+
+/// The weights of a single-layer graph.
+pub(super) trait Weights<V: Lanes> {
+    /// What is the same along a band.
+    type Band: Copy;
+    fn band(&self, band: usize) -> Self::Band;
+    /// What arriving by a P-step and by a Q-step costs.
+    fn steps(&self, band: &Self::Band, t: usize) -> [V; 2];
+    /// Adds what the bridge itself costs.
+    fn bridge(&self, band: &Self::Band, t: usize, value: V) -> V;
+}
+
+/// Triangle areas, doubled.
+#[derive(Debug)]
+pub(super) struct Area<'a>(pub(super) &'a Lattice);
+
+impl<V: Lanes> Weights<V> for Area<'_> {
+    type Band = [Vector<V>; 2];
+    #[inline(always)]
+    fn band(&self, band: usize) -> Self::Band {
+        let row = &self.0.row;
+        [vector(&row.point, band * V::WIDTH), vector(&row.bank, band * V::WIDTH)]
+    }
+    #[inline(always)]
+    fn steps(&self, [p, bank]: &Self::Band, t: usize) -> [V; 2] {
+        let (column, at) = (&self.0.column, self.0.at(t));
+        let bridge = vector::<V>(&column.point, at).minus(*p);
+        [weight::double_area(*bank, bridge), weight::double_area(vector(&column.bank, at), bridge)]
+    }
+    #[inline(always)]
+    fn bridge(&self, _: &Self::Band, _: usize, value: V) -> V {
+        value
+    }
+}
+
+/// Normal twist of every bridge.
+#[derive(Debug)]
+pub(super) struct Twist<'a>(pub(super) &'a Lattice);
+
+impl<V: Lanes> Weights<V> for Twist<'_> {
+    type Band = [Vector<V>; 2];
+    #[inline(always)]
+    fn band(&self, band: usize) -> Self::Band {
+        let row = &self.0.row;
+        [vector(&row.point, band * V::WIDTH), vector(&row.tangent, band * V::WIDTH)]
+    }
+    #[inline(always)]
+    fn steps(&self, _: &Self::Band, _: usize) -> [V; 2] {
+        [V::splat(0.0), V::splat(0.0)]
+    }
+    #[inline(always)]
+    fn bridge(&self, [p, tangent]: &Self::Band, t: usize, value: V) -> V {
+        let (column, at) = (&self.0.column, self.0.at(t));
+        value + weight::twist(vector::<V>(&column.point, at).minus(*p), *tangent, vector(&column.tangent, at))
+    }
+}
+
+/// Normal variation of every bridge, for the winding of the strip's triangles (`sign` 1) or the other one (-1).
+#[derive(Debug)]
+pub(super) struct NormalVariation<'a> {
+    pub(super) lattice: &'a Lattice,
+    pub(super) sign: f64,
+}
+
+impl<V: Lanes> Weights<V> for NormalVariation<'_> {
+    type Band = [Vector<V>; 3];
+    #[inline(always)]
+    fn band(&self, band: usize) -> Self::Band {
+        let (row, at) = (&self.lattice.row, band * V::WIDTH);
+        [vector(&row.point, at), vector(&row.tangent, at), vector::<V>(&row.normal, at).times(V::splat(self.sign))]
+    }
+    #[inline(always)]
+    fn steps(&self, _: &Self::Band, _: usize) -> [V; 2] {
+        [V::splat(0.0), V::splat(0.0)]
+    }
+    #[inline(always)]
+    fn bridge(&self, [p, tangent, normal]: &Self::Band, t: usize, value: V) -> V {
+        let (column, at) = (&self.lattice.column, self.lattice.at(t));
+        let other = vector::<V>(&column.normal, at).times(V::splat(self.sign));
+        let bridge = vector::<V>(&column.point, at).minus(*p);
+        value + weight::normal_variation(bridge, [*tangent, vector(&column.tangent, at)], [*normal, other])
+    }
+}
+
+/// 1 for every bridge that is not locally convex.
+#[derive(Debug)]
+pub(super) struct Concave<'a>(pub(super) &'a Table);
+
+impl<V: Lanes> Weights<V> for Concave<'_> {
+    type Band = usize;
+    #[inline(always)]
+    fn band(&self, band: usize) -> usize {
+        band
+    }
+    #[inline(always)]
+    fn steps(&self, _: &usize, _: usize) -> [V; 2] {
+        [V::splat(0.0), V::splat(0.0)]
+    }
+    #[inline(always)]
+    fn bridge(&self, band: &usize, t: usize, value: V) -> V {
+        let concave = V::from_bits(self.0.lanes(*band, t));
+        value + V::select(concave, V::splat(1.0), V::splat(0.0))
+    }
+}
+
+/// The single-layer graph (section 4): a node is a bridge; back pointer: the step that led to it.
+#[derive(Debug)]
+pub(super) struct SingleLayer<W>(pub(super) W);
+
+impl<V: Lanes, W: Weights<V>> Kernel<V> for SingleLayer<W> {
+    const LAYERS: usize = 1;
+    const CARRY: usize = 1;
+    type Band = W::Band;
+    type State = V;
+    #[inline(always)]
+    fn band(&self, band: usize) -> Self::Band {
+        self.0.band(band)
+    }
+    #[inline(always)]
+    fn blank(&self) -> V {
+        V::splat(f64::INFINITY)
+    }
+    #[inline(always)]
+    fn step(&self, band: &Self::Band, state: &mut V, top: &[f64], t: usize) -> u32 {
+        let [by_p, by_q] = self.0.steps(band, t);
+        let above = state.shift_in(top[0]) + by_p;
+        let left = *state + by_q;
+        let step_q = left.less(above);
+        *state = self.0.bridge(band, t, V::select(step_q, left, above));
+        V::bits(step_q)
+    }
+    #[inline(always)]
+    fn keep(&self, state: &V, lane: usize, top: &mut [f64]) {
+        top[0] = keep(*state, lane);
+    }
+    fn unreached(&self, top: &mut [f64]) {
+        top[0] = f64::INFINITY;
+    }
+    fn source(&self, _: usize, _: Seed, top: &mut [f64]) {
+        top[0] = 0.0;
+    }
+    fn end(&self, top: &[f64], _: usize) -> Score {
+        Score { count: 0.0, value: top[0] }
+    }
+}
+
+/// A band's rows: points and the bank edges that arrive and leave.
+#[derive(Clone, Copy)]
+pub(super) struct BandRows<V> {
+    number: usize,
+    point: Vector<V>,
+    banks: [(Vector<V>, V); 2],
+}
+
+impl Lattice {
+    #[inline(always)]
+    fn band_rows<V: Lanes>(&self, band: usize) -> BandRows<V> {
+        let (row, at) = (&self.row, band * V::WIDTH);
+        BandRows {
+            number: band,
+            point: vector(&row.point, at),
+            banks: [
+                (vector(&row.bank, at), number(&row.bank_squared, at)),
+                (vector(&row.bank, at + 1), number(&row.bank_squared, at + 1)),
+            ],
+        }
+    }
+
+    /// The bridges of step `t` and their four wings: arriving by P, by Q, leaving by P, by Q.
+    #[inline(always)]
+    fn wings<V: Lanes>(&self, rows: &BandRows<V>, t: usize) -> (Vector<V>, V, [Wing<V>; 4]) {
+        let (column, at) = (&self.column, self.at(t));
+        let bridge = vector::<V>(&column.point, at).minus(rows.point);
+        let squared = bridge.dot(bridge);
+        let in_p = Wing::new(rows.banks[0].0, rows.banks[0].1, bridge, squared);
+        let in_q = Wing::new(vector(&column.bank, at), number(&column.bank_squared, at), bridge, squared);
+        let out_p = Wing::new(rows.banks[1].0, rows.banks[1].1, bridge, squared);
+        let out_q = Wing::new(vector(&column.bank, at - 1), number(&column.bank_squared, at - 1), bridge, squared);
+        (bridge, squared, [in_p, in_q, out_p, out_q])
+    }
+}
+
+/// The dual-layer graph (section 5.1): a node is a bridge and the step that led to it, and the bending at a bridge is paid on
+/// leaving it. Back pointers at a bridge, for either step that leaves it: the step that led there.
+#[derive(Debug)]
+pub(super) struct DualLayer<'a, C> {
+    pub(super) lattice: &'a Lattice,
+    /// Coupled: bending counts at the bridges in this table only, after their number.
+    pub(super) concave: Option<&'a Table>,
+    pub(super) cost: std::marker::PhantomData<C>,
+}
+
+impl<V: Lanes, C: Cost<V>> Kernel<V> for DualLayer<'_, C> {
+    const LAYERS: usize = 2;
+    const CARRY: usize = C::FIELDS;
+    type Band = BandRows<V>;
+    /// What leaving the bridge by P and by Q has cost.
+    type State = [C; 2];
+    #[inline(always)]
+    fn band(&self, band: usize) -> Self::Band {
+        self.lattice.band_rows(band)
+    }
+    #[inline(always)]
+    fn blank(&self) -> [C; 2] {
+        [C::of(f64::INFINITY, f64::INFINITY); 2]
+    }
+    #[inline(always)]
+    fn step(&self, band: &Self::Band, state: &mut [C; 2], top: &[f64], t: usize) -> u32 {
+        let (_, squared, [in_p, in_q, out_p, out_q]) = self.lattice.wings(band, t);
+        let mut energy = [
+            weight::bending(squared, &in_p, &out_p),
+            weight::bending(squared, &in_q, &out_p),
+            weight::bending(squared, &in_p, &out_q),
+            weight::bending(squared, &in_q, &out_q),
+        ];
+        let (mut by_p, mut by_q) = (state[0].shift_in(top), state[1]);
+        if let Some(table) = self.concave {
+            let concave = V::from_bits(table.lanes(band.number, t));
+            for energy in &mut energy {
+                *energy = V::select(concave, *energy, V::splat(0.0));
+            }
+            (by_p, by_q) = (by_p.enter(concave), by_q.enter(concave));
+        }
+        let (pp, qp, pq, qq) = (by_p.plus(energy[0]), by_q.plus(energy[1]), by_p.plus(energy[2]), by_q.plus(energy[3]));
+        let (from_q_to_p, from_q_to_q) = (qp.less(pp), qq.less(pq));
+        *state = [C::select(from_q_to_p, qp, pp), C::select(from_q_to_q, qq, pq)];
+        V::bits(from_q_to_p) | V::bits(from_q_to_q) << V::WIDTH
+    }
+    #[inline(always)]
+    fn keep(&self, state: &[C; 2], lane: usize, top: &mut [f64]) {
+        state[0].keep(lane, top);
+    }
+    fn unreached(&self, top: &mut [f64]) {
+        top.fill(f64::INFINITY);
+    }
+    fn source(&self, _: usize, _: Seed, top: &mut [f64]) {
+        top.fill(0.0);
+    }
+    fn end(&self, top: &[f64], _: usize) -> Score {
+        C::score(top)
+    }
+}
+
+/// Factors of a weighted sum's terms, every one already divided by what normalises it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Factors {
+    pub(super) double_area: f64,
+    pub(super) twist: f64,
+    pub(super) bending: f64,
+    pub(super) curvature: f64,
+    pub(super) normal_variation: f64,
+    /// Winding for the normal variation, 1 or -1.
+    pub(super) sign: f64,
+}
+
+/// The quadruple-layer graph (section 5.2): a node is a bridge, the step that led to it and the step that leaves it; a link
+/// costs the change of the mean curvature vector. Back pointers at a node: the step that led to the bridge before.
+#[derive(Debug)]
+pub(super) struct QuadrupleLayer<'a, C> {
+    pub(super) lattice: &'a Lattice,
+    pub(super) concave: Option<&'a Table>,
+    /// A weighted sum; `None` is the curvature variation alone.
+    pub(super) factors: Option<Factors>,
+    pub(super) cost: std::marker::PhantomData<C>,
+}
+
+/// A bridge's four nodes, `[arrived by P, leaving by P], [P, Q], [Q, P], [Q, Q]`.
+#[derive(Clone, Copy)]
+pub(super) struct Nodes<V, C> {
+    cost: [C; 4],
+    curvature: [Vector<V>; 4],
+}
+
+/// Mean curvature vectors of the four nodes.
+#[inline(always)]
+fn curvatures<V: Lanes>(bridge: Vector<V>, wings: &[Wing<V>; 4]) -> [Vector<V>; 4] {
+    let in_p = (weight::curvature_part(bridge, &wings[0]), wings[0].sound);
+    let in_q = (weight::curvature_part(bridge, &wings[1]), wings[1].sound);
+    let out_p = (weight::curvature_part(bridge, &wings[2]), wings[2].sound);
+    let out_q = (weight::curvature_part(bridge, &wings[3]), wings[3].sound);
+    [
+        weight::mean_curvature(in_p, out_p),
+        weight::mean_curvature(in_p, out_q),
+        weight::mean_curvature(in_q, out_p),
+        weight::mean_curvature(in_q, out_q),
+    ]
+}
+
+impl<V: Lanes, C: Cost<V>> Kernel<V> for QuadrupleLayer<'_, C> {
+    const LAYERS: usize = 4;
+    /// The costs and mean curvature vectors of the two nodes that leave by P.
+    const CARRY: usize = 2 * C::FIELDS + 6;
+    type Band = BandRows<V>;
+    type State = Nodes<V, C>;
+    #[inline(always)]
+    fn band(&self, band: usize) -> Self::Band {
+        self.lattice.band_rows(band)
+    }
+    #[inline(always)]
+    fn blank(&self) -> Self::State {
+        Nodes { cost: [C::of(f64::INFINITY, f64::INFINITY); 4], curvature: [Vector::zero(); 4] }
+    }
+    #[inline(always)]
+    fn step(&self, band: &Self::Band, state: &mut Self::State, top: &[f64], t: usize) -> u32 {
+        let (bridge, squared, wings) = self.lattice.wings(band, t);
+        let here = curvatures(bridge, &wings);
+        let f = 2 * C::FIELDS;
+        // The nodes one step back: above (leaving by P) and left (leaving by Q), arrived at by P and by Q.
+        let mut back = [
+            (state.cost[0].shift_in(top), state.curvature[0].shift_in(&top[f..])),
+            (state.cost[2].shift_in(&top[C::FIELDS..]), state.curvature[2].shift_in(&top[f + 3..])),
+            (state.cost[1], state.curvature[1]),
+            (state.cost[3], state.curvature[3]),
+        ];
+        #[expect(clippy::manual_map, reason = "a closure need not be compiled for the wide instructions")]
+        let concave = match self.concave {
+            Some(table) => Some(V::from_bits(table.lanes(band.number, t))),
+            None => None,
+        };
+        if let Some(concave) = concave {
+            for (cost, _) in &mut back {
+                *cost = cost.enter(concave);
+            }
+        }
+        let mut bits = 0;
+        let mut cost = state.cost;
+        for node in 0..4 {
+            let [(from_p, curvature_p), (from_q, curvature_q)] =
+                if node < 2 { [back[0], back[1]] } else { [back[2], back[3]] };
+            let mut jump_p = weight::curvature_step(curvature_p, here[node]);
+            let mut jump_q = weight::curvature_step(curvature_q, here[node]);
+            if let Some(concave) = concave {
+                let zero = V::splat(0.0);
+                (jump_p, jump_q) = (V::select(concave, jump_p, zero), V::select(concave, jump_q, zero));
+            }
+            if let Some(factors) = &self.factors {
+                let factor = V::splat(factors.curvature);
+                (jump_p, jump_q) = (jump_p * factor, jump_q * factor);
+            }
+            let (by_p, by_q) = (from_p.plus(jump_p), from_q.plus(jump_q));
+            let choose_q = by_q.less(by_p);
+            cost[node] = C::select(choose_q, by_q, by_p);
+            bits |= V::bits(choose_q) << (node * V::WIDTH);
+        }
+        if let Some(factors) = &self.factors {
+            let terms = self.terms(factors, bridge, squared, &wings, band, t);
+            for node in 0..4 {
+                cost[node] = cost[node].plus(terms[node]);
+            }
+        }
+        *state = Nodes { cost, curvature: here };
+        bits
+    }
+    #[inline(always)]
+    fn keep(&self, state: &Self::State, lane: usize, top: &mut [f64]) {
+        let f = C::FIELDS;
+        state.cost[0].keep(lane, top);
+        state.cost[2].keep(lane, &mut top[f..]);
+        for (at, curvature) in [(2 * f, state.curvature[0]), (2 * f + 3, state.curvature[2])] {
+            top[at] = keep(curvature.x, lane);
+            top[at + 1] = keep(curvature.y, lane);
+            top[at + 2] = keep(curvature.z, lane);
+        }
+    }
+    fn unreached(&self, top: &mut [f64]) {
+        let (costs, curvatures) = top.split_at_mut(2 * C::FIELDS);
+        costs.fill(f64::INFINITY);
+        curvatures.fill(0.0);
+    }
+    fn source(&self, column: usize, seed: Seed, top: &mut [f64]) {
+        self.unreached(top);
+        let f = C::FIELDS;
+        let (by_p, by_q) = match seed {
+            Seed::Open => (true, false),
+            Seed::Either => (true, true),
+            Seed::ByP => (true, false),
+            Seed::ByQ => (false, true),
+        };
+        if by_p {
+            top[..f].fill(0.0);
+        }
+        if by_q {
+            top[f..2 * f].fill(0.0);
+        }
+        if seed != Seed::Open {
+            // The closing step leaves the last row: the curvature there, as the path's end will find it.
+            let band = self.lattice.band_rows::<f64>(self.lattice.rows - 1);
+            let (bridge, _, wings) = self.lattice.wings::<f64>(&band, column);
+            let here = curvatures(bridge, &wings);
+            for (at, curvature) in [(2 * f, here[0]), (2 * f + 3, here[2])] {
+                [top[at], top[at + 1], top[at + 2]] = [curvature.x, curvature.y, curvature.z];
+            }
+        }
+    }
+    fn end(&self, top: &[f64], arrived_by: usize) -> Score {
+        C::score(&top[arrived_by * C::FIELDS..])
+    }
+}
+
+impl<C> QuadrupleLayer<'_, C> {
+    /// What a weighted sum adds to each node besides the curvature variation.
+    #[inline(always)]
+    fn terms<V: Lanes>(
+        &self,
+        factors: &Factors,
+        bridge: Vector<V>,
+        squared: V,
+        wings: &[Wing<V>; 4],
+        band: &BandRows<V>,
+        t: usize,
+    ) -> [V; 4] {
+        let (row, column, at) = (&self.lattice.row, &self.lattice.column, self.lattice.at(t));
+        let row_at = band.number * V::WIDTH;
+        let mut shared = V::splat(0.0);
+        if factors.twist != 0.0 {
+            let twist = weight::twist(bridge, vector(&row.tangent, row_at), vector(&column.tangent, at));
+            shared = shared + V::splat(factors.twist) * twist;
+        }
+        if factors.normal_variation != 0.0 {
+            let sign = V::splat(factors.sign);
+            let tangents = [vector(&row.tangent, row_at), vector(&column.tangent, at)];
+            let normals = [vector::<V>(&row.normal, row_at).times(sign), vector::<V>(&column.normal, at).times(sign)];
+            let variation = weight::normal_variation(bridge, tangents, normals);
+            shared = shared + V::splat(factors.normal_variation) * variation;
+        }
+        let (area, bending) = (V::splat(factors.double_area), V::splat(factors.bending));
+        let arrive = [shared + area * wings[0].length, shared + area * wings[1].length];
+        [
+            arrive[0] + bending * weight::bending(squared, &wings[0], &wings[2]),
+            arrive[0] + bending * weight::bending(squared, &wings[0], &wings[3]),
+            arrive[1] + bending * weight::bending(squared, &wings[1], &wings[2]),
+            arrive[1] + bending * weight::bending(squared, &wings[1], &wings[3]),
+        ]
+    }
+}

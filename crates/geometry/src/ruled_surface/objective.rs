@@ -1,0 +1,152 @@
+//! What can be minimised: names, units, sources. The formulas themselves are in [`weight`](super::weight).
+
+/// What a strip minimises (or, for [`MaximalConvexity`](Objective::MaximalConvexity), maximises).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub enum Objective {
+    #[default]
+    MinimalArea,
+    MinimalTwist,
+    MaximalConvexity,
+    MinimalBendingEnergy,
+    MinimalMeanCurvatureVariation,
+    /// Needs normals.
+    MinimalNormalVariation,
+    /// A weighted sum of the additive objectives, solved on the four-layer graph.
+    Weighted(Weights),
+}
+
+/// Factors of a weighted sum, finite and not negative, at least one of them positive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Weights {
+    pub area: f64,
+    pub twist: f64,
+    pub bending_energy: f64,
+    pub mean_curvature_variation: f64,
+    /// Needs normals if positive.
+    pub normal_variation: f64,
+    /// Divides each term by its own optimum on the strip, since they have different units.
+    pub normalise: bool,
+}
+
+impl Default for Weights {
+    fn default() -> Self {
+        Self {
+            area: 0.0,
+            twist: 0.0,
+            bending_energy: 0.0,
+            mean_curvature_variation: 0.0,
+            normal_variation: 0.0,
+            normalise: true,
+        }
+    }
+}
+
+impl Weights {
+    /// Each factor with its objective.
+    #[must_use]
+    pub fn terms(&self) -> [(Objective, f64); 5] {
+        [
+            (Objective::MinimalArea, self.area),
+            (Objective::MinimalTwist, self.twist),
+            (Objective::MinimalBendingEnergy, self.bending_energy),
+            (Objective::MinimalMeanCurvatureVariation, self.mean_curvature_variation),
+            (Objective::MinimalNormalVariation, self.normal_variation),
+        ]
+    }
+}
+
+/// What decides among the paths with the most convex bridges, summed over the bridges that are not convex.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Secondary {
+    BendingEnergy,
+    MeanCurvatureVariation,
+}
+
+impl Secondary {
+    pub const ALL: [Self; 2] = [Self::BendingEnergy, Self::MeanCurvatureVariation];
+
+    /// The objective's name on the wire.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::BendingEnergy => Objective::MinimalBendingEnergy.name(),
+            Self::MeanCurvatureVariation => Objective::MinimalMeanCurvatureVariation.name(),
+        }
+    }
+}
+
+impl Objective {
+    /// The objectives that have a name of their own, in the order of Wang and Tang's section 3.
+    pub const NAMED: [Self; 6] = [
+        Self::MinimalArea,
+        Self::MinimalTwist,
+        Self::MaximalConvexity,
+        Self::MinimalBendingEnergy,
+        Self::MinimalMeanCurvatureVariation,
+        Self::MinimalNormalVariation,
+    ];
+
+    /// The name on the wire; `weighted` for a weighted sum.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::MinimalArea => "minimal_area",
+            Self::MinimalTwist => "minimal_twist",
+            Self::MaximalConvexity => "maximal_convexity",
+            Self::MinimalBendingEnergy => "minimal_bending_energy",
+            Self::MinimalMeanCurvatureVariation => "minimal_mean_curvature_variation",
+            Self::MinimalNormalVariation => "minimal_normal_variation",
+            Self::Weighted(_) => "weighted",
+        }
+    }
+
+    /// What it minimises, for a person.
+    #[must_use]
+    pub fn minimises(&self) -> &'static str {
+        match self {
+            Self::MinimalArea => "the sum of the triangles' areas",
+            Self::MinimalTwist => {
+                "the sum over all bridges of 1 - n_p·n_q, the normals at the bridge's ends across its directrices' tangents"
+            }
+            Self::MaximalConvexity => "the number of bridges that are not locally convex (it maximises those that are)",
+            Self::MinimalBendingEnergy => "the sum over interior bridges of A sin²θ / L², the bending of a thin sheet",
+            Self::MinimalMeanCurvatureVariation => {
+                "the sum of the changes ‖H_k - H_{k+1}‖ of the mean curvature vector from bridge to bridge"
+            }
+            Self::MinimalNormalVariation => {
+                "the sum over all bridges of (1 - n_p·n̄_p) + (1 - n_q·n̄_q), the departure from given surface normals"
+            }
+            Self::Weighted(_) => {
+                "a weighted sum of the additive objectives, each divided by its own optimum by default"
+            }
+        }
+    }
+
+    /// The unit of its value; `u` is the client's length unit.
+    #[must_use]
+    pub fn unit(&self) -> &'static str {
+        match self {
+            Self::MinimalArea => "u²",
+            Self::MinimalMeanCurvatureVariation => "u",
+            Self::MaximalConvexity => "bridges",
+            Self::MinimalTwist | Self::MinimalBendingEnergy | Self::MinimalNormalVariation | Self::Weighted(_) => "1",
+        }
+    }
+
+    /// Where its formula stands.
+    #[must_use]
+    pub fn source(&self) -> &'static str {
+        match self {
+            Self::MinimalArea => "Wang and Tang, section 3.1, definition 3",
+            Self::MinimalTwist => "Wang and Tang, section 3.2, eq. 4 and definition 5",
+            Self::MaximalConvexity => "Wang and Tang, section 3.2, definition 6 (Frey 2004); q_{j-1} added",
+            Self::MinimalBendingEnergy => "Wang and Tang, section 3.3, eq. 6 and 7; monotone beyond 90°",
+            Self::MinimalMeanCurvatureVariation => {
+                "Wang and Tang, section 3.4, eq. 8 to 10; summed over all consecutive bridges as in section 5.2"
+            }
+            Self::MinimalNormalVariation => "Wang and Tang, section 3.5, eq. 11 and 12; the better of both windings",
+            Self::Weighted(_) => "Wang and Tang's objectives on the quadruple-layer graph of section 5.2",
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! Do two triangles of a flat strip overlap? A tree of bounding octagons over the chain of triangles finds the pairs that may,
+//! separating axes decide.
+
+use super::unroll::FlatStrip;
+use crate::DVec2;
+use crate::error::Error;
+use crate::execution::Execution;
+
+/// Overlaps up to this fraction of the pattern's size are rounding.
+const TOLERANCE: f64 = 1e-9;
+/// Triangles in a leaf of the tree.
+const LEAF: usize = 4;
+/// Directions of the bounding slabs, every 22.5°: long thin triangles at any angle stay apart.
+const AXES: usize = 8;
+
+/// The extent along each axis.
+#[derive(Clone, Copy)]
+struct Slabs {
+    low: [f64; AXES],
+    high: [f64; AXES],
+}
+
+impl Slabs {
+    const EMPTY: Self = Self { low: [f64::INFINITY; AXES], high: [f64::NEG_INFINITY; AXES] };
+
+    fn add(&mut self, point: DVec2, axes: &[DVec2; AXES]) {
+        for (k, axis) in axes.iter().enumerate() {
+            let along = point.dot(*axis);
+            self.low[k] = self.low[k].min(along);
+            self.high[k] = self.high[k].max(along);
+        }
+    }
+    fn merge(&self, other: &Self) -> Self {
+        let mut both = *self;
+        for k in 0..AXES {
+            both.low[k] = both.low[k].min(other.low[k]);
+            both.high[k] = both.high[k].max(other.high[k]);
+        }
+        both
+    }
+    fn apart(&self, other: &Self, tolerance: f64) -> bool {
+        (0..AXES).any(|k| self.high[k].min(other.high[k]) - self.low[k].max(other.low[k]) <= tolerance)
+    }
+}
+
+/// Whether the interiors of any two triangles overlap by more than [`TOLERANCE`] of the pattern's size.
+pub(super) fn overlaps(flat: &FlatStrip, execution: &Execution<'_>) -> Result<bool, Error> {
+    let corner = |v: u32| {
+        let v = v as usize;
+        if v < flat.p.len() { flat.p[v] } else { flat.q[v - flat.p.len()] }
+    };
+    let triangles: Vec<[DVec2; 3]> = flat.triangles.iter().map(|t| t.map(corner)).collect();
+    if triangles.is_empty() {
+        return Ok(false);
+    }
+    let tolerance = TOLERANCE * flat.width.max(flat.height);
+    // cos and sin of 22.5° by half-angle formulas: no library function whose last digit may differ between machines.
+    let diagonal = std::f64::consts::FRAC_1_SQRT_2;
+    let (c, s) = ((0.5 + 0.5 * diagonal).sqrt(), (0.5 - 0.5 * diagonal).sqrt());
+    let axes = [
+        DVec2::new(1.0, 0.0),
+        DVec2::new(c, s),
+        DVec2::new(diagonal, diagonal),
+        DVec2::new(s, c),
+        DVec2::new(0.0, 1.0),
+        DVec2::new(-s, c),
+        DVec2::new(-diagonal, diagonal),
+        DVec2::new(-c, s),
+    ];
+    let leaves = triangles.len().div_ceil(LEAF);
+    let base = leaves.next_power_of_two();
+    let mut tree = vec![Slabs::EMPTY; 2 * base];
+    for (k, triangle) in triangles.iter().enumerate() {
+        for &point in triangle {
+            tree[base + k / LEAF].add(point, &axes);
+        }
+    }
+    for node in (1..base).rev() {
+        tree[node] = tree[2 * node].merge(&tree[2 * node + 1]);
+    }
+    let range = |leaf: usize| (leaf - base) * LEAF..((leaf - base + 1) * LEAF).min(triangles.len());
+    let mut pairs = vec![(1, 1)];
+    let mut work = 0;
+    while let Some((a, b)) = pairs.pop() {
+        work += 1;
+        if work == 1 << 14 {
+            execution.look(work)?;
+            work = 0;
+        }
+        if a != b && tree[a].apart(&tree[b], tolerance) {
+            continue;
+        }
+        if a >= base {
+            for first in range(a) {
+                for second in range(b) {
+                    if first < second && overlap(&triangles[first], &triangles[second], tolerance) {
+                        return Ok(true);
+                    }
+                }
+            }
+        } else {
+            pairs.push((2 * a, 2 * b));
+            pairs.push((2 * a, 2 * b + 1));
+            pairs.push((2 * a + 1, 2 * b + 1));
+            if a != b {
+                pairs.push((2 * a + 1, 2 * b));
+            }
+        }
+    }
+    Ok(false)
+}
+
+/// Separating axes: the normals of both triangles' edges.
+fn overlap(one: &[DVec2; 3], other: &[DVec2; 3], tolerance: f64) -> bool {
+    for triangle in [one, other] {
+        for k in 0..3 {
+            let normal = (triangle[(k + 1) % 3] - triangle[k]).perp();
+            let length = normal.length();
+            if length == 0.0 {
+                continue;
+            }
+            let extent = |corners: &[DVec2; 3]| {
+                corners.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), c| {
+                    let along = c.dot(normal) / length;
+                    (low.min(along), high.max(along))
+                })
+            };
+            let ((low, high), (other_low, other_high)) = (extent(one), extent(other));
+            if high.min(other_high) - low.max(other_low) <= tolerance {
+                return false;
+            }
+        }
+    }
+    true
+}

@@ -1,0 +1,253 @@
+//! From a strip and an objective to a path: which graph, which kernel, how wide.
+
+use super::closed::{self, Search, Searcher};
+use super::convexity::{self, Test};
+use super::lanes::{Lanes, Widest};
+use super::layered_graph::{
+    Area, Concave, DualLayer, Factors, Lattice, Lexicographic, NormalVariation, QuadrupleLayer, SingleLayer, Twist,
+    Value,
+};
+use super::objective::{Objective, Secondary, Weights};
+use super::shortest_path::Pulse;
+use super::statistics::{Evaluation, Statistics, evaluate};
+use super::strip::Strip;
+use crate::error::{Error, Warning};
+use crate::execution::Interruption;
+use std::marker::PhantomData;
+
+/// An objective, with its secondary.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Goal {
+    pub(super) objective: Objective,
+    pub(super) secondary: Option<Secondary>,
+}
+
+impl Goal {
+    pub(super) fn single(objective: Objective) -> Self {
+        Self { objective, secondary: None }
+    }
+
+    /// The rows of Table 1: every named objective (the normal variation needs normals), then the couplings.
+    pub(super) fn all(normals: bool) -> impl Iterator<Item = Self> {
+        let named = Objective::NAMED.into_iter().filter(move |&o| normals || o != Objective::MinimalNormalVariation);
+        let coupled =
+            Secondary::ALL.map(|secondary| Self { objective: Objective::MaximalConvexity, secondary: Some(secondary) });
+        named.map(Self::single).chain(coupled)
+    }
+
+    /// Nodes a bridge in the goal's graph.
+    pub(super) fn layers(&self) -> u64 {
+        match (self.objective, self.secondary) {
+            (Objective::Weighted(_) | Objective::MinimalMeanCurvatureVariation, _)
+            | (_, Some(Secondary::MeanCurvatureVariation)) => 4,
+            (Objective::MinimalBendingEnergy, _) | (_, Some(Secondary::BendingEnergy)) => 2,
+            _ => 1,
+        }
+    }
+
+    pub(super) fn windings(&self) -> u64 {
+        if self.winding_matters() { 2 } else { 1 }
+    }
+
+    /// Whether the value depends on which way round the triangles are wound.
+    fn winding_matters(&self) -> bool {
+        match self.objective {
+            Objective::MinimalNormalVariation => true,
+            Objective::Weighted(weights) => weights.normal_variation > 0.0,
+            _ => false,
+        }
+    }
+}
+
+/// A path on every strip of a stack.
+#[derive(Clone, Debug)]
+pub(super) struct Solved {
+    pub(super) paths: Vec<Vec<[u32; 2]>>,
+    pub(super) evaluations: Vec<Statistics>,
+    /// The faces agree with the given normals only when wound the other way round.
+    pub(super) flipped: bool,
+}
+
+/// Solves every strip. The winding, where it matters, is one for the whole stack: the one with the smaller total.
+pub(super) fn solve_all(
+    strips: &[Strip],
+    goal: Goal,
+    test: Test,
+    lanes: Widest,
+    pulse: &mut Pulse<'_, '_>,
+    warnings: &mut Vec<Warning>,
+) -> Result<Solved, Error> {
+    let signs: &[f64] = if goal.winding_matters() { &[1.0, -1.0] } else { &[1.0] };
+    let mut best: Option<(f64, Solved)> = None;
+    let mut factors = Vec::new();
+    if let Objective::Weighted(weights) = goal.objective {
+        for strip in strips {
+            factors.push(normalised(strip, weights, test, lanes, pulse, warnings)?);
+        }
+    }
+    for &sign in signs {
+        let mut paths = Vec::with_capacity(strips.len());
+        let mut evaluations = Vec::with_capacity(strips.len());
+        for (k, strip) in strips.iter().enumerate() {
+            let path = optimal_path(strip, goal, factors.get(k), sign, test, lanes, pulse)?;
+            evaluations.push(evaluate(strip, &path, test, pulse.execution())?);
+            paths.push(path);
+        }
+        // Without a say of the objective, the winding is the one that agrees with the normals.
+        let flipped = if goal.winding_matters() { sign < 0.0 } else { prefers_flipping(&evaluations) };
+        let statistics: Vec<Statistics> = evaluations
+            .iter()
+            .enumerate()
+            .map(|(k, evaluation)| figures(evaluation, goal, factors.get(k), flipped, strips[k].unit))
+            .collect();
+        let total: f64 = statistics.iter().map(|strip| strip.objective_value).sum();
+        if best.as_ref().is_none_or(|(least, _)| total < *least) {
+            best = Some((total, Solved { paths, evaluations: statistics, flipped }));
+        }
+    }
+    let (_, solved) = best.expect("there is at least one winding");
+    Ok(solved)
+}
+
+fn prefers_flipping(evaluations: &[Evaluation]) -> bool {
+    let total = |side: usize| evaluations.iter().filter_map(|e| e.normal_variation).map(|both| both[side]).sum::<f64>();
+    total(1) < total(0)
+}
+
+/// The reported figures of a strip.
+fn figures(evaluation: &Evaluation, goal: Goal, factors: Option<&Factors>, flipped: bool, unit: f64) -> Statistics {
+    let mut s = evaluation.statistics;
+    s.normal_variation = evaluation.normal_variation.map(|both| both[usize::from(flipped)]);
+    let variation = s.normal_variation.unwrap_or(0.0);
+    s.objective_value = match goal.objective {
+        Objective::MinimalArea => s.area,
+        Objective::MinimalTwist => s.total_normal_twist,
+        Objective::MaximalConvexity => s.convex_bridges as f64,
+        Objective::MinimalBendingEnergy => s.bending_energy,
+        Objective::MinimalMeanCurvatureVariation => s.mean_curvature_variation,
+        Objective::MinimalNormalVariation => variation,
+        Objective::Weighted(_) => factors.map_or(0.0, |f| {
+            f.double_area * 2.0 * s.area / (unit * unit)
+                + f.twist * s.total_normal_twist
+                + f.bending * s.bending_energy
+                + f.curvature * s.mean_curvature_variation / unit
+                + f.normal_variation * variation
+        }),
+    };
+    s.secondary_value = goal.secondary.map(|secondary| match secondary {
+        Secondary::BendingEnergy => evaluation.concave_bending,
+        Secondary::MeanCurvatureVariation => evaluation.concave_curvature,
+    });
+    s
+}
+
+/// Optima below this (per bridge, in the strip's own size) are zero: dividing by them would weigh rounding.
+const VANISHING: f64 = 1e-12;
+
+/// A weighted sum's factors on one strip, in the strip's own unit.
+fn normalised(
+    strip: &Strip,
+    weights: Weights,
+    test: Test,
+    lanes: Widest,
+    pulse: &mut Pulse<'_, '_>,
+    warnings: &mut Vec<Warning>,
+) -> Result<Factors, Error> {
+    let mut factors = weights.terms().map(|(_, weight)| weight);
+    for (factor, (objective, weight)) in factors.iter_mut().zip(weights.terms()) {
+        let scale = match objective {
+            Objective::MinimalArea => strip.unit * strip.unit,
+            Objective::MinimalMeanCurvatureVariation => strip.unit,
+            _ => 1.0,
+        };
+        *factor *= scale;
+        if weight == 0.0 || !weights.normalise {
+            continue;
+        }
+        let own = solve_all(std::slice::from_ref(strip), Goal::single(objective), test, lanes, pulse, warnings)?;
+        let optimum = own.evaluations[0].objective_value / scale;
+        if optimum > VANISHING * own.evaluations[0].bridges as f64 {
+            *factor = weight / optimum;
+        } else {
+            let name = objective.name();
+            warnings.push(Warning::new(
+                "not_normalised",
+                format!("{name} can be brought to zero on a strip, so its term is not divided by its optimum there"),
+            ));
+        }
+    }
+    let [area, twist, bending, curvature, normal_variation] = factors;
+    Ok(Factors { double_area: 0.5 * area, twist, bending, curvature, normal_variation, sign: 1.0 })
+}
+
+/// The optimal path of one strip, bridges in order; on closed strips the indices are reduced to the polygons'.
+pub(super) fn optimal_path(
+    strip: &Strip,
+    goal: Goal,
+    factors: Option<&Factors>,
+    sign: f64,
+    test: Test,
+    lanes: Widest,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<Vec<[u32; 2]>, Interruption> {
+    let (m, n) = (strip.m() as u32, strip.n() as u32);
+    if strip.has_apex() {
+        // The only triangulation there is.
+        return Ok(if m == 1 { (0..n).map(|j| [0, j]).collect() } else { (0..m).map(|i| [i, 0]).collect() });
+    }
+    let path = match lanes {
+        Widest::Plain => search::<f64>(strip, goal, factors, sign, test, pulse)?,
+        #[cfg(target_arch = "x86_64")]
+        Widest::Avx2 => search::<super::lanes::Wide>(strip, goal, factors, sign, test, pulse)?,
+    };
+    Ok(if strip.closed { path.into_iter().map(|[i, j]| [i % m, j % n]).collect() } else { path })
+}
+
+fn search<V: Lanes>(
+    strip: &Strip,
+    goal: Goal,
+    factors: Option<&Factors>,
+    sign: f64,
+    test: Test,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<Vec<[u32; 2]>, Interruption> {
+    let lattice = &Lattice::new(strip);
+    let (rows, columns) = (lattice.rows, lattice.columns);
+    let table = match goal.objective {
+        Objective::MaximalConvexity => Some(convexity::concave_bridges(strip, columns, V::WIDTH, test, pulse)?),
+        _ => None,
+    };
+    let concave = table.as_ref();
+    macro_rules! run {
+        ($kernel:expr) => {
+            find(strip.closed, &mut Searcher::<V, _>::new($kernel, rows, columns), pulse)
+        };
+    }
+    match (goal.objective, goal.secondary, concave) {
+        (Objective::MaximalConvexity, Some(Secondary::BendingEnergy), _) => {
+            run!(DualLayer { lattice, concave, cost: PhantomData::<Lexicographic<V>> })
+        }
+        (Objective::MaximalConvexity, Some(Secondary::MeanCurvatureVariation), _) => {
+            run!(QuadrupleLayer { lattice, concave, factors: None, cost: PhantomData::<Lexicographic<V>> })
+        }
+        (Objective::MaximalConvexity, None, Some(table)) => run!(SingleLayer(Concave(table))),
+        (Objective::MinimalArea | Objective::MaximalConvexity, ..) => run!(SingleLayer(Area(lattice))),
+        (Objective::MinimalTwist, ..) => run!(SingleLayer(Twist(lattice))),
+        (Objective::MinimalNormalVariation, ..) => run!(SingleLayer(NormalVariation { lattice, sign })),
+        (Objective::MinimalBendingEnergy, ..) => {
+            run!(DualLayer { lattice, concave: None, cost: PhantomData::<Value<V>> })
+        }
+        (Objective::MinimalMeanCurvatureVariation, ..) => {
+            run!(QuadrupleLayer { lattice, concave: None, factors: None, cost: PhantomData::<Value<V>> })
+        }
+        (Objective::Weighted(_), ..) => {
+            let factors = factors.map(|factors| Factors { sign, ..*factors });
+            run!(QuadrupleLayer { lattice, concave: None, factors, cost: PhantomData::<Value<V>> })
+        }
+    }
+}
+
+fn find(is_closed: bool, search: &mut dyn Search, pulse: &mut Pulse<'_, '_>) -> Result<Vec<[u32; 2]>, Interruption> {
+    let found = if is_closed { closed::closed(search, pulse) } else { closed::open(search, pulse) }?;
+    Ok(found.path)
+}
