@@ -1,6 +1,8 @@
 //! The mesh that a solver starts from. It settles the topology of the result and, with several minimal surfaces on one
 //! boundary, which of them comes out.
 
+mod lattice;
+mod plane_mesh;
 mod rings;
 mod strip;
 

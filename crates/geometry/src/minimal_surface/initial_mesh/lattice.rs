@@ -1,0 +1,211 @@
+//! Interior points of a graded mesh: an equilateral lattice whose spacing follows a size field.
+//!
+//! The lattice is refined by halving, triangle by triangle, down to the wanted size, so that the lattices of all sizes
+//! are nested and one passes into the next without a seam. Delaunay triangles on these points are equilateral wherever
+//! the size is constant.
+
+use glam::DVec2;
+use std::rc::Rc;
+
+/// A piece of boundary (or of a fixed curve; a point if both ends are equal), and the edge length wanted along it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Source {
+    pub a: DVec2,
+    pub b: DVec2,
+    pub size: f64,
+}
+
+impl Source {
+    fn distance(&self, point: DVec2) -> f64 {
+        let along = self.b - self.a;
+        let length_squared = along.length_squared();
+        let part = if length_squared > 0.0 { (point - self.a).dot(along) / length_squared } else { 0.0 };
+        (point - self.a - along * part.clamp(0.0, 1.0)).length()
+    }
+}
+
+/// Edge length as a function of place: least of the cap and, over all sources, size + grading × distance.
+pub(super) struct SizeField<'a> {
+    pub sources: Vec<Source>,
+    pub grading: f64,
+    /// Largest size at a place; changes slowly (less than the grading per distance).
+    pub cap: &'a dyn Fn(DVec2) -> f64,
+}
+
+/// Points nearer to a source than this share of the local size would make flat triangles.
+const CLEARANCE: f64 = 0.6;
+
+/// Halvings from the root: sizes may vary by 2^24 within one domain.
+const DEPTH: u32 = 24;
+
+struct Cell {
+    corners: [[i64; 2]; 3],
+    depth: u32,
+    near: Rc<[u32]>,
+}
+
+impl SizeField<'_> {
+    fn size(&self, point: DVec2, near: &[u32]) -> f64 {
+        let at = |&k: &u32| {
+            let source = &self.sources[k as usize];
+            source.size + self.grading * source.distance(point)
+        };
+        near.iter().map(at).fold((self.cap)(point), f64::min)
+    }
+
+    /// Lattice points in the rectangle, not too near to any source, sorted by y, then x. `None` if there would be more than `limit`.
+    ///
+    /// `spacing` is the lattice's own spacing where nothing else asks for less, at most the cap's largest value.
+    pub fn lattice(&self, low: DVec2, high: DVec2, spacing: f64, limit: usize) -> Option<Vec<DVec2>> {
+        // An equilateral triangle around the rectangle, its side the spacing times a power of two.
+        let row = 0.75f64.sqrt();
+        let extent = high - low;
+        let needed = extent.x + 2.0 * extent.y + 2.0 * spacing;
+        let doublings = (needed / spacing).log2().ceil().max(0.0) as i32;
+        let side = spacing * 2f64.powi(doublings);
+        let unit = side / 2f64.powi(DEPTH as i32);
+        let centre = 0.5 * (low + high);
+        let origin = DVec2::new(centre.x - 0.5 * side, centre.y - 0.25 * row * side);
+        let place = |[u, v]: [i64; 2]| origin + DVec2::new((u as f64 + 0.5 * v as f64) * unit, v as f64 * row * unit);
+        let whole = 1i64 << DEPTH;
+        let all: Rc<[u32]> = (0..self.sources.len() as u32).collect();
+        let mut stack = vec![Cell { corners: [[0, 0], [whole, 0], [0, whole]], depth: 0, near: all }];
+        let mut found: Vec<[i64; 2]> = Vec::new();
+        while let Some(Cell { corners, depth, near }) = stack.pop() {
+            let [p, q, r] = corners.map(place);
+            let centre = (p + q + r) / 3.0;
+            let side = side / 2f64.powi(depth as i32);
+            let reach = side / 3f64.sqrt();
+            if p.min(q).min(r).cmpgt(high).any() || p.max(q).max(r).cmplt(low).any() {
+                continue;
+            }
+            let size = self.size(centre, &near);
+            if depth < DEPTH && side > size * (1.0 + 1e-9) {
+                let near = self.narrowed(centre, reach, &near);
+                let half = |a: [i64; 2], b: [i64; 2]| [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+                let [a, b, c] = corners;
+                let (ab, bc, ca) = (half(a, b), half(b, c), half(c, a));
+                for corners in [[a, ab, ca], [ab, b, bc], [ca, bc, c], [bc, ca, ab]] {
+                    stack.push(Cell { corners, depth: depth + 1, near: Rc::clone(&near) });
+                }
+                continue;
+            }
+            for (corner, point) in corners.into_iter().zip([p, q, r]) {
+                let clearance = CLEARANCE * self.size(point, &near);
+                if near.iter().all(|&k| self.sources[k as usize].distance(point) >= clearance) {
+                    found.push([corner[1], corner[0]]);
+                }
+            }
+            if found.len() > 6 * limit {
+                found.sort_unstable();
+                found.dedup();
+                if found.len() > limit {
+                    return None;
+                }
+            }
+        }
+        found.sort_unstable();
+        found.dedup();
+        (found.len() <= limit).then(|| found.into_iter().map(|[v, u]| place([u, v])).collect())
+    }
+
+    /// The sources that can set the size, or stand too near, anywhere within `reach` of a point.
+    fn narrowed(&self, centre: DVec2, reach: f64, near: &[u32]) -> Rc<[u32]> {
+        let size = self.size(centre, near);
+        let spread = self.grading * reach;
+        let matters = |&&k: &&u32| {
+            let source = &self.sources[k as usize];
+            let distance = source.distance(centre);
+            source.size + self.grading * distance <= size + 2.0 * spread
+                || distance - reach <= CLEARANCE * (size + 2.0 * spread)
+        };
+        near.iter().filter(matters).copied().collect()
+    }
+}
+
+/// Which of the points (sorted by y) lie inside the closed polygons, by the parity of crossings.
+pub(super) fn inside(loops: &[Vec<DVec2>], points: &[DVec2]) -> Vec<bool> {
+    let mut segments: Vec<(DVec2, DVec2)> = Vec::new();
+    for points in loops {
+        for (k, &a) in points.iter().enumerate() {
+            let b = points[(k + 1) % points.len()];
+            segments.push(if a.y <= b.y { (a, b) } else { (b, a) });
+        }
+    }
+    segments.sort_by(|s, t| s.0.y.total_cmp(&t.0.y));
+    let (mut next, mut active): (usize, Vec<(DVec2, DVec2)>) = (0, Vec::new());
+    let mut crossings: Vec<f64> = Vec::new();
+    let mut row = f64::NEG_INFINITY;
+    points
+        .iter()
+        .map(|point| {
+            if point.y > row {
+                row = point.y;
+                while next < segments.len() && segments[next].0.y <= row {
+                    active.push(segments[next]);
+                    next += 1;
+                }
+                active.retain(|(_, upper)| upper.y > row);
+                crossings.clear();
+                crossings.extend(active.iter().map(|(a, b)| a.x + (b.x - a.x) * ((row - a.y) / (b.y - a.y))));
+                crossings.sort_by(f64::total_cmp);
+            }
+            crossings.partition_point(|&x| x < point.x) % 2 == 1
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square_sources(side: f64, pieces: usize) -> Vec<Source> {
+        let corners = [(0.0, 0.0), (side, 0.0), (side, side), (0.0, side)].map(|(x, y)| DVec2::new(x, y));
+        let size = side / pieces as f64;
+        (0..4)
+            .flat_map(|k| {
+                let (a, b) = (corners[k], corners[(k + 1) % 4]);
+                (0..pieces).map(move |i| {
+                    let at = |i: usize| a + (b - a) * (i as f64 / pieces as f64);
+                    Source { a: at(i), b: at(i + 1), size }
+                })
+            })
+            .collect()
+    }
+
+    #[test]
+    fn pruned_sizes_and_clearances_equal_brute_force() {
+        // One long and one very short source: pruning must keep both where they matter.
+        let mut sources = square_sources(1.0, 4);
+        sources.push(Source { a: DVec2::new(0.3, 0.4), b: DVec2::new(0.3, 0.4), size: 0.003 });
+        let field = SizeField { sources, grading: 0.3, cap: &|_| 0.2 };
+        let points = field.lattice(DVec2::ZERO, DVec2::ONE, 0.2, 100_000).unwrap();
+        let all: Vec<u32> = (0..field.sources.len() as u32).collect();
+        assert!(points.len() > 100);
+        for (k, &p) in points.iter().enumerate() {
+            let size = field.size(p, &all);
+            assert!(field.sources.iter().all(|source| source.distance(p) >= CLEARANCE * size * (1.0 - 1e-9)));
+            let nearest = points.iter().enumerate().filter(|&(i, _)| i != k).map(|(_, q)| q.distance(p));
+            let nearest = nearest.fold(f64::INFINITY, f64::min);
+            assert!(nearest > 0.3 * size, "{nearest} {size}");
+            let covered = field.sources.iter().map(|source| source.distance(p)).fold(nearest, f64::min);
+            assert!(covered < 1.3 * size, "{covered} {size}");
+        }
+    }
+
+    #[test]
+    fn parity_is_that_of_a_square_with_a_hole() {
+        let at = |x, y| DVec2::new(x, y);
+        let square = |low: f64, high: f64| vec![at(low, low), at(high, low), at(high, high), at(low, high)];
+        let points =
+            [at(-1.0, 0.1), at(0.1, 0.1), at(0.5, 0.1), at(0.1, 0.5), at(0.5, 0.5), at(0.9, 0.5), at(1.1, 0.5)];
+        let expected = [false, true, true, true, false, true, false];
+        assert_eq!(inside(&[square(0.0, 1.0), square(0.3, 0.7)], &points), expected);
+    }
+
+    #[test]
+    fn too_many_points_are_refused_before_they_are_made() {
+        let field = SizeField { sources: square_sources(1.0, 4), grading: 0.3, cap: &|_| 1e-4 };
+        assert!(field.lattice(DVec2::ZERO, DVec2::ONE, 1e-4, 10_000).is_none());
+    }
+}

@@ -1,0 +1,264 @@
+//! A graded triangulation of a plane domain between closed polygons: boundary, lattice points, constrained Delaunay.
+
+use super::super::film::Film;
+use super::super::remesh::{flip_to_delaunay, tangential_relaxation};
+use super::lattice::{SizeField, Source, inside};
+use crate::mesh::topology::{NONE, Topology};
+use crate::{DVec3, Execution, Interruption};
+use glam::DVec2;
+use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
+
+/// What is to be meshed, at any scale near 1.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Domain {
+    /// Closed polygons; inside is what an odd number of them encloses.
+    pub loops: Vec<Vec<DVec2>>,
+    /// Points inside that become vertices.
+    pub points: Vec<DVec2>,
+    /// Edges that must be there, between vertices counted loop by loop and then through `points`.
+    pub segments: Vec<[u32; 2]>,
+}
+
+/// Vertices: the loops' points, the fixed points, then the lattice's.
+#[derive(Clone, Debug)]
+pub(super) struct PlaneMesh {
+    pub points: Vec<DVec2>,
+    pub topology: Topology,
+}
+
+/// Why a domain has no mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum PlaneError {
+    /// The boundary (or a fixed edge) crosses or touches itself; the first such edge, by its two vertices.
+    NotSimple([u32; 2]),
+    TooManyPoints,
+    Interrupted(Interruption),
+}
+
+/// Rounds of relaxation and flips that even the lattice out where it meets the boundary.
+const SMOOTHING_ROUNDS: u32 = 4;
+
+impl Domain {
+    fn boundary_points(&self) -> usize {
+        self.loops.iter().map(Vec::len).sum()
+    }
+
+    /// All fixed vertices in order.
+    fn fixed_points(&self) -> Vec<DVec2> {
+        self.loops.iter().flatten().chain(&self.points).copied().collect()
+    }
+
+    /// The boundary's edges as vertex pairs, in the loops' direction.
+    fn boundary_edges(&self) -> Vec<[u32; 2]> {
+        let mut first = 0;
+        let mut edges = Vec::with_capacity(self.boundary_points());
+        for points in &self.loops {
+            let n = points.len() as u32;
+            edges.extend((0..n).map(|k| [first + k, first + (k + 1) % n]));
+            first += n;
+        }
+        edges
+    }
+
+    /// Meshes the domain: sizes from the lengths of the boundary's edges and of the fixed ones, growing with `grading`
+    /// to the cap.
+    ///
+    /// # Errors
+    /// See [`PlaneError`].
+    pub fn mesh(
+        &self,
+        cap: &dyn Fn(DVec2) -> f64,
+        largest_cap: f64,
+        grading: f64,
+        limit: usize,
+        exec: &Execution,
+    ) -> Result<PlaneMesh, PlaneError> {
+        let mut points = self.fixed_points();
+        let edges: Vec<[u32; 2]> = self.boundary_edges().into_iter().chain(self.segments.iter().copied()).collect();
+        let source = |&[a, b]: &[u32; 2]| {
+            let (a, b) = (points[a as usize], points[b as usize]);
+            Source { a, b, size: a.distance(b) }
+        };
+        let mut sources: Vec<Source> = edges.iter().map(source).collect();
+        sources.extend(self.points.iter().map(|&point| Source { a: point, b: point, size: f64::INFINITY }));
+        let low = points.iter().copied().fold(DVec2::INFINITY, DVec2::min);
+        let high = points.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
+        let extent = (high - low).max_element();
+        let field = SizeField { sources, grading, cap };
+        let candidates = field.lattice(low, high, largest_cap.min(extent), limit).ok_or(PlaneError::TooManyPoints)?;
+        exec.look(candidates.len() as u64).map_err(PlaneError::Interrupted)?;
+        let kept = inside(&self.loops, &candidates);
+        let lattice = points.len();
+        points.extend(candidates.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point));
+        let triangles = self.triangulate(&points, &edges)?;
+        exec.look(triangles.len() as u64).map_err(PlaneError::Interrupted)?;
+        let topology =
+            Topology::build(&triangles, points.len()).map_err(|_| PlaneError::NotSimple(self.boundary_edges()[0]))?;
+        let mut film = self.as_film(&points, topology, lattice);
+        for _ in 0..SMOOTHING_ROUNDS {
+            tangential_relaxation(&mut film, 1);
+            flip_to_delaunay(&mut film);
+            exec.look(film.triangles().len() as u64).map_err(PlaneError::Interrupted)?;
+        }
+        Ok(PlaneMesh { points: film.vertices.iter().map(|p| p.truncate()).collect(), topology: film.topology })
+    }
+
+    fn as_film(&self, points: &[DVec2], topology: Topology, lattice: usize) -> Film {
+        let mut locked: Vec<[u32; 2]> = self.segments.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
+        locked.sort_unstable();
+        Film {
+            vertices: points.iter().map(|p| p.extend(0.0)).collect::<Vec<DVec3>>(),
+            fixed: (0..points.len()).map(|k| k < lattice).collect(),
+            topology,
+            locked,
+            boundaries: Vec::new(),
+        }
+    }
+
+    /// Constrained Delaunay triangles inside the loops.
+    fn triangulate(&self, points: &[DVec2], edges: &[[u32; 2]]) -> Result<Vec<[u32; 3]>, PlaneError> {
+        let vertices: Vec<Point2<f64>> =
+            points.iter().map(|p| spade::mitigate_underflow(Point2::new(p.x, p.y))).collect();
+        let constraints = edges.iter().map(|edge| edge.map(|v| v as usize)).collect();
+        let mut crossing = None;
+        let triangulation =
+            ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(vertices, constraints, |[a, b]| {
+                crossing.get_or_insert([a as u32, b as u32]);
+            })
+            .map_err(|_| PlaneError::NotSimple(edges[0]))?;
+        if let Some(edge) = crossing {
+            return Err(PlaneError::NotSimple(edge));
+        }
+        if triangulation.num_vertices() != points.len() {
+            // Two points fell together; numbers after the first of them have shifted.
+            return Err(PlaneError::NotSimple(edges[0]));
+        }
+        let hull: Vec<[u32; 3]> =
+            triangulation.inner_faces().map(|face| face.vertices().map(|vertex| vertex.fix().index() as u32)).collect();
+        let topology = Topology::build(&hull, points.len()).map_err(|_| PlaneError::NotSimple(edges[0]))?;
+        let mut boundary: Vec<[u32; 2]> = self.boundary_edges().iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
+        boundary.sort_unstable();
+        let is_boundary = |h: u32| {
+            let (a, b) = (topology.from(h), topology.to(h));
+            boundary.binary_search(&[a.min(b), a.max(b)]).is_ok()
+        };
+        // Flood from the hull inwards; crossing the boundary changes sides.
+        let mut side: Vec<Option<bool>> = vec![None; hull.len()];
+        let mut stack: Vec<(u32, bool)> = (0..3 * hull.len() as u32)
+            .filter(|&h| topology.twin[h as usize] == NONE)
+            .map(|h| (h / 3, is_boundary(h)))
+            .collect();
+        while let Some((triangle, inner)) = stack.pop() {
+            if side[triangle as usize].is_some() {
+                continue;
+            }
+            side[triangle as usize] = Some(inner);
+            for h in 3 * triangle..3 * triangle + 3 {
+                let twin = topology.twin[h as usize];
+                if twin != NONE && side[twin as usize / 3].is_none() {
+                    stack.push((twin / 3, inner != is_boundary(h)));
+                }
+            }
+        }
+        let kept = |t: usize| side[t] == Some(true);
+        // Every boundary edge must separate inside from outside: an edge that passes through a vertex is not there.
+        let present = (0..3 * hull.len() as u32)
+            .filter(|&h| {
+                let twin = topology.twin[h as usize];
+                kept(h as usize / 3) && is_boundary(h) && (twin == NONE || !kept(twin as usize / 3))
+            })
+            .count();
+        if present != boundary.len() {
+            return Err(PlaneError::NotSimple(self.missing_edge(&topology)));
+        }
+        Ok((0..hull.len()).filter(|&t| kept(t)).map(|t| hull[t]).collect())
+    }
+
+    /// A boundary edge that the triangulation does not have (because it passes through a vertex), or the first.
+    fn missing_edge(&self, topology: &Topology) -> [u32; 2] {
+        let edges = self.boundary_edges();
+        edges.iter().copied().find(|&[a, b]| !topology.are_adjacent(a, b)).unwrap_or(edges[0])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::measure;
+
+    fn polygon(corners: &[(f64, f64)], spacing: f64) -> Vec<DVec2> {
+        let corners: Vec<DVec2> = corners.iter().map(|&(x, y)| DVec2::new(x, y)).collect();
+        (0..corners.len())
+            .flat_map(|k| {
+                let (a, b) = (corners[k], corners[(k + 1) % corners.len()]);
+                let pieces = (a.distance(b) / spacing).ceil().max(1.0) as usize;
+                (0..pieces).map(move |i| a.lerp(b, i as f64 / pieces as f64))
+            })
+            .collect()
+    }
+
+    fn mesh(loops: Vec<Vec<DVec2>>, size: f64) -> Result<Film, PlaneError> {
+        let domain = Domain { loops, ..Domain::default() };
+        let plane = domain.mesh(&|_| size, size, 0.3, 1_000_000, &Execution::default())?;
+        let fixed = domain.boundary_points();
+        Ok(domain.as_film(&plane.points, plane.topology, fixed))
+    }
+
+    #[test]
+    fn concave_polygons_and_holes_have_their_exact_area_and_good_triangles() {
+        let u = [(0.0, 0.0), (3.0, 0.0), (3.0, 3.0), (2.6, 3.0), (2.6, 0.4), (0.4, 0.4), (0.4, 3.0), (0.0, 3.0)];
+        let square = |low: f64, high: f64| polygon(&[(low, low), (high, low), (high, high), (low, high)], 0.1);
+        let cases = [
+            (vec![polygon(&u, 0.15)], 9.0 - 2.2 * 2.6, 1),
+            (vec![square(0.0, 1.0), square(0.3, 0.7)], 0.84, 0),
+            (vec![square(0.3, 0.7), square(0.0, 1.0)], 0.84, 0),
+        ];
+        for (loops, area, euler) in cases {
+            let film = mesh(loops, 0.2).unwrap();
+            assert!((film.area() / area - 1.0).abs() < 1e-13);
+            let topology = film.mesh().check().unwrap();
+            assert_eq!(topology.euler_characteristic(), euler);
+            let smallest = measure::angle_range(&film.mesh()).0.to_degrees();
+            assert!(smallest > 25.0, "{smallest}");
+            assert_eq!(measure::flipped_triangles(&film.mesh()), 0);
+        }
+    }
+
+    #[test]
+    fn sizes_grow_from_a_thousandth_to_one_without_needles() {
+        let mut boundary = Vec::new();
+        // A circle of radius 3 sampled ever coarser: from 0.001 to about 1.
+        let (mut angle, mut step) = (0.0f64, 0.001f64);
+        while angle < std::f64::consts::TAU - 0.5 * step {
+            boundary.push(3.0 * DVec2::new(angle.cos(), angle.sin()));
+            step = if angle < 3.0 { (step * 1.15).min(1.0) } else { (step / 1.15).max(0.001) };
+            angle += step / 3.0;
+        }
+        let film = mesh(vec![boundary], 1.0).unwrap();
+        let smallest = measure::angle_range(&film.mesh()).0.to_degrees();
+        assert!(smallest > 20.0, "{smallest}");
+    }
+
+    #[test]
+    fn crossing_and_touching_boundaries_are_refused() {
+        let bow_tie = vec![DVec2::ZERO, DVec2::ONE, DVec2::new(1.0, 0.0), DVec2::new(0.0, 1.0)];
+        assert!(matches!(mesh(vec![bow_tie], 0.5), Err(PlaneError::NotSimple(_))));
+        // A vertex on another edge, and a vertex visited twice.
+        let touching = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 0.0), (0.0, 1.0)];
+        assert!(matches!(mesh(vec![polygon(&touching, 10.0)], 0.5), Err(PlaneError::NotSimple(_))));
+        let twice = [(0.0, 0.0), (1.0, 1.0), (2.0, 0.0), (2.0, 2.0), (1.0, 1.0), (0.0, 2.0)];
+        assert!(matches!(mesh(vec![polygon(&twice, 10.0)], 0.5), Err(PlaneError::NotSimple(_))));
+    }
+
+    #[test]
+    fn fixed_points_and_edges_are_in_the_mesh() {
+        let domain = Domain {
+            loops: vec![polygon(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)], 0.2)],
+            points: vec![DVec2::new(0.31, 0.52), DVec2::new(0.69, 0.47), DVec2::new(0.5, 0.1)],
+            segments: vec![[20, 21]],
+        };
+        let plane = domain.mesh(&|_| 0.2, 0.2, 0.3, 10_000, &Execution::default()).unwrap();
+        assert_eq!(plane.points[20..23], domain.points);
+        assert!(plane.topology.are_adjacent(20, 21));
+    }
+}
