@@ -60,8 +60,11 @@ CREATE TABLE artefacts (
     size BIGINT NOT NULL,
     -- The last time a job took this artefact as its own; the sweep leaves young ones alone.
     touched_at BIGINT NOT NULL,
-    body BYTEA NOT NULL
+    -- A large result's file in the results folder; its body is then NULL.
+    file TEXT,
+    body BYTEA
 );
+CREATE INDEX artefacts_by_file ON artefacts (file) WHERE file IS NOT NULL;
 
 -- What is left of an expired job: enough to answer "gone" instead of "never was".
 CREATE TABLE expired_jobs (

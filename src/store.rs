@@ -14,18 +14,21 @@
 //! take an `owner` see only that owner's jobs if one is given and every job otherwise.
 
 mod engine;
+mod files;
 mod queue;
 mod record;
 mod retention;
 mod sql;
 mod watch;
 
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
 use tokio::sync::watch as signal;
 
 use engine::{Engine, Result};
+use files::Files;
 pub use queue::{Claimed, NewJob, Outcome, Renewed, Submitted};
 pub use record::{EventId, Filter, JobRow, Lookup, Status, StatusEvent};
 pub use retention::{Artefact, Counts, Swept};
@@ -48,6 +51,14 @@ pub struct StoreOptions {
     pub expired_retention: Duration,
     /// Ended jobs that are kept at most; the oldest beyond them expire early.
     pub max_jobs: u64,
+    /// Bytes that all results together may take; the oldest ended jobs beyond them expire early. On SQLite the database
+    /// itself does not grow beyond it either.
+    pub max_bytes: Option<u64>,
+    /// Where results larger than `inline_bytes` go; into the database if there is no folder. Every instance that shares
+    /// the database must see the same folder.
+    pub results_folder: Option<PathBuf>,
+    /// Results up to this size are kept in the database.
+    pub inline_bytes: usize,
     /// How long a result that no job has is left alone; longer than any transaction takes.
     pub orphan_age: Duration,
     /// Names the code that computes results: results are shared only within one version.
@@ -67,6 +78,9 @@ impl Default for StoreOptions {
             retention: Duration::from_secs(7 * 24 * 3600),
             expired_retention: Duration::from_secs(30 * 24 * 3600),
             max_jobs: 100_000,
+            max_bytes: None,
+            results_folder: None,
+            inline_bytes: 1 << 20,
             orphan_age: Duration::from_secs(60),
             result_version: env!("CARGO_PKG_VERSION").into(),
             connections: 10,
@@ -128,6 +142,15 @@ impl From<sqlx::Error> for StoreError {
     }
 }
 
+impl From<std::io::Error> for StoreError {
+    fn from(error: std::io::Error) -> Self {
+        match error.kind() {
+            std::io::ErrorKind::StorageFull | std::io::ErrorKind::QuotaExceeded => Self::NoSpace(error.to_string()),
+            _ => Self::Unavailable(error.to_string()),
+        }
+    }
+}
+
 /// The primary result code of SQLite's extended `code`; PostgreSQL's codes have five characters and mean other things.
 fn sqlite_primary(code: &str) -> Option<u32> {
     (code.len() < 5).then(|| code.parse::<u32>().ok()).flatten().map(|code| code & 0xff)
@@ -144,15 +167,17 @@ struct Inner {
     engine: Engine,
     options: StoreOptions,
     changes: Changes,
+    files: Option<Files>,
 }
 
 impl Store {
     /// Opens `sqlite://PATH` (created if missing) or `postgres://USER@HOST/DATABASE` and brings its tables up to date.
     /// Must run inside a tokio runtime, which then also runs the store's own tasks.
     pub async fn open(url: &str, options: StoreOptions) -> Result<Self> {
+        let files = options.results_folder.as_deref().map(Files::open).transpose()?;
         let engine = Engine::open(url, &options).await?;
         let changes = Changes::new(&engine, options.poll_interval);
-        Ok(Self { inner: Arc::new(Inner { engine, options, changes }) })
+        Ok(Self { inner: Arc::new(Inner { engine, options, changes, files }) })
     }
 
     /// Waits for writes under way, then closes every connection. Later calls fail as `Unavailable`.

@@ -94,6 +94,9 @@ cases! {
     expired_jobs_are_remembered_as_expired_and_then_forgotten,
     only_as_many_ended_jobs_are_kept_as_allowed,
     a_shared_result_outlives_the_job_that_made_it,
+    a_large_result_is_a_file_and_goes_with_its_job,
+    a_file_without_a_job_is_swept,
+    results_stay_within_their_bytes,
     watchers_see_every_status,
     a_watch_of_a_missing_job_says_so,
     another_instance_sees_changes_and_work,
@@ -543,6 +546,146 @@ async fn a_shared_result_outlives_the_job_that_made_it(database: Database) {
     assert_eq!(store.artefact(&second, None).await.unwrap().unwrap().bytes, b"mesh");
     assert!(store.delete(&second, None).await.unwrap());
     assert_eq!(store.sweep().await.unwrap().artefacts, 1);
+}
+
+/// Options that put results of more than eight bytes into `folder`.
+fn with_files(folder: &TempDir) -> StoreOptions {
+    StoreOptions {
+        results_folder: Some(folder.path().to_owned()),
+        inline_bytes: 8,
+        orphan_age: Duration::ZERO,
+        ..StoreOptions::default()
+    }
+}
+
+fn file_count(folder: &TempDir) -> usize {
+    std::fs::read_dir(folder.path()).unwrap().count()
+}
+
+async fn a_large_result_is_a_file_and_goes_with_its_job(database: Database) {
+    let folder = tempfile::tempdir().unwrap();
+    let store = database.open(with_files(&folder)).await;
+    for number in 0..3 {
+        create(&store, job(number)).await;
+    }
+    let small = work_one(&store, b"8 bytes!").await;
+    assert_eq!(file_count(&folder), 0);
+    let large = work_one(&store, b"more than 8 bytes").await;
+    assert_eq!(file_count(&folder), 1);
+    // Equal bytes are kept once.
+    let twin = work_one(&store, b"more than 8 bytes").await;
+    assert_eq!(file_count(&folder), 1);
+    assert_eq!(store.artefact(&small, None).await.unwrap().unwrap().bytes, b"8 bytes!");
+    assert_eq!(store.artefact(&large, None).await.unwrap().unwrap().bytes, b"more than 8 bytes");
+    assert_eq!(store.artefact(&twin, None).await.unwrap(), store.artefact(&large, None).await.unwrap());
+
+    // A late worker leaves no file.
+    create(&store, job(5)).await;
+    let stalled = store.claim("stalled", NO_LEASE).await.unwrap().unwrap();
+    store.sweep().await.unwrap();
+    assert!(!store.finish(&stalled.id, stalled.attempt, success(b"late and large")).await.unwrap());
+    assert_eq!(file_count(&folder), 1);
+
+    store.delete(&large, None).await.unwrap();
+    assert_eq!(store.sweep().await.unwrap().artefacts, 0);
+    store.delete(&twin, None).await.unwrap();
+    assert_eq!(store.sweep().await.unwrap().artefacts, 1);
+    assert_eq!(file_count(&folder), 0);
+}
+
+async fn a_file_without_a_job_is_swept(database: Database) {
+    let folder = tempfile::tempdir().unwrap();
+    let store = database.open(with_files(&folder)).await;
+    create(&store, job(1)).await;
+    let id = work_one(&store, b"more than 8 bytes").await;
+    // What workers leave that die before the row commits.
+    std::fs::write(folder.path().join("0000000000000000000000000A-1"), b"orphan").unwrap();
+    std::fs::write(folder.path().join("0000000000000000000000000B-1.part"), b"orp").unwrap();
+    let patient = database.open(StoreOptions { orphan_age: TOO_LONG, ..with_files(&folder) }).await;
+    assert_eq!(patient.sweep().await.unwrap().files, 0);
+    assert_eq!(store.sweep().await.unwrap().files, 2);
+    assert_eq!(store.artefact(&id, None).await.unwrap().unwrap().bytes, b"more than 8 bytes");
+}
+
+async fn results_stay_within_their_bytes(database: Database) {
+    // Four fifths of 2.5 MB hold two results of 1 MB.
+    let options = StoreOptions { max_bytes: Some(2_500_000), orphan_age: Duration::ZERO, ..StoreOptions::default() };
+    let store = database.open(StoreOptions { max_bytes: None, ..options.clone() }).await;
+    let mut ended = Vec::new();
+    for number in 0..4 {
+        create(&store, job(number)).await;
+        ended.push(work_one(&store, &vec![number as u8; 1_000_000]).await);
+    }
+    store.close().await;
+    let store = database.open(StoreOptions { max_bytes: Some(2_500_000), ..options }).await;
+    let swept = store.sweep().await.unwrap();
+    assert!(swept.expired >= 2, "{swept:?}");
+    assert_eq!(store.get(&ended[0], None).await.unwrap(), Lookup::Expired);
+    create(&store, job(9)).await;
+}
+
+#[tokio::test]
+async fn a_full_database_refuses_and_loses_nothing() {
+    let database = Database::new(Engine::Sqlite).await.unwrap();
+    let store = database
+        .open(StoreOptions { max_bytes: Some(1 << 20), orphan_age: Duration::ZERO, ..StoreOptions::default() })
+        .await;
+    let large = |number| NewJob { request: vec![b' '; 100_000], ..job(number) };
+    let mut accepted = Vec::new();
+    // Some at once, so that a full disk meets a whole group.
+    'filling: for group in 0..10 {
+        let submissions: Vec<_> = (0..4).map(|member| store.submit(large(group * 4 + member))).collect();
+        for (member, result) in futures_util::future::join_all(submissions).await.into_iter().enumerate() {
+            match result {
+                Ok(Submitted::Created(row)) => accepted.push(row.id),
+                Err(StoreError::NoSpace(_)) => {
+                    let id = job(group * 4 + member).id;
+                    assert_eq!(store.get(&id, None).await.unwrap(), Lookup::Missing, "half a job");
+                    if member == 3 {
+                        break 'filling;
+                    }
+                }
+                other => panic!("{other:?}"),
+            }
+        }
+    }
+    assert!((1..40).contains(&accepted.len()), "{} accepted", accepted.len());
+    // Everything accepted is there, and space that becomes free is used again.
+    for id in &accepted {
+        assert_eq!(find(&store, id).await.status, Status::Queued);
+    }
+    for id in &accepted {
+        store.delete(id, None).await.unwrap();
+    }
+    create(&store, large(99)).await;
+    assert_eq!(store.claim("worker", LEASE).await.unwrap().unwrap().request.len(), 100_000);
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_store_outlives_a_restart_of_postgresql() {
+    let Some(server) = postgres::Postgres::start() else { return };
+    let options = StoreOptions { poll_interval: Duration::from_millis(20), ..StoreOptions::default() };
+    let store = Store::open(&server.database().await, options).await.unwrap();
+    create(&store, job(1)).await;
+    let claimed = store.claim("worker", LEASE).await.unwrap().unwrap();
+    let mut watch = store.watch(&claimed.id, None).await.unwrap().unwrap();
+    server.stop();
+    for _ in 0..3 {
+        let refused = store.submit(job(2)).await;
+        assert!(matches!(refused, Err(StoreError::Unavailable(_))), "{refused:?}");
+    }
+    server.start_again();
+    // Old connections are found out and replaced.
+    let finished = loop {
+        match store.finish(&claimed.id, claimed.attempt, success(b"mesh")).await {
+            Ok(finished) => break finished,
+            Err(StoreError::Unavailable(_)) => {}
+            Err(error) => panic!("{error:?}"),
+        }
+    };
+    assert!(finished);
+    until(&mut watch, |job| job.status == Status::Succeeded).await;
+    create(&store, job(2)).await;
 }
 
 /// Waits until the watched job fulfils `done`.

@@ -12,7 +12,7 @@ use futures_util::future::BoxFuture;
 use sqlx::migrate::{Migration, MigrationType, Migrator};
 use sqlx::postgres::{PgConnectOptions, PgPoolOptions};
 use sqlx::sqlite::{SqliteAutoVacuum, SqliteConnectOptions, SqliteJournalMode, SqlitePoolOptions, SqliteSynchronous};
-use sqlx::{Connection as _, PgPool, SqlSafeStr, SqliteConnection, SqlitePool};
+use sqlx::{AssertSqlSafe, Connection as _, PgPool, SqlSafeStr, SqliteConnection, SqlitePool};
 use tokio::sync::{mpsc, oneshot};
 
 use super::sql::{Connection, Row, Value};
@@ -24,7 +24,11 @@ pub(super) type Result<T> = std::result::Result<T, StoreError>;
 const GROUP_SIZE: usize = 128;
 /// Writes that may wait for the writer before callers wait for a place.
 const WRITE_BACKLOG: usize = 1024;
+/// The write-ahead log is cut back to this size when it has been copied into the database.
+const WAL_KEPT_BYTES: &str = "67108864";
 const SQLITE_READERS: u32 = 4;
+/// Pages that one `shrink` moves at most, so that it never holds up other writes for long.
+const SHRINK_PAGES: u32 = 1000;
 const BUSY_TIMEOUT: Duration = Duration::from_secs(10);
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
 /// Tries of a PostgreSQL transaction that loses a race (deadlock, or two equal idempotency keys at once).
@@ -41,13 +45,13 @@ impl Engine {
         if url.starts_with("postgres://") || url.starts_with("postgresql://") {
             Self::open_postgres(url, options).await
         } else if url.starts_with("sqlite:") {
-            Self::open_sqlite(url).await
+            Self::open_sqlite(url, options).await
         } else {
             Err(StoreError::Url("expected sqlite://PATH or postgres://USER@HOST/DATABASE".into()))
         }
     }
 
-    async fn open_sqlite(url: &str) -> Result<Self> {
+    async fn open_sqlite(url: &str, options: &StoreOptions) -> Result<Self> {
         let base = SqliteConnectOptions::from_str(url)
             .map_err(|error| StoreError::Url(error.to_string()))?
             .busy_timeout(BUSY_TIMEOUT);
@@ -57,9 +61,16 @@ impl Engine {
                 .create_if_missing(true)
                 .auto_vacuum(SqliteAutoVacuum::Incremental)
                 .journal_mode(SqliteJournalMode::Wal)
-                .synchronous(SqliteSynchronous::Full),
+                .synchronous(SqliteSynchronous::Full)
+                .pragma("journal_size_limit", WAL_KEPT_BYTES),
         )
         .await?;
+        if let Some(bytes) = options.max_bytes {
+            // The engine refuses writes beyond this as on a full disk.
+            let size: i64 = sqlx::query_scalar("PRAGMA page_size").fetch_one(&mut connection).await?;
+            let pages = i64::try_from(bytes).unwrap_or(i64::MAX) / size.max(1);
+            sqlx::query(AssertSqlSafe(format!("PRAGMA max_page_count = {pages}"))).execute(&mut connection).await?;
+        }
         migrations().run(&mut connection).await.map_err(|error| StoreError::Migration(error.to_string()))?;
         let (writer, writes) = mpsc::channel(WRITE_BACKLOG);
         tokio::spawn(write_in_groups(connection, writes));
@@ -124,6 +135,21 @@ impl Engine {
         Ok(self.rows(text, values).await?.into_iter().next())
     }
 
+    /// Gives pages that nothing uses any more back to the file system. PostgreSQL does so by itself.
+    pub(super) async fn shrink(&self) -> Result<()> {
+        match self {
+            Self::Sqlite { .. } => {
+                let text = format!("PRAGMA incremental_vacuum({SHRINK_PAGES})");
+                self.write(move |connection| {
+                    let text = text.clone();
+                    Box::pin(async move { Ok(connection.rows(&text, Vec::new()).await.map(|_| ())?) })
+                })
+                .await
+            }
+            Self::Postgres(_) => Ok(()),
+        }
+    }
+
     /// Waits for running statements and closes every connection. Writes afterwards fail as `Unavailable`.
     pub(super) async fn close(&self) {
         match self {
@@ -171,8 +197,8 @@ impl std::fmt::Debug for Write {
 
 /// One write in a group: first run, then answered once the group's commit is through or has failed.
 pub(super) trait Run: Send {
-    /// True if the work succeeded and is to be kept.
-    fn run<'a>(&'a mut self, connection: &'a mut Connection<'_>) -> BoxFuture<'a, bool>;
+    /// Whether the work succeeded and is to be kept.
+    fn run<'a>(&'a mut self, connection: &'a mut Connection<'_>) -> BoxFuture<'a, Result<()>>;
     fn answer(self: Box<Self>, committed: Result<()>);
 }
 
@@ -187,12 +213,12 @@ where
     T: Send,
     F: for<'a, 'c> Fn(&'a mut Connection<'c>) -> BoxFuture<'a, Result<T>> + Send + Sync,
 {
-    fn run<'a>(&'a mut self, connection: &'a mut Connection<'_>) -> BoxFuture<'a, bool> {
+    fn run<'a>(&'a mut self, connection: &'a mut Connection<'_>) -> BoxFuture<'a, Result<()>> {
         Box::pin(async move {
             let result = (self.work)(connection).await;
-            let succeeded = result.is_ok();
+            let ended = result.as_ref().map(|_| ()).map_err(Clone::clone);
             self.result = Some(result);
-            succeeded
+            ended
         })
     }
 
@@ -223,9 +249,13 @@ async fn write_in_groups(mut connection: SqliteConnection, mut writes: mpsc::Rec
             continue;
         }
         let committed = commit_group(&mut connection, &mut runs).await;
-        if committed.is_err() {
-            // Fails if the engine has rolled back by itself, which is as good.
-            let _ = execute(&mut connection, "ROLLBACK").await;
+        if matches!(committed, Err(StoreError::NoSpace(_))) && runs.len() > 1 {
+            // A full disk ends the whole transaction; alone, those that need no more space still succeed.
+            for mut run in runs {
+                let committed = commit_group(&mut connection, std::slice::from_mut(&mut run)).await;
+                run.answer(committed);
+            }
+            continue;
         }
         for run in runs {
             run.answer(committed.clone());
@@ -239,17 +269,28 @@ async fn write_in_groups(mut connection: SqliteConnection, mut writes: mpsc::Rec
     }
 }
 
+/// Runs a group in one transaction. What failed by itself has kept its error and left no trace; an error here means that
+/// nothing of the group happened.
 async fn commit_group(connection: &mut SqliteConnection, runs: &mut [Box<dyn Run>]) -> Result<()> {
+    let committed = run_group(connection, runs).await;
+    if committed.is_err() {
+        // Fails if the engine has rolled back by itself, which is as good.
+        let _ = execute(connection, "ROLLBACK").await;
+    }
+    committed
+}
+
+async fn run_group(connection: &mut SqliteConnection, runs: &mut [Box<dyn Run>]) -> Result<()> {
     execute(connection, "BEGIN IMMEDIATE").await?;
     if let [only] = runs {
-        let succeeded = only.run(&mut Connection::Sqlite(connection)).await;
-        return execute(connection, if succeeded { "COMMIT" } else { "ROLLBACK" }).await;
+        only.run(&mut Connection::Sqlite(connection)).await?;
+        return execute(connection, "COMMIT").await;
     }
     for run in runs {
         execute(connection, "SAVEPOINT one").await?;
-        if !run.run(&mut Connection::Sqlite(connection)).await {
-            // A full disk can end the whole transaction by itself; then this fails and the group with it.
-            execute(connection, "ROLLBACK TO one").await?;
+        if let Err(error) = run.run(&mut Connection::Sqlite(connection)).await {
+            // A full disk can end the whole transaction by itself; then there is no savepoint and the group has failed.
+            execute(connection, "ROLLBACK TO one").await.map_err(|_| error)?;
         }
         execute(connection, "RELEASE one").await?;
     }

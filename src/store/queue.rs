@@ -12,6 +12,7 @@ use std::time::Duration;
 use sha2::{Digest, Sha256};
 
 use super::engine::Result;
+use super::files::Prepared;
 use super::record::{COLUMNS, JobRow, Lookup, Status};
 use super::sql::{Connection, Row, Value};
 use super::{Store, StoreError, milliseconds};
@@ -222,20 +223,29 @@ impl Store {
     pub async fn finish(&self, id: &str, attempt: i64, outcome: Outcome) -> Result<bool> {
         let retention = milliseconds(self.inner.options.retention);
         let key: Vec<Value> = vec![id.into(), retention.into(), attempt.into()];
-        // Hashed here, so that the one writer of SQLite need not wait for it.
-        let hash: [u8; 32] = match &outcome {
-            Outcome::Succeeded { artefact, .. } => Sha256::digest(artefact).into(),
-            Outcome::Failed { .. } | Outcome::Cancelled => [0; 32],
+        // Hashed and written here, so that the one writer of SQLite need not wait for it.
+        let result = match &outcome {
+            Outcome::Succeeded { artefact, .. } => Some(self.prepare(id, attempt, artefact).await?),
+            Outcome::Failed { .. } | Outcome::Cancelled => None,
         };
-        let outcome = Arc::new(outcome);
-        let finished = self
+        let file = result.as_ref().and_then(|result| result.file.clone());
+        let ending = Arc::new((outcome, result));
+        let ended = self
             .inner
             .engine
             .write(move |connection| {
-                let (key, outcome) = (key.clone(), Arc::clone(&outcome));
-                Box::pin(async move { finish(connection, key, &outcome, &hash).await })
+                let (key, ending) = (key.clone(), Arc::clone(&ending));
+                Box::pin(async move { finish(connection, key, &ending.0, ending.1.as_ref()).await })
             })
-            .await?;
+            .await;
+        let (finished, used) = ended.clone().unwrap_or_default();
+        if let (Some(files), Some(file)) = (&self.inner.files, file)
+            && ended.is_ok()
+            && used.as_ref() != Some(&file)
+        {
+            files.remove(file).await;
+        }
+        ended?;
         if finished {
             self.inner.changes.changed(id);
         }
@@ -435,38 +445,52 @@ async fn drop_request(connection: &mut Connection<'_>, id: &str) -> Result<()> {
     Ok(())
 }
 
-/// `key` is id, retention and attempt; `hash` is the artefact's.
-async fn finish(connection: &mut Connection<'_>, key: Vec<Value>, outcome: &Outcome, hash: &[u8]) -> Result<bool> {
+/// `key` is id, retention and attempt. True if the attempt ended the job, and the file that the result is in if any.
+async fn finish(
+    connection: &mut Connection<'_>,
+    key: Vec<Value>,
+    outcome: &Outcome,
+    result: Option<&Prepared>,
+) -> Result<(bool, Option<String>)> {
     let id = key[..1].to_vec();
     let fence = "WHERE id = $1 AND attempt = $3 AND status = 'running'";
     let mut values = key;
-    let (status, text) = match outcome {
-        Outcome::Succeeded { statistics, warnings, reusable, .. } => {
+    let (status, text) = match (outcome, result) {
+        (Outcome::Succeeded { statistics, warnings, reusable, .. }, Some(result)) => {
             values.extend([
                 statistics.as_str().into(),
                 warnings.as_str().into(),
-                hash.into(),
+                result.hash.as_slice().into(),
                 i64::from(*reusable).into(),
             ]);
             (Status::Succeeded, ", statistics = $4, warnings = $5, artefact = $6, reusable = $7")
         }
-        Outcome::Failed { error } => {
+        (Outcome::Succeeded { .. }, None) => {
+            return Err(StoreError::Internal("a success without a prepared result".into()));
+        }
+        (Outcome::Failed { error }, _) => {
             values.push(error.as_str().into());
             (Status::Failed, ", error = $4")
         }
-        Outcome::Cancelled => (Status::Cancelled, ""),
+        (Outcome::Cancelled, _) => (Status::Cancelled, ""),
     };
     if connection.execute(&format!("UPDATE jobs SET {}{text} {fence}", ending(status)), values).await? == 0 {
-        return Ok(false);
+        return Ok((false, None));
     }
-    if let Outcome::Succeeded { artefact, .. } = outcome {
-        let text = "INSERT INTO artefacts (hash, size, touched_at, body) VALUES ($1, $2, now_ms(), $3) \
-                    ON CONFLICT (hash) DO UPDATE SET touched_at = now_ms()";
-        let size = bounded(artefact.len() as u64);
-        connection.execute(text, vec![hash.into(), size.into(), artefact.as_slice().into()]).await?;
+    let mut file = None;
+    if let (Outcome::Succeeded { artefact, .. }, Some(result)) = (outcome, result) {
+        let text = "INSERT INTO artefacts (hash, size, touched_at, file, body) VALUES ($1, $2, now_ms(), $3, $4) \
+                    ON CONFLICT (hash) DO UPDATE SET touched_at = now_ms() RETURNING file";
+        let values = vec![
+            result.hash.as_slice().into(),
+            bounded(artefact.len() as u64).into(),
+            result.file.clone().into(),
+            Value::OptionalBytes(result.file.is_none().then(|| artefact.clone())),
+        ];
+        file = connection.row(text, values).await?.map(|row| row.optional_text(0)).transpose()?.flatten();
     }
     connection.execute("DELETE FROM requests WHERE job_id = $1", id).await?;
-    Ok(true)
+    Ok((true, file))
 }
 
 /// Assignments that put a running job back into the queue.

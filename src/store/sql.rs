@@ -22,6 +22,7 @@ pub(super) enum Value {
     Text(String),
     OptionalText(Option<String>),
     Bytes(Vec<u8>),
+    OptionalBytes(Option<Vec<u8>>),
 }
 
 impl From<i64> for Value {
@@ -70,6 +71,7 @@ macro_rules! bind {
                 Value::Text(value) => query.bind(value),
                 Value::OptionalText(value) => query.bind(value),
                 Value::Bytes(value) => query.bind(value),
+                Value::OptionalBytes(value) => query.bind(value),
             };
         }
         query

@@ -3,10 +3,14 @@
 //! The binaries come from `PLATEAU_POSTGRES_BIN` (a folder; `scripts/test` sets it where it had to fetch them), from
 //! Debian's `/usr/lib/postgresql`, or from the PATH. Without any of them there is no server and the caller skips.
 
+// Each test binary uses what it needs.
+#![allow(dead_code)]
+
 use std::fs;
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use sqlx::{AssertSqlSafe, Connection, PgConnection};
@@ -17,6 +21,8 @@ pub struct Postgres {
     folder: PathBuf,
     /// The shell that stops the server when its standard input closes.
     guard: Child,
+    commands: Mutex<Option<ChildStdin>>,
+    answers: Mutex<BufReader<ChildStdout>>,
     databases: AtomicU32,
 }
 
@@ -39,11 +45,21 @@ impl Postgres {
         });
         let as_user = user.map_or(String::new(), |user| format!("setpriv --reuid {user} --clear-groups "));
         let script = format!(
-            "cd {folder} && {as_user}{bin}/initdb -D {folder}/data -U postgres -A trust --no-sync >{folder}/log 2>&1 && \
-             {{ {as_user}{bin}/postgres -D {folder}/data -k {folder} -c listen_addresses= -c fsync=off \
-             -c max_connections=200 >>{folder}/log 2>&1 </dev/null & pid=$!; \
-             until [ -S {folder}/.s.PGSQL.5432 ] || ! kill -0 $pid 2>/dev/null; do sleep 0.05; done; echo started; \
-             read -r _; kill -INT $pid; wait $pid; }}; rm -rf {folder}",
+            "cd {folder} || exit 1
+            start() {{
+                {as_user}{bin}/postgres -D {folder}/data -k {folder} -c listen_addresses= -c fsync=off \
+                    -c max_connections=200 >>{folder}/log 2>&1 </dev/null & pid=$!
+                until {bin}/pg_isready -q -h {folder} || ! kill -0 $pid 2>/dev/null; do sleep 0.05; done
+                echo started
+            }}
+            {as_user}{bin}/initdb -D {folder}/data -U postgres -A trust --no-sync >{folder}/log 2>&1 && start
+            while read -r command; do
+                case $command in
+                    stop) kill -INT $pid; wait $pid; echo stopped ;;
+                    start) start ;;
+                esac
+            done
+            kill -INT $pid; wait $pid; rm -rf {folder}",
             folder = folder.display(),
             bin = binaries.display(),
         );
@@ -54,30 +70,41 @@ impl Postgres {
             .stdout(Stdio::piped())
             .spawn()
             .expect("a shell starts");
+        let answers = Mutex::new(BufReader::new(guard.stdout.take().expect("a piped stdout")));
+        let commands = Mutex::new(guard.stdin.take());
+        let server = Self { folder, guard, commands, answers, databases: AtomicU32::new(0) };
+        server.expect("started");
+        Some(server)
+    }
+
+    /// Stops the server as an administrator would who is in a hurry: open transactions are rolled back.
+    pub fn stop(&self) {
+        self.say("stop");
+        self.expect("stopped");
+    }
+
+    /// Starts a stopped server again, with its data.
+    pub fn start_again(&self) {
+        self.say("start");
+        self.expect("started");
+    }
+
+    fn say(&self, command: &str) {
+        let mut commands = self.commands.lock().unwrap();
+        writeln!(commands.as_mut().expect("open until dropped"), "{command}").expect("the shell listens");
+    }
+
+    fn expect(&self, answer: &str) {
         let mut line = String::new();
-        BufReader::new(guard.stdout.take().expect("a piped stdout")).read_line(&mut line).expect("the shell answers");
-        let socket = folder.join(".s.PGSQL.5432");
-        assert!(
-            line == "started\n" && socket.exists(),
-            "PostgreSQL did not start: {}",
-            fs::read_to_string(folder.join("log")).unwrap_or_default()
-        );
-        Some(Self { folder, guard, databases: AtomicU32::new(0) })
+        self.answers.lock().unwrap().read_line(&mut line).expect("the shell answers");
+        let log = || fs::read_to_string(self.folder.join("log")).unwrap_or_default();
+        assert_eq!(line.trim_end(), answer, "PostgreSQL did not get there: {}", log());
     }
 
     /// Creates an empty database and returns its URL.
     pub async fn database(&self) -> String {
         let name = format!("test{}", self.databases.fetch_add(1, Ordering::Relaxed));
-        // The server may still be starting up.
-        let mut connection = loop {
-            match PgConnection::connect(&self.url("postgres")).await {
-                Ok(connection) => break connection,
-                Err(sqlx::Error::Database(error)) if error.code().as_deref() == Some("57P03") => {
-                    tokio::task::yield_now().await;
-                }
-                Err(error) => panic!("connecting to PostgreSQL: {error}"),
-            }
-        };
+        let mut connection = PgConnection::connect(&self.url("postgres")).await.expect("the server takes connections");
         sqlx::query(AssertSqlSafe(format!("CREATE DATABASE {name}")))
             .execute(&mut connection)
             .await
@@ -92,7 +119,7 @@ impl Postgres {
 
 impl Drop for Postgres {
     fn drop(&mut self) {
-        drop(self.guard.stdin.take());
+        drop(self.commands.lock().map(|mut commands| commands.take()));
         let _ = self.guard.wait();
     }
 }
