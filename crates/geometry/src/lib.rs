@@ -20,8 +20,8 @@ pub mod linear;
 pub mod mesh;
 pub mod minimal_surface;
 pub mod polyline;
-pub mod uniform_mesh;
 pub mod ruled_surface;
+pub mod uniform_mesh;
 
 pub use error::{Error, InputError, Place};
 pub use execution::{Execution, Interruption, Progress, Signal};

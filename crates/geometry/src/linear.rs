@@ -3,6 +3,10 @@
 //! Everything runs on the calling thread ([`Par::Seq`]), so results do not depend on the number of cores, and every
 //! solution is checked against its right-hand side before it is handed out.
 
+mod conjugate_gradients;
+
+pub use conjugate_gradients::conjugate_gradients;
+
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
 use faer::perm::PermRef;

@@ -6,6 +6,7 @@
 //! Sources: Chen, Cai, Zheng, *Constructing Triangular Meshes of Minimal Area* (2008); Pinkall, Polthier, *Computing
 //! Discrete Minimal Surfaces and Their Conjugates* (1993).
 
+mod bento_cavalcanti;
 mod cotangent;
 mod film;
 mod initial_mesh;
@@ -19,6 +20,7 @@ mod stability;
 mod statistics;
 #[cfg(test)]
 mod structured;
+mod topology_change;
 mod vertex_relaxation;
 
 pub use initial_mesh::InitialMeshKind;
@@ -109,6 +111,49 @@ impl Solver {
     }
 }
 
+/// Whether the film keeps the topology of the initial mesh.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Topology {
+    #[default]
+    Fixed,
+    /// Necks may close, so that a film falls apart where no connected one is stable (Bento, Cavalcanti).
+    Free,
+}
+
+impl Topology {
+    pub const ALL: [Self; 2] = [Self::Fixed, Self::Free];
+
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Fixed => "fixed",
+            Self::Free => "free",
+        }
+    }
+}
+
+/// How [`Solver::PinkallPolthier`] solves its linear systems.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LinearSolver {
+    /// Elimination (L D Lᵀ) every time.
+    #[default]
+    Direct,
+    /// Conjugate gradients, and elimination where they do not converge (Bento, Cavalcanti).
+    ConjugateGradients,
+}
+
+impl LinearSolver {
+    pub const ALL: [Self; 2] = [Self::Direct, Self::ConjugateGradients];
+
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Direct => "direct",
+            Self::ConjugateGradients => "conjugate_gradients",
+        }
+    }
+}
+
 /// How fine the mesh is to be.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Resolution {
@@ -172,6 +217,12 @@ pub struct Options {
     /// `None`: the solver's own default (10,000 sweeps of vertex relaxation, 200 linear solves, 500 steps of Levenberg
     /// and Marquardt).
     pub max_iterations: Option<u32>,
+    pub topology: Topology,
+    /// How [`Solver::PinkallPolthier`] solves its systems.
+    pub linear_solver: LinearSolver,
+    /// Triangles with an angle below this (radians) are removed by [`Solver::PinkallPolthier`] and under
+    /// [`Topology::Free`]; `None`: none is.
+    pub degenerate_angle: Option<f64>,
     /// Which of the candidate points [`InitialMesh::Barycentres`] takes.
     pub seed: u64,
     /// Whether the boundary's vertices count in [`Objective::MinimalMeanCurvature`] (with their interior edges), as
@@ -194,6 +245,9 @@ impl Options {
             processes: None,
             on_unstable: OnUnstable::default(),
             max_iterations: None,
+            topology: Topology::default(),
+            linear_solver: LinearSolver::default(),
+            degenerate_angle: Some(1f64.to_radians()),
             seed: 1,
             boundary_curvature: true,
         }
@@ -221,6 +275,16 @@ impl Options {
         if self.solver != Solver::Auto && (self.solver == Solver::LevenbergMarquardt) != least_squares {
             let detail = format!("{} does not solve {}", self.solver.name(), self.objective.name());
             errors.push(InputError::new(Place::field("solver"), detail));
+        }
+        if self.topology != Topology::Fixed
+            && (least_squares || matches!(self.solver, Solver::VertexRelaxation | Solver::LevenbergMarquardt))
+        {
+            let detail = "necks may close under auto, newton and pinkall_polthier, for the minimal area";
+            errors.push(InputError::new(Place::field("topology"), detail));
+        }
+        if self.degenerate_angle.is_some_and(|angle| !(angle > 0.0 && angle <= LARGEST_DEGENERATE_ANGLE)) {
+            errors
+                .push(InputError::new(Place::field("degenerate_angle_deg"), "must be above 0 and at most 20 degrees"));
         }
         if let Some(stages) = &self.processes {
             for (k, stage) in stages.iter().enumerate() {
@@ -272,7 +336,7 @@ pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> 
             mean_curvature_lm::run(&mut film, options, exec)?
         }
         (_, Solver::VertexRelaxation) => vertex_relaxation::run(&mut film, options, exec)?,
-        (_, Solver::PinkallPolthier) => pinkall_polthier::run(&mut film, options, exec)?,
+        (_, Solver::PinkallPolthier) => bento_cavalcanti::run(&mut film, options, exec)?,
         (_, Solver::Auto | Solver::Newton) => newton::run(&mut film, options, exec)?,
     };
     finish(input, film, kind, initial_area, run, options)
@@ -318,6 +382,9 @@ struct Input {
     vertices: Vec<Vec<u32>>,
     dropped: usize,
 }
+
+/// A third of an equilateral triangle's angle: rules against thinner ones leave good triangles alone.
+const LARGEST_DEGENERATE_ANGLE: f64 = std::f64::consts::PI / 9.0;
 
 /// Coordinates beyond this could overflow when lengths are multiplied.
 const LARGEST_COORDINATE: f64 = 1e70;
@@ -371,9 +438,10 @@ fn finish(
     film: Film,
     kind: InitialMeshKind,
     initial_area: f64,
-    run: Run,
+    mut run: Run,
     options: &Options,
 ) -> Result<MinimalSurface, Error> {
+    run.pinches.iter_mut().for_each(|pinch| pinch.place += input.centre);
     let film = film.with_boundary_first(input.point_count());
     let topology = film.mesh().check().map_err(|defect| {
         Error::no_result("invalid_mesh", format!("the solver left a mesh that is no oriented manifold ({defect})"))
@@ -385,6 +453,13 @@ fn finish(
     if input.dropped > 0 {
         let detail = format!("{} points equal to their neighbour were merged with it", input.dropped);
         warnings.push(Warning::new("merged_points", detail));
+    }
+    if !statistics.pinches.is_empty() {
+        let detail = format!(
+            "the film came apart at {} places; its topology is not the initial mesh's",
+            statistics.pinches.len()
+        );
+        warnings.push(Warning::new("topology_changed", detail));
     }
     if !statistics.converged {
         warnings.push(Warning::new("not_converged", statistics.shortfall(options.tolerance)));

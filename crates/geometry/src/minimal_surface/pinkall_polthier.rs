@@ -11,12 +11,19 @@
 //! neck is reported by the linear solver and not by an infinite entry.
 
 use super::cotangent::Pattern;
-use super::film::{Film, Run};
-use super::record::{Record, geometric_part};
-use super::statistics::{Curvature, StopReason};
-use super::{Options, Solver};
-use crate::linear::{LinearError, Symbolic, SymmetricMatrix};
-use crate::{DVec3, Error, Execution, Interruption};
+use super::film::Film;
+use crate::linear::{LinearError, Symbolic, SymmetricMatrix, conjugate_gradients};
+use crate::{DVec3, Error};
+
+/// Residual at which conjugate gradients stop, relative to that of the present positions.
+const ITERATIVE_TOLERANCE: f64 = 1e-10;
+
+/// Whether a step needed a factorisation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Elimination {
+    Used,
+    Spared,
+}
 
 /// One connectivity's Dirichlet problems: the symbolic factorisation is made once.
 #[derive(Debug)]
@@ -58,52 +65,28 @@ impl Dirichlet {
         }
         Ok(())
     }
-}
 
-/// Linear solves that a run may take if the caller does not say.
-const DEFAULT_SOLVES: u32 = 200;
-
-/// Step 3 until the area changes by less than the area tolerance, or the residual is below its own.
-///
-/// A deadline ends the run with what was reached, a collapse with [`StopReason::Collapsed`].
-///
-/// # Errors
-/// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large to factorise.
-pub(super) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
-    let limit = options.max_iterations.unwrap_or(DEFAULT_SOLVES);
-    let mut record = Record::new(exec);
-    let mut dirichlet = Dirichlet::new(film).map_err(too_large)?;
-    let mut area = film.area();
-    let mut first_change = None;
-    let stop_reason = loop {
-        if dirichlet.pattern.vertex.is_empty() {
-            break StopReason::NothingToMove;
+    /// As [`step`](Self::step), by conjugate gradients from the present positions; by elimination where one of the three
+    /// coordinates does not converge. Says which it was.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub fn step_by_conjugate_gradients(&mut self, film: &mut Film) -> Result<Elimination, LinearError> {
+        self.pattern.laplacian(&film.vertices, film.triangles(), &mut self.matrix, &mut self.right_hand_side);
+        let n = self.pattern.vertex.len();
+        let mut image = vec![DVec3::ZERO; n];
+        for (axis, b) in self.right_hand_side.chunks_exact(n).enumerate() {
+            let mut x: Vec<f64> = self.pattern.vertex.iter().map(|&v| film.vertices[v as usize][axis]).collect();
+            if conjugate_gradients(&self.matrix, b, &mut x, ITERATIVE_TOLERANCE).is_none() {
+                return self.step(film).map(|()| Elimination::Used);
+            }
+            image.iter_mut().zip(x).for_each(|(point, x)| point[axis] = x);
         }
-        if record.iterations >= limit {
-            break StopReason::MaxIterations;
+        for (&vertex, point) in self.pattern.vertex.iter().zip(image) {
+            film.vertices[vertex as usize] = point;
         }
-        match exec.look(film.triangles().len() as u64) {
-            Ok(()) => {}
-            Err(Interruption::DeadlinePassed) => break StopReason::Deadline,
-            Err(Interruption::Cancelled) => return Err(Interruption::Cancelled.into()),
-        }
-        if dirichlet.step(film).is_err() {
-            break StopReason::Collapsed;
-        }
-        let before = std::mem::replace(&mut area, film.area());
-        let change = (before - area).abs() / area;
-        let residual = Curvature::of(film).residual;
-        let first_change = *first_change.get_or_insert(change);
-        let part = geometric_part(first_change, change, options.area_tolerance);
-        record.iteration("pinkall_polthier", area, residual, part);
-        if residual <= options.tolerance {
-            break StopReason::Residual;
-        }
-        if change <= options.area_tolerance || change.is_nan() {
-            break StopReason::AreaChange;
-        }
-    };
-    Ok(Run { stop_reason, iterations: record.iterations, history: record.history, ..Run::new(Solver::PinkallPolthier) })
+        Ok(Elimination::Spared)
+    }
 }
 
 /// The error for a mesh whose factor does not fit.
@@ -113,8 +96,7 @@ pub(super) fn too_large(_: LinearError) -> Error {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Resolution;
-    use super::super::structured::{cylinder, patch};
+    use super::super::structured::patch;
     use super::*;
 
     #[test]
@@ -122,28 +104,5 @@ mod tests {
         let mut film = patch(8, 8, |u, v| DVec3::new(u, v, (u * (1.0 - u) * v * (1.0 - v)).sqrt()));
         Dirichlet::new(&film).unwrap().step(&mut film).unwrap();
         assert!(film.vertices.iter().all(|vertex| vertex.z.abs() < 1e-14));
-    }
-
-    #[test]
-    fn the_area_falls_at_every_solve_to_the_catenoid() {
-        let mut film = cylinder(48, 12, 1.0);
-        let mut options = Options::new(Resolution::Triangles(1));
-        (options.area_tolerance, options.tolerance) = (0.0, 1e-4);
-        let run = run(&mut film, &options, &Execution::default()).unwrap();
-        assert_eq!(run.stop_reason, StopReason::Residual);
-        assert!(run.history.windows(2).all(|pair| pair[1].area <= pair[0].area * (1.0 + 1e-14)));
-        // Between the polygons the area is a little below the smooth catenoid's 5.991797 between circles.
-        assert!((film.area() - 5.9918).abs() < 0.02, "{}", film.area());
-    }
-
-    #[test]
-    fn the_area_tolerance_and_the_limit_end_a_run() {
-        let mut options = Options::new(Resolution::Triangles(1));
-        let solve = |options: &Options| run(&mut cylinder(24, 6, 1.0), options, &Execution::default()).unwrap();
-        (options.area_tolerance, options.tolerance) = (1e-4, 0.0);
-        assert_eq!(solve(&options).stop_reason, StopReason::AreaChange);
-        (options.area_tolerance, options.max_iterations) = (0.0, Some(3));
-        let run = solve(&options);
-        assert_eq!((run.stop_reason, run.iterations), (StopReason::MaxIterations, 3));
     }
 }

@@ -59,7 +59,7 @@ pub struct HistoryRow {
 pub struct Pinch {
     pub iteration: u32,
     pub place: DVec3,
-    /// What happened there: `neck_split`, `component_removed`.
+    /// What happened there: `split` (a component became two), `handle_cut` (it stayed one), `closed_component_removed`.
     pub what: &'static str,
 }
 

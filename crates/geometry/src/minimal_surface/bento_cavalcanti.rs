@@ -1,0 +1,287 @@
+//! Bento and Cavalcanti, *Computação de Superfícies Mínimas Discretas*: Pinkall and Polthier's iteration with rules that
+//! keep its triangles sound, so that necks may close.
+//!
+//! 1. Remove degenerate triangles ([`topology_change`](super::topology_change)); log what it did to the topology.
+//! 2. One solve of Pinkall and Polthier: by conjugate gradients from the present positions, by elimination where these
+//!    do not converge; or by elimination alone.
+//! 3. Repeat until the area changes by less than the area tolerance, and the rules changed nothing.
+//!
+//! Our departures: elimination is the default, since it needs no luck with a bad mesh; the
+//! change of area is relative; a solve that fails on a collapsed mesh is tried again after the rules have run with
+//! a wider threshold.
+
+use super::film::{Film, Run};
+use super::pinkall_polthier::{Dirichlet, Elimination, too_large};
+use super::record::{Record, geometric_part};
+use super::statistics::{Curvature, Pinch, StopReason};
+use super::topology_change::{Necks, remove_degenerate_triangles};
+use super::{LinearSolver, Options, Solver, Topology};
+use crate::{Error, Execution, Interruption};
+
+/// Linear solves that a run may take if the caller does not say.
+const DEFAULT_SOLVES: u32 = 200;
+/// Where a mesh is too bad to solve, triangles up to this many times the threshold go too.
+const WIDER: f64 = 4.0;
+
+/// Steps 1 to 3 on a film.
+///
+/// [`Options::degenerate_angle`] `None` leaves step 1 out; [`Topology::Fixed`] keeps necks. Ends with
+/// [`StopReason::AreaChange`], with [`StopReason::Residual`] if that falls below its tolerance first, or with
+/// [`StopReason::Collapsed`] where the mesh has no solution that the rules can mend. Looks once a solve.
+///
+/// # Errors
+/// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large to factorise.
+pub(super) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
+    let limit = options.max_iterations.unwrap_or(DEFAULT_SOLVES);
+    let mut record = Record::new(exec);
+    let mut run = Run::new(Solver::PinkallPolthier);
+    match iterate(film, options, limit, &mut record, &mut run, Until::Settled, exec) {
+        Ok(reason) => run.stop_reason = reason,
+        Err(Stop::Interrupted(Interruption::DeadlinePassed)) => run.stop_reason = StopReason::Deadline,
+        Err(Stop::Interrupted(interruption)) => return Err(interruption.into()),
+        Err(Stop::TooLarge(error)) => return Err(error),
+    }
+    run.iterations = record.iterations;
+    run.history = record.history;
+    Ok(run)
+}
+
+/// Why the iteration was left half way.
+#[derive(Debug)]
+pub(super) enum Stop {
+    Interrupted(Interruption),
+    TooLarge(Error),
+}
+
+impl From<Interruption> for Stop {
+    fn from(interruption: Interruption) -> Self {
+        Self::Interrupted(interruption)
+    }
+}
+
+/// Where [`iterate`] ends if nothing else stops it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Until {
+    /// The area changes no more.
+    Settled,
+    /// As `Settled`, or after the solve that follows a change of topology.
+    Pinched,
+}
+
+/// Steps 1 to 3, adding to `record` and `run`.
+///
+/// # Errors
+/// See [`Stop`].
+pub(super) fn iterate(
+    film: &mut Film,
+    options: &Options,
+    limit: u32,
+    record: &mut Record,
+    run: &mut Run,
+    until: Until,
+    exec: &Execution,
+) -> Result<StopReason, Stop> {
+    let necks = if options.topology == Topology::Fixed { Necks::Keep } else { Necks::Cut };
+    let mut dirichlet = Dirichlet::new(film).map_err(|error| Stop::TooLarge(too_large(error)))?;
+    let mut area = film.area();
+    let mut first_change = None;
+    let (pinches_before, mut mended) = (run.pinches.len(), false);
+    loop {
+        if film.fixed.iter().all(|&fixed| fixed) {
+            return Ok(StopReason::NothingToMove);
+        }
+        if record.iterations >= limit {
+            return Ok(StopReason::MaxIterations);
+        }
+        exec.look(film.triangles().len() as u64)?;
+        let angle = options.degenerate_angle.map(|angle| if mended { WIDER * angle } else { angle });
+        let changes = match angle {
+            Some(angle) => remove_degenerate_triangles(film, angle, necks),
+            None => super::topology_change::Changes::default(),
+        };
+        let changed = changes.any();
+        run.edges_swapped += changes.flips;
+        let iteration = record.iterations + 1;
+        run.pinches.extend(changes.pinches.into_iter().map(|pinch| Pinch { iteration, ..pinch }));
+        if changed {
+            dirichlet = Dirichlet::new(film).map_err(|error| Stop::TooLarge(too_large(error)))?;
+        }
+        let solved = match options.linear_solver {
+            LinearSolver::Direct => dirichlet.step(film).map(|()| Elimination::Used),
+            LinearSolver::ConjugateGradients => dirichlet.step_by_conjugate_gradients(film),
+        };
+        let phase = match solved {
+            Ok(Elimination::Used) => "pinkall_polthier",
+            Ok(Elimination::Spared) => "conjugate_gradients",
+            Err(_) if angle.is_none() || (mended && !changed) => return Ok(StopReason::Collapsed),
+            Err(_) => {
+                mended = true;
+                continue;
+            }
+        };
+        mended = false;
+        let before = std::mem::replace(&mut area, film.area());
+        let change = (before - area).abs() / area;
+        let residual = Curvature::of(film).residual;
+        let first_change = *first_change.get_or_insert(change);
+        record.iteration(phase, area, residual, geometric_part(first_change, change, options.area_tolerance));
+        if changed {
+            if until == Until::Pinched && run.pinches.len() > pinches_before {
+                return Ok(StopReason::AreaChange);
+            }
+            continue;
+        }
+        if residual <= options.tolerance {
+            return Ok(StopReason::Residual);
+        }
+        if change <= options.area_tolerance || change.is_nan() {
+            return Ok(StopReason::AreaChange);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Resolution;
+    use super::super::structured::cylinder;
+    use super::*;
+    use crate::DVec3;
+    use crate::mesh::measure;
+
+    #[test]
+    fn the_area_falls_at_every_solve_to_the_catenoid() {
+        let mut film = cylinder(48, 12, 1.0);
+        let mut options = Options::new(Resolution::Triangles(1));
+        (options.area_tolerance, options.tolerance) = (0.0, 1e-4);
+        let run = run(&mut film, &options, &Execution::default()).unwrap();
+        assert_eq!(run.stop_reason, StopReason::Residual);
+        assert!(run.history.windows(2).all(|pair| pair[1].area <= pair[0].area * (1.0 + 1e-14)));
+        // Between the polygons the area is a little below the smooth catenoid's 5.991797 between circles.
+        assert!((film.area() - 5.9918).abs() < 0.02, "{}", film.area());
+    }
+
+    #[test]
+    fn the_area_tolerance_and_the_limit_end_a_run() {
+        let mut options = Options::new(Resolution::Triangles(1));
+        let solve = |options: &Options| run(&mut cylinder(24, 6, 1.0), options, &Execution::default()).unwrap();
+        (options.area_tolerance, options.tolerance) = (1e-4, 0.0);
+        assert_eq!(solve(&options).stop_reason, StopReason::AreaChange);
+        (options.area_tolerance, options.max_iterations) = (0.0, Some(3));
+        let run = solve(&options);
+        assert_eq!((run.stop_reason, run.iterations), (StopReason::MaxIterations, 3));
+    }
+
+    fn rings(n: usize, strips: usize, height: f64, options: &Options) -> (Film, Run) {
+        let mut film = cylinder(n, strips, height / 10.0);
+        film.vertices.iter_mut().for_each(|vertex| *vertex *= 10.0);
+        let run = run(&mut film, options, &Execution::default()).unwrap();
+        film.mesh().check().unwrap();
+        (film, run)
+    }
+
+    fn free() -> Options {
+        Options { topology: Topology::Free, tolerance: 0.0, ..Options::new(Resolution::Triangles(1)) }
+    }
+
+    /// A cylinder of radius 10 cut along a line, opened by `opening` radians: one loop.
+    fn cut_cylinder(n: usize, strips: usize, height: f64, opening: f64) -> Film {
+        super::super::structured::patch(n, strips, |u, v| {
+            let angle = 0.5 * opening + u * (std::f64::consts::TAU - opening);
+            DVec3::new(10.0 * angle.cos(), 10.0 * angle.sin(), height * (v - 0.5))
+        })
+    }
+
+    fn disc_area(n: usize) -> f64 {
+        50.0 * n as f64 * (std::f64::consts::TAU / n as f64).sin()
+    }
+
+    #[test]
+    fn figure_6_near_rings_keep_their_catenoid() {
+        // r = c cosh(h / (2c)) has c = 7.3966 at r = 10, h = 12 (the larger root): area π c² (sinh(h/c) + h/c) = 700.0...
+        let waist: (f64, f64) = (0..60).fold((8.3, 12.0 / 2.4), |(high, low), _| {
+            let middle: f64 = 0.5 * (high + low);
+            if middle * (6.0 / middle).cosh() > 10.0 { (middle, low) } else { (high, middle) }
+        });
+        let c = waist.0;
+        let smooth = std::f64::consts::PI * c * c * ((12.0 / c).sinh() + 12.0 / c);
+        let mut errors = Vec::new();
+        for n in [24, 48, 96] {
+            let options = Options { area_tolerance: 1e-9, ..free() };
+            let (film, run) = rings(n, n / 6, 12.0, &options);
+            assert!(run.pinches.is_empty() && film.triangles().len() == 2 * n * (n / 6));
+            assert!(run.history.windows(2).all(|pair| pair[1].area <= pair[0].area * (1.0 + 1e-14)));
+            errors.push((film.area() - smooth).abs());
+        }
+        assert!(errors[2] < 0.05, "{errors:?} {smooth}");
+        // Second order: a quarter of the error for half the edge length.
+        assert!(errors.windows(2).all(|pair| (3.0..5.0).contains(&(pair[0] / pair[1]))), "{errors:?}");
+    }
+
+    #[test]
+    fn figure_7_far_rings_become_two_discs_by_either_linear_solver() {
+        for linear_solver in LinearSolver::ALL {
+            for n in [24, 48] {
+                let options = Options { linear_solver, ..free() };
+                let (film, run) = rings(n, n / 6, 14.0, &options);
+                let topology = film.mesh().check().unwrap();
+                assert_eq!((topology.components(), topology.euler_characteristic()), (2, 2));
+                assert!((film.area() - 2.0 * disc_area(n)).abs() < 1e-9 * film.area());
+                let [pinch] = run.pinches[..] else { panic!("{:?}", run.pinches) };
+                assert_eq!(pinch.what, "split");
+                assert!(pinch.place.length() < 0.1 && pinch.iteration > 5, "{pinch:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn figure_7_has_no_degenerate_triangle_at_any_step() {
+        let (whole, whole_run) = rings(24, 4, 14.0, &free());
+        for step in 1..=whole_run.iterations {
+            let options = Options { max_iterations: Some(step), ..free() };
+            let (film, run) = rings(24, 4, 14.0, &options);
+            assert_eq!(measure::degenerate_triangles(&film.mesh()), 0, "step {step}");
+            assert_eq!(film.boundaries.iter().map(Vec::len).sum::<usize>(), 48);
+            assert_eq!(run.history[..], whole_run.history[..step as usize]);
+        }
+        assert_eq!(measure::flipped_triangles(&whole.mesh()), 0);
+    }
+
+    #[test]
+    fn figure_8_without_the_rules_the_far_rings_end_in_degenerate_triangles() {
+        for linear_solver in LinearSolver::ALL {
+            let options = Options { degenerate_angle: None, area_tolerance: 0.0, linear_solver, ..free() };
+            let (film, run) = rings(24, 4, 14.0, &options);
+            assert_eq!(run.stop_reason, StopReason::Collapsed);
+            assert_eq!(film.topology.components(), 1);
+            assert!(measure::degenerate_triangles(&film.mesh()) > 20);
+            let spared = run.history.iter().filter(|row| row.phase == "conjugate_gradients").count();
+            // As theirs: conjugate gradients give up as the neck closes, and elimination takes over.
+            let expected = linear_solver == LinearSolver::ConjugateGradients;
+            assert_eq!(spared > 0 && spared < run.history.len(), expected);
+        }
+    }
+
+    #[test]
+    fn figure_9_a_cut_cylinder_keeps_its_topology_while_the_rules_mend_it() {
+        for (n, height, opening) in [(24, 14.0, 0.2), (24, 20.0, 0.2), (24, 40.0, 0.2), (24, 20.0, 0.0)] {
+            let mut film = cut_cylinder(n, n / 6, height, opening);
+            let before = film.clone();
+            let run = run(&mut film, &free(), &Execution::default()).unwrap();
+            let topology = film.mesh().check().unwrap();
+            assert_eq!((topology.components(), topology.euler_characteristic()), (1, 1));
+            assert!(run.pinches.is_empty());
+            for (&now, &then) in film.boundaries[0].iter().zip(&before.boundaries[0]) {
+                assert_eq!(film.vertices[now as usize], before.vertices[then as usize]);
+            }
+            let mended = film.triangles().len() < before.triangles().len();
+            assert_eq!(mended, height > 14.0);
+        }
+    }
+
+    #[test]
+    fn necks_stay_where_the_topology_is_fixed() {
+        let options = Options { topology: Topology::Fixed, ..free() };
+        let (film, run) = rings(24, 4, 14.0, &options);
+        assert_eq!((film.topology.components(), run.pinches.len()), (1, 0));
+    }
+}
