@@ -14,7 +14,6 @@ mod mean_curvature_lm;
 mod newton;
 mod pinkall_polthier;
 mod record;
-#[allow(dead_code, reason = "the initial meshes that use it follow")]
 mod remesh;
 mod stability;
 mod statistics;
@@ -168,8 +167,10 @@ pub enum Resolution {
 /// Whether points may be added on the segments of the boundary.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum BoundarySampling {
-    /// The polygon's own vertices only, as in the papers.
+    /// Points are added on long segments, so that the mesh is as fine there as inside.
     #[default]
+    Refine,
+    /// The polygon's own vertices only, as in the papers.
     Keep,
 }
 
@@ -179,6 +180,10 @@ pub enum InitialMesh {
     /// The best of the others for the boundaries at hand; the statistics say which one it was.
     #[default]
     Auto,
+    /// Delaunay triangles in the plane in which the boundaries enclose most, where their projection is simple.
+    Planar,
+    /// Delaunay triangles in a round disc (with a round hole for every further boundary), mapped harmonically.
+    Disk,
     /// Chen, Cai, Zheng 3.4: rings towards the mean of the boundary; between two boundaries, rings from one to the other.
     Rings,
     /// Liu, Wang: points at barycentres inside one boundary, chosen by [`Options::seed`], in a Delaunay triangulation.
@@ -195,6 +200,9 @@ pub enum OnUnstable {
     /// Leave it along its lowest mode and go on to a minimum.
     Descend,
 }
+
+/// Meshes larger than this are refused: half-edges are numbered with 32 bits.
+pub const LARGEST_COUNT: usize = 100_000_000;
 
 /// What a solve is asked for. [`Options::new`] gives the defaults; only the resolution has none.
 #[derive(Clone, Debug, PartialEq)]
@@ -286,6 +294,15 @@ impl Options {
             errors
                 .push(InputError::new(Place::field("degenerate_angle_deg"), "must be above 0 and at most 20 degrees"));
         }
+        let counted = match self.resolution {
+            Resolution::Triangles(count) => Some(("triangles", count)),
+            Resolution::InteriorVertices(count) => Some(("interior_vertices", count)),
+            Resolution::EdgeLength(_) => None,
+        };
+        if let Some((name, _)) = counted.filter(|&(_, count)| count > LARGEST_COUNT) {
+            let detail = format!("must be at most {LARGEST_COUNT}");
+            errors.push(InputError::new(Place::field("resolution").then(name), detail));
+        }
         if let Some(stages) = &self.processes {
             for (k, stage) in stages.iter().enumerate() {
                 if stage.iter().all(|process| *process == Process::EdgeSwapping) {
@@ -329,7 +346,8 @@ pub struct MinimalSurface {
 pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<MinimalSurface, Error> {
     let input = Input::read(boundaries, options)?;
     exec.look(input.point_count() as u64)?;
-    let (mut film, kind) = initial_mesh::build(&input.centred, options, exec)?;
+    let (start, kind) = initial_mesh::build(&input.centred, options, exec)?;
+    let mut film = start.refined(exec)?;
     let initial_area = film.area();
     let run = match (options.objective, options.solver) {
         (Objective::MinimalMeanCurvature, _) | (_, Solver::LevenbergMarquardt) => {

@@ -2,13 +2,16 @@
 
 mod boundaries;
 
-use plateau_geometry::minimal_surface::{InitialMesh, MinimalSurface, Options, Resolution, Solver, solve};
+use plateau_geometry::minimal_surface::{
+    BoundarySampling, InitialMesh, MinimalSurface, Options, Resolution, Solver, solve,
+};
 use plateau_geometry::{DVec3, Execution};
 
 fn relax(triangles: usize) -> Options {
     Options {
         solver: Solver::VertexRelaxation,
         initial_mesh: InitialMesh::Rings,
+        boundary_sampling: BoundarySampling::Keep,
         ..Options::new(Resolution::Triangles(triangles))
     }
 }

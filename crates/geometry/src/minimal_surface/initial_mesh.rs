@@ -1,19 +1,38 @@
 //! The mesh that a solver starts from. It settles the topology of the result and, with several minimal surfaces on one
 //! boundary, which of them comes out.
 
+mod domain;
 mod lattice;
 mod plane_mesh;
 mod rings;
+mod sampling;
+mod spanning;
 mod strip;
 
 use super::film::Film;
 use super::{InitialMesh, Objective, Options, Resolution, estimate_triangles, mean_curvature_lm};
+use crate::error::InputError;
 use crate::{DVec3, Error, Execution, Place};
+use domain::{Frame, Shape};
+use plane_mesh::PlaneError;
+use spanning::Spanning;
+
+pub(super) use spanning::Start;
 
 /// Which initial mesh was built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InitialMeshKind {
+    /// Delaunay triangles in the best plane, heights extended harmonically.
+    Planar,
+    /// Delaunay triangles in a round disc, mapped harmonically.
+    Disk,
+    /// Two boundaries: Delaunay triangles in a round annulus, mapped harmonically.
+    Annulus,
+    /// Three and more: Delaunay triangles in a disc with round holes, mapped harmonically.
+    SphereWithHoles,
+    /// Chen, Cai, Zheng's rings.
     Rings,
+    /// Liu, Wang's seeded choice of barycentres.
     Barycentres,
 }
 
@@ -21,6 +40,10 @@ impl InitialMeshKind {
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
+            Self::Planar => "planar",
+            Self::Disk => "disk",
+            Self::Annulus => "annulus",
+            Self::SphereWithHoles => "sphere_with_holes",
             Self::Rings => "rings",
             Self::Barycentres => "barycentres",
         }
@@ -32,23 +55,57 @@ impl InitialMeshKind {
 /// Its triangles run along the first boundary in the boundary's own direction.
 ///
 /// # Errors
-/// [`Error::Input`] for a resolution that these boundaries cannot have; the interruptions of `exec`.
+/// [`Error::Input`] for a resolution that these boundaries cannot have; [`Error::NoResult`] for a plane boundary that
+/// crosses itself; the interruptions of `exec`.
 pub(super) fn build(
     boundaries: &[Vec<DVec3>],
     options: &Options,
     exec: &Execution,
-) -> Result<(Film, InitialMeshKind), Error> {
+) -> Result<(Start, InitialMeshKind), Error> {
+    let whole = |film| Start { film, subdivisions: 0 };
     let least_squares = options.objective == Objective::MinimalMeanCurvature && boundaries.len() == 1;
     if options.initial_mesh == InitialMesh::Barycentres || (options.initial_mesh == InitialMesh::Auto && least_squares)
     {
-        return Ok((barycentres(boundaries, options, exec)?, InitialMeshKind::Barycentres));
+        return Ok((whole(barycentres(boundaries, options, exec)?), InitialMeshKind::Barycentres));
     }
-    let film = match options.initial_mesh {
-        InitialMesh::Auto | InitialMesh::Barycentres | InitialMesh::Rings => {
-            rings::build(boundaries, options.resolution, exec)?
-        }
+    let Some(frame) = Frame::best(boundaries) else {
+        return Err(Error::input(Place::field("boundaries"), "all points lie on one line"));
     };
-    Ok((film, InitialMeshKind::Rings))
+    let attempt = |shape| Spanning { boundaries, shape, options, exec }.build();
+    let curved = || {
+        let kind = match boundaries.len() {
+            1 => InitialMeshKind::Disk,
+            2 => InitialMeshKind::Annulus,
+            _ => InitialMeshKind::SphereWithHoles,
+        };
+        let start = attempt(Shape::disc(boundaries))?.map_err(|error| refusal(boundaries, error, false))?;
+        Ok((start, kind))
+    };
+    match options.initial_mesh {
+        InitialMesh::Rings => Ok((whole(rings::build(boundaries, options, exec)?), InitialMeshKind::Rings)),
+        InitialMesh::Planar => {
+            let start = attempt(Shape::Plane(frame))?.map_err(|error| refusal(boundaries, error, true))?;
+            Ok((start, InitialMeshKind::Planar))
+        }
+        InitialMesh::Disk => curved(),
+        InitialMesh::Auto | InitialMesh::Barycentres => {
+            let flat = frame.largest_height(boundaries) <= FLAT * extent(boundaries);
+            if flat || is_gentle(boundaries, &frame) {
+                match attempt(Shape::Plane(frame))? {
+                    Ok(start) if start.film.topology.components() == 1 => return Ok((start, InitialMeshKind::Planar)),
+                    // In the plane itself there is nothing else to try for one boundary.
+                    Err(error @ PlaneError::NotSimple(_)) if flat && boundaries.len() == 1 => {
+                        return Err(refusal(boundaries, error, true));
+                    }
+                    Err(error @ (PlaneError::TooManyPoints | PlaneError::TooCoarse { .. })) => {
+                        return Err(refusal(boundaries, error, true));
+                    }
+                    _ => {}
+                }
+            }
+            curved()
+        }
+    }
 }
 
 fn barycentres(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<Film, Error> {
@@ -61,4 +118,62 @@ fn barycentres(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -
         _ => ((estimate_triangles(boundaries, options) + 2.0 - boundary.len() as f64) / 2.0).round() as usize,
     };
     mean_curvature_lm::candidate_mesh(boundary, interior_vertices, options.seed, exec)
+}
+
+/// Heights below this fraction of the extent make a boundary a plane one.
+const FLAT: f64 = 1e-9;
+
+/// Segments whose projection keeps less than this of their length make a projection too steep.
+const STEEP: f64 = 0.25;
+
+fn extent(boundaries: &[Vec<DVec3>]) -> f64 {
+    boundaries.iter().flatten().map(|p| p.length()).fold(0.0, f64::max)
+}
+
+/// Whether no segment is so steep that the projection would crowd its neighbourhood.
+fn is_gentle(boundaries: &[Vec<DVec3>], frame: &Frame) -> bool {
+    boundaries.iter().all(|points| {
+        (0..points.len()).all(|k| {
+            let (a, b) = (points[k], points[(k + 1) % points.len()]);
+            frame.project(a).distance(frame.project(b)) >= STEEP * a.distance(b)
+        })
+    })
+}
+
+/// What to tell the caller of a domain that has no mesh.
+fn refusal(boundaries: &[Vec<DVec3>], error: PlaneError, plane: bool) -> Error {
+    match error {
+        PlaneError::Interrupted(interruption) => interruption.into(),
+        PlaneError::TooManyPoints => {
+            Error::input(Place::field("resolution"), "so fine a mesh has more triangles than can be numbered")
+        }
+        PlaneError::TooCoarse { triangles } => {
+            let detail =
+                format!("the boundaries' own points already make {triangles} triangles, which is too many for it");
+            Error::input(Place::field("resolution"), detail)
+        }
+        PlaneError::NotSimple(_) if plane => Error::NoResult {
+            reason: "self_intersecting_boundary",
+            detail:
+                "seen in its plane the boundary crosses or touches itself, so that no mesh without folds spans it; \
+                     move the points apart, or ask for the initial mesh disk if the boundary is a curve in space"
+                    .into(),
+            places: (0..boundaries.len())
+                .map(|k| InputError::new(Place::field("boundaries").at(k), "is part of a boundary that is not simple"))
+                .collect(),
+        },
+        PlaneError::NotSimple(_) => Error::no_result(
+            "degenerate_boundary",
+            "points of the boundary are so close together that they cannot be told apart",
+        ),
+    }
+}
+
+/// Turns all triangles over if they run against the boundary.
+fn orient_along(triangles: &mut [[u32; 3]], boundary: &[u32]) {
+    let edge = (boundary[0], boundary[1]);
+    let along = triangles.iter().any(|&[a, b, c]| [(a, b), (b, c), (c, a)].contains(&edge));
+    if !along {
+        triangles.iter_mut().for_each(|triangle| triangle.swap(0, 1));
+    }
 }

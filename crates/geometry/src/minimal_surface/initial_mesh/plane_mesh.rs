@@ -32,6 +32,10 @@ pub(super) enum PlaneError {
     /// The boundary (or a fixed edge) crosses or touches itself; the first such edge, by its two vertices.
     NotSimple([u32; 2]),
     TooManyPoints,
+    /// The boundary's own points already make so many triangles, which is more than were asked for.
+    TooCoarse {
+        triangles: usize,
+    },
     Interrupted(Interruption),
 }
 
@@ -60,6 +64,11 @@ impl Domain {
         edges
     }
 
+    /// All edges that must be there.
+    fn edges(&self) -> Vec<[u32; 2]> {
+        self.boundary_edges().into_iter().chain(self.segments.iter().copied()).collect()
+    }
+
     /// Meshes the domain: sizes from the lengths of the boundary's edges and of the fixed ones, growing with `grading`
     /// to the cap.
     ///
@@ -74,7 +83,7 @@ impl Domain {
         exec: &Execution,
     ) -> Result<PlaneMesh, PlaneError> {
         let mut points = self.fixed_points();
-        let edges: Vec<[u32; 2]> = self.boundary_edges().into_iter().chain(self.segments.iter().copied()).collect();
+        let edges = self.edges();
         let source = |&[a, b]: &[u32; 2]| {
             let (a, b) = (points[a as usize], points[b as usize]);
             Source { a, b, size: a.distance(b) }
@@ -88,13 +97,45 @@ impl Domain {
         let candidates = field.lattice(low, high, largest_cap.min(extent), limit).ok_or(PlaneError::TooManyPoints)?;
         exec.look(candidates.len() as u64).map_err(PlaneError::Interrupted)?;
         let kept = inside(&self.loops, &candidates);
-        let lattice = points.len();
         points.extend(candidates.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point));
-        let triangles = self.triangulate(&points, &edges)?;
+        self.smooth(&points, exec)
+    }
+
+    /// The same mesh with about `count` more vertices, in its largest triangles.
+    ///
+    /// # Errors
+    /// See [`PlaneError`].
+    pub fn densified(&self, mesh: &PlaneMesh, count: usize, exec: &Execution) -> Result<PlaneMesh, PlaneError> {
+        let corners = |t: u32| mesh.topology.triangles()[t as usize].map(|v| mesh.points[v as usize]);
+        let area = |t: u32| {
+            let [a, b, c] = corners(t);
+            (b - a).perp_dot(c - a)
+        };
+        let mut order: Vec<u32> = (0..mesh.topology.triangles().len() as u32).collect();
+        order.sort_by(|&s, &t| area(t).total_cmp(&area(s)).then(s.cmp(&t)));
+        let mut points = mesh.points.clone();
+        let mut taken = vec![false; points.len()];
+        // First those that share no corner, so that the new points do not crowd.
+        let mut added = 0;
+        for t in order {
+            let triangle = mesh.topology.triangles()[t as usize];
+            if added < count && triangle.iter().all(|&v| !taken[v as usize]) {
+                triangle.iter().for_each(|&v| taken[v as usize] = true);
+                let [a, b, c] = corners(t);
+                points.push((a + b + c) / 3.0);
+                added += 1;
+            }
+        }
+        self.smooth(&points, exec)
+    }
+
+    /// Triangulates the fixed and the free points and evens the free ones out.
+    fn smooth(&self, points: &[DVec2], exec: &Execution) -> Result<PlaneMesh, PlaneError> {
+        let triangles = self.triangulate(points, &self.edges())?;
         exec.look(triangles.len() as u64).map_err(PlaneError::Interrupted)?;
         let topology =
             Topology::build(&triangles, points.len()).map_err(|_| PlaneError::NotSimple(self.boundary_edges()[0]))?;
-        let mut film = self.as_film(&points, topology, lattice);
+        let mut film = self.as_film(points, topology);
         for _ in 0..SMOOTHING_ROUNDS {
             tangential_relaxation(&mut film, 1);
             flip_to_delaunay(&mut film);
@@ -103,12 +144,13 @@ impl Domain {
         Ok(PlaneMesh { points: film.vertices.iter().map(|p| p.truncate()).collect(), topology: film.topology })
     }
 
-    fn as_film(&self, points: &[DVec2], topology: Topology, lattice: usize) -> Film {
+    fn as_film(&self, points: &[DVec2], topology: Topology) -> Film {
+        let fixed = self.boundary_points() + self.points.len();
         let mut locked: Vec<[u32; 2]> = self.segments.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
         locked.sort_unstable();
         Film {
             vertices: points.iter().map(|p| p.extend(0.0)).collect::<Vec<DVec3>>(),
-            fixed: (0..points.len()).map(|k| k < lattice).collect(),
+            fixed: (0..points.len()).map(|k| k < fixed).collect(),
             topology,
             locked,
             boundaries: Vec::new(),
@@ -200,8 +242,7 @@ mod tests {
     fn mesh(loops: Vec<Vec<DVec2>>, size: f64) -> Result<Film, PlaneError> {
         let domain = Domain { loops, ..Domain::default() };
         let plane = domain.mesh(&|_| size, size, 0.3, 1_000_000, &Execution::default())?;
-        let fixed = domain.boundary_points();
-        Ok(domain.as_film(&plane.points, plane.topology, fixed))
+        Ok(domain.as_film(&plane.points, plane.topology))
     }
 
     #[test]

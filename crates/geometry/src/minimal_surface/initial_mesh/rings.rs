@@ -7,26 +7,59 @@
 //!
 //! Departures. Two boundaries (their Fig. 9 shows the result, the text leaves the mesh open): rings of as many points as
 //! the longer list has, on the bridges of a strip between the two, so that m = n₁ + n₂ + 2 × interior vertices. The
-//! triangles to be split are spread evenly over the outer ring (theirs: any).
+//! triangles to be split are spread evenly over the outer ring (theirs: any). With `refine` the boundary is first
+//! sampled as finely as the mesh is to be, and a count of the wrong parity is raised by one.
 
-use super::super::Resolution;
 use super::super::film::Film;
+use super::super::{BoundarySampling, LARGEST_COUNT, Options, Resolution};
+use super::sampling::{Sampled, numbers, sample};
 use super::strip::Matching;
 use crate::{DVec3, Error, Execution, Place, polyline};
 
-/// One or two boundaries, exactly the triangles asked for.
+/// One or two boundaries; exactly the triangles asked for if the boundary is kept.
 ///
 /// # Errors
 /// [`Error::Input`] naming the resolution if these boundaries cannot have it.
-pub(super) fn build(boundaries: &[Vec<DVec3>], resolution: Resolution, exec: &Execution) -> Result<Film, Error> {
-    let skeleton = match boundaries {
-        [only] => Skeleton::disc(only),
-        [first, second] => Skeleton::annulus(first, second),
-        _ => return Err(Error::input(Place::field("boundaries"), "rings span one or two boundaries")),
+pub(super) fn build(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<Film, Error> {
+    if options.boundary_sampling == BoundarySampling::Keep {
+        let skeleton = Skeleton::of(boundaries)?;
+        let interior = skeleton.interior_vertices(options.resolution)?;
+        exec.look(interior as u64)?;
+        return Ok(skeleton.fill(interior));
+    }
+    let coarse = Skeleton::of(boundaries)?;
+    let area = coarse.fill(coarse.least_interior()).area();
+    let triangle = 0.75f64.sqrt() / 2.0;
+    let size = match options.resolution {
+        Resolution::EdgeLength(length) => length,
+        Resolution::Triangles(count) => (area / (triangle * count.max(1) as f64)).sqrt(),
+        Resolution::InteriorVertices(count) => (area / (triangle * 2.0 * count.max(1) as f64)).sqrt(),
+    };
+    coarse.check_size(size, area)?;
+    let sampled: Vec<Sampled> =
+        boundaries.iter().map(|points| sample(points, size, GRADING, BoundarySampling::Refine)).collect();
+    let refined: Vec<Vec<DVec3>> = sampled.iter().map(|boundary| boundary.points.clone()).collect();
+    let skeleton = Skeleton::of(&refined)?;
+    let resolution = match options.resolution {
+        Resolution::Triangles(count) => Resolution::Triangles(count + (count + skeleton.points.len()) % 2),
+        other => other,
     };
     let interior = skeleton.interior_vertices(resolution)?;
     exec.look(interior as u64)?;
-    Ok(skeleton.fill(interior))
+    Ok(renumbered(&skeleton.fill(interior), &numbers(&sampled)))
+}
+
+/// Pieces of the boundary grow by at most this per length.
+const GRADING: f64 = 0.3;
+
+/// The film with its first vertices in another order.
+fn renumbered(film: &Film, numbers: &[u32]) -> Film {
+    let place = |v: u32| numbers.get(v as usize).copied().unwrap_or(v);
+    let mut vertices = film.vertices.clone();
+    film.vertices.iter().enumerate().for_each(|(v, &p)| vertices[place(v as u32) as usize] = p);
+    let triangles: Vec<[u32; 3]> = film.triangles().iter().map(|triangle| triangle.map(place)).collect();
+    let boundaries = film.boundaries.iter().map(|boundary| boundary.iter().map(|&v| place(v)).collect()).collect();
+    Film::new(vertices, &triangles, boundaries).expect("renaming keeps a manifold")
 }
 
 /// What the rings run along: from each point of the outer loop to its partner further in.
@@ -47,6 +80,14 @@ enum Inner {
 }
 
 impl Skeleton {
+    fn of(boundaries: &[Vec<DVec3>]) -> Result<Self, Error> {
+        match boundaries {
+            [only] => Ok(Self::disc(only)),
+            [first, second] => Ok(Self::annulus(first, second)),
+            _ => Err(Error::input(Place::field("initial_mesh"), "rings span one or two boundaries")),
+        }
+    }
+
     fn disc(boundary: &[DVec3]) -> Self {
         Self {
             points: boundary.to_vec(),
@@ -101,15 +142,22 @@ impl Skeleton {
                 Ok(((count - bare) / 2) as usize)
             }
             Resolution::EdgeLength(length) => {
-                // Equilateral triangles of that edge on the mesh without rings.
-                let triangles = self.fill(self.least_interior()).area() / (0.75f64.sqrt() / 2.0 * length * length);
-                if triangles > f64::from(u32::MAX / 4) {
-                    let detail = "so short an edge needs more triangles than can be numbered";
-                    return Err(Error::input(place.then("edge_length"), detail));
-                }
+                let area = self.fill(self.least_interior()).area();
+                self.check_size(length, area)?;
+                let triangles = area / (0.75f64.sqrt() / 2.0 * length * length);
                 Ok((((triangles - bare as f64) / 2.0).round().max(0.0) as usize).max(self.least_interior()))
             }
         }
+    }
+
+    /// Refuses edges so short that the triangles could not be numbered.
+    fn check_size(&self, size: f64, area: f64) -> Result<(), Error> {
+        let boundary: f64 = self.points.len() as f64;
+        if area / (size * size) + boundary > LARGEST_COUNT as f64 {
+            let detail = "so fine a mesh has more triangles than can be numbered";
+            return Err(Error::input(Place::field("resolution"), detail));
+        }
+        Ok(())
     }
 
     fn fill(&self, interior: usize) -> Film {
@@ -151,7 +199,7 @@ impl Skeleton {
         let splits = interior - self.least_interior() - rings * n;
         split_evenly(&mut vertices, &mut triangles, if rings > 0 { 2 * n } else { n }, splits);
         if self.outer != 0 {
-            orient_along(&mut triangles, &self.boundaries[0]);
+            super::orient_along(&mut triangles, &self.boundaries[0]);
         }
         Film::new(vertices, &triangles, self.boundaries.clone()).expect("rings are a manifold by construction")
     }
@@ -167,14 +215,5 @@ fn split_evenly(vertices: &mut Vec<DVec3>, triangles: &mut Vec<[u32; 3]>, candid
         vertices.push((vertices[a as usize] + vertices[b as usize] + vertices[c as usize]) / 3.0);
         triangles[t] = [a, b, centre];
         triangles.extend([[b, c, centre], [c, a, centre]]);
-    }
-}
-
-/// Turns all triangles over if they run against the boundary.
-fn orient_along(triangles: &mut [[u32; 3]], boundary: &[u32]) {
-    let edge = (boundary[0], boundary[1]);
-    let along = triangles.iter().any(|&[a, b, c]| [(a, b), (b, c), (c, a)].contains(&edge));
-    if !along {
-        triangles.iter_mut().for_each(|triangle| triangle.swap(0, 1));
     }
 }

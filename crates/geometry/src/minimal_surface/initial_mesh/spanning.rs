@@ -1,0 +1,347 @@
+//! Initial meshes of good triangles at a wanted resolution: a plane domain is meshed, and its mesh carried into space.
+//!
+//! 1. The boundaries become polygons in the plane: projected where that is simple, else circles of the same arc length.
+//! 2. The domain is meshed with sizes graded to the boundary's spacing ([`plane_mesh`](super::plane_mesh)), the size adjusted until the
+//!    resolution is met.
+//! 3. The mesh is carried into space: exactly for a plane boundary, by the heights' harmonic extension for a projected
+//!    one, by the harmonic map of all coordinates from circles (with Delaunay triangles its weights are positive: a
+//!    convex combination map, Tutte 1963, Floater 1997).
+//! 4. Fine meshes are asked for as a coarse one and a number of regular subdivisions.
+
+use super::super::cotangent::Pattern;
+use super::super::film::Film;
+use super::super::remesh::{flip_to_delaunay, subdivide, tangential_relaxation};
+use super::super::{BoundarySampling, LARGEST_COUNT, Options, Resolution};
+use super::domain::Shape;
+use super::plane_mesh::{Domain, PlaneError, PlaneMesh};
+use super::sampling::{Sampled, numbers, sample};
+use crate::linear::{LinearError, Symbolic};
+use crate::mesh::topology::Topology;
+use crate::{DVec3, Error, Execution, polyline};
+use glam::DVec2;
+
+/// A film at a coarse resolution and how often it is to be subdivided.
+#[derive(Clone, Debug)]
+pub(in super::super) struct Start {
+    pub film: Film,
+    pub subdivisions: u32,
+}
+
+impl Start {
+    /// The film at its full resolution.
+    ///
+    /// # Errors
+    /// The interruptions of `exec`.
+    pub fn refined(self, exec: &Execution) -> Result<Film, Error> {
+        let mut film = self.film;
+        for _ in 0..self.subdivisions {
+            exec.look(4 * film.triangles().len() as u64)?;
+            film = subdivide(&film).0;
+        }
+        Ok(film)
+    }
+}
+
+/// Sizes grow by at most this per distance.
+const GRADING: f64 = 0.3;
+/// The coarse mesh of a subdivided one has at least about so many triangles.
+const COARSE_TRIANGLES: f64 = 450.0;
+/// Where the boundary's spacing asks for more triangles than are wanted, sizes may grow up to so fast.
+const STEEPEST_GRADING: f64 = 20.0;
+/// How near the resolution must come before the size is left alone.
+const CLOSE_ENOUGH: f64 = 0.02;
+/// How far the resolution may be missed.
+const TOLERATED: f64 = 0.1;
+/// Sizes tried.
+const TRIALS: u32 = 10;
+
+/// What a resolution counts, for a surface of known Euler characteristic.
+#[derive(Clone, Copy, Debug)]
+struct Goal {
+    resolution: Resolution,
+    euler: i64,
+}
+
+impl Goal {
+    /// Wanted over reached: above 1 the mesh must become finer. In units of triangles (number, not length).
+    fn shortfall(&self, mesh: &Trial, subdivisions: u32) -> f64 {
+        let growth = 4f64.powi(subdivisions as i32);
+        let triangles = mesh.plane.topology.triangles().len() as f64 * growth;
+        match self.resolution {
+            Resolution::Triangles(count) => count as f64 / triangles,
+            Resolution::InteriorVertices(count) => {
+                // Euler: F = 2 (interior) + (boundary) - 2 χ.
+                let boundary = mesh.boundary_points() as f64 * 2f64.powi(subdivisions as i32);
+                let interior = 0.5 * (triangles - boundary) + self.euler as f64;
+                (count as f64).max(0.5) / interior.max(0.25)
+            }
+            Resolution::EdgeLength(length) => {
+                let reached = mesh.mean_edge() / 2f64.powi(subdivisions as i32);
+                (reached / length) * (reached / length)
+            }
+        }
+    }
+}
+
+/// One attempt: boundaries as sampled, and the plane mesh between them.
+struct Trial {
+    boundaries: Vec<Sampled>,
+    domain: Domain,
+    plane: PlaneMesh,
+    /// Mean of length in the plane per length in space over the mesh's edges.
+    scale: f64,
+}
+
+impl Trial {
+    fn boundary_points(&self) -> usize {
+        self.boundaries.iter().map(|boundary| boundary.points.len()).sum()
+    }
+
+    fn mean_edge(&self) -> f64 {
+        let topology = &self.plane.topology;
+        let (mut sum, mut count) = (0.0, 0);
+        for h in (0..topology.twin.len() as u32).filter(|&h| topology.twin[h as usize] > h) {
+            let (a, b) = (topology.from(h) as usize, topology.to(h) as usize);
+            sum += self.plane.points[a].distance(self.plane.points[b]);
+            count += 1;
+        }
+        sum / count as f64 / self.scale
+    }
+}
+
+/// Meshes one shape of domain over the boundaries.
+pub(super) struct Spanning<'a> {
+    pub boundaries: &'a [Vec<DVec3>],
+    pub shape: Shape,
+    pub options: &'a Options,
+    pub exec: &'a Execution<'a>,
+}
+
+impl Spanning<'_> {
+    /// The film, or why the domain has no mesh.
+    pub fn build(&self) -> Result<Result<Start, PlaneError>, Error> {
+        match self.fit() {
+            Ok((trial, subdivisions)) => Ok(Ok(Start { film: self.carry(&trial)?, subdivisions })),
+            Err(PlaneError::Interrupted(interruption)) => Err(interruption.into()),
+            Err(error) => Ok(Err(error)),
+        }
+    }
+
+    /// Meshes at the size and with the number of subdivisions that come nearest to the resolution.
+    fn fit(&self) -> Result<(Trial, u32), PlaneError> {
+        let holes = self.boundaries.len() as i64;
+        let goal = Goal { resolution: self.options.resolution, euler: 2 - holes };
+        // With the largest size only the boundary's own spacing counts: nothing is coarser, but by grading faster.
+        let mut grading = GRADING;
+        let mut coarsest = self.trial(self.largest_size(), grading)?;
+        // The area in the plane is the only one known yet; in space it is about that over the scale's square.
+        let area = coarsest.plane.area() / (coarsest.scale * coarsest.scale);
+        let triangle = 0.75f64.sqrt() / 2.0;
+        let wanted = match goal.resolution {
+            Resolution::Triangles(count) => count as f64,
+            Resolution::InteriorVertices(count) => 2.0 * count as f64,
+            Resolution::EdgeLength(length) => area / (triangle * length * length),
+        };
+        if wanted > LARGEST_COUNT as f64 {
+            return Err(PlaneError::TooManyPoints);
+        }
+        let mut subdivisions = match self.options.boundary_sampling {
+            BoundarySampling::Keep => 0,
+            BoundarySampling::Refine => (wanted / COARSE_TRIANGLES).log(4.0).floor().max(0.0) as u32,
+        };
+        while subdivisions > 0 && goal.shortfall(&coarsest, subdivisions) < 1.0 {
+            subdivisions -= 1;
+        }
+        while goal.shortfall(&coarsest, subdivisions) < 1.0 && grading < STEEPEST_GRADING {
+            grading *= 1.5;
+            coarsest = self.trial(self.largest_size(), grading)?;
+        }
+        let shortfall = goal.shortfall(&coarsest, subdivisions);
+        if shortfall < 1.0 - TOLERATED && !matches!(goal.resolution, Resolution::EdgeLength(_)) {
+            return Err(PlaneError::TooCoarse { triangles: coarsest.plane.topology.triangles().len() });
+        }
+        if shortfall <= 1.0 + CLOSE_ENOUGH {
+            return Ok((coarsest, subdivisions));
+        }
+        let first = (area / (triangle * wanted)).sqrt() * 2f64.powi(subdivisions as i32);
+        Ok((self.tune(&goal, first, grading, subdivisions)?, subdivisions))
+    }
+
+    /// Adjusts the size until the resolution is met, and adds vertices if it is only nearly.
+    fn tune(&self, goal: &Goal, first: f64, grading: f64, subdivisions: u32) -> Result<Trial, PlaneError> {
+        let (mut low, mut high) = (0.0f64, self.largest_size());
+        let mut size = first.min(0.9 * high);
+        let mut best: Option<(Trial, f64)> = None;
+        for _ in 0..TRIALS {
+            let trial = self.trial(size, grading)?;
+            let shortfall = goal.shortfall(&trial, subdivisions);
+            // Too few triangles are better than too many by as much: vertices can be added.
+            let distance = |shortfall: f64| if shortfall < 1.0 { 2.0 / shortfall - 2.0 } else { shortfall - 1.0 };
+            if best.as_ref().is_none_or(|(_, nearest)| distance(shortfall) < distance(*nearest)) {
+                best = Some((trial, shortfall));
+            }
+            if (shortfall - 1.0).abs() <= CLOSE_ENOUGH {
+                break;
+            }
+            if shortfall < 1.0 {
+                low = size
+            } else {
+                high = size
+            }
+            let next = size / shortfall.sqrt();
+            size = if next > low && next < high { next } else { 0.5 * (low + high) };
+        }
+        let (mut trial, shortfall) = best.expect("at least one trial was made");
+        if shortfall > 1.0 + CLOSE_ENOUGH {
+            let missing = (shortfall.min(2.0) - 1.0) * trial.plane.topology.triangles().len() as f64 / 2.0;
+            trial.plane = trial.domain.densified(&trial.plane, missing.round() as usize, self.exec)?;
+        }
+        Ok(trial)
+    }
+
+    fn largest_size(&self) -> f64 {
+        self.boundaries.iter().map(|points| polyline::length(points, true)).sum()
+    }
+
+    fn trial(&self, size: f64, grading: f64) -> Result<Trial, PlaneError> {
+        let sampling = self.options.boundary_sampling;
+        let boundaries: Vec<Sampled> =
+            self.boundaries.iter().map(|points| sample(points, size, GRADING, sampling)).collect();
+        let domain = Domain { loops: self.shape.embed(&boundaries), ..Domain::default() };
+        let scale = self.shape.scale(self.boundaries);
+        // The lattice's spacing follows the size without jumps where the scale is the same everywhere.
+        let largest = domain.loops.iter().flatten().map(|&p| scale(p)).fold(0.0, f64::max);
+        let plane = domain.mesh(&|p| size * scale(p), size * largest, grading, LARGEST_COUNT, self.exec)?;
+        let mean_scale = plane.points.iter().map(|&p| scale(p)).sum::<f64>() / plane.points.len() as f64;
+        Ok(Trial { boundaries, domain, plane, scale: mean_scale })
+    }
+
+    /// Puts a plane mesh into space and in order: the polygons' own points, then the added ones, then the interior.
+    fn carry(&self, trial: &Trial) -> Result<Film, Error> {
+        let PlaneMesh { points, topology } = &trial.plane;
+        let boundary: usize = trial.boundary_points();
+        let mut place = numbers(&trial.boundaries);
+        place.extend(boundary as u32..points.len() as u32);
+        let mut in_plane = vec![DVec2::ZERO; points.len()];
+        points.iter().zip(&place).for_each(|(&p, &v)| in_plane[v as usize] = p);
+        let mut vertices = vec![DVec3::ZERO; points.len()];
+        let in_space = trial.boundaries.iter().flat_map(|boundary| &boundary.points);
+        in_space.zip(&place).for_each(|(&p, &v)| vertices[v as usize] = p);
+        let mut triangles: Vec<[u32; 3]> =
+            topology.triangles().iter().map(|triangle| triangle.map(|v| place[v as usize])).collect();
+        let mut first = 0;
+        let loops: Vec<Vec<u32>> = trial
+            .boundaries
+            .iter()
+            .map(|boundary| {
+                let range = first..first + boundary.points.len();
+                first = range.end;
+                place[range].to_vec()
+            })
+            .collect();
+        let fixed: Vec<bool> = (0..points.len()).map(|v| v < boundary).collect();
+        self.lift(&in_plane, &triangles, &fixed, &mut vertices)?;
+        super::orient_along(&mut triangles, &loops[0]);
+        let topology = Topology::build(&triangles, vertices.len()).expect("renaming keeps a manifold");
+        let mut film = Film { vertices, topology, fixed, locked: Vec::new(), boundaries: loops };
+        if !self.is_plane() {
+            for _ in 0..4 {
+                flip_to_delaunay(&mut film);
+                tangential_relaxation(&mut film, 2);
+                self.exec.look(3 * film.triangles().len() as u64)?;
+            }
+            flip_to_delaunay(&mut film);
+        }
+        Ok(film)
+    }
+
+    /// Whether all boundaries lie in the domain's own plane, up to rounding.
+    fn is_plane(&self) -> bool {
+        match &self.shape {
+            Shape::Plane(frame) => frame.largest_height(self.boundaries) <= 1e-13 * self.largest_size(),
+            Shape::Disc { .. } => false,
+        }
+    }
+
+    /// Positions of the free vertices in space.
+    fn lift(
+        &self,
+        in_plane: &[DVec2],
+        triangles: &[[u32; 3]],
+        fixed: &[bool],
+        vertices: &mut [DVec3],
+    ) -> Result<(), Error> {
+        let free = || (0..fixed.len()).filter(|&v| !fixed[v]);
+        match &self.shape {
+            Shape::Plane(frame) if self.is_plane() => free().for_each(|v| vertices[v] = frame.lift(in_plane[v])),
+            Shape::Plane(frame) => {
+                harmonic(in_plane, triangles, fixed, vertices, self.exec)?;
+                for v in free() {
+                    let height = (vertices[v] - frame.origin).dot(frame.normal);
+                    vertices[v] = frame.lift(in_plane[v]) + height * frame.normal;
+                }
+            }
+            Shape::Disc { .. } => harmonic(in_plane, triangles, fixed, vertices, self.exec)?,
+        }
+        Ok(())
+    }
+}
+
+impl PlaneMesh {
+    fn area(&self) -> f64 {
+        let corner = |v: u32| self.points[v as usize];
+        let double = |&[a, b, c]: &[u32; 3]| (corner(b) - corner(a)).perp_dot(corner(c) - corner(a));
+        0.5 * self.topology.triangles().iter().map(double).sum::<f64>()
+    }
+}
+
+/// Moves the free vertices to where all coordinates are harmonic over the plane mesh.
+fn harmonic(
+    in_plane: &[DVec2],
+    triangles: &[[u32; 3]],
+    fixed: &[bool],
+    vertices: &mut [DVec3],
+    exec: &Execution,
+) -> Result<(), Error> {
+    let pattern = Pattern::new(triangles, fixed);
+    if pattern.vertex.is_empty() {
+        return Ok(());
+    }
+    exec.look(triangles.len() as u64)?;
+    let flat: Vec<DVec3> = in_plane.iter().map(|p| p.extend(0.0)).collect();
+    let (mut matrix, mut unused) = (pattern.matrix(), Vec::new());
+    pattern.laplacian(&flat, triangles, &mut matrix, &mut unused);
+    let n = pattern.vertex.len();
+    let mut solution = vec![0.0; 3 * n];
+    for triangle in triangles {
+        for k in 0..3 {
+            let [a, b, c] = [triangle[k], triangle[(k + 1) % 3], triangle[(k + 2) % 3]].map(|v| v as usize);
+            let (u, v) = (in_plane[a] - in_plane[c], in_plane[b] - in_plane[c]);
+            let weight = 0.5 * u.dot(v) / u.perp_dot(v).abs().max(f64::MIN_POSITIVE);
+            for (free, other) in [(a, b), (b, a)] {
+                if !fixed[free] && fixed[other] {
+                    let row = pattern.unknown[free] as usize;
+                    let pull = weight * vertices[other];
+                    for (axis, pull) in pull.to_array().into_iter().enumerate() {
+                        solution[axis * n + row] += pull;
+                    }
+                }
+            }
+        }
+    }
+    let solved = Symbolic::analyse(&matrix, None)
+        .and_then(|symbolic| symbolic.factorise(&matrix).and_then(|factorisation| factorisation.solve(&mut solution)));
+    solved.map_err(|error| match error {
+        LinearError::TooLarge => {
+            Error::no_result("too_large", "the mesh is too large to factorise; ask for fewer triangles")
+        }
+        _ => {
+            Error::no_result("degenerate_boundary", "the boundary's points lie so that its initial mesh is degenerate")
+        }
+    })?;
+    for (row, &v) in pattern.vertex.iter().enumerate() {
+        vertices[v as usize] = DVec3::new(solution[row], solution[n + row], solution[2 * n + row]);
+    }
+    exec.look(triangles.len() as u64)?;
+    Ok(())
+}
