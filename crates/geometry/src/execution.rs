@@ -73,6 +73,18 @@ impl<'a> Execution<'a> {
         (self.report)(progress);
     }
 
+    /// Runs a part of a solve, whose own progress from 0 to 1 is reported as going from `from` to `to`. Its looks count here.
+    pub fn part<R>(&self, [from, to]: [f64; 2], work: impl FnOnce(&Execution) -> R) -> R {
+        let report = |progress: Progress| {
+            self.report(Progress { fraction: from + (to - from) * progress.fraction, ..progress });
+        };
+        let part = Execution::new(self.signal, &report);
+        let result = work(&part);
+        self.looks.set(self.looks.get() + part.looks.get());
+        self.largest_work.set(self.largest_work.get().max(part.largest_work.get()));
+        result
+    }
+
     pub fn looks(&self) -> u64 {
         self.looks.get()
     }
@@ -86,5 +98,27 @@ impl Default for Execution<'static> {
     /// Never stops the solver and drops its progress.
     fn default() -> Self {
         Self::new(&|| Signal::Continue, &|_| {})
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::RefCell;
+
+    #[test]
+    fn a_part_reports_into_its_share_and_counts_its_looks() {
+        let seen = RefCell::new(Vec::new());
+        let report = |progress: Progress| seen.borrow_mut().push(progress.fraction);
+        let exec = Execution::new(&|| Signal::Continue, &report);
+        exec.look(3).unwrap();
+        exec.part([0.5, 0.75], |part| {
+            part.look(7).unwrap();
+            for fraction in [0.0, 0.5, 1.0] {
+                part.report(Progress { fraction, phase: "p", iteration: 0, objective_value: None, residual: None });
+            }
+        });
+        assert_eq!((exec.looks(), exec.largest_work_between_looks()), (2, 7));
+        assert_eq!(*seen.borrow(), [0.5, 0.625, 0.75]);
     }
 }

@@ -9,6 +9,7 @@
 mod bento_cavalcanti;
 mod cotangent;
 mod film;
+mod free_topology;
 mod initial_mesh;
 mod mean_curvature_lm;
 mod newton;
@@ -355,6 +356,9 @@ pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> 
         }
         (_, Solver::VertexRelaxation) => vertex_relaxation::run(&mut film, options, exec)?,
         (_, Solver::PinkallPolthier) => bento_cavalcanti::run(&mut film, options, exec)?,
+        (_, Solver::Auto | Solver::Newton) if options.topology == Topology::Free => {
+            free_topology::run(&mut film, options, exec)?
+        }
         (_, Solver::Auto | Solver::Newton) => newton::run(&mut film, options, exec)?,
     };
     finish(input, film, kind, initial_area, run, options)

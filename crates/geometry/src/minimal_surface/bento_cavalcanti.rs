@@ -64,7 +64,7 @@ impl From<Interruption> for Stop {
 pub(super) enum Until {
     /// The area changes no more.
     Settled,
-    /// As `Settled`, or after the solve that follows a change of topology.
+    /// As `Settled`, or after the solve that follows a change of topology ([`StopReason::TopologyChange`]).
     Pinched,
 }
 
@@ -127,7 +127,7 @@ pub(super) fn iterate(
         record.iteration(phase, area, residual, geometric_part(first_change, change, options.area_tolerance));
         if changed {
             if until == Until::Pinched && run.pinches.len() > pinches_before {
-                return Ok(StopReason::AreaChange);
+                return Ok(StopReason::TopologyChange);
             }
             continue;
         }

@@ -13,6 +13,8 @@ pub enum StopReason {
     Residual,
     /// The area changed by less than its tolerance (the papers' own rule).
     AreaChange,
+    /// A neck closed, and the run was asked to end there.
+    TopologyChange,
     /// There is no vertex to move.
     NothingToMove,
     /// The objective, its gradient or the step's length fell below Liu and Wang's criteria.
@@ -33,6 +35,7 @@ impl StopReason {
         match self {
             Self::Residual => "residual",
             Self::AreaChange => "area_change",
+            Self::TopologyChange => "topology_change",
             Self::NothingToMove => "nothing_to_move",
             Self::ObjectiveChange => "objective_change",
             Self::Gradient => "gradient",

@@ -1,0 +1,149 @@
+//! A film that may come apart: Bento and Cavalcanti's rules while it shrinks, the default solver once it holds.
+//!
+//! 1. Pinkall and Polthier with the rules until a neck closes (then again from here) or the area changes little.
+//! 2. The default solver on a copy, descending where it is unstable. A stable film of small residual is the answer.
+//! 3. There is none near: the film only lingers where one almost exists. Go on shrinking, to a much smaller change of area,
+//!    and try again. If no neck closes after that either, what the default solver reached is the answer, not converged.
+
+use super::bento_cavalcanti::{Stop, Until, iterate};
+use super::film::{Film, Run};
+use super::newton;
+use super::record::Record;
+use super::statistics::{HistoryRow, StopReason};
+use super::{OnUnstable, Options, Solver, Topology};
+use crate::{Error, Execution, Interruption};
+
+/// Solves of step 1 that a run may take if the caller does not say: a film past its last stable shape lingers.
+const DEFAULT_SOLVES: u32 = 2000;
+/// Change of area that ends step 1, first and after step 2 has failed.
+const SETTLED: f64 = 1e-4;
+const AT_REST: f64 = 1e-9;
+
+/// Steps 1 to 3 on a film. The report counts the solves of both steps.
+///
+/// # Errors
+/// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large to factorise.
+pub(super) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
+    let limit = options.max_iterations.unwrap_or(DEFAULT_SOLVES);
+    let mut run = Run::new(Solver::Newton);
+    let mut change = SETTLED;
+    // Each neck that closes leaves one component or one handle more or less, so there are few rounds.
+    let mut done = 0.0;
+    loop {
+        let part = 0.5 * (1.0 - done);
+        let reached = shrink(film, options, change, limit, &mut run, exec, [done, done + 0.5 * part])?;
+        match reached {
+            StopReason::Deadline | StopReason::MaxIterations | StopReason::NothingToMove => {
+                run.stop_reason = reached;
+                return Ok(run);
+            }
+            StopReason::TopologyChange => {
+                change = SETTLED;
+                done += 0.5 * part;
+                continue;
+            }
+            _ => {}
+        }
+        let mut held = film.clone();
+        let fixed = Options {
+            on_unstable: OnUnstable::Descend,
+            topology: Topology::Fixed,
+            max_iterations: options.max_iterations.map(|_| limit.saturating_sub(run.iterations)),
+            ..options.clone()
+        };
+        let finish = exec.part([done + 0.5 * part, done + part], |exec| newton::run(&mut held, &fixed, exec))?;
+        let converged = finish.stop_reason == StopReason::Residual;
+        let holds = converged && finish.stability.is_none_or(|stability| stability.stable);
+        let last = holds || change == AT_REST || finish.stop_reason == StopReason::Deadline;
+        run.append(finish);
+        if last {
+            *film = held;
+            return Ok(run);
+        }
+        change = AT_REST;
+        done += part;
+    }
+}
+
+/// Step 1: adds its solves and pinches to `run`; [`StopReason::TopologyChange`] after a neck has closed.
+fn shrink(
+    film: &mut Film,
+    options: &Options,
+    change: f64,
+    limit: u32,
+    run: &mut Run,
+    exec: &Execution,
+    share: [f64; 2],
+) -> Result<StopReason, Error> {
+    let options = Options { area_tolerance: change, ..options.clone() };
+    let mut part = Run::new(Solver::Newton);
+    let remaining = limit.saturating_sub(run.iterations);
+    let ended = exec.part(share, |exec| {
+        let mut record = Record::new(exec);
+        let ended = iterate(film, &options, remaining, &mut record, &mut part, Until::Pinched, exec);
+        (part.iterations, part.history) = (record.iterations, record.history);
+        ended
+    });
+    part.stop_reason = match ended {
+        Ok(reason) => reason,
+        Err(Stop::Interrupted(Interruption::DeadlinePassed)) => StopReason::Deadline,
+        Err(Stop::Interrupted(interruption)) => return Err(interruption.into()),
+        Err(Stop::TooLarge(error)) => return Err(error),
+    };
+    let reason = part.stop_reason;
+    run.append(part);
+    Ok(reason)
+}
+
+impl Run {
+    /// What came after this run on the same film, as one run.
+    pub(super) fn append(&mut self, later: Self) {
+        let before = self.iterations;
+        self.stop_reason = later.stop_reason;
+        self.iterations += later.iterations;
+        self.history
+            .extend(later.history.into_iter().map(|row| HistoryRow { iteration: row.iteration + before, ..row }));
+        self.edges_swapped += later.edges_swapped;
+        self.pinches.extend(later.pinches.into_iter().map(|mut pinch| {
+            pinch.iteration += before;
+            pinch
+        }));
+        self.stability = later.stability;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Resolution;
+    use super::super::structured::cylinder;
+    use super::*;
+    use crate::mesh::measure;
+
+    fn rings(height: f64) -> (Film, Run) {
+        let mut film = cylinder(48, 8, height / 10.0);
+        film.vertices.iter_mut().for_each(|vertex| *vertex *= 10.0);
+        let options = Options { topology: Topology::Free, ..Options::new(Resolution::Triangles(1)) };
+        let run = run(&mut film, &options, &Execution::default()).unwrap();
+        film.mesh().check().unwrap();
+        assert_eq!((run.stop_reason, measure::flipped_triangles(&film.mesh())), (StopReason::Residual, 0));
+        assert!(run.stability.is_some_and(|stability| stability.stable));
+        assert!(run.history.windows(2).all(|pair| pair[1].iteration == pair[0].iteration + 1));
+        assert_eq!(run.history.len(), run.iterations as usize);
+        (film, run)
+    }
+
+    #[test]
+    fn rings_below_the_critical_gap_stay_connected_and_beyond_it_come_apart() {
+        // 0.6627 of the diameter 20 is 13.254; the polygons' own critical gap is a little less.
+        for height in [12.0, 13.0, 13.2] {
+            let (film, run) = rings(height);
+            assert_eq!((film.topology.components(), run.pinches.len()), (1, 0), "{height}");
+        }
+        for height in [13.3, 14.0, 30.0] {
+            let (film, run) = rings(height);
+            assert_eq!((film.topology.components(), run.pinches.len()), (2, 1), "{height}");
+            let discs = 100.0 * 48.0 * (std::f64::consts::TAU / 48.0).sin();
+            assert!((film.area() - discs).abs() < 1e-9 * discs);
+        }
+    }
+}
