@@ -333,15 +333,11 @@ fn color(value: f64, range: f64) -> [u8; 4] {
     [channel(0), channel(1), channel(2), 255]
 }
 
-/// Unit vertex normals in glTF's axes. Worked out at size 1, so that neither huge nor tiny meshes overflow a square.
+/// Unit vertex normals in glTF's axes. Within the sizes that [`Frame`] lets through no square overflows or vanishes.
 fn normals(mesh: &Mesh, frame: &Frame) -> Vec<[f32; 3]> {
-    let relative: Vec<DVec3> = mesh.vertices.iter().map(|&vertex| vertex - frame.origin).collect();
-    let extent = relative.iter().map(|v| v.abs().max_element()).fold(0.0, f64::max);
-    let scale = if extent > 0.0 { extent } else { 1.0 };
-    let unit_size = Mesh::new(relative.into_iter().map(|vertex| vertex / scale).collect(), mesh.triangles.clone());
-    let mut normals = measure::vertex_normals(&unit_size);
+    let mut normals = measure::vertex_normals(mesh);
     if normals.contains(&DVec3::ZERO) {
-        replace_missing(&unit_size, &mut normals);
+        replace_missing(mesh, &mut normals);
     }
     normals
         .into_iter()
