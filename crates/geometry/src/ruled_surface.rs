@@ -12,6 +12,7 @@
 //! full fold (as printed a fold-back is free); couplings are lexicographic shortest paths, exact where the paper rescales
 //! weights; a plain sweep replaces Dijkstra's algorithm, since the graphs are acyclic grids.
 
+mod caps;
 mod closed;
 mod convexity;
 mod lanes;
@@ -25,11 +26,13 @@ mod solve_strip;
 mod statistics;
 mod strip;
 mod unroll;
+mod warnings;
 mod weight;
 
 pub use objective::{Objective, Secondary, Weights};
 pub use sampling::Sampling;
-pub use statistics::Statistics;
+pub use statistics::{CoupledValues, Statistics};
+pub use strip::{Given, Strip};
 pub use unroll::{FlatPattern, FlatStrip};
 
 use crate::error::{Error, Warning};
@@ -39,7 +42,6 @@ use convexity::Test;
 use lanes::Widest;
 use shortest_path::Pulse;
 use solve_strip::{Goal, Solved};
-use strip::Strip;
 
 /// Default of [`Options::convexity_tolerance`]: 1e-6 degrees.
 pub const DEFAULT_CONVEXITY_TOLERANCE: f64 = 1e-6 * std::f64::consts::PI / 180.0;
@@ -176,7 +178,7 @@ fn solve_with(
         prepare::choose_directions(&mut prepared, goal, test, lanes, &mut pulse)?;
     }
     let strips: Vec<Strip> = prepared.strips();
-    let Solved { paths, evaluations: strip_statistics, flipped } =
+    let Solved { paths, statistics: strip_statistics, flipped } =
         solve_strip::solve_all(&strips, goal, test, lanes, &mut pulse, &mut prepared.warnings)?;
     pulse.phase("statistics");
     let mut comparison = None;
@@ -186,7 +188,7 @@ fn solve_with(
             let statistics = if other == goal {
                 strip_statistics.clone()
             } else {
-                solve_strip::solve_all(&strips, other, test, lanes, &mut pulse, &mut Vec::new())?.evaluations
+                solve_strip::solve_all(&strips, other, test, lanes, &mut pulse, &mut Vec::new())?.statistics
             };
             rows.push(Comparison {
                 objective: other.objective,
@@ -197,10 +199,21 @@ fn solve_with(
         comparison = Some(rows);
     }
     let mut surface = prepare::assemble(&prepared, &strips, &paths, options, execution)?;
-    if flipped {
+    if options.caps == Caps::Flat {
+        caps::close(&mut surface.mesh, &surface.directrices)?;
+    } else if flipped {
         for triangle in &mut surface.mesh.triangles {
             triangle.swap(1, 2);
         }
+    }
+    pulse.phase("checks");
+    for (k, strip) in strips.iter().enumerate() {
+        if options.direction == Direction::AsGiven {
+            let sides = [&prepared.directrices[k], &prepared.directrices[k + 1]].map(|d| d.points.as_slice());
+            prepared.warnings.extend(warnings::of_directions(k, sides, options.closed, lanes, &mut pulse)?);
+        }
+        let found = warnings::of_strip(k, strip, &paths[k], &strip_statistics[k], goal, lanes, &mut pulse)?;
+        prepared.warnings.extend(found);
     }
     surface.statistics = Statistics::total(&strip_statistics);
     surface.strips = strip_statistics;

@@ -8,6 +8,7 @@ use super::shortest_path::Pulse;
 use super::solve_strip::{self, Goal};
 use super::strip::{Given, Strip};
 use super::unroll::{FlatPattern, unroll};
+use super::warnings::{BENDING_CHECKED_UP_TO, CLOSED_BENDING_CHECKED_UP_TO};
 use super::{Caps, Cost, Options, RuledSurface, Statistics};
 use crate::error::{Error, InputError, Place, Warning};
 use crate::execution::Execution;
@@ -19,6 +20,8 @@ const LARGEST_COORDINATE: f64 = 1e100;
 const MOST_ERRORS: usize = 51;
 /// The largest convexity tolerance, radians: beyond it nothing is concave.
 const LARGEST_TOLERANCE: f64 = std::f64::consts::FRAC_PI_4;
+
+const TOO_FEW_CLOSED: &str = "a closed directrix needs three distinct points, or one (an apex)";
 
 /// A directrix ready to be solved.
 #[derive(Clone, Debug)]
@@ -66,7 +69,7 @@ impl Prepared {
         self.directrices.iter().map(|d| d.points.len()).collect()
     }
     pub(super) fn strip(&self, k: usize) -> Strip {
-        Strip::new(self.directrices[k].given(), self.directrices[k + 1].given(), self.closed)
+        Strip::of_checked(self.directrices[k].given(), self.directrices[k + 1].given(), self.closed)
     }
     pub(super) fn strips(&self) -> Vec<Strip> {
         (0..self.directrices.len() - 1).map(|k| self.strip(k)).collect()
@@ -76,11 +79,13 @@ impl Prepared {
 /// Checks the input and makes it ready.
 pub(super) fn prepare(directrices: &[Vec<DVec3>], options: &Options) -> Result<Prepared, Error> {
     let mut errors = option_errors(directrices, options);
-    errors.extend(value_errors("directrices", directrices, LARGEST_COORDINATE));
+    let points: Vec<&[DVec3]> = directrices.iter().map(Vec::as_slice).collect();
+    errors.extend(value_errors("directrices", &points, LARGEST_COORDINATE));
     for (name, values) in [("normals", &options.normals), ("tangents", &options.tangents)] {
         if let Some(values) = values {
-            errors.extend(shape_errors(name, values, directrices));
-            errors.extend(value_errors(name, values, f64::MAX));
+            let values: Vec<&[DVec3]> = values.iter().map(Vec::as_slice).collect();
+            errors.extend(shape_errors(name, &values, &points));
+            errors.extend(value_errors(name, &values, f64::MAX));
         }
     }
     if !errors.is_empty() {
@@ -100,8 +105,7 @@ pub(super) fn prepare(directrices: &[Vec<DVec3>], options: &Options) -> Result<P
         }
         let count = directrix.points.len();
         if options.closed && count == 2 {
-            let detail = "a closed directrix needs three distinct points, or one (an apex)";
-            errors.push(InputError::new(Place::field("directrices").at(k), detail));
+            errors.push(InputError::new(Place::field("directrices").at(k), TOO_FEW_CLOSED));
         }
         if count == 1 && prepared.directrices.last().is_some_and(|before| before.points.len() == 1) {
             let detail = "two directrices of one point next to each other span nothing";
@@ -172,7 +176,7 @@ fn option_errors(directrices: &[Vec<DVec3>], options: &Options) -> Vec<InputErro
     errors
 }
 
-fn value_errors(name: &'static str, lists: &[Vec<DVec3>], largest: f64) -> Vec<InputError> {
+fn value_errors(name: &'static str, lists: &[&[DVec3]], largest: f64) -> Vec<InputError> {
     let mut errors = Vec::new();
     for (k, list) in lists.iter().enumerate() {
         if list.is_empty() {
@@ -191,7 +195,7 @@ fn value_errors(name: &'static str, lists: &[Vec<DVec3>], largest: f64) -> Vec<I
     errors
 }
 
-fn shape_errors(name: &'static str, values: &[Vec<DVec3>], directrices: &[Vec<DVec3>]) -> Vec<InputError> {
+fn shape_errors(name: &'static str, values: &[&[DVec3]], directrices: &[&[DVec3]]) -> Vec<InputError> {
     if values.len() != directrices.len() {
         return vec![InputError::new(Place::field(name), "must have as many lists as there are directrices")];
     }
@@ -202,6 +206,31 @@ fn shape_errors(name: &'static str, values: &[Vec<DVec3>], directrices: &[Vec<DV
             InputError::new(Place::field(name).at(k), "must have as many vectors as the directrix has points")
         })
         .collect()
+}
+
+/// What is wrong with the two directrices of a single strip.
+pub(super) fn strip_errors(sides: [Given<'_>; 2], closed: bool) -> Vec<InputError> {
+    let points = sides.map(|side| side.points);
+    let mut errors = value_errors("directrices", &points, LARGEST_COORDINATE);
+    for (name, values) in [("normals", sides.map(|s| s.normals)), ("tangents", sides.map(|s| s.tangents))] {
+        match values {
+            [None, None] => {}
+            [Some(p), Some(q)] => {
+                errors.extend(shape_errors(name, &[p, q], &points));
+                errors.extend(value_errors(name, &[p, q], f64::MAX));
+            }
+            _ => errors.push(InputError::new(Place::field(name), "must be given for both directrices or for neither")),
+        }
+    }
+    if points.iter().all(|side| side.len() == 1) {
+        errors.push(InputError::new(Place::field("directrices").at(1), "two single points span nothing"));
+    }
+    for (k, side) in points.iter().enumerate() {
+        if closed && side.len() == 2 {
+            errors.push(InputError::new(Place::field("directrices").at(k), TOO_FEW_CLOSED));
+        }
+    }
+    errors
 }
 
 /// Merges equal neighbours, samples, merges again (samples of a polyline that turns back can be equal).
@@ -242,7 +271,7 @@ pub(super) fn choose_directions(
         let mut value = |prepared: &Prepared| -> Result<(f64, f64), Error> {
             let strip = prepared.strip(k - 1);
             let solved = solve_strip::solve_all(&[strip], goal, test, lanes, pulse, &mut Vec::new())?;
-            let Statistics { objective_value, secondary_value, .. } = solved.evaluations[0];
+            let Statistics { objective_value, secondary_value, .. } = solved.statistics[0];
             let sign = if goal.objective == Objective::MaximalConvexity { -1.0 } else { 1.0 };
             Ok((sign * objective_value, secondary_value.unwrap_or(0.0)))
         };
@@ -348,6 +377,14 @@ pub(super) fn cost(lengths: &[usize], options: &Options) -> Cost {
         };
         for goal in &goals {
             add(goal, directions);
+        }
+        // What the warnings compare with.
+        if goal.objective != Objective::MinimalArea {
+            add(&Goal::single(Objective::MinimalArea), 1);
+        }
+        let limit = if options.closed { CLOSED_BENDING_CHECKED_UP_TO } else { BENDING_CHECKED_UP_TO };
+        if m * n <= limit as u64 {
+            add(&Goal::single(Objective::MinimalBendingEnergy), 1);
         }
         if options.all_objectives {
             Goal::all(options.normals.is_some()).for_each(|goal| add(&goal, 1));

@@ -49,6 +49,10 @@ impl Goal {
         if self.winding_matters() { 2 } else { 1 }
     }
 
+    pub(super) fn needs_normals(&self) -> bool {
+        self.winding_matters()
+    }
+
     /// Whether the value depends on which way round the triangles are wound.
     fn winding_matters(&self) -> bool {
         match self.objective {
@@ -59,11 +63,11 @@ impl Goal {
     }
 }
 
-/// A path on every strip of a stack.
+/// A path on every strip of a stack, and its figures.
 #[derive(Clone, Debug)]
 pub(super) struct Solved {
     pub(super) paths: Vec<Vec<[u32; 2]>>,
-    pub(super) evaluations: Vec<Statistics>,
+    pub(super) statistics: Vec<Statistics>,
     /// The faces agree with the given normals only when wound the other way round.
     pub(super) flipped: bool,
 }
@@ -77,14 +81,14 @@ pub(super) fn solve_all(
     pulse: &mut Pulse<'_, '_>,
     warnings: &mut Vec<Warning>,
 ) -> Result<Solved, Error> {
-    let signs: &[f64] = if goal.winding_matters() { &[1.0, -1.0] } else { &[1.0] };
-    let mut best: Option<(f64, Solved)> = None;
     let mut factors = Vec::new();
     if let Objective::Weighted(weights) = goal.objective {
         for strip in strips {
             factors.push(normalised(strip, weights, test, lanes, pulse, warnings)?);
         }
     }
+    let signs: &[f64] = if goal.winding_matters() { &[1.0, -1.0] } else { &[1.0] };
+    let mut best: Option<(f64, Solved)> = None;
     for &sign in signs {
         let mut paths = Vec::with_capacity(strips.len());
         let mut evaluations = Vec::with_capacity(strips.len());
@@ -93,7 +97,7 @@ pub(super) fn solve_all(
             evaluations.push(evaluate(strip, &path, test, pulse.execution())?);
             paths.push(path);
         }
-        // Without a say of the objective, the winding is the one that agrees with the normals.
+        // Where the objective has no say, the winding is the one that agrees with the normals.
         let flipped = if goal.winding_matters() { sign < 0.0 } else { prefers_flipping(&evaluations) };
         let statistics: Vec<Statistics> = evaluations
             .iter()
@@ -102,11 +106,26 @@ pub(super) fn solve_all(
             .collect();
         let total: f64 = statistics.iter().map(|strip| strip.objective_value).sum();
         if best.as_ref().is_none_or(|(least, _)| total < *least) {
-            best = Some((total, Solved { paths, evaluations: statistics, flipped }));
+            best = Some((total, Solved { paths, statistics, flipped }));
         }
     }
     let (_, solved) = best.expect("there is at least one winding");
     Ok(solved)
+}
+
+/// The optimal path of a strip on its own.
+pub(super) fn path_of(
+    strip: &Strip,
+    goal: Goal,
+    test: Test,
+    lanes: Widest,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<Vec<[u32; 2]>, Error> {
+    if matches!(goal.objective, Objective::Weighted(_)) || goal.winding_matters() {
+        let mut solved = solve_all(std::slice::from_ref(strip), goal, test, lanes, pulse, &mut Vec::new())?;
+        return Ok(solved.paths.swap_remove(0));
+    }
+    Ok(optimal_path(strip, goal, None, 1.0, test, lanes, pulse)?)
 }
 
 fn prefers_flipping(evaluations: &[Evaluation]) -> bool {
@@ -165,8 +184,8 @@ fn normalised(
             continue;
         }
         let own = solve_all(std::slice::from_ref(strip), Goal::single(objective), test, lanes, pulse, warnings)?;
-        let optimum = own.evaluations[0].objective_value / scale;
-        if optimum > VANISHING * own.evaluations[0].bridges as f64 {
+        let optimum = own.statistics[0].objective_value / scale;
+        if optimum > VANISHING * own.statistics[0].bridges as f64 {
             *factor = weight / optimum;
         } else {
             let name = objective.name();

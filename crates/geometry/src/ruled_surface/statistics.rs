@@ -65,6 +65,14 @@ impl Statistics {
     }
 }
 
+/// The secondaries of the couplings: sums over the bridges that are not locally convex.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CoupledValues {
+    pub bending_energy: f64,
+    /// Of the steps that enter such a bridge.
+    pub mean_curvature_variation: f64,
+}
+
 /// A path's figures, and what the couplings add.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Evaluation {

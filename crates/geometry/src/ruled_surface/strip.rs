@@ -1,11 +1,21 @@
 //! One strip as the solver sees it: centred and scaled points, bank edges, tangents, normals.
 
+use super::convexity::Test;
+use super::lanes::Widest;
+use super::objective::{Objective, Secondary};
+use super::shortest_path::Pulse;
+use super::solve_strip::{self, Goal};
+use super::statistics::{CoupledValues, Statistics, evaluate};
 use crate::DVec3;
+use crate::error::{Error, Place};
+use crate::execution::Execution;
 
-/// Two directrices in the solver's own coordinates: divided by a power of two so that the largest is about 1 (exact),
+/// Two directrices, taken as given: nothing is merged or resampled.
+///
+/// Kept in the solver's own coordinates: divided by a power of two so that the largest is about 1 (exact),
 /// then centred at p_0, then divided by a power of two again. Areas and lengths scale back exactly.
 #[derive(Clone, Debug)]
-pub(super) struct Strip {
+pub struct Strip {
     pub(super) closed: bool,
     pub(super) p: Directrix,
     pub(super) q: Directrix,
@@ -26,16 +36,106 @@ pub(super) struct Directrix {
     pub(super) normals: Vec<DVec3>,
 }
 
-/// A directrix as given: points and what belongs to them.
+/// A directrix as given: points and what belongs to them, of the same length.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Given<'a> {
-    pub(super) points: &'a [DVec3],
-    pub(super) tangents: Option<&'a [DVec3]>,
-    pub(super) normals: Option<&'a [DVec3]>,
+pub struct Given<'a> {
+    pub points: &'a [DVec3],
+    /// Fitted if not given (eq. 13 and 14).
+    pub tangents: Option<&'a [DVec3]>,
+    pub normals: Option<&'a [DVec3]>,
+}
+
+impl<'a> From<&'a [DVec3]> for Given<'a> {
+    fn from(points: &'a [DVec3]) -> Self {
+        Self { points, tangents: None, normals: None }
+    }
 }
 
 impl Strip {
-    pub(super) fn new(p: Given<'_>, q: Given<'_>, closed: bool) -> Self {
+    /// A strip between two directrices of one or more points, not both of one; closed ones of three or more, or one.
+    ///
+    /// # Errors
+    /// [`Error::Input`], at `directrices`, `tangents` or `normals`, if lengths do not fit or values are not finite or
+    /// beyond 1e100.
+    pub fn new(p: Given<'_>, q: Given<'_>, closed: bool) -> Result<Self, Error> {
+        let errors = super::prepare::strip_errors([p, q], closed);
+        if errors.is_empty() { Ok(Self::of_checked(p, q, closed)) } else { Err(Error::Input(errors)) }
+    }
+
+    /// The optimal path: its bridges in order, from (0, 0) to (m - 1, n - 1), or all the way round from the smallest start.
+    /// `convexity_tolerance` in radians; 0 is exact.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the objective needs normals that are not there; [`Error::Interrupted`].
+    pub fn optimal_path(
+        &self,
+        objective: Objective,
+        secondary: Option<Secondary>,
+        convexity_tolerance: f64,
+        execution: &Execution<'_>,
+    ) -> Result<Vec<[u32; 2]>, Error> {
+        let goal = Goal { objective, secondary };
+        if goal.needs_normals() && !self.has_normals() {
+            return Err(Error::input(Place::field("normals"), "the objective needs normals"));
+        }
+        let mut pulse = Pulse::new(execution, (self.m() * self.n()) as u64);
+        let test = Test::new(convexity_tolerance);
+        solve_strip::path_of(self, goal, test, Widest::get(), &mut pulse)
+    }
+
+    /// The figures of any triangulation of this strip; `objective_value` and `secondary_value` are not set. With normals, the
+    /// normal variation is that of the better winding.
+    ///
+    /// # Errors
+    /// [`Error::Input`] at `path` if it is not a path of this strip; [`Error::Interrupted`].
+    pub fn statistics(
+        &self,
+        path: &[[u32; 2]],
+        convexity_tolerance: f64,
+        execution: &Execution<'_>,
+    ) -> Result<(Statistics, CoupledValues), Error> {
+        self.check_path(path)?;
+        let evaluation = evaluate(self, path, Test::new(convexity_tolerance), execution)?;
+        let mut statistics = evaluation.statistics;
+        statistics.normal_variation = evaluation.normal_variation.map(|[one, other]| one.min(other));
+        let coupled = CoupledValues {
+            bending_energy: evaluation.concave_bending,
+            mean_curvature_variation: evaluation.concave_curvature,
+        };
+        Ok((statistics, coupled))
+    }
+
+    fn check_path(&self, path: &[[u32; 2]]) -> Result<(), Error> {
+        let (m, n) = (self.m(), self.n());
+        let refuse = |detail: &str| Err(Error::input(Place::field("path"), detail));
+        let expected = self.triangles() + usize::from(!self.closed);
+        if path.len() != expected {
+            return refuse("must have one bridge more than triangles, or as many on a closed strip");
+        }
+        let mut steps = path.windows(2).map(|pair| (pair[0], pair[1])).collect::<Vec<_>>();
+        if self.closed {
+            steps.push((path[path.len() - 1], path[0]));
+        } else if path[0] != [0, 0] {
+            return refuse("must start at the first bridge");
+        }
+        let mut by_p = 0;
+        for ([i, j], [next, other]) in steps {
+            let follows = |a: u32, b: u32, count: usize| {
+                let after = a as usize + 1;
+                b as usize == if self.closed { after % count } else { after }
+            };
+            let p_step = j == other && follows(i, next, m);
+            let q_step = i == next && follows(j, other, n);
+            if !(p_step || q_step) || next as usize >= m || other as usize >= n {
+                return refuse("each bridge must follow the one before by a P-step or a Q-step");
+            }
+            by_p += usize::from(p_step && m > 1);
+        }
+        let around = if self.closed && m > 1 { m } else { m - 1 };
+        if by_p == around { Ok(()) } else { refuse("must use every bank edge once") }
+    }
+
+    pub(super) fn of_checked(p: Given<'_>, q: Given<'_>, closed: bool) -> Self {
         let largest =
             |points: &mut dyn Iterator<Item = DVec3>| points.fold(0.0f64, |m, v| m.max(v.abs().max_element()));
         let outer = power_of_two_above(largest(&mut p.points.iter().chain(q.points).copied()));

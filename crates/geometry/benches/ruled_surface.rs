@@ -1,0 +1,158 @@
+//! Ruled strips against a plain scalar loop with a table of f64 and byte back pointers, path recovery and allocation
+//! included on both sides, one core.
+//!
+//! `cargo bench -p plateau-geometry --bench ruled_surface` measures; with `-- --record` it prints one JSON line a case for
+//! `benches/results.jsonl` instead (the fastest of several runs, ns a cell, ratio to the scalar loop of the same run).
+
+use criterion::{BenchmarkId, Criterion};
+use plateau_geometry::ruled_surface::{Objective, Strip};
+use plateau_geometry::{DVec3, Execution};
+use std::hint::black_box;
+use std::time::Instant;
+
+/// A smooth wavy pair.
+fn wavy(m: usize, n: usize) -> [Vec<DVec3>; 2] {
+    let wave = |u: f64, phase: f64| {
+        (1..7).map(|k| 0.3 * (k as f64 * (std::f64::consts::PI * u + phase)).sin() / k as f64).sum::<f64>()
+    };
+    let side = |count: usize, phase: f64, y: f64, z: f64| {
+        let point = |k: usize| {
+            let u = k as f64 / (count - 1) as f64;
+            DVec3::new(10.0 * u, y + wave(u, phase), z + wave(u, phase + 0.7))
+        };
+        (0..count).map(point).collect()
+    };
+    [side(m, 0.3, 0.0, 0.0), side(n, 1.9, 3.0, 1.0)]
+}
+
+/// Two wavy rings.
+fn rings(m: usize, n: usize) -> [Vec<DVec3>; 2] {
+    let side = |count: usize, phase: f64, z: f64| {
+        let point = |k: usize| {
+            let u = std::f64::consts::TAU * k as f64 / count as f64;
+            let radius = 3.0 + 0.5 * (3.0 * u + phase).sin() + 0.3 * (2.0 * u - phase).cos();
+            DVec3::new(radius * (u + phase).cos(), radius * (u + phase).sin(), z)
+        };
+        (0..count).map(point).collect()
+    };
+    [side(m, 0.0, 0.0), side(n, 1.0, 0.8)]
+}
+
+/// The baseline: minimal area over a table of f64 with one byte a back pointer, cell after cell.
+fn scalar_area(p: &[DVec3], q: &[DVec3]) -> Vec<[u32; 2]> {
+    let (m, n) = (p.len(), q.len());
+    let mut table = vec![0.0f64; m * n];
+    let mut back = vec![0u8; m * n];
+    let area = |a: DVec3, b: DVec3, c: DVec3| 0.5 * (b - a).cross(c - a).length();
+    for i in 0..m {
+        for j in 0..n {
+            if i == 0 && j == 0 {
+                continue;
+            }
+            let mut best = f64::INFINITY;
+            if i > 0 {
+                best = table[(i - 1) * n + j] + area(p[i - 1], p[i], q[j]);
+            }
+            if j > 0 {
+                let value = table[i * n + j - 1] + area(p[i], q[j], q[j - 1]);
+                if value < best {
+                    best = value;
+                    back[i * n + j] = 1;
+                }
+            }
+            table[i * n + j] = best;
+        }
+    }
+    let (mut i, mut j) = (m - 1, n - 1);
+    let mut path = vec![[i as u32, j as u32]];
+    while i + j > 0 {
+        if back[i * n + j] == 1 {
+            j -= 1
+        } else {
+            i -= 1
+        }
+        path.push([i as u32, j as u32]);
+    }
+    path.reverse();
+    path
+}
+
+fn solve([p, q]: &[Vec<DVec3>; 2], closed: bool, objective: Objective) -> Vec<[u32; 2]> {
+    let strip = Strip::new(p.as_slice().into(), q.as_slice().into(), closed).expect("a valid strip");
+    strip.optimal_path(objective, None, 0.0, &Execution::default()).expect("nothing interrupts it")
+}
+
+const OBJECTIVES: [Objective; 3] =
+    [Objective::MinimalArea, Objective::MinimalBendingEnergy, Objective::MinimalMeanCurvatureVariation];
+
+fn measure(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("ruled_strip");
+    group.sample_size(10);
+    for size in [1000, 3000] {
+        let strip = wavy(size, size);
+        group.bench_function(BenchmarkId::new("scalar_baseline_area", size), |b| {
+            b.iter(|| scalar_area(black_box(&strip[0]), black_box(&strip[1])))
+        });
+        for objective in OBJECTIVES {
+            group.bench_function(BenchmarkId::new(objective.name(), size), |b| {
+                b.iter(|| solve(black_box(&strip), false, objective))
+            });
+        }
+    }
+    let closed = rings(1000, 1000);
+    group.bench_function("closed_minimal_area/1000", |b| {
+        b.iter(|| solve(black_box(&closed), true, Objective::MinimalArea))
+    });
+    group.finish();
+}
+
+/// The fastest of some runs, seconds.
+fn fastest(runs: usize, mut work: impl FnMut() -> Vec<[u32; 2]>) -> f64 {
+    let once = |work: &mut dyn FnMut() -> Vec<[u32; 2]>| {
+        let start = Instant::now();
+        black_box(work());
+        start.elapsed().as_secs_f64()
+    };
+    (0..runs).map(|_| once(&mut work)).fold(f64::INFINITY, f64::min)
+}
+
+fn record() {
+    for size in [1000usize, 3000, 10_000] {
+        let strip = wavy(size, size);
+        let (runs, cells) = (if size < 5000 { 7 } else { 3 }, (size * size) as f64);
+        let baseline = fastest(runs, || scalar_area(&strip[0], &strip[1]));
+        for objective in OBJECTIVES {
+            let seconds = fastest(runs, || solve(&strip, false, objective));
+            println!(
+                "{{\"bench\":\"ruled_strip/{}\",\"size\":{size},\"ms\":{:.2},\"ns_per_cell\":{:.3},\"baseline\":\"scalar_area\",\
+                 \"baseline_ns_per_cell\":{:.3},\"ratio\":{:.2}}}",
+                objective.name(),
+                seconds * 1e3,
+                seconds / cells * 1e9,
+                baseline / cells * 1e9,
+                baseline / seconds
+            );
+        }
+    }
+    let strip = rings(1000, 1000);
+    let baseline = fastest(5, || scalar_area(&strip[0], &strip[1]));
+    for objective in OBJECTIVES {
+        let seconds = fastest(3, || solve(&strip, true, objective));
+        println!(
+            "{{\"bench\":\"ruled_strip_closed/{}\",\"size\":1000,\"ms\":{:.2},\"baseline\":\"scalar_area_open\",\"ratio\":{:.3}}}",
+            objective.name(),
+            seconds * 1e3,
+            baseline / seconds
+        );
+    }
+}
+
+fn main() {
+    if std::env::args().any(|argument| argument == "--record") {
+        record();
+    } else {
+        let mut criterion = Criterion::default().configure_from_args();
+        measure(&mut criterion);
+        criterion.final_summary();
+    }
+}
