@@ -125,6 +125,12 @@ impl Symbolic {
             .map_err(|_| LinearError::TooLarge)
     }
 
+    /// Number of unknowns.
+    #[must_use]
+    pub fn order(&self) -> usize {
+        self.inner.nrows()
+    }
+
     /// Number of stored entries of L: the memory and, squared over the order, the work of one factorisation.
     #[must_use]
     pub fn factor_entries(&self) -> usize {
@@ -171,6 +177,23 @@ impl Symbolic {
             .map_err(|_| LinearError::Singular)?;
         let inertia = self.inertia(&values).ok_or(LinearError::Singular)?;
         Ok(Factorisation { symbolic: self, matrix, values, inertia })
+    }
+
+    /// Applies the inverse of the matrix whose factor is `values` ([`Factorisation::into_storage`]), without the check: for preconditioners.
+    pub fn apply(&self, values: &[f64], right_hand_sides: &mut [f64]) {
+        let n = self.inner.nrows();
+        if n == 0 {
+            return;
+        }
+        let columns = right_hand_sides.len() / n;
+        let request = self.inner.solve_in_place_scratch::<f64>(columns, Par::Seq);
+        let mut memory = MemBuffer::new(request);
+        LdltRef::new(&self.inner, values).solve_in_place_with_conj(
+            Conj::No,
+            MatMut::from_column_major_slice_mut(right_hand_sides, n, columns),
+            Par::Seq,
+            MemStack::new(&mut memory),
+        );
     }
 
     /// Signs of D; `None` if a pivot is zero or not finite.
@@ -264,19 +287,7 @@ impl Factorisation<'_> {
 
     /// One application of the factor, without the check: for preconditioners, whose errors the outer iteration sees.
     pub fn solve_unchecked(&self, right_hand_sides: &mut [f64]) {
-        let n = self.matrix.order();
-        if n == 0 {
-            return;
-        }
-        let columns = right_hand_sides.len() / n;
-        let request = self.symbolic.inner.solve_in_place_scratch::<f64>(columns, Par::Seq);
-        let mut memory = MemBuffer::new(request);
-        LdltRef::new(&self.symbolic.inner, &self.values).solve_in_place_with_conj(
-            Conj::No,
-            MatMut::from_column_major_slice_mut(right_hand_sides, n, columns),
-            Par::Seq,
-            MemStack::new(&mut memory),
-        );
+        self.symbolic.apply(&self.values, right_hand_sides);
     }
 
     /// Leaves b - A x in `residual`.

@@ -7,11 +7,14 @@
 //! Discrete Minimal Surfaces and Their Conjugates* (1993).
 
 mod bento_cavalcanti;
+mod coarse_to_fine;
 mod cotangent;
+mod descent;
 mod film;
 mod free_topology;
 mod initial_mesh;
 mod mean_curvature_lm;
+mod multigrid;
 mod newton;
 mod pinkall_polthier;
 mod record;
@@ -347,21 +350,37 @@ pub struct MinimalSurface {
 pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<MinimalSurface, Error> {
     let input = Input::read(boundaries, options)?;
     exec.look(input.point_count() as u64)?;
-    let (start, kind) = initial_mesh::build(&input.centred, options, exec)?;
-    let mut film = start.refined(exec)?;
-    let initial_area = film.area();
-    let run = match (options.objective, options.solver) {
-        (Objective::MinimalMeanCurvature, _) | (_, Solver::LevenbergMarquardt) => {
-            mean_curvature_lm::run(&mut film, options, exec)?
+    let newton = matches!(options.solver, Solver::Auto | Solver::Newton) && options.objective == Objective::MinimalArea;
+    let nested = match options.topology {
+        Topology::Fixed if newton => coarse_to_fine::solve(&input.centred, options, exec)?,
+        _ => None,
+    };
+    let (film, kind, initial_area, run) = match nested {
+        Some(solved) => solved,
+        None => {
+            let (start, kind) = initial_mesh::build(&input.centred, options, exec)?;
+            let mut film = start.refined(exec)?;
+            let initial_area = film.area();
+            let run = relax(&mut film, options, exec)?;
+            (film, kind, initial_area, run)
         }
-        (_, Solver::VertexRelaxation) => vertex_relaxation::run(&mut film, options, exec)?,
-        (_, Solver::PinkallPolthier) => bento_cavalcanti::run(&mut film, options, exec)?,
-        (_, Solver::Auto | Solver::Newton) if options.topology == Topology::Free => {
-            free_topology::run(&mut film, options, exec)?
-        }
-        (_, Solver::Auto | Solver::Newton) => newton::run(&mut film, options, exec)?,
     };
     finish(input, film, kind, initial_area, run, options)
+}
+
+/// Runs the solver that is asked for from an initial mesh of the full size.
+fn relax(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
+    match (options.objective, options.solver) {
+        (Objective::MinimalMeanCurvature, _) | (_, Solver::LevenbergMarquardt) => {
+            mean_curvature_lm::run(film, options, exec)
+        }
+        (_, Solver::VertexRelaxation) => vertex_relaxation::run(film, options, exec),
+        (_, Solver::PinkallPolthier) => bento_cavalcanti::run(film, options, exec),
+        (_, Solver::Auto | Solver::Newton) if options.topology == Topology::Free => {
+            free_topology::run(film, options, exec)
+        }
+        (_, Solver::Auto | Solver::Newton) => descent::run(film, options, exec),
+    }
 }
 
 /// What [`solve`] would say of its arguments before any work: linear in the number of points.

@@ -112,6 +112,19 @@ impl Topology {
         (Self { twin, outgoing, triangles }, parents)
     }
 
+    /// The same triangles with vertex `v` as number `place[v]`, a permutation. O(n).
+    #[must_use]
+    pub fn renumbered(mut self, place: &[u32]) -> Self {
+        for triangle in &mut self.triangles {
+            *triangle = triangle.map(|v| place[v as usize]);
+        }
+        let mut outgoing = vec![NONE; place.len()];
+        for (v, &new) in place.iter().enumerate() {
+            outgoing[new as usize] = self.outgoing[v];
+        }
+        Self { outgoing, ..self }
+    }
+
     /// Writes a triangle so that its corners start at the given half-edge.
     fn set_corners(&mut self, half_edge: u32, corners: [u32; 3]) {
         let (triangle, first) = (half_edge as usize / 3, half_edge as usize % 3);

@@ -64,6 +64,22 @@ impl Film {
         Mesh::new(self.vertices, triangles)
     }
 
+    /// The same film with vertex `v` as number `place[v]`.
+    pub fn renumbered(self, place: &[u32]) -> Self {
+        let moved = |v: u32| place[v as usize];
+        let mut vertices = vec![DVec3::ZERO; place.len()];
+        let mut fixed = vec![false; place.len()];
+        for (v, &new) in place.iter().enumerate() {
+            vertices[new as usize] = self.vertices[v];
+            fixed[new as usize] = self.fixed[v];
+        }
+        let mut locked: Vec<[u32; 2]> = self.locked.iter().map(|edge| edge.map(moved)).collect();
+        locked.iter_mut().for_each(|edge| edge.sort_unstable());
+        locked.sort_unstable();
+        let boundaries = self.boundaries.iter().map(|boundary| boundary.iter().map(|&v| moved(v)).collect()).collect();
+        Self { vertices, topology: self.topology.renumbered(place), fixed, locked, boundaries }
+    }
+
     /// The same film with the points added on the boundaries moved to stand right after the `input_points` first vertices.
     pub fn with_boundary_first(self, input_points: usize) -> Self {
         let added: Vec<u32> =

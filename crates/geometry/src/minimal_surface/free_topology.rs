@@ -6,8 +6,8 @@
 //!    and try again. If no neck closes after that either, what the default solver reached is the answer, not converged.
 
 use super::bento_cavalcanti::{Stop, Until, iterate};
+use super::descent;
 use super::film::{Film, Run};
-use super::newton;
 use super::record::Record;
 use super::statistics::{HistoryRow, StopReason};
 use super::{OnUnstable, Options, Solver, Topology};
@@ -51,7 +51,7 @@ pub(super) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Resul
             max_iterations: options.max_iterations.map(|_| limit.saturating_sub(run.iterations)),
             ..options.clone()
         };
-        let finish = exec.part([done + 0.5 * part, done + part], |exec| newton::run(&mut held, &fixed, exec))?;
+        let finish = exec.part([done + 0.5 * part, done + part], |exec| descent::run(&mut held, &fixed, exec))?;
         let converged = finish.stop_reason == StopReason::Residual;
         let holds = converged && finish.stability.is_none_or(|stability| stability.stable);
         let last = holds || change == AT_REST || finish.stop_reason == StopReason::Deadline;

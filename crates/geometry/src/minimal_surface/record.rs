@@ -10,20 +10,21 @@ pub(super) struct Record<'a> {
     pub history: Vec<HistoryRow>,
     pub iterations: u32,
     fraction: f64,
+    /// The share of the whole run that the iterations now belong to.
+    pub share: [f64; 2],
 }
 
 impl<'a> Record<'a> {
     pub fn new(exec: &'a Execution<'a>) -> Self {
-        Self { exec, history: Vec::new(), iterations: 0, fraction: 0.0 }
+        Self { exec, history: Vec::new(), iterations: 0, fraction: 0.0, share: [0.0, 1.0] }
     }
 
-    /// One more iteration (a linear solve); `fraction` of the whole run is done after it.
+    /// One more iteration (a linear solve); `fraction` of the present share is done after it.
     pub fn iteration(&mut self, phase: &'static str, area: f64, residual: f64, fraction: f64) {
         self.iterations += 1;
         self.history.push(HistoryRow { phase, iteration: self.iterations, area, residual });
-        if fraction > self.fraction {
-            self.fraction = fraction.min(1.0);
-        }
+        let [from, to] = self.share;
+        self.fraction = self.fraction.max(from + (to - from) * fraction.clamp(0.0, 1.0));
         self.exec.report(Progress {
             fraction: self.fraction,
             phase,

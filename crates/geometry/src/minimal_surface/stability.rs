@@ -210,7 +210,7 @@ fn lowest_of_three(mut a: [[f64; 3]; 3], size: usize) -> (f64, [f64; 3]) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::newton::{Aim, Heights, Outcome, Settings};
+    use super::super::newton::{Aim, Direct, Outcome, Settings, iterate};
     use super::super::structured::{catenoid, patch};
     use super::*;
     use crate::{DVec3, Execution};
@@ -218,13 +218,12 @@ mod tests {
 
     fn converged(mut film: Film, aim: Aim) -> SecondVariation {
         let settings = Settings { aim, tolerance: 1e-9, max_steps: 20, radius: film.radius() };
-        let mut heights = Heights::new(&film).unwrap();
-        let outcome = heights.iterate(&mut film, settings, &Execution::default(), &mut |_, _| {});
+        let pattern = Pattern::new(film.triangles(), &film.fixed);
+        let mut direct = Direct::new(&pattern).unwrap();
+        let (outcome, state) =
+            iterate(&mut film, &pattern, &mut direct, &settings, &Execution::default(), &mut |_, _| {});
         assert_eq!(outcome, Outcome::Converged);
-        let state = State::of(&heights.pattern, &film.vertices, film.triangles(), settings.radius);
-        analyse(&film, &heights.pattern, &heights.symbolic, &mut heights.matrix, &state, settings.radius)
-            .unwrap()
-            .unwrap()
+        analyse(&film, &pattern, &direct.symbolic, &mut direct.matrix, &state, settings.radius).unwrap().unwrap()
     }
 
     #[test]

@@ -1,0 +1,478 @@
+//! Large surfaces from small ones: solve on a coarse mesh, halve every edge, correct, and again.
+//!
+//! 1. Every 2^k-th point of each boundary (corners always) bounds a coarse mesh of a few thousand triangles, which is
+//!    solved by [`descent`](super::descent).
+//! 2. Every edge is halved. A new boundary vertex is the input point in the middle of those that its edge skips, or the edge's
+//!    own middle where there is none (and points may be added). Every input point is reached in the end.
+//! 3. Newton's method in normal heights corrects the finer mesh, its systems solved by conjugate gradients over the nested levels
+//!    ([`multigrid`](super::multigrid)). The start is off by the sagitta of a coarse edge, so one or two steps do.
+//!
+//! Work and memory grow in proportion to the mesh. Where anything is out of the ordinary (corners too dense to skip points, a
+//! fold, a system that multigrid cannot solve) the caller falls back on the full mesh from the start.
+
+use super::cotangent::Pattern;
+use super::descent::{Solve, Stop};
+use super::film::{Film, Run};
+use super::initial_mesh::{self, InitialMeshKind};
+use super::multigrid::{self, Failure, Hierarchy, Parents, parents_of};
+use super::newton::{Aim, Direct, Outcome, Settings, State, StepSolver, iterate};
+use super::record::geometric_part;
+use super::stability;
+use super::statistics::{Stability, StopReason};
+use super::{BoundarySampling, InitialMesh, Options, Resolution};
+use crate::linear::{LinearError, Symbolic, SymmetricMatrix};
+use crate::mesh::measure;
+use crate::mesh::topology::{NONE, Topology, next, previous};
+use crate::{DVec3, Error, Execution, Interruption};
+
+/// The coarse mesh has at least this many triangles, so at most four times as many.
+const LEAST_COARSE_TRIANGLES: f64 = 1000.0;
+/// And at least this many for each boundary vertex.
+const COARSE_TRIANGLES_PER_RIM_VERTEX: f64 = 3.0;
+/// A boundary vertex that turns by more is a corner, and no coarse edge may turn by more in all (radians).
+const CORNER: f64 = 0.6;
+/// The residual to which the levels between the coarsest and the finest are brought.
+const MIDDLE_TOLERANCE: f64 = 1e-3;
+/// Up to this many triangles the Morse index comes from a factorisation, beyond it from the lowest eigenvalue.
+const INERTIA_TRIANGLES: usize = 250_000;
+/// Newton steps on one level.
+const STEPS_PER_LEVEL: u32 = 12;
+/// Each step's linear system is solved to this fraction of the residual, until the residual is small enough for the rest in one go.
+const FORCING: f64 = 1e-3;
+const LAST_STEP_BELOW: f64 = 2e-2;
+
+/// What [`solve`] gives: a film in the promised vertex order, how its coarse mesh was made, that mesh's area, and the run.
+pub(super) type Solved = (Film, InitialMeshKind, f64, Run);
+
+/// Solves from the coarse to the fine. `None` if the request is too small for it, or does not lend itself to it.
+///
+/// # Errors
+/// [`Error::Interrupted`] on cancel, and on a deadline before there is a mesh.
+pub(super) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<Option<Solved>, Error> {
+    let Some(plan) = Plan::new(boundaries, options) else { return Ok(None) };
+    let coarse_options = Options { resolution: plan.resolution, ..options.clone() };
+    let (mut film, kind) = match initial_mesh::build(&plan.coarse_boundaries(boundaries), &coarse_options, exec) {
+        Ok((start, kind)) => (start.refined(exec)?, kind),
+        Err(Error::Interrupted(interruption)) => return Err(interruption.into()),
+        // Whatever is wrong is better said of the whole request.
+        Err(_) => return Ok(None),
+    };
+    let may_add = options.boundary_sampling != BoundarySampling::Keep;
+    let Some(mut rim) = Rim::new(&mut film, &plan, boundaries, may_add) else { return Ok(None) };
+    let initial_area = film.area();
+    let mut solve = Solve::new(&film, options, exec);
+    let (stop_reason, stability) = match climb(&mut film, &mut rim, plan.levels, &mut solve) {
+        Ok(Some(stability)) => (StopReason::Residual, stability),
+        Ok(None) | Err(Stop::TooLarge) => return Ok(None),
+        Err(Stop::Interrupted(Interruption::DeadlinePassed)) => (StopReason::Deadline, None),
+        Err(Stop::Interrupted(Interruption::Cancelled)) => return Err(Interruption::Cancelled.into()),
+    };
+    while rim.level < plan.levels {
+        // A deadline passed on the way up: the rest of the boundary is still owed.
+        (film, _) = rim.refine(&film);
+    }
+    Ok(Some((rim.input_points_first(film), kind, initial_area, solve.into_run(stop_reason, stability))))
+}
+
+/// Solves the coarse film and corrects it level by level. `None` where the method is at its end; then the film is no use.
+fn climb(film: &mut Film, rim: &mut Rim, levels: u32, solve: &mut Solve) -> Result<Option<Option<Stability>>, Stop> {
+    // Each level costs four times the last; the coarsest, with its many solves, about as much as the next.
+    let share = |level: u32| {
+        let part = |level: u32| 4f64.powi(level as i32 - levels as i32);
+        [if level == 0 { 0.0 } else { part(level - 1) }, part(level)]
+    };
+    solve.record.share = share(0);
+    let (_, Some((mut pattern, mut direct))) = solve.converge(film)? else { return Ok(None) };
+    let state = State::of(&pattern, &film.vertices, film.triangles(), solve.radius);
+    let Direct { symbolic, matrix, .. } = &mut direct;
+    let Ok(Some(coarse)) = stability::analyse(film, &pattern, symbolic, matrix, &state, solve.radius) else {
+        return Ok(None);
+    };
+    if coarse.morse_index > 0 {
+        return Ok(None);
+    }
+    let mut mode = coarse.lowest.heights;
+    direct.matrix = SymmetricMatrix::default();
+    let mut hierarchy = Hierarchy::new(direct.symbolic, direct.storage);
+    for level in 1..=levels {
+        let (fine, midpoints) = rim.refine(film);
+        *film = fine;
+        let finer = Pattern::new(film.triangles(), &film.fixed);
+        let parents = parents_of(&pattern.unknown, &finer.vertex, &midpoints);
+        pattern = finer;
+        mode = multigrid::prolong(&mode, &parents);
+        let last = level == levels;
+        let tolerance = if last { solve.tolerance } else { MIDDLE_TOLERANCE.max(solve.tolerance) };
+        solve.radius = film.radius();
+        let settings = Settings { aim: Aim::Minimum, tolerance, max_steps: STEPS_PER_LEVEL, radius: solve.radius };
+        let mut cascade = Cascade { hierarchy: &hierarchy, parents, matrix: pattern.matrix(), exec: solve.exec };
+        solve.record.share = share(level);
+        let mut start = None;
+        let (outcome, state) = iterate(film, &pattern, &mut cascade, &settings, solve.exec, &mut |area, residual| {
+            let part = geometric_part(*start.get_or_insert(residual), residual, tolerance);
+            solve.record.iteration("newton", area, residual, 0.9 * part);
+        });
+        match outcome {
+            Outcome::Converged => {}
+            Outcome::Interrupted(interruption) => return Err(interruption.into()),
+            Outcome::Stalled | Outcome::StepsUsed | Outcome::Refused(_) => return Ok(None),
+        }
+        let Cascade { parents, mut matrix, .. } = cascade;
+        if last {
+            let fallen = film.triangles().iter().any(|&triangle| {
+                let around: DVec3 = triangle.iter().map(|&v| state.normals[v as usize]).sum();
+                measure::double_area_vector(film.corners(triangle)).dot(around) < 0.0
+            });
+            if fallen {
+                return Ok(None);
+            }
+            solve.exec.look(film.triangles().len() as u64)?;
+            pattern.second_variation(&film.vertices, film.triangles(), &state.normals, 0.0, &mut matrix);
+            let mass = &state.first.mass;
+            let precondition = |residual: &mut [f64]| {
+                let solved = hierarchy.precondition(&matrix, &parents, residual);
+                residual.copy_from_slice(&solved);
+            };
+            let lowest = stability::lowest_mode(&matrix, mass, 1.0 / solve.radius.powi(2), mode, precondition);
+            let by_inertia = film.triangles().len() <= INERTIA_TRIANGLES;
+            let morse_index = if by_inertia {
+                solve.exec.look(film.triangles().len() as u64)?;
+                let Ok(symbolic) = Symbolic::analyse(&matrix, None) else { return Err(Stop::TooLarge) };
+                match symbolic.factorise(&matrix) {
+                    Ok(factorisation) => factorisation.inertia().negative,
+                    Err(_) => return Ok(None),
+                }
+            } else {
+                usize::from(lowest.eigenvalue < 0.0)
+            };
+            if (morse_index > 0) != (lowest.eigenvalue < 0.0) || morse_index > 0 {
+                return Ok(None);
+            }
+            let lowest_eigenvalue = lowest.eigenvalue;
+            return Ok(Some(Some(Stability { stable: true, morse_index, lowest_eigenvalue })));
+        }
+        hierarchy.push(matrix, parents);
+    }
+    Ok(None)
+}
+
+/// Newton's step by conjugate gradients over the nested levels.
+struct Cascade<'a> {
+    hierarchy: &'a Hierarchy,
+    parents: Parents,
+    matrix: SymmetricMatrix,
+    exec: &'a Execution<'a>,
+}
+
+impl StepSolver for Cascade<'_> {
+    fn heights(
+        &mut self,
+        film: &Film,
+        pattern: &Pattern,
+        state: &State,
+        settings: &Settings,
+    ) -> Result<Vec<f64>, Outcome> {
+        pattern.second_variation(&film.vertices, film.triangles(), &state.normals, 0.0, &mut self.matrix);
+        let right_hand_side: Vec<f64> = state.first.gradient.iter().map(|pull| -pull).collect();
+        let rest = 0.2 * settings.tolerance;
+        let goal = if state.residual > LAST_STEP_BELOW { rest.max(FORCING * state.residual) } else { rest };
+        let is_small = |residual: &[f64]| {
+            let allowed = 2.0 * goal / settings.radius;
+            residual.iter().zip(&state.first.mass).all(|(pull, mass)| pull.abs() <= allowed * mass)
+        };
+        self.hierarchy.solve(&self.matrix, &self.parents, &right_hand_side, is_small, self.exec).map_err(|failure| {
+            match failure {
+                Failure::Interrupted(interruption) => Outcome::Interrupted(interruption),
+                Failure::Indefinite | Failure::Slow => Outcome::Refused(LinearError::Inaccurate),
+            }
+        })
+    }
+}
+
+/// Which input points bound the coarse mesh, how large it is, and how often it will be refined.
+#[derive(Debug)]
+struct Plan {
+    levels: u32,
+    /// Of the coarse mesh.
+    resolution: Resolution,
+    /// Per boundary the indices of the points that stay, ascending.
+    kept: Vec<Vec<u32>>,
+}
+
+impl Plan {
+    fn new(boundaries: &[Vec<DVec3>], options: &Options) -> Option<Self> {
+        if !matches!(options.initial_mesh, InitialMesh::Auto | InitialMesh::Planar | InitialMesh::Disk) {
+            return None;
+        }
+        let target = super::estimate_triangles(boundaries, options);
+        let most = (target / LEAST_COARSE_TRIANGLES).log(4.0).floor().clamp(0.0, 12.0) as u32;
+        (1..=most).rev().find_map(|levels| {
+            let kept: Vec<Vec<u32>> = boundaries.iter().map(|points| kept_points(points, 1 << levels)).collect();
+            let rim: usize = kept.iter().map(Vec::len).sum();
+            // Where a boundary edge has no point left to be halved at, the triangle behind it gives three and not four.
+            let points: usize = boundaries.iter().map(Vec::len).sum();
+            let lost = match options.boundary_sampling {
+                BoundarySampling::Keep => ((rim << levels) as f64 - points as f64).max(0.0),
+                BoundarySampling::Refine => 0.0,
+            };
+            let triangles = (target + lost) / f64::from(4u32.pow(levels));
+            let resolution = match options.resolution {
+                Resolution::Triangles(_) => Resolution::Triangles(triangles.round() as usize),
+                Resolution::EdgeLength(length) => Resolution::EdgeLength(length * f64::from(1u32 << levels)),
+                Resolution::InteriorVertices(_) => return None,
+            };
+            (triangles >= COARSE_TRIANGLES_PER_RIM_VERTEX * rim as f64).then_some(Self { levels, resolution, kept })
+        })
+    }
+
+    fn coarse_boundaries(&self, boundaries: &[Vec<DVec3>]) -> Vec<Vec<DVec3>> {
+        let pick = |(points, kept): (&Vec<DVec3>, &Vec<u32>)| kept.iter().map(|&k| points[k as usize]).collect();
+        boundaries.iter().zip(&self.kept).map(pick).collect()
+    }
+}
+
+/// Indices of points at most `stride` apart that keep the corners of a closed polygon, and let no edge turn by more than one.
+fn kept_points(points: &[DVec3], stride: usize) -> Vec<u32> {
+    let n = points.len();
+    let direction = |k: usize| (points[(k + 1) % n] - points[k % n]).normalize_or_zero();
+    let turn = |k: usize| {
+        let (before, after) = (direction(k + n - 1), direction(k));
+        before.cross(after).length().atan2(before.dot(after))
+    };
+    let mut corners: Vec<usize> = (0..n).filter(|&k| turn(k) > CORNER).collect();
+    if corners.is_empty() {
+        corners.push(0);
+    }
+    let mut kept = Vec::new();
+    for (i, &start) in corners.iter().enumerate() {
+        let end = corners.get(i + 1).copied().unwrap_or(corners[0] + n);
+        let turning: f64 = (start + 1..end).map(|k| turn(k % n)).sum();
+        // A loop without corners closes with at least three edges.
+        let least = if corners.len() < 3 { 3 } else { 1 };
+        let edges = (end - start).div_ceil(stride).max((turning / CORNER).ceil() as usize).max(least).min(end - start);
+        kept.extend((0..edges).map(|j| ((start + j * (end - start) / edges) % n) as u32));
+    }
+    kept.sort_unstable();
+    kept
+}
+
+/// Where the film's boundary vertices stand on the input polygons.
+#[derive(Debug)]
+struct Rim<'a> {
+    polygons: &'a [Vec<DVec3>],
+    may_add: bool,
+    /// Refinements so far.
+    level: u32,
+    /// For each vertex of the film's boundary loops its place on the polygon: an input point's index, or in between.
+    places: Vec<Vec<f64>>,
+}
+
+impl<'a> Rim<'a> {
+    /// Finds the places of a coarse film's boundary vertices; those added on an edge that skips input points are moved to one of these.
+    /// `None` if there are too few of them.
+    fn new(film: &mut Film, plan: &Plan, polygons: &'a [Vec<DVec3>], may_add: bool) -> Option<Self> {
+        let mut places = Vec::with_capacity(polygons.len());
+        let mut first = 0u32;
+        for ((polygon, kept), boundary) in polygons.iter().zip(&plan.kept).zip(&film.boundaries) {
+            let count = kept.len() as u32;
+            let mut on_polygon = Vec::with_capacity(boundary.len());
+            let is_kept = |v: u32| (first..first + count).contains(&v);
+            if boundary.first().is_none_or(|&v| v != first) {
+                return None;
+            }
+            let mut k = 0;
+            while k < boundary.len() {
+                let edge = (boundary[k] - first) as usize;
+                let added = boundary[k + 1..].iter().take_while(|&&v| !is_kept(v)).count();
+                let start = f64::from(kept[edge]);
+                let end = kept.get(edge + 1).map_or(f64::from(kept[0]) + polygon.len() as f64, |&end| f64::from(end));
+                let skipped = (end - start) as usize - 1;
+                on_polygon.push(start);
+                let (a, b) = (point_at(polygon, start), point_at(polygon, end));
+                for j in 1..=added {
+                    let vertex = boundary[k + j] as usize;
+                    let place = if skipped == 0 {
+                        let along = b - a;
+                        start + ((film.vertices[vertex] - a).dot(along) / along.length_squared()).clamp(0.0, 1.0)
+                    } else {
+                        let place = (start + (end - start) * j as f64 / (added + 1) as f64).round();
+                        film.vertices[vertex] = point_at(polygon, place);
+                        place
+                    };
+                    if place <= on_polygon[on_polygon.len() - 1] || place >= end {
+                        return None;
+                    }
+                    on_polygon.push(place);
+                }
+                k += 1 + added;
+            }
+            places.push(on_polygon);
+            first += count;
+        }
+        Some(Self { polygons, may_add, level: 0, places })
+    }
+
+    /// Halves every edge that can be halved. Also returns the ends of the edges that the new vertices halve.
+    fn refine(&mut self, film: &Film) -> (Film, Vec<[u32; 2]>) {
+        let old = film.vertices.len();
+        // The boundary edges, smaller vertex first, with the place where each is to be halved.
+        let mut edges: Vec<([u32; 2], Option<f64>)> = Vec::new();
+        for ((boundary, places), polygon) in film.boundaries.iter().zip(&self.places).zip(self.polygons) {
+            for k in 0..boundary.len() {
+                let next = (k + 1) % boundary.len();
+                let wrap = if next == 0 { polygon.len() as f64 } else { 0.0 };
+                let ends = [boundary[k].min(boundary[next]), boundary[k].max(boundary[next])];
+                edges.push((ends, self.middle(places[k], places[next] + wrap)));
+            }
+        }
+        edges.sort_unstable_by_key(|(ends, _)| *ends);
+        let place_of = |a: u32, b: u32| {
+            let found = edges.binary_search_by_key(&[a.min(b), a.max(b)], |(ends, _)| *ends);
+            found.ok().and_then(|k| edges[k].1)
+        };
+        let (topology, midpoints) = if edges.iter().all(|(_, place)| place.is_some()) {
+            film.topology.subdivided()
+        } else {
+            subdivided_inside(&film.topology, &film.vertices, |a, b| place_of(a, b).is_some())
+        };
+        let mut vertices = Vec::with_capacity(old + midpoints.len());
+        vertices.extend_from_slice(&film.vertices);
+        vertices.extend(midpoints.iter().map(|&[a, b]| 0.5 * (film.vertices[a as usize] + film.vertices[b as usize])));
+        let mut fixed = film.fixed.clone();
+        fixed.resize(vertices.len(), false);
+        let mut middle_of: Vec<([u32; 2], u32)> = Vec::with_capacity(edges.len());
+        for (k, &[a, b]) in midpoints.iter().enumerate() {
+            if film.fixed[a as usize] && film.fixed[b as usize] && place_of(a, b).is_some() {
+                fixed[old + k] = true;
+                middle_of.push(([a.min(b), a.max(b)], (old + k) as u32));
+            }
+        }
+        middle_of.sort_unstable();
+        let mut boundaries = Vec::with_capacity(film.boundaries.len());
+        for ((boundary, places), polygon) in film.boundaries.iter().zip(&mut self.places).zip(self.polygons) {
+            let (mut vertices_along, mut places_along) = (Vec::new(), Vec::new());
+            for k in 0..boundary.len() {
+                let (a, b) = (boundary[k], boundary[(k + 1) % boundary.len()]);
+                vertices_along.push(a);
+                places_along.push(places[k]);
+                if let (Ok(at), Some(place)) =
+                    (middle_of.binary_search_by_key(&[a.min(b), a.max(b)], |(ends, _)| *ends), place_of(a, b))
+                {
+                    let vertex = middle_of[at].1;
+                    vertices[vertex as usize] = point_at(polygon, place);
+                    vertices_along.push(vertex);
+                    places_along.push(place);
+                }
+            }
+            *places = places_along;
+            boundaries.push(vertices_along);
+        }
+        self.level += 1;
+        (Film { vertices, topology, fixed, locked: Vec::new(), boundaries }, midpoints)
+    }
+
+    /// Where an edge between two places is halved: at the middle one of the input points in between, else in the middle if points may be added.
+    fn middle(&self, start: f64, end: f64) -> Option<f64> {
+        let (lowest, highest) = (start.floor() + 1.0, end.ceil() - 1.0);
+        if lowest <= highest {
+            Some((0.5 * (start + end)).round().clamp(lowest, highest))
+        } else {
+            self.may_add.then_some(0.5 * (start + end))
+        }
+    }
+
+    /// The film with its vertices in the promised order: input points, points added on the boundaries, the interior.
+    fn input_points_first(&self, film: Film) -> Film {
+        const UNPLACED: u32 = u32::MAX;
+        let mut place = vec![UNPLACED; film.vertices.len()];
+        let mut next = 0u32;
+        for input_points in [true, false] {
+            for (boundary, places) in film.boundaries.iter().zip(&self.places) {
+                let chosen = boundary.iter().zip(places).filter(|(_, place)| (place.fract() == 0.0) == input_points);
+                for (&vertex, _) in chosen {
+                    place[vertex as usize] = next;
+                    next += 1;
+                }
+            }
+        }
+        for place in place.iter_mut().filter(|place| **place == UNPLACED) {
+            *place = next;
+            next += 1;
+        }
+        film.renumbered(&place)
+    }
+}
+
+/// The point at a place on a closed polygon: exactly an input point where the place is whole.
+fn point_at(polygon: &[DVec3], place: f64) -> DVec3 {
+    let n = polygon.len();
+    let index = place.floor() as usize;
+    let (a, b) = (polygon[index % n], polygon[(index + 1) % n]);
+    match place.fract() {
+        0.0 => a,
+        fraction => a + fraction * (b - a),
+    }
+}
+
+/// As [`Topology::subdivided`], but boundary edges for which `splits` is false stay whole: the triangles behind them are cut in three or two.
+fn subdivided_inside(
+    topology: &Topology,
+    vertices: &[DVec3],
+    splits: impl Fn(u32, u32) -> bool,
+) -> (Topology, Vec<[u32; 2]>) {
+    let old = vertices.len() as u32;
+    let mut midpoints: Vec<[u32; 2]> = Vec::new();
+    let mut middle = vec![NONE; topology.twin.len()];
+    for h in 0..topology.twin.len() {
+        let (a, b, twin) = (topology.from(h as u32), topology.to(h as u32), topology.twin[h]);
+        if middle[h] == NONE && (twin != NONE || splits(a, b)) {
+            middle[h] = old + midpoints.len() as u32;
+            if twin != NONE {
+                middle[twin as usize] = middle[h];
+            }
+            midpoints.push([a, b]);
+        }
+    }
+    let at = |v: u32| match v.checked_sub(old) {
+        None => vertices[v as usize],
+        Some(new) => {
+            0.5 * (vertices[midpoints[new as usize][0] as usize] + vertices[midpoints[new as usize][1] as usize])
+        }
+    };
+    let mut triangles = Vec::with_capacity(4 * topology.triangles().len());
+    for t in 0..topology.triangles().len() {
+        // The outline with its midpoints; ears at the corners between two midpoints are cut off, the rest is cut by its shorter diagonals.
+        let h = 3 * t as u32;
+        let mut whole = [h, next(h), previous(h)].into_iter().filter(|&h| middle[h as usize] == NONE);
+        let first = whole.next();
+        let second = whole.next();
+        let corner = |h: u32| (topology.from(h), middle[h as usize]);
+        match (first, second) {
+            (None, _) => {
+                let [(a, ab), (b, bc), (c, ca)] = [corner(h), corner(next(h)), corner(previous(h))];
+                triangles.extend([[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]);
+            }
+            (Some(edge), None) => {
+                let [(a, _), (b, bc), (c, ca)] = [corner(edge), corner(next(edge)), corner(previous(edge))];
+                triangles.push([c, ca, bc]);
+                if at(a).distance_squared(at(bc)) <= at(b).distance_squared(at(ca)) {
+                    triangles.extend([[a, b, bc], [a, bc, ca]]);
+                } else {
+                    triangles.extend([[a, b, ca], [b, bc, ca]]);
+                }
+            }
+            (Some(_), Some(_)) => {
+                let halved = [h, next(h), previous(h)].into_iter().find(|&h| middle[h as usize] != NONE);
+                match halved {
+                    Some(edge) => {
+                        let [(a, ab), (b, _), (c, _)] = [corner(edge), corner(next(edge)), corner(previous(edge))];
+                        triangles.extend([[a, ab, c], [ab, b, c]]);
+                    }
+                    None => triangles.push(topology.triangles()[t]),
+                }
+            }
+        }
+    }
+    let topology = Topology::build(&triangles, (old as usize) + midpoints.len());
+    (topology.expect("cutting triangles along halved edges keeps a manifold one"), midpoints)
+}

@@ -1,0 +1,236 @@
+//! The default solver of minimal surfaces, from an initial mesh to a surface with its stability:
+//!
+//! 1. *Settle*: rounds of one to four Pinkall-Polthier solves ([`pinkall_polthier`](super::pinkall_polthier)), tangential
+//!    relaxation and Delaunay flips. Forgives any start, and leaves good triangles.
+//! 2. *Newton* in normal heights ([`newton`](super::newton)). Where it stalls, back to 1.
+//! 3. *Stability* ([`stability`](super::stability)); an unstable surface is left along its lowest mode if that is asked for.
+
+use super::cotangent::Pattern;
+use super::film::{Film, Run};
+use super::newton::{Aim, Direct, Outcome, Settings, State, iterate, keeps_orientation, moved};
+use super::pinkall_polthier::{Dirichlet, too_large};
+use super::record::{Record, geometric_part};
+use super::remesh::{flip_to_delaunay, tangential_relaxation};
+use super::stability;
+use super::statistics::{Stability, StopReason};
+use super::{OnUnstable, Options, Solver};
+use crate::linear::LinearError;
+use crate::{DVec3, Error, Execution, Interruption};
+
+/// Linear solves that a run may take if the caller does not say.
+const DEFAULT_SOLVES: u32 = 200;
+/// Rounds of Pinkall-Polthier solves before Newton takes over, and solves in each.
+const MAX_ROUNDS: u32 = 6;
+const SOLVES_PER_ROUND: u32 = 4;
+/// Tangential relaxations after each round's solves.
+const RELAXATIONS_PER_ROUND: u32 = 4;
+/// A round that changes the area by less than this fraction is the last.
+const SETTLED: f64 = 1e-3;
+/// How often a stalled Newton iteration goes back to more rounds.
+const MAX_RETURNS: u32 = 3;
+
+/// Rounds of Pinkall-Polthier, then Newton's method, then the stability of what came out.
+///
+/// Ends with the best mesh reached, folded never: the stop reason says why where it is not converged.
+///
+/// # Errors
+/// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large to factorise.
+pub(super) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
+    let mut solve = Solve::new(film, options, exec);
+    let (stop_reason, stability) = match solve.film(film, options.on_unstable) {
+        Ok(done) => done,
+        Err(Stop::Interrupted(Interruption::DeadlinePassed)) => (StopReason::Deadline, None),
+        Err(Stop::Interrupted(Interruption::Cancelled)) => return Err(Interruption::Cancelled.into()),
+        Err(Stop::TooLarge) => return Err(too_large(LinearError::TooLarge)),
+    };
+    Ok(solve.into_run(stop_reason, stability))
+}
+
+/// Why a solve was left half way.
+pub(super) enum Stop {
+    Interrupted(Interruption),
+    TooLarge,
+}
+
+impl From<Interruption> for Stop {
+    fn from(interruption: Interruption) -> Self {
+        Self::Interrupted(interruption)
+    }
+}
+
+/// What stays the same during one run, and what it remembers.
+pub(super) struct Solve<'a> {
+    pub exec: &'a Execution<'a>,
+    pub record: Record<'a>,
+    pub limit: u32,
+    pub tolerance: f64,
+    pub radius: f64,
+    edges_swapped: u64,
+}
+
+impl<'a> Solve<'a> {
+    pub fn new(film: &Film, options: &Options, exec: &'a Execution<'a>) -> Self {
+        Self {
+            exec,
+            record: Record::new(exec),
+            limit: options.max_iterations.unwrap_or(DEFAULT_SOLVES),
+            tolerance: options.tolerance,
+            radius: film.radius(),
+            edges_swapped: 0,
+        }
+    }
+
+    pub fn into_run(self, stop_reason: StopReason, stability: Option<Stability>) -> Run {
+        let Self { record: Record { history, iterations, .. }, edges_swapped, .. } = self;
+        Run { stop_reason, iterations, history, edges_swapped, stability, ..Run::new(Solver::Newton) }
+    }
+
+    fn film(&mut self, film: &mut Film, on_unstable: OnUnstable) -> Result<(StopReason, Option<Stability>), Stop> {
+        let (reason, converged) = self.converge(film)?;
+        let stability = match converged {
+            Some((pattern, mut direct)) => self.stability(film, &pattern, &mut direct, on_unstable)?,
+            None => None,
+        };
+        Ok((reason, stability))
+    }
+
+    /// Settles, then Newton, then from the start where Newton stalls. With the connectivity's pattern and factorisation if it converged.
+    pub fn converge(&mut self, film: &mut Film) -> Result<(StopReason, Option<(Pattern, Direct)>), Stop> {
+        if film.fixed.iter().all(|&fixed| fixed) {
+            return Ok((StopReason::NothingToMove, None));
+        }
+        let mut reason = StopReason::Stalled;
+        for _ in 0..=MAX_RETURNS {
+            let collapsed = self.settle(film)?;
+            let pattern = Pattern::new(film.triangles(), &film.fixed);
+            let mut direct = Direct::new(&pattern).map_err(|_| Stop::TooLarge)?;
+            reason = match self.newton(film, &pattern, &mut direct, Aim::Minimum)? {
+                StopReason::Residual => return Ok((StopReason::Residual, Some((pattern, direct)))),
+                StopReason::MaxIterations => return Ok((StopReason::MaxIterations, None)),
+                _ if collapsed => StopReason::Collapsed,
+                other => other,
+            };
+        }
+        Ok((reason, None))
+    }
+
+    fn newton(
+        &mut self,
+        film: &mut Film,
+        pattern: &Pattern,
+        direct: &mut Direct,
+        aim: Aim,
+    ) -> Result<StopReason, Stop> {
+        let mut start = None;
+        let max_steps = self.limit.saturating_sub(self.record.iterations);
+        let settings = Settings { aim, tolerance: self.tolerance, max_steps, radius: self.radius };
+        let (outcome, _) = iterate(film, pattern, direct, &settings, self.exec, &mut |area, residual| {
+            let part = geometric_part(*start.get_or_insert(residual), residual, settings.tolerance);
+            self.record.iteration("newton", area, residual, 0.5 + 0.4 * part);
+        });
+        Ok(match outcome {
+            Outcome::Converged => StopReason::Residual,
+            Outcome::StepsUsed => StopReason::MaxIterations,
+            Outcome::Stalled => StopReason::Stalled,
+            Outcome::Refused(_) => StopReason::Collapsed,
+            Outcome::Interrupted(interruption) => return Err(interruption.into()),
+        })
+    }
+
+    /// Rounds of Pinkall-Polthier, tangential relaxation and Delaunay flips until the area settles; true if a linear system was refused on the way.
+    fn settle(&mut self, film: &mut Film) -> Result<bool, Stop> {
+        let mut area = film.area();
+        for round in 0..MAX_ROUNDS {
+            let mut dirichlet = Dirichlet::new(film).map_err(|_| Stop::TooLarge)?;
+            let before_round = area;
+            for _ in 0..SOLVES_PER_ROUND {
+                if self.record.iterations >= self.limit {
+                    return Ok(false);
+                }
+                self.exec.look(film.triangles().len() as u64)?;
+                if dirichlet.step(film).is_err() {
+                    return Ok(true);
+                }
+                let before = std::mem::replace(&mut area, film.area());
+                let residual = State::of(&dirichlet.pattern, &film.vertices, film.triangles(), self.radius).residual;
+                let fraction = 0.5 * f64::from(round + 1) / f64::from(MAX_ROUNDS);
+                self.record.iteration("pinkall_polthier", area, residual, fraction);
+                if (before - area).abs() <= SETTLED * area {
+                    break;
+                }
+            }
+            let settled = (before_round - area).abs() <= SETTLED * area;
+            tangential_relaxation(film, RELAXATIONS_PER_ROUND);
+            let swapped = flip_to_delaunay(film);
+            self.edges_swapped += swapped;
+            self.exec.look(film.triangles().len() as u64)?;
+            if settled && swapped == 0 {
+                break;
+            }
+            area = film.area();
+        }
+        Ok(false)
+    }
+
+    /// The stability of the film where it stands; an unstable one is left first if that is asked for.
+    fn stability(
+        &mut self,
+        film: &mut Film,
+        pattern: &Pattern,
+        direct: &mut Direct,
+        on_unstable: OnUnstable,
+    ) -> Result<Option<Stability>, Stop> {
+        let mut found = None;
+        for _ in 0..=MAX_RETURNS {
+            self.exec.look(film.triangles().len() as u64)?;
+            let state = State::of(pattern, &film.vertices, film.triangles(), self.radius);
+            let Direct { symbolic, matrix, .. } = &mut *direct;
+            let Ok(Some(variation)) = stability::analyse(film, pattern, symbolic, matrix, &state, self.radius) else {
+                break;
+            };
+            found = Some(Stability {
+                stable: variation.morse_index == 0,
+                morse_index: variation.morse_index,
+                lowest_eigenvalue: variation.lowest.eigenvalue,
+            });
+            if variation.morse_index == 0 || on_unstable == OnUnstable::Report {
+                break;
+            }
+            leave(film, pattern, &state, &variation.lowest.heights);
+            if self.newton(film, pattern, direct, Aim::Minimum)? != StopReason::Residual {
+                break;
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// Moves an unstable film along its lowest mode, to the side and as far (of a few lengths) as lowers the area most.
+fn leave(film: &mut Film, pattern: &Pattern, state: &State, mode: &[f64]) {
+    let largest = mode.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
+    let mean_length = (state.first.area / film.triangles().len() as f64).sqrt();
+    let lengths = [0.25, 0.5, 1.0, 2.0].into_iter().flat_map(|length| [length, -length]);
+    let candidates = lengths.map(|length| moved(pattern, film, &state.normals, mode, length * mean_length / largest));
+    let best = candidates.filter(|vertices| keeps_orientation(film, vertices)).min_by(|a, b| {
+        let area = |vertices: &[DVec3]| pattern.first_variation(vertices, film.triangles(), &state.normals).area;
+        area(a).total_cmp(&area(b))
+    });
+    if let Some(vertices) = best {
+        film.vertices = vertices;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Resolution;
+    use super::super::structured::cylinder;
+    use super::*;
+
+    #[test]
+    fn beyond_the_critical_gap_nothing_is_called_converged() {
+        let mut film = cylinder(48, 16, 1.5);
+        let run = run(&mut film, &Options::new(Resolution::Triangles(1)), &Execution::default()).unwrap();
+        assert_ne!(run.stop_reason, StopReason::Residual);
+        assert!(film.vertices.iter().all(|vertex| vertex.is_finite()));
+    }
+}

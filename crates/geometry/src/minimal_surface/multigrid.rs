@@ -1,0 +1,180 @@
+//! Geometric multigrid on nested meshes, as the preconditioner of conjugate gradients.
+//!
+//! Brandt, *Multi-level adaptive solutions to boundary-value problems* (1977); as a preconditioner: Braess, *Towards algebraic
+//! multigrid for elliptic problems of second order* (1995).
+//!
+//! 1. A fine mesh comes from a coarse one by halving every edge. A height at a midpoint is the mean of the heights at the edge's ends
+//!    (zero where an end is fixed): that is the prolongation, its transpose the restriction.
+//! 2. On each level the matrix is the one that Newton's method assembled there on its way; no product of matrices is
+//!    formed. In the plane, and nearly so on a film, it is the restriction of the finer one.
+//! 3. One V-cycle: a forward Gauss-Seidel sweep, the residual to the coarser level, a backward sweep. On the coarsest level the
+//!    factor L D Lᵀ. The cycle is symmetric and positive definite as long as the matrices are.
+//! 4. Conjugate gradients with that preconditioner: the residual falls by about ten an iteration, whatever the size.
+
+use crate::linear::{Symbolic, SymmetricMatrix};
+use crate::{Execution, Interruption};
+
+use super::cotangent::FIXED;
+
+/// Iterations after which the hierarchy is not worth its name.
+const MAX_ITERATIONS: usize = 60;
+
+/// Why conjugate gradients did not reach their goal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Failure {
+    /// A direction of negative curvature turned up: the matrix, or the preconditioner, is not positive definite.
+    Indefinite,
+    /// The iterations are used up.
+    Slow,
+    Interrupted(Interruption),
+}
+
+/// How the unknowns of a level stand to those of the next coarser one: each is the mean of two, of which one or both may be [`FIXED`] (zero).
+/// An unknown of both levels is its own parent twice.
+pub(super) type Parents = Vec<[u32; 2]>;
+
+/// The levels below the one that is being solved.
+#[derive(Debug)]
+pub(super) struct Hierarchy {
+    symbolic: Symbolic,
+    factor: Vec<f64>,
+    /// From coarse to fine; the coarsest is in `factor` only.
+    levels: Vec<(SymmetricMatrix, Parents)>,
+}
+
+impl Hierarchy {
+    /// `factor` is the positive definite one of the coarsest matrix.
+    pub fn new(symbolic: Symbolic, factor: Vec<f64>) -> Self {
+        Self { symbolic, factor, levels: Vec::new() }
+    }
+
+    /// Adds a finer level on top.
+    pub fn push(&mut self, matrix: SymmetricMatrix, parents: Parents) {
+        self.levels.push((matrix, parents));
+    }
+
+    /// An approximate inverse of `matrix`, whose unknowns descend from the top level's by `parents`.
+    pub fn precondition(&self, matrix: &SymmetricMatrix, parents: &[[u32; 2]], right_hand_side: &[f64]) -> Vec<f64> {
+        self.cycle(self.levels.len(), matrix, parents, right_hand_side)
+    }
+
+    /// `below` is the number of levels under this one, the coarsest not counted.
+    fn cycle(&self, below: usize, matrix: &SymmetricMatrix, parents: &[[u32; 2]], right_hand_side: &[f64]) -> Vec<f64> {
+        let n = right_hand_side.len();
+        let mut x = vec![0.0; n];
+        for row in 0..n {
+            relax(matrix, right_hand_side, &mut x, row);
+        }
+        let coarse_order = match below {
+            0 => self.symbolic.order(),
+            _ => self.levels[below - 1].0.order(),
+        };
+        // One place more than there are coarse unknowns takes what would go to a fixed vertex.
+        let mut coarse = vec![0.0; coarse_order + 1];
+        let place = |parent: u32| (parent as usize).min(coarse_order);
+        for row in 0..n {
+            let (columns, values) = matrix.row(row);
+            let product: f64 = columns.iter().zip(values).map(|(&column, &a)| a * x[column as usize]).sum();
+            let half = 0.5 * (right_hand_side[row] - product);
+            let [first, second] = parents[row];
+            coarse[place(first)] += half;
+            coarse[place(second)] += half;
+        }
+        coarse.truncate(coarse_order);
+        let mut correction = match below {
+            0 => {
+                self.symbolic.apply(&self.factor, &mut coarse);
+                coarse
+            }
+            _ => {
+                let (matrix, parents) = &self.levels[below - 1];
+                self.cycle(below - 1, matrix, parents, &coarse)
+            }
+        };
+        correction.push(0.0);
+        for (x, &[first, second]) in x.iter_mut().zip(parents) {
+            *x += 0.5 * (correction[place(first)] + correction[place(second)]);
+        }
+        for row in (0..n).rev() {
+            relax(matrix, right_hand_side, &mut x, row);
+        }
+        x
+    }
+
+    /// Solves `matrix` x = `right_hand_side` until `is_small` is content with the residual; `work` is what one iteration costs.
+    ///
+    /// # Errors
+    /// See [`Failure`].
+    pub fn solve(
+        &self,
+        matrix: &SymmetricMatrix,
+        parents: &[[u32; 2]],
+        right_hand_side: &[f64],
+        is_small: impl Fn(&[f64]) -> bool,
+        exec: &Execution,
+    ) -> Result<Vec<f64>, Failure> {
+        let n = right_hand_side.len();
+        let mut x = vec![0.0; n];
+        let mut residual = right_hand_side.to_vec();
+        let mut direction = vec![0.0; n];
+        let mut product = vec![0.0; n];
+        let mut last_energy = 0.0;
+        for iteration in 0..MAX_ITERATIONS {
+            if is_small(&residual) {
+                return Ok(x);
+            }
+            exec.look(n as u64).map_err(Failure::Interrupted)?;
+            let preconditioned = self.precondition(matrix, parents, &residual);
+            let energy = dot(&residual, &preconditioned);
+            let ratio = if iteration == 0 { 0.0 } else { energy / last_energy };
+            last_energy = energy;
+            for (direction, z) in direction.iter_mut().zip(&preconditioned) {
+                *direction = z + ratio * *direction;
+            }
+            matrix.multiply(&direction, &mut product);
+            let curvature = dot(&direction, &product);
+            // Not `<=`, so that NaN ends here too.
+            if !(energy > 0.0 && curvature > 0.0) {
+                return Err(Failure::Indefinite);
+            }
+            let length = energy / curvature;
+            for (x, direction) in x.iter_mut().zip(&direction) {
+                *x += length * direction;
+            }
+            for (residual, product) in residual.iter_mut().zip(&product) {
+                *residual -= length * product;
+            }
+        }
+        if is_small(&residual) { Ok(x) } else { Err(Failure::Slow) }
+    }
+}
+
+/// Makes one equation hold by its own unknown (Gauss-Seidel).
+#[inline]
+fn relax(matrix: &SymmetricMatrix, right_hand_side: &[f64], x: &mut [f64], row: usize) {
+    let (columns, values) = matrix.row(row);
+    let others: f64 = columns[1..].iter().zip(&values[1..]).map(|(&column, &a)| a * x[column as usize]).sum();
+    x[row] = (right_hand_side[row] - others) / values[0];
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Heights of a coarser mesh, carried to the finer one.
+pub(super) fn prolong(coarse: &[f64], parents: &[[u32; 2]]) -> Vec<f64> {
+    let height = |row: u32| coarse.get(row as usize).copied().unwrap_or(0.0);
+    parents.iter().map(|&[first, second]| 0.5 * (height(first) + height(second))).collect()
+}
+
+/// The parents of a finer mesh's unknowns, from those of its new vertices (which follow the old ones).
+pub(super) fn parents_of(coarse_unknown: &[u32], fine_vertices: &[u32], midpoints: &[[u32; 2]]) -> Parents {
+    let old = coarse_unknown.len();
+    let unknown = |vertex: u32| coarse_unknown[vertex as usize];
+    let parents = fine_vertices.iter().map(|&vertex| match (vertex as usize).checked_sub(old) {
+        None => [unknown(vertex); 2],
+        Some(new) => midpoints[new].map(unknown),
+    });
+    debug_assert!(coarse_unknown.iter().all(|&row| row == FIXED || (row as usize) < old));
+    parents.collect()
+}
