@@ -234,3 +234,61 @@ fn solve_with(
 pub fn estimate(points: &[usize], options: &Options) -> Cost {
     prepare::cost(points, options)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rail(count: usize, phase: f64, z: f64, closed: bool) -> Vec<DVec3> {
+        let point = |k: usize| {
+            let u = k as f64 / count as f64;
+            let a = std::f64::consts::TAU * u;
+            let r = 2.0 + 0.4 * (3.0 * a + phase).sin();
+            if closed {
+                DVec3::new(r * a.cos(), r * a.sin(), z + 0.2 * a.sin())
+            } else {
+                DVec3::new(9.0 * u, r, z * (a + phase).cos())
+            }
+        };
+        (0..count).map(point).collect()
+    }
+
+    /// On processors without wide instructions both sides are the plain path and the test says nothing.
+    #[test]
+    fn the_wide_and_the_plain_path_give_the_same_bits() {
+        for closed in [false, true] {
+            for (m, n) in [(3, 3), (4, 7), (17, 5), (66, 41), (131, 203)] {
+                let rails = [rail(m, 0.3, 0.0, closed), rail(n, 1.4, 1.0, closed), rail(m + 1, 2.0, 2.0, closed)];
+                let normals: Vec<Vec<DVec3>> =
+                    rails.iter().map(|r| r.iter().map(|p| (*p + DVec3::Z).normalize()).collect()).collect();
+                let weights = Weights {
+                    area: 1.0,
+                    twist: 0.3,
+                    bending_energy: 0.2,
+                    mean_curvature_variation: 0.1,
+                    normal_variation: 0.1,
+                    normalise: true,
+                };
+                for objective in Objective::NAMED.into_iter().chain([Objective::Weighted(weights)]) {
+                    let couplings: &[Option<Secondary>] = match objective {
+                        Objective::MaximalConvexity => {
+                            &[None, Some(Secondary::BendingEnergy), Some(Secondary::MeanCurvatureVariation)]
+                        }
+                        _ => &[None],
+                    };
+                    for &secondary in couplings {
+                        let options = Options {
+                            closed,
+                            objective,
+                            secondary,
+                            normals: Some(normals.clone()),
+                            ..Options::default()
+                        };
+                        let solve = |lanes| solve_with(&rails, &options, &Execution::default(), lanes).unwrap();
+                        assert_eq!(solve(Widest::Plain), solve(Widest::get()), "{objective:?} {m} {n}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,488 @@
+//! What must not change a ruled strip's values, what a solve promises its caller, and inputs that nobody means to send.
+
+mod ruled;
+
+use plateau_geometry::ruled_surface::{
+    Caps, Direction, Objective, Options, RuledSurface, Sampling, Secondary, Weights, estimate, solve,
+};
+use plateau_geometry::{DVec3, Error, Execution, Interruption, Signal};
+use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
+use ruled::{Random, STYLES, Style, random_case};
+use std::cell::Cell;
+
+const GOALS: [(Objective, Option<Secondary>); 7] = [
+    (Objective::MinimalArea, None),
+    (Objective::MinimalTwist, None),
+    (Objective::MaximalConvexity, None),
+    (Objective::MinimalBendingEnergy, None),
+    (Objective::MinimalMeanCurvatureVariation, None),
+    (Objective::MaximalConvexity, Some(Secondary::BendingEnergy)),
+    (Objective::MaximalConvexity, Some(Secondary::MeanCurvatureVariation)),
+];
+
+fn solved(directrices: &[Vec<DVec3>], options: &Options) -> RuledSurface {
+    solve(directrices, options, &Execution::default()).expect("a strip that can be solved")
+}
+
+fn options((objective, secondary): (Objective, Option<Secondary>), closed: bool) -> Options {
+    Options { objective, secondary, closed, ..Options::default() }
+}
+
+/// Length to the power of which an objective's value scales.
+fn dimension(objective: Objective, secondary: Option<Secondary>) -> [i32; 2] {
+    let own = match objective {
+        Objective::MinimalArea => 2,
+        Objective::MinimalMeanCurvatureVariation => 1,
+        _ => 0,
+    };
+    [own, i32::from(secondary == Some(Secondary::MeanCurvatureVariation))]
+}
+
+fn close(a: f64, b: f64, tolerance: f64) -> bool {
+    (a - b).abs() <= tolerance * a.abs().max(b.abs()).max(1e-3)
+}
+
+/// Whole multiples of 2^-20, so that an offset of 1e7 costs no digit.
+fn on_a_grid(points: &[DVec3]) -> Vec<DVec3> {
+    points.iter().map(|p| (*p * 1_048_576.0).round() / 1_048_576.0).collect()
+}
+
+fn turned(points: &[DVec3], axis: DVec3, angle: f64) -> Vec<DVec3> {
+    points.iter().map(|&p| glam::DQuat::from_axis_angle(axis, angle) * p).collect()
+}
+
+fn property() -> ProptestConfig {
+    ProptestConfig { cases: 60, rng_seed: RngSeed::Fixed(2005), failure_persistence: None, ..ProptestConfig::default() }
+}
+
+proptest! {
+    #![proptest_config(property())]
+
+    #[test]
+    fn values_do_not_change_under_reversal_exchange_motion_and_scale(
+        seed in any::<u64>(),
+        closed in any::<bool>(),
+        size in 1e-6f64..1e6,
+        angle in 0.0f64..6.0,
+    ) {
+        let mut random = Random(seed);
+        let case = random_case(&mut random, Style::Sensible, closed, 12);
+        let (p, q) = (on_a_grid(&case.p), on_a_grid(&case.q));
+        let axis = random.unit();
+        let back = |points: &[DVec3]| points.iter().rev().copied().collect::<Vec<_>>();
+        let scale = |points: &[DVec3], by: f64| points.iter().map(|&v| v * by).collect::<Vec<_>>();
+        let offset = |points: &[DVec3]| points.iter().map(|&v| v + DVec3::splat(1e7)).collect::<Vec<_>>();
+        for goal in GOALS {
+            let options = options(goal, closed);
+            let value = |p: Vec<DVec3>, q: Vec<DVec3>| {
+                let figures = solved(&[p, q], &options).statistics;
+                [figures.objective_value, figures.secondary_value.unwrap_or(0.0)]
+            };
+            let plain = value(p.clone(), q.clone());
+            let power = dimension(goal.0, goal.1);
+            let directed = goal.1 == Some(Secondary::MeanCurvatureVariation);
+            let others = [
+                ("reversed", value(back(&p), back(&q)), 1.0, 1e-9),
+                ("exchanged", value(q.clone(), p.clone()), 1.0, 1e-9),
+                ("turned", value(turned(&p, axis, angle), turned(&q, axis, angle)), 1.0, 1e-8),
+                ("scaled", value(scale(&p, size), scale(&q, size)), size, 1e-8),
+                ("moved", value(offset(&p), offset(&q)), 1.0, 1e-9),
+            ];
+            for (what, got, size, tolerance) in others {
+                prop_assert!(close(got[0], plain[0] * size.powi(power[0]), tolerance), "{what} {goal:?}: {got:?} {plain:?}");
+                // The coupled curvature variation charges the step that enters a bridge: it has a direction.
+                if !(directed && what == "reversed") {
+                    prop_assert!(close(got[1], plain[1] * size.powi(power[1]), tolerance), "{what} {goal:?}: {got:?} {plain:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_planar_strip_stays_fully_convex_wherever_it_is(seed in any::<u64>(), angle in 0.0f64..6.0, closed in any::<bool>()) {
+        let mut random = Random(seed);
+        let axis = random.unit();
+        let rail = |random: &mut Random, inner: f64| -> Vec<DVec3> {
+            (0..random.whole(5, 30)).map(|k| {
+                let along = f64::from(k as u32) * 0.2 + random.between(0.0, 0.1);
+                let y = inner + random.between(-0.2, 0.2);
+                if closed { DVec3::new((1.0 + y) * along.cos(), (1.0 + y) * along.sin(), 0.0) } else { DVec3::new(along, y, 0.0) }
+            }).collect()
+        };
+        let (p, q) = (rail(&mut random, 0.0), rail(&mut random, 1.0));
+        let there = |points: &[DVec3]| turned(points, axis, angle).into_iter().map(|v| v + 1e7).collect::<Vec<_>>();
+        for goal in GOALS {
+            let surface = solved(&[there(&p), there(&q)], &options(goal, closed));
+            prop_assert_eq!(surface.statistics.convex_bridges, surface.statistics.bridges);
+        }
+    }
+
+    #[test]
+    fn auto_finds_the_better_direction_of_every_rail(seed in any::<u64>(), closed in any::<bool>()) {
+        let mut random = Random(seed);
+        let mut stack: Vec<Vec<DVec3>> = Vec::new();
+        for _ in 0..2 {
+            let case = random_case(&mut random, Style::Sensible, closed, 12);
+            stack.extend([case.p, case.q]);
+        }
+        let area = |stack: &[Vec<DVec3>], direction| solved(stack, &Options { closed, direction, ..Options::default() });
+        // Every combination of directions, the first rail's fixed.
+        let best = (0..8).map(|reversed| {
+            let mut turned = stack.clone();
+            (1..4).filter(|k| reversed >> (k - 1) & 1 == 1).for_each(|k| turned[k].reverse());
+            area(&turned, Direction::AsGiven).statistics.area
+        });
+        let auto = area(&stack, Direction::Auto);
+        prop_assert!(close(auto.statistics.area, best.fold(f64::INFINITY, f64::min), 1e-9));
+        // Vertices stay in the order of the input, whatever was reversed.
+        let input: Vec<DVec3> = stack.concat();
+        prop_assert_eq!(&auto.mesh.vertices, &input);
+        prop_assert!(!auto.reversed[0]);
+    }
+}
+
+#[test]
+fn a_faceted_half_cylinder_folds_but_is_developable() {
+    let arc = |z: f64| -> Vec<DVec3> {
+        (0..=20).map(|k| std::f64::consts::PI * f64::from(k) / 20.0).map(|a| DVec3::new(a.cos(), a.sin(), z)).collect()
+    };
+    let coupled = (Objective::MaximalConvexity, Some(Secondary::BendingEnergy));
+    let figures = solved(&[arc(0.0), arc(1.0)], &options(coupled, false)).statistics;
+    assert_eq!(figures.convex_bridges, figures.bridges);
+    assert!((figures.largest_fold.to_degrees() - 9.0).abs() < 1e-6);
+    assert_eq!(figures.developability_deviation, 0.0);
+}
+
+#[test]
+fn each_objective_is_best_in_its_own_column() {
+    let mut random = Random(11);
+    for closed in [false, true] {
+        for _ in 0..20 {
+            let case = random_case(&mut random, Style::Sensible, closed, 12);
+            let all =
+                Options { all_objectives: true, closed, normals: Some(case.normals.to_vec()), ..Options::default() };
+            let surface = solved(&[case.p, case.q], &all);
+            let rows = surface.comparison.expect("a comparison was asked for");
+            assert_eq!(rows.len(), 8);
+            let least = |column: &dyn Fn(usize) -> f64, own: usize| {
+                (0..rows.len())
+                    .for_each(|k| assert!(column(own) <= column(k) + 1e-9 * column(k).abs() + 1e-12, "row {k}"));
+            };
+            least(&|k| rows[k].statistics.area, 0);
+            least(&|k| rows[k].statistics.total_normal_twist, 1);
+            least(&|k| -(rows[k].statistics.convex_bridges as f64), 2);
+            least(&|k| rows[k].statistics.bending_energy, 3);
+            least(&|k| rows[k].statistics.mean_curvature_variation, 4);
+            least(&|k| rows[k].statistics.normal_variation.expect("normals were given"), 5);
+            assert_eq!(rows[6].statistics.convex_bridges, rows[2].statistics.convex_bridges);
+            assert_eq!(rows[7].statistics.convex_bridges, rows[2].statistics.convex_bridges);
+        }
+    }
+}
+
+#[test]
+fn faces_agree_with_the_normals_they_were_given() {
+    let rail = |y: f64| (0..9).map(|k| DVec3::new(f64::from(k), y, 0.0)).collect::<Vec<_>>();
+    for up in [1.0, -1.0] {
+        let normals = vec![vec![DVec3::Z * up; 9]; 2];
+        let options =
+            Options { objective: Objective::MinimalNormalVariation, normals: Some(normals), ..Options::default() };
+        let surface = solved(&[rail(0.0), rail(1.0)], &options);
+        assert!(surface.statistics.objective_value.abs() < 1e-12);
+        for &t in &surface.mesh.triangles {
+            let [a, b, c] = surface.mesh.corners(t);
+            assert!((b - a).cross(c - a).z * up > 0.0);
+        }
+    }
+}
+
+#[test]
+fn a_weighted_sum_with_one_term_is_that_objective_and_mixes_lie_between() {
+    let mut random = Random(5);
+    for closed in [false, true] {
+        for _ in 0..10 {
+            let case = random_case(&mut random, Style::Sensible, closed, 10);
+            let rails = [case.p, case.q];
+            let weighted =
+                |weights: Weights| solved(&rails, &options((Objective::Weighted(weights), None), closed)).statistics;
+            let own = |objective| solved(&rails, &options((objective, None), closed)).statistics;
+            let area = own(Objective::MinimalArea).area;
+            let bending = own(Objective::MinimalBendingEnergy).bending_energy;
+            let plain = Weights { area: 3.0, normalise: false, ..Weights::default() };
+            assert!(close(weighted(plain).objective_value, 3.0 * area, 1e-12));
+            let normalised = Weights { bending_energy: 2.0, ..Weights::default() };
+            let alone = weighted(normalised);
+            assert!(close(alone.bending_energy, bending, 1e-9) && close(alone.objective_value, 2.0, 1e-9));
+            let mix = Weights {
+                area: 1.0,
+                bending_energy: 0.2,
+                twist: 0.1,
+                mean_curvature_variation: 0.1,
+                ..Weights::default()
+            };
+            let mixed = weighted(mix);
+            assert!(mixed.area >= area * (1.0 - 1e-12) && mixed.bending_energy >= bending * (1.0 - 1e-12));
+            // No other objective's optimum has a smaller sum.
+            let [twist, curvature] = [own(Objective::MinimalTwist), own(Objective::MinimalMeanCurvatureVariation)];
+            let sum = |s: plateau_geometry::ruled_surface::Statistics| {
+                s.area / area
+                    + 0.2 * s.bending_energy / bending
+                    + 0.1 * s.total_normal_twist / twist.total_normal_twist
+                    + 0.1 * s.mean_curvature_variation / curvature.mean_curvature_variation
+            };
+            assert!(close(sum(mixed), mixed.objective_value, 1e-9));
+            for other in [own(Objective::MinimalArea), own(Objective::MinimalBendingEnergy), twist, curvature] {
+                assert!(mixed.objective_value <= sum(other) * (1.0 + 1e-9));
+            }
+        }
+    }
+}
+
+fn spiral_ramp(turns: f64) -> [Vec<DVec3>; 2] {
+    let rail = |radius: f64| -> Vec<DVec3> {
+        (0..200)
+            .map(|k| std::f64::consts::TAU * turns * f64::from(k) / 199.0)
+            .map(|a| DVec3::new(radius * a.cos(), radius * a.sin(), 0.02 * a))
+            .collect()
+    };
+    [rail(1.0), rail(1.5)]
+}
+
+#[test]
+fn unrolling_keeps_lengths_and_sees_overlaps() {
+    for (turns, overlaps) in [(0.9, false), (1.5, true)] {
+        let pattern = solved(&spiral_ramp(turns), &Options::default()).flat_pattern.expect("an open strip has one");
+        assert_eq!(pattern.self_overlap, overlaps, "{turns} turns");
+        assert!(pattern.edge_length_error_max < 1e-12);
+    }
+    let mut random = Random(21);
+    for k in 0..200 {
+        let case = random_case(&mut random, STYLES[k % STYLES.len()], false, 30);
+        let rails = [case.p, case.q];
+        let Ok(surface) = solve(&rails, &Options::default(), &Execution::default()) else { continue };
+        let pattern = surface.flat_pattern.expect("an open strip has one");
+        let strip = &pattern.strips[0];
+        let flat = |v: u32| {
+            let v = v as usize;
+            if v < strip.p.len() { strip.p[v] } else { strip.q[v - strip.p.len()] }
+        };
+        let longest = surface.statistics.longest_bridge;
+        for (&t, &solid) in strip.triangles.iter().zip(&surface.mesh.triangles) {
+            for side in 0..3 {
+                let (a, b) = (t[side], t[(side + 1) % 3]);
+                let (c, d) = (solid[side] as usize, solid[(side + 1) % 3] as usize);
+                let true_length = surface.mesh.vertices[c].distance(surface.mesh.vertices[d]);
+                assert!((flat(a).distance(flat(b)) - true_length).abs() <= 1e-12 * longest.max(true_length));
+            }
+        }
+    }
+}
+
+#[test]
+fn capped_stacks_are_closed_bodies_that_point_outwards() {
+    let ring = |count: usize, z: f64, turn: f64, reversed: bool| -> Vec<DVec3> {
+        let mut points: Vec<DVec3> = (0..count)
+            .map(|k| std::f64::consts::TAU * k as f64 / count as f64 + turn)
+            .map(|a| DVec3::new((2.0 + (3.0 * a).cos()) * a.cos(), (2.0 + (3.0 * a).cos()) * a.sin(), z))
+            .collect();
+        if reversed {
+            points.reverse();
+        }
+        points
+    };
+    for reversed in [false, true] {
+        let stack = [ring(40, 0.0, 0.0, reversed), ring(31, 1.0, 0.5, reversed), ring(52, 2.0, 1.0, reversed)];
+        let surface = solved(&stack, &Options { closed: true, caps: Caps::Flat, ..Options::default() });
+        assert_eq!(surface.mesh.vertices.len(), 123, "caps add no vertices");
+        let topology = surface.mesh.check().expect("a manifold");
+        assert!(topology.boundary_loops().is_empty());
+        assert_eq!(topology.euler_characteristic(), 2);
+        let volume: f64 = surface
+            .mesh
+            .triangles
+            .iter()
+            .map(|&t| surface.mesh.corners(t))
+            .map(|[a, b, c]| a.dot(b.cross(c)) / 6.0)
+            .sum();
+        // The section's area is 9π/2 on the curve, a little less on its polygons.
+        let section = 4.5 * std::f64::consts::PI;
+        assert!(volume > 0.9 * 2.0 * section && volume < 2.0 * section, "{volume}");
+    }
+    // An apex closes its end by itself.
+    let cone = [ring(40, 0.0, 0.0, false), vec![DVec3::new(0.1, 0.2, 3.0)]];
+    let surface = solved(&cone, &Options { closed: true, caps: Caps::Flat, ..Options::default() });
+    assert_eq!(surface.mesh.check().expect("a manifold").euler_characteristic(), 2);
+    // A bent end contour and one that crosses itself have no flat cap.
+    let mut bent = ring(40, 0.0, 0.0, false);
+    bent[3].z += 0.1;
+    let mut crossed = ring(40, 0.0, 0.0, false);
+    crossed.swap(3, 17);
+    for contour in [bent, crossed] {
+        let stack = [contour, ring(31, 1.0, 0.5, false)];
+        let options = Options { closed: true, caps: Caps::Flat, ..Options::default() };
+        let error = solve(&stack, &options, &Execution::default()).unwrap_err();
+        assert!(matches!(&error, Error::Input(errors) if errors[0].place.to_string() == "/directrices/0"), "{error}");
+    }
+}
+
+#[test]
+fn sampling_follows_the_callers_rule() {
+    // A right angle: 1 along x in ten points, then 3 along y in one segment.
+    let mut rail: Vec<DVec3> = (0..=10).map(|k| DVec3::new(0.1 * f64::from(k), 0.0, 0.0)).collect();
+    rail.push(DVec3::new(1.0, 3.0, 0.0));
+    let other: Vec<DVec3> = rail.iter().map(|p| *p + DVec3::Z).collect();
+    let sampled = |sampling| {
+        let surface =
+            solved(&[rail.clone(), other.clone()], &Options { sampling: Some(sampling), ..Options::default() });
+        surface.directrices[0].iter().map(|&v| surface.mesh.vertices[v as usize]).collect::<Vec<_>>()
+    };
+    let by_length = sampled(Sampling::ArcLength { samples: 5 });
+    let expected = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [1.0, 2.0], [1.0, 3.0]];
+    assert!(by_length.iter().zip(expected).all(|(p, [x, y])| p.distance(DVec3::new(x, y, 0.0)) < 1e-12));
+    let by_parameter = sampled(Sampling::Parameter { samples: 23 });
+    assert_eq!(by_parameter.len(), 23);
+    assert!(by_parameter[1].distance(DVec3::new(0.05, 0.0, 0.0)) < 1e-12);
+    let by_height = sampled(Sampling::ChordHeight { samples: None, tolerance: 1e-9 });
+    assert_eq!(by_height, [rail[0], rail[10], rail[11]]);
+    assert_eq!(sampled(Sampling::ChordHeight { samples: Some(2), tolerance: 0.0 }).len(), 2);
+}
+
+#[test]
+fn odd_inputs_are_answered_or_refused_but_never_break() {
+    let line = |count: usize| (0..count).map(|k| DVec3::new(k as f64, 0.0, 0.0)).collect::<Vec<_>>();
+    let bent = |count: usize| {
+        (0..count).map(|k| DVec3::new(k as f64, (k * k) as f64 * 0.1, 0.3 * (k % 3) as f64)).collect::<Vec<_>>()
+    };
+    let by =
+        |points: Vec<DVec3>, scale: f64, shift: f64| points.into_iter().map(|p| p * scale + shift).collect::<Vec<_>>();
+    let mut doubled = bent(9);
+    doubled.insert(4, doubled[4]);
+    let mut returning = bent(6);
+    returning.extend(bent(5).into_iter().rev());
+    let corpus: Vec<[Vec<DVec3>; 2]> = vec![
+        [line(6), by(line(6), 1.0, 0.5)],
+        [line(6), line(6)],
+        [line(2), line(2).into_iter().rev().collect()],
+        [bent(7), bent(7)],
+        [bent(7), doubled],
+        [returning.clone(), line(4)],
+        [line(1), bent(9)],
+        [bent(3), bent(400)],
+        [by(bent(8), 1.0, 1e7), by(line(5), 1.0, 1e7)],
+        [by(bent(8), 1e-6, 0.0), by(line(5), 1e-6, 1e-6)],
+        [by(bent(8), 1e-300, 0.0), by(line(5), 1e-300, 1e-300)],
+        [by(bent(8), 1e98, 0.0), by(line(5), 1e98, 1e97)],
+        [by(bent(8), 1.0, 1e100), by(line(5), 1.0, 1.0)],
+        [by(bent(8), f64::MIN_POSITIVE / 16.0, 0.0), line(3)],
+        [returning, bent(9).into_iter().rev().collect()],
+    ];
+    for (k, rails) in corpus.iter().enumerate() {
+        for closed in [false, true] {
+            for goal in GOALS {
+                match solve(rails, &options(goal, closed), &Execution::default()) {
+                    Ok(surface) => {
+                        let s = surface.statistics;
+                        let figures = [
+                            s.area,
+                            s.total_normal_twist,
+                            s.bending_energy,
+                            s.mean_curvature_variation,
+                            s.objective_value,
+                        ];
+                        assert!(figures.iter().all(|v| v.is_finite()), "{k} {goal:?} {s:?}");
+                        assert_eq!(surface.mesh.triangles.len(), s.triangles);
+                        assert_eq!(surface.bridges.len(), s.bridges);
+                    }
+                    Err(Error::Input(errors)) => assert!(!errors.is_empty()),
+                    Err(other) => panic!("{k} {goal:?}: {other}"),
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn wrong_values_are_named() {
+    let good = vec![DVec3::ZERO, DVec3::X];
+    let place = |directrices: &[Vec<DVec3>], options: &Options| match solve(directrices, options, &Execution::default())
+    {
+        Err(Error::Input(errors)) => errors[0].place.to_string(),
+        other => panic!("not refused: {other:?}"),
+    };
+    let plain = Options::default();
+    assert_eq!(place(&[good.clone()], &plain), "/directrices");
+    assert_eq!(place(&[good.clone(), vec![]], &plain), "/directrices/1");
+    for wrong in [f64::NAN, f64::INFINITY, 1e101] {
+        let rail = vec![DVec3::ZERO, DVec3::new(0.0, wrong, 0.0)];
+        assert_eq!(place(&[good.clone(), rail], &plain), "/directrices/1/1/1");
+    }
+    assert_eq!(place(&[vec![DVec3::X], vec![DVec3::Y; 3]], &plain), "/directrices/1");
+    let closed = Options { closed: true, ..Options::default() };
+    assert_eq!(place(&[good.clone(), good.clone()], &closed), "/directrices/0");
+    let variation = Options { objective: Objective::MinimalNormalVariation, ..Options::default() };
+    assert_eq!(place(&[good.clone(), good.clone()], &variation), "/normals");
+    let short = Options { normals: Some(vec![vec![DVec3::Z; 2], vec![DVec3::Z]]), ..Options::default() };
+    assert_eq!(place(&[good.clone(), good.clone()], &short), "/normals/1");
+    let secondary = Options { secondary: Some(Secondary::BendingEnergy), ..Options::default() };
+    assert_eq!(place(&[good.clone(), good.clone()], &secondary), "/secondary_objective");
+    let tolerance = Options { convexity_tolerance: -1.0, ..Options::default() };
+    assert_eq!(place(&[good.clone(), good.clone()], &tolerance), "/convexity_tolerance_deg");
+    let weights = Weights { area: -1.0, ..Weights::default() };
+    let weighted = Options { objective: Objective::Weighted(weights), ..Options::default() };
+    assert_eq!(place(&[good.clone(), good.clone()], &weighted), "/objective/weights/minimal_area");
+    let caps = Options { caps: Caps::Flat, ..Options::default() };
+    assert_eq!(place(&[good.clone(), good], &caps), "/caps");
+}
+
+#[test]
+fn a_solve_looks_often_reports_in_order_and_stops_when_asked() {
+    let rail = |phase: f64, y: f64| -> Vec<DVec3> {
+        (0..1500)
+            .map(|k| f64::from(k) * 0.01)
+            .map(|x| DVec3::new(x, y + (x + phase).sin(), (2.0 * x - phase).cos()))
+            .collect()
+    };
+    let rails = [rail(0.0, 0.0), rail(1.0, 3.0)];
+    for closed in [false, true] {
+        // Fewer cells where a closed strip takes dozens of searches.
+        let rails: Vec<Vec<DVec3>> = rails.iter().map(|r| if closed { r[..300].to_vec() } else { r.clone() }).collect();
+        for goal in GOALS {
+            let options = options(goal, closed);
+            let (last, reports) = (Cell::new(0.0), Cell::new(0));
+            let report = |progress: plateau_geometry::Progress| {
+                assert!(progress.fraction >= last.get() && progress.fraction <= 1.0);
+                last.set(progress.fraction);
+                reports.set(reports.get() + 1);
+            };
+            let execution = Execution::new(&|| Signal::Continue, &report);
+            solve(&rails, &options, &execution).expect("nothing stops it");
+            assert_eq!(last.get(), 1.0);
+            assert!(closed || reports.get() > 10, "{goal:?}: {} reports", reports.get());
+            assert!(execution.looks() > 1);
+            assert!(execution.largest_work_between_looks() <= 1 << 18, "{}", execution.largest_work_between_looks());
+            let looks = Cell::new(0);
+            let stop = || {
+                looks.set(looks.get() + 1);
+                if looks.get() > execution.looks() / 2 { Signal::Cancel } else { Signal::Continue }
+            };
+            let stopped = solve(&rails, &options, &Execution::new(&stop, &|_| {}));
+            assert_eq!(stopped, Err(Error::Interrupted(Interruption::Cancelled)));
+        }
+    }
+}
+
+#[test]
+fn an_open_strip_is_priced_to_the_cell() {
+    for (objective, most) in [
+        (Objective::MinimalArea, 40),
+        (Objective::MinimalBendingEnergy, 70),
+        (Objective::MinimalMeanCurvatureVariation, 120),
+    ] {
+        let cost = estimate(&[10_000, 10_000], &Options { objective, ..Options::default() });
+        // The search itself, and the minimal area that it is compared with.
+        let searches = if objective == Objective::MinimalArea { 1 } else { 2 };
+        assert_eq!(cost.cells, searches * 100_000_000);
+        assert!(cost.bytes > 12_500_000 && cost.bytes < most << 20, "{objective:?}: {}", cost.bytes);
+    }
+}
