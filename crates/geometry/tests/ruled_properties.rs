@@ -411,7 +411,7 @@ fn wrong_values_are_named() {
         other => panic!("not refused: {other:?}"),
     };
     let plain = Options::default();
-    assert_eq!(place(&[good.clone()], &plain), "/directrices");
+    assert_eq!(place(std::slice::from_ref(&good), &plain), "/directrices");
     assert_eq!(place(&[good.clone(), vec![]], &plain), "/directrices/1");
     for wrong in [f64::NAN, f64::INFINITY, 1e101] {
         let rail = vec![DVec3::ZERO, DVec3::new(0.0, wrong, 0.0)];

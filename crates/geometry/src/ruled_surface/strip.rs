@@ -1,6 +1,6 @@
 //! One strip as the solver sees it: centred and scaled points, bank edges, tangents, normals.
 
-use super::convexity::Test;
+use super::convexity::{self, Test};
 use super::lanes::Widest;
 use super::objective::{Objective, Secondary};
 use super::shortest_path::Pulse;
@@ -103,6 +103,12 @@ impl Strip {
             mean_curvature_variation: evaluation.concave_curvature,
         };
         Ok((statistics, coupled))
+    }
+
+    /// Whether a bridge is locally convex (definition 6); indices are cyclic, `convexity_tolerance` in radians, 0 is exact.
+    #[must_use]
+    pub fn is_locally_convex(&self, bridge: [usize; 2], convexity_tolerance: f64) -> bool {
+        convexity::is_convex(self, bridge, Test::new(convexity_tolerance))
     }
 
     fn check_path(&self, path: &[[u32; 2]]) -> Result<(), Error> {
