@@ -155,6 +155,21 @@ fn a_faceted_half_cylinder_folds_but_is_developable() {
 }
 
 #[test]
+fn the_default_tolerance_and_the_exact_answer_agree_on_strips_in_general_position() {
+    let mut random = Random(31);
+    for k in 0..400 {
+        let case = random_case(&mut random, [Style::Anywhere, Style::Sensible][k % 2], k % 4 < 2, 9);
+        let rails = [case.p, case.q];
+        for goal in [GOALS[2], GOALS[5], GOALS[6]] {
+            let tolerant = options(goal, case.closed);
+            let exact = Options { convexity_tolerance: 0.0, ..tolerant.clone() };
+            let (tolerant, exact) = (solved(&rails, &tolerant), solved(&rails, &exact));
+            assert_eq!((tolerant.bridges, tolerant.statistics), (exact.bridges, exact.statistics), "{goal:?} {rails:?}");
+        }
+    }
+}
+
+#[test]
 fn each_objective_is_best_in_its_own_column() {
     let mut random = Random(11);
     for closed in [false, true] {

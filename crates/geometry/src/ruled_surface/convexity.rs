@@ -5,8 +5,11 @@
 //! By default a direction may reach `tolerance` beyond the half-plane, and further by what rounding the input can do to
 //! it; with tolerance 0 the answer is exact (adaptive predicates on the input's own coordinates).
 
-use super::shortest_path::{Pulse, Region, Table};
-use super::strip::Strip;
+use super::lanes::{Lanes, Vector};
+use super::layered_graph::{BandRows, Lattice};
+use super::shortest_path::{Kernel, Pulse, Region, Score, Seed, Table, Workspace, sweep};
+use super::strip::{Directrix, Strip};
+use super::weight::Wing;
 use crate::DVec3;
 use crate::execution::Interruption;
 use robust::{Coord, Coord3D, orient2d, orient3d};
@@ -94,59 +97,145 @@ fn collinear(p: DVec3, q: DVec3, a: DVec3) -> bool {
 }
 
 fn is_convex_within(strip: &Strip, i: usize, j: usize, sine: f64) -> bool {
-    let (p, q) = (strip.p.points[i], strip.q.points[j]);
-    let (bridge, rounding) = (q - p, strip.rounding);
-    let length = bridge.length();
-    if length <= rounding {
+    let (bridge, rounding) = (Vector::<f64>::from(strip.bridge([i, j])), strip.rounding);
+    let squared = bridge.dot(bridge);
+    if squared.sqrt() <= rounding {
         return is_convex_exactly(strip, i, j);
     }
-    // A direction, its doubled area with the bridge (distance from the bridge's line times the bridge's length).
-    let mut near = [(DVec3::ZERO, DVec3::ZERO, 0.0); 4];
-    let mut count = 0;
-    for (on_p, k) in neighbours(strip, i, j).into_iter().flatten() {
-        let direction = if on_p { strip.p.points[k] - p } else { strip.q.points[k] - q };
-        let area = direction.cross(bridge);
-        let distance = area.length();
-        if distance > rounding * length {
-            near[count] = (direction, area, distance);
-            count += 1;
-        }
-    }
-    // sin of the angle from a to b times both distances times the bridge's length, and how far below 0 it may be:
-    // tolerance and rounding / distance for each of the two directions.
-    let side = |a: usize, b: usize| -near[a].1.dot(near[b].0);
-    let slack = |a: usize, b: usize| {
-        let (a, b) = (near[a].2, near[b].2);
-        2.0 * sine * a * b / length + rounding * (a + b)
+    let wing = |side: &Directrix, index: usize, step: usize| {
+        let bank = side.bank(index, step, strip.closed);
+        Wing::new(Vector::<f64>::from(bank), bank.length_squared(), bridge, squared)
     };
-    fits_in_half_plane(count, |a, b| side(a, b) >= -slack(a, b), |a, b| side(a, b) <= slack(a, b))
+    let wings = [wing(&strip.p, i, 0), wing(&strip.q, j, 0), wing(&strip.p, i, 1), wing(&strip.q, j, 1)];
+    fits_within(squared.sqrt(), &wings, sine, rounding)
 }
 
-/// Marks every bridge that is not locally convex, in a table that a sweep of `width` lanes can read.
-pub(super) fn concave_bridges(
+/// Whether the directions of the four bank edges at a bridge (arriving by P, by Q, leaving by P, by Q) fit in a half-plane,
+/// with tolerance. Directions no further from the bridge's line than rounding are ignored, missing ones (zero) among them.
+#[inline(always)]
+fn fits_within<V: Lanes>(length: V, wings: &[Wing<V>; 4], sine: f64, rounding: f64) -> V::Mask {
+    let (rounding, zero) = (V::splat(rounding), V::splat(0.0));
+    let nearest = rounding * length;
+    let per_length = V::splat(2.0 * sine) / length;
+    let far = [
+        nearest.less(wings[0].length),
+        nearest.less(wings[1].length),
+        nearest.less(wings[2].length),
+        nearest.less(wings[3].length),
+    ];
+    let near = [
+        wings[0].length.at_most(nearest),
+        wings[1].length.at_most(nearest),
+        wings[2].length.at_most(nearest),
+        wings[3].length.at_most(nearest),
+    ];
+    let mut fits = near[0] & near[1] & near[2] & near[3];
+    // For each direction: all others to its left, all others to its right.
+    let all = zero.at_most(zero);
+    let (mut lefts, mut rights) = ([all; 4], [all; 4]);
+    for (a, b) in [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)] {
+        let (first, second) = (&wings[a], &wings[b]);
+        // sin of the angle from a to b times both distances from the bridge's line times its length; edges that arrive
+        // point away from the bridge's end the other way round. It may miss its sign by the tolerance and by rounding over
+        // distance, for each of the two directions.
+        let turn = second.bank.dot(first.normal);
+        let side = if (a < 2) == (b < 2) { zero - turn } else { turn };
+        let slack = per_length * first.length * second.length + rounding * (first.length + second.length);
+        let (left, right) = ((zero - slack).at_most(side), side.at_most(slack));
+        lefts[a] = lefts[a] & (left | near[b]);
+        rights[a] = rights[a] & (right | near[b]);
+        lefts[b] = lefts[b] & (right | near[a]);
+        rights[b] = rights[b] & (left | near[a]);
+    }
+    for a in 0..4 {
+        fits = fits | (far[a] & (lefts[a] | rights[a]));
+    }
+    fits
+}
+
+/// Marks every bridge that is not locally convex, in a table that a sweep can read.
+pub(super) fn concave_bridges<V: Lanes>(
     strip: &Strip,
-    columns: usize,
-    width: usize,
+    lattice: &Lattice,
     test: Test,
     pulse: &mut Pulse<'_, '_>,
 ) -> Result<Table, Interruption> {
-    let (m, n) = (strip.m(), strip.n());
+    let (m, n, columns) = (strip.m(), strip.n(), lattice.columns);
+    let region = Region::full(m, 0, columns - 1);
+    if let Test::Within(sine) = test {
+        let mut workspace = Workspace::default();
+        let map = ConcavityMap { strip, lattice, sine };
+        sweep::<V, _>(&map, columns, &region, (0, 0, Seed::Open), &mut workspace, pulse)?;
+        return Ok(workspace.table);
+    }
     let mut table = Table::default();
-    table.lay_out(&Region::full(m, 0, columns - 1), 1, width);
+    table.lay_out(&region, 1, V::WIDTH);
     for i in 0..m {
         for block in (0..n).step_by(4096) {
             let end = n.min(block + 4096);
             for j in block..end {
-                if !is_convex(strip, [i, j], test) {
+                if !is_convex_exactly(strip, i, j) {
                     table.set([i, j]);
                     if columns > n {
                         table.set([i, j + n]);
                     }
                 }
             }
-            // A bridge costs here what a dozen cells of a sweep do.
+            // A bridge costs here what a dozen cells of a sweep do, but progress counts it once.
             pulse.beat((end - block) as u64)?;
         }
     }
     Ok(table)
+}
+
+/// Not a graph but its nodes' colours: a sweep that writes whether each bridge is concave where others write back pointers.
+struct ConcavityMap<'a> {
+    strip: &'a Strip,
+    lattice: &'a Lattice,
+    sine: f64,
+}
+
+impl<V: Lanes> Kernel<V> for ConcavityMap<'_> {
+    const LAYERS: usize = 1;
+    const CARRY: usize = 1;
+    type Band = (usize, BandRows<V>);
+    type State = ();
+    #[inline(always)]
+    fn band(&self, band: usize) -> Self::Band {
+        (band, self.lattice.band_rows(band))
+    }
+    #[inline(always)]
+    fn blank(&self) {}
+    #[inline(always)]
+    fn step(&self, (band, rows): &Self::Band, (): &mut (), _: &[f64], t: usize) -> u32 {
+        let (_, squared, wings) = self.lattice.wings(rows, t);
+        let length = squared.sqrt();
+        let all = (1 << V::WIDTH) - 1;
+        let concave = all & !V::bits(fits_within(length, &wings, self.sine, self.strip.rounding));
+        let vanishing = V::bits(length.at_most(V::splat(self.strip.rounding)));
+        if vanishing == 0 { concave } else { self.without_length(band * V::WIDTH, t, concave, vanishing) }
+    }
+    #[inline(always)]
+    fn keep(&self, (): &(), _: usize, _: &mut [f64]) {}
+    fn unreached(&self, _: &mut [f64]) {}
+    fn source(&self, _: usize, _: Seed, _: &mut [f64]) {}
+    fn end(&self, _: &[f64], _: usize) -> Score {
+        Score::WORST
+    }
+}
+
+impl ConcavityMap<'_> {
+    /// Bridges without length have no line to look along: they are judged exactly.
+    #[cold]
+    fn without_length(&self, first_row: usize, t: usize, mut concave: u32, vanishing: u32) -> u32 {
+        let (m, n) = (self.strip.m(), self.strip.n());
+        for lane in (0..32).filter(|lane| vanishing >> lane & 1 == 1) {
+            // Lanes beyond the grid hold nothing that is read.
+            if first_row + lane < m && t >= lane {
+                let bit = u32::from(!is_convex_exactly(self.strip, first_row + lane, (t - lane) % n));
+                concave = concave & !(1 << lane) | bit << lane;
+            }
+        }
+        concave
+    }
 }

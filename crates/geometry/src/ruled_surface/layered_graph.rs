@@ -349,7 +349,7 @@ pub(super) struct BandRows<V> {
 
 impl Lattice {
     #[inline(always)]
-    fn band_rows<V: Lanes>(&self, band: usize) -> BandRows<V> {
+    pub(super) fn band_rows<V: Lanes>(&self, band: usize) -> BandRows<V> {
         let (row, at) = (&self.row, band * V::WIDTH);
         BandRows {
             number: band,
@@ -363,7 +363,7 @@ impl Lattice {
 
     /// The bridges of step `t` and their four wings: arriving by P, by Q, leaving by P, by Q.
     #[inline(always)]
-    fn wings<V: Lanes>(&self, rows: &BandRows<V>, t: usize) -> (Vector<V>, V, [Wing<V>; 4]) {
+    pub(super) fn wings<V: Lanes>(&self, rows: &BandRows<V>, t: usize) -> (Vector<V>, V, [Wing<V>; 4]) {
         let (column, at) = (&self.column, self.at(t));
         let bridge = vector::<V>(&column.point, at).minus(rows.point);
         let squared = bridge.dot(bridge);

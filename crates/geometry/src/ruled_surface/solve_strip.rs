@@ -233,7 +233,7 @@ fn search<V: Lanes>(
     let lattice = &Lattice::new(strip);
     let (rows, columns) = (lattice.rows, lattice.columns);
     let table = match goal.objective {
-        Objective::MaximalConvexity => Some(convexity::concave_bridges(strip, columns, V::WIDTH, test, pulse)?),
+        Objective::MaximalConvexity => Some(convexity::concave_bridges::<V>(strip, lattice, test, pulse)?),
         _ => None,
     };
     let concave = table.as_ref();
