@@ -170,7 +170,7 @@ fn solve_with(
     execution: &Execution<'_>,
     lanes: Widest,
 ) -> Result<RuledSurface, Error> {
-    let mut prepared = prepare::prepare(directrices, options)?;
+    let mut prepared = prepare::prepare(directrices, options, execution)?;
     let test = Test::new(options.convexity_tolerance);
     let mut pulse = Pulse::new(execution, prepare::cost(&prepared.lengths(), options).cells);
     let goal = Goal { objective: options.objective, secondary: options.secondary };
@@ -200,7 +200,7 @@ fn solve_with(
     }
     let mut surface = prepare::assemble(&prepared, &strips, &paths, options, execution)?;
     if options.caps == Caps::Flat {
-        caps::close(&mut surface.mesh, &surface.directrices)?;
+        caps::close(&mut surface.mesh, &surface.directrices, execution)?;
     } else if flipped {
         for triangle in &mut surface.mesh.triangles {
             triangle.swap(1, 2);
@@ -229,10 +229,11 @@ fn solve_with(
     Ok(surface)
 }
 
-/// What [`solve`] will take for directrices of these lengths (number of points, after merging and sampling).
+/// What [`solve`] will take for directrices of so many points; `options.sampling` is applied to them. O(directrices).
 #[must_use]
 pub fn estimate(points: &[usize], options: &Options) -> Cost {
-    prepare::cost(points, options)
+    let sampled: Vec<usize> = points.iter().map(|&count| sampling::count(count, options.sampling)).collect();
+    prepare::cost(&sampled, options)
 }
 
 #[cfg(test)]

@@ -164,7 +164,11 @@ fn the_default_tolerance_and_the_exact_answer_agree_on_strips_in_general_positio
             let tolerant = options(goal, case.closed);
             let exact = Options { convexity_tolerance: 0.0, ..tolerant.clone() };
             let (tolerant, exact) = (solved(&rails, &tolerant), solved(&rails, &exact));
-            assert_eq!((tolerant.bridges, tolerant.statistics), (exact.bridges, exact.statistics), "{goal:?} {rails:?}");
+            assert_eq!(
+                (tolerant.bridges, tolerant.statistics),
+                (exact.bridges, exact.statistics),
+                "{goal:?} {rails:?}"
+            );
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Flat caps: constrained Delaunay triangulations of planar end contours, which add no vertices.
 
 use crate::error::{Error, Place};
+use crate::execution::{Execution, Interruption};
 use crate::{DVec2, DVec3, Mesh};
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
@@ -11,12 +12,12 @@ const PLANARITY: f64 = 1e-9;
 ///
 /// # Errors
 /// [`Error::Input`] at `directrices`, k if an end contour is not planar or crosses itself.
-pub(super) fn close(mesh: &mut Mesh, directrices: &[Vec<u32>]) -> Result<(), Error> {
+pub(super) fn close(mesh: &mut Mesh, directrices: &[Vec<u32>], execution: &Execution<'_>) -> Result<(), Error> {
     let last = directrices.len() - 1;
     for k in [0, last] {
         if directrices[k].len() > 1 {
             // Strips run along their first directrix and against their second one; a cap's edges run the other way.
-            let cap = cap(&mesh.vertices, &directrices[k], k == last)
+            let cap = cap(&mesh.vertices, &directrices[k], k == last, execution)?
                 .map_err(|detail| Error::input(Place::field("directrices").at(k), detail))?;
             mesh.triangles.extend(cap);
         }
@@ -39,8 +40,14 @@ fn six_volumes(mesh: &Mesh) -> f64 {
     mesh.triangles.iter().map(volume).sum()
 }
 
-/// Triangles of the polygon's inside; their outer edges run along the contour if `along`, else against it.
-fn cap(vertices: &[DVec3], contour: &[u32], along: bool) -> Result<Vec<[u32; 3]>, &'static str> {
+/// Triangles of the polygon's inside, or why there are none; their outer edges run along the contour if `along`, else
+/// against it.
+fn cap(
+    vertices: &[DVec3],
+    contour: &[u32],
+    along: bool,
+    execution: &Execution<'_>,
+) -> Result<Result<Vec<[u32; 3]>, &'static str>, Interruption> {
     let origin = vertices[contour[0] as usize];
     let points: Vec<DVec3> = contour.iter().map(|&v| vertices[v as usize] - origin).collect();
     let largest = contour.iter().fold(0.0f64, |m, &v| m.max(vertices[v as usize].abs().max_element()));
@@ -48,17 +55,20 @@ fn cap(vertices: &[DVec3], contour: &[u32], along: bool) -> Result<Vec<[u32; 3]>
     // Twice the area vector; scaled so that no size overflows.
     let next = |k: usize| points[(k + 1) % points.len()] / size;
     let area: DVec3 = (0..points.len()).map(|k| (points[k] / size).cross(next(k))).sum();
-    let Some(normal) = area.try_normalize() else { return Err("flat caps need an end contour with an area") };
+    let Some(normal) = area.try_normalize() else {
+        return Ok(Err("flat caps need an end contour with an area"));
+    };
     let tolerance = PLANARITY * size + 4.0 * (largest.next_up() - largest);
     if points.iter().any(|p| p.dot(normal).abs() > tolerance) {
-        return Err("flat caps need planar end contours");
+        return Ok(Err("flat caps need planar end contours"));
     }
     let (u, v) = normal.any_orthonormal_pair();
     let flat: Vec<DVec2> = points.iter().map(|p| DVec2::new(p.dot(u), p.dot(v)) / size).collect();
-    let crossing = Err("flat caps need end contours that do not cross or touch themselves");
+    let crossing = Ok(Err("flat caps need end contours that do not cross or touch themselves"));
     let mut triangulation = ConstrainedDelaunayTriangulation::<Point2<f64>>::new();
     let mut handles = Vec::with_capacity(flat.len());
-    for point in &flat {
+    for (k, point) in flat.iter().enumerate() {
+        look_now_and_then(k, execution)?;
         match triangulation.insert(Point2::new(point.x, point.y)) {
             Ok(handle) if handle.index() == handles.len() => handles.push(handle),
             // The point of an earlier one, or coordinates too small for the triangulation.
@@ -66,6 +76,7 @@ fn cap(vertices: &[DVec3], contour: &[u32], along: bool) -> Result<Vec<[u32; 3]>
         }
     }
     for k in 0..handles.len() {
+        look_now_and_then(k, execution)?;
         let (from, to) = (handles[k], handles[(k + 1) % handles.len()]);
         if !triangulation.can_add_constraint(from, to) || !triangulation.add_constraint(from, to) {
             return crossing;
@@ -107,5 +118,10 @@ fn cap(vertices: &[DVec3], contour: &[u32], along: bool) -> Result<Vec<[u32; 3]>
             triangle.swap(1, 2);
         }
     }
-    Ok(triangles)
+    Ok(Ok(triangles))
+}
+
+/// A point or an edge of the triangulation takes some microseconds.
+fn look_now_and_then(k: usize, execution: &Execution<'_>) -> Result<(), Interruption> {
+    if k % 256 == 255 { execution.look(256) } else { Ok(()) }
 }

@@ -11,13 +11,15 @@ use super::unroll::{FlatPattern, unroll};
 use super::warnings::{BENDING_CHECKED_UP_TO, CLOSED_BENDING_CHECKED_UP_TO};
 use super::{Caps, Cost, Options, RuledSurface, Statistics};
 use crate::error::{Error, InputError, Place, Warning};
-use crate::execution::Execution;
+use crate::execution::{Execution, Interruption};
 use crate::{DVec3, Mesh, polyline};
 
 /// Coordinates beyond this would have areas outside f64.
 const LARGEST_COORDINATE: f64 = 1e100;
 /// Errors listed before the rest is left out.
 const MOST_ERRORS: usize = 51;
+/// Samples of one directrix.
+const MOST_SAMPLES: usize = 1 << 24;
 /// The largest convexity tolerance, radians: beyond it nothing is concave.
 const LARGEST_TOLERANCE: f64 = std::f64::consts::FRAC_PI_4;
 
@@ -77,7 +79,11 @@ impl Prepared {
 }
 
 /// Checks the input and makes it ready.
-pub(super) fn prepare(directrices: &[Vec<DVec3>], options: &Options) -> Result<Prepared, Error> {
+pub(super) fn prepare(
+    directrices: &[Vec<DVec3>],
+    options: &Options,
+    execution: &Execution<'_>,
+) -> Result<Prepared, Error> {
     let mut errors = option_errors(directrices, options);
     let points: Vec<&[DVec3]> = directrices.iter().map(Vec::as_slice).collect();
     errors.extend(value_errors("directrices", &points, LARGEST_COORDINATE));
@@ -96,7 +102,8 @@ pub(super) fn prepare(directrices: &[Vec<DVec3>], options: &Options) -> Result<P
     let mut offset = 0;
     for (k, points) in directrices.iter().enumerate() {
         let along = |values: &Option<Vec<Vec<DVec3>>>| values.as_ref().map(|values| values[k].clone());
-        let (directrix, dropped) = clean(points, along(&options.tangents), along(&options.normals), options, offset);
+        let (directrix, dropped) =
+            clean(points, along(&options.tangents), along(&options.normals), options, offset, execution)?;
         if dropped > 0 {
             prepared.warnings.push(Warning::new(
                 "merged_points",
@@ -172,6 +179,9 @@ fn option_errors(directrices: &[Vec<DVec3>], options: &Options) -> Vec<InputErro
         if samples.is_some_and(|samples| samples < least) {
             refuse(Place::field("sampling").then("samples"), "must leave two points, three on closed directrices");
         }
+        if samples.is_some_and(|samples| samples > MOST_SAMPLES) {
+            refuse(Place::field("sampling").then("samples"), "must not exceed 16,777,216");
+        }
     }
     errors
 }
@@ -240,7 +250,8 @@ fn clean(
     normals: Option<Vec<DVec3>>,
     options: &Options,
     offset: usize,
-) -> (Directrix, usize) {
+    execution: &Execution<'_>,
+) -> Result<(Directrix, usize), Interruption> {
     let merged = polyline::merge_equal_neighbours(points, options.closed);
     let dropped = merged.dropped();
     let pick = |values: Vec<DVec3>, source: &[usize]| source.iter().map(|&k| values[k]).collect::<Vec<_>>();
@@ -248,14 +259,14 @@ fn clean(
     let mut normals = normals.map(|n| pick(n, &merged.source));
     let (mut points, mut vertex_of) = (merged.points, merged.vertex_of);
     if let Some(sampling) = options.sampling {
-        let samples = sampling::sample(&points, options.closed, sampling);
+        let samples = sampling::sample(&points, options.closed, sampling, execution)?;
         let again = polyline::merge_equal_neighbours(&samples.interpolate(&points), options.closed);
         vertex_of.iter_mut().for_each(|v| *v = again.vertex_of[samples.nearest[*v]]);
         tangents = tangents.map(|t| pick(samples.interpolate(&t), &again.source));
         normals = normals.map(|n| pick(samples.interpolate(&n), &again.source));
         points = again.points;
     }
-    (Directrix { points, tangents, normals, offset, vertex_of, reversed: false }, dropped)
+    Ok((Directrix { points, tangents, normals, offset, vertex_of, reversed: false }, dropped))
 }
 
 /// Reverses each directrix in turn where that gives the strip before it the better optimum. A strip's optimum depends on the

@@ -1,6 +1,7 @@
 //! Resampling a directrix before solving (section 2: uniformly in t, or adaptively by chordal height).
 
 use crate::DVec3;
+use crate::execution::{Execution, Interruption};
 use std::collections::BinaryHeap;
 
 /// How the points of a directrix are chosen from the given polyline.
@@ -37,25 +38,40 @@ impl Samples {
     }
 }
 
+/// The most points that `count` given ones can become.
+pub(super) fn count(count: usize, sampling: Option<Sampling>) -> usize {
+    match sampling {
+        _ if count < 2 => count,
+        None | Some(Sampling::ChordHeight { samples: None, .. }) => count,
+        Some(Sampling::Parameter { samples } | Sampling::ArcLength { samples }) => samples,
+        Some(Sampling::ChordHeight { samples: Some(samples), .. }) => samples.min(count),
+    }
+}
+
 /// Chooses the samples. Open directrices keep both ends, closed ones their first point. A single point stays one.
-pub(super) fn sample(points: &[DVec3], closed: bool, sampling: Sampling) -> Samples {
+pub(super) fn sample(
+    points: &[DVec3],
+    closed: bool,
+    sampling: Sampling,
+    execution: &Execution<'_>,
+) -> Result<Samples, Interruption> {
     let count = points.len();
     if count < 2 {
-        return Samples { places: vec![(0, 0.0); count], nearest: vec![0; count] };
+        return Ok(Samples { places: vec![(0, 0.0); count], nearest: vec![0; count] });
     }
     match sampling {
         Sampling::Parameter { samples } => {
             let stations: Vec<f64> = (0..=count - usize::from(!closed)).map(|k| k as f64).collect();
-            uniform(&stations, samples, closed)
+            Ok(uniform(&stations, samples, closed))
         }
         Sampling::ArcLength { samples } => {
             let mut stations = vec![0.0];
             for k in 1..count + usize::from(closed) {
                 stations.push(stations[k - 1] + points[k - 1].distance(points[k % count]));
             }
-            uniform(&stations, samples, closed)
+            Ok(uniform(&stations, samples, closed))
         }
-        Sampling::ChordHeight { samples, tolerance } => by_chord_height(points, closed, samples, tolerance),
+        Sampling::ChordHeight { samples, tolerance } => by_chord_height(points, closed, samples, tolerance, execution),
     }
 }
 
@@ -134,7 +150,14 @@ impl PartialEq for Stretch {
 }
 impl Eq for Stretch {}
 
-fn by_chord_height(points: &[DVec3], closed: bool, samples: Option<usize>, tolerance: f64) -> Samples {
+/// O(points · samples) at worst, points · log(samples) on most curves.
+fn by_chord_height(
+    points: &[DVec3],
+    closed: bool,
+    samples: Option<usize>,
+    tolerance: f64,
+    execution: &Execution<'_>,
+) -> Result<Samples, Interruption> {
     let count = points.len();
     let most = samples.unwrap_or(count).max(if closed { 3 } else { 2 });
     let mut kept = vec![false; count];
@@ -159,6 +182,7 @@ fn by_chord_height(points: &[DVec3], closed: bool, samples: Option<usize>, toler
         }
         kept[stretch.peak] = true;
         chosen += 1;
+        execution.look((stretch.to - stretch.from) as u64)?;
         heap.push(Stretch::new(points, stretch.from, stretch.peak));
         heap.push(Stretch::new(points, stretch.peak, stretch.to));
     }
@@ -174,5 +198,5 @@ fn by_chord_height(points: &[DVec3], closed: bool, samples: Option<usize>, toler
             }
         })
         .collect();
-    Samples { places, nearest }
+    Ok(Samples { places, nearest })
 }
