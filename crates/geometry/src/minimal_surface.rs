@@ -19,6 +19,7 @@ mod newton;
 mod pinkall_polthier;
 mod record;
 mod remesh;
+mod resample;
 mod stability;
 mod statistics;
 #[cfg(test)]

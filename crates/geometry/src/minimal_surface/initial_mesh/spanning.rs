@@ -10,12 +10,15 @@
 
 use super::super::cotangent::Pattern;
 use super::super::film::Film;
+use super::super::pinkall_polthier::Dirichlet;
 use super::super::remesh::{flip_to_delaunay, subdivide, tangential_relaxation};
+use super::super::resample::resample;
 use super::super::{BoundarySampling, LARGEST_COUNT, Options, Resolution};
 use super::domain::Shape;
 use super::plane_mesh::{Domain, PlaneError, PlaneMesh};
 use super::sampling::{Sampled, numbers, sample};
 use crate::linear::{LinearError, Symbolic};
+use crate::mesh::measure;
 use crate::mesh::topology::Topology;
 use crate::{DVec3, Error, Execution, polyline};
 use glam::DVec2;
@@ -52,6 +55,18 @@ const STEEPEST_GRADING: f64 = 20.0;
 const CLOSE_ENOUGH: f64 = 0.02;
 /// How far the resolution may be missed.
 const TOLERATED: f64 = 0.1;
+/// Rounds of solving and resampling that even out a mesh that was mapped into space.
+const ROUNDS: u32 = 8;
+/// The area after a round, over that before, at which it has settled.
+const SETTLED: f64 = 0.998;
+/// A projected mesh with no smaller angle (radians) is left as it is.
+const GOOD_ANGLE: f64 = 0.44;
+/// Meshes with more triangles than this are only relaxed.
+const LARGEST_RESAMPLED: f64 = 20_000.0;
+/// Where the boundary is kept a mapped mesh has at most so many triangles, or eight per boundary point, before its edges are split.
+const FINEST_MAPPED: usize = 2_000;
+/// Passes of resampling from there to the wanted number.
+const FINE_PASSES: u32 = 12;
 /// Sizes tried.
 const TRIALS: u32 = 10;
 
@@ -63,6 +78,18 @@ struct Goal {
 }
 
 impl Goal {
+    /// The number of triangles that a film over these boundaries should have.
+    fn triangles(&self, film: &Film) -> f64 {
+        match self.resolution {
+            Resolution::Triangles(count) => count as f64,
+            Resolution::InteriorVertices(count) => {
+                let boundary = film.boundaries.iter().map(Vec::len).sum::<usize>() as f64;
+                2.0 * count as f64 + boundary - 2.0 * self.euler as f64
+            }
+            Resolution::EdgeLength(length) => film.area() / (0.75f64.sqrt() / 2.0 * length * length),
+        }
+    }
+
     /// Wanted over reached: above 1 the mesh must become finer. In units of triangles (number, not length).
     fn shortfall(&self, mesh: &Trial, subdivisions: u32) -> f64 {
         let growth = 4f64.powi(subdivisions as i32);
@@ -121,16 +148,44 @@ impl Spanning<'_> {
     /// The film, or why the domain has no mesh.
     pub fn build(&self) -> Result<Result<Start, PlaneError>, Error> {
         match self.fit() {
-            Ok((trial, subdivisions)) => Ok(Ok(Start { film: self.carry(&trial)?, subdivisions })),
+            Ok((trial, subdivisions)) => {
+                let mut film = self.carry(&trial)?;
+                if self.resolution() != self.options.resolution {
+                    let count = self.goal().triangles(&film);
+                    resample(&mut film, count, FINE_PASSES, self.exec)?;
+                }
+                Ok(Ok(Start { film, subdivisions }))
+            }
             Err(PlaneError::Interrupted(interruption)) => Err(interruption.into()),
             Err(error) => Ok(Err(error)),
         }
     }
 
+    fn goal(&self) -> Goal {
+        Goal { resolution: self.options.resolution, euler: 2 - self.boundaries.len() as i64 }
+    }
+
+    /// The resolution that the plane is meshed at. A mapped mesh whose boundary must be kept cannot be subdivided: a fine
+    /// one is made from one that is coarse enough to be evened out, by splitting edges.
+    fn resolution(&self) -> Resolution {
+        let mapped = matches!(self.shape, Shape::Disc { .. });
+        let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
+        let coarse = FINEST_MAPPED.max(8 * boundary);
+        let fine = match self.options.resolution {
+            Resolution::Triangles(count) => count > 2 * coarse,
+            Resolution::InteriorVertices(count) => count > coarse,
+            Resolution::EdgeLength(_) => false,
+        };
+        if mapped && fine && self.options.boundary_sampling == BoundarySampling::Keep {
+            Resolution::Triangles(coarse)
+        } else {
+            self.options.resolution
+        }
+    }
+
     /// Meshes at the size and with the number of subdivisions that come nearest to the resolution.
     fn fit(&self) -> Result<(Trial, u32), PlaneError> {
-        let holes = self.boundaries.len() as i64;
-        let goal = Goal { resolution: self.options.resolution, euler: 2 - holes };
+        let goal = Goal { resolution: self.resolution(), ..self.goal() };
         // With the largest size only the boundary's own spacing counts: nothing is coarser, but by grading faster.
         let mut grading = GRADING;
         let mut coarsest = self.trial(self.largest_size(), grading)?;
@@ -245,14 +300,50 @@ impl Spanning<'_> {
         let topology = Topology::build(&triangles, vertices.len()).expect("renaming keeps a manifold");
         let mut film = Film { vertices, topology, fixed, locked: Vec::new(), boundaries: loops };
         if !self.is_plane() {
-            for _ in 0..4 {
-                flip_to_delaunay(&mut film);
-                tangential_relaxation(&mut film, 2);
-                self.exec.look(3 * film.triangles().len() as u64)?;
-            }
-            flip_to_delaunay(&mut film);
+            self.even_out(&mut film)?;
         }
         Ok(film)
+    }
+
+    /// Evens out a film whose map from the plane has stretched its triangles: solves towards the minimal surface, where
+    /// the triangles will have to be good, with an even distribution of the vertices before each, until the area settles.
+    fn even_out(&self, film: &mut Film) -> Result<(), Error> {
+        for _ in 0..2 {
+            flip_to_delaunay(film);
+            tangential_relaxation(film, 2);
+            self.exec.look(3 * film.triangles().len() as u64)?;
+        }
+        flip_to_delaunay(film);
+        let count = film.triangles().len() as f64;
+        let relaxed = film.clone();
+        let mapped = matches!(self.shape, Shape::Disc { .. });
+        if count > LARGEST_RESAMPLED || (!mapped && measure::angle_range(&film.mesh()).0 >= GOOD_ANGLE) {
+            return Ok(());
+        }
+        let mut area = f64::INFINITY;
+        for _ in 0..ROUNDS {
+            resample(film, count, 3, self.exec)?;
+            let settled = film.area() > SETTLED * area;
+            area = film.area();
+            if settled {
+                break;
+            }
+            let solved = Dirichlet::new(film).and_then(|mut dirichlet| {
+                dirichlet.step(film)?;
+                dirichlet.step(film)
+            });
+            if solved.is_err() {
+                // A neck that closes: the solver itself will say so.
+                break;
+            }
+            flip_to_delaunay(film);
+        }
+        resample(film, count, 5, self.exec)?;
+        // Right beside a boundary that asks for more triangles than are wanted, collapsing does not get far enough.
+        if film.triangles().len() as f64 > (1.0 + 0.8 * TOLERATED) * count {
+            *film = relaxed;
+        }
+        Ok(())
     }
 
     /// Whether all boundaries lie in the domain's own plane, up to rounding.

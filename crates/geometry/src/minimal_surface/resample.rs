@@ -1,0 +1,314 @@
+//! Even edge lengths on the surface as it is: long edges are split, short ones collapsed, to a size at every vertex.
+//!
+//! Source: Botsch, Kobbelt, *A Remeshing Approach to Multiresolution Modeling* (2004), section 4. Departures: sizes are
+//! graded from the boundary's own spacing instead of one length; edges that are split or collapsed together are chosen
+//! so that they share no triangle (no neighbourhood), so that a pass is one rebuild of the triangle list.
+
+use super::film::Film;
+use super::remesh::{flip_to_delaunay, tangential_relaxation};
+use crate::mesh::measure::double_area_vector;
+use crate::mesh::topology::{NONE, Topology};
+use crate::{DVec3, Execution, Interruption};
+
+/// Edges longer than this times the size at their ends are split: at √2 both halves are as far below it as the whole was above.
+const LONG: f64 = std::f64::consts::SQRT_2;
+/// Edges shorter than this times the size are collapsed.
+const SHORT: f64 = 0.7;
+/// Sizes grow by this per length, or faster where the boundary's spacing would make too many triangles.
+const GRADING: f64 = 0.3;
+const STEEPEST_GRADING: f64 = 5.0;
+/// A pass that changes the number of triangles by less than this shows where they settle.
+const SETTLED: f64 = 0.1;
+/// How near the wanted number ends the passes.
+const CLOSE_ENOUGH: f64 = 0.03;
+
+/// Brings the film's triangles to about `count`, of even size away from the boundary. Boundary, fixed vertices and
+/// locked edges stay. Vertices that are not fixed are numbered afresh. Each of at most `passes` passes splits, collapses, flips
+/// and relaxes once.
+///
+/// # Errors
+/// The interruptions of `exec`; the film is valid then too.
+pub(super) fn resample(film: &mut Film, count: f64, passes: u32, exec: &Execution) -> Result<(), Interruption> {
+    let (mut aim, mut before) = (count, film.triangles().len() as f64);
+    for _ in 0..passes {
+        let size = sizes(film, aim);
+        split_long(film, &size);
+        let size = sizes(film, aim);
+        collapse_short(film, &size);
+        for _ in 0..2 {
+            flip_to_delaunay(film);
+            tangential_relaxation(film, 1);
+        }
+        flip_to_delaunay(film);
+        exec.look(20 * film.triangles().len() as u64)?;
+        let reached = film.triangles().len() as f64;
+        let settled = (reached / before - 1.0).abs() < SETTLED;
+        before = reached;
+        if settled && (reached / count - 1.0).abs() < CLOSE_ENOUGH {
+            break;
+        }
+        // Split and collapse leave a band of lengths around the size; where in it the mesh settles is seen, not known.
+        if settled {
+            aim *= (count / reached).clamp(0.7, 1.4);
+        }
+    }
+    Ok(())
+}
+
+/// The size at every vertex: the boundary's spacing, growing inwards up to a cap for which about `count` equilateral
+/// triangles cover the film.
+fn sizes(film: &Film, count: f64) -> Vec<f64> {
+    let unit = 0.75f64.sqrt() / 2.0;
+    let mut grading = GRADING;
+    let (spacing, mut pieces) = loop {
+        let spacing = graded_spacing(film, grading);
+        let pieces: Vec<(f64, f64)> = film
+            .triangles()
+            .iter()
+            .map(|t| {
+                let area = 0.5 * double_area_vector(film.corners(*t)).length();
+                (t.iter().map(|&v| spacing[v as usize]).sum::<f64>() / 3.0, area)
+            })
+            .collect();
+        let least: f64 = pieces.iter().map(|(size, area)| area / (unit * size * size)).sum();
+        if least <= count || grading > STEEPEST_GRADING {
+            break (spacing, pieces);
+        }
+        grading *= 1.5;
+    };
+    // With the cap between two triangles' own sizes the number is Σ(below) A / s² + Σ(above) A / cap².
+    pieces.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut above: f64 = pieces.iter().map(|piece| piece.1).sum();
+    let (mut below, mut cap) = (0.0, f64::INFINITY);
+    for &(size, area) in &pieces {
+        if below + above / (unit * size * size) <= count {
+            cap = (above / (unit * (count - below).max(1.0))).sqrt();
+            break;
+        }
+        below += area / (unit * size * size);
+        above -= area;
+    }
+    spacing.into_iter().map(|size| size.min(cap)).collect()
+}
+
+/// Mean length of the fixed edges at each fixed vertex, and from there inwards along edges.
+fn graded_spacing(film: &Film, grading: f64) -> Vec<f64> {
+    let topology = &film.topology;
+    let mut size = vec![f64::INFINITY; film.vertices.len()];
+    for h in 0..topology.twin.len() as u32 {
+        let (a, b) = (topology.from(h), topology.to(h));
+        if topology.twin[h as usize] == NONE || film.is_locked(a, b) {
+            let length = film.vertices[a as usize].distance(film.vertices[b as usize]);
+            size[a as usize] = size[a as usize].min(length);
+            size[b as usize] = size[b as usize].min(length);
+        }
+    }
+    // Sweeps in both directions until nothing falls: a few, as sizes need not travel far before the cap.
+    for sweep in 0..50 {
+        let mut fell = false;
+        for k in 0..topology.twin.len() {
+            let h = if sweep % 2 == 0 { k } else { topology.twin.len() - 1 - k } as u32;
+            let (a, b) = (topology.from(h) as usize, topology.to(h) as usize);
+            let step = grading * film.vertices[a].distance(film.vertices[b]);
+            for (near, far) in [(a, b), (b, a)] {
+                if size[near] + step < size[far] * (1.0 - 1e-9) {
+                    size[far] = size[near] + step;
+                    fell = true;
+                }
+            }
+        }
+        if !fell {
+            break;
+        }
+    }
+    size
+}
+
+/// Half-edges (one per edge, both ends' triangles present), sorted by a key, largest first.
+fn ranked(film: &Film, key: impl Fn(u32) -> f64) -> Vec<u32> {
+    let topology = &film.topology;
+    let mut ranked: Vec<(f64, u32)> = (0..topology.twin.len() as u32)
+        .filter(|&h| topology.twin[h as usize] != NONE && topology.twin[h as usize] > h)
+        .map(|h| (key(h), h))
+        .filter(|&(key, _)| key > 1.0)
+        .collect();
+    ranked.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    ranked.into_iter().map(|(_, h)| h).collect()
+}
+
+fn length(film: &Film, h: u32) -> f64 {
+    film.vertices[film.topology.from(h) as usize].distance(film.vertices[film.topology.to(h) as usize])
+}
+
+fn size_at(film: &Film, size: &[f64], h: u32) -> f64 {
+    0.5 * (size[film.topology.from(h) as usize] + size[film.topology.to(h) as usize])
+}
+
+/// Splits edges that are too long, longest (for its size) first, no two of one triangle.
+fn split_long(film: &mut Film, size: &[f64]) {
+    let edges = ranked(film, |h| length(film, h) / (LONG * size_at(film, size, h)));
+    let mut taken = vec![false; film.triangles().len()];
+    let mut triangles = film.triangles().to_vec();
+    for h in edges {
+        let twin = film.topology.twin[h as usize];
+        let (a, b) = (film.topology.from(h), film.topology.to(h));
+        if taken[h as usize / 3] || taken[twin as usize / 3] || film.is_locked(a, b) {
+            continue;
+        }
+        let middle = film.vertices.len() as u32;
+        film.vertices.push(0.5 * (film.vertices[a as usize] + film.vertices[b as usize]));
+        film.fixed.push(false);
+        for (half, from, to) in [(h, a, b), (twin, b, a)] {
+            taken[half as usize / 3] = true;
+            let apex = film.topology.opposite(half);
+            triangles[half as usize / 3] = [from, middle, apex];
+            triangles.push([middle, to, apex]);
+        }
+    }
+    film.topology = Topology::build(&triangles, film.vertices.len()).expect("splitting edges keeps a manifold");
+}
+
+/// Collapses edges that are too short, shortest first, in places that do not touch.
+fn collapse_short(film: &mut Film, size: &[f64]) {
+    let edges = ranked(film, |h| SHORT * size_at(film, size, h) / length(film, h).max(f64::MIN_POSITIVE));
+    let mut touched = vec![false; film.vertices.len()];
+    let mut gone: Vec<Option<u32>> = vec![None; film.vertices.len()];
+    for h in edges {
+        let (a, b) = (film.topology.from(h), film.topology.to(h));
+        // A free vertex goes to the other end; two free ones meet half way.
+        let (leaves, stays) = if film.fixed[a as usize] { (b, a) } else { (a, b) };
+        let meeting = if film.fixed[stays as usize] {
+            film.vertices[stays as usize]
+        } else {
+            0.5 * (film.vertices[a as usize] + film.vertices[b as usize])
+        };
+        let ring = |v: u32| film.topology.outgoing_half_edges(v).map(|e| film.topology.to(e));
+        let near = || ring(a).chain(ring(b)).chain([a, b]);
+        if film.fixed[leaves as usize]
+            || near().any(|v| touched[v as usize])
+            || !can_collapse(film, h)
+            || ![(leaves, stays), (stays, leaves)].iter().all(|&(v, other)| keeps_shape(film, size, v, other, meeting))
+        {
+            continue;
+        }
+        let around: Vec<u32> = near().collect();
+        around.into_iter().for_each(|v| touched[v as usize] = true);
+        gone[leaves as usize] = Some(stays);
+        film.vertices[stays as usize] = meeting;
+    }
+    let mut place = vec![0u32; film.vertices.len()];
+    let mut kept = 0;
+    for v in 0..gone.len() {
+        if gone[v].is_none() {
+            place[v] = kept;
+            film.vertices[kept as usize] = film.vertices[v];
+            film.fixed[kept as usize] = film.fixed[v];
+            kept += 1;
+        }
+    }
+    film.vertices.truncate(kept as usize);
+    film.fixed.truncate(kept as usize);
+    let moved = |v: u32| place[gone[v as usize].unwrap_or(v) as usize];
+    let triangles: Vec<[u32; 3]> = film
+        .triangles()
+        .iter()
+        .map(|triangle| triangle.map(moved))
+        .filter(|[a, b, c]| a != b && b != c && c != a)
+        .collect();
+    film.boundaries.iter_mut().flatten().for_each(|v| *v = moved(*v));
+    film.locked.iter_mut().for_each(|edge| {
+        *edge = edge.map(moved);
+        edge.sort_unstable();
+    });
+    film.locked.sort_unstable();
+    film.topology = Topology::build(&triangles, kept as usize).expect("the link condition keeps a manifold");
+}
+
+/// The link condition: the ends have no common neighbour but the two opposite vertices, and an inner edge does not join
+/// two boundary vertices (one end is free, hence inside).
+fn can_collapse(film: &Film, h: u32) -> bool {
+    let topology = &film.topology;
+    let (a, b) = (topology.from(h), topology.to(h));
+    let opposite = [topology.opposite(h), topology.opposite(topology.twin[h as usize])];
+    let common =
+        topology.outgoing_half_edges(a).map(|e| topology.to(e)).filter(|&v| v != b && topology.are_adjacent(v, b));
+    let mut count = 0;
+    for v in common {
+        if !opposite.contains(&v) {
+            return false;
+        }
+        count += 1;
+    }
+    // A vertex of the boundary reaches its last neighbour by the incoming half-edge only; both opposite ones must be common.
+    count <= 2
+        && opposite[0] != opposite[1]
+        && opposite.iter().all(|&v| topology.outgoing_half_edges(v).count() > 3 || topology.is_boundary(v))
+}
+
+/// Whether the triangles of `v` without `other` stay upright, and their edges short enough, when `v` moves to `place`.
+fn keeps_shape(film: &Film, size: &[f64], v: u32, other: u32, place: DVec3) -> bool {
+    let topology = &film.topology;
+    topology.outgoing_half_edges(v).all(|h| {
+        let (j, k) = (topology.to(h), topology.opposite(h));
+        if j == other || k == other {
+            return true;
+        }
+        let (p, q) = (film.vertices[j as usize], film.vertices[k as usize]);
+        let before = double_area_vector([film.vertices[v as usize], p, q]);
+        let after = double_area_vector([place, p, q]);
+        let longest = LONG * 0.5 * (size[v as usize] + size[j as usize]);
+        after.dot(before) > 0.2 * after.length() * before.length()
+            && after.length() > 0.1 * p.distance_squared(q).max(place.distance_squared(p))
+            && place.distance(p) < longest
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::measure;
+
+    /// A flat strip, ten times as long as it is wide, its inner vertices crowded towards one side.
+    fn strip() -> Film {
+        let (n, m) = (40, 4);
+        let at = |i: usize, j: usize| (j * (n + 1) + i) as u32;
+        let vertices: Vec<DVec3> = (0..=m)
+            .flat_map(|j| {
+                (0..=n).map(move |i| {
+                    let inner = i > 0 && i < n && j > 0 && j < m;
+                    let y = j as f64 / m as f64;
+                    DVec3::new(10.0 * i as f64 / n as f64, if inner { y * y * y } else { y }, 0.0)
+                })
+            })
+            .collect();
+        let triangles: Vec<[u32; 3]> = (0..m)
+            .flat_map(|j| (0..n).map(move |i| (i, j)))
+            .flat_map(|(i, j)| [[at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)]])
+            .collect();
+        let mut boundary: Vec<u32> = (0..n).map(|i| at(i, 0)).collect();
+        boundary.extend((0..m).map(|j| at(n, j)));
+        boundary.extend((1..=n).rev().map(|i| at(i, m)));
+        boundary.extend((1..=m).rev().map(|j| at(0, j)));
+        Film::new(vertices, &triangles, vec![boundary]).unwrap()
+    }
+
+    #[test]
+    fn counts_are_met_finer_and_coarser_and_the_boundary_stays() {
+        let start = strip();
+        for count in [320.0, 900.0] {
+            let mut film = start.clone();
+            resample(&mut film, count, 12, &Execution::default()).unwrap();
+            let mesh = film.mesh();
+            mesh.check().unwrap();
+            assert_eq!(measure::flipped_triangles(&mesh), 0);
+            assert!((film.area() - 10.0).abs() < 1e-12, "area {}", film.area());
+            let reached = film.triangles().len() as f64;
+            assert!((reached / count - 1.0).abs() < 0.1, "{reached} for {count}");
+            let smallest = measure::angle_range(&mesh).0.to_degrees();
+            assert!(smallest > 25.0, "{smallest} for {count}");
+            for (&v, &w) in film.boundaries[0].iter().zip(&start.boundaries[0]) {
+                assert_eq!(film.vertices[v as usize], start.vertices[w as usize]);
+            }
+        }
+    }
+}
