@@ -49,7 +49,21 @@ pub(super) type Solved = (Film, InitialMeshKind, f64, Run);
 /// # Errors
 /// [`Error::Interrupted`] on cancel, and on a deadline before there is a mesh.
 pub(super) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<Option<Solved>, Error> {
-    let Some(plan) = Plan::new(boundaries, options) else { return Ok(None) };
+    // A polygon of fewer points may carry no film where the whole one does: then with more points.
+    for plan in Plan::from_coarse(boundaries, options) {
+        if let Some(solved) = follow(&plan, boundaries, options, exec)? {
+            return Ok(Some(solved));
+        }
+    }
+    Ok(None)
+}
+
+fn follow(
+    plan: &Plan,
+    boundaries: &[Vec<DVec3>],
+    options: &Options,
+    exec: &Execution,
+) -> Result<Option<Solved>, Error> {
     let coarse_options = Options { resolution: plan.resolution, ..options.clone() };
     let (mut film, kind) = match initial_mesh::build(&plan.coarse_boundaries(boundaries), &coarse_options, exec) {
         Ok((start, kind)) => (start.refined(exec)?, kind),
@@ -58,11 +72,11 @@ pub(super) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
         Err(_) => return Ok(None),
     };
     let may_add = options.boundary_sampling != BoundarySampling::Keep;
-    let Some(mut rim) = Rim::new(&mut film, &plan, boundaries, may_add) else { return Ok(None) };
+    let Some(mut rim) = Rim::new(&mut film, plan, boundaries, may_add) else { return Ok(None) };
     let initial_area = film.area();
     let mut solve = Solve::new(&film, options, exec);
     let (stop_reason, stability) = match climb(&mut film, &mut rim, plan.levels, &mut solve) {
-        Ok(Some(stability)) => (StopReason::Residual, stability),
+        Ok(Some(stability)) => (StopReason::Residual, Some(stability)),
         Ok(None) | Err(Stop::TooLarge) => return Ok(None),
         Err(Stop::Interrupted(Interruption::DeadlinePassed)) => (StopReason::Deadline, None),
         Err(Stop::Interrupted(Interruption::Cancelled)) => return Err(Interruption::Cancelled.into()),
@@ -75,7 +89,7 @@ pub(super) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
 }
 
 /// Solves the coarse film and corrects it level by level. `None` where the method is at its end; then the film is no use.
-fn climb(film: &mut Film, rim: &mut Rim, levels: u32, solve: &mut Solve) -> Result<Option<Option<Stability>>, Stop> {
+fn climb(film: &mut Film, rim: &mut Rim, levels: u32, solve: &mut Solve) -> Result<Option<Stability>, Stop> {
     // Each level costs four times the last; the coarsest, with its many solves, about as much as the next.
     let share = |level: u32| {
         let part = |level: u32| 4f64.powi(level as i32 - levels as i32);
@@ -149,7 +163,7 @@ fn climb(film: &mut Film, rim: &mut Rim, levels: u32, solve: &mut Solve) -> Resu
                 return Ok(None);
             }
             let lowest_eigenvalue = lowest.eigenvalue;
-            return Ok(Some(Some(Stability { stable: true, morse_index, lowest_eigenvalue })));
+            return Ok(Some(Stability { stable: true, morse_index, lowest_eigenvalue }));
         }
         hierarchy.push(matrix, parents);
     }
@@ -200,13 +214,12 @@ struct Plan {
 }
 
 impl Plan {
-    fn new(boundaries: &[Vec<DVec3>], options: &Options) -> Option<Self> {
-        if !matches!(options.initial_mesh, InitialMesh::Auto | InitialMesh::Planar | InitialMesh::Disk) {
-            return None;
-        }
+    /// The plans that suit a request, the one with the coarsest mesh first.
+    fn from_coarse(boundaries: &[Vec<DVec3>], options: &Options) -> impl Iterator<Item = Self> {
+        let suits = matches!(options.initial_mesh, InitialMesh::Auto | InitialMesh::Planar | InitialMesh::Disk);
         let target = super::estimate_triangles(boundaries, options);
-        let most = (target / LEAST_COARSE_TRIANGLES).log(4.0).floor().clamp(0.0, 12.0) as u32;
-        (1..=most).rev().find_map(|levels| {
+        let most = if suits { (target / LEAST_COARSE_TRIANGLES).log(4.0).floor().clamp(0.0, 12.0) as u32 } else { 0 };
+        (1..=most).rev().filter_map(move |levels| {
             let kept: Vec<Vec<u32>> = boundaries.iter().map(|points| kept_points(points, 1 << levels)).collect();
             let rim: usize = kept.iter().map(Vec::len).sum();
             // Where a boundary edge has no point left to be halved at, the triangle behind it gives three and not four.

