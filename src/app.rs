@@ -1,0 +1,147 @@
+//! Wires configuration, store, jobs and HTTP together, and sees them through start and shutdown.
+
+use crate::config::Config;
+use crate::http::{body, router, serve};
+use crate::jobs::{Jobs, worker};
+use crate::store::{Store, StoreError, StoreOptions};
+use crate::telemetry;
+use metrics_exporter_prometheus::PrometheusHandle;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::net::TcpListener;
+use tokio::sync::Semaphore;
+use tokio::task::JoinSet;
+
+/// What a handler may use.
+#[derive(Clone, Debug)]
+pub struct App {
+    pub config: Arc<Config>,
+    pub jobs: Jobs,
+    pub metrics: PrometheusHandle,
+    /// The budget for bodies in flight, see [`body::permits`].
+    pub bodies: Arc<Semaphore>,
+}
+
+/// What this process does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// HTTP and workers.
+    Serve,
+    /// Workers only.
+    Worker,
+}
+
+/// Why the process did not start or go on.
+#[derive(Debug)]
+pub enum StartError {
+    Configuration(String),
+    Failed(String),
+}
+
+/// Expired jobs are looked for this often.
+const SWEEP_INTERVAL: Duration = Duration::from_secs(60);
+
+/// Runs until the process is told to stop (SIGTERM, Ctrl-C).
+///
+/// # Errors
+/// A store that cannot be opened, or an address that cannot be bound.
+pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
+    let config = Arc::new(config);
+    let metrics = telemetry::init_metrics().map_err(StartError::Failed)?;
+    let store = open_store(&config).await?;
+    let listener = match role {
+        Role::Worker => None,
+        Role::Serve => {
+            let address = config.http.listen;
+            let bound = TcpListener::bind(address).await;
+            Some(bound.map_err(|error| StartError::Failed(format!("http.listen {address}: {error}")))?)
+        }
+    };
+    let jobs = Jobs::new(store.clone(), config.clone());
+    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let count = config.jobs.workers.unwrap_or(cores);
+    if role == Role::Worker && count == 0 {
+        return Err(StartError::Configuration("jobs.workers is 0: this process would do nothing".into()));
+    }
+    let mut workers = JoinSet::new();
+    let process = ulid::Ulid::generate();
+    for number in 0..count {
+        workers.spawn(worker::run(jobs.clone(), format!("{process}/{number}")));
+    }
+    let sweeper = tokio::spawn(sweep(store.clone()));
+    let stopping = jobs.clone();
+    tokio::spawn(async move {
+        stop_signal().await;
+        tracing::info!("shutting down");
+        stopping.shut_down();
+    });
+    if let Some(listener) = listener {
+        let address = listener.local_addr().map_err(|error| StartError::Failed(error.to_string()))?;
+        println!("listening on http://{address}");
+        tracing::info!(%address, workers = count, "open http://{address}/ in a browser");
+        let bodies = Arc::new(Semaphore::new(body::permits(config.http.bodies_in_flight_bytes)));
+        let app = App { config: config.clone(), jobs: jobs.clone(), metrics, bodies };
+        serve::serve(listener, router::router(app), &config.http, jobs.shutdown()).await;
+    }
+    // Workers end once a shutdown was asked for; each sees to its running job first.
+    while workers.join_next().await.is_some() {}
+    sweeper.abort();
+    store.close().await;
+    Ok(())
+}
+
+async fn open_store(config: &Config) -> Result<Store, StartError> {
+    if config.store.database.is_empty() {
+        let folder = &config.store.data;
+        std::fs::create_dir_all(folder)
+            .map_err(|error| StartError::Failed(format!("store.data {}: {error}", folder.display())))?;
+    }
+    let forever_s = 100 * 365 * 24 * 3600;
+    let retention_s = if config.jobs.retention_s == 0 { forever_s } else { config.jobs.retention_s };
+    let options = StoreOptions {
+        queue_limit: config.jobs.queue_length as u64,
+        owner_queue_limit: config.jobs.queue_length as u64,
+        max_attempts: config.jobs.attempts_max,
+        retention: Duration::from_secs(retention_s),
+        ..StoreOptions::default()
+    };
+    Store::open(&config.database_url(), options).await.map_err(|error| match error {
+        StoreError::Url(message) => StartError::Configuration(format!("store.database: {message}")),
+        other => StartError::Failed(format!("store: {other}")),
+    })
+}
+
+async fn sweep(store: Store) {
+    let mut interval = tokio::time::interval(SWEEP_INTERVAL);
+    loop {
+        interval.tick().await;
+        match store.sweep().await {
+            Ok(swept) if swept.expired + swept.artefacts + swept.recovered as u64 > 0 => {
+                tracing::info!(swept.expired, swept.artefacts, swept.recovered, "swept");
+            }
+            Ok(_) => {}
+            Err(error) => tracing::warn!(%error, "cannot sweep the store"),
+        }
+    }
+}
+
+async fn stop_signal() {
+    let interrupt = tokio::signal::ctrl_c();
+    #[cfg(unix)]
+    {
+        use tokio::signal::unix::{SignalKind, signal};
+        match signal(SignalKind::terminate()) {
+            Ok(mut terminate) => {
+                tokio::select! { _ = interrupt => {}, _ = terminate.recv() => {} }
+            }
+            Err(error) => {
+                tracing::warn!(%error, "cannot listen for SIGTERM");
+                let _ = interrupt.await;
+            }
+        }
+    }
+    #[cfg(not(unix))]
+    {
+        let _ = interrupt.await;
+    }
+}

@@ -1,0 +1,198 @@
+//! The command line: `plateau [serve] | worker | solve | openapi`.
+
+use crate::app;
+use crate::config::Config;
+use crate::export::MeshFormat;
+use crate::http::openapi;
+use crate::jobs::solve;
+use crate::telemetry;
+use crate::wire::{Rejection, Request};
+use clap::{Args, Parser, Subcommand};
+use indicatif::{ProgressBar, ProgressStyle};
+use plateau_geometry::{Execution, Progress, Signal};
+use std::io::{Read, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+use toml::{Table, Value};
+
+/// Form finding over HTTP: minimal surfaces and optimal ruled strips as glTF.
+#[derive(Debug, Parser)]
+#[command(name = "plateau", version, about)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    settings: Settings,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Answer HTTP requests and work on jobs (what happens without a command).
+    Serve,
+    /// Work on jobs of a shared database, without HTTP.
+    Worker,
+    /// Solve one request without a server, and print its statistics.
+    Solve {
+        /// The request, as JSON with its "kind"; - for standard input.
+        request: PathBuf,
+        /// Where the mesh goes; the extension chooses the format (glb, gltf, obj, ply, stl).
+        #[arg(short, long)]
+        output: PathBuf,
+    },
+    /// Print the OpenAPI document.
+    Openapi,
+}
+
+/// Flags beat environment beats file; `config/default.toml` shows every setting.
+#[derive(Debug, Args)]
+struct Settings {
+    /// Address and port; port 0 picks a free one.
+    #[arg(long, global = true, env = "PLATEAU_LISTEN", value_name = "ADDR:PORT")]
+    listen: Option<String>,
+    /// Folder of the embedded store.
+    #[arg(long, global = true, env = "PLATEAU_DATA", value_name = "DIR")]
+    data: Option<String>,
+    /// Empty for SQLite in the data folder, else postgres://…
+    #[arg(long, global = true, env = "PLATEAU_DATABASE", value_name = "URL", hide_env_values = true)]
+    database: Option<String>,
+    /// Solvers that run at once; one a core unless told.
+    #[arg(long, global = true, env = "PLATEAU_WORKERS", value_name = "N")]
+    workers: Option<i64>,
+    /// A TOML file of settings.
+    #[arg(long, global = true, env = "PLATEAU_CONFIG", value_name = "FILE")]
+    config: Option<PathBuf>,
+    /// Check the settings and stop.
+    #[arg(long, global = true)]
+    check_config: bool,
+}
+
+impl Settings {
+    fn load(&self) -> Result<Config, String> {
+        let mut flags = Table::new();
+        let mut set = |section: &str, key: &str, value: Option<Value>| {
+            if let Some(value) = value {
+                let table = flags.entry(section).or_insert_with(|| Value::Table(Table::new()));
+                if let Value::Table(table) = table {
+                    table.insert(key.into(), value);
+                }
+            }
+        };
+        set("http", "listen", self.listen.clone().map(Value::String));
+        set("store", "data", self.data.clone().map(Value::String));
+        set("store", "database", self.database.clone().map(Value::String));
+        set("jobs", "workers", self.workers.map(Value::Integer));
+        // A variable that is no UTF-8 is none of ours.
+        let environment =
+            std::env::vars_os().filter_map(|(name, value)| Some((name.into_string().ok()?, value.into_string().ok()?)));
+        Config::load(self.config.as_ref(), environment, flags)
+    }
+}
+
+/// Wrong usage or configuration.
+const USAGE: u8 = 2;
+
+pub fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let config = match cli.settings.load() {
+        Ok(config) => config,
+        Err(message) => return fail(USAGE, &message),
+    };
+    if cli.settings.check_config {
+        println!("the configuration is valid");
+        return ExitCode::SUCCESS;
+    }
+    match cli.command.unwrap_or(Command::Serve) {
+        Command::Openapi => {
+            print!("{}", openapi::text());
+            ExitCode::SUCCESS
+        }
+        Command::Solve { request, output } => solve_file(&config, &request, &output),
+        command => {
+            if let Err(message) = telemetry::init_logs(&config.log) {
+                return fail(USAGE, &message);
+            }
+            let runtime = match tokio::runtime::Builder::new_multi_thread().enable_all().build() {
+                Ok(runtime) => runtime,
+                Err(error) => return fail(1, &error.to_string()),
+            };
+            let role = if matches!(command, Command::Worker) { app::Role::Worker } else { app::Role::Serve };
+            match runtime.block_on(app::run(config, role)) {
+                Ok(()) => ExitCode::SUCCESS,
+                Err(app::StartError::Configuration(message)) => fail(USAGE, &message),
+                Err(app::StartError::Failed(message)) => fail(1, &message),
+            }
+        }
+    }
+}
+
+fn fail(status: u8, message: &str) -> ExitCode {
+    eprintln!("plateau: {message}");
+    ExitCode::from(status)
+}
+
+fn solve_file(config: &Config, request: &PathBuf, output: &PathBuf) -> ExitCode {
+    let extension = output.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+    let Some(format) = MeshFormat::from_name(extension) else {
+        let names = MeshFormat::ALL.map(MeshFormat::name).join(", ");
+        return fail(USAGE, &format!("--output: the extension must be one of {names}"));
+    };
+    let mut body = Vec::new();
+    let read = if request.as_os_str() == "-" {
+        std::io::stdin().read_to_end(&mut body).map(|_| ())
+    } else {
+        std::fs::read(request).map(|bytes| body = bytes)
+    };
+    if let Err(error) = read {
+        return fail(USAGE, &format!("{}: {error}", request.display()));
+    }
+    let request = match Request::read_with_kind(&body, &config.limits) {
+        Ok((_, request)) => request,
+        Err(rejection) => return fail(1, &rejection_text(&rejection)),
+    };
+    let bar = ProgressBar::new(1000);
+    if let Ok(style) = ProgressStyle::with_template("{bar:30} {percent:>3}% {elapsed} {msg}") {
+        bar.set_style(style);
+    }
+    let report = |progress: Progress| {
+        bar.set_position((progress.fraction * 1000.0) as u64);
+        bar.set_message(format!("{} {}", progress.phase, progress.iteration));
+    };
+    let signal = || Signal::Continue;
+    let solved = solve::solve(&request, &Execution::new(&signal, &report));
+    bar.finish_and_clear();
+    let solved = match solved {
+        Ok(solved) => solved,
+        Err(error) => return fail(1, &error.to_string()),
+    };
+    for warning in &solved.warnings {
+        eprintln!("warning: {}: {}", warning.code, warning.detail);
+    }
+    let written = format
+        .encode(&solved.archive)
+        .map_err(|error| error.to_string())
+        .and_then(|bytes| std::fs::write(output, bytes).map_err(|error| format!("{}: {error}", output.display())));
+    if let Err(message) = written {
+        return fail(1, &message);
+    }
+    let text = serde_json::to_string_pretty(&solved.statistics).unwrap_or_default();
+    match writeln!(std::io::stdout(), "{text}") {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => fail(1, &error.to_string()),
+    }
+}
+
+fn rejection_text(rejection: &Rejection) -> String {
+    match rejection {
+        Rejection::Malformed(detail) => format!("the request is not well-formed JSON: {detail}"),
+        Rejection::Invalid(errors) | Rejection::TooLarge(errors) => {
+            let lines: Vec<String> = errors
+                .iter()
+                .take(crate::wire::MAX_ERRORS)
+                .map(|error| {
+                    format!("{}: {}", if error.pointer.is_empty() { "/" } else { &error.pointer }, error.detail)
+                })
+                .collect();
+            format!("the request cannot be worked on:\n  {}", lines.join("\n  "))
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! One middleware around every route: a request id, a span that carries it, metrics, and the address of problem documents.
+
+use crate::http::problem::{self, Failure};
+use crate::telemetry::metric;
+use axum::body::Body;
+use axum::extract::{MatchedPath, Request};
+use axum::http::{HeaderName, HeaderValue, Response};
+use axum::middleware::Next;
+use axum::response::IntoResponse;
+use futures_util::FutureExt;
+use std::panic::AssertUnwindSafe;
+use std::time::Instant;
+use tracing::Instrument;
+
+/// The header that carries the request id, in and out.
+pub const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
+
+/// The client's request id if it is a short printable one, else a new one.
+fn request_id(request: &Request) -> String {
+    request
+        .headers()
+        .get(REQUEST_ID)
+        .and_then(|value| value.to_str().ok())
+        .filter(|id| (1..=100).contains(&id.len()) && id.bytes().all(|byte| byte.is_ascii_graphic()))
+        .map_or_else(|| ulid::Ulid::generate().to_string(), str::to_owned)
+}
+
+pub async fn observe(request: Request, next: Next) -> Response<Body> {
+    let started = Instant::now();
+    let id = request_id(&request);
+    let path = request.uri().path().to_owned();
+    let method = request.method().as_str().to_owned();
+    let route = request.extensions().get::<MatchedPath>().map_or("unmatched", MatchedPath::as_str).to_owned();
+    let span = tracing::info_span!("request", request_id = %id, %method, %path);
+    let answered = AssertUnwindSafe(next.run(request)).catch_unwind().instrument(span.clone()).await;
+    let response = answered.unwrap_or_else(|_| {
+        span.in_scope(|| tracing::error!("a handler panicked"));
+        Failure::internal("the request ran into a defect of this server").into_response()
+    });
+    let mut response = problem::address(response, &path);
+    if let Ok(value) = HeaderValue::from_str(&id) {
+        response.headers_mut().insert(REQUEST_ID, value);
+    }
+    let status = response.status().as_u16();
+    let elapsed = started.elapsed();
+    span.in_scope(|| tracing::info!(status, elapsed_ms = elapsed.as_secs_f64() * 1e3, "answered"));
+    // An unmatched method is the client's word: it must not grow the number of series.
+    let method = if route == "unmatched" { "any".to_owned() } else { method };
+    metrics::counter!(metric::HTTP_REQUESTS, "method" => method.clone(), "route" => route.clone(), "status" => status.to_string())
+        .increment(1);
+    metrics::histogram!(metric::HTTP_SECONDS, "method" => method, "route" => route).record(elapsed.as_secs_f64());
+    response
+}

@@ -1,0 +1,155 @@
+//! The one place that knows status codes of failures: every error leaves as a problem document (RFC 9457).
+
+use crate::jobs::JobsError;
+use crate::wire::job::Problem;
+use crate::wire::{FieldError, MAX_ERRORS, Rejection};
+use axum::body::Body;
+use axum::http::{HeaderName, HeaderValue, Response, StatusCode, header};
+use axum::response::IntoResponse;
+
+/// What went wrong with a request. `instance` is filled in by the middleware that knows the path.
+#[derive(Debug)]
+pub struct Failure {
+    status: StatusCode,
+    kind: &'static str,
+    title: &'static str,
+    detail: String,
+    errors: Vec<FieldError>,
+    headers: Vec<(HeaderName, HeaderValue)>,
+}
+
+macro_rules! failures {
+    ($($(#[$doc:meta])* $name:ident: $status:ident, $kind:literal, $title:literal;)*) => {
+        impl Failure {
+            $($(#[$doc])* pub fn $name(detail: impl Into<String>) -> Self {
+                Self::new(StatusCode::$status, $kind, $title, detail.into())
+            })*
+
+            /// Every kind of problem this server answers with: `(status, type, title)`.
+            pub const KINDS: &[(u16, &str, &str)] = &[$((StatusCode::$status.as_u16(), concat!("/problems/", $kind), $title)),*];
+        }
+    };
+}
+
+failures! {
+    malformed: BAD_REQUEST, "malformed-body", "The body is not well-formed JSON";
+    bad_query: BAD_REQUEST, "bad-query", "A query parameter cannot be used";
+    bad_header: BAD_REQUEST, "bad-header", "A header cannot be used";
+    unauthorized: UNAUTHORIZED, "unauthorized", "A valid API key is needed";
+    not_found: NOT_FOUND, "not-found", "There is nothing here";
+    method_not_allowed: METHOD_NOT_ALLOWED, "method-not-allowed", "This path does not take this method";
+    not_acceptable: NOT_ACCEPTABLE, "not-acceptable", "None of the accepted media types is offered";
+    body_timeout: REQUEST_TIMEOUT, "body-timeout", "The body did not arrive in time";
+    no_mesh: CONFLICT, "no-mesh", "The job has no mesh";
+    expired: GONE, "expired", "The job has expired";
+    too_large: PAYLOAD_TOO_LARGE, "too-large", "The request is larger than this server takes";
+    range_not_satisfiable: RANGE_NOT_SATISFIABLE, "range-not-satisfiable", "The range lies outside of the file";
+    unsupported_media_type: UNSUPPORTED_MEDIA_TYPE, "unsupported-media-type", "The body is not plain application/json";
+    unwritable: UNPROCESSABLE_ENTITY, "unwritable", "The mesh cannot be written in this format";
+    invalid: UNPROCESSABLE_ENTITY, "invalid-request", "The request cannot be worked on";
+    key_conflict: UNPROCESSABLE_ENTITY, "idempotency-key-conflict", "The idempotency key was used with another body";
+    queue_full: TOO_MANY_REQUESTS, "queue-full", "The queue is full";
+    internal: INTERNAL_SERVER_ERROR, "internal", "The server failed";
+    unavailable: SERVICE_UNAVAILABLE, "unavailable", "The server cannot take this now";
+}
+
+impl Failure {
+    fn new(status: StatusCode, kind: &'static str, title: &'static str, detail: String) -> Self {
+        let headers = match status {
+            StatusCode::UNAUTHORIZED => vec![(header::WWW_AUTHENTICATE, HeaderValue::from_static("Bearer"))],
+            StatusCode::TOO_MANY_REQUESTS | StatusCode::SERVICE_UNAVAILABLE => {
+                vec![(header::RETRY_AFTER, HeaderValue::from_static("2"))]
+            }
+            _ => Vec::new(),
+        };
+        Self { status, kind, title, detail, errors: Vec::new(), headers }
+    }
+
+    #[must_use]
+    pub fn with_errors(mut self, errors: Vec<FieldError>) -> Self {
+        self.errors = errors;
+        self
+    }
+
+    #[must_use]
+    pub fn with_header(mut self, name: HeaderName, value: HeaderValue) -> Self {
+        self.headers.push((name, value));
+        self
+    }
+}
+
+impl From<Rejection> for Failure {
+    fn from(rejection: Rejection) -> Self {
+        match rejection {
+            Rejection::Malformed(detail) => Self::malformed(detail),
+            Rejection::Invalid(errors) => Self::invalid(summary(&errors)).with_errors(errors),
+            Rejection::TooLarge(errors) => Self::too_large(summary(&errors)).with_errors(errors),
+        }
+    }
+}
+
+impl From<JobsError> for Failure {
+    fn from(error: JobsError) -> Self {
+        match error {
+            JobsError::Rejected(rejection) => rejection.into(),
+            JobsError::QueueFull { own: false } => Self::queue_full("too many jobs wait; try again later"),
+            JobsError::QueueFull { own: true } => Self::queue_full("too many of your jobs wait; try again later"),
+            JobsError::KeyConflict => Self::key_conflict("this idempotency key came with another body before"),
+            JobsError::NotFound => Self::not_found("no such job"),
+            JobsError::Expired => Self::expired("the job and its mesh were kept for their time and removed"),
+            JobsError::NoMesh(status) => Self::no_mesh(format!("the job is {}", status.name())),
+            JobsError::NoPattern => Self::not_found("only open ruled surfaces have a flat pattern"),
+            JobsError::Unwritable(error) => Self::unwritable(error.to_string()),
+            JobsError::Unavailable(detail) => Self::unavailable(detail),
+            JobsError::Internal(detail) => Self::internal(detail),
+        }
+    }
+}
+
+fn summary(errors: &[FieldError]) -> String {
+    match errors {
+        [only] if only.pointer.is_empty() => only.detail.clone(),
+        [only] => format!("{} {}", only.pointer, only.detail),
+        many if many.len() > MAX_ERRORS => format!("more than {MAX_ERRORS} values cannot be used"),
+        many => format!("{} values cannot be used", many.len()),
+    }
+}
+
+/// Marks a response as a problem document whose `instance` is still to be filled in.
+#[derive(Clone, Debug)]
+pub struct Unaddressed(Problem);
+
+impl IntoResponse for Failure {
+    fn into_response(mut self) -> Response<Body> {
+        let errors_omitted = self.errors.len() > MAX_ERRORS;
+        self.errors.truncate(MAX_ERRORS);
+        let problem = Problem {
+            kind: format!("/problems/{}", self.kind),
+            title: self.title.into(),
+            status: self.status.as_u16(),
+            detail: self.detail,
+            instance: String::new(),
+            errors: self.errors,
+            errors_omitted,
+        };
+        let mut response = Response::new(Body::empty());
+        *response.status_mut() = self.status;
+        for (name, value) in self.headers {
+            response.headers_mut().insert(name, value);
+        }
+        response.headers_mut().insert(header::CONTENT_TYPE, HeaderValue::from_static("application/problem+json"));
+        response.extensions_mut().insert(Unaddressed(problem));
+        response
+    }
+}
+
+/// Writes the problem document into a response that is one; every other response passes unchanged.
+pub fn address(mut response: Response<Body>, path: &str) -> Response<Body> {
+    if let Some(Unaddressed(mut problem)) = response.extensions_mut().remove::<Unaddressed>() {
+        problem.instance = path.chars().take(300).collect();
+        // A problem is strings and numbers only: writing it cannot fail.
+        let text = serde_json::to_vec(&problem).unwrap_or_default();
+        *response.body_mut() = Body::from(text);
+    }
+    response
+}

@@ -1,0 +1,8 @@
+//! Handlers, by resource.
+
+pub mod catalogue;
+pub mod health;
+pub mod jobs;
+pub mod mesh;
+pub mod studio;
+pub mod submit;

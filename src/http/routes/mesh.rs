@@ -1,0 +1,96 @@
+//! `/v1/jobs/{id}/mesh` and `/pattern`: files made from the stored mesh, with entity tags and ranges.
+
+use super::jobs::{checked, parameters};
+use crate::app::App;
+use crate::export::{MeshFormat, PatternFormat};
+use crate::http::negotiate::{Part, accepted, entity_tag, none_match_hits, part};
+use crate::http::problem::Failure;
+use crate::jobs::JobsError;
+use axum::body::Body;
+use axum::extract::{Path, RawQuery, State};
+use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use bytes::Bytes;
+
+pub async fn mesh(
+    State(app): State<App>,
+    Path(id): Path<String>,
+    RawQuery(query): RawQuery,
+    headers: HeaderMap,
+) -> Result<Response, Failure> {
+    let id = checked(&id)?;
+    let names = MeshFormat::ALL.map(MeshFormat::name);
+    let chosen = choose(query.as_deref(), &headers, &names, &MeshFormat::ALL.map(MeshFormat::media_type))?;
+    let format = MeshFormat::ALL[chosen];
+    let bytes =
+        app.jobs.convert(id, None, move |archive| format.encode(archive).map_err(JobsError::Unwritable)).await?;
+    Ok(file(&headers, bytes, format.media_type(), &format!("{id}.{}", format.name())))
+}
+
+pub async fn pattern(
+    State(app): State<App>,
+    Path(id): Path<String>,
+    RawQuery(query): RawQuery,
+    headers: HeaderMap,
+) -> Result<Response, Failure> {
+    let id = checked(&id)?;
+    let names = PatternFormat::ALL.map(PatternFormat::name);
+    let chosen = choose(query.as_deref(), &headers, &names, &PatternFormat::ALL.map(PatternFormat::media_type))?;
+    let format = PatternFormat::ALL[chosen];
+    let bytes = app.jobs.convert(id, None, move |archive| format.encode(archive).ok_or(JobsError::NoPattern)).await?;
+    Ok(file(&headers, bytes, format.media_type(), &format!("{id}.{}", format.name())))
+}
+
+/// `?format=` beats `Accept`; without either the first format that is offered.
+fn choose(query: Option<&str>, headers: &HeaderMap, names: &[&str], media_types: &[&str]) -> Result<usize, Failure> {
+    let [format] = parameters(query, ["format"])?;
+    match format {
+        Some(name) => {
+            let known = || Failure::bad_query(format!("format must be one of: {}", names.join(", ")));
+            names.iter().position(|known| *known == name).ok_or_else(known)
+        }
+        None => accepted(headers, media_types)
+            .ok_or_else(|| Failure::not_acceptable(format!("offered are: {}", media_types.join(", ")))),
+    }
+}
+
+fn file(headers: &HeaderMap, bytes: Vec<u8>, media_type: &'static str, name: &str) -> Response {
+    let tag = entity_tag(&bytes);
+    let bytes = Bytes::from(bytes);
+    let length = bytes.len();
+    let mut response = if none_match_hits(headers, &tag) {
+        StatusCode::NOT_MODIFIED.into_response()
+    } else {
+        match part(headers, length, &tag) {
+            Part::Whole => Response::new(Body::from(bytes)),
+            Part::Range(range) => {
+                let content_range = format!("bytes {}-{}/{length}", range.start, range.end - 1);
+                let mut response = (StatusCode::PARTIAL_CONTENT, Body::from(bytes.slice(range))).into_response();
+                insert(&mut response, header::CONTENT_RANGE, &content_range);
+                response
+            }
+            Part::Unsatisfiable => {
+                let failure = Failure::range_not_satisfiable(format!("the file has {length} bytes"));
+                let mut response = failure.into_response();
+                insert(&mut response, header::CONTENT_RANGE, &format!("bytes */{length}"));
+                return response;
+            }
+        }
+    };
+    if response.status() != StatusCode::NOT_MODIFIED {
+        insert(&mut response, header::CONTENT_TYPE, media_type);
+        insert(&mut response, header::CONTENT_DISPOSITION, &format!("attachment; filename=\"{name}\""));
+        insert(&mut response, header::ACCEPT_RANGES, "bytes");
+    }
+    insert(&mut response, header::ETAG, &tag);
+    insert(&mut response, header::VARY, "Accept");
+    // A job's mesh never changes; who may read it is for the server to say each time.
+    insert(&mut response, header::CACHE_CONTROL, "private, no-cache");
+    response
+}
+
+fn insert(response: &mut Response, name: header::HeaderName, value: &str) {
+    if let Ok(value) = HeaderValue::from_str(value) {
+        response.headers_mut().insert(name, value);
+    }
+}

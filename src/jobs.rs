@@ -1,0 +1,289 @@
+//! Jobs: what is submitted, what becomes of it, and the workers that see to it.
+//!
+//! A job's life: `queued` -> `running` -> `succeeded` | `failed` | `cancelled`; a queued or running job may be cancelled at
+//! once, and a running one whose worker died goes back to `queued`. The store makes every transition, in one transaction each;
+//! this module decides which.
+
+pub mod progress;
+pub mod queue;
+pub mod solve;
+pub mod worker;
+
+use crate::config::Config;
+use crate::export::archive::Defect;
+use crate::export::{Archive, Error as ExportError};
+use crate::store::{Counts, Filter, JobRow, JobWatch, Lookup, Store, StoreError};
+use crate::wire::job::{Job, JobError, JobList, JobWarning, Links, Progress, Status};
+use crate::wire::{Kind, Rejection};
+use progress::Running;
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::sync::{Semaphore, watch};
+
+/// Why `jobs` did not do as asked.
+#[derive(Debug)]
+pub enum JobsError {
+    /// The body is not a request that can be worked on.
+    Rejected(Rejection),
+    /// The queue, or the owner's share of it, is full.
+    QueueFull {
+        own: bool,
+    },
+    /// The idempotency key was used with another body.
+    KeyConflict,
+    NotFound,
+    Expired,
+    /// The job has not succeeded, or its kind has no such file.
+    NoMesh(Status),
+    /// Only open ruled surfaces have a flat pattern.
+    NoPattern,
+    /// The mesh cannot be written in the format.
+    Unwritable(ExportError),
+    /// The store cannot take or give anything now.
+    Unavailable(String),
+    /// A defect.
+    Internal(String),
+}
+
+impl From<StoreError> for JobsError {
+    fn from(error: StoreError) -> Self {
+        match error {
+            StoreError::QueueFull { own } => Self::QueueFull { own },
+            StoreError::NoSpace(text) | StoreError::Unavailable(text) | StoreError::Contended(text) => {
+                tracing::warn!(error = %text, "the store is unavailable");
+                Self::Unavailable("the store cannot be reached or is full; try again".into())
+            }
+            other => {
+                tracing::error!(error = %other, "the store failed");
+                Self::Internal("the store failed".into())
+            }
+        }
+    }
+}
+
+impl From<Defect> for JobsError {
+    fn from(defect: Defect) -> Self {
+        tracing::error!(error = %defect, "a stored mesh cannot be read");
+        Self::Internal("a stored mesh cannot be read".into())
+    }
+}
+
+/// A handle of the jobs; clones share it.
+#[derive(Clone, Debug)]
+pub struct Jobs(Arc<Inner>);
+
+#[derive(Debug)]
+struct Inner {
+    store: Store,
+    config: Arc<Config>,
+    /// Jobs that run in this process.
+    running: Running,
+    shutdown: watch::Sender<bool>,
+    /// Bodies parsed and meshes converted at once, so that neither can take every core from the solvers and the server.
+    conversions: Semaphore,
+}
+
+impl Jobs {
+    #[must_use]
+    pub fn new(store: Store, config: Arc<Config>) -> Self {
+        let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        Self(Arc::new(Inner {
+            store,
+            config,
+            running: Running::default(),
+            shutdown: watch::Sender::new(false),
+            conversions: Semaphore::new(cores.max(2)),
+        }))
+    }
+
+    /// No new claims from now on; running jobs get the grace time and are then handed back.
+    pub fn shut_down(&self) {
+        self.0.shutdown.send_replace(true);
+    }
+
+    #[must_use]
+    pub fn is_shutting_down(&self) -> bool {
+        *self.0.shutdown.borrow()
+    }
+
+    /// Resolves once a shutdown was asked for.
+    pub async fn shutdown(&self) {
+        // The sender lives as long as `self`.
+        let _ = self.0.shutdown.subscribe().wait_for(|down| *down).await;
+    }
+
+    /// # Errors
+    /// [`JobsError::Unavailable`] if the store does not answer.
+    pub async fn check_store(&self) -> Result<(), JobsError> {
+        Ok(self.0.store.ping().await?)
+    }
+
+    /// # Errors
+    /// As the store.
+    pub async fn counts(&self) -> Result<Counts, JobsError> {
+        Ok(self.0.store.counts().await?)
+    }
+
+    /// # Errors
+    /// [`JobsError::NotFound`] or [`JobsError::Expired`], else as the store.
+    pub async fn get(&self, id: &str, owner: Option<&str>) -> Result<Job, JobsError> {
+        view(&*found(self.0.store.get(id, owner).await?)?)
+    }
+
+    /// The job as it is when it ends or the wait is over, whichever is first.
+    ///
+    /// # Errors
+    /// As [`Jobs::get`]; [`JobsError::NotFound`] too if the job is deleted meanwhile.
+    pub async fn wait(&self, id: &str, owner: Option<&str>, wait: Duration) -> Result<Job, JobsError> {
+        let mut watch = self.watch(id, owner).await?;
+        match tokio::time::timeout(wait, watch.ended()).await {
+            Ok(Some(row)) => view(&row),
+            Ok(None) => Err(JobsError::NotFound),
+            Err(_) => self.get(id, owner).await,
+        }
+    }
+
+    /// # Errors
+    /// As [`Jobs::get`].
+    pub async fn watch(&self, id: &str, owner: Option<&str>) -> Result<JobWatch, JobsError> {
+        self.0.store.watch(id, owner).await?.map_err(|lookup| match lookup {
+            Lookup::Expired => JobsError::Expired,
+            Lookup::Found(_) | Lookup::Missing => JobsError::NotFound,
+        })
+    }
+
+    /// # Errors
+    /// As the store.
+    pub async fn list(&self, filter: &Filter, limit: u32, cursor: Option<&str>) -> Result<JobList, JobsError> {
+        let (rows, next_cursor) = self.0.store.list(filter, limit, cursor).await?;
+        Ok(JobList { jobs: rows.iter().map(view).collect::<Result<_, _>>()?, next_cursor })
+    }
+
+    /// Cancels a queued or running job at once; any other is returned unchanged.
+    ///
+    /// # Errors
+    /// As [`Jobs::get`].
+    pub async fn cancel(&self, id: &str, owner: Option<&str>) -> Result<Job, JobsError> {
+        let job = view(&*found(self.0.store.cancel(id, owner).await?)?)?;
+        if job.status == Status::Cancelled {
+            self.0.running.cancel(id);
+        }
+        Ok(job)
+    }
+
+    /// Cancels a job if needed, and removes it with its mesh.
+    ///
+    /// # Errors
+    /// As [`Jobs::get`].
+    pub async fn delete(&self, id: &str, owner: Option<&str>) -> Result<(), JobsError> {
+        if self.0.store.delete(id, owner).await? {
+            self.0.running.cancel(id);
+            return Ok(());
+        }
+        Err(match self.0.store.get(id, owner).await? {
+            Lookup::Expired => JobsError::Expired,
+            Lookup::Found(_) | Lookup::Missing => JobsError::NotFound,
+        })
+    }
+
+    /// A file made from a succeeded job's mesh, off the async threads, a bounded number at once.
+    ///
+    /// # Errors
+    /// As [`Jobs::get`]; [`JobsError::NoMesh`] unless the job has succeeded; what `convert` says.
+    pub async fn convert(
+        &self,
+        id: &str,
+        owner: Option<&str>,
+        convert: impl FnOnce(&Archive) -> Result<Vec<u8>, JobsError> + Send + 'static,
+    ) -> Result<Vec<u8>, JobsError> {
+        let row = found(self.0.store.get(id, owner).await?)?;
+        let status = status(&row);
+        if status != Status::Succeeded {
+            return Err(JobsError::NoMesh(status));
+        }
+        let artefact = self.0.store.artefact(id, owner).await?.ok_or(JobsError::NotFound)?;
+        self.off_runtime(move || convert(&Archive::from_bytes(&artefact.bytes)?)).await?
+    }
+
+    /// Runs something that computes for more than a moment where it stalls nobody.
+    async fn off_runtime<T: Send + 'static>(&self, work: impl FnOnce() -> T + Send + 'static) -> Result<T, JobsError> {
+        let _slot = self.0.conversions.acquire().await.map_err(|error| JobsError::Internal(error.to_string()))?;
+        tokio::task::spawn_blocking(work).await.map_err(|error| {
+            tracing::error!(%error, "a conversion panicked");
+            JobsError::Internal("a conversion ran into a defect of this server".into())
+        })
+    }
+}
+
+fn found(lookup: Lookup) -> Result<Box<JobRow>, JobsError> {
+    match lookup {
+        Lookup::Found(row) => Ok(row),
+        Lookup::Expired => Err(JobsError::Expired),
+        Lookup::Missing => Err(JobsError::NotFound),
+    }
+}
+
+fn status(row: &JobRow) -> Status {
+    use crate::store::Status as Stored;
+    match row.status {
+        Stored::Queued => Status::Queued,
+        Stored::Running => Status::Running,
+        Stored::Succeeded => Status::Succeeded,
+        Stored::Failed => Status::Failed,
+        Stored::Cancelled => Status::Cancelled,
+    }
+}
+
+/// A row as a client sees it.
+///
+/// # Errors
+/// [`JobsError::Internal`] if the row holds what this version does not know.
+pub fn view(row: &JobRow) -> Result<Job, JobsError> {
+    let unreadable = |what: &str| JobsError::Internal(format!("the stored job's {what} cannot be read"));
+    let kind = Kind::from_name(&row.kind).ok_or_else(|| unreadable("kind"))?;
+    let status = status(row);
+    let statistics: Option<Value> = read(row.statistics.as_deref()).map_err(|()| unreadable("statistics"))?;
+    let progress: Option<Progress> = read(row.progress.as_deref()).map_err(|()| unreadable("progress"))?;
+    let warnings: Vec<JobWarning> = read(Some(&row.warnings)).map_err(|()| unreadable("warnings"))?.unwrap_or_default();
+    let error: Option<JobError> = read(row.error.as_deref()).map_err(|()| unreadable("error"))?;
+    let progress = match (status, &statistics) {
+        (Status::Succeeded, Some(statistics)) => finished_progress(statistics),
+        _ => progress.unwrap_or_else(|| Progress { phase: status.name().into(), ..Progress::default() }),
+    };
+    Ok(Job {
+        links: Links::of(&row.id, kind),
+        id: row.id.clone(),
+        kind,
+        status,
+        created_at: timestamp(row.created_at_ms),
+        started_at: row.started_at_ms.map(timestamp),
+        finished_at: row.finished_at_ms.map(timestamp),
+        expires_at: row.expires_at_ms.map(timestamp),
+        progress,
+        statistics,
+        warnings,
+        error,
+    })
+}
+
+/// The last word on progress is what the statistics say.
+fn finished_progress(statistics: &Value) -> Progress {
+    Progress {
+        fraction: 1.0,
+        phase: "finished".into(),
+        iteration: statistics["iterations"].as_u64().unwrap_or(0),
+        objective_value: statistics["objective_value"].as_f64(),
+        residual: statistics["residual"].as_f64(),
+    }
+}
+
+fn read<T: DeserializeOwned>(text: Option<&str>) -> Result<Option<T>, ()> {
+    text.map(|text| serde_json::from_str(text).map_err(|_| ())).transpose()
+}
+
+/// Milliseconds since 1970 as RFC 3339 in UTC.
+fn timestamp(at_ms: i64) -> String {
+    jiff::Timestamp::from_millisecond(at_ms).map_or_else(|_| String::new(), |at| format!("{at:.3}"))
+}

@@ -1,0 +1,148 @@
+//! Request -> geometry -> artefact: the one place where a solver is called for a job or for the command line.
+
+use crate::export::archive::Contents;
+use crate::export::{Archive, Fold, LineSet, Lines, MeanCurvature, Pattern, Piece, Polyline, Unit, UpAxis as ExportUp};
+use crate::wire::Request;
+use crate::wire::common::{Units, UpAxis};
+use crate::wire::minimal_surface::{MinimalStatistics, MinimalSurfaceRequest};
+use crate::wire::ruled_surface::{RuledStatistics, RuledSurfaceRequest};
+use plateau_geometry::error::Warning;
+use plateau_geometry::mesh::measure::double_area_vector;
+use plateau_geometry::minimal_surface::{self, StopReason};
+use plateau_geometry::ruled_surface::{self, FlatPattern};
+use plateau_geometry::{DVec3, Error, Execution, Mesh, polyline};
+use serde::Serialize;
+use serde_json::Value;
+
+/// A solved request.
+#[derive(Debug)]
+pub struct Solved {
+    pub statistics: Value,
+    pub warnings: Vec<Warning>,
+    pub archive: Archive,
+    /// Whether the same request always gives this result (not when a deadline cut it short).
+    pub reproducible: bool,
+}
+
+/// Solves a request on the calling thread.
+///
+/// # Errors
+/// As the solver of its kind.
+pub fn solve(request: &Request, exec: &Execution) -> Result<Solved, Error> {
+    match request {
+        Request::RuledSurface(request) => ruled(request, exec),
+        Request::MinimalSurface(request) => minimal(request, exec),
+    }
+}
+
+fn generator() -> String {
+    concat!("plateau ", env!("CARGO_PKG_VERSION")).into()
+}
+
+fn units(units: Units) -> Unit {
+    match units {
+        Units::Mm => Unit::Millimetre,
+        Units::Cm => Unit::Centimetre,
+        Units::M => Unit::Metre,
+        Units::In => Unit::Inch,
+        Units::Ft => Unit::Foot,
+    }
+}
+
+fn up(up: UpAxis) -> ExportUp {
+    match up {
+        UpAxis::Z => ExportUp::Z,
+        UpAxis::Y => ExportUp::Y,
+    }
+}
+
+fn line_set(name: &str, lines: Lines) -> LineSet {
+    LineSet { name: name.into(), group: String::new(), lines }
+}
+
+fn polylines(of: &[Vec<u32>], closed: bool) -> Lines {
+    Lines::Polylines(of.iter().map(|vertices| Polyline { vertices: vertices.clone(), closed }).collect())
+}
+
+/// Statistics as JSON. A figure that is not finite has no JSON form; it would be a solver's defect and becomes null.
+fn to_json(statistics: &impl Serialize) -> Result<Value, Error> {
+    serde_json::to_value(statistics).map_err(|error| Error::no_result("internal", error.to_string()))
+}
+
+fn archive(contents: Contents) -> Result<Archive, Error> {
+    Archive::new(contents).map_err(|defect| Error::no_result("invalid_mesh", defect.to_string()))
+}
+
+fn minimal(request: &MinimalSurfaceRequest, exec: &Execution) -> Result<Solved, Error> {
+    let (boundaries, options) = request.to_geometry();
+    let surface = minimal_surface::solve(&boundaries, &options, exec)?;
+    let statistics = to_json(&MinimalStatistics::from(&surface.statistics))?;
+    let points: Vec<DVec3> = boundaries.into_iter().flatten().collect();
+    let centre = polyline::mean(&points);
+    let radius = points.iter().map(|point| point.distance(centre)).fold(0.0, f64::max);
+    let archive = archive(Contents {
+        generator: generator(),
+        title: "minimal surface".into(),
+        unit: units(request.units),
+        up: up(request.up),
+        mesh: surface.mesh,
+        mean_curvature: Some(MeanCurvature {
+            values: surface.mean_curvature,
+            least_range: if radius > 0.0 { options.tolerance / radius } else { 0.0 },
+        }),
+        line_sets: vec![line_set("boundaries", polylines(&surface.boundaries, true))],
+        input_vertices: surface.input_vertices,
+        statistics: statistics.to_string(),
+        pattern: None,
+    })?;
+    let reproducible = surface.statistics.stop_reason != StopReason::Deadline;
+    Ok(Solved { statistics, warnings: surface.warnings, archive, reproducible })
+}
+
+fn ruled(request: &RuledSurfaceRequest, exec: &Execution) -> Result<Solved, Error> {
+    let (directrices, options) = request.to_geometry();
+    let surface = ruled_surface::solve(&directrices, &options, exec)?;
+    let statistics = to_json(&RuledStatistics::of(&surface, &options))?;
+    let pattern = surface.flat_pattern.as_ref().map(|flat| pattern(flat, &surface.mesh));
+    let archive = archive(Contents {
+        generator: generator(),
+        title: "ruled surface".into(),
+        unit: units(request.units),
+        up: up(request.up),
+        mesh: surface.mesh,
+        mean_curvature: None,
+        line_sets: vec![
+            line_set("directrices", polylines(&surface.directrices, options.closed)),
+            line_set("bridges", Lines::Segments { pairs: surface.bridges, values: None }),
+        ],
+        input_vertices: surface.input_vertices,
+        statistics: statistics.to_string(),
+        pattern,
+    })?;
+    Ok(Solved { statistics, warnings: surface.warnings, archive, reproducible: true })
+}
+
+/// The flat strips as pieces to cut and fold. The mesh's triangles are in the order of the strips' own.
+fn pattern(flat: &FlatPattern, mesh: &Mesh) -> Pattern {
+    let mut first = 0;
+    let pieces = flat.strips.iter().enumerate().map(|(number, strip)| {
+        let triangles = &mesh.triangles[first..first + strip.triangles.len()];
+        first += strip.triangles.len();
+        let inner = strip.bridges.get(1..strip.bridges.len().saturating_sub(1)).unwrap_or_default();
+        let folds = inner.iter().zip(triangles.windows(2)).map(|(&[i, j], pair)| Fold {
+            ends: [strip.p[i as usize], strip.q[j as usize]],
+            angle_deg: fold_angle(mesh, pair[0], pair[1]).to_degrees(),
+        });
+        Piece { name: format!("strip {}", number + 1), outline: strip.outline(), folds: folds.collect() }
+    });
+    Pattern { pieces: pieces.collect() }
+}
+
+/// The angle between two neighbouring triangles' normals, positive at a ridge seen from the side that they point to.
+fn fold_angle(mesh: &Mesh, left: [u32; 3], right: [u32; 3]) -> f64 {
+    let normals = [left, right].map(|triangle| double_area_vector(mesh.corners(triangle)));
+    let angle = normals[0].cross(normals[1]).length().atan2(normals[0].dot(normals[1]));
+    let beyond = right.into_iter().find(|vertex| !left.contains(vertex)).unwrap_or(right[0]);
+    let height = normals[0].dot(mesh.vertices[beyond as usize] - mesh.vertices[left[0] as usize]);
+    if height > 0.0 { -angle } else { angle }
+}

@@ -1,0 +1,240 @@
+//! Workers: claim a job, run its solver on a thread of its own, renew the claim, store the outcome.
+
+use super::Jobs;
+use super::progress::Line;
+use super::solve::{self, Solved};
+use crate::store::{Claimed, Outcome, Renewed};
+use crate::telemetry::metric;
+use crate::wire::job::{JobError, JobWarning};
+use crate::wire::{FieldError, Kind, Rejection, Request};
+use plateau_geometry::{Error as GeometryError, Execution, Interruption};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use tokio::sync::oneshot;
+use tracing::Instrument;
+
+/// Solvers may recurse (sparse orderings, Delaunay walks); address space is cheap.
+const STACK_BYTES: usize = 64 << 20;
+/// A worker that was told of no work looks for some this often.
+const IDLE_POLL: Duration = Duration::from_secs(1);
+
+/// Works until a shutdown is asked for. Any number of these may run, here and in other processes.
+pub async fn run(jobs: Jobs, name: String) {
+    let lease = Duration::from_millis(jobs.0.config.jobs.lease_ms);
+    let mut work = jobs.0.store.work_signal();
+    while !jobs.is_shutting_down() {
+        work.borrow_and_update();
+        let pause = match jobs.0.store.claim(&name, lease).await {
+            Ok(Some(claimed)) => {
+                let span =
+                    tracing::info_span!("job", job_id = %claimed.id, kind = %claimed.kind, attempt = claimed.attempt);
+                attempt(&jobs, claimed).instrument(span).await;
+                continue;
+            }
+            Ok(None) => IDLE_POLL,
+            Err(error) => {
+                tracing::warn!(%error, worker = %name, "cannot claim a job");
+                IDLE_POLL
+            }
+        };
+        tokio::select! {
+            _ = work.changed() => {}
+            () = tokio::time::sleep(pause) => {}
+            () = jobs.shutdown() => {}
+        }
+    }
+}
+
+/// How a solver's thread ended.
+enum Ended {
+    Solved(Box<Solved>),
+    Failed(GeometryError),
+    Rejected(Rejection),
+    Panicked,
+}
+
+async fn attempt(jobs: &Jobs, claimed: Claimed) {
+    let started = Instant::now();
+    let config = &jobs.0.config.jobs;
+    let line = Arc::new(Line::new(Duration::from_millis(config.deadline_ms)));
+    jobs.0.running.insert(&claimed.id, line.clone());
+    metrics::gauge!(metric::RUNNING).increment(1.0);
+    tracing::info!("started");
+    let handed_back = supervise(jobs, &claimed, &line).await;
+    jobs.0.running.remove(&claimed.id, &line);
+    metrics::gauge!(metric::RUNNING).decrement(1.0);
+    let status = match handed_back {
+        End::HandedBack => return,
+        End::Dropped => "dropped",
+        End::Finished(status) => status,
+    };
+    let elapsed = started.elapsed();
+    tracing::info!(status, elapsed_ms = elapsed.as_secs_f64() * 1e3, "ended");
+    metrics::counter!(metric::JOBS, "kind" => claimed.kind.clone(), "status" => status).increment(1);
+    metrics::histogram!(metric::SOLVE_SECONDS, "kind" => claimed.kind).record(elapsed.as_secs_f64());
+}
+
+enum End {
+    Finished(&'static str),
+    /// The job was cancelled, deleted or taken over: its outcome is nobody's.
+    Dropped,
+    HandedBack,
+}
+
+/// Runs the solver and keeps the claim alive until it ends.
+async fn supervise(jobs: &Jobs, claimed: &Claimed, line: &Arc<Line>) -> End {
+    let config = &jobs.0.config;
+    let store = &jobs.0.store;
+    let (id, number) = (claimed.id.as_str(), claimed.attempt);
+    let lease = Duration::from_millis(config.jobs.lease_ms);
+    let mut solver = spawn_solver(jobs, claimed, line.clone());
+    let mut renewal = tokio::time::interval_at(tokio::time::Instant::now() + lease / 3, lease / 3);
+    let tick = Duration::from_millis(config.jobs.progress_interval_ms.max(10));
+    let mut progress = tokio::time::interval_at(tokio::time::Instant::now() + tick, tick);
+    progress.set_missed_tick_behavior(tokio::time::MissedTickBehavior::Delay);
+    let mut held_until = Instant::now() + lease;
+    let grace = async {
+        jobs.shutdown().await;
+        tokio::time::sleep(Duration::from_millis(config.http.shutdown_grace_ms)).await;
+    };
+    let mut grace = std::pin::pin!(grace);
+    let ended = loop {
+        let renewed = tokio::select! {
+            ended = &mut solver => break ended.unwrap_or(Ended::Panicked),
+            _ = progress.tick() => match line.take() {
+                // A progress is strings and finite numbers only.
+                Some(progress) => store.progress(id, number, &serde_json::to_string(&progress).unwrap_or_default()).await,
+                None => continue,
+            },
+            _ = renewal.tick() => {
+                let renewed = store.renew(id, number, lease).await;
+                if matches!(renewed, Ok(Renewed::Held)) {
+                    held_until = Instant::now() + lease;
+                }
+                renewed
+            }
+            () = &mut grace => {
+                line.stop();
+                let _ = (&mut solver).await;
+                return match store.hand_back(id, number).await {
+                    Ok(true) => { tracing::info!("handed back"); End::HandedBack }
+                    Ok(false) => End::Dropped,
+                    Err(error) => { tracing::warn!(%error, "cannot hand the job back; its lease will run out"); End::HandedBack }
+                };
+            }
+        };
+        match renewed {
+            Ok(Renewed::Held) => {}
+            Ok(Renewed::Cancelled | Renewed::Lost) => line.stop(),
+            Err(error) => {
+                tracing::warn!(%error, "cannot reach the store");
+                if Instant::now() > held_until {
+                    // Another worker may have the job by now.
+                    line.stop();
+                }
+            }
+        }
+    };
+    let (status, outcome) = match outcome(ended) {
+        Some(outcome) => outcome,
+        None => return End::Dropped,
+    };
+    // A result in hand is worth some patience with the store; the fence makes trying again safe.
+    for pause_ms in [50, 200, 1000, 3000, 0] {
+        match store.finish(id, number, outcome.clone()).await {
+            Ok(true) => return End::Finished(status),
+            Ok(false) => return End::Dropped,
+            Err(error) => tracing::warn!(%error, "cannot store the outcome"),
+        }
+        tokio::time::sleep(Duration::from_millis(pause_ms)).await;
+    }
+    End::Dropped
+}
+
+fn spawn_solver(jobs: &Jobs, claimed: &Claimed, line: Arc<Line>) -> oneshot::Receiver<Ended> {
+    let (sender, receiver) = oneshot::channel();
+    let kind = Kind::from_name(&claimed.kind);
+    let request = claimed.request.clone();
+    let limits = jobs.0.config.limits.clone();
+    let span = tracing::Span::current();
+    let work = move || {
+        let _entered = span.enter();
+        let solve = std::panic::AssertUnwindSafe(|| {
+            let Some(kind) = kind else {
+                return Ended::Failed(GeometryError::no_result(
+                    "unknown_kind",
+                    "this version does not know this kind of job",
+                ));
+            };
+            let request = match Request::read(kind, &request, &limits) {
+                Ok((request, _)) => request,
+                Err(rejection) => return Ended::Rejected(rejection),
+            };
+            let (signal, report) = (|| line.signal(), |progress| line.report(progress));
+            match solve::solve(&request, &Execution::new(&signal, &report)) {
+                Ok(solved) => Ended::Solved(Box::new(solved)),
+                Err(error) => Ended::Failed(error),
+            }
+        });
+        let ended = std::panic::catch_unwind(solve).unwrap_or_else(|_| {
+            tracing::error!("the solver panicked");
+            Ended::Panicked
+        });
+        // Nobody listens any more if the server is going down.
+        let _ = sender.send(ended);
+    };
+    let spawned = std::thread::Builder::new().name("solver".into()).stack_size(STACK_BYTES).spawn(work);
+    if let Err(error) = spawned {
+        // The receiver sees a closed channel and the attempt fails.
+        tracing::error!(%error, "cannot start a solver thread");
+    }
+    receiver
+}
+
+/// The outcome to store; `None` if nobody wants one.
+fn outcome(ended: Ended) -> Option<(&'static str, Outcome)> {
+    let (kind, title, detail, errors) = match ended {
+        Ended::Solved(solved) => {
+            let warnings: Vec<JobWarning> = solved
+                .warnings
+                .iter()
+                .map(|warning| JobWarning { code: warning.code.into(), detail: warning.detail.clone() })
+                .collect();
+            let outcome = Outcome::Succeeded {
+                statistics: solved.statistics.to_string(),
+                // Warnings are strings only.
+                warnings: serde_json::to_string(&warnings).unwrap_or_else(|_| "[]".into()),
+                artefact: solved.archive.to_bytes(),
+                reusable: solved.reproducible,
+            };
+            return Some(("succeeded", outcome));
+        }
+        Ended::Failed(GeometryError::Interrupted(Interruption::Cancelled)) => return None,
+        Ended::Failed(GeometryError::Interrupted(Interruption::DeadlinePassed)) => {
+            let detail = "the deadline passed before there was a valid mesh; ask for a coarser one";
+            ("deadline".into(), "The deadline passed", detail.into(), Vec::new())
+        }
+        Ended::Failed(GeometryError::Input(errors)) => {
+            let errors: Vec<FieldError> = errors.iter().take(crate::wire::MAX_ERRORS).map(FieldError::from).collect();
+            ("invalid-geometry".into(), "The geometry cannot be worked on", "see errors".into(), errors)
+        }
+        Ended::Failed(GeometryError::NoResult { reason, detail, places }) => {
+            let errors = places.iter().take(crate::wire::MAX_ERRORS).map(FieldError::from).collect();
+            (reason.replace('_', "-"), "No valid mesh came out", detail, errors)
+        }
+        Ended::Rejected(rejection) => {
+            let errors = match rejection {
+                Rejection::Malformed(_) => Vec::new(),
+                Rejection::Invalid(errors) | Rejection::TooLarge(errors) => errors,
+            };
+            ("refused".into(), "This worker's limits or version do not take the request", "see errors".into(), errors)
+        }
+        Ended::Panicked => {
+            let detail = "the solver ran into a defect of this server; the request is not to blame";
+            ("solver-panicked".into(), "The solver failed", detail.into(), Vec::new())
+        }
+    };
+    let error = JobError { kind: format!("/problems/{kind}"), title: title.into(), detail, errors };
+    // An error is strings only.
+    Some(("failed", Outcome::Failed { error: serde_json::to_string(&error).unwrap_or_default() }))
+}

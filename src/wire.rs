@@ -1,0 +1,156 @@
+//! Request and result types: Rust types -> JSON Schema -> OpenAPI, and between the wire and the geometry.
+//!
+//! One source of truth for a body: the schema derived from the Rust types is published in the OpenAPI document, and bodies are
+//! validated against that very schema (every error with its JSON Pointer) before serde reads them. What a schema cannot say
+//! (too few distinct points, a directrix pair of two single points) is checked next, and what only the geometry knows is
+//! asked of the geometry's own checks. Nothing but this module knows both wire names and geometry types.
+
+pub mod common;
+pub mod job;
+pub mod json;
+pub mod minimal_surface;
+pub mod objectives;
+pub mod ruled_surface;
+pub mod schema;
+
+use crate::config::LimitsConfig;
+use plateau_geometry::{Error as GeometryError, InputError};
+use serde_json::Value;
+
+/// At most this many errors of one body are listed.
+pub const MAX_ERRORS: usize = 50;
+
+/// One offending value of a body. Values are never echoed.
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+pub struct FieldError {
+    /// JSON Pointer (RFC 6901) to the offending value.
+    pub pointer: String,
+    /// What is wrong with it.
+    pub detail: String,
+}
+
+impl FieldError {
+    pub fn new(pointer: impl Into<String>, detail: impl Into<String>) -> Self {
+        Self { pointer: pointer.into(), detail: detail.into() }
+    }
+}
+
+impl From<&InputError> for FieldError {
+    fn from(error: &InputError) -> Self {
+        Self::new(error.place.to_string(), error.detail.clone())
+    }
+}
+
+/// Why a body is not taken.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Rejection {
+    /// Not JSON, or an object repeats a key.
+    Malformed(String),
+    /// JSON, but not a request that can be worked on.
+    Invalid(Vec<FieldError>),
+    /// A request that would be fine on a server with larger limits.
+    TooLarge(Vec<FieldError>),
+}
+
+impl From<GeometryError> for Rejection {
+    fn from(error: GeometryError) -> Self {
+        match error {
+            GeometryError::Input(errors) => Self::Invalid(errors.iter().map(FieldError::from).collect()),
+            other => Self::Invalid(vec![FieldError::new("", other.to_string())]),
+        }
+    }
+}
+
+/// What a request asks for.
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize, schemars::JsonSchema,
+)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    RuledSurface,
+    MinimalSurface,
+}
+
+impl Kind {
+    pub const ALL: [Self; 2] = [Self::RuledSurface, Self::MinimalSurface];
+
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::RuledSurface => "ruled_surface",
+            Self::MinimalSurface => "minimal_surface",
+        }
+    }
+
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.name() == name)
+    }
+
+    /// The path that takes requests of this kind.
+    #[must_use]
+    pub fn path(self) -> &'static str {
+        match self {
+            Self::RuledSurface => "/v1/ruled-surfaces",
+            Self::MinimalSurface => "/v1/minimal-surfaces",
+        }
+    }
+}
+
+/// A request that passed every check that can be made before the work.
+#[derive(Clone, Debug)]
+pub enum Request {
+    RuledSurface(Box<ruled_surface::RuledSurfaceRequest>),
+    MinimalSurface(Box<minimal_surface::MinimalSurfaceRequest>),
+}
+
+impl Request {
+    /// Reads a body of a known kind: syntax, schema, types, limits, geometry, in this order.
+    ///
+    /// # Errors
+    /// The first stage that fails reports all it found, at most [`MAX_ERRORS`] and one more (so that a reader knows that some were left out).
+    pub fn read(kind: Kind, body: &[u8], limits: &LimitsConfig) -> Result<(Self, Value), Rejection> {
+        let value = json::parse(body)?;
+        let request = Self::from_value(kind, &value, limits)?;
+        Ok((request, value))
+    }
+
+    /// Reads a body that names its kind itself, as `plateau solve` takes it.
+    ///
+    /// # Errors
+    /// As [`Request::read`]; a missing or unknown `kind` is an error at `/kind`.
+    pub fn read_with_kind(body: &[u8], limits: &LimitsConfig) -> Result<(Kind, Self), Rejection> {
+        let value = json::parse(body)?;
+        let kind = value.get("kind").and_then(Value::as_str).and_then(Kind::from_name).ok_or_else(|| {
+            let names = Kind::ALL.map(Kind::name).join(", ");
+            Rejection::Invalid(vec![FieldError::new("/kind", format!("must be one of: {names}"))])
+        })?;
+        Ok((kind, Self::from_value(kind, &value, limits)?))
+    }
+
+    /// # Errors
+    /// As [`Request::read`].
+    pub fn from_value(kind: Kind, value: &Value, limits: &LimitsConfig) -> Result<Self, Rejection> {
+        schema::validate(kind, value)?;
+        match kind {
+            Kind::RuledSurface => {
+                let request: ruled_surface::RuledSurfaceRequest = schema::deserialize(value)?;
+                request.check(limits)?;
+                Ok(Self::RuledSurface(Box::new(request)))
+            }
+            Kind::MinimalSurface => {
+                let request: minimal_surface::MinimalSurfaceRequest = schema::deserialize(value)?;
+                request.check(limits)?;
+                Ok(Self::MinimalSurface(Box::new(request)))
+            }
+        }
+    }
+
+    #[must_use]
+    pub fn kind(&self) -> Kind {
+        match self {
+            Self::RuledSurface(_) => Kind::RuledSurface,
+            Self::MinimalSurface(_) => Kind::MinimalSurface,
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! Reading a JSON body into a value, strictly.
+//!
+//! Promised: duplicate keys are refused, a number that is not finite in f64 is refused with its pointer, and an integral
+//! number is an integer however it was written (`2050.0` is 2050; -0.0 stays a float). Nesting is bounded by serde_json (128).
+
+use super::{FieldError, Rejection};
+use serde::de::{DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor};
+use serde_json::{Map, Number, Value};
+use std::fmt;
+
+/// Parses a body.
+///
+/// # Errors
+/// [`Rejection::Malformed`] if it is not JSON or repeats a key, [`Rejection::Invalid`] if a number overflows f64.
+pub fn parse(body: &[u8]) -> Result<Value, Rejection> {
+    let mut deserializer = serde_json::Deserializer::from_slice(body);
+    let outcome = Strict.deserialize(&mut deserializer).and_then(|value| deserializer.end().map(|()| value));
+    outcome.map_err(|error| {
+        let text = error.to_string();
+        if text.starts_with("number out of range") {
+            let pointer = pointer_at(body, offset_of(body, error.line(), error.column()));
+            return Rejection::Invalid(vec![FieldError::new(
+                pointer,
+                "is not a finite number in 64-bit floating point",
+            )]);
+        }
+        Rejection::Malformed(text)
+    })
+}
+
+fn offset_of(body: &[u8], line: usize, column: usize) -> usize {
+    let start: usize = body.split_inclusive(|&byte| byte == b'\n').take(line.saturating_sub(1)).map(<[u8]>::len).sum();
+    (start + column).min(body.len())
+}
+
+/// The JSON Pointer of the value that byte `end` lies in. The text before `end` is known to be well-formed.
+fn pointer_at(body: &[u8], end: usize) -> String {
+    enum Level {
+        Array(usize),
+        Object(String),
+    }
+    let mut levels: Vec<Level> = Vec::new();
+    let mut at = 0;
+    while at < end {
+        match body[at] {
+            b'[' => levels.push(Level::Array(0)),
+            b'{' => levels.push(Level::Object(String::new())),
+            b']' | b'}' => {
+                levels.pop();
+            }
+            b',' => {
+                if let Some(Level::Array(index)) = levels.last_mut() {
+                    *index += 1;
+                }
+            }
+            b'"' => {
+                let start = at;
+                at += 1;
+                while at < end && body[at] != b'"' {
+                    at += if body[at] == b'\\' { 2 } else { 1 };
+                }
+                let is_key =
+                    body[(at + 1).min(body.len())..].iter().find(|byte| !byte.is_ascii_whitespace()) == Some(&b':');
+                if let (true, Some(Level::Object(key))) = (is_key, levels.last_mut()) {
+                    *key = serde_json::from_slice(&body[start..=at.min(body.len() - 1)]).unwrap_or_default();
+                }
+            }
+            _ => {}
+        }
+        at += 1;
+    }
+    levels
+        .iter()
+        .map(|level| match level {
+            Level::Array(index) => format!("/{index}"),
+            Level::Object(key) => format!("/{}", key.replace('~', "~0").replace('/', "~1")),
+        })
+        .collect()
+}
+
+struct Strict;
+
+impl<'de> DeserializeSeed<'de> for Strict {
+    type Value = Value;
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Value, D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Strict {
+    type Value = Value;
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a JSON value")
+    }
+    fn visit_bool<E>(self, value: bool) -> Result<Value, E> {
+        Ok(Value::Bool(value))
+    }
+    fn visit_i64<E>(self, value: i64) -> Result<Value, E> {
+        Ok(Value::Number(value.into()))
+    }
+    fn visit_u64<E>(self, value: u64) -> Result<Value, E> {
+        Ok(Value::Number(value.into()))
+    }
+    fn visit_f64<E>(self, value: f64) -> Result<Value, E> {
+        // Exact below 2^53; -0.0 keeps its sign by staying a float.
+        let integral = value.fract() == 0.0
+            && value.abs() < 9_007_199_254_740_992.0
+            && !(value == 0.0 && value.is_sign_negative());
+        let number = if integral { Some(Number::from(value as i64)) } else { Number::from_f64(value) };
+        Ok(number.map_or(Value::Null, Value::Number))
+    }
+    fn visit_str<E>(self, value: &str) -> Result<Value, E> {
+        Ok(Value::String(value.to_owned()))
+    }
+    fn visit_string<E>(self, value: String) -> Result<Value, E> {
+        Ok(Value::String(value))
+    }
+    fn visit_unit<E>(self) -> Result<Value, E> {
+        Ok(Value::Null)
+    }
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Value, A::Error> {
+        let mut list = Vec::new();
+        while let Some(value) = seq.next_element_seed(Strict)? {
+            list.push(value);
+        }
+        list.shrink_to_fit();
+        Ok(Value::Array(list))
+    }
+    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Value, A::Error> {
+        let mut map = Map::new();
+        while let Some(key) = entries.next_key::<String>()? {
+            if map.contains_key(&key) {
+                return Err(serde::de::Error::custom("an object repeats a key"));
+            }
+            map.insert(key, entries.next_value_seed(Strict)?);
+        }
+        Ok(Value::Object(map))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn a_repeated_key_is_malformed() {
+        assert!(
+            matches!(parse(br#"{"a":1,"a":2}"#), Err(Rejection::Malformed(text)) if text.contains("repeats a key"))
+        );
+    }
+
+    #[test]
+    fn an_overflowing_number_is_named_by_its_pointer() {
+        let body = br#"{"x/y": {"s": "a,[\"", "z": 1}, "boundaries": [[[0,0,0],
+            [1, 1e999, 0]]]}"#;
+        let Err(Rejection::Invalid(errors)) = parse(body) else { panic!("should be refused") };
+        assert_eq!(errors[0].pointer, "/boundaries/0/1/1");
+        let Err(Rejection::Invalid(errors)) = parse(br#"{"x/y": 1e999}"#) else { panic!("should be refused") };
+        assert_eq!(errors[0].pointer, "/x~1y");
+    }
+
+    #[test]
+    fn integral_floats_are_integers_and_minus_zero_keeps_its_sign() {
+        assert_eq!(parse(b"2050.0").unwrap(), Value::from(2050));
+        assert!(parse(b"-0.0").unwrap().as_f64().unwrap().is_sign_negative());
+    }
+
+    #[test]
+    fn deep_nesting_and_trailing_text_are_malformed() {
+        assert!(matches!(parse("[".repeat(100_000).as_bytes()), Err(Rejection::Malformed(_))));
+        assert!(matches!(parse(b"{} x"), Err(Rejection::Malformed(_))));
+    }
+
+    proptest! {
+        #[test]
+        fn any_bytes_are_read_or_refused(body in proptest::collection::vec(any::<u8>(), 0..200)) {
+            let _ = parse(&body);
+        }
+
+        #[test]
+        fn any_json_like_text_is_read_or_refused(body in r#"[\[\]{}",:0-9eE+. \\a-c-]{0,60}"#) {
+            let _ = parse(body.as_bytes());
+            // The pointer search must survive a cut anywhere.
+            for end in 0..=body.len() {
+                let _ = pointer_at(body.as_bytes(), end);
+            }
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! What can be asked for, what it may cost, and ready requests.
+
+use super::Kind;
+use crate::config::Config;
+use schemars::JsonSchema;
+use serde::Serialize;
+use serde_json::Value;
+use std::sync::LazyLock;
+
+/// One objective of one kind of request.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Objective {
+    pub name: &'static str,
+    pub kind: Kind,
+    /// What it minimises (or maximises), as a formula in words and symbols.
+    pub minimises: &'static str,
+    /// Of the objective's value, with `u` for the client's unit.
+    pub unit: &'static str,
+    /// Author, section, equation.
+    pub source: &'static str,
+    /// Fields of the request that change how it is solved.
+    pub options: Vec<&'static str>,
+}
+
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct ObjectiveList {
+    pub objectives: Vec<Objective>,
+}
+
+#[must_use]
+pub fn objectives() -> ObjectiveList {
+    let mut objectives = super::ruled_surface::objectives();
+    objectives.extend(super::minimal_surface::objectives());
+    ObjectiveList { objectives }
+}
+
+/// What one request may ask of this server.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Limits {
+    /// Bytes of a request's body.
+    pub body_bytes: usize,
+    /// Points of all polylines of a request.
+    pub points: usize,
+    /// Triangles of a minimal surface.
+    pub triangles: usize,
+    /// Cells of the grids of all strips of a ruled surface.
+    pub grid_cells: u64,
+    /// Largest `max_iterations`.
+    pub iterations: u32,
+    /// A solver that has not ended after this returns what it has reached.
+    pub deadline_ms: u64,
+    /// Longest `Prefer: wait`, seconds.
+    pub wait_max_s: u64,
+    /// Jobs that may wait.
+    pub queue_length: usize,
+    /// Jobs and meshes are removed this long after they ended; 0: never.
+    pub retention_s: u64,
+}
+
+impl Limits {
+    #[must_use]
+    pub fn of(config: &Config) -> Self {
+        Self {
+            body_bytes: config.limits.body_bytes,
+            points: config.limits.points,
+            triangles: config.limits.triangles,
+            grid_cells: config.limits.grid_cells,
+            iterations: config.limits.iterations,
+            deadline_ms: config.jobs.deadline_ms,
+            wait_max_s: config.http.wait_max_s,
+            queue_length: config.jobs.queue_length,
+            retention_s: config.jobs.retention_s,
+        }
+    }
+}
+
+/// A ready request.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Example {
+    pub name: &'static str,
+    pub kind: Kind,
+    pub title: &'static str,
+    /// Post it to the path of its kind.
+    pub request: Value,
+}
+
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct ExampleSummary {
+    pub name: &'static str,
+    pub kind: Kind,
+    pub title: &'static str,
+}
+
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct ExampleList {
+    pub examples: Vec<ExampleSummary>,
+}
+
+/// `(name, title, text of api/examples/NAME.json)`. Each file is a request with its `kind`, and a test replays each.
+const FILES: &[(&str, &str, &str)] = &[
+    (
+        "helicoid",
+        "Chen-Cai-Zheng's helicoid patch, 186 boundary points, 2050 triangles",
+        include_str!("../../api/examples/helicoid.json"),
+    ),
+    (
+        "catenoid",
+        "Chen-Cai-Zheng's catenoid patch, 156 boundary points, 2040 triangles",
+        include_str!("../../api/examples/catenoid.json"),
+    ),
+    ("tent", "A tent over a square with one high corner", include_str!("../../api/examples/tent.json")),
+    ("two-rings", "A film between two coaxial rings", include_str!("../../api/examples/two-rings.json")),
+    (
+        "wavy-strip",
+        "A strip between a wave of 60 and a wave of 80 points",
+        include_str!("../../api/examples/wavy-strip.json"),
+    ),
+    (
+        "contour-stack",
+        "Five closed contours, unequal point counts",
+        include_str!("../../api/examples/contour-stack.json"),
+    ),
+];
+
+/// All examples, in the order of the list.
+#[must_use]
+pub fn examples() -> &'static [Example] {
+    static EXAMPLES: LazyLock<Vec<Example>> = LazyLock::new(|| {
+        FILES
+            .iter()
+            .map(|&(name, title, text)| {
+                let request: Value = serde_json::from_str(text).expect("an embedded example is JSON");
+                let kind =
+                    request["kind"].as_str().and_then(Kind::from_name).expect("an embedded example names its kind");
+                Example { name, kind, title, request }
+            })
+            .collect()
+    });
+    &EXAMPLES
+}
+
+#[must_use]
+pub fn example_list() -> ExampleList {
+    let summary = |example: &Example| ExampleSummary { name: example.name, kind: example.kind, title: example.title };
+    ExampleList { examples: examples().iter().map(summary).collect() }
+}

@@ -1,0 +1,162 @@
+//! The one way in which tests start a server.
+
+use reqwest::{Method, RequestBuilder, Response, StatusCode};
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+use std::process::Stdio;
+use tempfile::TempDir;
+use tokio::io::{AsyncBufReadExt, BufReader};
+use tokio::process::{Child, Command};
+
+pub struct TestApp {
+    pub url: String,
+    pub folder: TempDir,
+    pub client: reqwest::Client,
+    child: Child,
+}
+
+pub fn binary() -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_plateau"));
+    command.env_clear().kill_on_drop(true);
+    command
+}
+
+pub fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+impl TestApp {
+    pub async fn start() -> Self {
+        Self::start_with(&[]).await
+    }
+
+    /// Starts with environment variables on top of the defaults.
+    pub async fn start_with(environment: &[(&str, &str)]) -> Self {
+        Self::start_in(tempfile::tempdir().expect("a temporary folder"), environment).await
+    }
+
+    pub async fn start_in(folder: TempDir, environment: &[(&str, &str)]) -> Self {
+        let mut child = binary()
+            .args(["--listen", "127.0.0.1:0", "--data"])
+            .arg(folder.path().join("data"))
+            .env("PLATEAU_LOG__LEVEL", "warn")
+            .envs(environment.iter().copied())
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("the binary starts");
+        let stdout = child.stdout.take().expect("standard output is piped");
+        let line = BufReader::new(stdout).lines().next_line().await.expect("a first line").expect("a first line");
+        let url = line.strip_prefix("listening on ").expect("the first line says where").to_owned();
+        Self { url, folder, client: reqwest::Client::new(), child }
+    }
+
+    pub fn request(&self, method: Method, path: &str) -> RequestBuilder {
+        self.client.request(method, format!("{}{path}", self.url))
+    }
+
+    pub async fn get(&self, path: &str) -> Response {
+        self.request(Method::GET, path).send().await.expect("an answer")
+    }
+
+    pub async fn get_json(&self, path: &str) -> Value {
+        let response = self.get(path).await;
+        assert_eq!(response.status(), StatusCode::OK, "{path}");
+        response.json().await.expect("JSON")
+    }
+
+    pub async fn post(&self, path: &str, body: &Value) -> Response {
+        self.request(Method::POST, path).json(body).send().await.expect("an answer")
+    }
+
+    pub async fn post_waiting(&self, path: &str, body: &Value) -> Response {
+        self.request(Method::POST, path).header("prefer", "wait=60").json(body).send().await.expect("an answer")
+    }
+
+    /// Posts, waits, and demands success.
+    pub async fn solve(&self, path: &str, body: &Value) -> Value {
+        let response = self.post_waiting(path, body).await;
+        let (status, job) = (response.status(), response.json::<Value>().await.expect("JSON"));
+        assert_eq!((status, job["status"].as_str()), (StatusCode::OK, Some("succeeded")), "{job:#}");
+        job
+    }
+
+    /// Resident memory of the server, bytes.
+    pub fn memory(&self) -> u64 {
+        let id = self.child.id().expect("the server runs");
+        let status = std::fs::read_to_string(format!("/proc/{id}/status")).expect("procfs");
+        let line = status.lines().find(|line| line.starts_with("VmRSS:")).expect("VmRSS");
+        line.split_whitespace().nth(1).expect("a number").parse::<u64>().expect("a number") * 1024
+    }
+
+    /// SIGTERM, and the exit status.
+    pub async fn stop(mut self) -> (std::process::ExitStatus, TempDir) {
+        let id = self.child.id().expect("the server runs").to_string();
+        assert!(Command::new("kill").args(["-TERM", &id]).status().await.expect("kill").success());
+        (self.child.wait().await.expect("an exit status"), self.folder)
+    }
+
+    /// SIGKILL.
+    pub async fn kill(mut self) -> TempDir {
+        self.child.kill().await.expect("the server dies");
+        self.folder
+    }
+}
+
+pub const MINIMAL: &str = "/v1/minimal-surfaces";
+pub const RULED: &str = "/v1/ruled-surfaces";
+
+pub fn example(name: &str) -> Value {
+    let text = std::fs::read_to_string(root().join(format!("api/examples/{name}.json"))).expect("the example's file");
+    serde_json::from_str(&text).expect("JSON")
+}
+
+pub fn example_names() -> Vec<String> {
+    let mut names: Vec<String> = std::fs::read_dir(root().join("api/examples"))
+        .expect("the folder")
+        .map(|entry| Path::new(&entry.expect("an entry").file_name()).file_stem().unwrap().to_str().unwrap().to_owned())
+        .collect();
+    names.sort();
+    names
+}
+
+pub fn path_of(kind: &str) -> &'static str {
+    match kind {
+        "minimal_surface" => MINIMAL,
+        "ruled_surface" => RULED,
+        other => panic!("unknown kind {other}"),
+    }
+}
+
+/// A square film with one corner lifted by `height`: small and quick; each height is another body.
+pub fn small_film(height: f64) -> Value {
+    json!({ "boundaries": [[[0, 0, 0], [1, 0, height], [1, 1, 0], [0, 1, height]]], "resolution": { "triangles": 100 } })
+}
+
+/// A strip whose grid takes a solver seconds: `n` × `n` cells.
+pub fn large_strip(n: usize) -> Value {
+    let rail = |y: f64, phase: f64| -> Vec<[f64; 3]> {
+        (0..n).map(|k| k as f64 / n as f64).map(|t| [10.0 * t, y + (9.0 * t + phase).sin(), (7.0 * t).cos()]).collect()
+    };
+    json!({ "directrices": [rail(0.0, 0.0), rail(4.0, 1.0)] })
+}
+
+/// Asserts that a response is a problem document of this status, and returns it.
+pub async fn problem(response: Response, status: u16) -> Value {
+    let path = response.url().path().to_owned();
+    assert_eq!(response.status().as_u16(), status, "{path}");
+    assert_eq!(response.headers()["content-type"], "application/problem+json");
+    assert!(response.headers().contains_key("x-request-id"));
+    let problem: Value = response.json().await.expect("JSON");
+    assert_eq!(problem["status"], status);
+    assert_eq!(problem["instance"], path);
+    assert!(problem["type"].as_str().is_some_and(|kind| kind.starts_with("/problems/")));
+    assert!(problem["title"].is_string() && problem["detail"].is_string());
+    problem
+}
+
+/// The pointers of a problem's errors.
+pub fn pointers(problem: &Value) -> Vec<&str> {
+    problem["errors"]
+        .as_array()
+        .map_or(Vec::new(), |errors| errors.iter().map(|error| error["pointer"].as_str().expect("a pointer")).collect())
+}

@@ -1,0 +1,52 @@
+//! What the server offers.
+
+use crate::app::TestApp;
+use reqwest::header;
+
+#[tokio::test]
+async fn objectives_name_formula_unit_and_source() {
+    let app = TestApp::start().await;
+    let list = app.get_json("/v1/objectives").await;
+    let objectives = list["objectives"].as_array().unwrap();
+    for kind in ["ruled_surface", "minimal_surface"] {
+        assert!(
+            objectives.iter().any(|objective| objective["kind"] == kind && objective["name"] == "minimal_area"),
+            "{kind}"
+        );
+    }
+    for objective in objectives {
+        for field in ["minimises", "unit", "source"] {
+            assert!(!objective[field].as_str().unwrap().is_empty(), "{objective}");
+        }
+    }
+}
+
+#[tokio::test]
+async fn limits_are_the_configured_ones() {
+    let app = TestApp::start_with(&[("PLATEAU_LIMITS__TRIANGLES", "4321"), ("PLATEAU_JOBS__QUEUE_LENGTH", "7")]).await;
+    let limits = app.get_json("/v1/limits").await;
+    assert_eq!((limits["triangles"].as_u64(), limits["queue_length"].as_u64()), (Some(4321), Some(7)));
+}
+
+#[tokio::test]
+async fn the_pages_load_without_anything_from_elsewhere() {
+    let app = TestApp::start().await;
+    for path in ["/", "/docs"] {
+        let response = app.get(path).await;
+        assert_eq!(response.status(), 200, "{path}");
+        assert!(response.headers()[header::CONTENT_TYPE].to_str().unwrap().starts_with("text/html"));
+        let html = response.text().await.unwrap();
+        assert!(!html.contains("src=\"http") && !html.contains("href=\"http"), "{path} loads something from elsewhere");
+    }
+    let script = app.get("/docs/swagger-initializer.js").await.text().await.unwrap();
+    assert!(script.contains("../openapi.json") && script.contains("\"validatorUrl\": \"none\""), "{script}");
+    assert_eq!(app.get("/docs/swagger-ui-bundle.js").await.status(), 200);
+}
+
+#[tokio::test]
+async fn a_problem_type_leads_to_what_it_means() {
+    let app = TestApp::start().await;
+    let missing = app.get("/nowhere").await.json::<serde_json::Value>().await.unwrap();
+    let text = app.get(missing["type"].as_str().unwrap()).await.text().await.unwrap();
+    assert!(text.starts_with("404"), "{text}");
+}

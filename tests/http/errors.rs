@@ -1,0 +1,179 @@
+//! Every class of error, each as a problem document that names the value.
+
+use crate::app::{MINIMAL, RULED, TestApp, example, large_strip, pointers, problem, small_film};
+use reqwest::{Method, StatusCode, header};
+use serde_json::{Value, json};
+
+async fn rejected(app: &TestApp, path: &str, body: &Value) -> Vec<String> {
+    let response = app.post(path, body).await;
+    let problem = problem(response, 422).await;
+    pointers(&problem).iter().map(|&pointer| pointer.to_owned()).collect()
+}
+
+async fn raw(app: &TestApp, body: impl Into<reqwest::Body>) -> reqwest::Response {
+    app.request(Method::POST, MINIMAL).header(header::CONTENT_TYPE, "application/json").body(body).send().await.unwrap()
+}
+
+#[tokio::test]
+async fn malformed_json_and_repeated_keys_are_400() {
+    let app = TestApp::start().await;
+    problem(raw(&app, "{").await, 400).await;
+    problem(raw(&app, r#"{"boundaries":[],"boundaries":[]}"#).await, 400).await;
+    problem(raw(&app, "[".repeat(100_000)).await, 400).await;
+    problem(raw(&app, vec![0xff, 0xfe]).await, 400).await;
+    problem(raw(&app, "").await, 400).await;
+}
+
+#[tokio::test]
+async fn a_number_beyond_f64_is_named() {
+    let app = TestApp::start().await;
+    let problem = problem(raw(&app, r#"{"boundaries":[[[0,0,0],[1,0,0],[0,1e999,0]]]}"#).await, 422).await;
+    assert_eq!(pointers(&problem), ["/boundaries/0/2/1"]);
+}
+
+#[tokio::test]
+async fn each_wrong_value_of_a_body_is_named() {
+    let app = TestApp::start().await;
+    let square = json!([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]);
+    let cases = [
+        (json!({}), vec!["/boundaries"]),
+        (json!([]), vec![""]),
+        (json!({ "boundaries": [] }), vec!["/boundaries"]),
+        (
+            json!({ "boundaries": [[[0, 0], [1, 0, "x"], [1, 1, 0], [1, 1, 0, 0]]] }),
+            vec!["/boundaries/0/0", "/boundaries/0/1/2", "/boundaries/0/3"],
+        ),
+        (json!({ "boundaries": [square], "colour": 1 }), vec!["/colour"]),
+        (json!({ "boundaries": [square], "units": "furlong" }), vec!["/units"]),
+        (json!({ "boundaries": [square], "objective": "prettiest" }), vec!["/objective"]),
+        (json!({ "boundaries": [square], "resolution": {} }), vec!["/resolution"]),
+        (json!({ "boundaries": [square], "resolution": { "triangles": 100, "edge_length": 1 } }), vec!["/resolution"]),
+        (json!({ "boundaries": [square], "resolution": { "triangles": 2.5 } }), vec!["/resolution/triangles"]),
+        (json!({ "boundaries": [square], "resolution": { "edge_length": 0 } }), vec!["/resolution/edge_length"]),
+        (json!({ "boundaries": [square], "max_iterations": 5_000_000_000u64 }), vec!["/max_iterations"]),
+        (json!({ "boundaries": [square], "kind": "ruled_surface" }), vec!["/kind"]),
+        (json!({ "boundaries": [[[0, 0, 0], [1, 1, 1], [0, 0, 0], [1, 1, 1]]] }), vec!["/boundaries/0"]),
+        (json!({ "boundaries": null }), vec!["/boundaries"]),
+    ];
+    for (body, expected) in cases {
+        assert_eq!(rejected(&app, MINIMAL, &body).await, expected, "{body}");
+    }
+    let line = json!([[0, 0, 0], [1, 0, 0]]);
+    let cases = [
+        (json!({ "directrices": [line] }), vec!["/directrices"]),
+        (json!({ "directrices": [line, []] }), vec!["/directrices/1"]),
+        (json!({ "directrices": [line, [[0, 1, 0], [1, null, 0]]] }), vec!["/directrices/1/1/1"]),
+        (json!({ "directrices": [line, line], "closed": 1 }), vec!["/closed"]),
+    ];
+    for (body, expected) in cases {
+        assert_eq!(rejected(&app, RULED, &body).await, expected, "{body}");
+    }
+}
+
+#[tokio::test]
+async fn values_are_never_echoed_and_errors_stop_at_fifty() {
+    let app = TestApp::start().await;
+    let points: Vec<Value> = (0..500).map(|_| json!([0, 0, "secret-text"])).collect();
+    let response = app.post(MINIMAL, &json!({ "boundaries": [points] })).await;
+    let problem = problem(response, 422).await;
+    assert_eq!((problem["errors"].as_array().unwrap().len(), &problem["errors_omitted"]), (50, &json!(true)));
+    assert!(!problem.to_string().contains("secret-text"));
+}
+
+#[tokio::test]
+async fn too_large_is_413_by_bytes_points_triangles_and_cells() {
+    let app = TestApp::start_with(&[
+        ("PLATEAU_LIMITS__BODY_BYTES", "20000"),
+        ("PLATEAU_LIMITS__POINTS", "150"),
+        ("PLATEAU_LIMITS__TRIANGLES", "5000"),
+        ("PLATEAU_LIMITS__GRID_CELLS", "1000"),
+    ])
+    .await;
+    problem(raw(&app, " ".repeat(20_001)).await, 413).await;
+    // Without a length the body is cut off where it grows too large.
+    let chunks = futures_util::stream::iter((0..30).map(|_| Ok::<_, std::io::Error>(" ".repeat(1000))));
+    problem(raw(&app, reqwest::Body::wrap_stream(chunks)).await, 413).await;
+    let response = app.post(MINIMAL, &example("helicoid")).await;
+    assert_eq!(pointers(&problem(response, 413).await), ["/boundaries"]);
+    let mut film = small_film(0.5);
+    film["resolution"] = json!({ "triangles": 5001 });
+    assert_eq!(pointers(&problem(app.post(MINIMAL, &film).await, 413).await), ["/resolution/triangles"]);
+    film["resolution"] = json!({ "edge_length": 1e-6 });
+    assert_eq!(pointers(&problem(app.post(MINIMAL, &film).await, 413).await), ["/resolution"]);
+    assert_eq!(pointers(&problem(app.post(RULED, &large_strip(40)).await, 413).await), ["/directrices"]);
+}
+
+#[tokio::test]
+async fn another_media_type_or_any_encoding_is_415() {
+    let app = TestApp::start().await;
+    let post = |name, value| app.request(Method::POST, MINIMAL).header(name, value).body("{}").send();
+    problem(post("content-type", "text/plain").await.unwrap(), 415).await;
+    problem(post("content-type", "application/json; charset=latin1").await.unwrap(), 415).await;
+    problem(post("x-nothing", "1").await.unwrap(), 415).await;
+    let encoded = app.request(Method::POST, MINIMAL).header("content-encoding", "gzip").json(&small_film(0.1)).send();
+    problem(encoded.await.unwrap(), 415).await;
+    let utf8 = app.request(Method::POST, MINIMAL).header("content-type", "application/json; charset=UTF-8");
+    let accepted = utf8.body(small_film(0.2).to_string()).send().await.unwrap();
+    assert_eq!(accepted.status(), StatusCode::ACCEPTED);
+}
+
+#[tokio::test]
+async fn unknown_paths_and_jobs_are_404_and_wrong_methods_405() {
+    let app = TestApp::start().await;
+    for path in [
+        "/v2/jobs",
+        "/v1/jobs/01J00000000000000000000000",
+        "/v1/jobs/x",
+        "/v1/jobs/01J00000000000000000000000/mesh",
+        "/v1/examples/x",
+        "/docs/x",
+        "/problems/x",
+    ] {
+        problem(app.get(path).await, 404).await;
+    }
+    problem(app.request(Method::DELETE, "/v1/jobs/01J00000000000000000000000").send().await.unwrap(), 404).await;
+    problem(app.request(Method::POST, "/v1/jobs/01J00000000000000000000000/cancel").send().await.unwrap(), 404).await;
+    for (method, path, allowed) in
+        [(Method::PUT, "/v1/jobs", "GET"), (Method::GET, MINIMAL, "POST"), (Method::POST, "/health/live", "GET")]
+    {
+        let response = app.request(method, path).send().await.unwrap();
+        let allow = response.headers().get(header::ALLOW).map(|value| value.to_str().unwrap().to_owned());
+        assert!(allow.as_deref().is_some_and(|allow| allow.contains(allowed)), "{path}: {allow:?}");
+        problem(response, 405).await;
+    }
+}
+
+#[tokio::test]
+async fn bad_queries_and_headers_are_400_and_impossible_media_types_406() {
+    let app = TestApp::start().await;
+    for query in
+        ["status=odd", "kind=odd", "limit=0", "limit=201", "limit=x", "cursor=x", "colour=1", "limit=1&limit=2"]
+    {
+        problem(app.get(&format!("/v1/jobs?{query}")).await, 400).await;
+    }
+    let job = app.solve(MINIMAL, &small_film(0.3)).await;
+    let mesh = job["links"]["mesh"].as_str().unwrap();
+    problem(app.get(&format!("{mesh}?format=fbx")).await, 400).await;
+    problem(app.request(Method::GET, mesh).header("accept", "text/html").send().await.unwrap(), 406).await;
+    let keyed = app.request(Method::POST, MINIMAL).header("idempotency-key", "a b").json(&small_film(0.3));
+    problem(keyed.send().await.unwrap(), 400).await;
+}
+
+#[tokio::test]
+async fn geometry_that_has_no_surface_is_a_failed_job_that_says_why_or_a_422() {
+    let app = TestApp::start().await;
+    // Chen-Cai-Zheng's rings cannot have an odd number of free parities: the count is impossible.
+    let mut request = example("helicoid");
+    request["initial_mesh"] = json!("rings");
+    request["resolution"] = json!({ "triangles": 2051 });
+    let response = app.post_waiting(MINIMAL, &request).await;
+    if response.status() == 422 {
+        assert_eq!(pointers(&problem(response, 422).await), ["/resolution/triangles"]);
+    } else {
+        let job: Value = response.json().await.unwrap();
+        assert_eq!(job["status"], "failed");
+        assert_eq!(job["error"]["errors"][0]["pointer"], "/resolution/triangles");
+        let mesh = app.get(job["links"]["mesh"].as_str().unwrap()).await;
+        problem(mesh, 409).await;
+    }
+}

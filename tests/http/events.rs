@@ -1,0 +1,98 @@
+//! Server-sent events: status, progress, one final status; replay after a reconnect.
+
+use crate::app::{MINIMAL, RULED, TestApp, large_strip, problem, small_film};
+use futures_util::StreamExt;
+use reqwest::Method;
+use serde_json::Value;
+
+#[derive(Debug)]
+struct Event {
+    id: String,
+    name: String,
+    data: Value,
+}
+
+fn parse(text: &str) -> Vec<Event> {
+    let field = |block: &str, name: &str| {
+        block.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(": ")).map(str::to_owned)
+    };
+    text.split("\n\n")
+        .filter_map(|block| {
+            let data = serde_json::from_str(&field(block, "data")?).unwrap();
+            Some(Event { id: field(block, "id")?, name: field(block, "event")?, data })
+        })
+        .collect()
+}
+
+fn number(id: &str) -> (u64, u64) {
+    let (attempt, sequence) = id.split_once('.').unwrap();
+    (attempt.parse().unwrap(), sequence.parse().unwrap())
+}
+
+#[tokio::test]
+async fn a_job_is_followed_from_its_queue_to_its_end() {
+    let app = TestApp::start_with(&[("PLATEAU_JOBS__PROGRESS_INTERVAL_MS", "20")]).await;
+    let job: Value = app.post(RULED, &large_strip(5000)).await.json().await.unwrap();
+    let events = job["links"]["events"].as_str().unwrap();
+    let response = app.get(events).await;
+    assert_eq!(response.headers()["content-type"], "text/event-stream");
+    assert_eq!(response.headers()["cache-control"], "no-cache");
+    assert_eq!(response.headers()["x-accel-buffering"], "no");
+    let text = response.text().await.unwrap();
+    assert!(text.contains("retry: "));
+    let list = parse(&text);
+    let last = list.last().unwrap();
+    assert_eq!((last.name.as_str(), last.data["status"].as_str()), ("status", Some("succeeded")));
+    assert!(last.data["statistics"]["area"].is_number());
+    assert_eq!(list.iter().filter(|event| event.data["status"] == "succeeded").count(), 1);
+    assert!(list.windows(2).all(|pair| number(&pair[0].id) < number(&pair[1].id)), "ids rise: {list:?}");
+    let progress: Vec<f64> = list
+        .iter()
+        .filter(|event| event.name == "progress")
+        .map(|event| event.data["progress"]["fraction"].as_f64().unwrap())
+        .collect();
+    assert!(!progress.is_empty() && progress.is_sorted(), "{progress:?}");
+
+    // A reconnect replays what came after, and after the final event there is nothing.
+    let reconnect = |id: String| app.request(Method::GET, events).header("last-event-id", id).send();
+    let replay = parse(&reconnect(list[0].id.clone()).await.unwrap().text().await.unwrap());
+    assert_eq!(replay.last().unwrap().id, last.id);
+    assert!(replay.iter().all(|event| number(&event.id) > number(&list[0].id)));
+    assert_eq!(reconnect(last.id.clone()).await.unwrap().status(), 204);
+}
+
+#[tokio::test]
+async fn a_finished_job_tells_its_end_at_once() {
+    let app = TestApp::start().await;
+    let job = app.solve(MINIMAL, &small_film(0.7)).await;
+    let list = parse(&app.get(job["links"]["events"].as_str().unwrap()).await.text().await.unwrap());
+    assert_eq!(list.last().unwrap().data, job);
+    let statuses: Vec<&str> = list.iter().map(|event| event.data["status"].as_str().unwrap()).collect();
+    assert_eq!(statuses, ["queued", "running", "succeeded"]);
+}
+
+#[tokio::test]
+async fn a_cancelled_job_ends_its_streams() {
+    let app = TestApp::start_with(&[("PLATEAU_WORKERS", "1")]).await;
+    let job: Value = app.post(RULED, &large_strip(30_000)).await.json().await.unwrap();
+    let mut stream = app.get(job["links"]["events"].as_str().unwrap()).await.bytes_stream();
+    let mut text = String::from_utf8(stream.next().await.unwrap().unwrap().to_vec()).unwrap();
+    app.request(Method::POST, job["links"]["cancel"].as_str().unwrap()).send().await.unwrap();
+    while let Some(chunk) = stream.next().await {
+        text.push_str(std::str::from_utf8(&chunk.unwrap()).unwrap());
+    }
+    assert_eq!(parse(&text).last().unwrap().data["status"], "cancelled");
+}
+
+#[tokio::test]
+async fn a_silent_stream_is_kept_open_by_comments() {
+    let app = TestApp::start_with(&[("PLATEAU_WORKERS", "0"), ("PLATEAU_HTTP__EVENT_KEEP_ALIVE_MS", "50")]).await;
+    let job: Value = app.post(MINIMAL, &small_film(0.8)).await.json().await.unwrap();
+    let mut stream = app.get(job["links"]["events"].as_str().unwrap()).await.bytes_stream();
+    let mut text = String::new();
+    while !text.contains(": still here") {
+        text.push_str(std::str::from_utf8(&stream.next().await.unwrap().unwrap()).unwrap());
+    }
+    drop(stream);
+    problem(app.get("/v1/jobs/01J00000000000000000000000/events").await, 404).await;
+}

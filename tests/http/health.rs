@@ -1,0 +1,42 @@
+//! Health, metrics, request ids.
+
+use crate::app::{MINIMAL, TestApp, small_film};
+use reqwest::Method;
+
+#[tokio::test]
+async fn a_started_server_is_live_and_ready() {
+    let app = TestApp::start().await;
+    assert_eq!(app.get_json("/health/live").await["status"], "live");
+    assert_eq!(app.get_json("/health/ready").await["status"], "ready");
+}
+
+#[tokio::test]
+async fn metrics_count_jobs_requests_and_the_queue() {
+    let app = TestApp::start().await;
+    app.solve(MINIMAL, &small_film(0.9)).await;
+    app.get("/nowhere").await;
+    let response = app.get("/metrics").await;
+    assert!(response.headers()["content-type"].to_str().unwrap().starts_with("text/plain"));
+    let text = response.text().await.unwrap();
+    for line in [
+        "plateau_jobs_total{kind=\"minimal_surface\",status=\"succeeded\"} 1",
+        "plateau_submissions_total{kind=\"minimal_surface\",outcome=\"created\"} 1",
+        "plateau_solve_seconds_count{kind=\"minimal_surface\"} 1",
+        "plateau_queue_wait_seconds_count{kind=\"minimal_surface\"} 1",
+        "plateau_queue_length 0",
+        "plateau_jobs_running 0",
+        "plateau_http_requests_total{method=\"any\",route=\"unmatched\",status=\"404\"} 1",
+        "plateau_http_requests_total{method=\"POST\",route=\"/v1/minimal-surfaces\",status=\"200\"} 1",
+    ] {
+        assert!(text.lines().any(|found| found == line), "{line} is not in\n{text}");
+    }
+}
+
+#[tokio::test]
+async fn a_request_id_comes_back_and_a_strange_one_is_replaced() {
+    let app = TestApp::start().await;
+    let ask = |id: &'static str| app.request(Method::GET, "/health/live").header("x-request-id", id).send();
+    assert_eq!(ask("my-id-7").await.unwrap().headers()["x-request-id"], "my-id-7");
+    let replaced = ask("with blanks").await.unwrap().headers()["x-request-id"].to_str().unwrap().to_owned();
+    assert_eq!(replaced.len(), 26);
+}

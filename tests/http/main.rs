@@ -1,0 +1,19 @@
+//! Tests against a running server: the real binary, a free port, a real store in a folder of its own.
+
+mod app;
+
+mod cancel;
+mod catalogue;
+mod command_line;
+mod errors;
+mod events;
+mod examples;
+mod health;
+mod idempotency;
+mod jobs;
+mod limits;
+mod load;
+mod meshes;
+mod openapi;
+mod prefer;
+mod restart;

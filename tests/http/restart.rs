@@ -1,0 +1,40 @@
+//! A job accepted is a job answered: over a shutdown, and over a death.
+
+use crate::app::{MINIMAL, RULED, TestApp, large_strip, small_film};
+use reqwest::Method;
+use serde_json::Value;
+
+async fn waited(app: &TestApp, job: &Value) -> Value {
+    let this = job["links"]["self"].as_str().unwrap();
+    app.request(Method::GET, this).header("prefer", "wait=60").send().await.unwrap().json().await.unwrap()
+}
+
+#[tokio::test]
+async fn a_second_start_finishes_what_a_shutdown_handed_back() {
+    let settings = [("PLATEAU_WORKERS", "1"), ("PLATEAU_HTTP__SHUTDOWN_GRACE_MS", "50")];
+    let app = TestApp::start_with(&settings).await;
+    let running: Value = app.post(RULED, &large_strip(12_000)).await.json().await.unwrap();
+    let queued: Value = app.post(MINIMAL, &small_film(0.31)).await.json().await.unwrap();
+    let (status, folder) = app.stop().await;
+    assert_eq!(status.code(), Some(0));
+    let app = TestApp::start_in(folder, &[]).await;
+    for job in [running, queued] {
+        assert_eq!(waited(&app, &job).await["status"], "succeeded");
+    }
+}
+
+#[tokio::test]
+async fn a_second_start_finishes_what_a_killed_server_left() {
+    let settings = [("PLATEAU_WORKERS", "1"), ("PLATEAU_JOBS__LEASE_MS", "1000")];
+    let app = TestApp::start_with(&settings).await;
+    let jobs = [app.post(RULED, &large_strip(12_000)).await, app.post(MINIMAL, &small_film(0.32)).await];
+    let mut accepted = Vec::new();
+    for job in jobs {
+        accepted.push(job.json::<Value>().await.unwrap());
+    }
+    let folder = app.kill().await;
+    let app = TestApp::start_in(folder, &settings).await;
+    for job in accepted {
+        assert_eq!(waited(&app, &job).await["status"], "succeeded");
+    }
+}
