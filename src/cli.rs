@@ -56,7 +56,7 @@ struct Settings {
     #[arg(long, global = true, env = "PLATEAU_DATABASE", value_name = "URL", hide_env_values = true)]
     database: Option<String>,
     /// Solvers that run at once; one a core unless told.
-    #[arg(long, global = true, env = "PLATEAU_WORKERS", value_name = "N")]
+    #[arg(long, global = true, env = "PLATEAU_WORKERS", value_name = "N", allow_negative_numbers = true)]
     workers: Option<i64>,
     /// A TOML file of settings.
     #[arg(long, global = true, env = "PLATEAU_CONFIG", value_name = "FILE")]

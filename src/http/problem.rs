@@ -60,6 +60,10 @@ impl Failure {
             StatusCode::TOO_MANY_REQUESTS | StatusCode::SERVICE_UNAVAILABLE => {
                 vec![(header::RETRY_AFTER, HeaderValue::from_static("2"))]
             }
+            // The body may not have been read: what is left of it must not be taken for another request.
+            StatusCode::PAYLOAD_TOO_LARGE | StatusCode::UNSUPPORTED_MEDIA_TYPE | StatusCode::REQUEST_TIMEOUT => {
+                vec![(header::CONNECTION, HeaderValue::from_static("close"))]
+            }
             _ => Vec::new(),
         };
         Self { status, kind, title, detail, errors: Vec::new(), headers }

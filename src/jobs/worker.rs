@@ -59,7 +59,9 @@ async fn attempt(jobs: &Jobs, claimed: Claimed) {
     let line = Arc::new(Line::new(Duration::from_millis(config.deadline_ms)));
     jobs.0.running.insert(&claimed.id, line.clone());
     metrics::gauge!(metric::RUNNING).increment(1.0);
-    tracing::info!("started");
+    let waited_s = claimed.waited_ms as f64 / 1e3;
+    metrics::histogram!(metric::WAIT_SECONDS, "kind" => claimed.kind.clone()).record(waited_s);
+    tracing::info!(waited_s, "started");
     let handed_back = supervise(jobs, &claimed, &line).await;
     jobs.0.running.remove(&claimed.id, &line);
     metrics::gauge!(metric::RUNNING).decrement(1.0);

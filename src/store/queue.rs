@@ -57,6 +57,8 @@ pub struct Claimed {
     /// JSON array of the warnings at submission.
     pub warnings: String,
     pub attempt: i64,
+    /// How long it waited since it was submitted.
+    pub waited_ms: i64,
 }
 
 /// How a worker stands with its job.
@@ -143,7 +145,7 @@ impl Store {
             "UPDATE jobs SET status = 'running', attempt = attempt + 1, sequence = sequence + 1, worker = $1, \
              lease_until = now_ms() + $2, started_at = now_ms(), progress = NULL, progress_sequence = 0, history = {} \
              WHERE id = (SELECT id FROM jobs WHERE status = 'queued' ORDER BY turn, id LIMIT 1 /* skip locked */) \
-             RETURNING id, kind, owner, warnings, attempt",
+             RETURNING id, kind, owner, warnings, attempt, now_ms() - created_at",
             history("(attempt + 1)", Status::Running)
         );
         if self.inner.engine.row("SELECT 1 FROM jobs WHERE status = 'queued' LIMIT 1", Vec::new()).await?.is_none() {
@@ -169,6 +171,7 @@ impl Store {
                         request: body.bytes(0)?,
                         warnings: row.text(3)?,
                         attempt: row.int(4)?,
+                        waited_ms: row.int(5)?.max(0),
                         id,
                     }))
                 })

@@ -84,7 +84,7 @@ async fn units_and_axes_are_the_clients_in_obj_and_metres_y_up_in_gltf() {
     let job = app.solve(MINIMAL, &film).await;
     let mesh = job["links"]["mesh"].as_str().unwrap();
     let obj = app.get(&format!("{mesh}?format=obj")).await.text().await.unwrap();
-    assert!(obj.lines().any(|line| line == "v 10000001 0 0.24"), "{obj}");
+    assert!(obj.lines().any(|line| line == "v 10000001.0 0.0 0.24"), "{obj}");
     let gltf: serde_json::Value = app.get(&format!("{mesh}?format=gltf")).await.json().await.unwrap();
     let (units, up) = (&gltf["asset"]["extras"]["unit"], &gltf["asset"]["extras"]["up"]);
     assert_eq!((units.as_str(), up.as_str()), (Some("mm"), Some("z")));

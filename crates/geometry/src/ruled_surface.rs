@@ -229,6 +229,14 @@ fn solve_with(
     Ok(surface)
 }
 
+/// What [`solve`] would say of its arguments before any work: linear in the number of points.
+///
+/// # Errors
+/// The [`Error::Input`] that [`solve`] would begin with.
+pub fn check(directrices: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
+    prepare::prepare(directrices, options).map(drop)
+}
+
 /// What [`solve`] will take for directrices of so many points; `options.sampling` is applied to them. O(directrices).
 #[must_use]
 pub fn estimate(points: &[usize], options: &Options) -> Cost {

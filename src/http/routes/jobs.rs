@@ -176,7 +176,9 @@ impl Following {
             self.last = Some(id);
             self.pending.push_back(event.id(id.to_string()).event(name));
         }
-        if let (Some(retry), Some(first)) = (retry, self.pending.pop_front()) {
+        if let Some(retry) = retry
+            && let Some(first) = self.pending.pop_front()
+        {
             self.pending.push_front(first.retry(retry));
         }
         self.ended = row.status.is_final();
