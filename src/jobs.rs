@@ -12,7 +12,9 @@ pub mod worker;
 use crate::config::Config;
 use crate::export::archive::Defect;
 use crate::export::{Archive, Error as ExportError};
-use crate::store::{Counts, Filter, JobRow, JobWatch, Lookup, Store, StoreError};
+use crate::store::{Counts, Lookup, Store, StoreError};
+// What a follower of jobs sees of the store.
+pub use crate::store::{EventId, Filter, JobRow, JobWatch, Status as StoredStatus};
 use crate::wire::job::{Job, JobError, JobList, JobWarning, Links, Progress, Status};
 use crate::wire::{Kind, Rejection};
 use progress::Running;

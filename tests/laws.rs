@@ -37,12 +37,25 @@ fn code(path: &Path) -> Vec<String> {
 #[test]
 fn the_geometry_crate_depends_on_nothing_but_numerics() {
     let output = Command::new(env!("CARGO"))
-        .args(["tree", "--package", "plateau-geometry", "--edges", "normal", "--depth", "1", "--prefix", "none", "--format", "{lib}"])
+        .args([
+            "tree",
+            "--package",
+            "plateau-geometry",
+            "--edges",
+            "normal",
+            "--depth",
+            "1",
+            "--prefix",
+            "none",
+            "--format",
+            "{lib}",
+        ])
         .current_dir(root())
         .output()
         .expect("cargo tree runs");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let found: BTreeSet<String> = String::from_utf8_lossy(&output.stdout).split_whitespace().map(str::to_owned).collect();
+    let found: BTreeSet<String> =
+        String::from_utf8_lossy(&output.stdout).split_whitespace().map(str::to_owned).collect();
     let allowed = BTreeSet::from(["plateau_geometry", "faer", "glam", "robust", "spade"].map(str::to_owned));
     let strangers: Vec<_> = found.difference(&allowed).collect();
     assert!(strangers.is_empty(), "the geometry crate may depend on numerics only, not on {strangers:?}");
@@ -50,12 +63,16 @@ fn the_geometry_crate_depends_on_nothing_but_numerics() {
 
 #[test]
 fn the_geometry_crate_knows_no_clock_no_thread_and_no_file() {
-    let forbidden = ["std::time", "std::thread", "std::fs", "std::net", "std::env", "std::io", "HashMap", "HashSet", "println!"];
+    let forbidden =
+        ["std::time", "std::thread", "std::fs", "std::net", "std::env", "std::io", "HashMap", "HashSet", "println!"];
     for path in sources(&root().join("crates/geometry/src")) {
         for (number, line) in code(&path).iter().enumerate() {
             for word in forbidden {
                 let place = format!("{}:{}", path.display(), number + 1);
-                assert!(!line.contains(word), "{place}: {word} has no place in the geometry crate (results depend on nothing but arguments)");
+                assert!(
+                    !line.contains(word),
+                    "{place}: {word} has no place in the geometry crate (results depend on nothing but arguments)"
+                );
             }
         }
     }
@@ -72,7 +89,10 @@ fn only_problem_rs_knows_the_status_codes_of_failures() {
             for rest in line.split("StatusCode::").skip(1) {
                 let name: String = rest.chars().take_while(|c| c.is_ascii_uppercase() || *c == '_').collect();
                 let place = format!("{}:{}", path.display(), number + 1);
-                assert!(name.is_empty() || successes.contains(&name.as_str()), "{place}: say it with a Failure of http/problem.rs");
+                assert!(
+                    name.is_empty() || successes.contains(&name.as_str()),
+                    "{place}: say it with a Failure of http/problem.rs"
+                );
             }
         }
     }
@@ -94,9 +114,10 @@ fn the_arrows_between_modules_are_the_committed_ones() {
             continue;
         }
         for line in code(&path) {
-            let targets = line.split("crate::").skip(1).map(|rest| {
-                rest.chars().take_while(|c| c.is_ascii_alphanumeric() || *c == '_').collect::<String>()
-            });
+            let targets = line
+                .split("crate::")
+                .skip(1)
+                .map(|rest| rest.chars().take_while(|c| c.is_ascii_alphanumeric() || *c == '_').collect::<String>());
             for to in targets.filter(|to| *to != from && !to.is_empty()) {
                 arrows.insert(format!("{from} -> {to}"));
             }

@@ -70,7 +70,8 @@ async fn wrong_usage_and_configuration_exit_with_2_and_name_the_setting() {
     let file = folder.path().join("plateau.toml");
     std::fs::write(&file, "[jobs]\nqueue = 1\n").unwrap();
     let config = file.to_str().unwrap().to_owned();
-    let cases: Vec<(Vec<&str>, Vec<(&str, &str)>, &str)> = vec![
+    type Case<'a> = (Vec<&'a str>, Vec<(&'a str, &'a str)>, &'a str);
+    let cases: Vec<Case> = vec![
         (vec!["fly"], vec![], "fly"),
         (vec!["--listen", "nowhere"], vec![], "listen"),
         (vec!["--config", &config], vec![], "queue"),

@@ -3,8 +3,7 @@
 use super::submit::{granted_wait_s, with_wait};
 use crate::app::App;
 use crate::http::problem::Failure;
-use crate::jobs::view;
-use crate::store::{EventId, Filter, JobRow, JobWatch, Status as Stored};
+use crate::jobs::{EventId, Filter, JobRow, JobWatch, StoredStatus as Stored, view};
 use crate::wire::Kind;
 use crate::wire::job::{Job, JobList, Status};
 use axum::Json;
