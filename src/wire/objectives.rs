@@ -120,6 +120,28 @@ const FILES: &[(&str, &str, &str)] = &[
         "Five closed contours, unequal point counts",
         include_str!("../../api/examples/contour-stack.json"),
     ),
+    ("wang-tang-i", "Two wavy rails (Wang and Tang, example I)", include_str!("../../api/examples/wang-tang-i.json")),
+    (
+        "wang-tang-ii",
+        "Two very different rails, coupled objectives (Wang and Tang, example II)",
+        include_str!("../../api/examples/wang-tang-ii.json"),
+    ),
+    ("wang-tang-iii", "A ribbon (Wang and Tang, example III)", include_str!("../../api/examples/wang-tang-iii.json")),
+    (
+        "wang-tang-iv",
+        "A wrinkled hem (Wang and Tang, example IV)",
+        include_str!("../../api/examples/wang-tang-iv.json"),
+    ),
+    (
+        "wang-tang-v",
+        "A blend between two surfaces with given normals (Wang and Tang, example V)",
+        include_str!("../../api/examples/wang-tang-v.json"),
+    ),
+    (
+        "wang-tang-vi",
+        "A flange on a sheet metal part (Wang and Tang, example VI)",
+        include_str!("../../api/examples/wang-tang-vi.json"),
+    ),
 ];
 
 /// All examples, in the order of the list.

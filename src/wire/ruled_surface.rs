@@ -29,6 +29,56 @@ pub struct RuledSurfaceRequest {
     pub closed: bool,
     #[serde(default)]
     pub objective: Objective,
+    /// With `maximal_convexity` only: what decides among the strips with the most convex bridges.
+    #[serde(default)]
+    pub secondary_objective: Option<SecondaryObjective>,
+    /// How far, in degrees, a direction may reach beyond the half-plane of a locally convex bridge; 0 is the exact answer.
+    #[serde(default = "default_convexity_tolerance_deg")]
+    #[schemars(range(min = 0, max = 90))]
+    pub convexity_tolerance_deg: f64,
+    /// `auto`: a directrix is reversed where that is better; the job says which.
+    #[serde(default)]
+    pub direction: Direction,
+    /// What closes the ends of a closed stack.
+    #[serde(default)]
+    pub caps: Caps,
+    /// Surface normals along the directrices, in their shape; `minimal_normal_variation` needs them.
+    #[serde(default)]
+    pub normals: Option<Vec<Vec<Point>>>,
+    /// Tangents along the directrices, in their shape; fitted if not given.
+    #[serde(default)]
+    pub tangents: Option<Vec<Vec<Point>>>,
+    /// Solve for every objective and add the comparison to the statistics.
+    #[serde(default)]
+    pub all_objectives: bool,
+}
+
+fn default_convexity_tolerance_deg() -> f64 {
+    1e-6
+}
+
+/// What decides among the strips with the most convex bridges, summed over the bridges that are not convex.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum SecondaryObjective {
+    MinimalBendingEnergy,
+    MinimalMeanCurvatureVariation,
+}
+
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Direction {
+    #[default]
+    AsGiven,
+    Auto,
+}
+
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Caps {
+    #[default]
+    None,
+    Flat,
 }
 
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
@@ -43,6 +93,12 @@ pub enum RuledSurfaceKind {
 pub enum Objective {
     #[default]
     MinimalArea,
+    MinimalTwist,
+    MaximalConvexity,
+    MinimalBendingEnergy,
+    MinimalMeanCurvatureVariation,
+    /// Needs `normals`.
+    MinimalNormalVariation,
 }
 
 impl RuledSurfaceRequest {
@@ -69,7 +125,28 @@ impl RuledSurfaceRequest {
             closed: self.closed,
             objective: match self.objective {
                 Objective::MinimalArea => geometry::Objective::MinimalArea,
+                Objective::MinimalTwist => geometry::Objective::MinimalTwist,
+                Objective::MaximalConvexity => geometry::Objective::MaximalConvexity,
+                Objective::MinimalBendingEnergy => geometry::Objective::MinimalBendingEnergy,
+                Objective::MinimalMeanCurvatureVariation => geometry::Objective::MinimalMeanCurvatureVariation,
+                Objective::MinimalNormalVariation => geometry::Objective::MinimalNormalVariation,
             },
+            secondary: self.secondary_objective.map(|secondary| match secondary {
+                SecondaryObjective::MinimalBendingEnergy => geometry::Secondary::BendingEnergy,
+                SecondaryObjective::MinimalMeanCurvatureVariation => geometry::Secondary::MeanCurvatureVariation,
+            }),
+            convexity_tolerance: self.convexity_tolerance_deg.to_radians(),
+            direction: match self.direction {
+                Direction::AsGiven => geometry::Direction::AsGiven,
+                Direction::Auto => geometry::Direction::Auto,
+            },
+            caps: match self.caps {
+                Caps::None => geometry::Caps::None,
+                Caps::Flat => geometry::Caps::Flat,
+            },
+            normals: self.normals.as_deref().map(common::polylines),
+            tangents: self.tangents.as_deref().map(common::polylines),
+            all_objectives: self.all_objectives,
             ..geometry::Options::default()
         };
         (common::polylines(&self.directrices), options)
@@ -79,7 +156,7 @@ impl RuledSurfaceRequest {
 /// The objectives of this kind that can be asked for.
 #[must_use]
 pub fn objectives() -> Vec<ObjectiveDoc> {
-    [geometry::Objective::MinimalArea]
+    geometry::Objective::NAMED
         .iter()
         .map(|objective| ObjectiveDoc {
             name: objective.name(),
@@ -87,7 +164,16 @@ pub fn objectives() -> Vec<ObjectiveDoc> {
             minimises: objective.minimises(),
             unit: objective.unit(),
             source: objective.source(),
-            options: vec!["closed"],
+            options: vec![
+                "closed",
+                "secondary_objective",
+                "convexity_tolerance_deg",
+                "direction",
+                "caps",
+                "normals",
+                "tangents",
+                "all_objectives",
+            ],
         })
         .collect()
 }
@@ -141,6 +227,19 @@ pub struct RuledStatistics {
     pub strips: Vec<StripStatistics>,
     /// Null for closed strips, which do not unroll.
     pub flat_pattern: Option<FlatPatternStatistics>,
+    /// Which directrices `direction: auto` reversed.
+    pub reversed: Vec<bool>,
+    /// With `all_objectives`: what each objective's own optimum gives (Wang-Tang's Table 1); else null.
+    pub comparison: Option<Vec<Comparison>>,
+}
+
+/// A row of the comparison.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Comparison {
+    pub objective: &'static str,
+    pub secondary_objective: Option<&'static str>,
+    #[serde(flatten)]
+    pub statistics: StripStatistics,
 }
 
 impl From<&geometry::Statistics> for StripStatistics {
@@ -177,6 +276,15 @@ impl RuledStatistics {
                 self_overlap: pattern.self_overlap,
                 width: pattern.width,
                 height: pattern.height,
+            }),
+            reversed: surface.reversed.clone(),
+            comparison: surface.comparison.as_ref().map(|rows| {
+                let row = |row: &geometry::Comparison| Comparison {
+                    objective: row.objective.name(),
+                    secondary_objective: row.secondary.map(geometry::Secondary::name),
+                    statistics: (&row.statistics).into(),
+                };
+                rows.iter().map(row).collect()
             }),
         }
     }
