@@ -35,7 +35,14 @@ struct Side {
 }
 
 impl Side {
-    fn push(&mut self, directrix: &Directrix, index: usize, edge_exists: bool, closed: bool) {
+    fn push(
+        &mut self,
+        directrix: &Directrix,
+        tangents: Option<&[crate::DVec3]>,
+        index: usize,
+        edge_exists: bool,
+        closed: bool,
+    ) {
         let count = directrix.points.len();
         let at = index % count;
         let bank = if edge_exists { directrix.bank(at, 0, closed) } else { crate::DVec3::ZERO };
@@ -43,7 +50,9 @@ impl Side {
         for axis in 0..3 {
             self.point[axis].push(directrix.points[at][axis]);
             self.bank[axis].push(bank[axis]);
-            self.tangent[axis].push(directrix.tangents[at][axis]);
+            if let Some(tangents) = tangents {
+                self.tangent[axis].push(tangents[at][axis]);
+            }
             if let Some(normal) = normal {
                 self.normal[axis].push(normal[axis]);
             }
@@ -53,14 +62,16 @@ impl Side {
 }
 
 impl Lattice {
-    pub(super) fn new(strip: &Strip) -> Self {
+    /// `with_tangents` for the objectives that look at them.
+    pub(super) fn new(strip: &Strip, with_tangents: bool) -> Self {
         let (rows, n, closed) = (strip.m(), strip.n(), strip.closed);
         let columns = if closed { 2 * n } else { n };
+        let tangents = [&strip.p, &strip.q].map(|side| with_tangents.then(|| side.tangents(closed)));
         let mut row = Side::default();
         for k in 0..rows + 2 * MARGIN {
             // Row `rows` holds the edge that leaves the last row; beyond, anything finite.
             let index = if closed { k } else { k.min(rows - 1) };
-            row.push(&strip.p, index, closed || (k > 0 && k < rows), closed);
+            row.push(&strip.p, tangents[0], index, closed || (k > 0 && k < rows), closed);
         }
         let mut column = Side::default();
         for k in (0..columns + 2 * MARGIN).rev() {
@@ -68,7 +79,7 @@ impl Lattice {
             let exists = closed || (c > 0 && c < columns as isize);
             let index =
                 if closed { (c + 2 * columns as isize) as usize } else { c.clamp(0, columns as isize - 1) as usize };
-            column.push(&strip.q, index, exists, closed);
+            column.push(&strip.q, tangents[1], index, exists, closed);
         }
         Self { rows, columns, row, column }
     }
@@ -83,7 +94,7 @@ impl Lattice {
 #[inline(always)]
 fn vector<V: Lanes>(from: &[Vec<f64>; 3], at: usize) -> Vector<V> {
     // SAFETY: the arrays reach `MARGIN` beyond every row and column that a sweep visits (asserted in `sweep`), and all
-    // three have one length.
+    // three have one length. Tangents and normals are there for the kernels that read them.
     unsafe { Vector::new(V::load(&from[0], at), V::load(&from[1], at), V::load(&from[2], at)) }
 }
 

@@ -53,6 +53,15 @@ impl Goal {
         self.winding_matters()
     }
 
+    /// Whether the graph's weights look at tangents.
+    fn needs_tangents(&self) -> bool {
+        match self.objective {
+            Objective::MinimalTwist | Objective::MinimalNormalVariation => true,
+            Objective::Weighted(weights) => weights.twist > 0.0 || weights.normal_variation > 0.0,
+            _ => false,
+        }
+    }
+
     /// Whether the value depends on which way round the triangles are wound.
     fn winding_matters(&self) -> bool {
         match self.objective {
@@ -230,7 +239,7 @@ fn search<V: Lanes>(
     test: Test,
     pulse: &mut Pulse<'_, '_>,
 ) -> Result<Vec<[u32; 2]>, Interruption> {
-    let lattice = &Lattice::new(strip);
+    let lattice = &Lattice::new(strip, goal.needs_tangents());
     let (rows, columns) = (lattice.rows, lattice.columns);
     let table = match goal.objective {
         Objective::MaximalConvexity => Some(convexity::concave_bridges::<V>(strip, lattice, test, pulse)?),

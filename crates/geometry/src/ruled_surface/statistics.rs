@@ -92,6 +92,7 @@ pub(super) fn evaluate(
     execution: &Execution<'_>,
 ) -> Result<Evaluation, Error> {
     let count = path.len();
+    let (tangents_p, tangents_q) = (strip.p.tangents(strip.closed), strip.q.tangents(strip.closed));
     let bridge_at = |k: usize| path[k % count].map(|index| index as usize);
     // The bank edge of the triangle between bridges k and k + 1.
     let bank = |k: usize| -> Option<DVec3> {
@@ -124,7 +125,7 @@ pub(super) fn evaluate(
         statistics.convex_bridges += usize::from(convex);
         statistics.shortest_bridge = statistics.shortest_bridge.min(vector.length());
         statistics.longest_bridge = statistics.longest_bridge.max(vector.length());
-        let tangents = [strip.p.tangents[i].into(), strip.q.tangents[j].into()];
+        let tangents = [tangents_p[i].into(), tangents_q[j].into()];
         statistics.total_normal_twist += weight::twist(bridge, tangents[0], tangents[1]);
         if strip.has_normals() {
             for (sum, sign) in variation.iter_mut().zip([1.0, -1.0]) {

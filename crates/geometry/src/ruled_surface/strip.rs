@@ -9,6 +9,7 @@ use super::statistics::{CoupledValues, Statistics, evaluate};
 use crate::DVec3;
 use crate::error::{Error, Place};
 use crate::execution::Execution;
+use std::sync::OnceLock;
 
 /// Two directrices, taken as given: nothing is merged or resampled.
 ///
@@ -30,8 +31,8 @@ pub(super) struct Directrix {
     pub(super) points: Vec<DVec3>,
     /// The input times a power of two, uncentred: exact, for the exact predicates.
     pub(super) raw: Vec<DVec3>,
-    /// Unit or zero.
-    pub(super) tangents: Vec<DVec3>,
+    /// Unit or zero; fitted when first asked for, unless given.
+    tangents: OnceLock<Vec<DVec3>>,
     /// Unit or zero; empty if not given.
     pub(super) normals: Vec<DVec3>,
 }
@@ -154,8 +155,8 @@ impl Strip {
         let side = |given: Given<'_>, raw: Vec<DVec3>| {
             let points: Vec<DVec3> = raw.iter().map(|&v| (v - centre) / inner).collect();
             let tangents = match given.tangents {
-                Some(tangents) => tangents.iter().map(|t| unit(*t)).collect(),
-                None => fitted_tangents(&points, closed),
+                Some(tangents) => OnceLock::from(tangents.iter().map(|t| unit(*t)).collect::<Vec<_>>()),
+                None => OnceLock::new(),
             };
             let normals = given.normals.map(|n| n.iter().map(|n| unit(*n)).collect()).unwrap_or_default();
             Directrix { points, raw, tangents, normals }
@@ -197,6 +198,9 @@ impl Strip {
 }
 
 impl Directrix {
+    pub(super) fn tangents(&self, closed: bool) -> &[DVec3] {
+        self.tangents.get_or_init(|| fitted_tangents(&self.points, closed))
+    }
     /// The bank edge that ends (`step` 0) or starts (`step` 1) at a point; zero if there is none.
     pub(super) fn bank(&self, index: usize, step: usize, closed: bool) -> DVec3 {
         bank_edge(&self.points, index, step, closed)
