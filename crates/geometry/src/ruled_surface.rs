@@ -234,7 +234,7 @@ fn solve_with(
 /// # Errors
 /// The [`Error::Input`] that [`solve`] would begin with.
 pub fn check(directrices: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
-    prepare::prepare(directrices, options).map(drop)
+    prepare::prepare(directrices, options, &Execution::default()).map(drop)
 }
 
 /// What [`solve`] will take for directrices of so many points; `options.sampling` is applied to them. O(directrices).
