@@ -9,6 +9,7 @@
 mod bento_cavalcanti;
 mod coarse_to_fine;
 mod cotangent;
+mod crossing;
 mod descent;
 mod film;
 mod free_topology;
@@ -20,6 +21,7 @@ mod pinkall_polthier;
 mod record;
 mod remesh;
 mod resample;
+mod spanning_topology;
 mod stability;
 mod statistics;
 #[cfg(test)]
@@ -28,6 +30,7 @@ mod topology_change;
 mod vertex_relaxation;
 
 pub use initial_mesh::InitialMeshKind;
+pub use spanning_topology::{SpanningComparison, SpanningTopology};
 pub use statistics::{Curvature, HistoryRow, MeanCurvature, Pinch, Stability, Statistics, StopReason};
 pub use vertex_relaxation::Process;
 
@@ -122,16 +125,20 @@ pub enum Topology {
     Fixed,
     /// Necks may close, so that a film falls apart where no connected one is stable (Bento, Cavalcanti).
     Free,
+    /// The least of all films that span the boundaries: connected ones, separate discs, and everything between. The
+    /// statistics list the others.
+    Best,
 }
 
 impl Topology {
-    pub const ALL: [Self; 2] = [Self::Fixed, Self::Free];
+    pub const ALL: [Self; 3] = [Self::Fixed, Self::Free, Self::Best];
 
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Fixed => "fixed",
             Self::Free => "free",
+            Self::Best => "best",
         }
     }
 }
@@ -290,9 +297,11 @@ impl Options {
             errors.push(InputError::new(Place::field("solver"), detail));
         }
         if self.topology != Topology::Fixed
-            && (least_squares || matches!(self.solver, Solver::VertexRelaxation | Solver::LevenbergMarquardt))
+            && (least_squares
+                || matches!(self.solver, Solver::VertexRelaxation | Solver::LevenbergMarquardt)
+                || (self.solver == Solver::PinkallPolthier && self.topology == Topology::Best))
         {
-            let detail = "necks may close under auto, newton and pinkall_polthier, for the minimal area";
+            let detail = "is for the minimal area, under auto, newton and (free alone) pinkall_polthier";
             errors.push(InputError::new(Place::field("topology"), detail));
         }
         if self.degenerate_angle.is_some_and(|angle| !(angle > 0.0 && angle <= LARGEST_DEGENERATE_ANGLE)) {
@@ -352,11 +361,12 @@ pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> 
     let input = Input::read(boundaries, options)?;
     exec.look(input.point_count() as u64)?;
     let newton = matches!(options.solver, Solver::Auto | Solver::Newton) && options.objective == Objective::MinimalArea;
-    let nested = match options.topology {
+    let solved = match options.topology {
+        Topology::Best => Some(spanning_topology::solve(&input.centred, options, exec)?),
         Topology::Fixed if newton => coarse_to_fine::solve(&input.centred, options, exec)?,
         _ => None,
     };
-    let (film, kind, initial_area, run) = match nested {
+    let (film, kind, initial_area, run) = match solved {
         Some(solved) => solved,
         None => {
             let (start, kind) = initial_mesh::build(&input.centred, options, exec)?;
@@ -502,6 +512,9 @@ fn finish(
             statistics.pinches.len()
         );
         warnings.push(Warning::new("topology_changed", detail));
+    }
+    if let Some(spanning) = &statistics.spanning {
+        warnings.extend(spanning.warnings());
     }
     if !statistics.converged {
         warnings.push(Warning::new("not_converged", statistics.shortfall(options.tolerance)));

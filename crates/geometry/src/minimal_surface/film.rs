@@ -1,5 +1,6 @@
 //! What the solvers of minimal surfaces share: the mesh while it moves, what on it is fixed, and what a run reports.
 
+use super::spanning_topology::SpanningComparison;
 use super::statistics::{HistoryRow, Pinch, Stability, StopReason};
 use crate::mesh::measure;
 use crate::mesh::topology::Topology;
@@ -121,6 +122,8 @@ pub(super) struct Run {
     pub stability: Option<Stability>,
     /// Where the objective is not the area.
     pub objective_value: Option<f64>,
+    /// What was compared, if topologies were.
+    pub spanning: Option<SpanningComparison>,
 }
 
 impl Run {
@@ -135,6 +138,7 @@ impl Run {
             pinches: Vec::new(),
             stability: None,
             objective_value: None,
+            spanning: None,
         }
     }
 }

@@ -3,21 +3,29 @@
 //! 1. Pinkall and Polthier with the rules until a neck closes (then again from here) or the area changes little.
 //! 2. The default solver on a copy, descending where it is unstable. A stable film of small residual is the answer.
 //! 3. There is none near: the film only lingers where one almost exists. Go on shrinking, to a much smaller change of area,
-//!    and try again. If no neck closes after that either, what the default solver reached is the answer, not converged.
+//!    and try again. A fold that a closed neck left is opened by averaging, and step 1 follows. If no neck closes after that either, what the default solver reached is the answer, not converged.
 
 use super::bento_cavalcanti::{Stop, Until, iterate};
 use super::descent;
 use super::film::{Film, Run};
 use super::record::Record;
+use super::remesh::flip_to_delaunay;
 use super::statistics::{HistoryRow, StopReason};
+use super::topology_change::{Necks, remove_degenerate_triangles};
 use super::{OnUnstable, Options, Solver, Topology};
-use crate::{Error, Execution, Interruption};
+use crate::mesh::measure;
+use crate::{DVec3, Error, Execution, Interruption};
 
 /// Solves of step 1 that a run may take if the caller does not say: a film past its last stable shape lingers.
 const DEFAULT_SOLVES: u32 = 2000;
 /// Change of area that ends step 1, first and after step 2 has failed.
 const SETTLED: f64 = 1e-4;
 const AT_REST: f64 = 1e-9;
+/// Folds that a closing neck leaves are opened up to so often.
+const MOST_UNFOLDINGS: u32 = 3;
+/// Angle (radians) of the needles that are taken out then, and sweeps over the vertices.
+const NEEDLE: f64 = 0.15;
+const UNFOLDING_SWEEPS: u32 = 50;
 
 /// Steps 1 to 3 on a film. The report counts the solves of both steps.
 ///
@@ -29,6 +37,7 @@ pub(super) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Resul
     let mut change = SETTLED;
     // Each neck that closes leaves one component or one handle more or less, so there are few rounds.
     let mut done = 0.0;
+    let mut unfolded = 0;
     loop {
         let part = 0.5 * (1.0 - done);
         let reached = shrink(film, options, change, limit, &mut run, exec, [done, done + 0.5 * part])?;
@@ -53,16 +62,43 @@ pub(super) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Resul
         };
         let finish = exec.part([done + 0.5 * part, done + part], |exec| descent::run(&mut held, &fixed, exec))?;
         let converged = finish.stop_reason == StopReason::Residual;
-        let holds = converged && finish.stability.is_none_or(|stability| stability.stable);
-        let last = holds || change == AT_REST || finish.stop_reason == StopReason::Deadline;
+        let stable = finish.stability.is_none_or(|stability| stability.stable);
+        let interrupted = finish.stop_reason == StopReason::Deadline;
         run.append(finish);
-        if last {
+        done += part;
+        let folds = measure::flipped_triangles(&held.mesh());
+        if converged && stable && folds > 0 && unfolded < MOST_UNFOLDINGS {
+            unfolded += 1;
+            *film = held;
+            exec.look(film.triangles().len() as u64)?;
+            unfold(film);
+            change = SETTLED;
+        } else if (converged && stable) || change == AT_REST || interrupted {
             *film = held;
             return Ok(run);
+        } else {
+            change = AT_REST;
         }
-        change = AT_REST;
-        done += part;
     }
+}
+
+/// Takes needles out and moves every free vertex to the middle of its neighbours again and again, which opens folds.
+///
+/// A neck that closed leaves its needles in a spike, and the spike may fall over as it flattens.
+fn unfold(film: &mut Film) {
+    remove_degenerate_triangles(film, NEEDLE, Necks::Keep);
+    let free: Vec<u32> = (0..film.vertices.len() as u32).filter(|&v| !film.fixed[v as usize]).collect();
+    for _ in 0..UNFOLDING_SWEEPS {
+        for &v in &free {
+            let (sum, count) = film
+                .topology
+                .outgoing_half_edges(v)
+                .map(|h| film.vertices[film.topology.to(h) as usize])
+                .fold((DVec3::ZERO, 0.0), |(sum, count), point| (sum + point, count + 1.0));
+            film.vertices[v as usize] = sum / count;
+        }
+    }
+    flip_to_delaunay(film);
 }
 
 /// Step 1: adds its solves and pinches to `run`; [`StopReason::TopologyChange`] after a neck has closed.
@@ -117,7 +153,6 @@ mod tests {
     use super::super::Resolution;
     use super::super::structured::cylinder;
     use super::*;
-    use crate::mesh::measure;
 
     fn rings(height: f64) -> (Film, Run) {
         let mut film = cylinder(48, 8, height / 10.0);

@@ -1,6 +1,7 @@
 //! What is reported about a film: size, shape, curvature, residual, and how the solver got there.
 
 use super::film::{Film, Run};
+use super::spanning_topology::SpanningComparison;
 use super::{InitialMeshKind, Objective, Options, Solver};
 use crate::DVec3;
 use crate::mesh::measure::{self, Spread};
@@ -122,6 +123,8 @@ pub struct Statistics {
     pub flipped_triangles: usize,
     pub degenerate_triangles: usize,
     pub pinches: Vec<Pinch>,
+    /// Under [`Topology::Best`](super::Topology::Best): the films over the boundaries that were compared.
+    pub spanning: Option<SpanningComparison>,
 }
 
 impl Statistics {
@@ -244,5 +247,6 @@ pub(super) fn collect(
         flipped_triangles,
         degenerate_triangles,
         pinches: run.pinches,
+        spanning: run.spanning,
     }
 }

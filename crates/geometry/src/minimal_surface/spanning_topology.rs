@@ -1,0 +1,399 @@
+//! Which film over several boundaries has the least area? Every way to span them is solved, and the areas compared.
+//!
+//! 1. Each non-empty set of boundaries is spanned by one connected film (a disc, an annulus, a sphere with holes) and solved by the
+//!    default solver, descending where it is unstable. It *holds* if it converged to a stable film without a fold.
+//! 2. A spanning topology is a partition of the boundaries: one connected film for each of its sets. Its area is the sum;
+//!    its Morse index too. Partitions with a set that does not hold are listed without an area.
+//! 3. The least area is returned, the others are listed.
+//! 4. Two boundaries whose connected film does not hold are moved together along the line of their centroids until it does,
+//!    and apart again from film to film in ever shorter steps: the largest fraction of the gap at which one holds
+//!    (or, if the way leads back to the full gap, that film).
+//!
+//! The films of one partition are solved each by itself: they may pass through each other, which is reported.
+
+use super::crossing::films_cross;
+use super::descent;
+use super::film::{Film, Run};
+use super::initial_mesh::{self, InitialMeshKind};
+use super::statistics::{Stability, StopReason};
+use super::{OnUnstable, Options, Resolution, Solver, Topology};
+use crate::error::Warning;
+use crate::mesh::measure;
+use crate::{DVec3, Error, Execution, Interruption, Place, polyline};
+
+/// Boundaries that [`Topology::Best`] compares at most: there are 2ⁿ - 1 films to solve and 203 partitions of six.
+pub(super) const MOST_BOUNDARIES: usize = 6;
+/// The fraction of the gap is found to within this.
+const GAP_RESOLUTION: f64 = 1e-3;
+/// The first gap tried is the full one halved, up to so often.
+const HALVINGS: u32 = 8;
+
+/// One way to span the boundaries.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpanningTopology {
+    /// The sets of boundaries, by their numbers, that a connected film spans each; ascending.
+    pub films: Vec<Vec<usize>>,
+    /// The sum of the films' areas; `None` if one of them does not hold.
+    pub area: Option<f64>,
+    /// Of all films together.
+    pub stability: Option<Stability>,
+    /// Whether two of its films pass through each other, so that no soap film takes this shape.
+    pub films_cross: bool,
+    /// Whether this is the one that was returned.
+    pub chosen: bool,
+}
+
+/// What [`Topology::Best`] compared.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpanningComparison {
+    /// By area, those without one last.
+    pub topologies: Vec<SpanningTopology>,
+    /// Whether a film that connects all boundaries holds.
+    pub connected_film_exists: bool,
+    /// Of two boundaries without a connected film: the largest fraction of their gap, along the line of their centroids, at
+    /// which one holds, to within 0.001. `None` if there is no gap or none was found.
+    pub largest_gap_fraction: Option<f64>,
+}
+
+impl SpanningComparison {
+    pub(super) fn warnings(&self) -> Vec<Warning> {
+        let mut warnings = Vec::new();
+        if !self.connected_film_exists {
+            let mut detail = String::from("no film that connects all boundaries holds");
+            if let Some(fraction) = self.largest_gap_fraction {
+                detail += &format!("; one would at up to {fraction:.3} of the gap between the two");
+            }
+            warnings.push(Warning::new("no_connected_film", detail));
+        }
+        if self.topologies.first().is_some_and(|least| least.films_cross) {
+            let detail = "two films of the least topology pass through each other; soap films would join there";
+            warnings.push(Warning::new("films_cross", detail));
+        }
+        warnings
+    }
+}
+
+/// What [`solve`] found: the least film, how the mesh of its first part was made, its initial area, the run with the comparison.
+pub(super) type Solved = (Film, InitialMeshKind, f64, Run);
+
+/// One connected film over a set of boundaries.
+#[derive(Clone, Debug)]
+struct Part {
+    film: Film,
+    kind: InitialMeshKind,
+    initial_area: f64,
+    run: Run,
+}
+
+impl Part {
+    fn holds(&self) -> bool {
+        let converged = matches!(self.run.stop_reason, StopReason::Residual | StopReason::NothingToMove);
+        converged
+            && self.run.stability.is_none_or(|stability| stability.stable)
+            && measure::flipped_triangles(&self.film.mesh()) == 0
+    }
+}
+
+/// Steps 1 to 4 for centred boundaries. Discs that do not hold (a knotted boundary, a deadline) are kept as what they are, so that
+/// there is always an answer; connected films are not.
+///
+/// # Errors
+/// [`Error::Input`] for more than [`MOST_BOUNDARIES`] boundaries, and what a single boundary's disc may fail with.
+pub(super) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<Solved, Error> {
+    let count = boundaries.len();
+    if count > MOST_BOUNDARIES {
+        let detail = format!("best compares the films over at most {MOST_BOUNDARIES} boundaries");
+        return Err(Error::input(Place::field("topology"), detail));
+    }
+    let total: f64 = boundaries.iter().map(|boundary| polyline::length(boundary, true)).sum();
+    let search = Search { boundaries, options, total };
+    // Discs first: whatever interrupts the rest, there is an answer then.
+    let mut sets: Vec<u32> = (1..1 << count).collect();
+    sets.sort_by_key(|set| (set.count_ones(), *set));
+    let mut parts: Vec<Option<Part>> = vec![None; 1 << count];
+    let share = 0.9 / sets.len() as f64;
+    let mut interrupted = false;
+    for (k, &set) in sets.iter().enumerate() {
+        let share = [share * k as f64, share * (k + 1) as f64];
+        match exec.part(share, |exec| search.part(set, exec)) {
+            Ok(part) => {
+                interrupted |= part.run.stop_reason == StopReason::Deadline;
+                parts[set as usize] = (set.count_ones() == 1 || part.holds()).then_some(part);
+            }
+            Err(Error::Interrupted(Interruption::DeadlinePassed)) if set.count_ones() > 1 => interrupted = true,
+            Err(error @ Error::NoResult { .. }) if set.count_ones() == 1 => return Err(error),
+            // Several boundaries that no initial mesh connects (touching ones, too coarse a resolution) have no such film.
+            Err(Error::NoResult { .. } | Error::Input(_)) if set.count_ones() > 1 => {}
+            Err(error) => return Err(error),
+        }
+        if interrupted && set.count_ones() > 1 {
+            break;
+        }
+    }
+    let whole = (1usize << count) - 1;
+    let mut largest_gap_fraction = None;
+    if count == 2 && parts[whole].is_none() && !interrupted {
+        match exec.part([0.9, 1.0], |exec| search.widest_gap(exec)) {
+            Ok(Widest::Full(part)) => parts[whole] = Some(*part),
+            Ok(Widest::Fraction(fraction)) => largest_gap_fraction = Some(fraction),
+            Ok(Widest::NotFound) | Err(Error::Interrupted(Interruption::DeadlinePassed)) => {}
+            Err(error) => return Err(error),
+        }
+    }
+    let connected_film_exists = parts[whole].is_some();
+    let mut topologies = partitions(count);
+    let mut compared: Vec<SpanningTopology> = Vec::with_capacity(topologies.len());
+    for films in &mut topologies {
+        films.sort_by_key(|set| set.trailing_zeros());
+        compared.push(compare(films, &parts, exec)?);
+    }
+    // Rounded, so that the last bits do not choose between mirror images.
+    let largest = compared.iter().filter_map(|topology| topology.area).fold(0.0, f64::max);
+    let order = |a: &SpanningTopology, b: &SpanningTopology| {
+        let key =
+            |topology: &SpanningTopology| topology.area.map_or(f64::INFINITY, |area| (area / largest * 1e9).round());
+        key(a).total_cmp(&key(b)).then(a.films.len().cmp(&b.films.len())).then(a.films.cmp(&b.films))
+    };
+    compared.sort_by(order);
+    // The discs alone always have an area, so the first has one.
+    compared[0].chosen = true;
+    let chosen: Vec<&Part> = compared[0]
+        .films
+        .iter()
+        .filter_map(|set| parts[set.iter().map(|&boundary| 1usize << boundary).sum::<usize>()].as_ref())
+        .collect();
+    let comparison = SpanningComparison { topologies: compared.clone(), connected_film_exists, largest_gap_fraction };
+    let films: Vec<(&[usize], &Part)> =
+        compared[0].films.iter().map(Vec::as_slice).zip(chosen.iter().copied()).collect();
+    let film = together(boundaries, &films)
+        .ok_or_else(|| Error::no_result("invalid_mesh", "the films of the chosen topology do not fit together"))?;
+    let mut run = Run::new(Solver::Newton);
+    for part in &chosen {
+        run.append(part.run.clone());
+    }
+    run.stop_reason = if interrupted {
+        StopReason::Deadline
+    } else {
+        let open = chosen.iter().map(|part| part.run.stop_reason).find(|&reason| reason != StopReason::Residual);
+        open.unwrap_or(StopReason::Residual)
+    };
+    run.stability = compared[0].stability;
+    run.spanning = Some(comparison);
+    let initial_area = chosen.iter().map(|part| part.initial_area).sum();
+    Ok((film, chosen[0].kind, initial_area, run))
+}
+
+/// Areas, stability and crossings of one partition.
+fn compare(films: &[u32], parts: &[Option<Part>], exec: &Execution) -> Result<SpanningTopology, Error> {
+    let held: Option<Vec<&Part>> = films.iter().map(|&set| parts[set as usize].as_ref()).collect();
+    let mut topology = SpanningTopology {
+        films: films.iter().map(|&set| members(set)).collect(),
+        area: None,
+        stability: None,
+        films_cross: false,
+        chosen: false,
+    };
+    let Some(held) = held else { return Ok(topology) };
+    topology.area = Some(held.iter().map(|part| part.film.area()).sum());
+    topology.stability =
+        held.iter().map(|part| part.run.stability).collect::<Option<Vec<Stability>>>().and_then(|all| {
+            all.into_iter().reduce(|a, b| Stability {
+                stable: a.stable && b.stable,
+                morse_index: a.morse_index + b.morse_index,
+                lowest_eigenvalue: a.lowest_eigenvalue.min(b.lowest_eigenvalue),
+            })
+        });
+    for (k, part) in held.iter().enumerate() {
+        for other in &held[k + 1..] {
+            // Past the deadline crossings are not looked for any more: the areas are known all the same.
+            topology.films_cross |= match films_cross(&part.film, &other.film, exec) {
+                Err(Interruption::DeadlinePassed) => false,
+                cross => cross?,
+            };
+        }
+    }
+    Ok(topology)
+}
+
+fn members(set: u32) -> Vec<usize> {
+    (0..32).filter(|&boundary| set & (1 << boundary) != 0).collect()
+}
+
+/// Every partition of `count` boundaries, each set as bits.
+fn partitions(count: usize) -> Vec<Vec<u32>> {
+    let mut result = vec![Vec::new()];
+    for boundary in 0..count {
+        let bit = 1u32 << boundary;
+        result = result
+            .into_iter()
+            .flat_map(|partition: Vec<u32>| {
+                let joined = (0..partition.len()).map({
+                    let partition = partition.clone();
+                    move |k| {
+                        let mut partition = partition.clone();
+                        partition[k] |= bit;
+                        partition
+                    }
+                });
+                let alone = std::iter::once([partition, vec![bit]].concat());
+                joined.chain(alone).collect::<Vec<_>>()
+            })
+            .collect();
+    }
+    result
+}
+
+/// How far apart two boundaries may be for a connected film.
+enum Widest {
+    Full(Box<Part>),
+    Fraction(f64),
+    NotFound,
+}
+
+struct Search<'a> {
+    boundaries: &'a [Vec<DVec3>],
+    options: &'a Options,
+    /// Length of all boundaries together.
+    total: f64,
+}
+
+impl Search<'_> {
+    /// The part of the resolution that falls to a set of boundaries, by their length.
+    fn options_for(&self, boundaries: &[Vec<DVec3>]) -> Options {
+        let length: f64 = boundaries.iter().map(|boundary| polyline::length(boundary, true)).sum();
+        let share = |count: usize| ((count as f64 * length / self.total).round() as usize).max(1);
+        let resolution = match self.options.resolution {
+            Resolution::Triangles(count) => Resolution::Triangles(share(count)),
+            Resolution::InteriorVertices(count) => Resolution::InteriorVertices(share(count)),
+            length @ Resolution::EdgeLength(_) => length,
+        };
+        Options { resolution, topology: Topology::Fixed, on_unstable: OnUnstable::Descend, ..self.options.clone() }
+    }
+
+    /// Step 1 for one set.
+    fn part(&self, set: u32, exec: &Execution) -> Result<Part, Error> {
+        let boundaries: Vec<Vec<DVec3>> = members(set).into_iter().map(|k| self.boundaries[k].clone()).collect();
+        self.connected(&boundaries, exec)
+    }
+
+    fn connected(&self, boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<Part, Error> {
+        let options = self.options_for(boundaries);
+        let (start, kind) = initial_mesh::build(boundaries, &options, exec)?;
+        let mut film = start.refined(exec)?;
+        let initial_area = film.area();
+        let run = descent::run(&mut film, &options, exec)?;
+        Ok(Part { film, kind, initial_area, run })
+    }
+
+    /// Step 4.
+    fn widest_gap(&self, exec: &Execution) -> Result<Widest, Error> {
+        let [first, second] = self.boundaries else { return Ok(Widest::NotFound) };
+        let gap = polyline::mean(second) - polyline::mean(first);
+        let size = self.boundaries.iter().flatten().map(|p| p.length()).fold(0.0, f64::max);
+        if gap.length() <= 1e-9 * size {
+            return Ok(Widest::NotFound);
+        }
+        let at = |fraction: f64| -> Vec<Vec<DVec3>> {
+            vec![first.clone(), second.iter().map(|&p| p - gap * (1.0 - fraction)).collect()]
+        };
+        let mut held = None;
+        for halving in 1..=HALVINGS {
+            let fraction = 0.5f64.powi(halving as i32);
+            match self.connected(&at(fraction), exec) {
+                Ok(part) if part.holds() => {
+                    held = Some((fraction, part));
+                    break;
+                }
+                Ok(part) if part.run.stop_reason == StopReason::Deadline => return Ok(Widest::NotFound),
+                Ok(_) | Err(Error::NoResult { .. } | Error::Input(_)) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        let Some((mut fraction, mut part)) = held else { return Ok(Widest::NotFound) };
+        let options = self.options_for(self.boundaries);
+        let mut step = 0.5 * (1.0 - fraction);
+        while step > 0.5 * GAP_RESOLUTION {
+            let tried = f64::min(fraction + step, 1.0);
+            let mut film = moved_apart(&part.film, gap * (tried - fraction));
+            let run = descent::run(&mut film, &options, exec)?;
+            if run.stop_reason == StopReason::Deadline {
+                break;
+            }
+            let next = Part { film, run, ..part.clone() };
+            if next.holds() {
+                (fraction, part) = (tried, next);
+                if fraction >= 1.0 {
+                    // The way here accumulated rounding: the boundary goes exactly where the caller put it.
+                    for (loop_, points) in part.film.boundaries.clone().iter().zip(self.boundaries) {
+                        if loop_.len() == points.len() {
+                            loop_.iter().zip(points).for_each(|(&v, &p)| part.film.vertices[v as usize] = p);
+                        }
+                    }
+                    return Ok(Widest::Full(Box::new(part)));
+                }
+            } else {
+                step *= 0.5;
+            }
+        }
+        Ok(Widest::Fraction(fraction))
+    }
+}
+
+/// The film with its second boundary shifted, and everything between by the part that its distances to the two give.
+fn moved_apart(film: &Film, shift: DVec3) -> Film {
+    let mut moved = film.clone();
+    let mut part = vec![None; film.vertices.len()];
+    for (boundary, loop_) in film.boundaries.iter().enumerate() {
+        loop_.iter().for_each(|&v| part[v as usize] = Some(boundary as f64));
+    }
+    let distance = |p: DVec3, boundary: &[u32]| {
+        let squared = |&v: &u32| film.vertices[v as usize].distance_squared(p);
+        boundary.iter().map(squared).fold(f64::INFINITY, f64::min).sqrt()
+    };
+    for (vertex, part) in moved.vertices.iter_mut().zip(part) {
+        let part = part.unwrap_or_else(|| {
+            let (first, second) = (distance(*vertex, &film.boundaries[0]), distance(*vertex, &film.boundaries[1]));
+            first / (first + second)
+        });
+        *vertex += shift * part;
+    }
+    moved
+}
+
+/// One film of several: the boundaries' input points first, in input order, then everything else, film by film.
+fn together(boundaries: &[Vec<DVec3>], films: &[(&[usize], &Part)]) -> Option<Film> {
+    let mut first = Vec::with_capacity(boundaries.len());
+    let mut count = 0u32;
+    for boundary in boundaries {
+        first.push(count);
+        count += boundary.len() as u32;
+    }
+    let mut vertices: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
+    let mut fixed = vec![true; vertices.len()];
+    let (mut triangles, mut loops, mut locked) = (Vec::new(), vec![Vec::new(); boundaries.len()], Vec::new());
+    for (set, part) in films {
+        let film = &part.film;
+        let own: usize = set.iter().map(|&k| boundaries[k].len()).sum();
+        let mut renamed: Vec<u32> = set
+            .iter()
+            .flat_map(|&k| (0..boundaries[k].len() as u32).map(|i| i + first[k]).collect::<Vec<_>>())
+            .collect();
+        for v in own..film.vertices.len() {
+            renamed.push(vertices.len() as u32);
+            vertices.push(film.vertices[v]);
+            fixed.push(film.fixed[v]);
+        }
+        triangles.extend(film.triangles().iter().map(|t| t.map(|v| renamed[v as usize])));
+        for (&boundary, loop_) in set.iter().zip(&film.boundaries) {
+            loops[boundary] = loop_.iter().map(|&v| renamed[v as usize]).collect();
+        }
+        locked.extend(film.locked.iter().map(|&[a, b]| {
+            let (a, b) = (renamed[a as usize], renamed[b as usize]);
+            [a.min(b), a.max(b)]
+        }));
+    }
+    locked.sort_unstable();
+    let mut film = Film::new(vertices, &triangles, loops)?;
+    (film.fixed, film.locked) = (fixed, locked);
+    Some(film)
+}
