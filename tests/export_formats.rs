@@ -435,9 +435,8 @@ fn only_archives_with_a_pattern_have_pattern_files() {
     assert!(PatternFormat::ALL.iter().all(|format| format.encode(&archive).is_none()));
 }
 
-/// `scripts/test` hands these files to the Khronos validator.
 #[test]
-fn files_for_the_validator() {
+fn the_khronos_validator_finds_neither_errors_nor_warnings() {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("gltf");
     std::fs::create_dir_all(&folder).unwrap();
     let far = sample::roof(1.0, DVec3::new(1e7, -1e7 + 0.1, 3e6));
@@ -448,6 +447,14 @@ fn files_for_the_validator() {
             std::fs::write(folder.join(format!("{name}.{}", format.name())), bytes).unwrap();
         }
     }
+    let scripts = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scripts");
+    if !scripts.join("node_modules/gltf-validator").exists() {
+        println!("SKIPPED: the Khronos validator is not installed; scripts/test installs it");
+        return;
+    }
+    let output =
+        std::process::Command::new("node").arg(scripts.join("validate-gltf.mjs")).arg(&folder).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stdout));
 }
 
 #[test]

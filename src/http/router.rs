@@ -32,6 +32,7 @@ pub fn router(app: App) -> Router {
         .route("/health/ready", get(routes::health::ready))
         .route("/metrics", get(routes::health::metrics))
         .route("/", get(routes::studio::page))
+        .route("/studio/{file}", get(routes::studio::file))
         .fallback(|uri: Uri| async move {
             Failure::not_found(format!("no resource at this path ({} bytes long)", uri.path().len()))
         })

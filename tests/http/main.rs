@@ -17,3 +17,4 @@ mod meshes;
 mod openapi;
 mod prefer;
 mod restart;
+mod studio;
