@@ -170,7 +170,7 @@ fn solve_with(
     execution: &Execution<'_>,
     lanes: Widest,
 ) -> Result<RuledSurface, Error> {
-    let mut prepared = prepare::prepare(directrices, options, execution)?;
+    let mut prepared = prepare::prepare(directrices, options, options.sampling, execution)?;
     let test = Test::new(options.convexity_tolerance);
     let mut pulse = Pulse::new(execution, prepare::cost(&prepared.lengths(), options).cells);
     let goal = Goal { objective: options.objective, secondary: options.secondary };
@@ -229,12 +229,12 @@ fn solve_with(
     Ok(surface)
 }
 
-/// What [`solve`] would say of its arguments before any work: linear in the number of points.
+/// What [`solve`] would say of its arguments before any work (sampling included): linear in the number of points.
 ///
 /// # Errors
 /// The [`Error::Input`] that [`solve`] would begin with.
 pub fn check(directrices: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
-    prepare::prepare(directrices, options, &Execution::default()).map(drop)
+    prepare::prepare(directrices, options, None, &Execution::default()).map(drop)
 }
 
 /// What [`solve`] will take for directrices of so many points; `options.sampling` is applied to them. O(directrices).

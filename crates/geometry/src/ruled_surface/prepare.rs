@@ -78,10 +78,11 @@ impl Prepared {
     }
 }
 
-/// Checks the input and makes it ready.
+/// Checks the input and makes it ready. `sampling` is the options' own, or none for the checks alone.
 pub(super) fn prepare(
     directrices: &[Vec<DVec3>],
     options: &Options,
+    sampling: Option<Sampling>,
     execution: &Execution<'_>,
 ) -> Result<Prepared, Error> {
     let mut errors = option_errors(directrices, options);
@@ -102,8 +103,14 @@ pub(super) fn prepare(
     let mut offset = 0;
     for (k, points) in directrices.iter().enumerate() {
         let along = |values: &Option<Vec<Vec<DVec3>>>| values.as_ref().map(|values| values[k].clone());
-        let (directrix, dropped) =
-            clean(points, along(&options.tangents), along(&options.normals), options, offset, execution)?;
+        let (directrix, dropped) = clean(
+            points,
+            along(&options.tangents),
+            along(&options.normals),
+            (options.closed, sampling),
+            offset,
+            execution,
+        )?;
         if dropped > 0 {
             prepared.warnings.push(Warning::new(
                 "merged_points",
@@ -248,19 +255,19 @@ fn clean(
     points: &[DVec3],
     tangents: Option<Vec<DVec3>>,
     normals: Option<Vec<DVec3>>,
-    options: &Options,
+    (closed, sampling): (bool, Option<Sampling>),
     offset: usize,
     execution: &Execution<'_>,
 ) -> Result<(Directrix, usize), Interruption> {
-    let merged = polyline::merge_equal_neighbours(points, options.closed);
+    let merged = polyline::merge_equal_neighbours(points, closed);
     let dropped = merged.dropped();
     let pick = |values: Vec<DVec3>, source: &[usize]| source.iter().map(|&k| values[k]).collect::<Vec<_>>();
     let mut tangents = tangents.map(|t| pick(t, &merged.source));
     let mut normals = normals.map(|n| pick(n, &merged.source));
     let (mut points, mut vertex_of) = (merged.points, merged.vertex_of);
-    if let Some(sampling) = options.sampling {
-        let samples = sampling::sample(&points, options.closed, sampling, execution)?;
-        let again = polyline::merge_equal_neighbours(&samples.interpolate(&points), options.closed);
+    if let Some(sampling) = sampling {
+        let samples = sampling::sample(&points, closed, sampling, execution)?;
+        let again = polyline::merge_equal_neighbours(&samples.interpolate(&points), closed);
         vertex_of.iter_mut().for_each(|v| *v = again.vertex_of[samples.nearest[*v]]);
         tangents = tangents.map(|t| pick(samples.interpolate(&t), &again.source));
         normals = normals.map(|n| pick(samples.interpolate(&n), &again.source));
