@@ -9,25 +9,37 @@
 //! polygons, sharp corners, short sides, holes) the mesh is still valid, no edge is longer than 2ℓ, and every edge shorter
 //! than ℓ is listed with the reason.
 //!
-//! The steps, each in a file of its own: [`polygon`] checks the domain and places the boundary's nodes, [`lattice`] lays the
-//! lattice, [`increment`] fills the rest, [`plane`] joins them.
+//! Curved domains are flattened, meshed in the plane and carried back; then the inner nodes move on the surface until the
+//! lattice's members are as near to ℓ as they get.
+//!
+//! The steps, each in a file of its own: `polygon` checks a planar domain and places the boundary's nodes, `lattice` lays the
+//! lattice, `increment` fills the rest, `plane` joins them; `parametric_surface` evaluates patches, `flatten` lays surfaces
+//! into the plane, `curved` goes there and back, `refine_on_surface` moves the nodes.
 
+mod assemble;
+mod curved;
+mod flatten;
 mod increment;
 mod lattice;
+mod least_squares;
+pub mod lengths;
+pub mod parametric_surface;
 mod plane;
 mod polygon;
+mod refine_on_surface;
+mod sides;
 pub mod statistics;
 mod triangulation;
 
 use crate::error::{Error, InputError, Place, Warning};
-use crate::execution::{Execution, Progress};
-use crate::mesh::measure::{Spread, angle_range};
-use crate::mesh::topology::{NONE, Topology};
-use crate::{DVec3, Mesh};
-use plane::Failure;
-use polygon::Polygon;
-use statistics::{Group, LengthHistogram, Stage};
-use triangulation::Tangle;
+use crate::execution::Execution;
+use crate::mesh::measure::Spread;
+use crate::{DVec2, DVec3, Mesh};
+use assemble::{on_polygon, on_surface};
+use curved::Auxiliary;
+use lengths::LengthsRow;
+use parametric_surface::Nurbs;
+use statistics::{LengthHistogram, Stage};
 
 /// Coordinates beyond this overflow when squared and multiplied.
 const LARGEST_COORDINATE: f64 = 1e100;
@@ -43,6 +55,12 @@ pub enum Domain {
     /// 1e-6 of its size off their plane; they stay exactly where they are given. The mesh faces the side from which `outer`
     /// runs counter-clockwise.
     Polygon { outer: Vec<DVec3>, holes: Vec<Vec<DVec3>> },
+    /// A tensor-product Bézier patch: `control_points[i][j]`, i along u and j along v. Its mesh faces u × v.
+    Bezier { control_points: Vec<Vec<DVec3>> },
+    /// An untrimmed NURBS patch.
+    Nurbs(Nurbs),
+    /// The minimal surface that spans these closed polygons, see [`crate::minimal_surface`].
+    Boundaries(Vec<Vec<DVec3>>),
 }
 
 /// What to minimise or maximise.
@@ -91,6 +109,29 @@ impl Objective {
     }
 }
 
+/// What is done with a curved surface's nodes after meshing.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Optimise {
+    /// Nothing: they stay where the plane puts them.
+    None,
+    /// The inner nodes move on the surface to the least Σ (L - ℓ)² over the lattice group. (In the plane it is 0 already.)
+    #[default]
+    Nodes,
+    /// After that, on polygons too: the inner nodes move until at most so many lengths stand for all members, each within
+    /// half the length tolerance, or as nearly so as found ([`UniformMesh::shared_lengths`]).
+    Lengths { most: usize },
+}
+
+/// What the members outside the lattice group may do while nodes move.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Rim {
+    /// Stay in [ℓ, 2ℓ] wherever that is possible.
+    #[default]
+    Bounded,
+    /// Anything, as in the paper.
+    Free,
+}
+
 /// How to mesh it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
@@ -99,12 +140,29 @@ pub struct Options {
     pub objective: Objective,
     /// Lengths that differ by no more count as equal, in the caller's unit. `None`: ℓ/1000.
     pub length_tolerance: Option<f64>,
+    /// For curved domains; in the plane lattice members have length ℓ as they are.
+    pub optimise: Optimise,
+    pub rim: Rim,
+    /// Rectangles along u and v of the auxiliary triangulation of a patch, 2 to 400 each.
+    pub auxiliary_grid: [u32; 2],
 }
 
 impl Options {
     #[must_use]
     pub fn new(edge_length: f64, objective: Objective) -> Self {
-        Self { edge_length, objective, length_tolerance: None }
+        Self {
+            edge_length,
+            objective,
+            length_tolerance: None,
+            optimise: Optimise::default(),
+            rim: Rim::default(),
+            auxiliary_grid: [15, 15],
+        }
+    }
+
+    /// The length tolerance in force.
+    fn tolerance(&self) -> f64 {
+        self.length_tolerance.unwrap_or(self.edge_length / 1000.0)
     }
 }
 
@@ -117,6 +175,10 @@ pub enum Why {
     SharpCorner,
     /// It joins two parts of the boundary that come closer than ℓ.
     Narrow,
+    /// In [ℓ, 2ℓ] in the plane, but the surface is stretched against it there.
+    Curvature,
+    /// The optimisation took it out, as [`Rim::Free`] and [`Optimise::Lengths`] may.
+    Optimised,
     /// The deadline passed before the insertion was through.
     Unfinished,
 }
@@ -129,6 +191,8 @@ impl Why {
             Self::ShortSide => "short_side",
             Self::SharpCorner => "sharp_corner",
             Self::Narrow => "narrow",
+            Self::Curvature => "curvature",
+            Self::Optimised => "optimised",
             Self::Unfinished => "unfinished",
         }
     }
@@ -182,6 +246,8 @@ pub struct UniformMesh {
     pub lengths: Vec<f64>,
     pub statistics: Statistics,
     pub stages: Vec<Stage>,
+    /// For [`Optimise::Lengths`]: deviation against the number of lengths, as far as it was tried.
+    pub shared_lengths: Vec<LengthsRow>,
     /// The edges outside [ℓ, 2ℓ], by member.
     pub out_of_range: Vec<OutOfRange>,
     /// For each input point its vertex, in input order; merged points share one.
@@ -210,7 +276,48 @@ pub fn estimate(domain: &Domain, options: &Options) -> Result<Cost, Error> {
             let (area, perimeter) = polygon::extent(outer, holes)?;
             Ok(cost(area, perimeter, options.edge_length))
         }
+        Domain::Bezier { control_points } => estimate_patch(&Nurbs::bezier(control_points.clone()), "bezier", options),
+        Domain::Nurbs(patch) => estimate_patch(patch, "nurbs", options),
+        Domain::Boundaries(boundaries) => {
+            for (k, boundary) in boundaries.iter().enumerate() {
+                if let Some(i) =
+                    boundary.iter().position(|p| !p.is_finite() || p.abs().max_element() > LARGEST_COORDINATE)
+                {
+                    let place = Place::field("domain").then("boundaries").at(k).at(i);
+                    return Err(Error::input(place, "must be finite and below 1e100 in magnitude"));
+                }
+            }
+            let perimeter: f64 = boundaries.iter().map(|points| crate::polyline::length(points, true)).sum();
+            Ok(cost(film_area(boundaries), perimeter, options.edge_length))
+        }
     }
+}
+
+/// The patch's area and circumference on a grid; a little more, since chords are shorter than arcs.
+fn estimate_patch(patch: &Nurbs, field: &'static str, options: &Options) -> Result<Cost, Error> {
+    patch.check(&Place::field("domain").then(field))?;
+    let n = 24;
+    let at = |i: usize, j: usize| patch.evaluate(DVec2::new(i as f64, j as f64) / n as f64)[0];
+    let (mut area, mut perimeter) = (0.0, 0.0);
+    for i in 0..n {
+        for j in 0..n {
+            area += 0.5 * (at(i + 1, j + 1) - at(i, j)).cross(at(i, j + 1) - at(i + 1, j)).length();
+        }
+        for (a, b) in [((i, 0), (i + 1, 0)), ((i, n), (i + 1, n)), ((0, i), (0, i + 1)), ((n, i), (n, i + 1))] {
+            perimeter += at(a.0, a.1).distance(at(b.0, b.1));
+        }
+    }
+    Ok(cost(1.1 * area, 1.1 * perimeter, options.edge_length))
+}
+
+/// The fans from each boundary to its mean together bound the least area of a film with these boundaries from above.
+fn film_area(boundaries: &[Vec<DVec3>]) -> f64 {
+    let fan = |points: &Vec<DVec3>| -> f64 {
+        let centre = crate::polyline::mean(points);
+        let around = points.iter().zip(points.iter().cycle().skip(1));
+        around.map(|(&a, &b)| 0.5 * (a - centre).cross(b - centre).length()).sum()
+    };
+    boundaries.iter().map(fan).sum()
 }
 
 /// Oler: at most 2/√3 A/ℓ² + P/2ℓ + 1 points with gaps of ℓ fit; each side adds one more piece by rounding up.
@@ -223,6 +330,16 @@ fn check(options: &Options) -> Result<(), Error> {
     let mut errors = Vec::new();
     if !(1.0 / LARGEST_COORDINATE..=LARGEST_COORDINATE).contains(&options.edge_length) {
         errors.push(InputError::new(Place::field("edge_length"), "must be positive, between 1e-100 and 1e100"));
+    }
+    for (axis, &cells) in options.auxiliary_grid.iter().enumerate() {
+        if !(2..=400).contains(&cells) {
+            errors.push(InputError::new(Place::field("auxiliary_grid").at(axis), "must lie between 2 and 400"));
+        }
+    }
+    if let Optimise::Lengths { most } = options.optimise
+        && !(1..=1000).contains(&most)
+    {
+        errors.push(InputError::new(Place::field("max_distinct_lengths"), "must lie between 1 and 1000"));
     }
     if options.length_tolerance.is_some_and(|tolerance| !(tolerance >= 0.0 && tolerance.is_finite())) {
         errors.push(InputError::new(Place::field("length_tolerance"), "must be zero or positive"));
@@ -248,166 +365,18 @@ pub fn solve(domain: &Domain, options: &Options, execution: &Execution<'_>) -> R
     }
     match domain {
         Domain::Polygon { outer, holes } => on_polygon(outer, holes, options, execution),
-    }
-}
-
-fn on_polygon(
-    outer: &[DVec3],
-    holes: &[Vec<DVec3>],
-    options: &Options,
-    execution: &Execution<'_>,
-) -> Result<UniformMesh, Error> {
-    let polygon = Polygon::new(outer, holes, options.edge_length, options.objective)?;
-    let flat = plane::mesh(&polygon.outline, options.objective, (0.0, 0.95), execution)
-        .map_err(|failure| planar_error(failure, &polygon))?;
-    let mut vertices = polygon.positions.clone();
-    vertices.extend(flat.points[vertices.len()..].iter().map(|&p| polygon.frame.point(p)));
-    let mesh = Mesh::new(vertices, flat.triangles);
-    let topology = topology(&mesh)?;
-    let members = members(&mesh, &topology);
-    let on_lattice: Vec<bool> =
-        flat.points.iter().map(|&p| flat.lattice.is_some_and(|placement| placement.carries(p))).collect();
-    let lattice_group: Vec<bool> = members
-        .iter()
-        .map(|&[a, b]| {
-            let (a, b) = (a as usize, b as usize);
-            on_lattice[a] && on_lattice[b] && (flat.points[a].distance(flat.points[b]) - 1.0).abs() < 1e-6
-        })
-        .collect();
-    let mut result = Assembly { mesh, members, lattice_group, options }
-        .finish(|edge, length| polygon.why(edge, length / options.edge_length));
-    result.stages.push(result.stage("plane", options.edge_length));
-    result.statistics.node_lower_bound = Some(polygon.node_lower_bound());
-    result.input_vertices = polygon.input_vertices;
-    result.converged = !flat.interrupted;
-    result.warnings.splice(0..0, polygon.warnings);
-    if flat.interrupted {
-        result.warnings.push(Warning::new("not_converged", "the deadline passed; edges may be longer than 2ℓ"));
-    } else if options.objective == Objective::MostEqualEdges && result.statistics.lattice_edges.count == 0 {
-        result
-            .warnings
-            .push(Warning::new("no_lattice", "no lattice edge fits: the domain is too narrow for this length"));
-    }
-    execution.report(Progress {
-        fraction: 1.0,
-        phase: "done",
-        iteration: result.statistics.nodes as u64,
-        objective_value: Some(result.statistics.objective_value as f64),
-        residual: None,
-    });
-    Ok(result)
-}
-
-/// The mesh's connectivity; a defect here is a defect of this module, reported rather than passed on.
-fn topology(mesh: &Mesh) -> Result<Topology, Error> {
-    mesh.check()
-        .map_err(|defect| Error::no_result("invalid_mesh", format!("the triangulation is not a manifold: {defect}")))
-}
-
-fn members(mesh: &Mesh, topology: &Topology) -> Vec<[u32; 2]> {
-    (0..3 * mesh.triangles.len() as u32)
-        .filter(|&h| topology.twin[h as usize] == NONE || topology.twin[h as usize] > h)
-        .map(|h| [topology.from(h), topology.to(h)])
-        .collect()
-}
-
-fn planar_error(failure: Failure, polygon: &Polygon) -> Error {
-    let crossing = "the polygon crosses or touches itself (or a hole) here";
-    match failure {
-        Failure::Interrupted(interruption) => Error::Interrupted(interruption),
-        Failure::Tangle(Tangle::Coincident(a, b)) => Error::Input(vec![
-            InputError::new(polygon.place_of(a), "coincides with another point: the boundary touches itself"),
-            InputError::new(polygon.place_of(b), "coincides with another point: the boundary touches itself"),
-        ]),
-        Failure::Tangle(Tangle::Crossing { from, .. }) => Error::input(polygon.place_of(from), crossing),
-        Failure::Tangle(Tangle::WrongSide { from, .. }) => {
-            Error::input(polygon.ring_of(from), "does not lie inside the polygon, clear of the other holes")
+        Domain::Bezier { control_points } => {
+            let place = Place::field("domain").then("bezier");
+            let patch = Nurbs::bezier(control_points.clone());
+            on_surface(&Auxiliary::of_patch(&patch, &place, options)?, 0.0, options, execution)
         }
-        Failure::Tangle(Tangle::OutOfRange) => {
-            Error::input(Place::field("domain"), "coordinates are too large or too close together for this edge length")
+        Domain::Nurbs(patch) => {
+            let place = Place::field("domain").then("nurbs");
+            on_surface(&Auxiliary::of_patch(patch, &place, options)?, 0.0, options, execution)
         }
-    }
-}
-
-/// A mesh on its way to a result.
-struct Assembly<'a> {
-    mesh: Mesh,
-    members: Vec<[u32; 2]>,
-    lattice_group: Vec<bool>,
-    options: &'a Options,
-}
-
-impl Assembly<'_> {
-    fn finish(self, why: impl Fn([u32; 2], f64) -> Why) -> UniformMesh {
-        let Self { mesh, members, lattice_group, options } = self;
-        let target = options.edge_length;
-        let tolerance = options.length_tolerance.unwrap_or(target / 1000.0);
-        let at = |v: u32| mesh.vertices[v as usize];
-        let lengths: Vec<f64> = members.iter().map(|&[a, b]| at(a).distance(at(b))).collect();
-        // Coordinates far from the origin carry lengths only to their own rounding.
-        let largest = mesh.vertices.iter().map(|v| v.abs().max_element()).fold(0.0, f64::max);
-        let slack = RANGE_TOLERANCE * target + 8.0 * f64::EPSILON * largest;
-        let out_of_range: Vec<OutOfRange> = lengths
-            .iter()
-            .enumerate()
-            .filter(|&(_, &length)| length < target - slack || length > 2.0 * (target + slack))
-            .map(|(member, &length)| OutOfRange { member, length, why: why(members[member], length) })
-            .collect();
-        let all = Group::of(&lengths, target, tolerance);
-        let lattice = lengths.iter().zip(&lattice_group).filter(|&(_, &member)| member).map(|(&length, _)| length);
-        let lattice_edges = Spread::of(lattice);
-        let statistics = Statistics {
-            objective_value: match options.objective {
-                Objective::FewestNodes => mesh.vertices.len(),
-                Objective::MostEqualEdges => lattice_edges.count,
-            },
-            nodes: mesh.vertices.len(),
-            triangles: mesh.triangles.len(),
-            edges: members.len(),
-            edge_lengths: all.lengths,
-            lattice_edges,
-            equal_edges: all.equal_edges,
-            distinct_lengths: all.distinct_lengths,
-            length_tolerance: tolerance,
-            out_of_range_edges: out_of_range.len(),
-            angles: angle_range(&mesh),
-            length_histogram: LengthHistogram::of(&lengths, target),
-            valence_histogram: statistics::valences(&members, mesh.vertices.len()),
-            node_lower_bound: None,
-        };
-        let mut warnings = Vec::new();
-        if !out_of_range.is_empty() {
-            let mut reasons: Vec<&str> = out_of_range.iter().map(|edge| edge.why.name()).collect();
-            reasons.sort_unstable();
-            reasons.dedup();
-            let detail = format!("{} edges are outside [ℓ, 2ℓ]: {}", out_of_range.len(), reasons.join(", "));
-            warnings.push(Warning::new("out_of_range", detail));
-        }
-        UniformMesh {
-            mesh,
-            members,
-            lattice_group,
-            lengths,
-            statistics,
-            stages: Vec::new(),
-            out_of_range,
-            input_vertices: Vec::new(),
-            converged: true,
-            warnings,
-        }
-    }
-}
-
-impl UniformMesh {
-    /// The figures of the mesh as it stands, as one row pair of Table 1.
-    fn stage(&self, name: &'static str, target: f64) -> Stage {
-        let lattice: Vec<f64> =
-            self.lengths.iter().zip(&self.lattice_group).filter(|&(_, &member)| member).map(|(&l, _)| l).collect();
-        let tolerance = self.statistics.length_tolerance;
-        Stage {
-            name,
-            all: Group::of(&self.lengths, target, tolerance),
-            lattice: Some(Group::of(&lattice, target, tolerance)),
+        Domain::Boundaries(boundaries) => {
+            let film = Auxiliary::of_film(boundaries, options, (0.0, 0.4), execution)?;
+            on_surface(&film, 0.4, options, execution)
         }
     }
 }

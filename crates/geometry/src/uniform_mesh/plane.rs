@@ -134,7 +134,7 @@ pub(super) fn mesh(
 }
 
 /// Whether the deadline passed; a cancelled run is an error.
-fn deadline(result: Result<(), Interruption>) -> Result<bool, Interruption> {
+pub(super) fn deadline(result: Result<(), Interruption>) -> Result<bool, Interruption> {
     match result {
         Ok(()) => Ok(false),
         Err(Interruption::DeadlinePassed) => Ok(true),

@@ -1,15 +1,14 @@
 //! A planar polygon in space, with holes: checked, brought into its plane in units of ℓ, its long sides split.
 
+use super::Objective;
 use super::plane::Outline;
-use super::{Objective, Why};
+use super::sides::{Sides, is_sharp, pieces};
 use crate::error::{Error, InputError, Place, Warning};
 use crate::polyline::{mean, merge_equal_neighbours};
 use crate::{DVec2, DVec3};
 
 /// How far a point may lie off the plane, as a fraction of the polygon's size.
 pub(super) const PLANARITY: f64 = 1e-6;
-/// Rounding allowed in counting how often ℓ goes into a side.
-const WHOLE: f64 = 1e-10;
 
 /// Points lie at origin + ℓ (x · right + y · up), seen from the side of `right` × `up`.
 #[derive(Clone, Copy, Debug)]
@@ -26,25 +25,6 @@ impl Frame {
     }
 }
 
-/// Where a boundary node stands: on one side of the polygon, or at the corner between two.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Stand {
-    on: [u32; 2],
-}
-
-/// One side of the polygon.
-#[derive(Clone, Copy, Debug)]
-struct Side {
-    /// The corner where it starts.
-    start: u32,
-    /// In ℓ.
-    length: f64,
-    /// The side after it in its loop, with the domain on the left.
-    next: u32,
-    /// Whether the inner angle at its end is below 90°.
-    sharp_end: bool,
-}
-
 /// A polygon ready to be meshed.
 #[derive(Debug)]
 pub(super) struct Polygon {
@@ -54,8 +34,7 @@ pub(super) struct Polygon {
     pub positions: Vec<DVec3>,
     pub input_vertices: Vec<Option<u32>>,
     pub warnings: Vec<Warning>,
-    stands: Vec<Stand>,
-    sides: Vec<Side>,
+    pub sides: Sides,
     /// For each corner the loop and the index of the input point.
     sources: Vec<(usize, usize)>,
 }
@@ -120,8 +99,7 @@ impl Polygon {
             positions: Vec::new(),
             input_vertices: Vec::new(),
             warnings,
-            stands: Vec::new(),
-            sides: Vec::new(),
+            sides: Sides::default(),
             sources: Vec::new(),
         };
         let mut corner_loops = Vec::new();
@@ -156,83 +134,38 @@ impl Polygon {
 
     /// Splits the sides: pieces within [ℓ, 2ℓ] wherever the side is at least ℓ long.
     fn split(&mut self, loops: &[Vec<u32>], objective: Objective) {
-        self.stands = vec![Stand { on: [u32::MAX; 2] }; self.positions.len()];
+        self.sides = Sides::new(self.positions.len());
         for corners in loops {
             let count = corners.len();
-            let first = self.sides.len() as u32;
             let mut nodes = Vec::new();
+            let mut sides = Vec::new();
             for k in 0..count {
                 let (a, b) = (corners[k] as usize, corners[(k + 1) % count] as usize);
                 let c = corners[(k + 2) % count] as usize;
                 let (p, q) = (self.outline.nodes[a], self.outline.nodes[b]);
-                let (edge, after) = (q - p, self.outline.nodes[c] - q);
-                let length = edge.length();
-                let pieces = pieces(length, objective);
-                let here = self.sides.len() as u32;
-                let next = if k + 1 == count { first } else { here + 1 };
-                let sharp_end = edge.perp_dot(after) > 0.0 && edge.dot(after) < 0.0;
-                self.sides.push(Side { start: a as u32, length, next, sharp_end });
-                self.stands[a].on[1] = here;
-                self.stands[b].on[0] = here;
+                let edge = q - p;
+                let first = nodes.len();
                 nodes.push(a as u32);
                 let (from, to) = (self.positions[a], self.positions[b]);
+                let pieces = pieces(edge.length(), objective);
                 for piece in 1..pieces {
                     let part = f64::from(piece) / f64::from(pieces);
                     nodes.push(self.positions.len() as u32);
                     self.positions.push(from + (to - from) * part);
                     self.outline.nodes.push(p + edge * part);
-                    self.stands.push(Stand { on: [here; 2] });
                 }
+                let sharp_end = is_sharp(edge, self.outline.nodes[c] - q);
+                sides.push((first, edge.length(), sharp_end));
             }
+            self.sides.add_loop(&nodes, &sides);
             self.outline.loops.push(nodes);
         }
     }
 
-    /// Why an edge of the planar mesh (length in ℓ) is outside [ℓ, 2ℓ].
-    pub fn why(&self, edge: [u32; 2], length: f64) -> Why {
-        let [a, b] = edge.map(|v| self.stands.get(v as usize).copied());
-        let (Some(a), Some(b)) = (a, b) else { return Why::Unfinished };
-        if length > 1.0 {
-            return Why::Unfinished;
-        }
-        let side = |s: u32| self.sides[s as usize];
-        let short = |s: u32| side(s).length < 1.0;
-        if a.on.iter().any(|s| b.on.contains(s) && short(*s)) {
-            return Why::ShortSide;
-        }
-        for (a, b) in [(a, b), (b, a)] {
-            if a.on.iter().any(|&s| side(s).sharp_end && b.on.contains(&side(s).next)) {
-                return Why::SharpCorner;
-            }
-        }
-        // Two nodes less than 3ℓ apart along the boundary, with a short side on the way.
-        let at = |v: u32| self.outline.nodes[v as usize];
-        for (from, to) in [(edge[0], edge[1]), (edge[1], edge[0])] {
-            let mut s = self.stands[from as usize].on[1];
-            let (mut way, mut shorter) = (at(from).distance(at(side(side(s).next).start)), short(s));
-            while way < 3.0 {
-                s = side(s).next;
-                shorter |= short(s);
-                if self.stands[to as usize].on.contains(&s) {
-                    if shorter && way + at(side(s).start).distance(at(to)) < 3.0 {
-                        return Why::ShortSide;
-                    }
-                    break;
-                }
-                way += side(s).length;
-            }
-        }
-        Why::Narrow
-    }
-
     /// The input point at a boundary node, or the one where its side starts.
     pub fn place_of(&self, node: u32) -> Place {
-        let corner = if (node as usize) < self.sources.len() {
-            node as usize
-        } else {
-            let side = self.stands[node as usize].on[0];
-            self.stands.iter().position(|stand| stand.on[1] == side).unwrap_or(0)
-        };
+        let corner =
+            if (node as usize) < self.sources.len() { node as usize } else { self.sides.start_of(node) as usize };
         let (ring, point) = self.sources[corner.min(self.sources.len() - 1)];
         place(ring, point)
     }
@@ -246,10 +179,10 @@ impl Polygon {
     /// No triangulation of the domain with every edge at most 2ℓ has fewer nodes: a triangle covers at most √3 ℓ², a side of
     /// length L needs ⌈L/2ℓ⌉ pieces, and Euler's formula turns both into nodes.
     pub fn node_lower_bound(&self) -> usize {
-        let boundary: f64 = self.sides.iter().map(|side| (side.length / 2.0 - 1e-9).ceil().max(1.0)).sum();
+        let boundary: f64 = self.sides.lengths().map(|length| (length / 2.0 - 1e-9).ceil().max(1.0)).sum();
         let holes = self.outline.loops.len() as f64 - 1.0;
         let nodes = (self.outline.area() / 3f64.sqrt() + boundary + 2.0 - 2.0 * holes) / 2.0;
-        ((nodes - 1e-9).ceil().max(0.0) as usize).max(self.sides.len())
+        ((nodes - 1e-9).ceil().max(0.0) as usize).max(self.sides.lengths().count())
     }
 }
 
@@ -277,19 +210,6 @@ fn finite(ring: usize, points: &[DVec3]) -> Result<(), Error> {
         .map(|k| InputError::new(place(ring, k), "must be finite and below 1e100 in magnitude"))
         .collect();
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
-}
-
-/// How many pieces a side of the given length (in ℓ) is split into.
-fn pieces(length: f64, objective: Objective) -> u32 {
-    // Up to 2ℓ a side stays whole, but for one that is two members exactly.
-    let most = (length * (1.0 + WHOLE)).floor().max(1.0);
-    match objective {
-        _ if length < 2.0 * (1.0 - WHOLE) => 1,
-        // Pieces as near to ℓ as they get, so that the rim can go on where the lattice ends.
-        Objective::MostEqualEdges => most as u32,
-        // Pieces of at most √2 ℓ wherever possible: no inserted node then falls into the diametral circle of a piece.
-        Objective::FewestNodes => (length / std::f64::consts::SQRT_2).ceil().min(most) as u32,
-    }
 }
 
 /// The polygon's plane by Newell's normal, with the first side to the right.

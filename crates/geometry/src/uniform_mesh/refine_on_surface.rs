@@ -1,0 +1,334 @@
+//! Moving the inner nodes on the surface (Katoh, Ohsaki and Xu, section 4, last paragraph): the least Σ (L - ℓ)² over the
+//! lattice group, with the parameters of the inner nodes as variables.
+//!
+//! 1. Levenberg and Marquardt on the members' lengths, measured on the surface itself.
+//! 2. Members of the rim are kept in [ℓ, 2ℓ]: a member beyond a bound adds the square of a weighted excess, and the bound is
+//!    shifted by the excess left over (Powell's and Hestenes' multipliers), until none is left.
+//!
+//! Our departures: the paper's own optimum stretched a rim member to 13.4 for ℓ = 5, hence step 2 ([`Rim::Free`](super::Rim::Free) leaves it
+//! out); a step that would flip a triangle in the parameter plane is refused; the damping is the surface's metric, so that
+//! the result does not depend on how the patch is parametrised.
+
+use super::curved::Surface;
+use super::least_squares::{Normal, Problem, Settings, minimise, step_before_flip};
+use crate::execution::{Execution, Interruption};
+use crate::{DVec2, DVec3};
+
+/// Rim members aim a little inside their bounds, so that what the multipliers leave over is still within.
+const MARGIN: f64 = 1e-7;
+/// Weight of a rim member's excess against a lattice member's deviation.
+const WEIGHT: f64 = 3.0;
+const LARGEST_WEIGHT: f64 = 30.0;
+/// A bound's shift is at most this, in ℓ.
+const LARGEST_SHIFT: f64 = 0.5;
+/// An excess of so little, in ℓ, is none.
+const ENOUGH: f64 = 1e-9;
+const ROUNDS: usize = 16;
+const ATTEMPTS: usize = 3;
+
+/// What a member's length is to be, in ℓ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Aim {
+    /// As near to this as possible.
+    At(f64),
+    /// Within [1, 2].
+    Within,
+    Free,
+}
+
+/// The mesh on the surface: parameters and positions of its nodes, lengths in ℓ.
+#[derive(Clone, Debug)]
+pub(super) struct OnSurface<'a> {
+    pub surface: &'a Surface,
+    pub parameters: Vec<DVec2>,
+    pub positions: Vec<DVec3>,
+    /// The first so many nodes are on the boundary and stay.
+    pub fixed: usize,
+    pub triangles: &'a [[u32; 3]],
+    pub members: &'a [[u32; 2]],
+}
+
+impl OnSurface<'_> {
+    pub fn lengths(&self) -> Vec<f64> {
+        self.members.iter().map(|&[a, b]| self.positions[a as usize].distance(self.positions[b as usize])).collect()
+    }
+}
+
+struct Moving<'a, 'b> {
+    nodes: &'a OnSurface<'b>,
+    /// Members with at least one moving end: their number in `members`.
+    active: Vec<usize>,
+    /// Among them those with two, as pairs of moving nodes, and their place in `active`.
+    pairs: Vec<[u32; 2]>,
+    pair_of: Vec<Option<usize>>,
+    aims: &'a [Aim],
+    /// For each active member the bounds that it has if it is in the rim.
+    bounds: Vec<[f64; 2]>,
+    /// For each active member the shifts of its lower and upper bound, 0 or positive.
+    shifts: Vec<[f64; 2]>,
+    weight: f64,
+    /// Triangles with a moving corner.
+    triangles: Vec<[u32; 3]>,
+    /// Position and derivatives of the moving nodes where they were last evaluated.
+    here: Vec<[DVec3; 3]>,
+    metrics: Vec<[f64; 3]>,
+}
+
+impl<'a, 'b> Moving<'a, 'b> {
+    fn new(nodes: &'a OnSurface<'b>, aims: &'a [Aim]) -> Self {
+        let fixed = nodes.fixed as u32;
+        let active: Vec<usize> = (0..nodes.members.len())
+            .filter(|&m| aims[m] != Aim::Free && nodes.members[m].iter().any(|&v| v >= fixed))
+            .collect();
+        let (mut pairs, mut pair_of) = (Vec::new(), Vec::new());
+        for &m in &active {
+            let [a, b] = nodes.members[m];
+            let both = a >= fixed && b >= fixed;
+            pair_of.push(both.then_some(pairs.len()));
+            if both {
+                pairs.push([a - fixed, b - fixed]);
+            }
+        }
+        let triangles = nodes.triangles.iter().filter(|t| t.iter().any(|&v| v >= fixed)).copied().collect();
+        let (bounds, shifts) = (vec![[1.0, 2.0]; active.len()], vec![[0.0; 2]; active.len()]);
+        let moving = nodes.parameters.len() - nodes.fixed;
+        Self {
+            nodes,
+            active,
+            pairs,
+            pair_of,
+            aims,
+            bounds,
+            shifts,
+            weight: WEIGHT,
+            triangles,
+            here: Vec::new(),
+            metrics: vec![[1.0, 0.0, 1.0]; moving],
+        }
+    }
+
+    fn position(&self, v: u32) -> DVec3 {
+        match (v as usize).checked_sub(self.nodes.fixed) {
+            Some(k) => self.here[k][0],
+            None => self.nodes.positions[v as usize],
+        }
+    }
+
+    /// The weighted residual of active member `k` at a length, and its derivative by the length.
+    fn residual(&self, k: usize, length: f64) -> (f64, f64) {
+        match self.aims[self.active[k]] {
+            Aim::At(target) => (length - target, 1.0),
+            Aim::Within => {
+                let ([low, high], [down, up]) = (self.bounds[k], self.shifts[k]);
+                let (under, over) = (low + MARGIN - length + down, length - high + MARGIN + up);
+                if under > 0.0 {
+                    (self.weight * under, -self.weight)
+                } else if over > 0.0 {
+                    (self.weight * over, self.weight)
+                } else {
+                    (0.0, 0.0)
+                }
+            }
+            Aim::Free => (0.0, 0.0),
+        }
+    }
+
+    fn length(&self, k: usize) -> f64 {
+        let [a, b] = self.nodes.members[self.active[k]];
+        self.position(a).distance(self.position(b))
+    }
+
+    /// Largest excess of a rim member over its bounds.
+    fn excess(&self) -> f64 {
+        (0..self.active.len())
+            .filter(|&k| self.aims[self.active[k]] == Aim::Within)
+            .map(|k| (self.length(k), self.bounds[k]))
+            .map(|(length, [low, high])| (low - length).max(length - high))
+            .fold(0.0, f64::max)
+    }
+
+    fn shift(&mut self) {
+        for k in 0..self.active.len() {
+            if self.aims[self.active[k]] == Aim::Within {
+                let length = self.length(k);
+                let ([low, high], [down, up]) = (self.bounds[k], self.shifts[k]);
+                self.shifts[k] =
+                    [down + low + MARGIN - length, up + length - high + MARGIN].map(|s| s.clamp(0.0, LARGEST_SHIFT));
+            }
+        }
+    }
+}
+
+impl Problem for Moving<'_, '_> {
+    fn couplings(&self) -> &[[u32; 2]] {
+        &self.pairs
+    }
+
+    fn energy(&mut self, x: &[DVec2]) -> f64 {
+        let parameter = |v: u32| match (v as usize).checked_sub(self.nodes.fixed) {
+            Some(k) => x[k],
+            None => self.nodes.parameters[v as usize],
+        };
+        let upright = |&[a, b, c]: &[u32; 3]| {
+            let a = parameter(a);
+            (parameter(b) - a).perp_dot(parameter(c) - a) > 0.0
+        };
+        if !self.triangles.iter().all(upright) {
+            return f64::INFINITY;
+        }
+        self.here = x.iter().map(|&p| self.nodes.surface.evaluate(p)).collect();
+        (0..self.active.len())
+            .map(|k| {
+                let (r, _) = self.residual(k, self.length(k));
+                0.5 * r * r
+            })
+            .sum()
+    }
+
+    fn assemble(&mut self, x: &[DVec2], normal: &mut Normal) {
+        self.here = x.iter().map(|&p| self.nodes.surface.evaluate(p)).collect();
+        for (metric, [_, du, dv]) in self.metrics.iter_mut().zip(&self.here) {
+            *metric = [du.dot(*du), du.dot(*dv), dv.dot(*dv)];
+        }
+        for k in 0..self.active.len() {
+            let [a, b] = self.nodes.members[self.active[k]];
+            let edge = self.position(b) - self.position(a);
+            let length = edge.length();
+            let (r, slope) = self.residual(k, length);
+            if slope == 0.0 || length == 0.0 {
+                continue;
+            }
+            let direction = edge * (slope / length);
+            let derivative = |v: u32| {
+                (v as usize).checked_sub(self.nodes.fixed).map(|node| {
+                    let [_, du, dv] = self.here[node];
+                    (node, DVec2::new(du.dot(direction), dv.dot(direction)))
+                })
+            };
+            match (derivative(a), derivative(b), self.pair_of[k]) {
+                (Some((_, ga)), Some((_, gb)), Some(pair)) => normal.add_pair(pair, self.pairs[pair], r, -ga, gb),
+                (Some((node, g)), None, _) => normal.add_single(node, r, -g),
+                (None, Some((node, g)), _) => normal.add_single(node, r, g),
+                _ => {}
+            }
+        }
+    }
+
+    fn largest_step(&self, x: &[DVec2], step: &[DVec2]) -> f64 {
+        let of = |v: u32| match (v as usize).checked_sub(self.nodes.fixed) {
+            Some(k) => (x[k], step[k]),
+            None => (self.nodes.parameters[v as usize], DVec2::ZERO),
+        };
+        step_before_flip(self.triangles.iter().map(|t| t.map(of)))
+    }
+
+    fn metric(&self, node: usize) -> [f64; 3] {
+        let [xx, xy, yy] = self.metrics[node];
+        // A patch may have a point without a tangent plane; a little of the trace keeps the metric definite there.
+        let little = 1e-9 * (xx + yy) + f64::MIN_POSITIVE;
+        [xx + little, xy, yy + little]
+    }
+
+    fn restrict(&self, x: DVec2) -> DVec2 {
+        self.nodes.surface.restrict(x)
+    }
+}
+
+/// Moves the inner nodes so that the members come as near to their aims as they get.
+///
+/// Where the surface is curved so strongly that some rim members can reach no length within [ℓ, 2ℓ], those may keep the
+/// length they start with; more weight on them would only spoil the lattice. Returns what cut the work short, if anything
+/// did; `nodes` is then the best so far.
+pub(super) fn refine(
+    nodes: &mut OnSurface<'_>,
+    aims: &[Aim],
+    phase: &'static str,
+    (from, to): (f64, f64),
+    execution: &Execution<'_>,
+) -> Option<Interruption> {
+    let start: Vec<DVec2> = nodes.parameters[nodes.fixed..].to_vec();
+    let mut moving = Moving::new(nodes, aims);
+    let before = (moving.deviation(&start), moving.excess());
+    let given: Vec<f64> = (0..moving.active.len()).map(|k| moving.length(k)).collect();
+    let (mut x, mut interrupted) = (start.clone(), None);
+    for attempt in 0..ATTEMPTS {
+        let part = |k: usize| from + (to - from) * k as f64 / ATTEMPTS as f64;
+        x.clone_from(&start);
+        interrupted = moving.multipliers(&mut x, phase, (part(attempt), part(attempt + 1)), execution);
+        moving.energy(&x);
+        if interrupted.is_some() || moving.excess() <= ENOUGH {
+            break;
+        }
+        let mut widened = false;
+        for (k, &given) in given.iter().enumerate() {
+            let (length, [low, high]) = (moving.length(k), moving.bounds[k]);
+            if length < low - ENOUGH || length > high + ENOUGH {
+                moving.bounds[k] = [low.min(given), high.max(given)];
+                widened |= moving.bounds[k] != [low, high];
+            }
+        }
+        if !widened {
+            break;
+        }
+    }
+    // Never hand back what is worse in both respects than what came in.
+    moving.bounds.fill([1.0, 2.0]);
+    if moving.deviation(&x) >= before.0 && moving.excess() >= before.1 {
+        x = start;
+        moving.energy(&x);
+    }
+    let here = std::mem::take(&mut moving.here);
+    let fixed = nodes.fixed;
+    nodes.parameters.truncate(fixed);
+    nodes.parameters.extend(x);
+    nodes.positions.truncate(fixed);
+    nodes.positions.extend(here.iter().map(|point| point[0]));
+    interrupted
+}
+
+impl Moving<'_, '_> {
+    /// ½ Σ (L - aim)² over the members that have a length to aim at.
+    fn deviation(&mut self, x: &[DVec2]) -> f64 {
+        self.energy(x);
+        let aimed = |k: &usize| matches!(self.aims[self.active[*k]], Aim::At(_));
+        let term = |k: usize| 0.5 * self.residual(k, self.length(k)).0.powi(2);
+        (0..self.active.len()).filter(aimed).map(term).sum()
+    }
+
+    /// One run of the method of multipliers from `x`.
+    fn multipliers(
+        &mut self,
+        x: &mut Vec<DVec2>,
+        phase: &'static str,
+        (from, to): (f64, f64),
+        execution: &Execution<'_>,
+    ) -> Option<Interruption> {
+        // Across a film's facets the derivatives jump, and with them the last digits of the least.
+        let tolerance = if matches!(self.nodes.surface, Surface::Film { .. }) { 1e-5 } else { 1e-9 };
+        self.weight = WEIGHT;
+        self.shifts.fill([0.0; 2]);
+        let (mut last, mut stalled) = (f64::INFINITY, 0);
+        for round in 0..ROUNDS {
+            let part = |k: usize| from + (to - from) * k as f64 / ROUNDS as f64;
+            let settings = Settings { phase, span: (part(round), part(round + 1)), max_iterations: 60, tolerance };
+            let outcome = minimise(self, x, settings, execution);
+            if outcome.interrupted.is_some() {
+                return outcome.interrupted;
+            }
+            self.energy(x);
+            let excess = self.excess();
+            stalled = if excess > 0.9 * last { stalled + 1 } else { 0 };
+            if excess <= ENOUGH || stalled == 3 {
+                break;
+            }
+            if excess > 0.3 * last && self.weight < LARGEST_WEIGHT {
+                self.weight *= 3.0;
+                // The shift is a multiplier over the weight squared: a new weight rescales it.
+                self.shifts.iter_mut().for_each(|shift| *shift = shift.map(|s| s / 9.0));
+            }
+            last = excess;
+            self.shift();
+        }
+        None
+    }
+}
