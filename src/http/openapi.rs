@@ -310,7 +310,15 @@ fn pattern() -> Value {
 
 fn events() -> Value {
     let stream = json!({ "description": "Server-sent events: `status`, `progress`, then one final `status`; each carries the job.",
-        "content": { "text/event-stream": { "schema": { "type": "string" } } } });
+        "content": { "text/event-stream": { "schema": {
+            "type": "object", "description": "One event", "required": ["id", "event", "data"],
+            "properties": {
+                "id": { "type": "string", "description": "`attempt.sequence`" },
+                "event": { "type": "string", "enum": ["status", "progress"] },
+                "data": { "type": "string", "description": "JSON: the job, or its id, status and progress" },
+                "retry": { "type": "integer", "minimum": 0 },
+            },
+        } } } });
     json!({
         "operationId": "getEvents", "tags": ["jobs"], "summary": "Progress as server-sent events",
         "parameters": [{ "name": "Last-Event-ID", "in": "header", "required": false,

@@ -81,7 +81,7 @@ pub struct Links {
     pub this: String,
     pub mesh: String,
     /// Ruled surfaces only.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pattern: Option<String>,
     pub events: String,
     pub cancel: String,
@@ -152,10 +152,10 @@ pub struct Problem {
     /// The path that was asked for.
     pub instance: String,
     /// Offending values of the body, at most 50.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub errors: Vec<FieldError>,
     /// True if there were more errors than are listed.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub errors_omitted: bool,
 }
 
