@@ -78,10 +78,10 @@ const covered = () => page.evaluate(() => new Promise((resolve) => {
   // The picture is only there in the frame that draws it: ask for a drawing, and look right after it.
   document.querySelector('[data-view="fit"]').click();
   requestAnimationFrame(() => {
-    const copy = Object.assign(document.createElement('canvas'), { width: 200, height: 150 });
+    const copy = Object.assign(document.createElement('canvas'), { width: 800, height: 600 });
     const context = copy.getContext('2d');
-    context.drawImage(document.querySelector('#view'), 0, 0, 200, 150);
-    const { data } = context.getImageData(0, 0, 200, 150);
+    context.drawImage(document.querySelector('#view'), 0, 0, 800, 600);
+    const { data } = context.getImageData(0, 0, 800, 600);
     let filled = 0;
     for (let i = 3; i < data.length; i += 4) filled += data[i] > 128 ? 1 : 0;
     resolve(filled / (data.length / 4));
@@ -100,10 +100,10 @@ test('every example of the server is solved and shown', async () => {
     const job = await (await fetch(`${url}/v1/jobs/${id}`)).json();
     assert.equal(job.status, 'succeeded');
     assert.equal((await figure('Triangles')).replaceAll(',', ''), String(job.statistics.triangles));
-    assert.ok(await covered() > 0.02, `${name}: the mesh covers a part of the view`);
+    assert.ok(await covered() > 0.004, `${name}: the mesh covers a part of the view`);
     await layer('Surface', false);
     await layer('Edges', true);
-    assert.ok(await covered() > 0.002, `${name}: the edges alone show too`);
+    assert.ok(await covered() > 0.001, `${name}: the edges alone show too`);
   }
 });
 

@@ -15,6 +15,7 @@ function resolve(openapi, schema) {
   for (let depth = 0; depth < 8; depth += 1) {
     if (found.description) outer.description ??= found.description;
     if (found.default !== undefined) outer.default ??= found.default;
+    if (nonNull(found)) outer.nullable = true;
     const next = found.$ref ?? found.allOf?.[0]?.$ref ?? nonNull(found)?.$ref;
     if (!next) break;
     found = next.slice(2).split('/').reduce((value, step) => value?.[step], openapi) ?? {};
@@ -27,9 +28,10 @@ const nonNull = (schema) => (schema.anyOf ?? schema.oneOf)?.some((each) => each.
 
 /** What kind of control a resolved schema calls for; null if none does it justice (lists, nested objects). */
 function controlOf(schema) {
-  const names = schema.enum ?? schema.oneOf?.map((each) => each.const ?? each.enum?.[0]);
-  if (names?.length && names.every((name) => typeof name === 'string')) {
-    const help = Object.fromEntries((schema.oneOf ?? []).map((each, i) => [names[i], each.description]));
+  const variants = schema.oneOf ?? [schema];
+  const names = variants.flatMap((each) => each.enum ?? [each.const]);
+  if (names.every((name) => typeof name === 'string')) {
+    const help = Object.fromEntries(variants.flatMap((each) => (each.enum ?? [each.const]).map((name) => [name, each.description])));
     return { type: 'choice', names, help };
   }
   const types = [schema.type].flat();
@@ -75,8 +77,9 @@ function make(openapi, name, field, control, request, onChange) {
   }
   if (control.type === 'choice') {
     const options = control.names.map((each) => element('option', { value: each, title: control.help[each] ?? '' }, humanise(each)));
-    if (field.default === null) options.unshift(element('option', { value: '' }, 'None'));
-    if (field.default === undefined) options.unshift(element('option', { value: '' }, 'Default'));
+    if (field.nullable || field.default === undefined) {
+      options.unshift(element('option', { value: '' }, field.nullable ? 'None' : 'Default'));
+    }
     const select = element('select', { name }, ...options);
     select.value = value ?? '';
     select.addEventListener('change', () => set(select.value || undefined));

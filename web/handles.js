@@ -25,7 +25,7 @@ export class Handles {
     this.layer.replaceChildren();
     if (this.tooMany) return;
     lines.forEach((line, l) => line.points.forEach((_, p) => {
-      const circle = svg('circle', { r: count > 120 ? 3.5 : 6, role: 'button' });
+      const circle = svg('circle', { r: count > 240 ? 2.5 : count > 100 ? 3.5 : 6, role: 'button' });
       circle.addEventListener('pointerdown', (event) => this.grab(event, l, p));
       circle.addEventListener('keydown', (event) => this.key(event, l, p));
       circle.addEventListener('focus', () => this.edit.select(l, p));

@@ -4,14 +4,13 @@ import * as api from './api.js';
 import { Camera } from './camera.js';
 import { $, element, number, save } from './dom.js';
 import { build, schemaOf } from './form.js';
-import { edges, parseGlb } from './glb.js';
+import { parseGlb } from './glb.js';
 import { Handles } from './handles.js';
 import { navigate } from './navigate.js';
-import * as report from './report.js';
-import { at, blank, KINDS, linesOf, metresOf, place, unitOf } from './request.js';
+import { at, blank, KINDS, linesOf, metresOf, place } from './request.js';
+import { ResultView } from './result.js';
 import { Viewer } from './viewer.js';
 
-const MESH_FORMATS = ['glb', 'gltf', 'obj', 'ply', 'stl'];
 const EMPTY = '(empty)';
 /** In live mode, a job that takes longer than this is cancelled when its input has changed. */
 const PATIENCE_MS = 2000;
@@ -19,8 +18,7 @@ const UNDO_STEPS = 200;
 
 const state = {
   openapi: null, objectives: [], examples: [], kind: null, request: {}, lines: [], origin: [0, 0, 0],
-  selected: null, drawing: null, undo: [], drafts: {}, job: null, mesh: null, run: null, wanted: false,
-  layers: { surface: true, edges: false, colours: true, facets: false },
+  selected: null, drawing: null, undo: [], drafts: {}, run: null, wanted: false,
 };
 
 // ---- The model's place: the viewer is in metres, y up, around an origin near the request's points. ----
@@ -43,13 +41,14 @@ const handles = new Handles($('handles'), camera, world, {
   begin: remember, move: movePoint, end: () => changed(), select: selectPoint, remove: deletePoint, insert: insertPoint, step: stepPoint,
 });
 const viewer = new Viewer($('view'), camera, () => handles.place());
+const result = new ResultView(viewer, world, showProblem);
 navigate($('view'), camera, () => viewer.invalidate(), (x, y) => state.drawing && drawAt(x, y));
 $('no-webgl').hidden = viewer.gl !== null;
 
 function bounds() {
   const points = [...state.lines.flatMap((line) => line.points), ...(state.drawing ?? [])].map((point) => world.to(point));
-  if (state.mesh) {
-    const { positions, offset } = state.mesh;
+  if (result.mesh) {
+    const { positions, offset } = result.mesh;
     for (let i = 0; i < positions.length; i += 3) points.push([0, 1, 2].map((axis) => positions[i + axis] + offset[axis]));
   }
   if (points.length === 0) return { centre: [0, 0, 0], radius: 5 * metresOf(state.request) };
@@ -85,7 +84,8 @@ function load(kind, request, { refit = true } = {}) {
     changed({ option: name });
   });
   describeObjective();
-  forgetResult();
+  result.forget();
+  hideProblem();
   state.lines = linesOf(kind, request);
   const all = state.lines.flatMap((line) => line.points);
   // The middle of the box, so that survey coordinates keep their digits in the viewer's 32 bits.
@@ -112,7 +112,7 @@ function describeObjective() {
 function changed({ dragging = false, option = null } = {}) {
   if (option === 'closed' || option === 'units' || option === 'up') state.lines = linesOf(state.kind, state.request);
   if (option === 'units' || option === 'up') {
-    forgetResult();
+    result.forget();
     showLines();
     fit();
   } else showSketch();
@@ -121,7 +121,7 @@ function changed({ dragging = false, option = null } = {}) {
   showPoint();
   if (!dragging) showRequest();
   if ($('live').checked) solve();
-  else if (state.job && !state.run) say('Changed since it was solved.');
+  else if (result.job && !state.run) say('Changed since it was solved.');
 }
 
 function showRequest() {
@@ -140,9 +140,7 @@ function undo() {
   const before = state.undo.pop();
   if (!before) return;
   const { selected } = state;
-  const result = { job: state.job, mesh: state.mesh };
   load(state.kind, JSON.parse(before), { refit: false });
-  if (result.job) forgetResult();
   if (selected && state.lines[selected.line]?.points[selected.point]) selectPoint(selected.line, selected.point);
   changed();
 }
@@ -214,6 +212,12 @@ function stepPoint(by) {
   handles.focusSelected();
 }
 
+/** Normals and tangents that a request gives for the points of a line: they come and go with the points. */
+function companions(line) {
+  const lists = ['normals', 'tangents'].map((name) => state.request[name]?.[line]);
+  return lists.filter((vectors) => Array.isArray(vectors) && vectors.length === state.lines[line].points.length);
+}
+
 function insertPoint() {
   if (!state.selected) return;
   const { line, point } = state.selected;
@@ -222,7 +226,7 @@ function insertPoint() {
   remember();
   const middle = point + 1 < points.length || closed;
   points.splice(point + 1, 0, points[point].map((value, axis) => (middle ? (value + next[axis]) / 2 : next[axis])));
-  // Vertices and normals that belong to the points no longer match them.
+  companions(line).forEach((vectors) => vectors.splice(point + 1, 0, [...vectors[point]]));
   showLines();
   selectPoint(line, point + 1);
   handles.focusSelected();
@@ -238,6 +242,7 @@ function deletePoint() {
     return;
   }
   remember();
+  companions(line).forEach((vectors) => vectors.splice(point, 1));
   points.splice(point, 1);
   showLines();
   selectPoint(line, Math.min(point, points.length - 1));
@@ -253,6 +258,7 @@ function removeLine() {
   const last = path.at(-1);
   if (Array.isArray(parent)) parent.splice(last, 1);
   else delete parent[last];
+  for (const name of ['normals', 'tangents']) if (Array.isArray(state.request[name])) state.request[name].splice(last, 1);
   state.selected = null;
   handles.selected = null;
   showLines();
@@ -364,11 +370,18 @@ async function carryOut(run, live) {
   } else {
     const mesh = parseGlb(await api.getBytes(`${job.links.mesh}?format=glb`));
     if (state.kind !== kind) return;
-    const superseded = state.job?.live ? state.job : null;
-    state.job = { ...job, live };
-    showResult(job, mesh, request);
+    const superseded = result.job?.live ? result.job : null;
+    result.show({ ...job, live }, mesh, request);
+    sayHowItWent(job, mesh);
     if (superseded) api.remove(superseded).catch(() => {});
   }
+}
+
+function sayHowItWent(job, mesh) {
+  const time = (Date.parse(job.finished_at) - Date.parse(job.started_at)) / 1000;
+  const took = time >= 0.001 ? `${number(Number(time.toPrecision(3)))} s` : 'under a millisecond';
+  const size = (mesh.triangles.length / 3).toLocaleString('en');
+  say(`Solved in ${took}: ${size} triangles.${job.statistics.converged === false ? ' Not converged.' : ''}`);
 }
 
 function busy(is) {
@@ -439,137 +452,6 @@ function showProblem({ title, detail, message, errors = [], omitted = false }) {
   );
   $('problem').hidden = false;
   handles.mark();
-}
-
-// ---- The result ----
-
-function forgetResult() {
-  state.job = null;
-  state.mesh = null;
-  viewer.setSurface(null);
-  viewer.removeLines((name) => name === 'input');
-  $('result').hidden = true;
-  $('nothing').hidden = false;
-  $('legend').hidden = true;
-  hideProblem();
-  showLayers();
-}
-
-/** Line styles by name, light on dark where the page is dark. */
-function lineStyle(name) {
-  const ink = document.documentElement.dataset.theme === 'dark' ? [0.9, 0.94, 0.95] : [0.06, 0.09, 0.1];
-  if (name === 'boundaries' || name === 'directrices') return { width: 2.6, color: [...ink, 1], lift: 4e-4 };
-  // These lie on the surface, which is never dark.
-  if (name === 'bridges') return { width: 1.2, color: [0.06, 0.09, 0.1, 0.55], lift: 2e-4 };
-  if (name === 'edges') return { width: 1, color: [0.06, 0.09, 0.1, 0.4], lift: 1e-4 };
-  return { width: 1.6, color: [0.55, 0.25, 0.06, 0.9], lift: 3e-4 };
-}
-
-function showResult(job, mesh, request) {
-  const { extras } = mesh;
-  const offset = world.to(extras.origin);
-  const first = !state.mesh;
-  if (first) state.layers.facets = job.kind === 'ruled_surface';
-  state.mesh = { ...mesh, offset };
-  viewer.setSurface(mesh, offset);
-  const names = new Set(mesh.lines.map((line) => line.name));
-  viewer.removeLines((name) => name === 'input' || names.has(name));
-  mesh.lines.forEach((line) => viewer.setLines(line.name, line.segments, offset, lineStyle(line.name)));
-  showLayers();
-  showLegend(extras.color_range);
-
-  const time = (Date.parse(job.finished_at) - Date.parse(job.started_at)) / 1000;
-  const size = `${(mesh.triangles.length / 3).toLocaleString('en')} triangles`;
-  const took = time >= 0.001 ? ` in ${number(Number(time.toPrecision(3)))} s` : ' in under a millisecond';
-  say(`Solved${took}: ${size}.${job.statistics.converged === false ? ' Not converged.' : ''}`);
-
-  $('nothing').hidden = true;
-  $('result').hidden = false;
-  $('job-id').textContent = job.id;
-  $('warnings').replaceChildren(...report.warnings(job.warnings));
-  $('statistics').replaceChildren(...report.statistics(job.statistics));
-  $('history').replaceChildren(...report.history(job.statistics.history, request.tolerance ?? 1e-6));
-  downloads($('downloads'), MESH_FORMATS, job, job.links.mesh);
-  showPattern(job);
-}
-
-function downloads(box, formats, job, link) {
-  box.replaceChildren(...formats.map((format) => {
-    const button = element('button', { type: 'button' }, format.toUpperCase());
-    button.addEventListener('click', async () => {
-      try {
-        save(await api.getBlob(`${link}?format=${format}`), `${job.kind.replaceAll('_', '-')}-${job.id}.${format}`);
-      } catch (error) {
-        showProblem(error);
-      }
-    });
-    return button;
-  }));
-}
-
-async function showPattern(job) {
-  const flat = job.links.pattern && job.statistics.flat_pattern;
-  $('pattern').hidden = !flat;
-  if (!flat) return;
-  downloads($('pattern-downloads'), ['svg', 'dxf'], job, job.links.pattern);
-  try {
-    const url = URL.createObjectURL(await api.getBlob(`${job.links.pattern}?format=svg`));
-    const image = $('pattern-image');
-    URL.revokeObjectURL(image.src);
-    image.src = url;
-  } catch (error) {
-    if (state.job?.id === job.id) showProblem(error);
-  }
-}
-
-function showLegend(range) {
-  $('legend').hidden = !range || !state.layers.colours;
-  if (!range) return;
-  // The mesh is in metres; people read it in their own unit.
-  $('legend-unit').textContent = `[1/${unitOf(state.request)}]`;
-  $('legend-max').textContent = number(Number((range.max * metresOf(state.request)).toPrecision(3)));
-  const context = $('legend-bar').getContext('2d');
-  const gradient = context.createLinearGradient(0, 0, 128, 0);
-  const srgb = (value) => Math.round(255 * value ** (1 / 2.2));
-  const steps = 32, { stops } = range;
-  for (let i = 0; i <= steps; i += 1) {
-    const position = (i / steps) * (stops.length - 1), low = Math.min(Math.floor(position), stops.length - 2);
-    const color = stops[low].map((value, c) => srgb(value + (position - low) * (stops[low + 1][c] - value)));
-    gradient.addColorStop(i / steps, `rgb(${color.join(' ')})`);
-  }
-  context.fillStyle = gradient;
-  context.fillRect(0, 0, 128, 1);
-}
-
-/** A switch for the surface, its edges, its colours, and each line set of the result. */
-function showLayers() {
-  const { layers, mesh } = state;
-  const lines = mesh?.lines.map((line) => line.name) ?? [];
-  const offered = mesh ? ['surface', 'edges', ...(mesh.colors ? ['colours'] : []), 'facets', 'input', ...lines] : ['input'];
-  $('layers').replaceChildren(...offered.map((name) => {
-    layers[name] ??= true;
-    const button = element('button', { type: 'button', 'aria-pressed': String(layers[name]) }, name === 'input' ? 'Input' : name.charAt(0).toUpperCase() + name.slice(1));
-    button.addEventListener('click', () => {
-      layers[name] = !layers[name];
-      button.setAttribute('aria-pressed', String(layers[name]));
-      applyLayers();
-    });
-    return button;
-  }));
-  applyLayers();
-}
-
-function applyLayers() {
-  const { layers, mesh } = state;
-  viewer.shown = layers.surface;
-  viewer.tinted = layers.colours;
-  viewer.facets = layers.facets;
-  const wanted = Boolean(mesh && layers.edges);
-  viewer.setLines('edges', wanted ? (mesh.edges ??= edges(mesh.positions, mesh.triangles)) : new Float32Array(), mesh?.offset, lineStyle('edges'));
-  for (const { name } of viewer.lines) if (name !== 'edges') viewer.showLines(name, layers[name] ?? true);
-  $('handles').style.display = layers.input === false ? 'none' : '';
-  if (mesh?.extras.color_range) $('legend').hidden = !layers.colours;
-  viewer.invalidate();
 }
 
 // ---- Wiring ----
@@ -657,8 +539,7 @@ function curl() {
 function setTheme(theme) {
   document.documentElement.dataset.theme = theme;
   $('theme').setAttribute('aria-pressed', String(theme === 'dark'));
-  for (const line of viewer.lines) if (line.name !== 'input') line.style = lineStyle(line.name);
-  viewer.invalidate();
+  result.restyle();
 }
 
 $('solve').addEventListener('click', () => solve());

@@ -37,6 +37,7 @@ const ASSETS: &[(&str, &str, &[u8])] = assets! {
     "navigate.js": SCRIPT,
     "report.js": SCRIPT,
     "request.js": SCRIPT,
+    "result.js": SCRIPT,
     "viewer.js": SCRIPT,
 };
 
