@@ -146,6 +146,15 @@ impl Request {
         }
     }
 
+    /// Whether the kept result of an equal request may be taken.
+    #[must_use]
+    pub fn cache(&self) -> common::Cache {
+        match self {
+            Self::RuledSurface(request) => request.cache,
+            Self::MinimalSurface(request) => request.cache,
+        }
+    }
+
     #[must_use]
     pub fn kind(&self) -> Kind {
         match self {

@@ -1,11 +1,14 @@
 //! Submitting: a body is read and checked, then put on disk, and only then acknowledged.
 
 use super::{Jobs, JobsError, view};
+use crate::config::LimitsConfig;
 use crate::store::{NewJob, Submitted as Stored};
 use crate::telemetry::metric;
+use crate::wire::common::Cache;
 use crate::wire::job::Job;
 use crate::wire::{Kind, Request};
 use bytes::Bytes;
+use serde_json::Value;
 use sha2::{Digest, Sha256};
 
 /// Bodies above this are parsed off the async threads.
@@ -53,21 +56,17 @@ impl Jobs {
     ) -> Result<Submitted, JobsError> {
         let limits = self.0.config.limits.clone();
         let inline = body.len() <= INLINE_BYTES;
-        // The canonical form (keys sorted, numbers as f64 prints them) is what is stored and what equality means.
-        let read = move || -> Result<Vec<u8>, JobsError> {
-            let (_, value) = Request::read(kind, &body, &limits).map_err(JobsError::Rejected)?;
-            serde_json::to_vec(&value).map_err(|error| JobsError::Internal(error.to_string()))
-        };
-        let request = if inline { read()? } else { self.off_runtime(read).await?? };
+        let read = move || Read::of(kind, &body, &limits);
+        let Read { request, body_hash, reuse } = if inline { read()? } else { self.off_runtime(read).await?? };
         let job = NewJob {
             id: ulid::Ulid::generate().to_string(),
             kind: kind.name().into(),
             owner,
-            body_hash: Sha256::digest(&request).into(),
             request,
+            body_hash,
             idempotency_key,
             warnings: "[]".into(),
-            reuse: true,
+            reuse,
         };
         match self.0.store.submit(job).await? {
             Stored::Created(row) => {
@@ -77,5 +76,27 @@ impl Jobs {
             Stored::Existing(row) => Ok(Submitted::Existing(view(&row)?)),
             Stored::KeyConflict => Err(JobsError::KeyConflict),
         }
+    }
+}
+
+/// What the store needs of a body.
+struct Read {
+    /// The canonical form: keys sorted, numbers as f64 prints them, without what does not change the result. It is what is
+    /// stored and what equality means.
+    request: Vec<u8>,
+    body_hash: [u8; 32],
+    reuse: bool,
+}
+
+impl Read {
+    fn of(kind: Kind, body: &[u8], limits: &LimitsConfig) -> Result<Self, JobsError> {
+        let (request, mut value) = Request::read(kind, body, limits).map_err(JobsError::Rejected)?;
+        let bytes = |value: &Value| serde_json::to_vec(value).map_err(|error| JobsError::Internal(error.to_string()));
+        let body_hash = Sha256::digest(bytes(&value)?).into();
+        if let Some(fields) = value.as_object_mut() {
+            fields.remove("kind");
+            fields.remove("cache");
+        }
+        Ok(Self { request: bytes(&value)?, body_hash, reuse: request.cache() == Cache::Reuse })
     }
 }

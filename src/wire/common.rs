@@ -45,6 +45,17 @@ impl Units {
     }
 }
 
+/// Whether the answer to an equal earlier request will do. Results are deterministic, so it has the same bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Cache {
+    /// Take a kept result if there is one.
+    #[default]
+    Reuse,
+    /// Solve again.
+    Bypass,
+}
+
 /// Which axis of the client's coordinates points up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

@@ -1,6 +1,6 @@
 //! `POST /v1/minimal-surfaces`: the request, its statistics, and the way to the geometry and back.
 
-use super::common::{self, Point, Units, UpAxis};
+use super::common::{self, Cache, Point, Units, UpAxis};
 use super::objectives::Objective as ObjectiveDoc;
 use super::{FieldError, Kind, Rejection};
 use crate::config::LimitsConfig;
@@ -15,6 +15,9 @@ pub struct MinimalSurfaceRequest {
     /// May say what the path says already; `plateau solve` needs it.
     #[serde(default)]
     pub kind: Option<MinimalSurfaceKind>,
+    /// Whether the kept result of an equal request may be taken.
+    #[serde(default)]
+    pub cache: Cache,
     /// Unit of the coordinates.
     #[serde(default)]
     pub units: Units,

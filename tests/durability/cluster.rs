@@ -1,0 +1,127 @@
+//! Processes of the real binary on one database.
+
+use reqwest::{Client, Response, StatusCode};
+use serde_json::{Value, json};
+use std::process::Stdio;
+use std::time::Duration;
+use tempfile::TempDir;
+use tokio::io::{AsyncBufReadExt, BufReader};
+use tokio::process::{Child, Command};
+
+/// One process; dropping it kills it.
+pub struct Process {
+    child: Child,
+    /// Where it answers HTTP; empty for a worker.
+    pub url: String,
+}
+
+/// What the processes share.
+pub struct Cluster {
+    database: String,
+    /// Keeps the data folder of an embedded store.
+    _folder: TempDir,
+    data: String,
+    settings: Vec<(&'static str, String)>,
+}
+
+impl Cluster {
+    /// On `database`, or on an embedded store of its own.
+    pub fn new(database: Option<String>) -> Self {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let data = folder.path().join("data").display().to_string();
+        Self { database: database.unwrap_or_default(), _folder: folder, data, settings: Vec::new() }
+    }
+
+    /// With a setting for every process started from now on.
+    pub fn set(mut self, name: &'static str, value: impl ToString) -> Self {
+        self.settings.push((name, value.to_string()));
+        self
+    }
+
+    fn command(&self, role: &str, workers: usize) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_plateau"));
+        command.env_clear().kill_on_drop(true).args([role, "--listen", "127.0.0.1:0", "--data", &self.data]);
+        command.args(["--database", &self.database, "--workers", &workers.to_string()]);
+        command.env("PLATEAU_LOG__LEVEL", std::env::var("PLATEAU_TEST_LOG").unwrap_or("error".into()));
+        command.envs(self.settings.iter().map(|(name, value)| (name, value)));
+        command
+    }
+
+    /// `plateau serve` with so many workers.
+    pub async fn serve(&self, workers: usize) -> Process {
+        let mut child = self.command("serve", workers).stdout(Stdio::piped()).spawn().expect("the binary starts");
+        let stdout = child.stdout.take().expect("standard output is piped");
+        let line = BufReader::new(stdout).lines().next_line().await.expect("a readable line").expect("a first line");
+        let url = line.strip_prefix("listening on ").expect("the first line says where").to_owned();
+        Process { child, url }
+    }
+
+    /// `plateau worker` with so many workers.
+    pub fn worker(&self, workers: usize) -> Process {
+        let child = self.command("worker", workers).stdout(Stdio::null()).spawn().expect("the binary starts");
+        Process { child, url: String::new() }
+    }
+}
+
+impl Process {
+    /// SIGKILL: no handler runs, nothing is flushed.
+    pub async fn kill(&mut self) {
+        self.child.kill().await.expect("the process dies");
+    }
+
+    /// SIGTERM.
+    pub async fn terminate(&self) {
+        let id = self.child.id().expect("the process runs").to_string();
+        assert!(Command::new("kill").args(["-TERM", &id]).status().await.expect("kill runs").success());
+    }
+
+    /// Waits for the end after `terminate`.
+    pub async fn ended(&mut self) -> std::process::ExitStatus {
+        self.child.wait().await.expect("an exit status")
+    }
+
+    pub async fn get(&self, client: &Client, path: &str) -> Response {
+        client.get(format!("{}{path}", self.url)).send().await.expect("an answer")
+    }
+
+    pub async fn get_json(&self, client: &Client, path: &str) -> Value {
+        let response = self.get(client, path).await;
+        assert_eq!(response.status(), StatusCode::OK, "{path}");
+        response.json().await.expect("JSON")
+    }
+
+    /// Posts a strip and returns the accepted job.
+    pub async fn post(&self, client: &Client, body: &Value) -> Value {
+        let response =
+            client.post(format!("{}/v1/ruled-surfaces", self.url)).json(body).send().await.expect("an answer");
+        assert_eq!(response.status(), StatusCode::ACCEPTED);
+        response.json().await.expect("JSON")
+    }
+
+    /// The job once it has ended.
+    pub async fn ended_job(&self, client: &Client, id: &str) -> Value {
+        for _ in 0..30 {
+            let request = client.get(format!("{}/v1/jobs/{id}", self.url)).header("prefer", "wait=10");
+            let job: Value = request.send().await.expect("an answer").json().await.expect("JSON");
+            if !["queued", "running"].contains(&job["status"].as_str().expect("a status")) {
+                return job;
+            }
+        }
+        panic!("job {id} does not end");
+    }
+}
+
+pub fn client() -> Client {
+    Client::builder().timeout(Duration::from_secs(60)).build().expect("a client")
+}
+
+/// A strip of `n` × `n` grid cells, another for each `variant`; solved anew each time.
+pub fn strip(n: usize, variant: usize) -> Value {
+    let rail = |y: f64, phase: f64| -> Vec<[f64; 3]> {
+        (0..n)
+            .map(|k| k as f64 / n as f64)
+            .map(|t| [10.0 * t, y + (9.0 * t + phase).sin(), (7.0 * t).cos() + variant as f64 * 0.01])
+            .collect()
+    };
+    json!({ "directrices": [rail(0.0, 0.0), rail(4.0, 1.0)], "cache": "bypass" })
+}

@@ -1,0 +1,244 @@
+//! Processes killed at random moments under load: every accepted job ends exactly once, with the mesh that an undisturbed
+//! server makes of the same request. Ten kills each; a hundred with `PLATEAU_LONG=1`.
+
+use crate::cluster::{self, Cluster, Process};
+use crate::postgres::Postgres;
+use reqwest::{Client, StatusCode};
+use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, RwLock};
+use std::time::Duration;
+use tokio::task::JoinSet;
+
+const CLIENTS: usize = 6;
+/// Different requests; a mesh is compared with the one of its request.
+const SHAPES: usize = 12;
+
+fn kills() -> usize {
+    if std::env::var_os("PLATEAU_LONG").is_some() { 100 } else { 10 }
+}
+
+/// Shapes from a millisecond's work to a good part of a second's, so that kills find jobs in every state.
+fn shape(number: usize) -> Value {
+    cluster::strip([20, 60, 150, 400, 900, 30][number % 6], number)
+}
+
+/// The meshes of all shapes from a server that nobody disturbs.
+async fn references() -> Vec<Vec<u8>> {
+    let cluster = Cluster::new(None);
+    let server = cluster.serve(2).await;
+    let client = cluster::client();
+    let mut meshes = Vec::new();
+    for number in 0..SHAPES {
+        let job = server.post(&client, &shape(number)).await;
+        let id = job["id"].as_str().unwrap();
+        assert_eq!(server.ended_job(&client, id).await["status"], "succeeded");
+        meshes.push(mesh(&server, &client, id).await);
+    }
+    assert_eq!(meshes.iter().collect::<BTreeSet<_>>().len(), SHAPES, "every shape has a mesh of its own");
+    meshes
+}
+
+async fn mesh(server: &Process, client: &Client, id: &str) -> Vec<u8> {
+    let response = server.get(client, &format!("/v1/jobs/{id}/mesh")).await;
+    assert_eq!(response.status(), StatusCode::OK);
+    response.bytes().await.unwrap().to_vec()
+}
+
+/// Clients that post until told to stop, each submission with a key of its own, repeated until it is acknowledged.
+struct Load {
+    /// Where the server answers at the moment.
+    url: Arc<RwLock<String>>,
+    stop: Arc<AtomicBool>,
+    clients: JoinSet<BTreeMap<String, (usize, String)>>,
+}
+
+impl Load {
+    fn start(url: &str) -> Self {
+        let url = Arc::new(RwLock::new(url.to_owned()));
+        let stop = Arc::new(AtomicBool::new(false));
+        let mut clients = JoinSet::new();
+        for number in 0..CLIENTS {
+            clients.spawn(post_until_told(number, Arc::clone(&url), Arc::clone(&stop)));
+        }
+        Self { url, stop, clients }
+    }
+
+    fn moved_to(&self, url: &str) {
+        url.clone_into(&mut self.url.write().unwrap());
+    }
+
+    /// What was accepted: shape and job id by idempotency key.
+    async fn finish(mut self) -> BTreeMap<String, (usize, String)> {
+        self.stop.store(true, Ordering::Relaxed);
+        let mut accepted = BTreeMap::new();
+        while let Some(client) = self.clients.join_next().await {
+            accepted.extend(client.unwrap());
+        }
+        accepted
+    }
+}
+
+async fn post_until_told(
+    number: usize,
+    url: Arc<RwLock<String>>,
+    stop: Arc<AtomicBool>,
+) -> BTreeMap<String, (usize, String)> {
+    let client = cluster::client();
+    let mut accepted = BTreeMap::new();
+    for count in 0.. {
+        if stop.load(Ordering::Relaxed) {
+            break;
+        }
+        let (key, shape_number) = (format!("{number}-{count}"), (number + count) % SHAPES);
+        let body = shape(shape_number);
+        let id = loop {
+            let to = format!("{}/v1/ruled-surfaces", url.read().unwrap());
+            let request = client.post(to).header("idempotency-key", &key).header("prefer", "wait=1").json(&body);
+            let Ok(response) = request.send().await else {
+                tokio::task::yield_now().await;
+                continue;
+            };
+            match response.status() {
+                StatusCode::OK | StatusCode::ACCEPTED => {
+                    // Killed between head and body: not acknowledged yet.
+                    let Ok(job) = response.json::<Value>().await else { continue };
+                    break job["id"].as_str().unwrap().to_owned();
+                }
+                StatusCode::SERVICE_UNAVAILABLE | StatusCode::TOO_MANY_REQUESTS => tokio::task::yield_now().await,
+                other => panic!("{other}: {}", response.text().await.unwrap_or_default()),
+            }
+        };
+        accepted.insert(key, (shape_number, id));
+    }
+    accepted
+}
+
+/// Moments to strike at: a fixed pseudo-random sequence, but what it hits is up to the machine.
+struct Moments(u64);
+
+impl Moments {
+    async fn next(&mut self) {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        tokio::time::sleep(Duration::from_millis(50 + (self.0 >> 33) % 450)).await;
+    }
+}
+
+async fn every_job_ended_once(server: &Process, accepted: &BTreeMap<String, (usize, String)>, what: &str) {
+    let client = cluster::client();
+    let references = references().await;
+    let mut attempts = BTreeMap::<i64, usize>::new();
+    for (key, (shape_number, id)) in accepted {
+        let job = server.ended_job(&client, id).await;
+        assert_eq!(job["status"], "succeeded", "{job:#}");
+        assert!(mesh(server, &client, id).await == references[*shape_number], "{id}: another mesh");
+        // The whole of its history: one success at the end, and nothing after it.
+        let events = server.get(&client, &format!("/v1/jobs/{id}/events")).await.text().await.unwrap();
+        let ids: Vec<&str> = events.lines().filter_map(|line| line.strip_prefix("id:")).map(str::trim).collect();
+        assert_eq!(events.matches(r#""status":"succeeded""#).count(), 1, "{events}");
+        let attempt = ids.last().unwrap().split('.').next().unwrap().parse().unwrap();
+        *attempts.entry(attempt).or_default() += 1;
+        // The key still names this job.
+        let request = client.post(format!("{}/v1/ruled-surfaces", server.url)).header("idempotency-key", key);
+        let again: Value = request.json(&shape(*shape_number)).send().await.unwrap().json().await.unwrap();
+        assert_eq!(again["id"].as_str(), Some(id.as_str()), "{key}");
+    }
+    // One job for each submission: none made twice by a repetition, none that nobody asked for.
+    let mut listed = BTreeSet::new();
+    let mut cursor = String::new();
+    loop {
+        let page = server.get_json(&client, &format!("/v1/jobs?limit=200{cursor}")).await;
+        listed.extend(page["jobs"].as_array().unwrap().iter().map(|job| job["id"].as_str().unwrap().to_owned()));
+        match page["next_cursor"].as_str() {
+            Some(next) => cursor = format!("&cursor={next}"),
+            None => break,
+        }
+    }
+    assert_eq!(listed, accepted.values().map(|(_, id)| id.clone()).collect());
+    println!(
+        "{what}: {} kills, {} jobs accepted, all ended once; by attempts needed: {attempts:?}",
+        kills(),
+        listed.len()
+    );
+    assert!(accepted.len() > kills(), "there was load");
+}
+
+fn hardened(database: Option<String>) -> Cluster {
+    // A second is the shortest lease; jobs here are killed more often than any poisonous one.
+    Cluster::new(database).set("PLATEAU_JOBS__LEASE_MS", 1000).set("PLATEAU_JOBS__ATTEMPTS_MAX", 1000)
+}
+
+async fn server_killed(database: Option<String>, what: &str) {
+    let cluster = hardened(database);
+    let mut server = cluster.serve(2).await;
+    let load = Load::start(&server.url);
+    let mut moments = Moments(7);
+    for _ in 0..kills() {
+        moments.next().await;
+        server.kill().await;
+        server = cluster.serve(2).await;
+        load.moved_to(&server.url);
+    }
+    let accepted = load.finish().await;
+    every_job_ended_once(&server, &accepted, what).await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_server_killed_on_sqlite_loses_nothing() {
+    server_killed(None, "server on SQLite").await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_server_killed_on_postgresql_loses_nothing() {
+    let Some(postgres) = Postgres::start() else { return };
+    server_killed(Some(postgres.database().await), "server on PostgreSQL").await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn workers_killed_while_the_server_lives_lose_nothing() {
+    let Some(postgres) = Postgres::start() else { return };
+    let cluster = hardened(Some(postgres.database().await));
+    let server = cluster.serve(0).await;
+    let mut workers = [cluster.worker(1), cluster.worker(1)];
+    let load = Load::start(&server.url);
+    let mut moments = Moments(11);
+    for count in 0..kills() {
+        moments.next().await;
+        let worker = &mut workers[count % 2];
+        worker.kill().await;
+        *worker = cluster.worker(1);
+    }
+    let accepted = load.finish().await;
+    every_job_ended_once(&server, &accepted, "workers on PostgreSQL").await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn postgresql_stopped_and_started_again_loses_nothing() {
+    let Some(postgres) = Postgres::start() else { return };
+    let cluster = hardened(Some(postgres.database().await));
+    let mut server = cluster.serve(1).await;
+    let mut worker = cluster.worker(1);
+    let load = Load::start(&server.url);
+    let mut moments = Moments(13);
+    for count in 0..kills() {
+        moments.next().await;
+        postgres.stop();
+        // With the database away, a process may die as well.
+        match count % 3 {
+            1 => worker.kill().await,
+            2 => server.kill().await,
+            _ => {}
+        }
+        moments.next().await;
+        postgres.start_again();
+        match count % 3 {
+            1 => worker = cluster.worker(1),
+            2 => server = cluster.serve(1).await,
+            _ => {}
+        }
+        load.moved_to(&server.url);
+    }
+    let accepted = load.finish().await;
+    every_job_ended_once(&server, &accepted, "PostgreSQL restarted").await;
+}
