@@ -95,7 +95,9 @@ async fn post_until_told(
         let body = shape(shape_number);
         let id = loop {
             let to = format!("{}/v1/ruled-surfaces", url.read().unwrap());
-            let request = client.post(to).header("idempotency-key", &key).header("prefer", "wait=1").json(&body);
+            // Most do not wait, some do, so that there is always something to work on and never too much.
+            let wait = if count % 4 == 3 { "wait=2" } else { "wait=0" };
+            let request = client.post(to).header("idempotency-key", &key).header("prefer", wait).json(&body);
             let Ok(response) = request.send().await else {
                 tokio::task::yield_now().await;
                 continue;
