@@ -1,6 +1,7 @@
 //! Wires configuration, store, jobs and HTTP together, and sees them through start and shutdown.
 
 use crate::config::Config;
+use crate::http::auth::Keys;
 use crate::http::{body, router, serve};
 use crate::jobs::{Jobs, worker};
 use crate::store::{Store, StoreError, StoreOptions};
@@ -20,6 +21,7 @@ pub struct App {
     pub metrics: PrometheusHandle,
     /// The budget for bodies in flight, see [`body::permits`].
     pub bodies: Arc<Semaphore>,
+    pub keys: Arc<Keys>,
 }
 
 /// What this process does.
@@ -47,12 +49,18 @@ const SWEEP_INTERVAL: Duration = Duration::from_secs(60);
 /// A store that cannot be opened, or an address that cannot be bound.
 pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     let config = Arc::new(config);
+    let keys = Arc::new(Keys::load(&config.auth).map_err(StartError::Configuration)?);
+    let address = config.http.listen;
+    if role == Role::Serve && keys.is_empty() && !address.ip().is_loopback() && !config.auth.open_without_keys {
+        return Err(StartError::Configuration(format!(
+            "http.listen {address} is open to others: configure auth.keys or auth.keys_file, or set auth.open_without_keys"
+        )));
+    }
     let metrics = telemetry::init_metrics().map_err(StartError::Failed)?;
-    let store = open_store(&config).await?;
+    let store = open_store(&config, keys.is_empty()).await?;
     let listener = match role {
         Role::Worker => None,
         Role::Serve => {
-            let address = config.http.listen;
             let bound = TcpListener::bind(address).await;
             Some(bound.map_err(|error| StartError::Failed(format!("http.listen {address}: {error}")))?)
         }
@@ -80,7 +88,7 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         println!("listening on http://{address}");
         tracing::info!(%address, workers = count, "open http://{address}/ in a browser");
         let bodies = Arc::new(Semaphore::new(body::permits(config.http.bodies_in_flight_bytes)));
-        let app = App { config: config.clone(), jobs: jobs.clone(), metrics, bodies };
+        let app = App { config: config.clone(), jobs: jobs.clone(), metrics, bodies, keys };
         serve::serve(listener, router::router(app), &config.http, jobs.shutdown()).await;
     }
     // Workers end once a shutdown was asked for; each sees to its running job first.
@@ -90,7 +98,7 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     Ok(())
 }
 
-async fn open_store(config: &Config) -> Result<Store, StartError> {
+async fn open_store(config: &Config, one_owner: bool) -> Result<Store, StartError> {
     if config.store.database.is_empty() {
         let folder = &config.store.data;
         std::fs::create_dir_all(folder)
@@ -98,9 +106,11 @@ async fn open_store(config: &Config) -> Result<Store, StartError> {
     }
     let forever_s = 100 * 365 * 24 * 3600;
     let retention_s = if config.jobs.retention_s == 0 { forever_s } else { config.jobs.retention_s };
+    let queue_length = config.jobs.queue_length as u64;
+    let share = (queue_length * u64::from(config.auth.queue_share_percent)).div_ceil(100);
     let options = StoreOptions {
-        queue_limit: config.jobs.queue_length as u64,
-        owner_queue_limit: config.jobs.queue_length as u64,
+        queue_limit: queue_length,
+        owner_queue_limit: if one_owner { queue_length } else { share },
         max_attempts: config.jobs.attempts_max,
         retention: Duration::from_secs(retention_s),
         ..StoreOptions::default()

@@ -3,7 +3,7 @@
 use crate::app;
 use crate::config::Config;
 use crate::export::MeshFormat;
-use crate::http::openapi;
+use crate::http::{auth, openapi};
 use crate::jobs::solve;
 use crate::telemetry;
 use crate::wire::{Rejection, Request};
@@ -39,8 +39,22 @@ enum Command {
         #[arg(short, long)]
         output: PathBuf,
     },
+    /// API keys.
+    Key {
+        #[command(subcommand)]
+        command: KeyCommand,
+    },
     /// Print the OpenAPI document.
     Openapi,
+}
+
+#[derive(Debug, Subcommand)]
+enum KeyCommand {
+    /// Make a key: printed once, on standard output, with the line for the keys file.
+    New {
+        /// Names the key in logs and owns its jobs.
+        name: String,
+    },
 }
 
 /// Flags beat environment beats file; `config/default.toml` shows every setting.
@@ -106,6 +120,7 @@ pub fn main() -> ExitCode {
             print!("{}", openapi::text());
             ExitCode::SUCCESS
         }
+        Command::Key { command: KeyCommand::New { name } } => new_key(&name),
         Command::Solve { request, output } => solve_file(&config, &request, &output),
         command => {
             if let Err(message) = telemetry::init_logs(&config.log) {
@@ -128,6 +143,20 @@ pub fn main() -> ExitCode {
 fn fail(status: u8, message: &str) -> ExitCode {
     eprintln!("plateau: {message}");
     ExitCode::from(status)
+}
+
+fn new_key(name: &str) -> ExitCode {
+    if !auth::is_key_name(name) {
+        return fail(USAGE, "NAME: 1 to 64 letters, digits, dots, dashes or underscores");
+    }
+    match auth::new_key() {
+        Ok((key, digest)) => {
+            println!("key for the client, shown only now: {key}");
+            println!("line for auth.keys_file:            {name} {digest}");
+            ExitCode::SUCCESS
+        }
+        Err(message) => fail(1, &message),
+    }
 }
 
 fn solve_file(config: &Config, request: &PathBuf, output: &PathBuf) -> ExitCode {

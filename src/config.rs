@@ -4,6 +4,7 @@
 //! the four that everybody needs have short names of their own (`PLATEAU_LISTEN`, `_DATA`, `_DATABASE`, `_WORKERS`).
 
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use toml::{Table, Value};
@@ -16,6 +17,7 @@ pub struct Config {
     pub store: StoreConfig,
     pub jobs: JobsConfig,
     pub limits: LimitsConfig,
+    pub auth: AuthConfig,
     pub log: LogConfig,
 }
 
@@ -39,6 +41,10 @@ pub struct HttpConfig {
     pub connections: usize,
     /// Bytes of request bodies in flight, all clients together.
     pub bodies_in_flight_bytes: usize,
+    /// Names besides localhost that a server on a loopback address answers to (a proxy's upstream name).
+    pub hosts: Vec<String>,
+    /// Origins whose pages may use this server from a browser (`https://site.example`); `*` for all.
+    pub cors_origins: Vec<String>,
 }
 
 impl Default for HttpConfig {
@@ -52,6 +58,8 @@ impl Default for HttpConfig {
             shutdown_grace_ms: 10_000,
             connections: 4096,
             bodies_in_flight_bytes: 256 << 20,
+            hosts: Vec::new(),
+            cors_origins: Vec::new(),
         }
     }
 }
@@ -135,6 +143,41 @@ impl Default for LimitsConfig {
     }
 }
 
+/// API keys. `plateau key new NAME` makes one.
+#[derive(Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct AuthConfig {
+    /// SHA-256 of each key, as 64 hex digits, by the key's name. Without any key everybody may do everything.
+    pub keys: BTreeMap<String, String>,
+    /// A secrets file with one `NAME SHA256` a line; empty: none.
+    pub keys_file: PathBuf,
+    /// Requests a minute that each key may make; 0: any number.
+    pub requests_per_minute: u32,
+    /// How much of the queue one key may fill.
+    pub queue_share_percent: u32,
+    /// Whether to listen on other than loopback addresses without keys.
+    pub open_without_keys: bool,
+}
+
+impl Default for AuthConfig {
+    fn default() -> Self {
+        Self {
+            keys: BTreeMap::new(),
+            keys_file: PathBuf::new(),
+            requests_per_minute: 0,
+            queue_share_percent: 50,
+            open_without_keys: false,
+        }
+    }
+}
+
+// Not even a digest belongs into a log.
+impl std::fmt::Debug for AuthConfig {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.debug_struct("AuthConfig").field("keys", &self.keys.len()).finish_non_exhaustive()
+    }
+}
+
 /// Logs on standard error.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
@@ -215,6 +258,9 @@ impl Config {
         if let Some((name, _)) = at_least_one.iter().find(|(_, value)| *value == 0) {
             return Err(format!("{name} must be at least 1"));
         }
+        if !(1..=100).contains(&self.auth.queue_share_percent) {
+            return Err("auth.queue_share_percent must be from 1 to 100".into());
+        }
         if self.jobs.lease_ms < 1000 {
             return Err("jobs.lease_ms must be at least 1000: a claim is renewed three times in it".into());
         }
@@ -239,6 +285,11 @@ impl Config {
 fn parse_value(current: Option<&Value>, text: &str) -> Value {
     match current {
         Some(Value::String(_)) => Value::String(text.into()),
+        // Lists are written with commas: none of ours has one inside an element.
+        Some(Value::Array(_)) => {
+            let elements = text.split(',').map(str::trim).filter(|element| !element.is_empty());
+            Value::Array(elements.map(|element| Value::String(element.into())).collect())
+        }
         _ => text
             .parse::<i64>()
             .map(Value::Integer)

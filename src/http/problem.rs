@@ -48,6 +48,8 @@ failures! {
     unwritable: UNPROCESSABLE_ENTITY, "unwritable", "The mesh cannot be written in this format";
     invalid: UNPROCESSABLE_ENTITY, "invalid-request", "The request cannot be worked on";
     key_conflict: UNPROCESSABLE_ENTITY, "idempotency-key-conflict", "The idempotency key was used with another body";
+    rate_limited: TOO_MANY_REQUESTS, "rate-limited", "Too many requests with this key";
+    misdirected: MISDIRECTED_REQUEST, "misdirected", "The request is for another host";
     queue_full: TOO_MANY_REQUESTS, "queue-full", "The queue is full";
     internal: INTERNAL_SERVER_ERROR, "internal", "The server failed";
     unavailable: SERVICE_UNAVAILABLE, "unavailable", "The server cannot take this now";
@@ -77,6 +79,7 @@ impl Failure {
 
     #[must_use]
     pub fn with_header(mut self, name: HeaderName, value: HeaderValue) -> Self {
+        self.headers.retain(|(present, _)| *present != name);
         self.headers.push((name, value));
         self
     }

@@ -1,5 +1,6 @@
 //! Tests against a running server: the real binary, a free port, a real store in a folder of its own.
 
+mod access;
 mod app;
 
 mod cancel;

@@ -2,6 +2,7 @@
 
 use super::submit::{granted_wait_s, with_wait};
 use crate::app::App;
+use crate::http::auth::Caller;
 use crate::http::problem::Failure;
 use crate::jobs::{EventId, Filter, JobRow, JobWatch, StoredStatus as Stored, view};
 use crate::wire::Kind;
@@ -39,7 +40,7 @@ pub fn parameters<const N: usize>(query: Option<&str>, names: [&str; N]) -> Resu
     Ok(values)
 }
 
-pub async fn list(State(app): State<App>, RawQuery(query): RawQuery) -> Result<Json<JobList>, Failure> {
+pub async fn list(State(app): State<App>, caller: Caller, RawQuery(query): RawQuery) -> Result<Json<JobList>, Failure> {
     let [status, kind, limit, cursor] = parameters(query.as_deref(), ["status", "kind", "limit", "cursor"])?;
     let status = status
         .map(|name| Status::from_name(&name).ok_or_else(|| Failure::bad_query("status is not one of a job's states")))
@@ -54,7 +55,11 @@ pub async fn list(State(app): State<App>, RawQuery(query): RawQuery) -> Result<J
     if cursor.as_deref().is_some_and(|cursor| checked(cursor).is_err()) {
         return Err(Failure::bad_query("cursor must be a next_cursor of this list"));
     }
-    let filter = Filter { owner: None, kind: kind.map(|kind| kind.name().into()), status: status.map(stored) };
+    let filter = Filter {
+        owner: caller.owner().map(str::to_owned),
+        kind: kind.map(|kind| kind.name().into()),
+        status: status.map(stored),
+    };
     Ok(Json(app.jobs.list(&filter, limit, cursor.as_deref()).await?))
 }
 
@@ -68,12 +73,17 @@ fn stored(status: Status) -> Stored {
     }
 }
 
-pub async fn get(State(app): State<App>, Path(id): Path<String>, headers: HeaderMap) -> Result<Response, Failure> {
+pub async fn get(
+    State(app): State<App>,
+    caller: Caller,
+    Path(id): Path<String>,
+    headers: HeaderMap,
+) -> Result<Response, Failure> {
     let id = checked(&id)?;
     let wait_s = granted_wait_s(&app, &headers);
     let job = match wait_s {
-        Some(wait_s) => app.jobs.wait(id, None, Duration::from_secs(wait_s)).await?,
-        None => app.jobs.get(id, None).await?,
+        Some(wait_s) => app.jobs.wait(id, caller.owner(), Duration::from_secs(wait_s)).await?,
+        None => app.jobs.get(id, caller.owner()).await?,
     };
     let mut response = Json(&job).into_response();
     if !job.status.is_final() {
@@ -82,20 +92,25 @@ pub async fn get(State(app): State<App>, Path(id): Path<String>, headers: Header
     Ok(with_wait(response, wait_s))
 }
 
-pub async fn cancel(State(app): State<App>, Path(id): Path<String>) -> Result<Json<Job>, Failure> {
-    Ok(Json(app.jobs.cancel(checked(&id)?, None).await?))
+pub async fn cancel(State(app): State<App>, caller: Caller, Path(id): Path<String>) -> Result<Json<Job>, Failure> {
+    Ok(Json(app.jobs.cancel(checked(&id)?, caller.owner()).await?))
 }
 
-pub async fn delete(State(app): State<App>, Path(id): Path<String>) -> Result<StatusCode, Failure> {
-    app.jobs.delete(checked(&id)?, None).await?;
+pub async fn delete(State(app): State<App>, caller: Caller, Path(id): Path<String>) -> Result<StatusCode, Failure> {
+    app.jobs.delete(checked(&id)?, caller.owner()).await?;
     Ok(StatusCode::NO_CONTENT)
 }
 
 /// Status changes and progress as they come. `Last-Event-ID` replays what was missed; after the final event there is nothing left.
-pub async fn events(State(app): State<App>, Path(id): Path<String>, headers: HeaderMap) -> Result<Response, Failure> {
+pub async fn events(
+    State(app): State<App>,
+    caller: Caller,
+    Path(id): Path<String>,
+    headers: HeaderMap,
+) -> Result<Response, Failure> {
     let last: Option<EventId> =
         headers.get("last-event-id").and_then(|value| value.to_str().ok()).and_then(|text| text.parse().ok());
-    let mut watch = app.jobs.watch(checked(&id)?, None).await?;
+    let mut watch = app.jobs.watch(checked(&id)?, caller.owner()).await?;
     let seen_to_the_end =
         watch.current().is_some_and(|row| row.status.is_final() && row.events_since(last).next().is_none());
     if last.is_some() && seen_to_the_end {

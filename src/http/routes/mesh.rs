@@ -3,6 +3,7 @@
 use super::jobs::{checked, parameters};
 use crate::app::App;
 use crate::export::{MeshFormat, PatternFormat};
+use crate::http::auth::Caller;
 use crate::http::negotiate::{Part, accepted, entity_tag, none_match_hits, part};
 use crate::http::problem::Failure;
 use crate::jobs::JobsError;
@@ -14,6 +15,7 @@ use bytes::Bytes;
 
 pub async fn mesh(
     State(app): State<App>,
+    caller: Caller,
     Path(id): Path<String>,
     RawQuery(query): RawQuery,
     headers: HeaderMap,
@@ -22,13 +24,16 @@ pub async fn mesh(
     let names = MeshFormat::ALL.map(MeshFormat::name);
     let chosen = choose(query.as_deref(), &headers, &names, &MeshFormat::ALL.map(MeshFormat::media_type))?;
     let format = MeshFormat::ALL[chosen];
-    let bytes =
-        app.jobs.convert(id, None, move |archive| format.encode(archive).map_err(JobsError::Unwritable)).await?;
+    let bytes = app
+        .jobs
+        .convert(id, caller.owner(), move |archive| format.encode(archive).map_err(JobsError::Unwritable))
+        .await?;
     Ok(file(&headers, bytes, format.media_type(), &format!("{id}.{}", format.name())))
 }
 
 pub async fn pattern(
     State(app): State<App>,
+    caller: Caller,
     Path(id): Path<String>,
     RawQuery(query): RawQuery,
     headers: HeaderMap,
@@ -37,7 +42,8 @@ pub async fn pattern(
     let names = PatternFormat::ALL.map(PatternFormat::name);
     let chosen = choose(query.as_deref(), &headers, &names, &PatternFormat::ALL.map(PatternFormat::media_type))?;
     let format = PatternFormat::ALL[chosen];
-    let bytes = app.jobs.convert(id, None, move |archive| format.encode(archive).ok_or(JobsError::NoPattern)).await?;
+    let bytes =
+        app.jobs.convert(id, caller.owner(), move |archive| format.encode(archive).ok_or(JobsError::NoPattern)).await?;
     Ok(file(&headers, bytes, format.media_type(), &format!("{id}.{}", format.name())))
 }
 

@@ -1,6 +1,7 @@
 //! `POST /v1/{kind}`: take a request, and wait for it if the client prefers.
 
 use crate::app::App;
+use crate::http::auth::Caller;
 use crate::http::body;
 use crate::http::negotiate::prefer_wait_s;
 use crate::http::problem::Failure;
@@ -17,26 +18,36 @@ use std::time::Duration;
 pub const PREFERENCE_APPLIED: HeaderName = HeaderName::from_static("preference-applied");
 const IDEMPOTENCY_KEY: HeaderName = HeaderName::from_static("idempotency-key");
 
-pub async fn ruled_surface(State(app): State<App>, request: Request<Body>) -> Result<Response, Failure> {
-    submit(&app, Kind::RuledSurface, request).await
+pub async fn ruled_surface(
+    State(app): State<App>,
+    caller: Caller,
+    request: Request<Body>,
+) -> Result<Response, Failure> {
+    submit(&app, &caller, Kind::RuledSurface, request).await
 }
 
-pub async fn minimal_surface(State(app): State<App>, request: Request<Body>) -> Result<Response, Failure> {
-    submit(&app, Kind::MinimalSurface, request).await
+pub async fn minimal_surface(
+    State(app): State<App>,
+    caller: Caller,
+    request: Request<Body>,
+) -> Result<Response, Failure> {
+    submit(&app, &caller, Kind::MinimalSurface, request).await
 }
 
-async fn submit(app: &App, kind: Kind, request: Request<Body>) -> Result<Response, Failure> {
+async fn submit(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) -> Result<Response, Failure> {
     let wait_s = granted_wait_s(app, request.headers());
     let key = idempotency_key(request.headers())?;
     let received = body::read_json(app, request).await?;
-    let submitted = app.jobs.submit(kind, received.bytes.clone(), None, key).await?;
+    let submitted = app.jobs.submit(kind, received.bytes.clone(), caller.owner().map(str::to_owned), key).await?;
     drop(received);
     let (job, created) = match submitted {
         Submitted::Created(job) => (job, true),
         Submitted::Existing(job) => (job, false),
     };
     let job = match wait_s {
-        Some(wait_s) if !job.status.is_final() => app.jobs.wait(&job.id, None, Duration::from_secs(wait_s)).await?,
+        Some(wait_s) if !job.status.is_final() => {
+            app.jobs.wait(&job.id, caller.owner(), Duration::from_secs(wait_s)).await?
+        }
         _ => job,
     };
     // With a wait a finished job is an answer; without one a new job is a promise, whatever its state.

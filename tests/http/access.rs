@@ -1,0 +1,206 @@
+//! Who may do what: keys, ownership, shares, other origins, other hosts.
+
+use crate::app::{self, MINIMAL, RULED, TestApp, large_strip, small_film};
+use reqwest::{Method, RequestBuilder, StatusCode};
+use serde_json::Value;
+use tempfile::TempDir;
+
+/// A server with the keys of `alice` and `bob`.
+struct Guarded {
+    app: TestApp,
+    alice: String,
+    bob: String,
+    _secrets: TempDir,
+}
+
+async fn new_key(name: &str) -> (String, String) {
+    let output = app::binary().args(["key", "new", name]).output().await.expect("the binary runs");
+    assert!(output.status.success());
+    let text = String::from_utf8(output.stdout).expect("UTF-8");
+    let value = |line: &str| line.split_once(':').expect("a label").1.trim().to_owned();
+    let lines: Vec<_> = text.lines().map(value).collect();
+    (lines[0].clone(), lines[1].clone())
+}
+
+impl Guarded {
+    async fn start(environment: &[(&str, &str)]) -> Self {
+        let secrets = tempfile::tempdir().expect("a temporary folder");
+        let ((alice, first), (bob, second)) = (new_key("alice").await, new_key("bob").await);
+        let file = secrets.path().join("keys");
+        std::fs::write(&file, format!("# keys of this test\n{first}\n{second}\n")).expect("the file can be written");
+        let file = file.display().to_string();
+        let environment: Vec<_> =
+            environment.iter().copied().chain([("PLATEAU_AUTH__KEYS_FILE", file.as_str())]).collect();
+        Self { app: TestApp::start_with(&environment).await, alice, bob, _secrets: secrets }
+    }
+
+    fn request(&self, key: &str, method: Method, path: &str) -> RequestBuilder {
+        self.app.request(method, path).bearer_auth(key)
+    }
+
+    async fn status(&self, key: &str, method: Method, path: &str) -> StatusCode {
+        self.request(key, method, path).send().await.expect("an answer").status()
+    }
+
+    async fn solve(&self, key: &str, path: &str, body: &Value) -> Value {
+        let request = self.request(key, Method::POST, path).header("prefer", "wait=60").json(body);
+        let job: Value = request.send().await.expect("an answer").json().await.expect("JSON");
+        assert_eq!(job["status"], "succeeded", "{job:#}");
+        job
+    }
+}
+
+#[tokio::test]
+async fn a_key_is_needed_for_all_but_the_public_pages() {
+    let guarded = Guarded::start(&[]).await;
+    let app = &guarded.app;
+    for path in ["/", "/openapi.json", "/docs", "/health/live", "/health/ready"] {
+        assert_eq!(app.get(path).await.status(), StatusCode::OK, "{path}");
+    }
+    for path in ["/v1/jobs", "/v1/limits", "/v1/objectives", "/metrics", "/v1/nothing"] {
+        let response = app.get(path).await;
+        assert_eq!(response.status(), StatusCode::UNAUTHORIZED, "{path}");
+        assert_eq!(response.headers()["www-authenticate"], "Bearer");
+        assert_eq!(response.headers()["content-type"], "application/problem+json");
+        assert_ne!(guarded.status(&guarded.alice, Method::GET, path).await, StatusCode::UNAUTHORIZED, "{path}");
+    }
+    // The body of a request without a key is not even looked at.
+    let response = app.request(Method::POST, RULED).body("not JSON").send().await.unwrap();
+    assert_eq!(response.status(), StatusCode::UNAUTHORIZED);
+    for wrong in ["plateau_0", "", &guarded.alice[..guarded.alice.len() - 1]] {
+        assert_eq!(guarded.status(wrong, Method::GET, "/v1/jobs").await, StatusCode::UNAUTHORIZED);
+    }
+}
+
+#[tokio::test]
+async fn a_key_never_sees_jobs_of_another_by_any_route() {
+    let guarded = Guarded::start(&[]).await;
+    let (alice, bob) = (&guarded.alice, &guarded.bob);
+    let strip = app::example("wavy-strip");
+    let job = guarded.solve(alice, RULED, &strip).await;
+    let own = job["links"]["self"].as_str().unwrap().to_owned();
+    for (method, path) in [
+        (Method::GET, own.clone()),
+        (Method::GET, format!("{own}/mesh")),
+        (Method::GET, format!("{own}/pattern")),
+        (Method::GET, format!("{own}/events")),
+        (Method::POST, format!("{own}/cancel")),
+        (Method::DELETE, own.clone()),
+    ] {
+        assert_eq!(guarded.status(bob, method.clone(), &path).await, StatusCode::NOT_FOUND, "{method} {path}");
+    }
+    let waiting = guarded.request(bob, Method::GET, &own).header("prefer", "wait=1").send().await.unwrap();
+    assert_eq!(waiting.status(), StatusCode::NOT_FOUND);
+    let list = async |key: &str| -> usize {
+        let response = guarded.request(key, Method::GET, "/v1/jobs").send().await.unwrap();
+        response.json::<Value>().await.unwrap()["jobs"].as_array().unwrap().len()
+    };
+    assert_eq!((list(alice).await, list(bob).await), (1, 0));
+    assert_eq!(guarded.status(alice, Method::GET, &format!("{own}/mesh")).await, StatusCode::OK);
+
+    // Idempotency keys are each one's own as well.
+    let post = async |key: &str, body: &Value| {
+        let request = guarded.request(key, Method::POST, MINIMAL).header("idempotency-key", "one").json(body);
+        request.send().await.unwrap()
+    };
+    let first: Value = post(alice, &small_film(0.1)).await.json().await.unwrap();
+    let second = post(bob, &small_film(0.2)).await;
+    assert_eq!(second.status(), StatusCode::ACCEPTED);
+    assert_ne!(second.json::<Value>().await.unwrap()["id"], first["id"]);
+    assert_eq!(post(alice, &small_film(0.2)).await.status(), StatusCode::UNPROCESSABLE_ENTITY);
+
+    // An equal request finds the kept result of its own key, not of another.
+    let repeated = guarded.request(alice, Method::POST, RULED).json(&strip).send().await.unwrap();
+    assert_eq!(repeated.json::<Value>().await.unwrap()["status"], "succeeded");
+    let anew = guarded.request(bob, Method::POST, RULED).json(&strip).send().await.unwrap();
+    assert_eq!(anew.json::<Value>().await.unwrap()["status"], "queued");
+}
+
+#[tokio::test]
+async fn a_key_that_floods_the_queue_neither_fills_it_nor_starves_others() {
+    let settings = [("PLATEAU_WORKERS", "1"), ("PLATEAU_JOBS__QUEUE_LENGTH", "60")];
+    let guarded = Guarded::start(&settings).await;
+    let (alice, bob) = (&guarded.alice, &guarded.bob);
+    let mut flood = large_strip(6000);
+    let mut accepted = 0;
+    let refused = loop {
+        flood["directrices"][0][0][2] = f64::from(accepted).into();
+        let response = guarded.request(alice, Method::POST, RULED).json(&flood).send().await.unwrap();
+        if response.status() != StatusCode::ACCEPTED {
+            break response;
+        }
+        accepted += 1;
+    };
+    assert_eq!(refused.status(), StatusCode::TOO_MANY_REQUESTS);
+    assert!(refused.headers().contains_key("retry-after"));
+    assert!((30..60).contains(&accepted), "half of the queue and what ran meanwhile, not {accepted}");
+    guarded.solve(bob, RULED, &app::example("wavy-strip")).await;
+    let list = guarded.request(alice, Method::GET, "/v1/jobs?status=queued&limit=200").send().await.unwrap();
+    let waiting = list.json::<Value>().await.unwrap()["jobs"].as_array().unwrap().len();
+    assert!(waiting > 20, "bob's job was among the next few: {waiting} of alice's still wait");
+}
+
+#[tokio::test]
+async fn a_key_has_a_rate() {
+    let guarded = Guarded::start(&[("PLATEAU_AUTH__REQUESTS_PER_MINUTE", "3")]).await;
+    let (alice, bob) = (&guarded.alice, &guarded.bob);
+    for _ in 0..3 {
+        assert_eq!(guarded.status(alice, Method::GET, "/v1/limits").await, StatusCode::OK);
+    }
+    let refused = guarded.request(alice, Method::GET, "/v1/limits").send().await.unwrap();
+    assert_eq!(refused.status(), StatusCode::TOO_MANY_REQUESTS);
+    let retry_after_s: u64 = refused.headers()["retry-after"].to_str().unwrap().parse().unwrap();
+    assert!((1..=20).contains(&retry_after_s));
+    assert_eq!(guarded.status(bob, Method::GET, "/v1/limits").await, StatusCode::OK);
+}
+
+#[tokio::test]
+async fn pages_of_named_origins_may_use_the_server() {
+    let guarded = Guarded::start(&[("PLATEAU_HTTP__CORS_ORIGINS", "https://a.example, https://b.example")]).await;
+    let preflight = async |origin: &str| {
+        let request = guarded.app.request(Method::OPTIONS, RULED).header("origin", origin);
+        let request = request.header("access-control-request-method", "POST");
+        request.header("access-control-request-headers", "authorization,content-type,prefer").send().await.unwrap()
+    };
+    let response = preflight("https://b.example").await;
+    assert_eq!(response.status(), StatusCode::OK);
+    assert_eq!(response.headers()["access-control-allow-origin"], "https://b.example");
+    assert!(response.headers()["access-control-allow-headers"].to_str().unwrap().contains("authorization"));
+    assert!(!preflight("https://c.example").await.headers().contains_key("access-control-allow-origin"));
+    let request = guarded.request(&guarded.alice, Method::GET, "/v1/jobs").header("origin", "https://a.example");
+    let response = request.send().await.unwrap();
+    let exposed = response.headers()["access-control-expose-headers"].to_str().unwrap().to_lowercase();
+    for name in ["location", "retry-after", "preference-applied", "etag", "x-request-id"] {
+        assert!(exposed.contains(name), "{exposed}");
+    }
+    let plain = TestApp::start().await;
+    let request = plain.request(Method::OPTIONS, "/v1/jobs").header("origin", "https://a.example");
+    assert_eq!(request.send().await.unwrap().status(), StatusCode::METHOD_NOT_ALLOWED);
+}
+
+#[tokio::test]
+async fn a_loopback_server_answers_to_loopback_names_only() {
+    let app = TestApp::start_with(&[("PLATEAU_HTTP__HOSTS", "plateau.test")]).await;
+    for (host, status) in [
+        ("localhost", StatusCode::OK),
+        ("plateau.test:80", StatusCode::OK),
+        ("evil.test", StatusCode::MISDIRECTED_REQUEST),
+        ("10.0.0.1:8080", StatusCode::MISDIRECTED_REQUEST),
+    ] {
+        let response = app.request(Method::GET, "/v1/jobs").header("host", host).send().await.unwrap();
+        assert_eq!(response.status(), status, "{host}");
+    }
+}
+
+#[tokio::test]
+async fn without_keys_only_loopback_is_listened_on() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("data");
+    let mut command = app::binary();
+    command.args(["--listen", "0.0.0.0:0", "--data"]).arg(&data);
+    let output = command.output().await.unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(message.contains("auth.keys_file") && message.contains("auth.open_without_keys"), "{message}");
+    assert!(!data.exists(), "nothing was begun");
+}
