@@ -118,7 +118,7 @@ async fn a_key_never_sees_jobs_of_another_by_any_route() {
 
 #[tokio::test]
 async fn a_key_that_floods_the_queue_neither_fills_it_nor_starves_others() {
-    let settings = [("PLATEAU_WORKERS", "1"), ("PLATEAU_JOBS__QUEUE_LENGTH", "60")];
+    let settings = [("PLATEAU_WORKERS", "1"), ("PLATEAU_JOBS__QUEUE_LENGTH", "20")];
     let guarded = Guarded::start(&settings).await;
     let (alice, bob) = (&guarded.alice, &guarded.bob);
     let mut flood = large_strip(6000);
@@ -133,11 +133,11 @@ async fn a_key_that_floods_the_queue_neither_fills_it_nor_starves_others() {
     };
     assert_eq!(refused.status(), StatusCode::TOO_MANY_REQUESTS);
     assert!(refused.headers().contains_key("retry-after"));
-    assert!((30..60).contains(&accepted), "half of the queue and what ran meanwhile, not {accepted}");
+    assert!((10..20).contains(&accepted), "half of the queue and what ran meanwhile, not {accepted}");
     guarded.solve(bob, RULED, &app::example("wavy-strip")).await;
     let list = guarded.request(alice, Method::GET, "/v1/jobs?status=queued&limit=200").send().await.unwrap();
     let waiting = list.json::<Value>().await.unwrap()["jobs"].as_array().unwrap().len();
-    assert!(waiting > 20, "bob's job was among the next few: {waiting} of alice's still wait");
+    assert!(waiting > 5, "bob's job was among the next few: {waiting} of alice's still wait");
 }
 
 #[tokio::test]
