@@ -39,6 +39,7 @@ use assemble::{on_polygon, on_surface};
 use curved::Auxiliary;
 use lengths::LengthsRow;
 use parametric_surface::Nurbs;
+use polygon::Polygon;
 use statistics::{LengthHistogram, Stage};
 
 /// Coordinates beyond this overflow when squared and multiplied.
@@ -97,6 +98,12 @@ impl Objective {
                  best, farthest-point insertion with visibility in the rim. The objective value is the number of lattice edges."
             }
         }
+    }
+
+    /// The unit of the objective's value.
+    #[must_use]
+    pub fn unit(self) -> &'static str {
+        "1"
     }
 
     /// Where the formula stands.
@@ -270,7 +277,7 @@ pub struct Cost {
 /// # Errors
 /// The input errors that [`solve`] would report before meshing.
 pub fn estimate(domain: &Domain, options: &Options) -> Result<Cost, Error> {
-    check(options)?;
+    check_options(options)?;
     match domain {
         Domain::Polygon { outer, holes } => {
             let (area, perimeter) = polygon::extent(outer, holes)?;
@@ -326,7 +333,7 @@ fn cost(area: f64, perimeter: f64, edge_length: f64) -> Cost {
     Cost { nodes, triangles: 2.0 * nodes }
 }
 
-fn check(options: &Options) -> Result<(), Error> {
+fn check_options(options: &Options) -> Result<(), Error> {
     let mut errors = Vec::new();
     if !(1.0 / LARGEST_COORDINATE..=LARGEST_COORDINATE).contains(&options.edge_length) {
         errors.push(InputError::new(Place::field("edge_length"), "must be positive, between 1e-100 and 1e100"));
@@ -347,6 +354,24 @@ fn check(options: &Options) -> Result<(), Error> {
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
 }
 
+/// What [`solve`] would say of its arguments before any meshing, planarity included: linear in their size.
+///
+/// # Errors
+/// The [`Error::Input`] that [`solve`] would begin with. Arguments that pass may still turn out to cross themselves.
+pub fn check(domain: &Domain, options: &Options) -> Result<Cost, Error> {
+    let cost = estimate(domain, options)?;
+    match domain {
+        Domain::Polygon { outer, holes } => drop(Polygon::new(outer, holes, options.edge_length)?),
+        Domain::Boundaries(boundaries) => curved::check_film(boundaries, options)?,
+        Domain::Bezier { .. } | Domain::Nurbs(_) => {}
+    }
+    if cost.nodes > MOST_NODES {
+        let detail = format!("asks for up to {:.3e} nodes; at most {MOST_NODES:.0e} are possible", cost.nodes);
+        return Err(Error::input(Place::field("edge_length"), detail));
+    }
+    Ok(cost)
+}
+
 /// Meshes the domain.
 ///
 /// On convex polygons with inner angles of 90° or more and sides of ℓ or more, every edge has a length in [ℓ, 2ℓ] (to 2e-9).
@@ -358,11 +383,7 @@ fn check(options: &Options) -> Result<(), Error> {
 /// hole outside, an edge length that asks for more than 5e7 nodes. [`Error::Interrupted`]: cancelled, or the deadline passed
 /// before there was a valid mesh; later the mesh reached so far is returned with `converged` false.
 pub fn solve(domain: &Domain, options: &Options, execution: &Execution<'_>) -> Result<UniformMesh, Error> {
-    let cost = estimate(domain, options)?;
-    if cost.nodes > MOST_NODES {
-        let detail = format!("asks for up to {:.3e} nodes; at most {MOST_NODES:.0e} are possible", cost.nodes);
-        return Err(Error::input(Place::field("edge_length"), detail));
-    }
+    check(domain, options)?;
     match domain {
         Domain::Polygon { outer, holes } => on_polygon(outer, holes, options, execution),
         Domain::Bezier { control_points } => {

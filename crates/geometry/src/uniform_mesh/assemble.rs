@@ -23,7 +23,8 @@ pub(super) fn on_polygon(
     options: &Options,
     execution: &Execution<'_>,
 ) -> Result<UniformMesh, Error> {
-    let polygon = Polygon::new(outer, holes, options.edge_length, options.objective)?;
+    let mut polygon = Polygon::new(outer, holes, options.edge_length)?;
+    polygon.split(options.objective);
     let shares = matches!(options.optimise, Optimise::Lengths { .. });
     let flat = plane::mesh(&polygon.outline, options.objective, (0.0, if shares { 0.5 } else { 0.95 }), execution)
         .map_err(|failure| planar_error(failure, &polygon))?;

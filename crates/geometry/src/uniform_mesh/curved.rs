@@ -21,7 +21,7 @@ use crate::error::{Error, InputError, Place, Step, Warning};
 use crate::execution::{Execution, Interruption, Progress, Signal};
 use crate::mesh::topology::Topology;
 use crate::minimal_surface;
-use crate::polyline::{mean, merge_equal_neighbours};
+use crate::polyline::mean;
 use crate::{DVec2, DVec3, Mesh};
 
 /// Samples along one auxiliary edge when the length of a side is measured.
@@ -169,23 +169,6 @@ impl Auxiliary {
             unit * FILM_EDGE.max((super::film_area(boundaries) / (unit * unit) * 2.31 / FILM_TRIANGLES).sqrt());
         let film_options = minimal_surface::Options::new(minimal_surface::Resolution::EdgeLength(target));
         minimal_surface::check(boundaries, &film_options).map_err(below_domain)?;
-        // Points are added on the segments, so that the film is fine at its boundary too.
-        let mut refined = Vec::with_capacity(boundaries.len());
-        let mut source: Vec<Vec<u32>> = Vec::new();
-        let mut merged_points = 0;
-        for boundary in boundaries {
-            let merged = merge_equal_neighbours(boundary, true);
-            merged_points += merged.dropped();
-            let mut points = Vec::new();
-            let mut kept = Vec::new();
-            for (&a, &b) in merged.points.iter().zip(merged.points.iter().cycle().skip(1)) {
-                kept.push(points.len() as u32);
-                let parts = (a.distance(b) / target - 1e-6).ceil().max(1.0);
-                points.extend((0..parts as usize).map(|k| if k == 0 { a } else { a.lerp(b, k as f64 / parts) }));
-            }
-            source.push(merged.vertex_of.iter().map(|&v| kept[v]).collect());
-            refined.push(points);
-        }
         let film = {
             let signal = || match execution.look(0) {
                 Ok(()) => Signal::Continue,
@@ -196,17 +179,14 @@ impl Auxiliary {
                 let fraction = span.0 + (span.1 - span.0) * p.fraction.clamp(0.0, 1.0);
                 execution.report(Progress { fraction, phase: "film", ..p });
             };
-            minimal_surface::solve(&refined, &film_options, &Execution::new(&signal, &report)).map_err(below_domain)?
+            minimal_surface::solve(boundaries, &film_options, &Execution::new(&signal, &report))
+                .map_err(below_domain)?
         };
         let topology = super::assemble::topology(film.mesh.vertices.clone(), &film.mesh.triangles)?;
         let centre = mean(&film.mesh.vertices);
         let mesh =
             Mesh::new(film.mesh.vertices.iter().map(|&p| (p - centre) / unit).collect(), film.mesh.triangles.clone());
-        let inputs: Vec<u32> = source
-            .iter()
-            .zip(&film.input_vertices)
-            .flat_map(|(source, vertices)| source.iter().map(|&k| vertices[k as usize]))
-            .collect();
+        let inputs: Vec<u32> = film.input_vertices.iter().flatten().copied().collect();
         let mut given = vec![false; mesh.vertices.len()];
         for &v in &inputs {
             given[v as usize] = true;
@@ -231,17 +211,11 @@ impl Auxiliary {
             });
             sides.push(paths.collect());
         }
-        let mut warnings = Vec::new();
-        if merged_points > 0 {
-            warnings.push(Warning::new("merged_points", format!("{merged_points} repeated points were merged")));
-        }
-        // What the film's solver has to say, but for the points that we added and merged ourselves.
-        warnings.extend(
-            film.warnings
-                .into_iter()
-                .filter(|w| w.code != "merged_points")
-                .map(|w| Warning::new("film", format!("{}: {}", w.code, w.detail))),
-        );
+        let said = |w: Warning| match w.code {
+            "merged_points" => w,
+            code => Warning::new("film", format!("{code}: {}", w.detail)),
+        };
+        let warnings = film.warnings.into_iter().map(said).collect();
         Ok(Self { centre, unit, mesh, topology, patch: None, sides, exact, inputs, warnings })
     }
 
@@ -395,6 +369,21 @@ impl Line {
         }
         count
     }
+}
+
+/// How a film is asked for.
+fn film_options(boundaries: &[Vec<DVec3>], options: &Options) -> minimal_surface::Options {
+    let unit = options.edge_length;
+    let target = unit * FILM_EDGE.max((super::film_area(boundaries) / (unit * unit) * 2.31 / FILM_TRIANGLES).sqrt());
+    minimal_surface::Options::new(minimal_surface::Resolution::EdgeLength(target))
+}
+
+/// What the film's solver has to say of the boundaries before any work.
+///
+/// # Errors
+/// Its errors, with places below /domain.
+pub(super) fn check_film(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
+    minimal_surface::check(boundaries, &film_options(boundaries, options)).map_err(below_domain)
 }
 
 /// The film solver's errors in terms of this module's input.

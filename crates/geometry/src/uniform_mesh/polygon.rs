@@ -35,6 +35,8 @@ pub(super) struct Polygon {
     pub input_vertices: Vec<Option<u32>>,
     pub warnings: Vec<Warning>,
     pub sides: Sides,
+    /// The corners of each loop with the domain on the left.
+    corner_loops: Vec<Vec<u32>>,
     /// For each corner the loop and the index of the input point.
     sources: Vec<(usize, usize)>,
 }
@@ -51,11 +53,11 @@ fn ring_place(ring: usize) -> Place {
 }
 
 impl Polygon {
-    /// Checks everything that needs no triangulation and places the nodes on the boundary.
+    /// Checks everything that needs no triangulation. Its boundary has only corners until it is [`split`](Self::split).
     ///
     /// # Errors
     /// Points that are not finite, fewer than three distinct points in a loop, no area, points off the plane.
-    pub fn new(outer: &[DVec3], holes: &[Vec<DVec3>], edge_length: f64, objective: Objective) -> Result<Self, Error> {
+    pub fn new(outer: &[DVec3], holes: &[Vec<DVec3>], edge_length: f64) -> Result<Self, Error> {
         let rings: Vec<&[DVec3]> = std::iter::once(outer).chain(holes.iter().map(Vec::as_slice)).collect();
         let mut errors = Vec::new();
         for (ring, points) in rings.iter().enumerate() {
@@ -100,6 +102,7 @@ impl Polygon {
             input_vertices: Vec::new(),
             warnings,
             sides: Sides::default(),
+            corner_loops: Vec::new(),
             sources: Vec::new(),
         };
         let mut corner_loops = Vec::new();
@@ -128,14 +131,14 @@ impl Polygon {
             }
             corner_loops.push(corners);
         }
-        polygon.split(&corner_loops, objective);
+        polygon.corner_loops = corner_loops;
         Ok(polygon)
     }
 
     /// Splits the sides: pieces within [ℓ, 2ℓ] wherever the side is at least ℓ long.
-    fn split(&mut self, loops: &[Vec<u32>], objective: Objective) {
+    pub fn split(&mut self, objective: Objective) {
         self.sides = Sides::new(self.positions.len());
-        for corners in loops {
+        for corners in &self.corner_loops {
             let count = corners.len();
             let mut nodes = Vec::new();
             let mut sides = Vec::new();
