@@ -31,7 +31,7 @@ mod vertex_relaxation;
 
 pub use initial_mesh::InitialMeshKind;
 pub use spanning_topology::{SpanningComparison, SpanningTopology};
-pub use statistics::{Curvature, HistoryRow, MeanCurvature, Pinch, Stability, Statistics, StopReason};
+pub use statistics::{Curvature, HistoryRow, MeanCurvature, Pinch, Stability, StabilityMethod, Statistics, StopReason};
 pub use vertex_relaxation::Process;
 
 use crate::error::{InputError, Warning};
@@ -341,6 +341,9 @@ pub struct MinimalSurface {
     pub input_vertices: Vec<Vec<u32>>,
     /// Per vertex |area gradient| / (2/3 of the ring's area), in 1/unit; 0 where the vertex is fixed.
     pub mean_curvature: Vec<f64>,
+    /// For an unstable surface the direction in which to leave it: per vertex the lowest mode of its second variation, along the
+    /// normal, the largest of length 1. Either sign lowers the area.
+    pub way_down: Option<Vec<DVec3>>,
     pub statistics: Statistics,
     pub warnings: Vec<Warning>,
 }
@@ -494,7 +497,18 @@ fn finish(
     options: &Options,
 ) -> Result<MinimalSurface, Error> {
     run.pinches.iter_mut().for_each(|pinch| pinch.place += input.centre);
-    let film = film.with_boundary_first(input.point_count());
+    let mut way_down = run.way_down.take();
+    let film = match film.boundary_first(input.point_count()) {
+        None => film,
+        Some(place) => {
+            way_down = way_down.map(|direction| {
+                let mut moved = vec![DVec3::ZERO; direction.len()];
+                direction.iter().zip(&place).for_each(|(&direction, &v)| moved[v as usize] = direction);
+                moved
+            });
+            film.renumbered(&place)
+        }
+    };
     let topology = film.mesh().check().map_err(|defect| {
         Error::no_result("invalid_mesh", format!("the solver left a mesh that is no oriented manifold ({defect})"))
     })?;
@@ -519,6 +533,13 @@ fn finish(
     if !statistics.converged {
         warnings.push(Warning::new("not_converged", statistics.shortfall(options.tolerance)));
     }
+    if let Some(stability) = statistics.stability.filter(|stability| !stability.stable) {
+        let detail = format!(
+            "the surface is stationary but no minimum (Morse index {}): ask for on_unstable descend to leave it",
+            stability.morse_index
+        );
+        warnings.push(Warning::new("unstable", detail));
+    }
     let boundaries = film.boundaries.clone();
     let mut mesh = film.into_mesh();
     for vertex in &mut mesh.vertices {
@@ -532,6 +553,7 @@ fn finish(
         boundaries,
         input_vertices: input.vertices,
         mean_curvature: measured.mean_curvature,
+        way_down,
         statistics,
         warnings,
     })

@@ -18,7 +18,7 @@ use super::multigrid::{self, Failure, Hierarchy, Parents, parents_of};
 use super::newton::{Aim, Direct, Outcome, Settings, State, StepSolver, iterate};
 use super::record::geometric_part;
 use super::stability;
-use super::statistics::{Stability, StopReason};
+use super::statistics::{Stability, StabilityMethod, StopReason};
 use super::{BoundarySampling, InitialMesh, Options, Resolution};
 use crate::linear::{LinearError, Symbolic, SymmetricMatrix};
 use crate::mesh::measure;
@@ -163,7 +163,8 @@ fn climb(film: &mut Film, rim: &mut Rim, levels: u32, solve: &mut Solve) -> Resu
                 return Ok(None);
             }
             let lowest_eigenvalue = lowest.eigenvalue;
-            return Ok(Some(Stability { stable: true, morse_index, lowest_eigenvalue }));
+            let method = if by_inertia { StabilityMethod::Inertia } else { StabilityMethod::Eigenvalue };
+            return Ok(Some(Stability { stable: true, morse_index, lowest_eigenvalue, method }));
         }
         hierarchy.push(matrix, parents);
     }

@@ -12,7 +12,7 @@ use super::pinkall_polthier::{Dirichlet, too_large};
 use super::record::{Record, geometric_part};
 use super::remesh::{flip_to_delaunay, tangential_relaxation};
 use super::stability;
-use super::statistics::{Stability, StopReason};
+use super::statistics::{Stability, StabilityMethod, StopReason};
 use super::{OnUnstable, Options, Solver};
 use crate::linear::LinearError;
 use crate::mesh::measure;
@@ -69,6 +69,7 @@ pub(super) struct Solve<'a> {
     pub tolerance: f64,
     pub radius: f64,
     edges_swapped: u64,
+    way_down: Option<Vec<DVec3>>,
 }
 
 impl<'a> Solve<'a> {
@@ -80,12 +81,13 @@ impl<'a> Solve<'a> {
             tolerance: options.tolerance,
             radius: film.radius(),
             edges_swapped: 0,
+            way_down: None,
         }
     }
 
     pub fn into_run(self, stop_reason: StopReason, stability: Option<Stability>) -> Run {
-        let Self { record: Record { history, iterations, .. }, edges_swapped, .. } = self;
-        Run { stop_reason, iterations, history, edges_swapped, stability, ..Run::new(Solver::Newton) }
+        let Self { record: Record { history, iterations, .. }, edges_swapped, way_down, .. } = self;
+        Run { stop_reason, iterations, history, edges_swapped, stability, way_down, ..Run::new(Solver::Newton) }
     }
 
     fn film(&mut self, film: &mut Film, on_unstable: OnUnstable) -> Result<(StopReason, Option<Stability>), Stop> {
@@ -203,6 +205,16 @@ impl<'a> Solve<'a> {
                 stable: variation.morse_index == 0,
                 morse_index: variation.morse_index,
                 lowest_eigenvalue: variation.lowest.eigenvalue,
+                method: StabilityMethod::Inertia,
+            });
+            self.way_down = (variation.morse_index > 0).then(|| {
+                let heights = &variation.lowest.heights;
+                let largest = heights.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
+                let mut direction = vec![DVec3::ZERO; film.vertices.len()];
+                for (&vertex, height) in pattern.vertex.iter().zip(heights) {
+                    direction[vertex as usize] = height / largest * state.normals[vertex as usize];
+                }
+                direction
             });
             if variation.morse_index == 0 || on_unstable == OnUnstable::Report {
                 break;

@@ -81,32 +81,22 @@ impl Film {
         Self { vertices, topology: self.topology.renumbered(place), fixed, locked, boundaries }
     }
 
-    /// The same film with the points added on the boundaries moved to stand right after the `input_points` first vertices.
-    pub fn with_boundary_first(self, input_points: usize) -> Self {
+    /// For each vertex its number when the points added on the boundaries stand right after the `input_points` first
+    /// vertices; `None` if they stand there already.
+    pub fn boundary_first(&self, input_points: usize) -> Option<Vec<u32>> {
         let added: Vec<u32> =
             self.boundaries.iter().flatten().copied().filter(|&v| v as usize >= input_points).collect();
         if added.iter().enumerate().all(|(k, &v)| v as usize == input_points + k) {
-            return self;
+            return None;
         }
         let count = self.vertices.len();
         let mut is_added = vec![false; count];
         added.iter().for_each(|&v| is_added[v as usize] = true);
         let rest = (input_points..count).filter(|&v| !is_added[v]).map(|v| v as u32);
-        let order: Vec<u32> = (0..input_points as u32).chain(added.iter().copied()).chain(rest).collect();
+        let order = (0..input_points as u32).chain(added.iter().copied()).chain(rest);
         let mut place = vec![0u32; count];
-        order.iter().enumerate().for_each(|(new, &old)| place[old as usize] = new as u32);
-        let moved = |v: u32| place[v as usize];
-        let triangles: Vec<[u32; 3]> = self.triangles().iter().map(|t| t.map(moved)).collect();
-        let mut locked: Vec<[u32; 2]> = self.locked.iter().map(|&[a, b]| [moved(a), moved(b)]).collect();
-        locked.iter_mut().for_each(|edge| edge.sort_unstable());
-        locked.sort_unstable();
-        Self {
-            vertices: order.iter().map(|&v| self.vertices[v as usize]).collect(),
-            topology: Topology::build(&triangles, count).expect("renaming vertices keeps a manifold one"),
-            fixed: order.iter().map(|&v| self.fixed[v as usize]).collect(),
-            locked,
-            boundaries: self.boundaries.iter().map(|boundary| boundary.iter().map(|&v| moved(v)).collect()).collect(),
-        }
+        order.enumerate().for_each(|(new, old)| place[old as usize] = new as u32);
+        Some(place)
     }
 }
 
@@ -120,6 +110,8 @@ pub(super) struct Run {
     pub edges_swapped: u64,
     pub pinches: Vec<Pinch>,
     pub stability: Option<Stability>,
+    /// Per vertex the lowest mode of an unstable film.
+    pub way_down: Option<Vec<DVec3>>,
     /// Where the objective is not the area.
     pub objective_value: Option<f64>,
     /// What was compared, if topologies were.
@@ -137,6 +129,7 @@ impl Run {
             edges_swapped: 0,
             pinches: Vec::new(),
             stability: None,
+            way_down: None,
             objective_value: None,
             spanning: None,
         }

@@ -273,4 +273,35 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn the_critical_gap_of_two_rings() {
+        // gap / diameter = 0.66274: the catenoid whose waist is 0.55243 of the rings' radius is the last.
+        let holds = |n: usize, gap: f64| {
+            let mut film = cylinder(n, n / 6, gap);
+            for vertex in &mut film.vertices {
+                let profile = |z: f64| 0.55243 * (z / 0.55243).cosh();
+                let narrowed = 1.0 + profile(vertex.z) - profile(0.5 * gap);
+                if vertex.z.abs() < 0.5 * gap {
+                    (vertex.x, vertex.y) = (narrowed * vertex.x, narrowed * vertex.y);
+                }
+            }
+            let settings = Settings { aim: Aim::Minimum, tolerance: 1e-8, max_steps: 40, radius: film.radius() };
+            let pattern = Pattern::new(film.triangles(), &film.fixed);
+            let mut direct = Direct::new(&pattern).unwrap();
+            let exec = Execution::default();
+            iterate(&mut film, &pattern, &mut direct, &settings, &exec, &mut |_, _| {}).0 == Outcome::Converged
+        };
+        let critical = |n: usize| {
+            let (mut held, mut broken) = (1.28, 1.38);
+            while broken - held > 2e-4 {
+                let gap = 0.5 * (held + broken);
+                if holds(n, gap) { held = gap } else { broken = gap }
+            }
+            0.25 * (held + broken)
+        };
+        let (coarse, fine) = (critical(60), critical(120));
+        let extrapolated = fine + (fine - coarse) / 3.0;
+        assert!((extrapolated - 0.66274).abs() < 5e-4, "{coarse} {fine} {extrapolated}");
+    }
 }

@@ -15,7 +15,7 @@ use super::crossing::films_cross;
 use super::descent;
 use super::film::{Film, Run};
 use super::initial_mesh::{self, InitialMeshKind};
-use super::statistics::{Stability, StopReason};
+use super::statistics::{Stability, StabilityMethod, StopReason};
 use super::{OnUnstable, Options, Resolution, Solver, Topology};
 use crate::error::Warning;
 use crate::mesh::measure;
@@ -201,6 +201,8 @@ fn compare(films: &[u32], parts: &[Option<Part>], exec: &Execution) -> Result<Sp
                 stable: a.stable && b.stable,
                 morse_index: a.morse_index + b.morse_index,
                 lowest_eigenvalue: a.lowest_eigenvalue.min(b.lowest_eigenvalue),
+                // The less certain of the two.
+                method: if a.method == StabilityMethod::Inertia { b.method } else { a.method },
             })
         });
     for (k, part) in held.iter().enumerate() {

@@ -246,6 +246,30 @@ mod tests {
     }
 
     #[test]
+    fn the_critical_sector_of_the_catenoid() {
+        // Chen, Cai and Zheng's sector, 6 π / 5, clamped on all four sides: stable for |v| < 1.70676.
+        let critical = |n: usize| {
+            let (mut stable, mut unstable) = (1.6, 1.8);
+            while unstable - stable > 1e-4 {
+                let reach = 0.5 * (stable + unstable);
+                let film = patch(n, n, catenoid(6.0 * PI / 5.0, reach));
+                let pattern = Pattern::new(film.triangles(), &film.fixed);
+                let state = State::of(&pattern, &film.vertices, film.triangles(), film.radius());
+                let Direct { symbolic, mut matrix, .. } = Direct::new(&pattern).unwrap();
+                pattern.second_variation(&film.vertices, film.triangles(), &state.normals, 0.0, &mut matrix);
+                let inertia = symbolic.factorise(&matrix).unwrap().inertia();
+                assert!(inertia.negative <= 1);
+                if inertia.negative == 0 { stable = reach } else { unstable = reach }
+            }
+            0.5 * (stable + unstable)
+        };
+        let (coarse, fine) = (critical(40), critical(80));
+        let extrapolated = fine + (fine - coarse) / 3.0;
+        assert!((extrapolated - 1.70676).abs() < 5e-4, "{coarse} {fine} {extrapolated}");
+        assert!((fine - 1.70676).abs() < 0.3 * (coarse - 1.70676).abs());
+    }
+
+    #[test]
     fn the_lowest_of_three() {
         let (value, vector) = lowest_of_three([[2.0, -1.0, 0.0], [-1.0, 2.0, -1.0], [0.0, -1.0, 2.0]], 3);
         assert!((value - (2.0 - 2f64.sqrt())).abs() < 1e-14);

@@ -76,6 +76,27 @@ pub struct Stability {
     pub morse_index: usize,
     /// Lowest eigenvalue against the lumped mass, in 1/unit².
     pub lowest_eigenvalue: f64,
+    pub method: StabilityMethod,
+}
+
+/// Where a Morse index comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StabilityMethod {
+    /// The signs of the pivots of a factorisation: exact.
+    Inertia,
+    /// The lowest eigenvalue, by preconditioned iteration: on meshes too large to factorise in good time, and then only where
+    /// it is positive, so that the index is 0.
+    Eigenvalue,
+}
+
+impl StabilityMethod {
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Inertia => "inertia",
+            Self::Eigenvalue => "eigenvalue",
+        }
+    }
 }
 
 /// Mean curvature over the vertices that are free to move, in 1/unit.
