@@ -26,6 +26,8 @@ export function svg(name, attributes = {}, ...children) {
 export function humanise(name) {
   const [, stem, unit] = /^(.*?)(_deg|_ms|_s)?$/.exec(name);
   const words = stem.replaceAll('_', ' ');
+  // Units and axes stay as they are: mm is not Mm.
+  if (words.length <= 2) return words;
   const suffix = { _deg: ' (°)', _ms: ' (ms)', _s: ' (s)' }[unit] ?? '';
   return words.charAt(0).toUpperCase() + words.slice(1) + suffix;
 }
