@@ -2,8 +2,8 @@
 // server, which is started on a free port with a folder of its own; or PLATEAU_URL a server that runs already.
 
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
-import { mkdtemp, readFile, rm } from 'node:fs/promises';
+import { spawn, spawnSync } from 'node:child_process';
+import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -18,26 +18,35 @@ const FLAGS = [
   '--disable-background-networking', '--disable-component-update', '--disable-sync',
 ];
 
-let url, server, folder, browser, page, faults, requests;
+let url, own, browser, page, faults, requests;
+
+/** A server of its own on a free port: { url, stop }. */
+async function start(environment = {}) {
+  const folder = await mkdtemp(join(tmpdir(), 'plateau-studio-'));
+  const options = { stdio: ['ignore', 'pipe', 'ignore'], env: { ...process.env, ...environment } };
+  const server = spawn(process.env.PLATEAU_BIN, ['serve', '--listen', '127.0.0.1:0', '--data', folder], options);
+  const stop = async () => {
+    server.kill();
+    await rm(folder, { recursive: true, force: true });
+  };
+  for await (const line of createInterface({ input: server.stdout })) {
+    const [, address] = /^listening on (\S+)/.exec(line) ?? [];
+    assert.ok(address, 'the server said where it listens');
+    return { url: address, stop };
+  }
+  await stop();
+  throw new Error('the server did not start');
+}
 
 before(async () => {
-  if (process.env.PLATEAU_URL) url = process.env.PLATEAU_URL;
-  else {
-    folder = await mkdtemp(join(tmpdir(), 'plateau-studio-'));
-    server = spawn(process.env.PLATEAU_BIN, ['serve', '--listen', '127.0.0.1:0', '--data', folder], { stdio: ['ignore', 'pipe', 'ignore'] });
-    for await (const line of createInterface({ input: server.stdout })) {
-      url = /^listening on (\S+)/.exec(line)?.[1];
-      break;
-    }
-  }
-  assert.ok(url, 'the server said where it listens');
+  own = process.env.PLATEAU_URL ? null : await start();
+  url = own?.url ?? process.env.PLATEAU_URL;
   browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: FLAGS });
 });
 
 after(async () => {
   await browser?.close();
-  server?.kill();
-  if (folder) await rm(folder, { recursive: true, force: true });
+  await own?.stop();
 });
 
 beforeEach(async () => {
@@ -210,6 +219,35 @@ test('every format is downloaded, the flat pattern too', async () => {
     assert.equal(bytes.subarray(0, start.length).toString('latin1'), start);
   }
   await page.waitForFunction(() => document.querySelector('#pattern-image').naturalWidth > 0);
+});
+
+test('a server with keys is used with a key', { skip: process.env.PLATEAU_URL && 'needs a server of its own' }, async () => {
+  const made = spawnSync(process.env.PLATEAU_BIN, ['key', 'new', 'tester'], { encoding: 'utf8' }).stdout;
+  const [key, line] = made.trim().split('\n').map((each) => each.replace(/^.*?: */, ''));
+  const folder = await mkdtemp(join(tmpdir(), 'plateau-keys-'));
+  await writeFile(join(folder, 'keys'), `${line}\n`);
+  const locked = await start({ PLATEAU_AUTH__KEYS_FILE: join(folder, 'keys') });
+  const openServer = url;
+  url = locked.url;
+  try {
+    await page.goto(url);
+    await page.locator('#problem:has-text("key")').waitFor();
+    await page.fill('#api-key', key);
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => document.querySelector('#status').textContent === 'Ready.');
+    await solve();
+    const waiting = page.waitForEvent('download');
+    await page.click('#downloads button:text-is("OBJ")');
+    assert.ok(await (await waiting).path());
+    await page.reload();
+    await page.waitForFunction(() => document.querySelector('#status').textContent === 'Ready.');
+  } finally {
+    await page.goto('about:blank');
+    await locked.stop();
+    await rm(folder, { recursive: true });
+    requests = requests.filter((address) => !address.startsWith(locked.url));
+    url = openServer;
+  }
 });
 
 test('each kind keeps its own draft', async () => {

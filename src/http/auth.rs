@@ -211,7 +211,7 @@ impl<S: Sync> FromRequestParts<S> for Caller {
 /// True for what anybody may see: the API document, its page, the studio, and whether the server lives.
 fn is_public(path: &str) -> bool {
     let below = |folder: &str| path.strip_prefix(folder).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'));
-    path == "/" || path == "/openapi.json" || ["/docs", "/health", "/problems", "/assets"].into_iter().any(below)
+    path == "/" || path == "/openapi.json" || ["/docs", "/health", "/problems", "/studio"].into_iter().any(below)
 }
 
 /// Lets a request through with its caller, or answers 401 or 429 before anything of its body is read.
@@ -359,7 +359,8 @@ mod tests {
 
     #[test]
     fn public_paths_are_exactly_these() {
-        for path in ["/", "/openapi.json", "/docs", "/docs/", "/docs/x.js", "/health/live", "/problems/not-found"] {
+        for path in ["/", "/openapi.json", "/docs", "/docs/", "/studio/main.js", "/health/live", "/problems/not-found"]
+        {
             assert!(is_public(path), "{path}");
         }
         for path in ["/v1/jobs", "/metrics", "/docsx", "/healthy", "//v1/jobs", "/v1/examples"] {
