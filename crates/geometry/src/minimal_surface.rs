@@ -11,6 +11,7 @@ mod coarse_to_fine;
 mod cotangent;
 mod crossing;
 mod descent;
+mod extrapolation;
 mod film;
 mod free_topology;
 mod initial_mesh;
@@ -29,6 +30,7 @@ mod structured;
 mod topology_change;
 mod vertex_relaxation;
 
+pub use extrapolation::ExtrapolatedArea;
 pub use initial_mesh::InitialMeshKind;
 pub use spanning_topology::{SpanningComparison, SpanningTopology};
 pub use statistics::{Curvature, HistoryRow, MeanCurvature, Pinch, Stability, StabilityMethod, Statistics, StopReason};
@@ -45,6 +47,8 @@ pub enum Objective {
     /// The sum of the triangles' areas.
     #[default]
     MinimalArea,
+    /// The Dirichlet energy of the piecewise linear map from the (Delaunay) initial mesh: one linear solve.
+    MinimalDirichletEnergy,
     /// Liu and Wang: half the sum of the squared discrete mean curvatures.
     MinimalMeanCurvature,
 }
@@ -59,7 +63,7 @@ pub struct Description {
 }
 
 impl Objective {
-    pub const ALL: [Self; 2] = [Self::MinimalArea, Self::MinimalMeanCurvature];
+    pub const ALL: [Self; 3] = [Self::MinimalArea, Self::MinimalDirichletEnergy, Self::MinimalMeanCurvature];
 
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -74,6 +78,12 @@ impl Objective {
                 minimises: "the sum of the triangles' areas, boundary fixed",
                 unit: "u²",
                 source: "Chen, Cai, Zheng 2008, eq. 3",
+            },
+            Self::MinimalDirichletEnergy => Description {
+                name: "minimal_dirichlet_energy",
+                minimises: "the Dirichlet energy ¼ Σ (cot α + cot β) |a'|² of the map from the initial mesh, boundary fixed",
+                unit: "u²",
+                source: "Pinkall, Polthier 1993, section 2",
             },
             Self::MinimalMeanCurvature => Description {
                 name: "minimal_mean_curvature",
@@ -296,8 +306,14 @@ impl Options {
             let detail = format!("{} does not solve {}", self.solver.name(), self.objective.name());
             errors.push(InputError::new(Place::field("solver"), detail));
         }
+        let dirichlet = self.objective == Objective::MinimalDirichletEnergy;
+        if dirichlet && !matches!(self.solver, Solver::Auto | Solver::PinkallPolthier) {
+            let detail = format!("{} does not solve {}", self.solver.name(), self.objective.name());
+            errors.push(InputError::new(Place::field("solver"), detail));
+        }
         if self.topology != Topology::Fixed
             && (least_squares
+                || dirichlet
                 || matches!(self.solver, Solver::VertexRelaxation | Solver::LevenbergMarquardt)
                 || (self.solver == Solver::PinkallPolthier && self.topology == Topology::Best))
         {
@@ -388,6 +404,7 @@ fn relax(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Er
         (Objective::MinimalMeanCurvature, _) | (_, Solver::LevenbergMarquardt) => {
             mean_curvature_lm::run(film, options, exec)
         }
+        (Objective::MinimalDirichletEnergy, _) => pinkall_polthier::run_once(film, exec),
         (_, Solver::VertexRelaxation) => vertex_relaxation::run(film, options, exec),
         (_, Solver::PinkallPolthier) => bento_cavalcanti::run(film, options, exec),
         (_, Solver::Auto | Solver::Newton) if options.topology == Topology::Free => {

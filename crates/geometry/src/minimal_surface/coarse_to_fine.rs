@@ -12,6 +12,7 @@
 
 use super::cotangent::Pattern;
 use super::descent::{Solve, Stop};
+use super::extrapolation::ExtrapolatedArea;
 use super::film::{Film, Run};
 use super::initial_mesh::{self, InitialMeshKind};
 use super::multigrid::{self, Failure, Hierarchy, Parents, parents_of};
@@ -106,8 +107,11 @@ fn climb(film: &mut Film, rim: &mut Rim, levels: u32, solve: &mut Solve) -> Resu
         return Ok(None);
     }
     let mut mode = coarse.lowest.heights;
-    direct.matrix = SymmetricMatrix::default();
-    let mut hierarchy = Hierarchy::new(direct.symbolic, direct.storage);
+    let mut coarse_area = state.first.area;
+    let Ok(factor) = direct.symbolic.factorise(&direct.matrix).map(|factorisation| factorisation.into_storage()) else {
+        return Ok(None);
+    };
+    let mut hierarchy = Hierarchy::new(direct.symbolic, factor);
     for level in 1..=levels {
         let (fine, midpoints) = rim.refine(film);
         *film = fine;
@@ -162,21 +166,25 @@ fn climb(film: &mut Film, rim: &mut Rim, levels: u32, solve: &mut Solve) -> Resu
             if (morse_index > 0) != (lowest.eigenvalue < 0.0) || morse_index > 0 {
                 return Ok(None);
             }
+            if rim.same_polygon {
+                solve.extrapolated_area = Some(ExtrapolatedArea::new(coarse_area, state.first.area));
+            }
             let lowest_eigenvalue = lowest.eigenvalue;
             let method = if by_inertia { StabilityMethod::Inertia } else { StabilityMethod::Eigenvalue };
             return Ok(Some(Stability { stable: true, morse_index, lowest_eigenvalue, method }));
         }
         hierarchy.push(matrix, parents);
+        coarse_area = state.first.area;
     }
     Ok(None)
 }
 
 /// Newton's step by conjugate gradients over the nested levels.
-struct Cascade<'a> {
-    hierarchy: &'a Hierarchy,
-    parents: Parents,
-    matrix: SymmetricMatrix,
-    exec: &'a Execution<'a>,
+pub(super) struct Cascade<'a> {
+    pub hierarchy: &'a Hierarchy,
+    pub parents: Parents,
+    pub matrix: SymmetricMatrix,
+    pub exec: &'a Execution<'a>,
 }
 
 impl StepSolver for Cascade<'_> {
@@ -277,6 +285,8 @@ struct Rim<'a> {
     may_add: bool,
     /// Refinements so far.
     level: u32,
+    /// Whether the last refinement left the boundary polygon as it was, having no input point to add.
+    same_polygon: bool,
     /// For each vertex of the film's boundary loops its place on the polygon: an input point's index, or in between.
     places: Vec<Vec<f64>>,
 }
@@ -323,7 +333,7 @@ impl<'a> Rim<'a> {
             places.push(on_polygon);
             first += count;
         }
-        Some(Self { polygons, may_add, level: 0, places })
+        Some(Self { polygons, may_add, level: 0, same_polygon: false, places })
     }
 
     /// Halves every edge that can be halved. Also returns the ends of the edges that the new vertices halve.
@@ -340,6 +350,7 @@ impl<'a> Rim<'a> {
             }
         }
         edges.sort_unstable_by_key(|(ends, _)| *ends);
+        self.same_polygon = edges.iter().all(|(_, place)| place.is_none_or(|place| place.fract() != 0.0));
         let place_of = |a: u32, b: u32| {
             let found = edges.binary_search_by_key(&[a.min(b), a.max(b)], |(ends, _)| *ends);
             found.ok().and_then(|k| edges[k].1)

@@ -198,6 +198,19 @@ impl Pattern {
     }
 }
 
+/// ¼ Σ (cot α + cot β) |a'|² over the edges: the Dirichlet energy of the map from `domain` to `image`, two positions of one mesh.
+pub(super) fn dirichlet_energy(domain: &[DVec3], image: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
+    let energy = |triangle: &[u32; 3]| {
+        let corner = Corner::of(domain, triangle);
+        let [a, b, c] = triangle.map(|v| image[v as usize]);
+        let opposite = [c - b, a - c, b - a];
+        // cot at corner k: minus the dot product of the two edges that meet there, over the double area.
+        let cotangent = |k: usize| -corner.edges[(k + 1) % 3].dot(corner.edges[(k + 2) % 3]) / corner.double_area;
+        (0..3).map(|k| 0.25 * cotangent(k) * opposite[k].length_squared()).sum::<f64>()
+    };
+    triangles.iter().map(energy).sum()
+}
+
 /// What a descent along the normals needs to know about a mesh.
 #[derive(Clone, Debug)]
 pub(super) struct FirstVariation {

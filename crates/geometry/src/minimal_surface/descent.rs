@@ -6,12 +6,13 @@
 //! 3. *Stability* ([`stability`](super::stability)); an unstable surface is left along its lowest mode if that is asked for.
 
 use super::cotangent::{Pattern, vertex_normals};
+use super::extrapolation::ExtrapolatedArea;
 use super::film::{Film, Run};
 use super::newton::{Aim, Direct, Outcome, Settings, State, iterate, keeps_orientation, moved};
 use super::pinkall_polthier::{Dirichlet, too_large};
 use super::record::{Record, geometric_part};
 use super::remesh::{flip_to_delaunay, tangential_relaxation};
-use super::stability;
+use super::stability::{self, SecondVariation};
 use super::statistics::{Stability, StabilityMethod, StopReason};
 use super::{OnUnstable, Options, Solver};
 use crate::linear::LinearError;
@@ -29,6 +30,8 @@ const SOLVES_PER_ROUND: u32 = 4;
 const RELAXATIONS_PER_ROUND: u32 = 4;
 /// A round that changes the area by less than this fraction is the last.
 const SETTLED: f64 = 1e-3;
+/// Up to this many triangles the area is extrapolated with a mesh of four times as many.
+const EXTRAPOLATED_TRIANGLES: usize = 10_000;
 /// How often a stalled Newton iteration goes back to more rounds.
 const MAX_RETURNS: u32 = 2;
 
@@ -70,6 +73,7 @@ pub(super) struct Solve<'a> {
     pub radius: f64,
     edges_swapped: u64,
     way_down: Option<Vec<DVec3>>,
+    pub extrapolated_area: Option<ExtrapolatedArea>,
 }
 
 impl<'a> Solve<'a> {
@@ -82,21 +86,34 @@ impl<'a> Solve<'a> {
             radius: film.radius(),
             edges_swapped: 0,
             way_down: None,
+            extrapolated_area: None,
         }
     }
 
     pub fn into_run(self, stop_reason: StopReason, stability: Option<Stability>) -> Run {
-        let Self { record: Record { history, iterations, .. }, edges_swapped, way_down, .. } = self;
-        Run { stop_reason, iterations, history, edges_swapped, stability, way_down, ..Run::new(Solver::Newton) }
+        let Self { record: Record { history, iterations, .. }, edges_swapped, way_down, extrapolated_area, .. } = self;
+        let done = Run { stop_reason, iterations, history, edges_swapped, stability, ..Run::new(Solver::Newton) };
+        Run { way_down, extrapolated_area, ..done }
     }
 
     fn film(&mut self, film: &mut Film, on_unstable: OnUnstable) -> Result<(StopReason, Option<Stability>), Stop> {
-        let (reason, converged) = self.converge(film)?;
-        let stability = match converged {
-            Some((pattern, mut direct)) => self.stability(film, &pattern, &mut direct, on_unstable)?,
-            None => None,
-        };
-        Ok((reason, stability))
+        let (mut reason, mut converged) = self.converge(film)?;
+        let mut returns = 0;
+        loop {
+            let Some((pattern, mut direct)) = converged else { return Ok((reason, None)) };
+            let Some((stability, variation, state)) = self.stability(film, &pattern, &mut direct)? else {
+                return Ok((reason, None));
+            };
+            if stability.stable || on_unstable == OnUnstable::Report || returns == MAX_RETURNS {
+                if stability.stable && film.triangles().len() <= EXTRAPOLATED_TRIANGLES {
+                    self.extrapolated_area = ExtrapolatedArea::of(film, &pattern, direct, self.radius, self.exec)?;
+                }
+                return Ok((reason, Some(stability)));
+            }
+            returns += 1;
+            leave(film, &pattern, &state, &variation.lowest.heights);
+            (reason, converged) = self.converge(film)?;
+        }
     }
 
     /// Settles, then Newton, then from the start where Newton stalls. With the connectivity's pattern and factorisation if it converged.
@@ -185,46 +202,35 @@ impl<'a> Solve<'a> {
         self.edges_swapped += flip_to_delaunay(film);
     }
 
-    /// The stability of the film where it stands; an unstable one is left first if that is asked for.
+    /// The stability of the film where it stands. `None` if the linear solver refuses the mesh, or nothing moves.
     fn stability(
         &mut self,
-        film: &mut Film,
+        film: &Film,
         pattern: &Pattern,
         direct: &mut Direct,
-        on_unstable: OnUnstable,
-    ) -> Result<Option<Stability>, Stop> {
-        let mut found = None;
-        for _ in 0..=MAX_RETURNS {
-            self.exec.look(film.triangles().len() as u64)?;
-            let state = State::of(pattern, &film.vertices, film.triangles(), self.radius);
-            let Direct { symbolic, matrix, .. } = &mut *direct;
-            let Ok(Some(variation)) = stability::analyse(film, pattern, symbolic, matrix, &state, self.radius) else {
-                break;
-            };
-            found = Some(Stability {
-                stable: variation.morse_index == 0,
-                morse_index: variation.morse_index,
-                lowest_eigenvalue: variation.lowest.eigenvalue,
-                method: StabilityMethod::Inertia,
-            });
-            self.way_down = (variation.morse_index > 0).then(|| {
-                let heights = &variation.lowest.heights;
-                let largest = heights.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
-                let mut direction = vec![DVec3::ZERO; film.vertices.len()];
-                for (&vertex, height) in pattern.vertex.iter().zip(heights) {
-                    direction[vertex as usize] = height / largest * state.normals[vertex as usize];
-                }
-                direction
-            });
-            if variation.morse_index == 0 || on_unstable == OnUnstable::Report {
-                break;
+    ) -> Result<Option<(Stability, SecondVariation, State)>, Stop> {
+        self.exec.look(film.triangles().len() as u64)?;
+        let state = State::of(pattern, &film.vertices, film.triangles(), self.radius);
+        let Direct { symbolic, matrix, .. } = direct;
+        let Ok(Some(variation)) = stability::analyse(film, pattern, symbolic, matrix, &state, self.radius) else {
+            return Ok(None);
+        };
+        let stability = Stability {
+            stable: variation.morse_index == 0,
+            morse_index: variation.morse_index,
+            lowest_eigenvalue: variation.lowest.eigenvalue,
+            method: StabilityMethod::Inertia,
+        };
+        self.way_down = (!stability.stable).then(|| {
+            let heights = &variation.lowest.heights;
+            let largest = heights.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
+            let mut direction = vec![DVec3::ZERO; film.vertices.len()];
+            for (&vertex, height) in pattern.vertex.iter().zip(heights) {
+                direction[vertex as usize] = height / largest * state.normals[vertex as usize];
             }
-            leave(film, pattern, &state, &variation.lowest.heights);
-            if self.newton(film, pattern, direct, Aim::Minimum)? != StopReason::Residual {
-                break;
-            }
-        }
-        Ok(found)
+            direction
+        });
+        Ok(Some((stability, variation, state)))
     }
 }
 

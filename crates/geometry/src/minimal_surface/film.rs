@@ -1,5 +1,6 @@
 //! What the solvers of minimal surfaces share: the mesh while it moves, what on it is fixed, and what a run reports.
 
+use super::extrapolation::ExtrapolatedArea;
 use super::spanning_topology::SpanningComparison;
 use super::statistics::{HistoryRow, Pinch, Stability, StopReason};
 use crate::mesh::measure;
@@ -112,6 +113,7 @@ pub(super) struct Run {
     pub stability: Option<Stability>,
     /// Per vertex the lowest mode of an unstable film.
     pub way_down: Option<Vec<DVec3>>,
+    pub extrapolated_area: Option<ExtrapolatedArea>,
     /// Where the objective is not the area.
     pub objective_value: Option<f64>,
     /// What was compared, if topologies were.
@@ -130,6 +132,7 @@ impl Run {
             pinches: Vec::new(),
             stability: None,
             way_down: None,
+            extrapolated_area: None,
             objective_value: None,
             spanning: None,
         }
