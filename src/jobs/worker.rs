@@ -161,7 +161,7 @@ fn spawn_solver(jobs: &Jobs, claimed: &Claimed, line: Arc<Line>) -> oneshot::Rec
     let span = tracing::Span::current();
     let work = move || {
         let _entered = span.enter();
-        let solve = std::panic::AssertUnwindSafe(|| {
+        let solve = || {
             let Some(kind) = kind else {
                 return Ended::Failed(GeometryError::no_result(
                     "unknown_kind",
@@ -177,11 +177,8 @@ fn spawn_solver(jobs: &Jobs, claimed: &Claimed, line: Arc<Line>) -> oneshot::Rec
                 Ok(solved) => Ended::Solved(Box::new(solved)),
                 Err(error) => Ended::Failed(error),
             }
-        });
-        let ended = std::panic::catch_unwind(solve).unwrap_or_else(|_| {
-            tracing::error!("the solver panicked");
-            Ended::Panicked
-        });
+        };
+        let ended = guarded(solve);
         // Nobody listens any more if the server is going down.
         let _ = sender.send(ended);
     };
@@ -191,6 +188,14 @@ fn spawn_solver(jobs: &Jobs, claimed: &Claimed, line: Arc<Line>) -> oneshot::Rec
         tracing::error!(%error, "cannot start a solver thread");
     }
     receiver
+}
+
+/// A solver's panic is a failed job, not a dead worker. Nothing that the solver touched is used afterwards.
+fn guarded(solve: impl FnOnce() -> Ended) -> Ended {
+    std::panic::catch_unwind(std::panic::AssertUnwindSafe(solve)).unwrap_or_else(|_| {
+        tracing::error!("the solver panicked");
+        Ended::Panicked
+    })
 }
 
 /// The outcome to store; `None` if nobody wants one.
@@ -239,4 +244,24 @@ fn outcome(ended: Ended) -> Option<(&'static str, Outcome)> {
     let error = JobError { kind: format!("/problems/{kind}"), title: title.into(), detail, errors };
     // An error is strings only.
     Some(("failed", Outcome::Failed { error: serde_json::to_string(&error).unwrap_or_default() }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_solver_that_panics_is_a_failed_job_that_says_so() {
+        let ended = guarded(|| panic!("a defect"));
+        let Some((status, Outcome::Failed { error })) = outcome(ended) else { panic!("should have failed") };
+        let error: JobError = serde_json::from_str(&error).unwrap();
+        assert_eq!((status, error.kind.as_str()), ("failed", "/problems/solver-panicked"));
+    }
+
+    #[test]
+    fn a_cancelled_solver_has_no_outcome_and_one_past_its_deadline_a_failed_one() {
+        let ended = |interruption| outcome(Ended::Failed(GeometryError::Interrupted(interruption)));
+        assert!(ended(Interruption::Cancelled).is_none());
+        assert!(matches!(ended(Interruption::DeadlinePassed), Some(("failed", _))));
+    }
 }

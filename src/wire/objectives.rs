@@ -98,6 +98,7 @@ pub struct ExampleList {
 
 /// `(name, title, text of api/examples/NAME.json)`. Each file is a request with its `kind`, and a test replays each.
 const FILES: &[(&str, &str, &str)] = &[
+    ("two-rails", "A strip between rails of three and two points", include_str!("../../api/examples/two-rails.json")),
     (
         "helicoid",
         "Chen-Cai-Zheng's helicoid patch, 186 boundary points, 2050 triangles",
