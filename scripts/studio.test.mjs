@@ -262,6 +262,21 @@ test('each kind keeps its own draft', async () => {
   assert.deepEqual(await request(), draft);
 });
 
+test('a saved request opens again, as the kind that it is', async () => {
+  await open('wavy-strip');
+  const before = await request();
+  await page.click('#request-box summary');
+  const waiting = page.waitForEvent('download');
+  await page.click('#save-request');
+  const file = await (await waiting).path();
+  await open('tent');
+  await page.setInputFiles('#request-file', file);
+  await page.waitForFunction(() => 'directrices' in JSON.parse(document.querySelector('#request').value));
+  assert.deepEqual(await request(), before);
+  assert.equal(await page.isChecked('#kinds input[value="ruled_surface"]'), true);
+  await solve();
+});
+
 test('survey coordinates keep their digits', async () => {
   await open('tent');
   const far = await request();

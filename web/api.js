@@ -16,8 +16,7 @@ async function ask(path, options = {}) {
   let response;
   try {
     response = await fetch(path.replace(/^\//, ''), { ...options, headers });
-  } catch (error) {
-    if (error.name === 'AbortError') throw error;
+  } catch {
     throw new Problem({ title: 'The server cannot be reached', detail: 'Is it still running? Nothing was lost; try again.' });
   }
   if (response.ok) return response;
@@ -35,10 +34,10 @@ export const getJson = async (path) => (await ask(path)).json();
 export const getBytes = async (path) => (await ask(path)).arrayBuffer();
 export const getBlob = async (path) => (await ask(path)).blob();
 
-/** Posts a request; the job may have ended within the wait already. */
-export async function submit(path, request, signal) {
-  const headers = { 'Content-Type': 'application/json', Prefer: 'wait=1' };
-  return (await ask(path, { method: 'POST', headers, body: JSON.stringify(request), signal })).json();
+/** Posts a request and gives its job. */
+export async function submit(path, request) {
+  const headers = { 'Content-Type': 'application/json' };
+  return (await ask(path, { method: 'POST', headers, body: JSON.stringify(request) })).json();
 }
 
 export const cancel = async (job) => (await ask(job.links.cancel, { method: 'POST' })).json();
@@ -51,12 +50,12 @@ export const hasEnded = (job) => ENDED.includes(job.status);
  * Follows a job's events until it ends, and gives the job as it ended. Not EventSource, which can send no API key. A stream
  * that breaks is taken up again where it stopped.
  */
-export async function follow(job, onProgress, signal) {
+export async function follow(job, onProgress) {
   let last = null;
   for (let attempt = 0; ; attempt += 1) {
     try {
       const headers = { Accept: 'text/event-stream', ...(last && { 'Last-Event-ID': last }) };
-      const response = await ask(job.links.events, { headers, signal });
+      const response = await ask(job.links.events, { headers });
       for await (const event of events(response)) {
         attempt = 0;
         last = event.id ?? last;
@@ -65,7 +64,7 @@ export async function follow(job, onProgress, signal) {
         if (hasEnded(data) && data.links) return data;
       }
     } catch (error) {
-      if (error.name === 'AbortError' || (error.status >= 400 && error.status < 500) || attempt >= 5) throw error;
+      if ((error.status >= 400 && error.status < 500) || attempt >= 5) throw error;
     }
     const now = await getJson(job.links.self);
     if (hasEnded(now)) return now;

@@ -75,6 +75,7 @@ function load(kind, request, { refit = true } = {}) {
   state.kind = kind;
   state.request = request;
   state.selected = null;
+  handles.selected = null;
   stopDrawing();
   const radio = document.querySelector(`#kinds input[value="${kind}"]`);
   if (radio) radio.checked = true;
@@ -335,15 +336,15 @@ async function solve() {
     return;
   }
   const live = $('live').checked;
-  const run = { since: performance.now(), job: null, stop: new AbortController() };
+  const run = { since: performance.now(), job: null, cancelled: false };
   state.run = run;
   state.wanted = false;
   busy(true);
   try {
     await carryOut(run, live);
   } catch (error) {
-    if (error.name !== 'AbortError') showProblem(error);
-    say(error.name === 'AbortError' ? 'Cancelled.' : 'Not solved.');
+    showProblem(error);
+    say('Not solved.');
   } finally {
     state.run = null;
     busy(false);
@@ -355,11 +356,12 @@ async function carryOut(run, live) {
   const { kind } = state;
   const request = structuredClone(state.request);
   say('Submitting…');
-  run.job = await api.submit(KINDS[kind].path, request, run.stop.signal);
+  run.job = await api.submit(KINDS[kind].path, request);
   hideProblem();
+  if (run.cancelled) run.job = await api.cancel(run.job);
   if (!api.hasEnded(run.job)) {
     say(run.job.status === 'queued' ? 'Waiting in the queue…' : 'Running…');
-    run.job = await api.follow(run.job, showProgress, run.stop.signal);
+    run.job = await api.follow(run.job, showProgress);
   }
   const { job } = run;
   if (job.status === 'failed') {
@@ -404,14 +406,12 @@ function showProgress({ progress }) {
   say(`${Math.round(progress.fraction * 100)} % · ${parts.filter(Boolean).join(' · ')}`);
 }
 
-/** Cancels on the server; before the job is known there, the submission itself is given up. */
+/** Cancels on the server; a job that is still being submitted, as soon as it has an id. */
 async function cancel() {
   const { run } = state;
   if (!run) return;
-  if (!run.job) {
-    run.stop.abort();
-    return;
-  }
+  run.cancelled = true;
+  if (!run.job) return;
   try {
     await api.cancel(run.job);
   } catch (error) {
@@ -526,9 +526,24 @@ function applyRequest() {
     fault('A request is an object, { … }.');
     return;
   }
-  remember();
-  load(state.kind, request);
+  const { kind = state.kind, ...rest } = request;
+  if (!schemaOf(state.openapi, KINDS[kind]?.path)) {
+    fault(`This server has no kind ${JSON.stringify(kind)}.`);
+    return;
+  }
+  if (kind === state.kind) remember();
+  else state.undo = [];
+  load(kind, rest);
+  showExamples();
   changed();
+}
+
+async function openRequest() {
+  const [file] = $('request-file').files;
+  if (!file) return;
+  $('request').value = await file.text();
+  $('request-file').value = '';
+  applyRequest();
 }
 
 function curl() {
@@ -576,6 +591,8 @@ for (const button of document.querySelectorAll('[data-view]')) {
   });
 }
 $('apply-request').addEventListener('click', applyRequest);
+$('open-request').addEventListener('click', () => $('request-file').click());
+$('request-file').addEventListener('change', openRequest);
 $('save-request').addEventListener('click', () => {
   const body = JSON.stringify({ kind: state.kind, ...state.request }, null, 1);
   save(new Blob([body], { type: 'application/json' }), `${state.kind.replaceAll('_', '-')}.json`);
