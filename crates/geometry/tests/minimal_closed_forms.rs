@@ -4,7 +4,9 @@
 mod boundaries;
 
 use boundaries::{circle, patch, rings, skew_quadrilateral};
-use plateau_geometry::minimal_surface::{BoundarySampling, MinimalSurface, Options, Resolution, StopReason, solve};
+use plateau_geometry::minimal_surface::{
+    BoundarySampling, MinimalSurface, Objective, Options, Resolution, StopReason, solve,
+};
 use plateau_geometry::{DVec3, Execution};
 use std::f64::consts::PI;
 
@@ -162,6 +164,15 @@ fn the_five_reference_polygons() {
     for (name, polygons, limit) in references {
         let areas = [2000, 8000, 32000].map(|triangles| {
             let statistics = solved(&polygons, &options(triangles)).statistics;
+            // The service's own extrapolation, wherever there is one.
+            assert!(statistics.extrapolated_area.is_some() || triangles > 10_000, "{name}");
+            if let Some(extrapolated) = statistics.extrapolated_area {
+                assert!((extrapolated.area / limit - 1.0).abs() < 1e-4, "{name} {triangles}: {extrapolated:?}");
+                assert!(
+                    (statistics.area - limit).abs() < 5.0 * extrapolated.error_estimate,
+                    "{name}: {extrapolated:?}"
+                );
+            }
             (statistics.triangles as f64, statistics.area)
         });
         let errors = areas.map(|(_, area)| area - limit);
@@ -180,6 +191,8 @@ fn the_papers_polygons_kept_as_they_are() {
         let surface = solved(&polygons, &options);
         assert_eq!(surface.boundaries[0].len(), polygons[0].len());
         assert!((surface.statistics.area / limit - 1.0).abs() < 4e-3, "{}", surface.statistics.area);
+        let extrapolated = surface.statistics.extrapolated_area.unwrap();
+        assert!((extrapolated.area / limit - 1.0).abs() < 4e-4, "{extrapolated:?}");
     }
 }
 
@@ -203,6 +216,26 @@ fn the_number_of_solves_does_not_grow_with_the_mesh() {
         (surface.statistics.iterations, fine)
     });
     assert!(counts.iter().all(|(all, _)| *all <= 30), "{counts:?}");
+}
+
+#[test]
+fn the_harmonic_map_of_a_plane_boundary_has_its_area_for_energy() {
+    let options = Options { objective: Objective::MinimalDirichletEnergy, ..options(2000) };
+    let square = boundaries::sides(&[DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y], 4);
+    let surface = solve(&[square], &options, &Execution::default()).unwrap();
+    let statistics = &surface.statistics;
+    assert!((statistics.objective_value - 1.0).abs() < 1e-12 && (statistics.area - 1.0).abs() < 1e-12);
+    assert_eq!((statistics.stop_reason, statistics.iterations), (StopReason::Solved, 1));
+}
+
+#[test]
+fn a_large_plane_boundary_is_exact() {
+    // The coarse mesh is minimal before the first step; the levels above have nothing to correct.
+    let corners = [DVec3::ZERO, DVec3::new(2.0, 0.0, 1.0), DVec3::new(2.0, 2.0, 2.0), DVec3::new(0.0, 2.0, 1.0)];
+    let area = (corners[1] - corners[0]).cross(corners[3] - corners[0]).length();
+    let surface = solved(&[corners.to_vec()], &options(40_000));
+    assert!((surface.statistics.area / area - 1.0).abs() < 1e-12);
+    assert!((surface.statistics.extrapolated_area.unwrap().area / area - 1.0).abs() < 1e-12);
 }
 
 #[test]

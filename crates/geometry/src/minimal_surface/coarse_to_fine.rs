@@ -11,7 +11,7 @@
 //! fold, a system that multigrid cannot solve) the caller falls back on the full mesh from the start.
 
 use super::cotangent::Pattern;
-use super::descent::{Solve, Stop};
+use super::descent::{EXTRAPOLATED_TRIANGLES, Solve, Stop};
 use super::extrapolation::ExtrapolatedArea;
 use super::film::{Film, Run};
 use super::initial_mesh::{self, InitialMeshKind};
@@ -168,6 +168,9 @@ fn climb(film: &mut Film, rim: &mut Rim, levels: u32, solve: &mut Solve) -> Resu
             }
             if rim.same_polygon {
                 solve.extrapolated_area = Some(ExtrapolatedArea::new(coarse_area, state.first.area));
+            } else if film.triangles().len() <= EXTRAPOLATED_TRIANGLES {
+                hierarchy.push(matrix, parents);
+                solve.extrapolated_area = ExtrapolatedArea::of(film, &pattern, &hierarchy, solve.radius, solve.exec)?;
             }
             let lowest_eigenvalue = lowest.eigenvalue;
             let method = if by_inertia { StabilityMethod::Inertia } else { StabilityMethod::Eigenvalue };

@@ -8,6 +8,7 @@
 use super::cotangent::{Pattern, vertex_normals};
 use super::extrapolation::ExtrapolatedArea;
 use super::film::{Film, Run};
+use super::multigrid::Hierarchy;
 use super::newton::{Aim, Direct, Outcome, Settings, State, iterate, keeps_orientation, moved};
 use super::pinkall_polthier::{Dirichlet, too_large};
 use super::record::{Record, geometric_part};
@@ -15,7 +16,7 @@ use super::remesh::{flip_to_delaunay, tangential_relaxation};
 use super::stability::{self, SecondVariation};
 use super::statistics::{Stability, StabilityMethod, StopReason};
 use super::{OnUnstable, Options, Solver};
-use crate::linear::LinearError;
+use crate::linear::{Factorisation, LinearError};
 use crate::mesh::measure;
 use crate::{DVec3, Error, Execution, Interruption};
 
@@ -31,7 +32,7 @@ const RELAXATIONS_PER_ROUND: u32 = 4;
 /// A round that changes the area by less than this fraction is the last.
 const SETTLED: f64 = 1e-3;
 /// Up to this many triangles the area is extrapolated with a mesh of four times as many.
-const EXTRAPOLATED_TRIANGLES: usize = 10_000;
+pub(super) const EXTRAPOLATED_TRIANGLES: usize = 10_000;
 /// How often a stalled Newton iteration goes back to more rounds.
 const MAX_RETURNS: u32 = 2;
 
@@ -106,7 +107,12 @@ impl<'a> Solve<'a> {
             };
             if stability.stable || on_unstable == OnUnstable::Report || returns == MAX_RETURNS {
                 if stability.stable && film.triangles().len() <= EXTRAPOLATED_TRIANGLES {
-                    self.extrapolated_area = ExtrapolatedArea::of(film, &pattern, direct, self.radius, self.exec)?;
+                    let factor = direct.symbolic.factorise(&direct.matrix).map(Factorisation::into_storage);
+                    if let Ok(factor) = factor {
+                        let hierarchy = Hierarchy::new(direct.symbolic, factor);
+                        self.extrapolated_area =
+                            ExtrapolatedArea::of(film, &pattern, &hierarchy, self.radius, self.exec)?;
+                    }
                 }
                 return Ok((reason, Some(stability)));
             }

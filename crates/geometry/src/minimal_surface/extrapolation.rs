@@ -9,7 +9,7 @@ use super::coarse_to_fine::Cascade;
 use super::cotangent::Pattern;
 use super::film::Film;
 use super::multigrid::{Hierarchy, parents_of};
-use super::newton::{Aim, Direct, Outcome, Settings, iterate};
+use super::newton::{Aim, Outcome, Settings, iterate};
 use super::remesh::subdivide;
 use crate::{Execution, Interruption};
 
@@ -32,28 +32,23 @@ impl ExtrapolatedArea {
         Self { area: fine - correction, error_estimate: correction.abs() }
     }
 
-    /// For a converged stable film: halves its edges, corrects that mesh, and extrapolates. `direct` holds the second variation where
-    /// the film stands. `None` where the finer mesh cannot be corrected in a few steps.
+    /// For a converged stable film: halves its edges, corrects that mesh, and extrapolates. The top level of `hierarchy` is the
+    /// second variation where the film stands. `None` where the finer mesh cannot be corrected in a few steps.
     ///
     /// # Errors
     /// The interruption.
     pub(super) fn of(
         film: &Film,
         pattern: &Pattern,
-        direct: Direct,
+        hierarchy: &Hierarchy,
         radius: f64,
         exec: &Execution,
     ) -> Result<Option<Self>, Interruption> {
         exec.look(4 * film.triangles().len() as u64)?;
-        let Ok(factor) = direct.symbolic.factorise(&direct.matrix).map(|factorisation| factorisation.into_storage())
-        else {
-            return Ok(None);
-        };
-        let hierarchy = Hierarchy::new(direct.symbolic, factor);
         let (mut fine, midpoints) = subdivide(film);
         let finer = Pattern::new(fine.triangles(), &fine.fixed);
         let parents = parents_of(&pattern.unknown, &finer.vertex, &midpoints);
-        let mut cascade = Cascade { hierarchy: &hierarchy, parents, matrix: finer.matrix(), exec };
+        let mut cascade = Cascade { hierarchy, parents, matrix: finer.matrix(), exec };
         let settings = Settings { aim: Aim::Minimum, tolerance: TOLERANCE, max_steps: MAX_STEPS, radius };
         let (outcome, state) = iterate(&mut fine, &finer, &mut cascade, &settings, exec, &mut |_, _| {});
         match outcome {
