@@ -60,8 +60,10 @@ fn line_set(name: &str, lines: Lines) -> LineSet {
     LineSet { name: name.into(), group: String::new(), lines }
 }
 
+/// Those of two or more vertices: an apex is no line.
 fn polylines(of: &[Vec<u32>], closed: bool) -> Lines {
-    Lines::Polylines(of.iter().map(|vertices| Polyline { vertices: vertices.clone(), closed }).collect())
+    let lines = of.iter().filter(|vertices| vertices.len() > 1);
+    Lines::Polylines(lines.map(|vertices| Polyline { vertices: vertices.clone(), closed }).collect())
 }
 
 /// Statistics as JSON. A figure that is not finite has no JSON form; it would be a solver's defect and becomes null.

@@ -30,14 +30,15 @@ pub struct RuledSurfaceRequest {
     /// Whether the directrices are closed polygons (which do not repeat their first point).
     #[serde(default)]
     pub closed: bool,
+    /// One of the named objectives, or a weighted sum of them.
     #[serde(default)]
-    pub objective: Objective,
+    pub objective: Goal,
     /// With `maximal_convexity` only: what decides among the strips with the most convex bridges.
     #[serde(default)]
     pub secondary_objective: Option<SecondaryObjective>,
     /// How far, in degrees, a direction may reach beyond the half-plane of a locally convex bridge; 0 is the exact answer.
     #[serde(default = "default_convexity_tolerance_deg")]
-    #[schemars(range(min = 0, max = 90))]
+    #[schemars(range(min = 0, max = 45))]
     pub convexity_tolerance_deg: f64,
     /// `auto`: a directrix is reversed where that is better; the job says which.
     #[serde(default)]
@@ -54,6 +55,78 @@ pub struct RuledSurfaceRequest {
     /// Solve for every objective and add the comparison to the statistics.
     #[serde(default)]
     pub all_objectives: bool,
+    /// Resample the directrices before solving; as given by default.
+    #[serde(default)]
+    pub sampling: Option<Sampling>,
+}
+
+/// A rule by which every directrix is resampled. `extras.input_vertices` then maps each given point to the nearest sample.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Sampling {
+    /// Points of each directrix; with `chord_height` the most that are kept, all that are needed by default.
+    #[serde(default)]
+    #[schemars(range(min = 2, max = 16_777_216))]
+    pub samples: Option<usize>,
+    pub by: SamplingRule,
+    /// With `chord_height`: how far, in the request's unit, the kept points' chords may stray from the polyline.
+    #[serde(default)]
+    #[schemars(range(min = 0))]
+    pub tolerance: Option<f64>,
+}
+
+/// `parameter`: uniform in the number of the point; `arc_length`: uniform along the polyline; `chord_height`: those of the
+/// given points that are needed to stay within `tolerance`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum SamplingRule {
+    Parameter,
+    ArcLength,
+    ChordHeight,
+}
+
+/// A named objective, or a weighted sum.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Goal {
+    Named(Objective),
+    Weighted(WeightedSum),
+}
+
+impl Default for Goal {
+    fn default() -> Self {
+        Self::Named(Objective::default())
+    }
+}
+
+/// The sum of the named objectives times their weights.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WeightedSum {
+    pub weights: Weights,
+    /// Divide each term by its own optimum on the strip first: they have different units.
+    #[serde(default = "yes")]
+    pub normalise: bool,
+}
+
+fn yes() -> bool {
+    true
+}
+
+/// At least one must be positive. `minimal_normal_variation` needs `normals`.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Weights {
+    #[schemars(range(min = 0))]
+    pub minimal_area: f64,
+    #[schemars(range(min = 0))]
+    pub minimal_twist: f64,
+    #[schemars(range(min = 0))]
+    pub minimal_bending_energy: f64,
+    #[schemars(range(min = 0))]
+    pub minimal_mean_curvature_variation: f64,
+    #[schemars(range(min = 0))]
+    pub minimal_normal_variation: f64,
 }
 
 fn default_convexity_tolerance_deg() -> f64 {
@@ -111,6 +184,7 @@ impl RuledSurfaceRequest {
     /// Every offending value.
     pub fn check(&self, limits: &LimitsConfig) -> Result<(), Rejection> {
         common::check_point_count("/directrices", &self.directrices, limits.points)?;
+        self.check_sampling(limits)?;
         let (directrices, options) = self.to_geometry();
         let points: Vec<usize> = directrices.iter().map(Vec::len).collect();
         let cells = geometry::estimate(&points, &options).cells;
@@ -121,19 +195,44 @@ impl RuledSurfaceRequest {
         Ok(geometry::check(&directrices, &options)?)
     }
 
+    fn check_sampling(&self, limits: &LimitsConfig) -> Result<(), Rejection> {
+        let Some(sampling) = self.sampling else { return Ok(()) };
+        let wrong = |pointer: &str, detail: &str| Err(Rejection::Invalid(vec![FieldError::new(pointer, detail)]));
+        match (sampling.by, sampling.samples, sampling.tolerance) {
+            (SamplingRule::ChordHeight, _, None) => {
+                return wrong("/sampling/tolerance", "chord_height needs a tolerance");
+            }
+            (SamplingRule::ChordHeight, ..) => {}
+            (_, None, _) => return wrong("/sampling/samples", "this rule needs the number of samples"),
+            (.., Some(_)) => return wrong("/sampling/tolerance", "goes with chord_height only"),
+            _ => {}
+        }
+        let points = sampling.samples.unwrap_or(0).saturating_mul(self.directrices.len());
+        if sampling.by != SamplingRule::ChordHeight && points > limits.points {
+            let detail = format!("makes more points than this server takes ({}); see GET /v1/limits", limits.points);
+            return Err(Rejection::TooLarge(vec![FieldError::new("/sampling/samples", detail)]));
+        }
+        Ok(())
+    }
+
+    fn sampling(&self) -> Option<geometry::Sampling> {
+        let Sampling { samples, by, tolerance } = self.sampling?;
+        // What is missing was refused before; none of it can reach the geometry as a zero.
+        Some(match by {
+            SamplingRule::Parameter => geometry::Sampling::Parameter { samples: samples.unwrap_or_default() },
+            SamplingRule::ArcLength => geometry::Sampling::ArcLength { samples: samples.unwrap_or_default() },
+            SamplingRule::ChordHeight => {
+                geometry::Sampling::ChordHeight { samples, tolerance: tolerance.unwrap_or_default() }
+            }
+        })
+    }
+
     /// The geometry's own terms for this request.
     #[must_use]
     pub fn to_geometry(&self) -> (Vec<Vec<plateau_geometry::DVec3>>, geometry::Options) {
         let options = geometry::Options {
             closed: self.closed,
-            objective: match self.objective {
-                Objective::MinimalArea => geometry::Objective::MinimalArea,
-                Objective::MinimalTwist => geometry::Objective::MinimalTwist,
-                Objective::MaximalConvexity => geometry::Objective::MaximalConvexity,
-                Objective::MinimalBendingEnergy => geometry::Objective::MinimalBendingEnergy,
-                Objective::MinimalMeanCurvatureVariation => geometry::Objective::MinimalMeanCurvatureVariation,
-                Objective::MinimalNormalVariation => geometry::Objective::MinimalNormalVariation,
-            },
+            objective: self.objective.into(),
             secondary: self.secondary_objective.map(|secondary| match secondary {
                 SecondaryObjective::MinimalBendingEnergy => geometry::Secondary::BendingEnergy,
                 SecondaryObjective::MinimalMeanCurvatureVariation => geometry::Secondary::MeanCurvatureVariation,
@@ -150,13 +249,34 @@ impl RuledSurfaceRequest {
             normals: self.normals.as_deref().map(common::polylines),
             tangents: self.tangents.as_deref().map(common::polylines),
             all_objectives: self.all_objectives,
-            ..geometry::Options::default()
+            sampling: self.sampling(),
         };
         (common::polylines(&self.directrices), options)
     }
 }
 
-/// The objectives of this kind that can be asked for.
+impl From<Goal> for geometry::Objective {
+    fn from(goal: Goal) -> Self {
+        match goal {
+            Goal::Named(Objective::MinimalArea) => Self::MinimalArea,
+            Goal::Named(Objective::MinimalTwist) => Self::MinimalTwist,
+            Goal::Named(Objective::MaximalConvexity) => Self::MaximalConvexity,
+            Goal::Named(Objective::MinimalBendingEnergy) => Self::MinimalBendingEnergy,
+            Goal::Named(Objective::MinimalMeanCurvatureVariation) => Self::MinimalMeanCurvatureVariation,
+            Goal::Named(Objective::MinimalNormalVariation) => Self::MinimalNormalVariation,
+            Goal::Weighted(WeightedSum { weights, normalise }) => Self::Weighted(geometry::Weights {
+                area: weights.minimal_area,
+                twist: weights.minimal_twist,
+                bending_energy: weights.minimal_bending_energy,
+                mean_curvature_variation: weights.minimal_mean_curvature_variation,
+                normal_variation: weights.minimal_normal_variation,
+                normalise,
+            }),
+        }
+    }
+}
+
+/// The named objectives of this kind; a request may also ask for a weighted sum of all but the convexity.
 #[must_use]
 pub fn objectives() -> Vec<ObjectiveDoc> {
     geometry::Objective::NAMED
@@ -176,6 +296,7 @@ pub fn objectives() -> Vec<ObjectiveDoc> {
                 "normals",
                 "tangents",
                 "all_objectives",
+                "sampling",
             ],
         })
         .collect()
@@ -223,6 +344,7 @@ pub struct FlatPatternStatistics {
 /// What is reported about a ruled surface.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct RuledStatistics {
+    /// The objective's name; `weighted` for a weighted sum.
     pub objective: &'static str,
     #[serde(flatten)]
     pub total: StripStatistics,

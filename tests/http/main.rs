@@ -18,4 +18,5 @@ mod meshes;
 mod openapi;
 mod prefer;
 mod restart;
+mod ruled_surfaces;
 mod studio;

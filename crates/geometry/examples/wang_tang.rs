@@ -11,7 +11,6 @@ use std::fmt::Write;
 
 struct Example {
     name: &'static str,
-    title: &'static str,
     closed: bool,
     /// The objective that their figure of the example is about.
     objective: Objective,
@@ -42,7 +41,6 @@ fn examples() -> Vec<Example> {
     vec![
         Example {
             name: "I",
-            title: "Two wavy rails (Wang and Tang, example I)",
             closed: false,
             objective: Objective::MinimalArea,
             secondary: None,
@@ -54,7 +52,6 @@ fn examples() -> Vec<Example> {
         },
         Example {
             name: "II",
-            title: "Two very different rails, coupled objectives (Wang and Tang, example II)",
             closed: false,
             objective: Objective::MaximalConvexity,
             secondary: Some(Secondary::BendingEnergy),
@@ -66,7 +63,6 @@ fn examples() -> Vec<Example> {
         },
         Example {
             name: "III",
-            title: "A ribbon (Wang and Tang, example III)",
             closed: false,
             objective: Objective::MinimalBendingEnergy,
             secondary: None,
@@ -80,7 +76,6 @@ fn examples() -> Vec<Example> {
         },
         Example {
             name: "IV",
-            title: "A wrinkled hem (Wang and Tang, example IV)",
             closed: false,
             objective: Objective::MaximalConvexity,
             secondary: Some(Secondary::BendingEnergy),
@@ -95,7 +90,6 @@ fn examples() -> Vec<Example> {
         },
         Example {
             name: "V",
-            title: "A blend between two surfaces with given normals (Wang and Tang, example V)",
             closed: false,
             objective: Objective::MinimalNormalVariation,
             secondary: None,
@@ -107,7 +101,6 @@ fn examples() -> Vec<Example> {
         },
         Example {
             name: "VI",
-            title: "A flange on a sheet metal part (Wang and Tang, example VI)",
             closed: false,
             objective: Objective::MinimalBendingEnergy,
             secondary: None,
@@ -206,19 +199,16 @@ fn request(name: &str) -> Option<String> {
     let example = examples().into_iter().find(|example| example.name == name)?;
     let lists = |lists: &[Vec<DVec3>]| {
         let list = |points: &Vec<DVec3>| {
-            let points: Vec<String> = points.iter().map(|p| format!("[{},{},{}]", p.x, p.y, p.z)).collect();
-            format!("[{}]", points.join(","))
+            let points: Vec<String> = points.iter().map(|p| format!("[{}, {}, {}]", p.x, p.y, p.z)).collect();
+            format!("[{}]", points.join(", "))
         };
-        format!("[{}]", lists.iter().map(list).collect::<Vec<_>>().join(",\n      "))
+        format!("[{}]", lists.iter().map(list).collect::<Vec<_>>().join(", "))
     };
     let secondary = example.secondary.map_or_else(|| "null".to_owned(), |s| format!("\"{}\"", s.name()));
-    let normals = example.normals.as_deref().map_or_else(String::new, |n| format!(",\n    \"normals\": {}", lists(n)));
+    let normals = example.normals.as_deref().map_or_else(String::new, |n| format!(", \"normals\": {}", lists(n)));
     Some(format!(
-        "{{\n  \"name\": \"wang-tang-{}\",\n  \"kind\": \"ruled_surface\",\n  \"title\": \"{}\",\n  \"request\": {{\n    \
-         \"objective\": \"{}\",\n    \"secondary_objective\": {secondary},\n    \"closed\": {},\n    \
-         \"all_objectives\": true,\n    \"directrices\": {}{normals}\n  }}\n}}\n",
-        name.to_lowercase(),
-        example.title,
+        "{{\"kind\": \"ruled_surface\", \"objective\": \"{}\", \"secondary_objective\": {secondary}, \"closed\": {}, \
+         \"all_objectives\": true, \"directrices\": {}{normals}}}\n",
         example.objective.name(),
         example.closed,
         lists(&example.directrices),

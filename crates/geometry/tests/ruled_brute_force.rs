@@ -108,3 +108,52 @@ fn lopsided_closed_strips_do_too() {
         check(&case);
     }
 }
+
+/// Minimal area over every start of a closed strip, each by a plain table.
+fn area_of_every_start(case: &Case) -> f64 {
+    let (p, q) = (&case.p, &case.q);
+    let (m, n) = (p.len(), q.len());
+    let area = |a: plateau_geometry::DVec3, b: plateau_geometry::DVec3, c: plateau_geometry::DVec3| {
+        0.5 * (b - a).cross(c - a).length()
+    };
+    (0..n)
+        .map(|start| {
+            let mut row = vec![f64::INFINITY; n + 1];
+            for i in 0..=m {
+                for k in 0..=n {
+                    let j = (start + k) % n;
+                    let above = if i > 0 { row[k] + area(p[i - 1], p[i % m], q[j]) } else { f64::INFINITY };
+                    let left =
+                        if k > 0 { row[k - 1] + area(p[i % m], q[(j + n - 1) % n], q[j]) } else { f64::INFINITY };
+                    row[k] = if i + k == 0 { 0.0 } else { above.min(left) };
+                }
+            }
+            row[n]
+        })
+        .fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn closed_strips_of_some_size_reach_the_best_of_every_start() {
+    let mut random = Random(4);
+    for k in 0..60 {
+        let style = [Style::Anywhere, Style::Sensible, Style::Integer][k % 3];
+        let mut case = random_case(&mut random, style, true, 40);
+        if style == Style::Sensible {
+            // Around an axis, as contours are.
+            for (rail, z) in [(&mut case.p, 0.0), (&mut case.q, 1.0)] {
+                let count = rail.len() as f64;
+                for (k, point) in rail.iter_mut().enumerate() {
+                    let (sine, cosine) = (std::f64::consts::TAU * k as f64 / count).sin_cos();
+                    let radius = 3.0 + point.z;
+                    *point = plateau_geometry::DVec3::new(radius * cosine, radius * sine, z + point.y);
+                }
+            }
+        }
+        let strip = Strip::new(case.p.as_slice().into(), case.q.as_slice().into(), true).unwrap();
+        let path = strip.optimal_path(Objective::MinimalArea, None, 0.0, &Execution::default()).unwrap();
+        let (figures, _) = strip.statistics(&path, 0.0, &Execution::default()).unwrap();
+        let best = area_of_every_start(&case);
+        assert!(close(figures.area, best), "{} against {best}: {case:?}", figures.area);
+    }
+}

@@ -143,6 +143,29 @@ proptest! {
 }
 
 #[test]
+fn given_tangents_turn_round_with_their_rail() {
+    let mut random = Random(41);
+    for closed in [false, true] {
+        for _ in 0..10 {
+            let case = random_case(&mut random, Style::Sensible, closed, 12);
+            let mut rails = vec![case.p, case.q];
+            rails[1].reverse();
+            let auto = Options {
+                objective: Objective::MinimalTwist,
+                direction: Direction::Auto,
+                closed,
+                ..Options::default()
+            };
+            let given = rails.iter().map(|rail| ruled::tangents(rail, closed)).collect();
+            let (fitted, given) =
+                (solved(&rails, &auto), solved(&rails, &Options { tangents: Some(given), ..auto.clone() }));
+            assert_eq!(fitted.reversed, given.reversed);
+            assert!(close(fitted.statistics.objective_value, given.statistics.objective_value, 1e-9));
+        }
+    }
+}
+
+#[test]
 fn a_faceted_half_cylinder_folds_but_is_developable() {
     let arc = |z: f64| -> Vec<DVec3> {
         (0..=20).map(|k| std::f64::consts::PI * f64::from(k) / 20.0).map(|a| DVec3::new(a.cos(), a.sin(), z)).collect()
@@ -288,6 +311,8 @@ fn unrolling_keeps_lengths_and_sees_overlaps() {
         };
         let longest = surface.statistics.longest_bridge;
         for (&t, &solid) in strip.triangles.iter().zip(&surface.mesh.triangles) {
+            let [a, b, c] = t.map(flat);
+            assert!((b - a).perp_dot(c - a) >= -1e-12 * longest * longest, "the front faces up");
             for side in 0..3 {
                 let (a, b) = (t[side], t[(side + 1) % 3]);
                 let (c, d) = (solid[side] as usize, solid[(side + 1) % 3] as usize);

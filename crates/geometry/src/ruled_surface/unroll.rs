@@ -26,7 +26,7 @@ pub struct FlatStrip {
     pub q: Vec<DVec2>,
     /// Index pairs into `p` and `q`, first to last.
     pub bridges: Vec<[u32; 2]>,
-    /// Index triples into `p` followed by `q`, all of one orientation.
+    /// Index triples into `p` followed by `q`, all counter-clockwise: the strip's front, (p_i, p_{i+1}, q_j), faces up.
     pub triangles: Vec<[u32; 3]>,
     pub edge_length_error_max: f64,
     pub self_overlap: bool,
@@ -85,7 +85,7 @@ pub(super) fn unroll(
         // From the end whose bank edge this is: the new bank edge, which is mostly the shortest side, is exact then.
         let origin = if by_p { from } else { to };
         let (along, height) = split(new - origin, to - from);
-        let place = (if by_p { a } else { b }) + direction * along + direction.perp() * height;
+        let place = (if by_p { a } else { b }) + direction * along - direction.perp() * height;
         for (end, flat_end) in [(from, a), (to, b)] {
             let true_length = new.distance(end);
             longest = longest.max(true_length);
