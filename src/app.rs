@@ -4,11 +4,11 @@ use crate::config::Config;
 use crate::http::auth::Keys;
 use crate::http::{body, router, serve};
 use crate::jobs::{Jobs, worker};
-use crate::store::{Store, StoreError, StoreOptions};
+use crate::store::{Store, StoreError, StoreOptions, redacted};
 use crate::telemetry;
 use metrics_exporter_prometheus::PrometheusHandle;
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 use tokio::task::JoinSet;
@@ -40,6 +40,8 @@ pub enum StartError {
     Failed(String),
 }
 
+/// A database server may start at the same time as this process.
+const START_PATIENCE: Duration = Duration::from_secs(30);
 /// Expired jobs are looked for this often.
 const SWEEP_INTERVAL: Duration = Duration::from_secs(60);
 
@@ -66,6 +68,15 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         }
     };
     let jobs = Jobs::new(store.clone(), config.clone());
+    let own_metrics = !config.http.metrics_listen.is_empty();
+    if own_metrics {
+        let address = &config.http.metrics_listen;
+        let bound = TcpListener::bind(address).await;
+        let listener = bound.map_err(|error| StartError::Failed(format!("http.metrics_listen {address}: {error}")))?;
+        let routes = router::metrics(jobs.clone(), metrics.clone());
+        let (config, jobs) = (config.clone(), jobs.clone());
+        tokio::spawn(async move { serve::serve(listener, routes, &config.http, jobs.shutdown()).await });
+    }
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let count = config.jobs.workers.unwrap_or(cores);
     if role == Role::Worker && count == 0 {
@@ -104,6 +115,13 @@ async fn open_store(config: &Config, one_owner: bool) -> Result<Store, StartErro
         std::fs::create_dir_all(folder)
             .map_err(|error| StartError::Failed(format!("store.data {}: {error}", folder.display())))?;
     }
+    let results = &config.store.results;
+    let embedded = config.database_url().starts_with("sqlite:");
+    let results_folder = match (results.as_os_str().is_empty(), embedded) {
+        (false, _) => Some(results.clone()),
+        (true, true) => Some(config.store.data.join("results")),
+        (true, false) => None,
+    };
     let forever_s = 100 * 365 * 24 * 3600;
     let retention_s = if config.jobs.retention_s == 0 { forever_s } else { config.jobs.retention_s };
     let queue_length = config.jobs.queue_length as u64;
@@ -113,12 +131,29 @@ async fn open_store(config: &Config, one_owner: bool) -> Result<Store, StartErro
         owner_queue_limit: if one_owner { queue_length } else { share },
         max_attempts: config.jobs.attempts_max,
         retention: Duration::from_secs(retention_s),
+        max_jobs: config.store.max_jobs,
+        max_bytes: (config.store.max_bytes > 0).then_some(config.store.max_bytes),
+        results_folder,
+        inline_bytes: config.store.inline_bytes,
+        connections: config.store.connections,
         ..StoreOptions::default()
     };
-    Store::open(&config.database_url(), options).await.map_err(|error| match error {
-        StoreError::Url(message) => StartError::Configuration(format!("store.database: {message}")),
-        other => StartError::Failed(format!("store: {other}")),
-    })
+    let given_up = Instant::now() + START_PATIENCE;
+    loop {
+        match Store::open(&config.database_url(), options.clone()).await {
+            Ok(store) => return Ok(store),
+            Err(StoreError::Url(message)) => {
+                return Err(StartError::Configuration(format!("store.database: {message}")));
+            }
+            Err(error) if embedded || Instant::now() > given_up => {
+                return Err(StartError::Failed(format!("store: {error}")));
+            }
+            Err(error) => {
+                tracing::warn!(%error, database = %redacted(&config.database_url()), "waiting for the database");
+                tokio::time::sleep(Duration::from_millis(500)).await;
+            }
+        }
+    }
 }
 
 async fn sweep(store: Store) {

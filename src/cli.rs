@@ -11,8 +11,10 @@ use clap::{Args, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
 use plateau_geometry::{Execution, Progress, Signal};
 use std::io::{Read, Write};
+use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr, TcpStream};
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::time::Duration;
 use toml::{Table, Value};
 
 /// Form finding over HTTP: minimal surfaces and optimal ruled strips as glTF.
@@ -39,6 +41,8 @@ enum Command {
         #[arg(short, long)]
         output: PathBuf,
     },
+    /// Ask the server at the configured address whether it lives: exit status 0 if so. For a container's health check.
+    Health,
     /// API keys.
     Key {
         #[command(subcommand)]
@@ -120,6 +124,7 @@ pub fn main() -> ExitCode {
             print!("{}", openapi::text());
             ExitCode::SUCCESS
         }
+        Command::Health => health(config.http.listen),
         Command::Key { command: KeyCommand::New { name } } => new_key(&name),
         Command::Solve { request, output } => solve_file(&config, &request, &output),
         command => {
@@ -143,6 +148,29 @@ pub fn main() -> ExitCode {
 fn fail(status: u8, message: &str) -> ExitCode {
     eprintln!("plateau: {message}");
     ExitCode::from(status)
+}
+
+fn health(listen: SocketAddr) -> ExitCode {
+    const PATIENCE: Duration = Duration::from_secs(3);
+    let address = match listen.ip() {
+        IpAddr::V4(ip) if ip.is_unspecified() => IpAddr::V4(Ipv4Addr::LOCALHOST),
+        IpAddr::V6(ip) if ip.is_unspecified() => IpAddr::V6(Ipv6Addr::LOCALHOST),
+        ip => ip,
+    };
+    let ask = || -> std::io::Result<String> {
+        let mut stream = TcpStream::connect_timeout(&SocketAddr::new(address, listen.port()), PATIENCE)?;
+        stream.set_read_timeout(Some(PATIENCE))?;
+        stream.set_write_timeout(Some(PATIENCE))?;
+        stream.write_all(b"GET /health/live HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n")?;
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer)?;
+        Ok(answer)
+    };
+    match ask() {
+        Ok(answer) if answer.starts_with("HTTP/1.1 200 ") => ExitCode::SUCCESS,
+        Ok(answer) => fail(1, &format!("{address}: {}", answer.lines().next().unwrap_or("no answer"))),
+        Err(error) => fail(1, &format!("{address}: {error}")),
+    }
 }
 
 fn new_key(name: &str) -> ExitCode {

@@ -45,6 +45,8 @@ pub struct HttpConfig {
     pub hosts: Vec<String>,
     /// Origins whose pages may use this server from a browser (`https://site.example`); `*` for all.
     pub cors_origins: Vec<String>,
+    /// Where `/metrics` is answered, without a key and there alone; empty: with everything else. `plateau worker` has it too.
+    pub metrics_listen: String,
 }
 
 impl Default for HttpConfig {
@@ -60,6 +62,7 @@ impl Default for HttpConfig {
             bodies_in_flight_bytes: 256 << 20,
             hosts: Vec::new(),
             cors_origins: Vec::new(),
+            metrics_listen: String::new(),
         }
     }
 }
@@ -72,11 +75,30 @@ pub struct StoreConfig {
     pub data: PathBuf,
     /// Empty: SQLite in the data folder. Else `sqlite://…` or `postgres://…`.
     pub database: String,
+    /// Folder of results larger than `inline_bytes`; empty: `results` in the data folder with SQLite, the database itself with
+    /// PostgreSQL. Every process on one database must see the same folder.
+    pub results: PathBuf,
+    /// Results up to this size are kept in the database.
+    pub inline_bytes: usize,
+    /// Bytes that all results together may take (on SQLite also the database); the oldest beyond them expire early. 0: any.
+    pub max_bytes: u64,
+    /// Finished jobs that are kept at most; the oldest beyond them expire early.
+    pub max_jobs: u64,
+    /// Connections to PostgreSQL of one process; one more listens.
+    pub connections: u32,
 }
 
 impl Default for StoreConfig {
     fn default() -> Self {
-        Self { data: PathBuf::from("./data"), database: String::new() }
+        Self {
+            data: PathBuf::from("./data"),
+            database: String::new(),
+            results: PathBuf::new(),
+            inline_bytes: 1 << 20,
+            max_bytes: 0,
+            max_jobs: 100_000,
+            connections: 10,
+        }
     }
 }
 
@@ -97,6 +119,8 @@ pub struct JobsConfig {
     pub attempts_max: u32,
     /// Progress is written to the store at most this often.
     pub progress_interval_ms: u64,
+    /// Memory that running solvers may take together, by estimate; a job that would exceed it waits for others to end.
+    pub memory_bytes: u64,
     /// Finished jobs and their meshes are removed after this; 0: never.
     pub retention_s: u64,
 }
@@ -108,8 +132,9 @@ impl Default for JobsConfig {
             queue_length: 1000,
             deadline_ms: 600_000,
             lease_ms: 15_000,
-            attempts_max: 3,
+            attempts_max: 5,
             progress_interval_ms: 250,
+            memory_bytes: 8 << 30,
             retention_s: 7 * 24 * 3600,
         }
     }
@@ -129,6 +154,8 @@ pub struct LimitsConfig {
     pub grid_cells: u64,
     /// Largest `max_iterations`.
     pub iterations: u32,
+    /// Memory that solving one request may take, by estimate.
+    pub memory_bytes: u64,
 }
 
 impl Default for LimitsConfig {
@@ -139,6 +166,7 @@ impl Default for LimitsConfig {
             triangles: 2_000_000,
             grid_cells: 2_000_000_000,
             iterations: 1_000_000,
+            memory_bytes: 4 << 30,
         }
     }
 }
@@ -263,6 +291,15 @@ impl Config {
         }
         if self.jobs.lease_ms < 1000 {
             return Err("jobs.lease_ms must be at least 1000: a claim is renewed three times in it".into());
+        }
+        if self.jobs.memory_bytes < self.limits.memory_bytes {
+            return Err("jobs.memory_bytes must be at least limits.memory_bytes".into());
+        }
+        if self.store.connections < 2 {
+            return Err("store.connections must be at least 2".into());
+        }
+        if !self.http.metrics_listen.is_empty() && self.http.metrics_listen.parse::<SocketAddr>().is_err() {
+            return Err("http.metrics_listen must be ADDRESS:PORT or empty".into());
         }
         if self.http.bodies_in_flight_bytes < self.limits.body_bytes {
             return Err("http.bodies_in_flight_bytes must be at least limits.body_bytes".into());

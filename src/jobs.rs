@@ -4,6 +4,7 @@
 //! once, and a running one whose worker died goes back to `queued`. The store makes every transition, in one transaction each;
 //! this module decides which.
 
+pub mod memory;
 pub mod progress;
 pub mod queue;
 pub mod solve;
@@ -17,6 +18,7 @@ use crate::store::{Counts, Lookup, Store, StoreError};
 pub use crate::store::{EventId, Filter, JobRow, JobWatch, Status as StoredStatus};
 use crate::wire::job::{Job, JobError, JobList, JobWarning, Links, Progress, Status};
 use crate::wire::{Kind, Rejection};
+use memory::MemoryBudget;
 use progress::Running;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
@@ -83,6 +85,7 @@ struct Inner {
     /// Jobs that run in this process.
     running: Running,
     shutdown: watch::Sender<bool>,
+    memory: MemoryBudget,
     /// Bodies parsed and meshes converted at once, so that neither can take every core from the solvers and the server.
     conversions: Semaphore,
 }
@@ -91,9 +94,11 @@ impl Jobs {
     #[must_use]
     pub fn new(store: Store, config: Arc<Config>) -> Self {
         let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        let memory = MemoryBudget::new(config.jobs.memory_bytes);
         Self(Arc::new(Inner {
             store,
             config,
+            memory,
             running: Running::default(),
             shutdown: watch::Sender::new(false),
             conversions: Semaphore::new(cores.max(2)),
@@ -119,7 +124,19 @@ impl Jobs {
     /// # Errors
     /// [`JobsError::Unavailable`] if the store does not answer.
     pub async fn check_store(&self) -> Result<(), JobsError> {
+        if self.0.store.is_full() {
+            return Err(JobsError::Unavailable("the store is full".into()));
+        }
         Ok(self.0.store.ping().await?)
+    }
+
+    /// Whether one more job of this owner would find a place in the queue, so that a body need not be read in vain. The
+    /// submission itself decides.
+    ///
+    /// # Errors
+    /// [`JobsError::QueueFull`], or as the store.
+    pub async fn check_room(&self, owner: Option<&str>) -> Result<(), JobsError> {
+        Ok(self.0.store.check_room(owner).await?)
     }
 
     /// # Errors

@@ -197,6 +197,11 @@ impl Store {
         self.inner.changes.work_signal()
     }
 
+    /// True while the last write found no space.
+    pub fn is_full(&self) -> bool {
+        self.inner.engine.is_full()
+    }
+
     pub fn options(&self) -> &StoreOptions {
         &self.inner.options
     }

@@ -132,6 +132,16 @@ impl Request {
     /// As [`Request::read`].
     pub fn from_value(kind: Kind, value: &Value, limits: &LimitsConfig) -> Result<Self, Rejection> {
         schema::validate(kind, value)?;
+        let request = Self::checked(kind, value, limits)?;
+        if request.memory_bytes() > limits.memory_bytes {
+            let (needed, most) = (request.memory_bytes() >> 20, limits.memory_bytes >> 20);
+            let detail = format!("needs about {needed} MiB to solve, more than this server gives one job ({most} MiB)");
+            return Err(Rejection::TooLarge(vec![FieldError::new("", detail)]));
+        }
+        Ok(request)
+    }
+
+    fn checked(kind: Kind, value: &Value, limits: &LimitsConfig) -> Result<Self, Rejection> {
         match kind {
             Kind::RuledSurface => {
                 let request: ruled_surface::RuledSurfaceRequest = schema::deserialize(value)?;
@@ -143,6 +153,15 @@ impl Request {
                 request.check(limits)?;
                 Ok(Self::MinimalSurface(Box::new(request)))
             }
+        }
+    }
+
+    /// About how much memory solving it takes, result included; rather too much than too little.
+    #[must_use]
+    pub fn memory_bytes(&self) -> u64 {
+        match self {
+            Self::RuledSurface(request) => request.memory_bytes(),
+            Self::MinimalSurface(request) => request.memory_bytes(),
         }
     }
 

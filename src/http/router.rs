@@ -3,15 +3,18 @@
 use crate::app::App;
 use crate::http::problem::Failure;
 use crate::http::{auth, observe, routes};
+use crate::jobs::Jobs;
 use crate::wire::Kind;
 use axum::Router;
 use axum::http::{HeaderName, HeaderValue, Method, Uri, header};
 use axum::middleware;
 use axum::routing::{get, post};
+use metrics_exporter_prometheus::PrometheusHandle;
 use std::time::Duration;
 use tower_http::cors::{AllowOrigin, Any, CorsLayer};
 
 pub fn router(app: App) -> Router {
+    let own_metrics = !app.config.http.metrics_listen.is_empty();
     let origins = app.config.http.cors_origins.clone();
     let routes = Router::new()
         .route(Kind::RuledSurface.path(), post(routes::submit::ruled_surface))
@@ -33,8 +36,8 @@ pub fn router(app: App) -> Router {
         .route("/problems/{name}", get(routes::catalogue::problem_kind))
         .route("/health/live", get(routes::health::live))
         .route("/health/ready", get(routes::health::ready))
-        .route("/metrics", get(routes::health::metrics))
         .route("/", get(routes::studio::page))
+        .merge(if own_metrics { Router::new() } else { Router::new().route("/metrics", get(routes::health::metrics)) })
         .route("/studio/{file}", get(routes::studio::file))
         .fallback(|uri: Uri| async move {
             Failure::not_found(format!("no resource at this path ({} bytes long)", uri.path().len()))
@@ -48,6 +51,12 @@ pub fn router(app: App) -> Router {
         .layer(middleware::from_fn_with_state(app.clone(), auth::check_host))
         .layer(middleware::from_fn(observe::observe))
         .with_state(app)
+}
+
+/// The listener of metrics alone.
+pub fn metrics(jobs: Jobs, handle: PrometheusHandle) -> Router {
+    let render = move || async move { routes::health::render(&jobs, &handle).await };
+    Router::new().route("/metrics", get(render)).layer(middleware::from_fn(observe::observe))
 }
 
 /// What pages of other origins may do: everything a client may, if the operator named their origin.

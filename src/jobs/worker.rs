@@ -7,7 +7,7 @@ use crate::store::{Claimed, Outcome, Renewed};
 use crate::telemetry::metric;
 use crate::wire::job::{JobError, JobWarning};
 use crate::wire::{FieldError, Kind, Rejection, Request};
-use plateau_geometry::{Error as GeometryError, Execution, Interruption};
+use plateau_geometry::{Error as GeometryError, Execution, Interruption, Signal};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::sync::oneshot;
@@ -159,6 +159,7 @@ fn spawn_solver(jobs: &Jobs, claimed: &Claimed, line: Arc<Line>) -> oneshot::Rec
     let request = claimed.request.clone();
     let limits = jobs.0.config.limits.clone();
     let span = tracing::Span::current();
+    let jobs = jobs.clone();
     let work = move || {
         let _entered = span.enter();
         let solve = || {
@@ -173,6 +174,14 @@ fn spawn_solver(jobs: &Jobs, claimed: &Claimed, line: Arc<Line>) -> oneshot::Rec
                 Err(rejection) => return Ended::Rejected(rejection),
             };
             let (signal, report) = (|| line.signal(), |progress| line.report(progress));
+            let wanted = || line.signal() == Signal::Continue;
+            let Some(_share) = jobs.0.memory.share(request.memory_bytes(), wanted) else {
+                let why = match line.signal() {
+                    Signal::Deadline => Interruption::DeadlinePassed,
+                    Signal::Cancel | Signal::Continue => Interruption::Cancelled,
+                };
+                return Ended::Failed(GeometryError::Interrupted(why));
+            };
             match solve::solve(&request, &Execution::new(&signal, &report)) {
                 Ok(solved) => Ended::Solved(Box::new(solved)),
                 Err(error) => Ended::Failed(error),

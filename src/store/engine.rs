@@ -6,6 +6,7 @@
 //! repeats the ones that lost a race.
 
 use std::str::FromStr;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use futures_util::future::BoxFuture;
@@ -34,14 +35,62 @@ const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
 /// Tries of a PostgreSQL transaction that loses a race (deadlock, or two equal idempotency keys at once).
 const TRIES: usize = 5;
 
+#[derive(Debug)]
+pub(super) struct Engine {
+    pub(super) kind: Kind,
+    /// Whether the last write found no space.
+    full: AtomicBool,
+}
+
 #[derive(Debug, Clone)]
-pub(super) enum Engine {
+pub(super) enum Kind {
     Sqlite { readers: SqlitePool, writer: mpsc::Sender<Write> },
     Postgres(PgPool),
 }
 
 impl Engine {
     pub(super) async fn open(url: &str, options: &StoreOptions) -> Result<Self> {
+        Ok(Self { kind: Kind::open(url, options).await?, full: AtomicBool::new(false) })
+    }
+
+    pub(super) fn is_full(&self) -> bool {
+        self.full.load(Ordering::Relaxed)
+    }
+
+    /// As [`Kind::write`], remembering whether there was space.
+    pub(super) async fn write<T, F>(&self, work: F) -> Result<T>
+    where
+        T: Send + 'static,
+        F: for<'a, 'c> Fn(&'a mut Connection<'c>) -> BoxFuture<'a, Result<T>> + Send + Sync + 'static,
+    {
+        let result = self.kind.write(work).await;
+        match &result {
+            Ok(_) => self.full.store(false, Ordering::Relaxed),
+            Err(StoreError::NoSpace(_)) => self.full.store(true, Ordering::Relaxed),
+            Err(_) => {}
+        }
+        result
+    }
+
+    pub(super) async fn rows(&self, text: &str, values: Vec<Value>) -> Result<Vec<Row>> {
+        self.kind.rows(text, values).await
+    }
+
+    pub(super) async fn row(&self, text: &str, values: Vec<Value>) -> Result<Option<Row>> {
+        Ok(self.rows(text, values).await?.into_iter().next())
+    }
+
+    pub(super) async fn shrink(&self) -> Result<()> {
+        self.kind.shrink().await
+    }
+
+    pub(super) async fn close(&self) {
+        self.kind.close().await;
+    }
+}
+
+impl Kind {
+    async fn open(url: &str, options: &StoreOptions) -> Result<Self> {
         if url.starts_with("postgres://") || url.starts_with("postgresql://") {
             Self::open_postgres(url, options).await
         } else if url.starts_with("sqlite:") {
@@ -95,7 +144,7 @@ impl Engine {
     /// Runs `work` in one transaction: all of it is durable when this returns `Ok`, none of it happened otherwise
     /// (but for a connection lost during the commit itself, which nobody can tell apart). `work` may run again after a
     /// lost race, so it must not act outside the database.
-    pub(super) async fn write<T, F>(&self, work: F) -> Result<T>
+    async fn write<T, F>(&self, work: F) -> Result<T>
     where
         T: Send + 'static,
         F: for<'a, 'c> Fn(&'a mut Connection<'c>) -> BoxFuture<'a, Result<T>> + Send + Sync + 'static,
@@ -122,7 +171,7 @@ impl Engine {
     }
 
     /// Rows of a statement that only reads.
-    pub(super) async fn rows(&self, text: &str, values: Vec<Value>) -> Result<Vec<Row>> {
+    async fn rows(&self, text: &str, values: Vec<Value>) -> Result<Vec<Row>> {
         Ok(match self {
             Self::Sqlite { readers, .. } => {
                 Connection::Sqlite(&mut *readers.acquire().await?).rows(text, values).await?
@@ -131,12 +180,8 @@ impl Engine {
         })
     }
 
-    pub(super) async fn row(&self, text: &str, values: Vec<Value>) -> Result<Option<Row>> {
-        Ok(self.rows(text, values).await?.into_iter().next())
-    }
-
     /// Gives pages that nothing uses any more back to the file system. PostgreSQL does so by itself.
-    pub(super) async fn shrink(&self) -> Result<()> {
+    async fn shrink(&self) -> Result<()> {
         match self {
             Self::Sqlite { .. } => {
                 let text = format!("PRAGMA incremental_vacuum({SHRINK_PAGES})");
@@ -151,7 +196,7 @@ impl Engine {
     }
 
     /// Waits for running statements and closes every connection. Writes afterwards fail as `Unavailable`.
-    pub(super) async fn close(&self) {
+    async fn close(&self) {
         match self {
             Self::Sqlite { readers, writer } => {
                 let (answer, answered) = oneshot::channel();

@@ -138,6 +138,16 @@ impl Store {
         Ok(submitted)
     }
 
+    /// `QueueFull` if one more job of this owner would find no place at this moment.
+    pub async fn check_room(&self, owner: Option<&str>) -> Result<()> {
+        let options = &self.inner.options;
+        let (limit, owner_limit) = (bounded(options.queue_limit), bounded(options.owner_queue_limit));
+        let text = format!("SELECT {ROOM}");
+        let values = vec![owner.unwrap_or_default().into(), limit.into(), owner_limit.into()];
+        let row = self.inner.engine.row(&text, values).await?;
+        row.map_or(Ok(()), |row| refuse_if_full(&row, limit, owner_limit))
+    }
+
     /// Takes the job whose turn it is, if any, for `lease`. Jobs whose lease ran out go back to the queue first.
     pub async fn claim(&self, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
         self.recover().await?;
@@ -357,23 +367,31 @@ async fn earlier_submission(connection: &mut Connection<'_>, job: &NewJob) -> Re
     Ok(Some(if same { Submitted::Existing(Box::new(JobRow::read(&row)?)) } else { Submitted::KeyConflict }))
 }
 
-/// The first free turn for the job's owner.
-async fn next_turn(connection: &mut Connection<'_>, job: &NewJob, limit: i64, owner_limit: i64) -> Result<i64> {
-    let text = "SELECT \
-        (SELECT count(*) FROM (SELECT 1 FROM jobs WHERE status = 'queued' LIMIT $2) AS waiting), \
-        (SELECT count(*) FROM (SELECT 1 FROM jobs WHERE status = 'queued' AND owner = $1 LIMIT $3) AS own), \
-        (SELECT min(turn) FROM jobs WHERE status = 'queued'), \
-        (SELECT max(turn) FROM jobs WHERE status = 'queued' AND owner = $1)";
-    let row = connection
-        .row(text, vec![owner_column(job), limit.into(), owner_limit.into()])
-        .await?
-        .ok_or_else(|| StoreError::Internal("a SELECT without FROM gave no row".into()))?;
+/// How many jobs wait, in all and of the owner `$1`, counted no further than the limits `$2` and `$3`.
+const ROOM: &str = "(SELECT count(*) FROM (SELECT 1 FROM jobs WHERE status = 'queued' LIMIT $2) AS waiting), \
+     (SELECT count(*) FROM (SELECT 1 FROM jobs WHERE status = 'queued' AND owner = $1 LIMIT $3) AS own)";
+
+fn refuse_if_full(row: &Row, limit: i64, owner_limit: i64) -> Result<()> {
     if row.int(0)? >= limit {
         return Err(StoreError::QueueFull { own: false });
     }
     if row.int(1)? >= owner_limit {
         return Err(StoreError::QueueFull { own: true });
     }
+    Ok(())
+}
+
+/// The first free turn for the job's owner.
+async fn next_turn(connection: &mut Connection<'_>, job: &NewJob, limit: i64, owner_limit: i64) -> Result<i64> {
+    let text = format!(
+        "SELECT {ROOM}, (SELECT min(turn) FROM jobs WHERE status = 'queued'), \
+         (SELECT max(turn) FROM jobs WHERE status = 'queued' AND owner = $1)"
+    );
+    let row = connection
+        .row(&text, vec![owner_column(job), limit.into(), owner_limit.into()])
+        .await?
+        .ok_or_else(|| StoreError::Internal("a SELECT without FROM gave no row".into()))?;
+    refuse_if_full(&row, limit, owner_limit)?;
     let served_next = row.optional_int(2)?.unwrap_or(1);
     Ok(served_next.max(row.optional_int(3)?.map_or(1, |last| last + 1)))
 }

@@ -15,7 +15,7 @@ use sqlx::postgres::PgListener;
 use tokio::sync::{Notify, mpsc, watch};
 use tokio::task::JoinHandle;
 
-use super::engine::{Engine, Result};
+use super::engine::{Engine, Kind, Result};
 use super::record::{JobRow, Lookup};
 use super::{Store, StoreError};
 
@@ -74,9 +74,9 @@ impl Hub {
 impl Changes {
     pub(super) fn new(engine: &Engine, poll_interval: Duration) -> Self {
         let hub = Arc::new(Hub { work: watch::Sender::new(0), jobs: Mutex::default() });
-        let (outgoing, tasks) = match engine {
-            Engine::Sqlite { .. } => (None, Vec::new()),
-            Engine::Postgres(pool) => {
+        let (outgoing, tasks) = match &engine.kind {
+            Kind::Sqlite { .. } => (None, Vec::new()),
+            Kind::Postgres(pool) => {
                 let (outgoing, changes) = mpsc::unbounded_channel();
                 let tasks = vec![
                     tokio::spawn(listen(pool.clone(), Arc::clone(&hub))),

@@ -162,6 +162,15 @@ impl MinimalSurfaceRequest {
         Ok(())
     }
 
+    /// About how much memory solving it takes. The factors of the stiffness matrix dominate; they grow a little faster than
+    /// the mesh, which the factor per triangle allows for up to the largest meshes that are taken.
+    #[must_use]
+    pub fn memory_bytes(&self) -> u64 {
+        const BYTES_PER_TRIANGLE: f64 = 2_000.0;
+        let (boundaries, options) = self.to_geometry();
+        (geometry::estimate_triangles(&boundaries, &options) * BYTES_PER_TRIANGLE) as u64
+    }
+
     /// The geometry's own terms for this request.
     #[must_use]
     pub fn to_geometry(&self) -> (Vec<Vec<plateau_geometry::DVec3>>, geometry::Options) {

@@ -227,6 +227,15 @@ impl RuledSurfaceRequest {
         })
     }
 
+    /// About how much memory solving it takes: the solver's own estimate, and points and triangles with what is said of them.
+    #[must_use]
+    pub fn memory_bytes(&self) -> u64 {
+        const BYTES_PER_POINT: u64 = 2_000;
+        let (_, options) = self.to_geometry();
+        let points: Vec<usize> = self.directrices.iter().map(Vec::len).collect();
+        geometry::estimate(&points, &options).bytes + points.iter().sum::<usize>() as u64 * BYTES_PER_POINT
+    }
+
     /// The geometry's own terms for this request.
     #[must_use]
     pub fn to_geometry(&self) -> (Vec<Vec<plateau_geometry::DVec3>>, geometry::Options) {

@@ -111,6 +111,18 @@ impl Process {
     }
 }
 
+/// Where a request is posted.
+pub fn path(body: &Value) -> &'static str {
+    if body.get("boundaries").is_some() { "/v1/minimal-surfaces" } else { "/v1/ruled-surfaces" }
+}
+
+/// A film of about so many triangles on a frame of four segments, another for each `variant`; solved anew each time.
+pub fn film(triangles: usize, variant: usize) -> Value {
+    let height = 0.1 + variant as f64 * 0.01;
+    let frame = [[0.0, 0.0, 0.0], [1.0, 0.0, height], [1.0, 1.0, 0.0], [0.0, 1.0, height]];
+    json!({ "boundaries": [frame], "resolution": { "triangles": triangles }, "cache": "bypass" })
+}
+
 pub fn client() -> Client {
     Client::builder().timeout(Duration::from_secs(60)).build().expect("a client")
 }

@@ -6,7 +6,7 @@ use crate::postgres::Postgres;
 use reqwest::{Client, StatusCode};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, RwLock};
 use std::time::Duration;
 use tokio::task::JoinSet;
@@ -19,9 +19,17 @@ fn kills() -> usize {
     if std::env::var_os("PLATEAU_LONG").is_some() { 100 } else { 10 }
 }
 
-/// Shapes from a millisecond's work to a good part of a second's, so that kills find jobs in every state.
+/// Shapes from a millisecond's work to a good part of a second's, so that kills find jobs in every state; all of them
+/// quickly posted.
 fn shape(number: usize) -> Value {
-    cluster::strip([20, 60, 150, 400, 900, 30][number % 6], number)
+    match number % 6 {
+        0 => cluster::strip(20, number),
+        1 => cluster::film(300, number),
+        2 => cluster::film(10_000, number),
+        3 => cluster::strip(40, number),
+        4 => cluster::film(2_000, number),
+        _ => cluster::film(100, number),
+    }
 }
 
 /// The meshes of all shapes from a server that nobody disturbs.
@@ -51,6 +59,7 @@ struct Load {
     /// Where the server answers at the moment.
     url: Arc<RwLock<String>>,
     stop: Arc<AtomicBool>,
+    accepted: Arc<AtomicUsize>,
     clients: JoinSet<BTreeMap<String, (usize, String)>>,
 }
 
@@ -58,15 +67,24 @@ impl Load {
     fn start(url: &str) -> Self {
         let url = Arc::new(RwLock::new(url.to_owned()));
         let stop = Arc::new(AtomicBool::new(false));
+        let accepted = Arc::new(AtomicUsize::new(0));
         let mut clients = JoinSet::new();
         for number in 0..CLIENTS {
-            clients.spawn(post_until_told(number, Arc::clone(&url), Arc::clone(&stop)));
+            clients.spawn(post_until_told(number, Arc::clone(&url), Arc::clone(&stop), Arc::clone(&accepted)));
         }
-        Self { url, stop, clients }
+        Self { url, stop, accepted, clients }
     }
 
     fn moved_to(&self, url: &str) {
         url.clone_into(&mut self.url.write().unwrap());
+    }
+
+    /// Waits for a few more acceptances, however slow the machine: there is to be something that a kill can hit.
+    async fn goes_on(&self) {
+        let seen = self.accepted.load(Ordering::Relaxed);
+        while self.accepted.load(Ordering::Relaxed) < seen + 4 {
+            tokio::time::sleep(Duration::from_millis(2)).await;
+        }
     }
 
     /// What was accepted: shape and job id by idempotency key.
@@ -84,6 +102,7 @@ async fn post_until_told(
     number: usize,
     url: Arc<RwLock<String>>,
     stop: Arc<AtomicBool>,
+    total: Arc<AtomicUsize>,
 ) -> BTreeMap<String, (usize, String)> {
     let client = cluster::client();
     let mut accepted = BTreeMap::new();
@@ -94,7 +113,7 @@ async fn post_until_told(
         let (key, shape_number) = (format!("{number}-{count}"), (number + count) % SHAPES);
         let body = shape(shape_number);
         let id = loop {
-            let to = format!("{}/v1/ruled-surfaces", url.read().unwrap());
+            let to = format!("{}{}", url.read().unwrap(), cluster::path(&body));
             // Most do not wait, some do, so that there is always something to work on and never too much.
             let wait = if count % 4 == 3 { "wait=2" } else { "wait=0" };
             let request = client.post(to).header("idempotency-key", &key).header("prefer", wait).json(&body);
@@ -113,6 +132,7 @@ async fn post_until_told(
             }
         };
         accepted.insert(key, (shape_number, id));
+        total.fetch_add(1, Ordering::Relaxed);
     }
     accepted
 }
@@ -142,8 +162,9 @@ async fn every_job_ended_once(server: &Process, accepted: &BTreeMap<String, (usi
         let attempt = ids.last().unwrap().split('.').next().unwrap().parse().unwrap();
         *attempts.entry(attempt).or_default() += 1;
         // The key still names this job.
-        let request = client.post(format!("{}/v1/ruled-surfaces", server.url)).header("idempotency-key", key);
-        let again: Value = request.json(&shape(*shape_number)).send().await.unwrap().json().await.unwrap();
+        let body = shape(*shape_number);
+        let request = client.post(format!("{}{}", server.url, cluster::path(&body))).header("idempotency-key", key);
+        let again: Value = request.json(&body).send().await.unwrap().json().await.unwrap();
         assert_eq!(again["id"].as_str(), Some(id.as_str()), "{key}");
     }
     // One job for each submission: none made twice by a repetition, none that nobody asked for.
@@ -177,6 +198,7 @@ async fn server_killed(database: Option<String>, what: &str) {
     let load = Load::start(&server.url);
     let mut moments = Moments(7);
     for _ in 0..kills() {
+        load.goes_on().await;
         moments.next().await;
         server.kill().await;
         server = cluster.serve(2).await;
@@ -206,6 +228,7 @@ async fn workers_killed_while_the_server_lives_lose_nothing() {
     let load = Load::start(&server.url);
     let mut moments = Moments(11);
     for count in 0..kills() {
+        load.goes_on().await;
         moments.next().await;
         let worker = &mut workers[count % 2];
         worker.kill().await;
@@ -224,6 +247,7 @@ async fn postgresql_stopped_and_started_again_loses_nothing() {
     let load = Load::start(&server.url);
     let mut moments = Moments(13);
     for count in 0..kills() {
+        load.goes_on().await;
         moments.next().await;
         postgres.stop();
         // With the database away, a process may die as well.

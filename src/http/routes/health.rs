@@ -2,11 +2,13 @@
 
 use crate::app::App;
 use crate::http::problem::Failure;
+use crate::jobs::Jobs;
 use crate::telemetry::metric;
 use axum::Json;
 use axum::extract::State;
 use axum::http::header;
 use axum::response::{IntoResponse, Response};
+use metrics_exporter_prometheus::PrometheusHandle;
 use serde_json::{Value, json};
 
 pub async fn live() -> Json<Value> {
@@ -23,7 +25,12 @@ pub async fn ready(State(app): State<App>) -> Result<Json<Value>, Failure> {
 }
 
 pub async fn metrics(State(app): State<App>) -> Result<Response, Failure> {
-    let counts = app.jobs.counts().await?;
+    render(&app.jobs, &app.metrics).await
+}
+
+/// The metrics of this process, and of the queue that it shares with others.
+pub async fn render(jobs: &Jobs, handle: &PrometheusHandle) -> Result<Response, Failure> {
+    let counts = jobs.counts().await?;
     metrics::gauge!(metric::QUEUE_LENGTH).set(counts.queued as f64);
-    Ok(([(header::CONTENT_TYPE, "text/plain; version=0.0.4; charset=utf-8")], app.metrics.render()).into_response())
+    Ok(([(header::CONTENT_TYPE, "text/plain; version=0.0.4; charset=utf-8")], handle.render()).into_response())
 }

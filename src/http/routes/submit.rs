@@ -37,6 +37,10 @@ pub async fn minimal_surface(
 async fn submit(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) -> Result<Response, Failure> {
     let wait_s = granted_wait_s(app, request.headers());
     let key = idempotency_key(request.headers())?;
+    // A key may name a job that is there already, however full the queue.
+    if key.is_none() {
+        app.jobs.check_room(caller.owner()).await?;
+    }
     let received = body::read_json(app, request).await?;
     let submitted = app.jobs.submit(kind, received.bytes.clone(), caller.owner().map(str::to_owned), key).await?;
     drop(received);

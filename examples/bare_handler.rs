@@ -1,0 +1,44 @@
+//! What the load benchmark compares the service with: an axum handler that parses the same body and answers bytes of the
+//! same length (`/bare`), and one that solves the request in place as well (`/solve`). Neither queues nor stores anything.
+//!
+//! Usage: bare_handler ADDRESS:PORT ANSWER-FILE
+
+use axum::Router;
+use axum::body::Bytes;
+use axum::extract::State;
+use axum::http::header;
+use axum::response::IntoResponse;
+use axum::routing::post;
+use plateau::config::LimitsConfig;
+use plateau::jobs::solve;
+use plateau::wire::{Kind, Request};
+use plateau_geometry::Execution;
+use std::error::Error;
+
+/// The answer to every request: a finished job as the service gives it.
+type Answer = Bytes;
+
+async fn bare(State(answer): State<Answer>, body: Bytes) -> impl IntoResponse {
+    let _: serde_json::Value = serde_json::from_slice(&body).expect("the benchmark posts JSON");
+    ([(header::CONTENT_TYPE, "application/json")], answer)
+}
+
+async fn solved(State(answer): State<Answer>, body: Bytes) -> impl IntoResponse {
+    let limits = LimitsConfig::default();
+    let (request, _) = Request::read(Kind::RuledSurface, &body, &limits).expect("the benchmark posts good requests");
+    let solving = tokio::task::spawn_blocking(move || solve::solve(&request, &Execution::default()));
+    let solved = solving.await.expect("no panic").expect("a result");
+    assert!(!solved.archive.to_bytes().is_empty());
+    ([(header::CONTENT_TYPE, "application/json")], answer)
+}
+
+#[tokio::main]
+async fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [address, file] = &arguments[..] else { return Err("usage: bare_handler ADDRESS:PORT ANSWER-FILE".into()) };
+    let answer: Answer = std::fs::read(file)?.into();
+    let routes = Router::new().route("/bare", post(bare)).route("/solve", post(solved)).with_state(answer);
+    let listener = tokio::net::TcpListener::bind(address).await?;
+    axum::serve(listener, routes).await?;
+    Ok(())
+}
