@@ -90,10 +90,10 @@ impl Process {
         response.json().await.expect("JSON")
     }
 
-    /// Posts a strip and returns the accepted job.
+    /// Posts a request and returns the accepted job.
     pub async fn post(&self, client: &Client, body: &Value) -> Value {
-        let response =
-            client.post(format!("{}/v1/ruled-surfaces", self.url)).json(body).send().await.expect("an answer");
+        let to = format!("{}{}", self.url, path(body));
+        let response = client.post(to).json(body).send().await.expect("an answer");
         assert_eq!(response.status(), StatusCode::ACCEPTED);
         response.json().await.expect("JSON")
     }
