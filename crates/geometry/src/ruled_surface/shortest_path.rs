@@ -63,7 +63,8 @@ pub(super) trait Kernel<V: Lanes> {
     fn end(&self, top: &[f64], arrived_by: usize) -> Score;
 }
 
-/// The columns that a search may visit, inclusive, for each row; both ends never fall from one row to the next.
+/// The columns that a search may visit, inclusive, for each row; both ends never fall from one row to the next. So what lies
+/// right of a band's end was never written and still says `unreached` to the next band.
 #[derive(Clone, Debug)]
 pub(super) struct Region {
     pub(super) first: Vec<u32>,
@@ -225,14 +226,13 @@ struct Stretch<'a, V: Lanes, K: Kernel<V>> {
 impl<V: Lanes, K: Kernel<V>> Task<V> for Stretch<'_, V, K> {
     type Output = u64;
     #[inline(always)]
-    fn run(mut self) -> u64 {
+    fn run(self) -> u64 {
         let mut visited = 0;
         while visited < CELLS_BETWEEN_LOOKS && self.position.band < self.bands.len() {
             let number = self.position.band;
             let band = self.bands[number];
             if self.position.step == band.begin {
                 self.position.state = self.kernel.blank();
-                self.blank_beyond_the_band_above(number);
             }
             let room = (CELLS_BETWEEN_LOOKS as usize / V::WIDTH).next_multiple_of(64);
             let end = band.end.min(self.position.step + room);
@@ -252,18 +252,6 @@ impl<V: Lanes, K: Kernel<V>> Task<V> for Stretch<'_, V, K> {
             }
         }
         visited
-    }
-}
-
-impl<V: Lanes, K: Kernel<V>> Stretch<'_, V, K> {
-    /// The band above stopped at its own last column; what lies right of it was never reached.
-    #[inline(always)]
-    fn blank_beyond_the_band_above(&mut self, number: usize) {
-        let Some(above) = number.checked_sub(1).map(|k| self.bands[k]) else { return };
-        let reached = above.end + LEFT - (V::WIDTH - 1);
-        for column in reached..(self.bands[number].end + LEFT).max(reached) {
-            self.kernel.unreached(&mut self.top[column * K::CARRY..(column + 1) * K::CARRY]);
-        }
     }
 }
 
