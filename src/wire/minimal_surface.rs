@@ -1,4 +1,8 @@
-//! `POST /v1/minimal-surfaces`: the request, its statistics, and the way to the geometry and back.
+//! `POST /v1/minimal-surfaces`: the request and its way to the geometry; [`statistics`] is the way back.
+
+mod statistics;
+
+pub use statistics::{MinimalStatistics, Spread};
 
 use super::common::{self, Cache, Point, Units, UpAxis};
 use super::objectives::Objective as ObjectiveDoc;
@@ -6,7 +10,7 @@ use super::{FieldError, Kind, Rejection};
 use crate::config::LimitsConfig;
 use plateau_geometry::minimal_surface as geometry;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 /// Boundary polylines, and what to span them with.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -48,10 +52,46 @@ pub struct MinimalSurfaceRequest {
     #[serde(default = "default_tolerance")]
     #[schemars(range(min = 0, max = 1))]
     pub area_tolerance: f64,
+    /// The same for vertex relaxation's Laplacian fairing; null: as `area_tolerance`.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1))]
+    pub fairing_tolerance: Option<f64>,
+    /// Stages of vertex relaxation in an order of your own, each repeated until its tolerance; null: the paper's.
+    #[serde(default)]
+    #[schemars(length(min = 1, max = 16), inner(length(min = 1, max = 16)))]
+    pub processes: Option<Vec<Vec<Process>>>,
     /// Null: the solver's own default.
     #[serde(default)]
     #[schemars(range(min = 1, max = 1_000_000_000))]
     pub max_iterations: Option<u32>,
+    #[serde(default)]
+    pub on_unstable: OnUnstable,
+    /// How `pinkall_polthier` solves its systems.
+    #[serde(default)]
+    pub linear_solver: LinearSolver,
+    /// Triangles with an angle below this are removed by `pinkall_polthier` and under `topology: free`; 0: none is.
+    #[serde(default = "default_degenerate_angle_deg")]
+    #[schemars(range(min = 0, max = 30))]
+    pub degenerate_angle_deg: f64,
+    /// Which of the candidate points `initial_mesh: barycentres` takes.
+    #[serde(default = "default_seed")]
+    #[schemars(range(min = 0, max = 4_294_967_295u32))]
+    pub seed: u32,
+    /// Whether the boundary's vertices count in `minimal_mean_curvature`, as Liu and Wang's do.
+    #[serde(default = "default_true")]
+    pub boundary_curvature: bool,
+}
+
+fn default_degenerate_angle_deg() -> f64 {
+    1.0
+}
+
+fn default_seed() -> u32 {
+    1
+}
+
+fn default_true() -> bool {
+    true
 }
 
 fn default_tolerance() -> f64 {
@@ -70,6 +110,8 @@ pub enum MinimalSurfaceKind {
 pub enum Objective {
     #[default]
     MinimalArea,
+    MinimalDirichletEnergy,
+    MinimalMeanCurvature,
 }
 
 /// How the area is minimised. `auto` takes the best of the others for the request at hand.
@@ -78,7 +120,12 @@ pub enum Objective {
 pub enum Solver {
     #[default]
     Auto,
+    /// Chen, Cai, Zheng.
     VertexRelaxation,
+    /// Bento, Cavalcanti.
+    PinkallPolthier,
+    /// In normal heights, with the Morse index.
+    Newton,
 }
 
 /// How fine the mesh is to be: exactly one of the three.
@@ -111,6 +158,7 @@ impl Default for Resolution {
 #[serde(rename_all = "snake_case")]
 pub enum BoundarySampling {
     #[default]
+    Refine,
     Keep,
 }
 
@@ -118,17 +166,54 @@ pub enum BoundarySampling {
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum InitialMesh {
+    /// The best of the others for the boundaries at hand.
     #[default]
     Auto,
+    /// Delaunay triangles in the plane, where the projection is simple.
+    Planar,
+    /// Delaunay triangles in a round disc, mapped harmonically.
+    Disk,
+    /// Chen, Cai, Zheng 3.4.
     Rings,
+    /// Liu, Wang.
+    Barycentres,
 }
 
-/// `fixed`: the result has the initial mesh's topology.
+/// `fixed`: the initial mesh's; `free`: necks may pinch; `best`: every spanning topology is solved, the least is returned.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Topology {
     #[default]
     Fixed,
+    Free,
+    Best,
+}
+
+/// What to do with a stationary surface that is no local minimum: say so, or leave it along its lowest mode.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum OnUnstable {
+    #[default]
+    Report,
+    Descend,
+}
+
+/// Elimination every time, or conjugate gradients with elimination where they do not converge.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum LinearSolver {
+    #[default]
+    Direct,
+    ConjugateGradients,
+}
+
+/// A process of vertex relaxation.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Process {
+    LaplacianFairing,
+    AreaMinimising,
+    EdgeSwapping,
 }
 
 impl MinimalSurfaceRequest {
@@ -184,21 +269,54 @@ impl MinimalSurfaceRequest {
         let options = geometry::Options {
             objective: match self.objective {
                 Objective::MinimalArea => geometry::Objective::MinimalArea,
+                Objective::MinimalDirichletEnergy => geometry::Objective::MinimalDirichletEnergy,
+                Objective::MinimalMeanCurvature => geometry::Objective::MinimalMeanCurvature,
             },
             solver: match self.solver {
                 Solver::Auto => geometry::Solver::Auto,
                 Solver::VertexRelaxation => geometry::Solver::VertexRelaxation,
+                Solver::PinkallPolthier => geometry::Solver::PinkallPolthier,
+                Solver::Newton => geometry::Solver::Newton,
             },
             boundary_sampling: match self.boundary_sampling {
+                BoundarySampling::Refine => geometry::BoundarySampling::Refine,
                 BoundarySampling::Keep => geometry::BoundarySampling::Keep,
             },
             initial_mesh: match self.initial_mesh {
                 InitialMesh::Auto => geometry::InitialMesh::Auto,
+                InitialMesh::Planar => geometry::InitialMesh::Planar,
+                InitialMesh::Disk => geometry::InitialMesh::Disk,
                 InitialMesh::Rings => geometry::InitialMesh::Rings,
+                InitialMesh::Barycentres => geometry::InitialMesh::Barycentres,
+            },
+            topology: match self.topology {
+                Topology::Fixed => geometry::Topology::Fixed,
+                Topology::Free => geometry::Topology::Free,
+                Topology::Best => geometry::Topology::Best,
+            },
+            on_unstable: match self.on_unstable {
+                OnUnstable::Report => geometry::OnUnstable::Report,
+                OnUnstable::Descend => geometry::OnUnstable::Descend,
+            },
+            linear_solver: match self.linear_solver {
+                LinearSolver::Direct => geometry::LinearSolver::Direct,
+                LinearSolver::ConjugateGradients => geometry::LinearSolver::ConjugateGradients,
             },
             tolerance: self.tolerance,
             area_tolerance: self.area_tolerance,
+            fairing_tolerance: self.fairing_tolerance,
+            processes: self.processes.as_ref().map(|stages| {
+                let process = |process: &Process| match process {
+                    Process::LaplacianFairing => geometry::Process::LaplacianFairing,
+                    Process::AreaMinimising => geometry::Process::AreaMinimising,
+                    Process::EdgeSwapping => geometry::Process::EdgeSwapping,
+                };
+                stages.iter().map(|stage| stage.iter().map(process).collect()).collect()
+            }),
             max_iterations: self.max_iterations,
+            degenerate_angle: (self.degenerate_angle_deg > 0.0).then(|| self.degenerate_angle_deg.to_radians()),
+            seed: u64::from(self.seed),
+            boundary_curvature: self.boundary_curvature,
             ..geometry::Options::new(resolution)
         };
         (common::polylines(&self.boundaries), options)
@@ -226,145 +344,16 @@ pub fn objectives() -> Vec<ObjectiveDoc> {
                     "topology",
                     "tolerance",
                     "area_tolerance",
+                    "fairing_tolerance",
+                    "processes",
                     "max_iterations",
+                    "on_unstable",
+                    "linear_solver",
+                    "degenerate_angle_deg",
+                    "seed",
+                    "boundary_curvature",
                 ],
             }
         })
         .collect()
-}
-
-/// Minimum, mean, maximum and standard deviation.
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct Spread {
-    pub min: f64,
-    pub mean: f64,
-    pub max: f64,
-    pub std_dev: f64,
-}
-
-impl From<plateau_geometry::mesh::measure::Spread> for Spread {
-    fn from(spread: plateau_geometry::mesh::measure::Spread) -> Self {
-        Self { min: spread.min, mean: spread.mean, max: spread.max, std_dev: spread.std_dev }
-    }
-}
-
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct MeanCurvature {
-    pub max: f64,
-    pub mean: f64,
-    pub rms: f64,
-}
-
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct AngleRange {
-    pub min: f64,
-    pub max: f64,
-}
-
-/// One iteration of the solver.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct HistoryRow {
-    pub phase: &'static str,
-    pub iteration: u32,
-    pub area: f64,
-    pub residual: f64,
-}
-
-/// The second variation of area under normal motion.
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct Stability {
-    /// Whether the Morse index is 0: a true local minimum, a physical soap film.
-    pub stable: bool,
-    /// Number of negative eigenvalues.
-    pub morse_index: usize,
-    /// Against the lumped mass, 1/unit².
-    pub lowest_eigenvalue: f64,
-}
-
-/// What is reported about a minimal surface. Lengths in the request's unit, areas in its square, curvatures in its inverse, angles in degrees.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct MinimalStatistics {
-    pub objective: &'static str,
-    pub objective_value: f64,
-    /// The solver that ran.
-    pub solver: &'static str,
-    /// The initial mesh that was built.
-    pub initial_mesh: &'static str,
-    pub vertices: usize,
-    pub triangles: usize,
-    pub boundary_loops: usize,
-    pub components: usize,
-    pub euler_characteristic: i64,
-    pub genus: i64,
-    pub area: f64,
-    /// Area of the initial mesh.
-    pub initial_area: f64,
-    pub mean_curvature: MeanCurvature,
-    /// Largest normal mean curvature times the boundary's radius: dimensionless.
-    pub residual: f64,
-    /// The same with the tangential part of the area gradient.
-    pub residual_full: f64,
-    pub converged: bool,
-    pub stop_reason: &'static str,
-    pub iterations: u32,
-    pub history: Vec<HistoryRow>,
-    /// Null where it was not computed.
-    pub stability: Option<Stability>,
-    pub edge_lengths: Spread,
-    pub angles_deg: AngleRange,
-    pub edges_swapped: u64,
-    pub flipped_triangles: usize,
-    pub degenerate_triangles: usize,
-    /// Number of changes of topology.
-    pub pinches: usize,
-}
-
-impl From<&geometry::Statistics> for MinimalStatistics {
-    fn from(statistics: &geometry::Statistics) -> Self {
-        let row = |row: &geometry::HistoryRow| HistoryRow {
-            phase: row.phase,
-            iteration: row.iteration,
-            area: row.area,
-            residual: row.residual,
-        };
-        Self {
-            objective: statistics.objective.name(),
-            objective_value: statistics.objective_value,
-            solver: statistics.solver.name(),
-            initial_mesh: statistics.initial_mesh.name(),
-            vertices: statistics.vertices,
-            triangles: statistics.triangles,
-            boundary_loops: statistics.boundary_loops,
-            components: statistics.components,
-            euler_characteristic: statistics.euler_characteristic,
-            genus: statistics.genus,
-            area: statistics.area,
-            initial_area: statistics.initial_area,
-            mean_curvature: MeanCurvature {
-                max: statistics.mean_curvature.max,
-                mean: statistics.mean_curvature.mean,
-                rms: statistics.mean_curvature.rms,
-            },
-            residual: statistics.residual,
-            residual_full: statistics.residual_full,
-            converged: statistics.converged,
-            stop_reason: statistics.stop_reason.name(),
-            iterations: statistics.iterations,
-            history: statistics.history.iter().map(row).collect(),
-            stability: statistics.stability.map(|stability| Stability {
-                stable: stability.stable,
-                morse_index: stability.morse_index,
-                lowest_eigenvalue: stability.lowest_eigenvalue,
-            }),
-            edge_lengths: statistics.edge_lengths.into(),
-            angles_deg: AngleRange {
-                min: statistics.smallest_angle.to_degrees(),
-                max: statistics.largest_angle.to_degrees(),
-            },
-            edges_swapped: statistics.edges_swapped,
-            flipped_triangles: statistics.flipped_triangles,
-            degenerate_triangles: statistics.degenerate_triangles,
-            pinches: statistics.pinches.len(),
-        }
-    }
 }

@@ -1,0 +1,224 @@
+//! What is reported about a minimal surface.
+
+use crate::wire::common::Point;
+use plateau_geometry::minimal_surface as geometry;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Minimum, mean, maximum and standard deviation.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct Spread {
+    pub min: f64,
+    pub mean: f64,
+    pub max: f64,
+    pub std_dev: f64,
+}
+
+impl From<plateau_geometry::mesh::measure::Spread> for Spread {
+    fn from(spread: plateau_geometry::mesh::measure::Spread) -> Self {
+        Self { min: spread.min, mean: spread.mean, max: spread.max, std_dev: spread.std_dev }
+    }
+}
+
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct MeanCurvature {
+    pub max: f64,
+    pub mean: f64,
+    pub rms: f64,
+}
+
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct AngleRange {
+    pub min: f64,
+    pub max: f64,
+}
+
+/// One iteration of the solver.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct HistoryRow {
+    pub phase: &'static str,
+    pub iteration: u32,
+    pub area: f64,
+    pub residual: f64,
+}
+
+/// The second variation of area under normal motion.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct Stability {
+    /// Whether the Morse index is 0: a true local minimum, a physical soap film.
+    pub stable: bool,
+    /// Number of negative eigenvalues.
+    pub morse_index: usize,
+    /// Against the lumped mass, 1/unit².
+    pub lowest_eigenvalue: f64,
+    /// Where the index comes from: `inertia` (exact) or `eigenvalue` (large meshes; the index is then 0).
+    pub method: &'static str,
+}
+
+impl From<geometry::Stability> for Stability {
+    fn from(stability: geometry::Stability) -> Self {
+        Self {
+            stable: stability.stable,
+            morse_index: stability.morse_index,
+            lowest_eigenvalue: stability.lowest_eigenvalue,
+            method: stability.method.name(),
+        }
+    }
+}
+
+/// The area of the smooth surface on the same polygon, from two resolutions.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct ExtrapolatedArea {
+    pub area: f64,
+    /// How far that may be off.
+    pub error_estimate: f64,
+}
+
+/// A change of topology.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Pinch {
+    pub iteration: u32,
+    /// Where it happened, in the request's unit and axes.
+    pub place: Point,
+    /// `split` (a component became two), `handle_cut` (it stayed one), `closed_component_removed`.
+    pub what: &'static str,
+}
+
+/// One way to span the boundaries.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct SpanningTopology {
+    /// The sets of boundaries, by their numbers, that a connected film spans each.
+    pub films: Vec<Vec<usize>>,
+    /// Null if one of the films does not hold.
+    pub area: Option<f64>,
+    pub stability: Option<Stability>,
+    /// Whether two of its films pass through each other, so that no soap film takes this shape.
+    pub films_cross: bool,
+    /// Whether this is the one that was returned.
+    pub chosen: bool,
+}
+
+/// With `topology: best`: the films over the boundaries that were compared.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Spanning {
+    /// By area, those without one last.
+    pub topologies: Vec<SpanningTopology>,
+    /// Whether a film that connects all boundaries holds.
+    pub connected_film_exists: bool,
+    /// Of two boundaries without a connected film: the largest fraction of their gap at which one holds.
+    pub largest_gap_fraction: Option<f64>,
+}
+
+impl From<&geometry::SpanningComparison> for Spanning {
+    fn from(spanning: &geometry::SpanningComparison) -> Self {
+        let topology = |topology: &geometry::SpanningTopology| SpanningTopology {
+            films: topology.films.clone(),
+            area: topology.area,
+            stability: topology.stability.map(Into::into),
+            films_cross: topology.films_cross,
+            chosen: topology.chosen,
+        };
+        Self {
+            topologies: spanning.topologies.iter().map(topology).collect(),
+            connected_film_exists: spanning.connected_film_exists,
+            largest_gap_fraction: spanning.largest_gap_fraction,
+        }
+    }
+}
+
+/// What is reported about a minimal surface. Lengths in the request's unit, areas in its square, curvatures in its inverse, angles in degrees.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct MinimalStatistics {
+    pub objective: &'static str,
+    pub objective_value: f64,
+    /// The solver that ran.
+    pub solver: &'static str,
+    /// The initial mesh that was built.
+    pub initial_mesh: &'static str,
+    pub vertices: usize,
+    pub triangles: usize,
+    pub boundary_loops: usize,
+    pub components: usize,
+    pub euler_characteristic: i64,
+    pub genus: i64,
+    pub area: f64,
+    /// Area of the initial mesh.
+    pub initial_area: f64,
+    /// Null where the boundary's points leave no room for a second resolution, and for unstable surfaces.
+    pub extrapolated_area: Option<ExtrapolatedArea>,
+    pub mean_curvature: MeanCurvature,
+    /// Largest normal mean curvature times the boundary's radius: dimensionless.
+    pub residual: f64,
+    /// The same with the tangential part of the area gradient.
+    pub residual_full: f64,
+    pub converged: bool,
+    pub stop_reason: &'static str,
+    pub iterations: u32,
+    pub history: Vec<HistoryRow>,
+    /// Null where it was not computed.
+    pub stability: Option<Stability>,
+    pub edge_lengths: Spread,
+    pub angles_deg: AngleRange,
+    pub edges_swapped: u64,
+    pub flipped_triangles: usize,
+    pub degenerate_triangles: usize,
+    /// Changes of topology, in order.
+    pub pinches: Vec<Pinch>,
+    /// With `topology: best`; else null.
+    pub spanning: Option<Spanning>,
+}
+
+impl From<&geometry::Statistics> for MinimalStatistics {
+    fn from(statistics: &geometry::Statistics) -> Self {
+        let row = |row: &geometry::HistoryRow| HistoryRow {
+            phase: row.phase,
+            iteration: row.iteration,
+            area: row.area,
+            residual: row.residual,
+        };
+        let pinch = |pinch: &geometry::Pinch| Pinch {
+            iteration: pinch.iteration,
+            place: pinch.place.to_array(),
+            what: pinch.what,
+        };
+        Self {
+            objective: statistics.objective.name(),
+            objective_value: statistics.objective_value,
+            solver: statistics.solver.name(),
+            initial_mesh: statistics.initial_mesh.name(),
+            vertices: statistics.vertices,
+            triangles: statistics.triangles,
+            boundary_loops: statistics.boundary_loops,
+            components: statistics.components,
+            euler_characteristic: statistics.euler_characteristic,
+            genus: statistics.genus,
+            area: statistics.area,
+            initial_area: statistics.initial_area,
+            extrapolated_area: statistics
+                .extrapolated_area
+                .map(|limit| ExtrapolatedArea { area: limit.area, error_estimate: limit.error_estimate }),
+            mean_curvature: MeanCurvature {
+                max: statistics.mean_curvature.max,
+                mean: statistics.mean_curvature.mean,
+                rms: statistics.mean_curvature.rms,
+            },
+            residual: statistics.residual,
+            residual_full: statistics.residual_full,
+            converged: statistics.converged,
+            stop_reason: statistics.stop_reason.name(),
+            iterations: statistics.iterations,
+            history: statistics.history.iter().map(row).collect(),
+            stability: statistics.stability.map(Into::into),
+            edge_lengths: statistics.edge_lengths.into(),
+            angles_deg: AngleRange {
+                min: statistics.smallest_angle.to_degrees(),
+                max: statistics.largest_angle.to_degrees(),
+            },
+            edges_swapped: statistics.edges_swapped,
+            flipped_triangles: statistics.flipped_triangles,
+            degenerate_triangles: statistics.degenerate_triangles,
+            pinches: statistics.pinches.iter().map(pinch).collect(),
+            spanning: statistics.spanning.as_ref().map(Into::into),
+        }
+    }
+}
