@@ -9,6 +9,7 @@ mod command_line;
 mod errors;
 mod events;
 mod examples;
+mod films;
 mod health;
 mod idempotency;
 mod jobs;
