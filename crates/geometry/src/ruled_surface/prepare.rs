@@ -2,7 +2,7 @@
 
 use super::convexity::Test;
 use super::lanes::Widest;
-use super::objective::Objective;
+use super::objective::{Objective, Secondary};
 use super::sampling::{self, Sampling};
 use super::shortest_path::Pulse;
 use super::solve_strip::{self, Goal};
@@ -140,22 +140,22 @@ pub(super) fn prepare(
     if errors.is_empty() { Ok(prepared) } else { Err(Error::Input(errors)) }
 }
 
-fn option_errors(directrices: &[Vec<DVec3>], options: &Options) -> Vec<InputError> {
+/// What is wrong with an objective and what goes with it.
+pub(super) fn goal_errors(
+    objective: Objective,
+    secondary: Option<Secondary>,
+    convexity_tolerance: f64,
+    has_normals: bool,
+) -> Vec<InputError> {
     let mut errors = Vec::new();
     let mut refuse = |place: Place, detail: &str| errors.push(InputError::new(place, detail));
-    if directrices.len() < 2 {
-        refuse(Place::field("directrices"), "a ruled surface needs two or more directrices");
-    }
-    if !(0.0..=LARGEST_TOLERANCE).contains(&options.convexity_tolerance) {
+    if !(0.0..=LARGEST_TOLERANCE).contains(&convexity_tolerance) {
         refuse(Place::field("convexity_tolerance_deg"), "must lie between 0 and 45 degrees");
     }
-    if options.secondary.is_some() && options.objective != Objective::MaximalConvexity {
+    if secondary.is_some() && objective != Objective::MaximalConvexity {
         refuse(Place::field("secondary_objective"), "goes with the objective maximal_convexity only");
     }
-    if options.caps == Caps::Flat && !options.closed {
-        refuse(Place::field("caps"), "flat caps close the ends of closed directrices only");
-    }
-    let weights = match options.objective {
+    let weights = match objective {
         Objective::Weighted(weights) => weights.terms().to_vec(),
         _ => Vec::new(),
     };
@@ -167,10 +167,26 @@ fn option_errors(directrices: &[Vec<DVec3>], options: &Options) -> Vec<InputErro
     if !weights.is_empty() && weights.iter().all(|&(_, weight)| weight == 0.0) {
         refuse(Place::field("objective").then("weights"), "at least one weight must be positive");
     }
-    let needs_normals = options.objective == Objective::MinimalNormalVariation
-        || weights.iter().any(|&(o, weight)| o == Objective::MinimalNormalVariation && weight > 0.0);
-    if needs_normals && options.normals.is_none() {
+    if (Goal { objective, secondary }).needs_normals() && !has_normals {
         refuse(Place::field("normals"), "minimal_normal_variation needs surface normals along the directrices");
+    }
+    errors
+}
+
+fn option_errors(directrices: &[Vec<DVec3>], options: &Options) -> Vec<InputError> {
+    let mut errors = Vec::new();
+    if directrices.len() < 2 {
+        errors.push(InputError::new(Place::field("directrices"), "a ruled surface needs two or more directrices"));
+    }
+    errors.extend(goal_errors(
+        options.objective,
+        options.secondary,
+        options.convexity_tolerance,
+        options.normals.is_some(),
+    ));
+    let mut refuse = |place: Place, detail: &str| errors.push(InputError::new(place, detail));
+    if options.caps == Caps::Flat && !options.closed {
+        refuse(Place::field("caps"), "flat caps close the ends of closed directrices only");
     }
     if let Some(sampling) = options.sampling {
         let least = if options.closed { 3 } else { 2 };

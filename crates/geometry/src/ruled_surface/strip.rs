@@ -67,7 +67,8 @@ impl Strip {
     /// `convexity_tolerance` in radians; 0 is exact.
     ///
     /// # Errors
-    /// [`Error::Input`] if the objective needs normals that are not there; [`Error::Interrupted`].
+    /// [`Error::Input`] if objective, secondary and tolerance are not what [`Options`](super::Options) asks for, or the
+    /// objective needs normals that are not there; [`Error::Interrupted`].
     pub fn optimal_path(
         &self,
         objective: Objective,
@@ -75,10 +76,11 @@ impl Strip {
         convexity_tolerance: f64,
         execution: &Execution<'_>,
     ) -> Result<Vec<[u32; 2]>, Error> {
-        let goal = Goal { objective, secondary };
-        if goal.needs_normals() && !self.has_normals() {
-            return Err(Error::input(Place::field("normals"), "the objective needs normals"));
+        let errors = super::prepare::goal_errors(objective, secondary, convexity_tolerance, self.has_normals());
+        if !errors.is_empty() {
+            return Err(Error::Input(errors));
         }
+        let goal = Goal { objective, secondary };
         let mut pulse = Pulse::new(execution, (self.m() * self.n()) as u64);
         let test = Test::new(convexity_tolerance);
         solve_strip::path_of(self, goal, test, Widest::get(), &mut pulse)
