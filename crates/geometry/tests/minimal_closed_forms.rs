@@ -7,7 +7,8 @@ use boundaries::{circle, patch, rings, skew_quadrilateral};
 use plateau_geometry::minimal_surface::{
     BoundarySampling, MinimalSurface, Objective, Options, Resolution, StopReason, solve,
 };
-use plateau_geometry::{DVec3, Execution};
+use plateau_geometry::{DVec3, Error, Execution, Interruption, Progress, Signal};
+use std::cell::Cell;
 use std::f64::consts::PI;
 
 fn options(triangles: usize) -> Options {
@@ -264,4 +265,47 @@ fn offset_scale_and_rotation_change_nothing_but_themselves() {
         let (own, moved) = (plain.stability.unwrap(), statistics.stability.unwrap());
         assert!((moved.lowest_eigenvalue * scale * scale / own.lowest_eigenvalue - 1.0).abs() < 1e-3);
     }
+}
+
+#[test]
+fn a_deadline_at_any_look_leaves_the_whole_boundary_and_a_cancel_nothing() {
+    let polygons = rings(160, 1.0);
+    let looks_of_a_run = {
+        let exec = Execution::default();
+        solve(&polygons, &options(20_000), &exec).unwrap();
+        exec.looks()
+    };
+    assert!(looks_of_a_run > 40);
+    let mut meshes = 0;
+    for k in 0..12 {
+        let stop_at = looks_of_a_run * k / 12;
+        for signal in [Signal::Deadline, Signal::Cancel] {
+            let looks = Cell::new(0);
+            let ask = || {
+                looks.set(looks.get() + 1);
+                if looks.get() > stop_at { signal } else { Signal::Continue }
+            };
+            let last = Cell::new(0.0);
+            let report = |progress: Progress| {
+                assert!(progress.fraction >= last.get() && progress.fraction <= 1.0);
+                last.set(progress.fraction);
+            };
+            match solve(&polygons, &options(20_000), &Execution::new(&ask, &report)) {
+                Err(Error::Interrupted(interruption)) => {
+                    assert_eq!(interruption == Interruption::Cancelled, signal == Signal::Cancel);
+                }
+                Ok(surface) => {
+                    assert_eq!(signal, Signal::Deadline);
+                    assert_eq!(surface.statistics.stop_reason, StopReason::Deadline);
+                    assert_eq!(surface.mesh.check().unwrap().boundary_loops().len(), 2);
+                    for (points, vertices) in polygons.iter().zip(&surface.input_vertices) {
+                        assert!(points.iter().zip(vertices).all(|(&p, &v)| surface.mesh.vertices[v as usize] == p));
+                    }
+                    meshes += 1;
+                }
+                Err(error) => panic!("{error}"),
+            }
+        }
+    }
+    assert!(meshes >= 4, "{meshes}");
 }

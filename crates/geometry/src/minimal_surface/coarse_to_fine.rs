@@ -18,7 +18,7 @@ use super::initial_mesh::{self, InitialMeshKind};
 use super::multigrid::{self, Failure, Hierarchy, Parents, parents_of};
 use super::newton::{Aim, Direct, Outcome, Settings, State, StepSolver, iterate};
 use super::record::geometric_part;
-use super::stability;
+use super::stability::{self, Unknown};
 use super::statistics::{Stability, StabilityMethod, StopReason};
 use super::{BoundarySampling, InitialMesh, Options, Resolution};
 use crate::linear::{LinearError, Symbolic, SymmetricMatrix};
@@ -100,8 +100,10 @@ fn climb(film: &mut Film, rim: &mut Rim, levels: u32, solve: &mut Solve) -> Resu
     let (_, Some((mut pattern, mut direct))) = solve.converge(film)? else { return Ok(None) };
     let state = State::of(&pattern, &film.vertices, film.triangles(), solve.radius);
     let Direct { symbolic, matrix, .. } = &mut direct;
-    let Ok(Some(coarse)) = stability::analyse(film, &pattern, symbolic, matrix, &state, solve.radius) else {
-        return Ok(None);
+    let coarse = match stability::analyse(film, &pattern, symbolic, matrix, &state, solve.radius, solve.exec) {
+        Ok(Some(coarse)) => coarse,
+        Ok(None) | Err(Unknown::Refused(_)) => return Ok(None),
+        Err(Unknown::Interrupted(interruption)) => return Err(interruption.into()),
     };
     if coarse.morse_index > 0 {
         return Ok(None);
@@ -113,11 +115,14 @@ fn climb(film: &mut Film, rim: &mut Rim, levels: u32, solve: &mut Solve) -> Resu
     };
     let mut hierarchy = Hierarchy::new(direct.symbolic, factor);
     for level in 1..=levels {
+        let work = 4 * film.triangles().len() as u64;
         let (fine, midpoints) = rim.refine(film);
         *film = fine;
+        solve.exec.look(work)?;
         let finer = Pattern::new(film.triangles(), &film.fixed);
         let parents = parents_of(&pattern.unknown, &finer.vertex, &midpoints);
         pattern = finer;
+        solve.exec.look(work)?;
         mode = multigrid::prolong(&mode, &parents);
         let last = level == levels;
         let tolerance = if last { solve.tolerance } else { MIDDLE_TOLERANCE.max(solve.tolerance) };
@@ -151,7 +156,8 @@ fn climb(film: &mut Film, rim: &mut Rim, levels: u32, solve: &mut Solve) -> Resu
                 let solved = hierarchy.precondition(&matrix, &parents, residual);
                 residual.copy_from_slice(&solved);
             };
-            let lowest = stability::lowest_mode(&matrix, mass, 1.0 / solve.radius.powi(2), mode, precondition);
+            let lowest =
+                stability::lowest_mode(&matrix, mass, 1.0 / solve.radius.powi(2), mode, precondition, solve.exec)?;
             let by_inertia = film.triangles().len() <= INERTIA_TRIANGLES;
             let morse_index = if by_inertia {
                 solve.exec.look(film.triangles().len() as u64)?;
@@ -503,4 +509,44 @@ fn subdivided_inside(
     }
     let topology = Topology::build(&triangles, (old as usize) + midpoints.len());
     (topology.expect("cutting triangles along halved edges keeps a manifold one"), midpoints)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::structured::patch;
+    use super::*;
+
+    #[test]
+    fn corners_stay_and_no_edge_skips_more_than_the_stride() {
+        let square = |k: usize| match k / 25 {
+            0 => DVec3::new(k as f64, 0.0, 0.0),
+            1 => DVec3::new(25.0, k as f64 - 25.0, 0.0),
+            2 => DVec3::new(75.0 - k as f64, 25.0, 0.0),
+            _ => DVec3::new(0.0, 100.0 - k as f64, 0.0),
+        };
+        let points: Vec<DVec3> = (0..100).map(square).collect();
+        let kept = kept_points(&points, 8);
+        assert!([0, 25, 50, 75].iter().all(|corner| kept.contains(corner)), "{kept:?}");
+        assert!(kept.windows(2).all(|pair| pair[1] - pair[0] <= 8) && kept.len() == 16);
+        // A circle of few points turns too much to skip many.
+        let circle: Vec<DVec3> =
+            (0..24).map(|k| DVec3::new((k as f64 * 0.2618).cos(), (k as f64 * 0.2618).sin(), 0.0)).collect();
+        assert!(kept_points(&circle, 16).len() >= 10);
+    }
+
+    #[test]
+    fn boundary_edges_that_stay_whole_leave_a_manifold_with_everything_else_halved() {
+        let film = patch(3, 4, |u, v| DVec3::new(u, v, u * v));
+        for pattern in [0u32, 1, 2, 5] {
+            let splits = |a: u32, b: u32| pattern.wrapping_mul(a + b) % 3 == 1;
+            let (topology, midpoints) = subdivided_inside(&film.topology, &film.vertices, splits);
+            assert_eq!(topology.euler_characteristic(), 1);
+            let rim = film.boundaries[0].len();
+            let whole = (0..rim).filter(|&k| !splits(film.boundaries[0][k], film.boundaries[0][(k + 1) % rim])).count();
+            assert_eq!(midpoints.len(), film.topology.edge_count() - whole);
+            assert_eq!(topology.triangles().len(), 4 * film.triangles().len() - whole);
+            let boundary = &topology.boundary_loops()[0];
+            assert_eq!(boundary.len(), 2 * rim - whole);
+        }
+    }
 }

@@ -13,7 +13,7 @@ use super::newton::{Aim, Direct, Outcome, Settings, State, iterate, keeps_orient
 use super::pinkall_polthier::{Dirichlet, too_large};
 use super::record::{Record, geometric_part};
 use super::remesh::{flip_to_delaunay, tangential_relaxation};
-use super::stability::{self, SecondVariation};
+use super::stability::{self, SecondVariation, Unknown};
 use super::statistics::{Stability, StabilityMethod, StopReason};
 use super::{OnUnstable, Options, Solver};
 use crate::linear::{Factorisation, LinearError};
@@ -218,8 +218,11 @@ impl<'a> Solve<'a> {
         self.exec.look(film.triangles().len() as u64)?;
         let state = State::of(pattern, &film.vertices, film.triangles(), self.radius);
         let Direct { symbolic, matrix, .. } = direct;
-        let Ok(Some(variation)) = stability::analyse(film, pattern, symbolic, matrix, &state, self.radius) else {
-            return Ok(None);
+        let analysed = stability::analyse(film, pattern, symbolic, matrix, &state, self.radius, self.exec);
+        let variation = match analysed {
+            Ok(Some(variation)) => variation,
+            Ok(None) | Err(Unknown::Refused(_)) => return Ok(None),
+            Err(Unknown::Interrupted(interruption)) => return Err(interruption.into()),
         };
         let stability = Stability {
             stable: variation.morse_index == 0,

@@ -178,3 +178,78 @@ pub(super) fn parents_of(coarse_unknown: &[u32], fine_vertices: &[u32], midpoint
     debug_assert!(coarse_unknown.iter().all(|&row| row == FIXED || (row as usize) < old));
     parents.collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::cotangent::{Pattern, vertex_normals};
+    use super::super::film::Film;
+    use super::super::remesh::subdivide;
+    use super::super::structured::{catenoid, patch};
+    use super::*;
+    use crate::Signal;
+    use std::cell::Cell;
+
+    fn second_variation(film: &Film, pattern: &Pattern) -> SymmetricMatrix {
+        let normals = vertex_normals(&film.vertices, film.triangles());
+        let mut matrix = pattern.matrix();
+        pattern.second_variation(&film.vertices, film.triangles(), &normals, 0.0, &mut matrix);
+        matrix
+    }
+
+    #[test]
+    fn the_number_of_iterations_does_not_grow_with_the_levels_and_the_solution_is_the_factors() {
+        let mut film = patch(12, 12, catenoid(3.0, 1.0));
+        let mut pattern = Pattern::new(film.triangles(), &film.fixed);
+        let matrix = second_variation(&film, &pattern);
+        let symbolic = Symbolic::analyse(&matrix, None).unwrap();
+        let factor = symbolic.factorise(&matrix).unwrap().into_storage();
+        let mut hierarchy = Hierarchy::new(symbolic, factor);
+        let mut counts = Vec::new();
+        for _ in 0..4 {
+            let (fine, midpoints) = subdivide(&film);
+            let finer = Pattern::new(fine.triangles(), &fine.fixed);
+            let parents = parents_of(&pattern.unknown, &finer.vertex, &midpoints);
+            (film, pattern) = (fine, finer);
+            let matrix = second_variation(&film, &pattern);
+            let right: Vec<f64> = (0..matrix.order()).map(|row| (row as f64).sin()).collect();
+            let looks = Cell::new(0);
+            let signal = || {
+                looks.set(looks.get() + 1);
+                Signal::Continue
+            };
+            let exec = Execution::new(&signal, &|_| {});
+            let small = |residual: &[f64]| residual.iter().all(|r| r.abs() < 1e-9);
+            let x = hierarchy.solve(&matrix, &parents, &right, small, &exec).unwrap();
+            counts.push(looks.get());
+            let mut exact = right.clone();
+            let symbolic = Symbolic::analyse(&matrix, None).unwrap();
+            symbolic.factorise(&matrix).unwrap().solve(&mut exact).unwrap();
+            let largest = exact.iter().fold(0.0, |max: f64, value| max.max(value.abs()));
+            assert!(x.iter().zip(&exact).all(|(a, b)| (a - b).abs() < 1e-7 * largest));
+            hierarchy.push(matrix, parents);
+        }
+        assert!(counts.iter().all(|&count| count <= 20), "{counts:?}");
+    }
+
+    #[test]
+    fn an_indefinite_matrix_is_noticed() {
+        let film = patch(8, 8, catenoid(6.0, 1.0));
+        let pattern = Pattern::new(film.triangles(), &film.fixed);
+        let matrix = second_variation(&film, &pattern);
+        let symbolic = Symbolic::analyse(&matrix, None).unwrap();
+        let factor = symbolic.factorise(&matrix).unwrap().into_storage();
+        let hierarchy = Hierarchy::new(symbolic, factor);
+        let (fine, midpoints) = subdivide(&film);
+        let finer = Pattern::new(fine.triangles(), &fine.fixed);
+        let parents = parents_of(&pattern.unknown, &finer.vertex, &midpoints);
+        let mut matrix = second_variation(&fine, &finer);
+        for row in 0..matrix.order() {
+            let diagonal = matrix.row_start[row] as usize;
+            matrix.values[diagonal] -= 3.0;
+        }
+        let right = vec![1.0; matrix.order()];
+        let solved =
+            hierarchy.solve(&matrix, &parents, &right, |r| r.iter().all(|r| r.abs() < 1e-9), &Execution::default());
+        assert!(matches!(solved, Err(Failure::Indefinite | Failure::Slow)));
+    }
+}

@@ -14,6 +14,7 @@ use super::cotangent::Pattern;
 use super::film::Film;
 use super::newton::State;
 use crate::linear::{LinearError, Symbolic, SymmetricMatrix};
+use crate::{Execution, Interruption};
 
 /// Iterations end when the eigenvalue moves by less than this fraction of itself (or of 1/1000 of 1/R²).
 const EIGENVALUE_TOLERANCE: f64 = 1e-9;
@@ -35,10 +36,30 @@ pub(super) struct SecondVariation {
     pub lowest: Mode,
 }
 
+/// Why the stability is not known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Unknown {
+    /// No factorisation is possible: a degenerate mesh.
+    Refused(LinearError),
+    Interrupted(Interruption),
+}
+
+impl From<LinearError> for Unknown {
+    fn from(error: LinearError) -> Self {
+        Self::Refused(error)
+    }
+}
+
+impl From<Interruption> for Unknown {
+    fn from(interruption: Interruption) -> Self {
+        Self::Interrupted(interruption)
+    }
+}
+
 /// Morse index by inertia and lowest mode, at the film's position. `None` for a film without free vertices.
 ///
 /// # Errors
-/// A [`LinearError`] if no factorisation is possible (a degenerate mesh).
+/// See [`Unknown`].
 pub(super) fn analyse(
     film: &Film,
     pattern: &Pattern,
@@ -46,7 +67,8 @@ pub(super) fn analyse(
     matrix: &mut SymmetricMatrix,
     state: &State,
     radius: f64,
-) -> Result<Option<SecondVariation>, LinearError> {
+    exec: &Execution,
+) -> Result<Option<SecondVariation>, Unknown> {
     if pattern.vertex.is_empty() {
         return Ok(None);
     }
@@ -64,7 +86,7 @@ pub(super) fn analyse(
     let factorisation = factorised?;
     let morse_index = factorisation.inertia().negative;
     if morse_index == 0 {
-        let lowest = lowest_mode(matrix, mass, unit, start, |residual| factorisation.solve_unchecked(residual));
+        let lowest = lowest_mode(matrix, mass, unit, start, |residual| factorisation.solve_unchecked(residual), exec)?;
         return Ok(Some(SecondVariation { morse_index, lowest }));
     }
     drop(factorisation);
@@ -73,14 +95,15 @@ pub(super) fn analyse(
         let raised = shifted(matrix, mass, shift);
         match symbolic.factorise(&raised) {
             Ok(factorisation) if factorisation.inertia().is_positive_definite() => {
-                let lowest = lowest_mode(matrix, mass, unit, start, |residual| factorisation.solve_unchecked(residual));
+                let lowest =
+                    lowest_mode(matrix, mass, unit, start, |residual| factorisation.solve_unchecked(residual), exec)?;
                 return Ok(Some(SecondVariation { morse_index, lowest }));
             }
             Ok(_) | Err(LinearError::Singular) => shift *= 4.0,
-            Err(error) => return Err(error),
+            Err(error) => return Err(error.into()),
         }
     }
-    Err(LinearError::Singular)
+    Err(LinearError::Singular.into())
 }
 
 /// K + shift M.
@@ -94,13 +117,17 @@ fn shifted(matrix: &SymmetricMatrix, mass: &[f64], shift: f64) -> SymmetricMatri
 
 /// The lowest eigenvalue of K x = λ M x from a start vector; `precondition` applies an approximate positive definite inverse of K in place.
 /// `unit` is the eigenvalue scale 1/R².
+///
+/// # Errors
+/// The interruption.
 pub(super) fn lowest_mode(
     matrix: &SymmetricMatrix,
     mass: &[f64],
     unit: f64,
     start: Vec<f64>,
     precondition: impl Fn(&mut [f64]),
-) -> Mode {
+    exec: &Execution,
+) -> Result<Mode, Interruption> {
     let inner = |a: &[f64], b: &[f64]| a.iter().zip(b).zip(mass).map(|((a, b), m)| a * b * m).sum::<f64>();
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let n = mass.len();
@@ -111,6 +138,7 @@ pub(super) fn lowest_mode(
     let mut eigenvalue = dot(&x.value, &x.product);
     let mut last: Option<Vector> = None;
     for _ in 0..MAX_ITERATIONS {
+        exec.look(n as u64)?;
         let mut residual: Vec<f64> =
             x.product.iter().zip(&x.value).zip(mass).map(|((kx, x), m)| kx - eigenvalue * m * x).collect();
         precondition(&mut residual);
@@ -149,7 +177,7 @@ pub(super) fn lowest_mode(
             break;
         }
     }
-    Mode { eigenvalue, heights: x.value }
+    Ok(Mode { eigenvalue, heights: x.value })
 }
 
 /// A vector and its product by K, which take part in the same linear combinations.
@@ -213,7 +241,7 @@ mod tests {
     use super::super::newton::{Aim, Direct, Outcome, Settings, iterate};
     use super::super::structured::{catenoid, patch};
     use super::*;
-    use crate::{DVec3, Execution};
+    use crate::DVec3;
     use std::f64::consts::PI;
 
     fn converged(mut film: Film, aim: Aim) -> SecondVariation {
@@ -223,7 +251,9 @@ mod tests {
         let (outcome, state) =
             iterate(&mut film, &pattern, &mut direct, &settings, &Execution::default(), &mut |_, _| {});
         assert_eq!(outcome, Outcome::Converged);
-        analyse(&film, &pattern, &direct.symbolic, &mut direct.matrix, &state, settings.radius).unwrap().unwrap()
+        analyse(&film, &pattern, &direct.symbolic, &mut direct.matrix, &state, settings.radius, &Execution::default())
+            .unwrap()
+            .unwrap()
     }
 
     #[test]
