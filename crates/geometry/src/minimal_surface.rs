@@ -211,6 +211,48 @@ pub enum InitialMesh {
     /// Liu, Wang: points at barycentres inside one boundary, chosen by [`Options::seed`], in a Delaunay triangulation.
     /// What [`InitialMesh::Auto`] is for one boundary under [`Objective::MinimalMeanCurvature`].
     Barycentres,
+    /// The caller's own: an oriented manifold whose boundary loops are the boundaries, exactly, with or without further
+    /// vertices on their segments. The resolution then means nothing.
+    Given(Mesh),
+}
+
+/// Points and curves inside the surface that stay where they are: mesh vertices and edges at exactly these places.
+///
+/// A point that equals a boundary's point, or another of these, is one vertex with it. Curves may share points, but not cross.
+/// With [`BoundarySampling::Refine`] points are added on long segments.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Constraints {
+    pub points: Vec<DVec3>,
+    pub polylines: Vec<Vec<DVec3>>,
+}
+
+impl Constraints {
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.points.is_empty() && self.polylines.is_empty()
+    }
+
+    fn check(&self, errors: &mut Vec<InputError>) {
+        let place = || Place::field("constraints");
+        let usable = |point: DVec3| point.is_finite() && point.abs().max_element() <= LARGEST_COORDINATE;
+        let detail = "every coordinate must be a finite number of magnitude at most 1e70";
+        for (k, &point) in self.points.iter().enumerate() {
+            if !usable(point) {
+                errors.push(InputError::new(place().then("points").at(k), detail));
+            }
+        }
+        for (k, polyline) in self.polylines.iter().enumerate() {
+            let place = || place().then("polylines").at(k);
+            for (i, &point) in polyline.iter().enumerate() {
+                if !usable(point) {
+                    errors.push(InputError::new(place().at(i), detail));
+                }
+            }
+            if polyline.iter().all(|point| *point == polyline[0]) {
+                errors.push(InputError::new(place(), "needs at least two distinct points"));
+            }
+        }
+    }
 }
 
 /// What to do with a stationary surface that is no local minimum.
@@ -234,6 +276,7 @@ pub struct Options {
     pub resolution: Resolution,
     pub boundary_sampling: BoundarySampling,
     pub initial_mesh: InitialMesh,
+    pub constraints: Constraints,
     /// The residual (dimensionless, see [`Statistics::residual`]) at which a surface counts as converged.
     pub tolerance: f64,
     /// Relative change of area per iteration at which [`Solver::VertexRelaxation`] ends its area minimising (ε₂);
@@ -269,6 +312,7 @@ impl Options {
             resolution,
             boundary_sampling: BoundarySampling::default(),
             initial_mesh: InitialMesh::default(),
+            constraints: Constraints::default(),
             tolerance: 1e-6,
             area_tolerance: 1e-6,
             fairing_tolerance: None,
@@ -281,6 +325,17 @@ impl Options {
             seed: 1,
             boundary_curvature: true,
         }
+    }
+
+    /// The same with all positions relative to a centre.
+    fn centred(&self, centre: DVec3) -> Self {
+        let mut options = self.clone();
+        if let InitialMesh::Given(mesh) = &mut options.initial_mesh {
+            mesh.vertices.iter_mut().for_each(|vertex| *vertex -= centre);
+        }
+        let Constraints { points, polylines } = &mut options.constraints;
+        points.iter_mut().chain(polylines.iter_mut().flatten()).for_each(|point| *point -= centre);
+        options
     }
 
     fn check(&self) -> Vec<InputError> {
@@ -324,6 +379,11 @@ impl Options {
             errors
                 .push(InputError::new(Place::field("degenerate_angle_deg"), "must be above 0 and at most 20 degrees"));
         }
+        self.constraints.check(&mut errors);
+        if !self.constraints.is_empty() && self.topology != Topology::Fixed {
+            let detail = "a film with fixed points or curves keeps its topology";
+            errors.push(InputError::new(Place::field("topology"), detail));
+        }
         let counted = match self.resolution {
             Resolution::Triangles(count) => Some(("triangles", count)),
             Resolution::InteriorVertices(count) => Some(("interior_vertices", count)),
@@ -345,6 +405,13 @@ impl Options {
     }
 }
 
+/// The mesh vertices of [`Constraints`], in their order; points added on curves are not listed.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ConstraintVertices {
+    pub points: Vec<u32>,
+    pub polylines: Vec<Vec<u32>>,
+}
+
 /// A mesh that spans the boundaries, and what is known about it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MinimalSurface {
@@ -355,6 +422,8 @@ pub struct MinimalSurface {
     pub boundaries: Vec<Vec<u32>>,
     /// For each input point its vertex.
     pub input_vertices: Vec<Vec<u32>>,
+    /// For each fixed point, and each fixed curve's point, its vertex.
+    pub constraints: ConstraintVertices,
     /// Per vertex |area gradient| / (2/3 of the ring's area), in 1/unit; 0 where the vertex is fixed.
     pub mean_curvature: Vec<f64>,
     /// For an unstable surface the direction in which to leave it: per vertex the lowest mode of its second variation, along the
@@ -379,6 +448,8 @@ pub struct MinimalSurface {
 pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<MinimalSurface, Error> {
     let input = Input::read(boundaries, options)?;
     exec.look(input.point_count() as u64)?;
+    let given = options;
+    let options = &options.centred(input.centre);
     let newton = matches!(options.solver, Solver::Auto | Solver::Newton) && options.objective == Objective::MinimalArea;
     let solved = match options.topology {
         Topology::Best => Some(spanning_topology::solve(&input.centred, options, exec)?),
@@ -395,7 +466,7 @@ pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> 
             (film, kind, initial_area, run)
         }
     };
-    finish(input, film, kind, initial_area, run, options)
+    finish(input, film, kind, initial_area, run, given)
 }
 
 /// Runs the solver that is asked for from an initial mesh of the full size.
@@ -504,6 +575,35 @@ impl Input {
     }
 }
 
+/// The fixed vertices by the bits of their (centred) coordinates.
+fn fixed_places(film: &Film) -> Vec<([u64; 3], u32)> {
+    let mut places: Vec<([u64; 3], u32)> = (0..film.vertices.len() as u32)
+        .filter(|&v| film.fixed[v as usize])
+        .map(|v| (initial_mesh::bits(film.vertices[v as usize]), v))
+        .collect();
+    places.sort_unstable();
+    places
+}
+
+/// Gives the constraints' vertices exactly the given coordinates, and says which they are.
+fn restore(mesh: &mut Mesh, fixed: &[([u64; 3], u32)], constraints: &Constraints, centre: DVec3) -> ConstraintVertices {
+    let mut vertex = |&point: &DVec3| {
+        let key = initial_mesh::bits(point - centre);
+        let found = fixed.get(fixed.partition_point(|&(bits, _)| bits < key)).filter(|&&(bits, _)| bits == key);
+        let &(_, vertex) = found?;
+        mesh.vertices[vertex as usize] = point;
+        Some(vertex)
+    };
+    ConstraintVertices {
+        points: constraints.points.iter().filter_map(&mut vertex).collect(),
+        polylines: constraints
+            .polylines
+            .iter()
+            .map(|polyline| polyline.iter().filter_map(&mut vertex).collect())
+            .collect(),
+    }
+}
+
 /// Puts the mesh back where the caller's is, in the promised vertex order, and measures it.
 fn finish(
     input: Input,
@@ -558,6 +658,7 @@ fn finish(
         warnings.push(Warning::new("unstable", detail));
     }
     let boundaries = film.boundaries.clone();
+    let fixed = fixed_places(&film);
     let mut mesh = film.into_mesh();
     for vertex in &mut mesh.vertices {
         *vertex += input.centre;
@@ -565,10 +666,12 @@ fn finish(
     for (vertex, &point) in mesh.vertices.iter_mut().zip(input.given.iter().flatten()) {
         *vertex = point;
     }
+    let constraints = restore(&mut mesh, &fixed, &options.constraints, input.centre);
     Ok(MinimalSurface {
         mesh,
         boundaries,
         input_vertices: input.vertices,
+        constraints,
         mean_curvature: measured.mean_curvature,
         way_down,
         statistics,

@@ -234,7 +234,8 @@ struct Plan {
 impl Plan {
     /// The plans that suit a request, the one with the coarsest mesh first.
     fn from_coarse(boundaries: &[Vec<DVec3>], options: &Options) -> impl Iterator<Item = Self> {
-        let suits = matches!(options.initial_mesh, InitialMesh::Auto | InitialMesh::Planar | InitialMesh::Disk);
+        let suits = matches!(options.initial_mesh, InitialMesh::Auto | InitialMesh::Planar | InitialMesh::Disk)
+            && options.constraints.is_empty();
         let target = super::estimate_triangles(boundaries, options);
         let most = if suits { (target / LEAST_COARSE_TRIANGLES).log(4.0).floor().clamp(0.0, 12.0) as u32 } else { 0 };
         (1..=most).rev().filter_map(move |levels| {

@@ -2,7 +2,9 @@
 //! boundary, which of them comes out.
 
 mod domain;
+mod given;
 mod lattice;
+mod pins;
 mod plane_mesh;
 mod rings;
 mod sampling;
@@ -10,13 +12,15 @@ mod spanning;
 mod strip;
 
 use super::film::Film;
-use super::{InitialMesh, Objective, Options, Resolution, estimate_triangles, mean_curvature_lm};
+use super::{BoundarySampling, InitialMesh, Objective, Options, Resolution, estimate_triangles, mean_curvature_lm};
 use crate::error::InputError;
 use crate::{DVec3, Error, Execution, Place};
 use domain::{Frame, Shape};
+use pins::Pins;
 use plane_mesh::PlaneError;
 use spanning::Spanning;
 
+pub(super) use pins::bits;
 pub(super) use spanning::Start;
 
 /// Which initial mesh was built.
@@ -34,6 +38,8 @@ pub enum InitialMeshKind {
     Rings,
     /// Liu, Wang's seeded choice of barycentres.
     Barycentres,
+    /// The caller's own mesh.
+    Given,
 }
 
 impl InitialMeshKind {
@@ -46,6 +52,7 @@ impl InitialMeshKind {
             Self::SphereWithHoles => "sphere_with_holes",
             Self::Rings => "rings",
             Self::Barycentres => "barycentres",
+            Self::Given => "given",
         }
     }
 }
@@ -62,16 +69,27 @@ pub(super) fn build(
     options: &Options,
     exec: &Execution,
 ) -> Result<(Start, InitialMeshKind), Error> {
+    let constraints = &options.constraints;
+    if let InitialMesh::Given(mesh) = &options.initial_mesh {
+        let pins = Pins::new(constraints, boundaries, f64::INFINITY, BoundarySampling::Keep);
+        let film = given::build(mesh, boundaries, &pins)?;
+        return Ok((Start { film, subdivisions: 0 }, InitialMeshKind::Given));
+    }
+    if !constraints.is_empty() && matches!(options.initial_mesh, InitialMesh::Rings | InitialMesh::Barycentres) {
+        let detail = "rings and barycentres take no constraints; auto, planar and disk do";
+        return Err(Error::input(Place::field("constraints"), detail));
+    }
     let whole = |film| Start { film, subdivisions: 0 };
     let least_squares = options.objective == Objective::MinimalMeanCurvature && boundaries.len() == 1;
-    if options.initial_mesh == InitialMesh::Barycentres || (options.initial_mesh == InitialMesh::Auto && least_squares)
+    if options.initial_mesh == InitialMesh::Barycentres
+        || (options.initial_mesh == InitialMesh::Auto && least_squares && constraints.is_empty())
     {
         return Ok((whole(barycentres(boundaries, options, exec)?), InitialMeshKind::Barycentres));
     }
     let Some(frame) = Frame::best(boundaries) else {
         return Err(Error::input(Place::field("boundaries"), "all points lie on one line"));
     };
-    let attempt = |shape| Spanning { boundaries, shape, options, exec }.build();
+    let attempt = |shape| Spanning { boundaries, shape, constraints, options, exec }.build();
     let curved = || {
         let kind = match boundaries.len() {
             1 => InitialMeshKind::Disk,
@@ -81,14 +99,14 @@ pub(super) fn build(
         let start = attempt(Shape::disc(boundaries))?.map_err(|error| refusal(boundaries, error, false))?;
         Ok((start, kind))
     };
-    match options.initial_mesh {
+    match &options.initial_mesh {
         InitialMesh::Rings => Ok((whole(rings::build(boundaries, options, exec)?), InitialMeshKind::Rings)),
         InitialMesh::Planar => {
             let start = attempt(Shape::Plane(frame))?.map_err(|error| refusal(boundaries, error, true))?;
             Ok((start, InitialMeshKind::Planar))
         }
         InitialMesh::Disk => curved(),
-        InitialMesh::Auto | InitialMesh::Barycentres => {
+        InitialMesh::Auto | InitialMesh::Barycentres | InitialMesh::Given(_) => {
             let flat = frame.largest_height(boundaries) <= FLAT * extent(boundaries);
             if flat || is_gentle(boundaries, &frame) {
                 match attempt(Shape::Plane(frame))? {
@@ -146,6 +164,10 @@ fn refusal(boundaries: &[Vec<DVec3>], error: PlaneError, plane: bool) -> Error {
         PlaneError::Interrupted(interruption) => interruption.into(),
         PlaneError::TooManyPoints => {
             Error::input(Place::field("resolution"), "so fine a mesh has more triangles than can be numbered")
+        }
+        PlaneError::PointOutside(_) => {
+            let detail = "a fixed point or curve does not lie inside the boundaries, seen in their plane";
+            Error::input(Place::field("constraints"), detail)
         }
         PlaneError::TooCoarse { triangles } => {
             let detail =

@@ -66,9 +66,13 @@ impl Frame {
         self.origin + p.x * self.x + p.y * self.y
     }
 
-    /// Largest distance of a point from the plane.
+    /// Distance of a point from the plane.
+    pub fn height(&self, point: DVec3) -> f64 {
+        (point - self.origin).dot(self.normal).abs()
+    }
+
     pub fn largest_height(&self, boundaries: &[Vec<DVec3>]) -> f64 {
-        boundaries.iter().flatten().map(|&p| (p - self.origin).dot(self.normal).abs()).fold(0.0, f64::max)
+        boundaries.iter().flatten().map(|&p| self.height(p)).fold(0.0, f64::max)
     }
 }
 

@@ -32,6 +32,8 @@ pub(super) enum PlaneError {
     /// The boundary (or a fixed edge) crosses or touches itself; the first such edge, by its two vertices.
     NotSimple([u32; 2]),
     TooManyPoints,
+    /// A fixed point (by its number among them) does not lie inside the boundaries.
+    PointOutside(u32),
     /// The boundary's own points already make so many triangles, which is more than were asked for.
     TooCoarse {
         triangles: usize,
@@ -83,6 +85,12 @@ impl Domain {
         exec: &Execution,
     ) -> Result<PlaneMesh, PlaneError> {
         let mut points = self.fixed_points();
+        let mut order: Vec<usize> = (0..self.points.len()).collect();
+        order.sort_by(|&a, &b| self.points[a].y.total_cmp(&self.points[b].y));
+        let sorted: Vec<DVec2> = order.iter().map(|&k| self.points[k]).collect();
+        if let Some(outside) = inside(&self.loops, &sorted).iter().position(|inside| !inside) {
+            return Err(PlaneError::PointOutside(order[outside] as u32));
+        }
         let edges = self.edges();
         let source = |&[a, b]: &[u32; 2]| {
             let (a, b) = (points[a as usize], points[b as usize]);

@@ -13,8 +13,9 @@ use super::super::film::Film;
 use super::super::pinkall_polthier::Dirichlet;
 use super::super::remesh::{flip_to_delaunay, subdivide, tangential_relaxation};
 use super::super::resample::resample;
-use super::super::{BoundarySampling, LARGEST_COUNT, Options, Resolution};
+use super::super::{BoundarySampling, Constraints, LARGEST_COUNT, Options, Resolution};
 use super::domain::Shape;
+use super::pins::{Pin, Pins};
 use super::plane_mesh::{Domain, PlaneError, PlaneMesh};
 use super::sampling::{Sampled, numbers, sample};
 use crate::linear::{LinearError, Symbolic};
@@ -110,6 +111,33 @@ impl Goal {
     }
 }
 
+/// Why there is no film: the domain has no mesh, or something that the caller of [`Spanning::build`] passes on.
+enum Failure {
+    Plane(PlaneError),
+    Other(Error),
+}
+
+impl From<PlaneError> for Failure {
+    fn from(error: PlaneError) -> Self {
+        Self::Plane(error)
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Self::Other(error)
+    }
+}
+
+static NO_CONSTRAINTS: Constraints = Constraints { points: Vec::new(), polylines: Vec::new() };
+
+/// The constraints, and where their vertices stand in the plane.
+#[derive(Clone, Debug, Default)]
+struct Pinned {
+    pins: Pins,
+    places: Vec<DVec2>,
+}
+
 /// One attempt: boundaries as sampled, and the plane mesh between them.
 struct Trial {
     boundaries: Vec<Sampled>,
@@ -140,6 +168,7 @@ impl Trial {
 pub(super) struct Spanning<'a> {
     pub boundaries: &'a [Vec<DVec3>],
     pub shape: Shape,
+    pub constraints: &'a Constraints,
     pub options: &'a Options,
     pub exec: &'a Execution<'a>,
 }
@@ -147,18 +176,90 @@ pub(super) struct Spanning<'a> {
 impl Spanning<'_> {
     /// The film, or why the domain has no mesh.
     pub fn build(&self) -> Result<Result<Start, PlaneError>, Error> {
-        match self.fit() {
-            Ok((trial, subdivisions)) => {
-                let mut film = self.carry(&trial)?;
-                if self.resolution() != self.options.resolution {
-                    let count = self.goal().triangles(&film);
-                    resample(&mut film, count, FINE_PASSES, self.exec)?;
-                }
-                Ok(Ok(Start { film, subdivisions }))
-            }
-            Err(PlaneError::Interrupted(interruption)) => Err(interruption.into()),
-            Err(error) => Ok(Err(error)),
+        match self.try_build() {
+            Ok(start) => Ok(Ok(start)),
+            Err(Failure::Plane(PlaneError::Interrupted(interruption))) => Err(interruption.into()),
+            Err(Failure::Plane(error)) => Ok(Err(error)),
+            Err(Failure::Other(error)) => Err(error),
         }
+    }
+
+    fn try_build(&self) -> Result<Start, Failure> {
+        if let Some(resolution) = self.resolution_in_space()? {
+            let options = Options { resolution, ..self.options.clone() };
+            return Spanning { options: &options, shape: self.shape.clone(), ..*self }.try_build();
+        }
+        let pinned = self.pinned()?;
+        let (trial, subdivisions) = self.fit(&pinned)?;
+        let (mut film, _) = self.carry(&trial, &pinned)?;
+        if !self.is_plane() {
+            self.even_out(&mut film)?;
+        }
+        if self.resolution() != self.options.resolution {
+            let count = self.goal().triangles(&film);
+            resample(&mut film, count, FINE_PASSES, self.exec).map_err(Error::from)?;
+        }
+        Ok(Start { film, subdivisions })
+    }
+
+    /// For a mapped mesh the number of triangles that an edge length stands for: its area is known in space only.
+    fn resolution_in_space(&self) -> Result<Option<Resolution>, Failure> {
+        let (Shape::Disc { .. }, Resolution::EdgeLength(_)) = (&self.shape, self.options.resolution) else {
+            return Ok(None);
+        };
+        let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
+        let resolution = Resolution::Triangles(FINEST_MAPPED.max(8 * boundary));
+        let coarse = Options { resolution, boundary_sampling: BoundarySampling::Keep, ..self.options.clone() };
+        let film = self.unpinned(&coarse).try_build()?.film;
+        let count = Goal { resolution: self.options.resolution, euler: 0 }.triangles(&film);
+        if count > LARGEST_COUNT as f64 {
+            return Err(PlaneError::TooManyPoints.into());
+        }
+        Ok(Some(Resolution::Triangles((count.round() as usize).max(boundary))))
+    }
+
+    /// The same without constraints.
+    fn unpinned<'b>(&'b self, options: &'b Options) -> Spanning<'b> {
+        Spanning { options, shape: self.shape.clone(), constraints: &NO_CONSTRAINTS, ..*self }
+    }
+
+    /// The constraints as vertices and edges, with their places in the plane.
+    fn pinned(&self) -> Result<Pinned, Failure> {
+        if self.constraints.is_empty() {
+            return Ok(Pinned::default());
+        }
+        let mapped = match &self.shape {
+            Shape::Plane(_) => None,
+            Shape::Disc { .. } => {
+                let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
+                let resolution = Resolution::Triangles(FINEST_MAPPED.max(8 * boundary));
+                let coarse = Options { resolution, boundary_sampling: BoundarySampling::Keep, ..self.options.clone() };
+                let spanning = self.unpinned(&coarse);
+                let (trial, _) = spanning.fit(&Pinned::default())?;
+                let (mut film, flat) = spanning.carry(&trial, &Pinned::default())?;
+                // A few solves on the same connectivity bring it near the film that the points are meant for.
+                if let Ok(mut dirichlet) = Dirichlet::new(&film) {
+                    let _ = (0..3).try_for_each(|_| dirichlet.step(&mut film));
+                }
+                Some((film, flat))
+            }
+        };
+        let wanted = match self.options.resolution {
+            Resolution::Triangles(count) => count as f64,
+            Resolution::InteriorVertices(count) => 2.0 * count as f64,
+            Resolution::EdgeLength(_) => f64::INFINITY,
+        };
+        let size = match self.options.resolution {
+            Resolution::EdgeLength(length) => length,
+            _ => 2.0 * self.radius() / wanted.clamp(16.0, 4.0 * COARSE_TRIANGLES).sqrt(),
+        };
+        let pins = Pins::new(self.constraints, self.boundaries, size, self.options.boundary_sampling);
+        let places = pins.in_plane(&self.shape, mapped.as_ref());
+        Ok(Pinned { pins, places })
+    }
+
+    fn radius(&self) -> f64 {
+        self.boundaries.iter().flatten().map(|p| p.length()).fold(0.0, f64::max)
     }
 
     fn goal(&self) -> Goal {
@@ -184,11 +285,11 @@ impl Spanning<'_> {
     }
 
     /// Meshes at the size and with the number of subdivisions that come nearest to the resolution.
-    fn fit(&self) -> Result<(Trial, u32), PlaneError> {
+    fn fit(&self, pinned: &Pinned) -> Result<(Trial, u32), PlaneError> {
         let goal = Goal { resolution: self.resolution(), ..self.goal() };
         // With the largest size only the boundary's own spacing counts: nothing is coarser, but by grading faster.
         let mut grading = GRADING;
-        let mut coarsest = self.trial(self.largest_size(), grading)?;
+        let mut coarsest = self.trial(self.largest_size(), grading, pinned)?;
         // The area in the plane is the only one known yet; in space it is about that over the scale's square.
         let area = coarsest.plane.area() / (coarsest.scale * coarsest.scale);
         let triangle = 0.75f64.sqrt() / 2.0;
@@ -209,7 +310,7 @@ impl Spanning<'_> {
         }
         while goal.shortfall(&coarsest, subdivisions) < 1.0 && grading < STEEPEST_GRADING {
             grading *= 1.5;
-            coarsest = self.trial(self.largest_size(), grading)?;
+            coarsest = self.trial(self.largest_size(), grading, pinned)?;
         }
         let shortfall = goal.shortfall(&coarsest, subdivisions);
         if shortfall < 1.0 - TOLERATED && !matches!(goal.resolution, Resolution::EdgeLength(_)) {
@@ -219,16 +320,23 @@ impl Spanning<'_> {
             return Ok((coarsest, subdivisions));
         }
         let first = (area / (triangle * wanted)).sqrt() * 2f64.powi(subdivisions as i32);
-        Ok((self.tune(&goal, first, grading, subdivisions)?, subdivisions))
+        Ok((self.tune(&goal, first, grading, subdivisions, pinned)?, subdivisions))
     }
 
     /// Adjusts the size until the resolution is met, and adds vertices if it is only nearly.
-    fn tune(&self, goal: &Goal, first: f64, grading: f64, subdivisions: u32) -> Result<Trial, PlaneError> {
+    fn tune(
+        &self,
+        goal: &Goal,
+        first: f64,
+        grading: f64,
+        subdivisions: u32,
+        pinned: &Pinned,
+    ) -> Result<Trial, PlaneError> {
         let (mut low, mut high) = (0.0f64, self.largest_size());
         let mut size = first.min(0.9 * high);
         let mut best: Option<(Trial, f64)> = None;
         for _ in 0..TRIALS {
-            let trial = self.trial(size, grading)?;
+            let trial = self.trial(size, grading, pinned)?;
             let shortfall = goal.shortfall(&trial, subdivisions);
             // Too few triangles are better than too many by as much: vertices can be added.
             let distance = |shortfall: f64| if shortfall < 1.0 { 2.0 / shortfall - 2.0 } else { shortfall - 1.0 };
@@ -258,11 +366,27 @@ impl Spanning<'_> {
         self.boundaries.iter().map(|points| polyline::length(points, true)).sum()
     }
 
-    fn trial(&self, size: f64, grading: f64) -> Result<Trial, PlaneError> {
+    fn trial(&self, size: f64, grading: f64, pinned: &Pinned) -> Result<Trial, PlaneError> {
         let sampling = self.options.boundary_sampling;
         let boundaries: Vec<Sampled> =
             self.boundaries.iter().map(|points| sample(points, size, GRADING, sampling)).collect();
-        let domain = Domain { loops: self.shape.embed(&boundaries), ..Domain::default() };
+        let own: Vec<u32> = boundaries
+            .iter()
+            .flat_map(|boundary| &boundary.own)
+            .enumerate()
+            .filter(|(_, own)| **own)
+            .map(|(k, _)| k as u32)
+            .collect();
+        let first = boundaries.iter().map(|boundary| boundary.points.len() as u32).sum::<u32>();
+        let vertex = |pin: Pin| match pin {
+            Pin::Boundary(k) => own[k as usize],
+            Pin::Inner(k) => first + k,
+        };
+        let domain = Domain {
+            loops: self.shape.embed(&boundaries),
+            points: pinned.places.clone(),
+            segments: pinned.pins.edges.iter().map(|edge| edge.map(vertex)).collect(),
+        };
         let scale = self.shape.scale(self.boundaries);
         // The lattice's spacing follows the size without jumps where the scale is the same everywhere.
         let largest = domain.loops.iter().flatten().map(|&p| scale(p)).fold(0.0, f64::max);
@@ -271,8 +395,9 @@ impl Spanning<'_> {
         Ok(Trial { boundaries, domain, plane, scale: mean_scale })
     }
 
-    /// Puts a plane mesh into space and in order: the polygons' own points, then the added ones, then the interior.
-    fn carry(&self, trial: &Trial) -> Result<Film, Error> {
+    /// Puts a plane mesh into space and in order: the polygons' own points, then the added ones, then the fixed ones
+    /// inside, then the rest. Also gives the places in the plane in that order.
+    fn carry(&self, trial: &Trial, pinned: &Pinned) -> Result<(Film, Vec<DVec2>), Error> {
         let PlaneMesh { points, topology } = &trial.plane;
         let boundary: usize = trial.boundary_points();
         let mut place = numbers(&trial.boundaries);
@@ -282,6 +407,7 @@ impl Spanning<'_> {
         let mut vertices = vec![DVec3::ZERO; points.len()];
         let in_space = trial.boundaries.iter().flat_map(|boundary| &boundary.points);
         in_space.zip(&place).for_each(|(&p, &v)| vertices[v as usize] = p);
+        vertices[boundary..boundary + pinned.pins.points.len()].copy_from_slice(&pinned.pins.points);
         let mut triangles: Vec<[u32; 3]> =
             topology.triangles().iter().map(|triangle| triangle.map(|v| place[v as usize])).collect();
         let mut first = 0;
@@ -294,15 +420,22 @@ impl Spanning<'_> {
                 place[range].to_vec()
             })
             .collect();
-        let fixed: Vec<bool> = (0..points.len()).map(|v| v < boundary).collect();
+        let fixed: Vec<bool> = (0..points.len()).map(|v| v < boundary + pinned.pins.points.len()).collect();
+        let mut locked: Vec<[u32; 2]> = trial
+            .domain
+            .segments
+            .iter()
+            .map(|segment| {
+                let [a, b] = segment.map(|v| place[v as usize]);
+                [a.min(b), a.max(b)]
+            })
+            .collect();
+        locked.sort_unstable();
+        locked.dedup();
         self.lift(&in_plane, &triangles, &fixed, &mut vertices)?;
         super::orient_along(&mut triangles, &loops[0]);
         let topology = Topology::build(&triangles, vertices.len()).expect("renaming keeps a manifold");
-        let mut film = Film { vertices, topology, fixed, locked: Vec::new(), boundaries: loops };
-        if !self.is_plane() {
-            self.even_out(&mut film)?;
-        }
-        Ok(film)
+        Ok((Film { vertices, topology, fixed, locked, boundaries: loops }, in_plane))
     }
 
     /// Evens out a film whose map from the plane has stretched its triangles: solves towards the minimal surface, where
@@ -349,7 +482,11 @@ impl Spanning<'_> {
     /// Whether all boundaries lie in the domain's own plane, up to rounding.
     fn is_plane(&self) -> bool {
         match &self.shape {
-            Shape::Plane(frame) => frame.largest_height(self.boundaries) <= 1e-13 * self.largest_size(),
+            Shape::Plane(frame) => {
+                let limit = 1e-13 * self.largest_size();
+                let fixed = self.constraints.points.iter().chain(self.constraints.polylines.iter().flatten());
+                frame.largest_height(self.boundaries) <= limit && fixed.into_iter().all(|&p| frame.height(p) <= limit)
+            }
             Shape::Disc { .. } => false,
         }
     }
