@@ -15,7 +15,7 @@ use super::record::{Record, geometric_part};
 use super::remesh::{flip_to_delaunay, tangential_relaxation};
 use super::stability::{self, SecondVariation, Unknown};
 use super::statistics::{Stability, StabilityMethod, StopReason};
-use super::{OnUnstable, Options, Solver};
+use super::{InitialMesh, OnUnstable, Options, Solver};
 use crate::linear::{Factorisation, LinearError};
 use crate::mesh::measure;
 use crate::{DVec3, Error, Execution, Interruption};
@@ -33,6 +33,8 @@ const RELAXATIONS_PER_ROUND: u32 = 4;
 const SETTLED: f64 = 1e-3;
 /// Up to this many triangles the area is extrapolated with a mesh of four times as many.
 pub(super) const EXTRAPOLATED_TRIANGLES: usize = 10_000;
+/// The residual below which a caller's own mesh counts as lying beside a stationary surface.
+const NEARLY_STATIONARY: f64 = 1.0;
 /// How often a stalled Newton iteration goes back to more rounds.
 const MAX_RETURNS: u32 = 2;
 
@@ -75,6 +77,8 @@ pub(super) struct Solve<'a> {
     edges_swapped: u64,
     way_down: Option<Vec<DVec3>>,
     pub extrapolated_area: Option<ExtrapolatedArea>,
+    /// The initial mesh is the caller's own.
+    given: bool,
 }
 
 impl<'a> Solve<'a> {
@@ -88,6 +92,7 @@ impl<'a> Solve<'a> {
             edges_swapped: 0,
             way_down: None,
             extrapolated_area: None,
+            given: matches!(options.initial_mesh, InitialMesh::Given(_)),
         }
     }
 
@@ -127,6 +132,11 @@ impl<'a> Solve<'a> {
         if film.fixed.iter().all(|&fixed| fixed) {
             return Ok((StopReason::NothingToMove, None));
         }
+        if self.given
+            && let Some(converged) = self.stay(film)?
+        {
+            return Ok((StopReason::Residual, Some(converged)));
+        }
         let mut reason = StopReason::Stalled;
         for attempt in 0..=MAX_RETURNS {
             let collapsed = self.settle(film)?;
@@ -142,6 +152,23 @@ impl<'a> Solve<'a> {
             };
         }
         Ok((reason, None))
+    }
+
+    /// A caller's own mesh may lie beside a stationary surface that is no minimum: solves would leave it, Newton's method
+    /// alone does not. `None`, and the film as it was, if there is no such surface near.
+    fn stay(&mut self, film: &mut Film) -> Result<Option<(Pattern, Direct)>, Stop> {
+        let pattern = Pattern::new(film.triangles(), &film.fixed);
+        if State::of(&pattern, &film.vertices, film.triangles(), self.radius).residual > NEARLY_STATIONARY {
+            return Ok(None);
+        }
+        let mut direct = Direct::new(&pattern).map_err(|_| Stop::TooLarge)?;
+        let start = film.vertices.clone();
+        let reason = self.newton(film, &pattern, &mut direct, Aim::Stationary)?;
+        if reason == StopReason::Residual && folds(film) == 0 {
+            return Ok(Some((pattern, direct)));
+        }
+        film.vertices = start;
+        Ok(None)
     }
 
     fn newton(

@@ -112,7 +112,9 @@ pub(super) fn build(
                 match attempt(Shape::Plane(frame))? {
                     Ok(start) if start.film.topology.components() == 1 => return Ok((start, InitialMeshKind::Planar)),
                     // In the plane itself there is nothing else to try for one boundary.
-                    Err(error @ PlaneError::NotSimple(_)) if flat && boundaries.len() == 1 => {
+                    Err(error @ (PlaneError::NotSimple(_) | PlaneError::PointOutside(_)))
+                        if flat && boundaries.len() == 1 =>
+                    {
                         return Err(refusal(boundaries, error, true));
                     }
                     Err(error @ (PlaneError::TooManyPoints | PlaneError::TooCoarse { .. })) => {

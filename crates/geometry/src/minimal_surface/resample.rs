@@ -19,6 +19,8 @@ const GRADING: f64 = 0.3;
 const STEEPEST_GRADING: f64 = 5.0;
 /// A pass that changes the number of triangles by less than this shows where they settle.
 const SETTLED: f64 = 0.1;
+/// Splitting ends beyond this many times the wanted number.
+const RUNAWAY: f64 = 4.0;
 /// How near the wanted number ends the passes.
 const CLOSE_ENOUGH: f64 = 0.03;
 
@@ -42,6 +44,10 @@ pub(super) fn resample(film: &mut Film, count: f64, passes: u32, exec: &Executio
         flip_to_delaunay(film);
         exec.look(20 * film.triangles().len() as u64)?;
         let reached = film.triangles().len() as f64;
+        if reached > RUNAWAY * count.max(before) {
+            // A film without area: however often its edges are split, the triangles stay too flat for their sizes.
+            break;
+        }
         let settled = (reached / before - 1.0).abs() < SETTLED;
         before = reached;
         if settled && (reached / count - 1.0).abs() < CLOSE_ENOUGH {
