@@ -490,7 +490,8 @@ fn relax(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Er
 /// # Errors
 /// The [`Error::Input`] that [`solve`] would begin with. Arguments that pass may still turn out to have no valid mesh.
 pub fn check(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
-    Input::read(boundaries, options).map(drop)
+    let input = Input::read(boundaries, options)?;
+    initial_mesh::check(&input.centred, &options.centred(input.centre))
 }
 
 /// About how many triangles a request asks for, so that a service can price it before the work.
@@ -500,6 +501,9 @@ pub fn check(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), Error> 
 #[must_use]
 pub fn estimate_triangles(boundaries: &[Vec<DVec3>], options: &Options) -> f64 {
     let points: usize = boundaries.iter().map(Vec::len).sum();
+    if let InitialMesh::Given(mesh) = &options.initial_mesh {
+        return mesh.triangles.len() as f64;
+    }
     match options.resolution {
         Resolution::Triangles(count) => count as f64,
         Resolution::InteriorVertices(count) => (2 * count + points) as f64,

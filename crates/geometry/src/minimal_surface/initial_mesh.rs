@@ -12,7 +12,9 @@ mod spanning;
 mod strip;
 
 use super::film::Film;
-use super::{BoundarySampling, InitialMesh, Objective, Options, Resolution, estimate_triangles, mean_curvature_lm};
+use super::{
+    BoundarySampling, InitialMesh, Objective, Options, Resolution, Topology, estimate_triangles, mean_curvature_lm,
+};
 use crate::error::InputError;
 use crate::{DVec3, Error, Execution, Place};
 use domain::{Frame, Shape};
@@ -138,6 +140,33 @@ fn barycentres(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -
         _ => ((estimate_triangles(boundaries, options) + 2.0 - boundary.len() as f64) / 2.0).round() as usize,
     };
     mean_curvature_lm::candidate_mesh(boundary, interior_vertices, options.seed, exec)
+}
+
+/// What [`build`] would refuse, as far as it shows without meshing: linear in the input.
+///
+/// # Errors
+/// [`Error::Input`].
+pub(super) fn check(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
+    match &options.initial_mesh {
+        InitialMesh::Given(mesh) => {
+            let pins = Pins::new(&options.constraints, boundaries, f64::INFINITY, BoundarySampling::Keep);
+            return given::build(mesh, boundaries, &pins).map(drop);
+        }
+        InitialMesh::Rings if options.boundary_sampling == BoundarySampling::Keep => {
+            return rings::check(boundaries, options.resolution);
+        }
+        _ => {}
+    }
+    let points: usize = boundaries.iter().map(Vec::len).sum();
+    // Euler: F = 2 (interior) + (boundary) - 2 χ, and one part with k boundaries has χ = 2 - k.
+    let least = points as f64 + 2.0 * boundaries.len() as f64 - 4.0;
+    match options.resolution {
+        Resolution::Triangles(count) if options.topology == Topology::Fixed && (count as f64) < 0.9 * least => {
+            let detail = format!("the boundaries' own points already make {least} triangles");
+            Err(Error::input(Place::field("resolution").then("triangles"), detail))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Heights below this fraction of the extent make a boundary a plane one.

@@ -49,6 +49,14 @@ pub(super) fn build(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
     Ok(renumbered(&skeleton.fill(interior), &numbers(&sampled)))
 }
 
+/// Whether rings on the boundaries as they are can have this resolution.
+///
+/// # Errors
+/// [`Error::Input`] naming the resolution, or the initial mesh if there are more than two boundaries.
+pub(super) fn check(boundaries: &[Vec<DVec3>], resolution: Resolution) -> Result<(), Error> {
+    Skeleton::of(boundaries)?.interior_vertices(resolution).map(drop)
+}
+
 /// Pieces of the boundary grow by at most this per length.
 const GRADING: f64 = 0.3;
 
