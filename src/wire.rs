@@ -110,6 +110,14 @@ impl Request {
     /// # Errors
     /// The first stage that fails reports all it found, at most [`MAX_ERRORS`] and one more (so that a reader knows that some were left out).
     pub fn read(kind: Kind, body: &[u8], limits: &LimitsConfig) -> Result<(Self, Value), Rejection> {
+        // Points, normals and tangents of three coordinates each come to twelve values a point. A value is many times larger in
+        // memory than in the text, so they are counted before any is read.
+        let most = limits.points.saturating_mul(16).saturating_add(10_000);
+        if body.iter().filter(|&&byte| byte == b',').count() > most {
+            let detail =
+                format!("has more values than a request of {} points can have; see GET /v1/limits", limits.points);
+            return Err(Rejection::TooLarge(vec![FieldError::new("", detail)]));
+        }
         let value = json::parse(body)?;
         let request = Self::from_value(kind, &value, limits)?;
         Ok((request, value))

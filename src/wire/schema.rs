@@ -77,19 +77,80 @@ fn validator(kind: Kind) -> &'static Validator {
     &VALIDATORS[kind as usize]
 }
 
+/// Values of a body whose errors are gathered all at once: the validator makes every error before it hands out the first, half
+/// a kilobyte each.
+const VALUES_AT_ONCE: usize = 20_000;
+
 /// Validates a body against the published schema of its kind.
 ///
 /// # Errors
-/// Every violation with its pointer, cut off one past [`MAX_ERRORS`].
+/// Every violation with its pointer, cut off one past [`MAX_ERRORS`]. Of a body with very many values only the first part that
+/// has a violation is reported.
 pub fn validate(kind: Kind, value: &Value) -> Result<(), Rejection> {
+    let validator = validator(kind);
+    if validator.is_valid(value) {
+        return Ok(());
+    }
+    let part = if count(value) > VALUES_AT_ONCE { Some(first_wrong_part(validator, value)) } else { None };
     let mut errors = Vec::new();
-    for error in validator(kind).iter_errors(value) {
+    for error in validator.iter_errors(part.as_ref().unwrap_or(value)) {
         collect(&error, &mut errors);
         if errors.len() > MAX_ERRORS {
             break;
         }
     }
     if errors.is_empty() { Ok(()) } else { Err(Rejection::Invalid(errors)) }
+}
+
+fn count(value: &Value) -> usize {
+    1 + match value {
+        Value::Array(elements) => elements.iter().map(count).sum(),
+        Value::Object(fields) => fields.values().map(count).sum(),
+        _ => 0,
+    }
+}
+
+fn longest(value: &Value) -> usize {
+    match value {
+        Value::Array(elements) => elements.iter().map(longest).max().unwrap_or(0).max(elements.len()),
+        Value::Object(fields) => fields.values().map(longest).max().unwrap_or(0),
+        _ => 0,
+    }
+}
+
+/// `value` with the first `length` elements of each of its arrays. Pointers into it are pointers into the whole.
+fn prefix(value: &Value, length: usize) -> Value {
+    match value {
+        Value::Array(elements) => elements.iter().take(length).map(|element| prefix(element, length)).collect(),
+        Value::Object(fields) => {
+            Value::Object(fields.iter().map(|(name, field)| (name.clone(), prefix(field, length))).collect())
+        }
+        scalar => scalar.clone(),
+    }
+}
+
+/// The prefix of an invalid value up to about its first violation: short enough that what it adds to a valid prefix is at
+/// most about [`VALUES_AT_ONCE`] values. No schema asks for an array of more than 32 elements.
+fn first_wrong_part(validator: &Validator, value: &Value) -> Value {
+    let longest = longest(value);
+    let (mut valid, mut wrong) = (0, 32.min(longest));
+    while wrong < longest && validator.is_valid(&prefix(value, wrong)) {
+        valid = wrong;
+        wrong = (2 * wrong).min(longest);
+    }
+    let mut part = prefix(value, wrong);
+    let mut values = count(&part);
+    let mut values_of_valid = count(&prefix(value, valid));
+    while wrong - valid > 1 && values - values_of_valid > VALUES_AT_ONCE {
+        let middle = valid + (wrong - valid) / 2;
+        let shorter = prefix(value, middle);
+        if validator.is_valid(&shorter) {
+            (valid, values_of_valid) = (middle, count(&shorter));
+        } else {
+            (wrong, values, part) = (middle, count(&shorter), shorter);
+        }
+    }
+    part
 }
 
 /// Adds an error's leaves. Of a union's branches the one that came closest speaks: its first error lies deepest, so the
@@ -160,4 +221,40 @@ pub fn deserialize<T: DeserializeOwned>(value: &Value) -> Result<T, Rejection> {
             .collect();
         Rejection::Invalid(vec![FieldError::new(pointer, "cannot be read as what the schema asks for")])
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pointers(body: &Value) -> Vec<String> {
+        match validate(Kind::RuledSurface, body) {
+            Err(Rejection::Invalid(errors)) => errors.into_iter().map(|error| error.pointer).collect(),
+            other => panic!("expected violations, got {other:?}"),
+        }
+    }
+
+    #[test]
+    fn of_very_many_wrong_values_the_first_are_named() {
+        let many = vec![json!(["x", null, {}]); 50_000];
+        let found = pointers(&json!({ "directrices": [many, [[0, 0, 0]]] }));
+        assert_eq!(found.len(), MAX_ERRORS + 1);
+        assert!(found.iter().all(|pointer| pointer.starts_with("/directrices/0/")), "{found:?}");
+    }
+
+    #[test]
+    fn one_wrong_value_among_very_many_is_found_wherever_it_is() {
+        for place in [0, 15, 16, 17, 1_000, 32_767, 32_768, 49_998, 49_999] {
+            let mut points = vec![json!([0, 0, 0.5]); 50_000];
+            points[place][1] = json!("x");
+            let body = json!({ "directrices": [[[0, 0, 0], [1, 1, 1]], points] });
+            assert_eq!(pointers(&body), [format!("/directrices/1/{place}/1")]);
+        }
+    }
+
+    #[test]
+    fn a_point_with_very_many_coordinates_is_named() {
+        let point: Vec<u32> = (0..100_000).collect();
+        assert_eq!(pointers(&json!({ "directrices": [[point], [[0, 0, 0], [1, 0, 0]]] })), ["/directrices/0/0"]);
+    }
 }
