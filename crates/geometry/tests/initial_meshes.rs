@@ -6,7 +6,7 @@ mod boundaries;
 use boundaries::{circle, helicoid, rings, sides};
 use plateau_geometry::mesh::measure;
 use plateau_geometry::minimal_surface::{
-    BoundarySampling, Constraints, InitialMesh, MinimalSurface, Options, Resolution, Solver, solve,
+    BoundarySampling, Constraints, InitialMesh, MinimalSurface, OnUnstable, Options, Resolution, Solver, solve,
 };
 use plateau_geometry::{DVec3, Error, Execution, Interruption, Mesh, Signal};
 use std::cell::Cell;
@@ -329,6 +329,18 @@ fn the_clients_own_mesh_is_the_start_and_the_unstable_catenoid_is_reported() {
     let stability = statistics.stability.unwrap();
     assert!(statistics.converged && !stability.stable && stability.morse_index == 1, "{stability:?}");
     assert!((statistics.area - 58.98).abs() < 0.1, "{}", statistics.area);
+    assert!(surface.warnings.iter().any(|warning| warning.code == "unstable"));
+    // Either way down the lowest mode lowers the area; followed, it ends at the stable surface.
+    let way_down = surface.way_down.as_ref().unwrap();
+    assert!(surface.boundaries[0].iter().all(|&v| way_down[v as usize] == DVec3::ZERO));
+    for step in [0.05, -0.05] {
+        let mut moved = surface.mesh.clone();
+        moved.vertices.iter_mut().zip(way_down).for_each(|(vertex, &direction)| *vertex += step * direction);
+        assert!(measure::area(&moved) < statistics.area);
+    }
+    let left = solved(&[boundary.clone()], &Options { on_unstable: OnUnstable::Descend, ..from_catenoid.clone() });
+    assert!(left.statistics.converged && left.statistics.stability.unwrap().stable && left.way_down.is_none());
+    assert!((left.statistics.area - 58.16).abs() < 0.2, "{}", left.statistics.area);
     // Left to choose, the solver finds the stable one; and a result can be posted again.
     let stable = solved(&[boundary.clone()], &keep(2040));
     assert_eq!(stable.statistics.stability.unwrap().morse_index, 0);

@@ -77,7 +77,7 @@ pub(super) struct Solve<'a> {
     edges_swapped: u64,
     way_down: Option<Vec<DVec3>>,
     pub extrapolated_area: Option<ExtrapolatedArea>,
-    /// The initial mesh is the caller's own.
+    /// The initial mesh is the caller's own and has not been left yet.
     given: bool,
 }
 
@@ -132,7 +132,7 @@ impl<'a> Solve<'a> {
         if film.fixed.iter().all(|&fixed| fixed) {
             return Ok((StopReason::NothingToMove, None));
         }
-        if self.given
+        if std::mem::take(&mut self.given)
             && let Some(converged) = self.stay(film)?
         {
             return Ok((StopReason::Residual, Some(converged)));
