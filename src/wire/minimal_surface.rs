@@ -43,6 +43,8 @@ pub struct MinimalSurfaceRequest {
     #[serde(default)]
     pub initial_mesh: InitialMesh,
     #[serde(default)]
+    pub constraints: Constraints,
+    #[serde(default)]
     pub topology: Topology,
     /// The residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged.
     #[serde(default = "default_tolerance")]
@@ -162,12 +164,25 @@ pub enum BoundarySampling {
     Keep,
 }
 
-/// The mesh that the solver starts from.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+/// The mesh that the solver starts from: made here, or the client's own.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
 pub enum InitialMesh {
+    Made(MadeMesh),
+    Given(GivenMesh),
+}
+
+impl Default for InitialMesh {
+    fn default() -> Self {
+        Self::Made(MadeMesh::Auto)
+    }
+}
+
+/// How an initial mesh is made; the statistics say what `auto` chose.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum MadeMesh {
     /// The best of the others for the boundaries at hand.
-    #[default]
     Auto,
     /// Delaunay triangles in the plane, where the projection is simple.
     Planar,
@@ -177,6 +192,29 @@ pub enum InitialMesh {
     Rings,
     /// Liu, Wang.
     Barycentres,
+}
+
+/// The client's own initial mesh: an oriented manifold whose boundary loops are `boundaries`, with or without further vertices
+/// on their segments. `resolution` then means nothing.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GivenMesh {
+    #[schemars(length(min = 3))]
+    pub vertices: Vec<Point>,
+    /// Vertex numbers, counted from 0.
+    #[schemars(length(min = 1), inner(inner(range(min = 0, max = 4_294_967_295u32))))]
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// Points and curves inside the surface that stay where they are, as mesh vertices and edges.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Constraints {
+    #[serde(default)]
+    pub points: Vec<Point>,
+    #[serde(default)]
+    #[schemars(inner(length(min = 2)))]
+    pub polylines: Vec<Vec<Point>>,
 }
 
 /// `fixed`: the initial mesh's; `free`: necks may pinch; `best`: every spanning topology is solved, the least is returned.
@@ -232,6 +270,17 @@ impl MinimalSurfaceRequest {
             let detail = format!("is more than this server makes ({}); see GET /v1/limits", limits.triangles / 2);
             return too_many("/resolution/interior_vertices", detail);
         }
+        common::check_point_count("/constraints/polylines", &self.constraints.polylines, limits.points)?;
+        if self.constraints.points.len() > limits.points {
+            let detail = format!("has more points than this server takes ({}); see GET /v1/limits", limits.points);
+            return too_many("/constraints/points", detail);
+        }
+        if let InitialMesh::Given(mesh) = &self.initial_mesh
+            && mesh.triangles.len().max(mesh.vertices.len()) > limits.triangles
+        {
+            let detail = format!("is larger than this server takes ({} triangles)", limits.triangles);
+            return too_many("/initial_mesh", detail);
+        }
         if self.max_iterations.is_some_and(|count| count > limits.iterations) {
             let detail = format!("is more than this server runs ({}); see GET /v1/limits", limits.iterations);
             return too_many("/max_iterations", detail);
@@ -282,12 +331,20 @@ impl MinimalSurfaceRequest {
                 BoundarySampling::Refine => geometry::BoundarySampling::Refine,
                 BoundarySampling::Keep => geometry::BoundarySampling::Keep,
             },
-            initial_mesh: match self.initial_mesh {
-                InitialMesh::Auto => geometry::InitialMesh::Auto,
-                InitialMesh::Planar => geometry::InitialMesh::Planar,
-                InitialMesh::Disk => geometry::InitialMesh::Disk,
-                InitialMesh::Rings => geometry::InitialMesh::Rings,
-                InitialMesh::Barycentres => geometry::InitialMesh::Barycentres,
+            initial_mesh: match &self.initial_mesh {
+                InitialMesh::Made(MadeMesh::Auto) => geometry::InitialMesh::Auto,
+                InitialMesh::Made(MadeMesh::Planar) => geometry::InitialMesh::Planar,
+                InitialMesh::Made(MadeMesh::Disk) => geometry::InitialMesh::Disk,
+                InitialMesh::Made(MadeMesh::Rings) => geometry::InitialMesh::Rings,
+                InitialMesh::Made(MadeMesh::Barycentres) => geometry::InitialMesh::Barycentres,
+                InitialMesh::Given(mesh) => geometry::InitialMesh::Given(plateau_geometry::Mesh::new(
+                    common::points(&mesh.vertices),
+                    mesh.triangles.clone(),
+                )),
+            },
+            constraints: geometry::Constraints {
+                points: common::points(&self.constraints.points),
+                polylines: common::polylines(&self.constraints.polylines),
             },
             topology: match self.topology {
                 Topology::Fixed => geometry::Topology::Fixed,
@@ -341,6 +398,7 @@ pub fn objectives() -> Vec<ObjectiveDoc> {
                     "resolution",
                     "boundary_sampling",
                     "initial_mesh",
+                    "constraints",
                     "topology",
                     "tolerance",
                     "area_tolerance",

@@ -110,6 +110,22 @@ const FILES: &[(&str, &str, &str)] = &[
         include_str!("../../api/examples/catenoid.json"),
     ),
     ("tent", "A tent over a square with one high corner", include_str!("../../api/examples/tent.json")),
+    (
+        "four-corners",
+        "Four edges of a tetrahedron, given by their corners alone",
+        include_str!("../../api/examples/four-corners.json"),
+    ),
+    (
+        "ridge-rope",
+        "A tent with a fixed ridge from corner to corner",
+        include_str!("../../api/examples/ridge-rope.json"),
+    ),
+    ("own-mesh", "A film from the client's own initial mesh", include_str!("../../api/examples/own-mesh.json")),
+    (
+        "helicoid-relaxation",
+        "Chen-Cai-Zheng's helicoid by their own rings and relaxation",
+        include_str!("../../api/examples/helicoid-relaxation.json"),
+    ),
     ("two-rings", "A film between two coaxial rings", include_str!("../../api/examples/two-rings.json")),
     (
         "wavy-strip",

@@ -12,6 +12,7 @@ mod examples;
 mod films;
 mod health;
 mod idempotency;
+mod initial_meshes;
 mod jobs;
 mod limits;
 mod load;
