@@ -164,8 +164,17 @@ impl Row {
     }
 }
 
-/// `url` without its password, for logs and errors.
+/// `url` without its password, wherever it stands, for logs and errors.
 pub fn redacted(url: &str) -> Cow<'_, str> {
+    const PARAMETER: &str = "password=";
+    if let Some(start) = url.find(PARAMETER).map(|at| at + PARAMETER.len()) {
+        let end = url[start..].find('&').map_or(url.len(), |length| start + length);
+        return Cow::Owned(format!("{}***{}", without_user_password(&url[..start]), &url[end..]));
+    }
+    without_user_password(url)
+}
+
+fn without_user_password(url: &str) -> Cow<'_, str> {
     let Some((scheme, rest)) = url.split_once("://") else { return Cow::Borrowed(url) };
     let authority_end = rest.find(['/', '?']).unwrap_or(rest.len());
     let Some(at) = rest[..authority_end].rfind('@') else { return Cow::Borrowed(url) };
@@ -182,6 +191,7 @@ mod tests {
         assert_eq!(redacted("postgres://me:secret@db:5432/plateau"), "postgres://me:***@db:5432/plateau");
         assert_eq!(redacted("postgres://me:a@b@db/plateau"), "postgres://me:***@db/plateau");
         assert_eq!(redacted("postgres://db/plateau?user=a:b@c"), "postgres://db/plateau?user=a:b@c");
+        assert_eq!(redacted("postgres://a:b@db/x?password=c&host=d"), "postgres://a:***@db/x?password=***&host=d");
         assert_eq!(redacted("sqlite:///data/plateau.db"), "sqlite:///data/plateau.db");
     }
 
