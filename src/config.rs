@@ -148,7 +148,7 @@ pub struct LimitsConfig {
     pub body_bytes: usize,
     /// Points of all polylines of a request.
     pub points: usize,
-    /// Triangles of a minimal surface.
+    /// Triangles of a minimal surface or a uniform mesh.
     pub triangles: usize,
     /// Cells of the grids of all strips of a ruled surface (points of one directrix × points of the next).
     pub grid_cells: u64,

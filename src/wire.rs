@@ -12,6 +12,7 @@ pub mod minimal_surface;
 pub mod objectives;
 pub mod ruled_surface;
 pub mod schema;
+pub mod uniform_mesh;
 
 use crate::config::LimitsConfig;
 use plateau_geometry::{Error as GeometryError, InputError};
@@ -69,16 +70,18 @@ impl From<GeometryError> for Rejection {
 pub enum Kind {
     RuledSurface,
     MinimalSurface,
+    UniformMesh,
 }
 
 impl Kind {
-    pub const ALL: [Self; 2] = [Self::RuledSurface, Self::MinimalSurface];
+    pub const ALL: [Self; 3] = [Self::RuledSurface, Self::MinimalSurface, Self::UniformMesh];
 
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::RuledSurface => "ruled_surface",
             Self::MinimalSurface => "minimal_surface",
+            Self::UniformMesh => "uniform_mesh",
         }
     }
 
@@ -93,6 +96,7 @@ impl Kind {
         match self {
             Self::RuledSurface => "/v1/ruled-surfaces",
             Self::MinimalSurface => "/v1/minimal-surfaces",
+            Self::UniformMesh => "/v1/uniform-meshes",
         }
     }
 }
@@ -102,6 +106,7 @@ impl Kind {
 pub enum Request {
     RuledSurface(Box<ruled_surface::RuledSurfaceRequest>),
     MinimalSurface(Box<minimal_surface::MinimalSurfaceRequest>),
+    UniformMesh(Box<uniform_mesh::UniformMeshRequest>),
 }
 
 impl Request {
@@ -161,6 +166,11 @@ impl Request {
                 request.check(limits)?;
                 Ok(Self::MinimalSurface(Box::new(request)))
             }
+            Kind::UniformMesh => {
+                let request: uniform_mesh::UniformMeshRequest = schema::deserialize(value)?;
+                request.check(limits)?;
+                Ok(Self::UniformMesh(Box::new(request)))
+            }
         }
     }
 
@@ -179,6 +189,7 @@ impl Request {
         match self {
             Self::RuledSurface(request) => request.cache,
             Self::MinimalSurface(request) => request.cache,
+            Self::UniformMesh(request) => request.cache,
         }
     }
 
@@ -187,6 +198,7 @@ impl Request {
         match self {
             Self::RuledSurface(_) => Kind::RuledSurface,
             Self::MinimalSurface(_) => Kind::MinimalSurface,
+            Self::UniformMesh(_) => Kind::UniformMesh,
         }
     }
 }

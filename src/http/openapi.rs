@@ -24,7 +24,7 @@ fn document() -> Value {
         "info": {
             "title": "Plateau",
             "version": env!("CARGO_PKG_VERSION"),
-            "summary": "Form finding: minimal surfaces and optimal ruled strips, as glTF meshes with statistics.",
+            "summary": "Form finding: minimal surfaces, optimal ruled strips and uniform meshes, as glTF meshes with statistics.",
             "description": "Post boundary polylines or directrices, get a job; follow it, then fetch its mesh. Lengths are in the \
                 request's unit, angles in degrees. Every error is a problem document (RFC 9457). Results are deterministic.",
             "license": { "name": "MIT OR Apache-2.0", "identifier": "MIT OR Apache-2.0" },
@@ -170,6 +170,10 @@ fn submit(kind: Kind) -> Value {
         Kind::MinimalSurface => {
             ("postMinimalSurface", "Boundary polylines and a resolution: the minimal surface that spans them")
         }
+        Kind::UniformMesh => (
+            "postUniformMesh",
+            "A polygon, a patch or a film and a length: a mesh with as many equal edges as possible",
+        ),
     };
     let examples: Map<String, Value> = examples()
         .iter()

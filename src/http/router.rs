@@ -19,6 +19,7 @@ pub fn router(app: App) -> Router {
     let routes = Router::new()
         .route(Kind::RuledSurface.path(), post(routes::submit::ruled_surface))
         .route(Kind::MinimalSurface.path(), post(routes::submit::minimal_surface))
+        .route(Kind::UniformMesh.path(), post(routes::submit::uniform_mesh))
         .route("/v1/jobs", get(routes::jobs::list))
         .route("/v1/jobs/{id}", get(routes::jobs::get).delete(routes::jobs::delete))
         .route("/v1/jobs/{id}/cancel", post(routes::jobs::cancel))

@@ -1,15 +1,19 @@
 //! Request -> geometry -> artefact: the one place where a solver is called for a job or for the command line.
 
 use crate::export::archive::Contents;
-use crate::export::{Archive, Fold, LineSet, Lines, MeanCurvature, Pattern, Piece, Polyline, Unit, UpAxis as ExportUp};
+use crate::export::{
+    Archive, Fold, LineSet, Lines, MeanCurvature, Pattern, Piece, Polyline, SegmentValues, Unit, UpAxis as ExportUp,
+};
 use crate::wire::Request;
 use crate::wire::common::{Units, UpAxis};
 use crate::wire::minimal_surface::{MinimalStatistics, MinimalSurfaceRequest};
 use crate::wire::ruled_surface::{RuledStatistics, RuledSurfaceRequest};
+use crate::wire::uniform_mesh::{UniformMeshRequest, UniformStatistics};
 use plateau_geometry::error::Warning;
 use plateau_geometry::mesh::measure::double_area_vector;
 use plateau_geometry::minimal_surface::{self, StopReason};
 use plateau_geometry::ruled_surface::{self, FlatPattern};
+use plateau_geometry::uniform_mesh;
 use plateau_geometry::{DVec3, Error, Execution, Mesh, polyline};
 use serde::Serialize;
 use serde_json::Value;
@@ -32,6 +36,7 @@ pub fn solve(request: &Request, exec: &Execution) -> Result<Solved, Error> {
     match request {
         Request::RuledSurface(request) => ruled(request, exec),
         Request::MinimalSurface(request) => minimal(request, exec),
+        Request::UniformMesh(request) => uniform(request, exec),
     }
 }
 
@@ -122,6 +127,35 @@ fn ruled(request: &RuledSurfaceRequest, exec: &Execution) -> Result<Solved, Erro
         pattern,
     })?;
     Ok(Solved { statistics, warnings: surface.warnings, archive, reproducible: true })
+}
+
+fn uniform(request: &UniformMeshRequest, exec: &Execution) -> Result<Solved, Error> {
+    let (domain, options) = request.to_geometry();
+    let solved = uniform_mesh::solve(&domain, &options, exec)?;
+    let statistics = to_json(&UniformStatistics::of(&solved, &options))?;
+    // One material each, so that a viewer can tell the lattice from the rim.
+    let group = |name: &str, lattice: bool| {
+        let of = || (0..solved.members.len()).filter(|&member| solved.lattice_group[member] == lattice);
+        let unit = units(request.units).symbol().into();
+        let values = of().map(|member| solved.lengths[member]).collect();
+        let pairs = of().map(|member| solved.members[member]).collect();
+        let values = Some(SegmentValues { name: "length".into(), unit, values });
+        LineSet { name: "members".into(), group: name.into(), lines: Lines::Segments { pairs, values } }
+    };
+    let line_sets = vec![group("lattice", true), group("rim", false)];
+    let archive = archive(Contents {
+        generator: generator(),
+        title: "uniform mesh".into(),
+        unit: units(request.units),
+        up: up(request.up),
+        input_vertices: request.input_vertices(&solved),
+        mesh: solved.mesh,
+        mean_curvature: None,
+        line_sets,
+        statistics: statistics.to_string(),
+        pattern: None,
+    })?;
+    Ok(Solved { statistics, warnings: solved.warnings, archive, reproducible: solved.converged })
 }
 
 /// The flat strips as pieces to cut and fold. The mesh's triangles are in the order of the strips' own.

@@ -127,7 +127,8 @@ pub struct Job {
 fn statistics_schema(generator: &mut SchemaGenerator) -> schemars::Schema {
     let ruled = generator.subschema_for::<super::ruled_surface::RuledStatistics>();
     let minimal = generator.subschema_for::<super::minimal_surface::MinimalStatistics>();
-    schemars::json_schema!({ "anyOf": [ruled, minimal, { "type": "null" }] })
+    let uniform = generator.subschema_for::<super::uniform_mesh::UniformStatistics>();
+    schemars::json_schema!({ "anyOf": [ruled, minimal, uniform, { "type": "null" }] })
 }
 
 /// One page of jobs, newest first.

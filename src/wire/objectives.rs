@@ -31,6 +31,7 @@ pub struct ObjectiveList {
 pub fn objectives() -> ObjectiveList {
     let mut objectives = super::ruled_surface::objectives();
     objectives.extend(super::minimal_surface::objectives());
+    objectives.extend(super::uniform_mesh::objectives());
     ObjectiveList { objectives }
 }
 
@@ -41,7 +42,7 @@ pub struct Limits {
     pub body_bytes: usize,
     /// Points of all polylines of a request.
     pub points: usize,
-    /// Triangles of a minimal surface.
+    /// Triangles of a minimal surface or a uniform mesh.
     pub triangles: usize,
     /// Cells of the grids of all strips of a ruled surface.
     pub grid_cells: u64,
@@ -159,6 +160,23 @@ const FILES: &[(&str, &str, &str)] = &[
         "A flange on a sheet metal part (Wang and Tang, example VI)",
         include_str!("../../api/examples/wang-tang-vi.json"),
     ),
+    (
+        "latticed-roof",
+        "A Bézier roof of about 950 members, lengths near 5 (Katoh, Ohsaki and Xu)",
+        include_str!("../../api/examples/latticed-roof.json"),
+    ),
+    ("latticed-roof-steep", "A steeper Bézier roof", include_str!("../../api/examples/latticed-roof-steep.json")),
+    (
+        "latticed-film",
+        "A film over a frame with humps, as a lattice",
+        include_str!("../../api/examples/latticed-film.json"),
+    ),
+    (
+        "courtyard",
+        "A plaza with a courtyard and a re-entrant corner, as few nodes as possible",
+        include_str!("../../api/examples/courtyard.json"),
+    ),
+    ("vault", "A cylindrical vault (NURBS) with at most eight lengths", include_str!("../../api/examples/vault.json")),
 ];
 
 /// All examples, in the order of the list.

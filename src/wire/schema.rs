@@ -36,6 +36,7 @@ fn add<T: JsonSchema>(generator: &mut SchemaGenerator) {
 fn requests(generator: &mut SchemaGenerator) {
     add::<super::ruled_surface::RuledSurfaceRequest>(generator);
     add::<super::minimal_surface::MinimalSurfaceRequest>(generator);
+    add::<super::uniform_mesh::UniformMeshRequest>(generator);
 }
 
 /// Formats that OpenAPI tools warn about say nothing that type, minimum and maximum do not.
@@ -58,6 +59,7 @@ pub fn request_component(kind: Kind) -> &'static str {
     match kind {
         Kind::RuledSurface => "RuledSurfaceRequest",
         Kind::MinimalSurface => "MinimalSurfaceRequest",
+        Kind::UniformMesh => "UniformMeshRequest",
     }
 }
 

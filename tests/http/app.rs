@@ -104,6 +104,7 @@ impl TestApp {
 
 pub const MINIMAL: &str = "/v1/minimal-surfaces";
 pub const RULED: &str = "/v1/ruled-surfaces";
+pub const UNIFORM: &str = "/v1/uniform-meshes";
 
 pub fn example(name: &str) -> Value {
     let text = std::fs::read_to_string(root().join(format!("api/examples/{name}.json"))).expect("the example's file");
@@ -123,6 +124,7 @@ pub fn path_of(kind: &str) -> &'static str {
     match kind {
         "minimal_surface" => MINIMAL,
         "ruled_surface" => RULED,
+        "uniform_mesh" => UNIFORM,
         other => panic!("unknown kind {other}"),
     }
 }

@@ -8,11 +8,13 @@ async fn objectives_name_formula_unit_and_source() {
     let app = TestApp::start().await;
     let list = app.get_json("/v1/objectives").await;
     let objectives = list["objectives"].as_array().unwrap();
-    for kind in ["ruled_surface", "minimal_surface"] {
-        assert!(
-            objectives.iter().any(|objective| objective["kind"] == kind && objective["name"] == "minimal_area"),
-            "{kind}"
-        );
+    for (kind, name) in [
+        ("ruled_surface", "minimal_area"),
+        ("minimal_surface", "minimal_area"),
+        ("uniform_mesh", "fewest_nodes"),
+        ("uniform_mesh", "most_equal_edges"),
+    ] {
+        assert!(objectives.iter().any(|objective| objective["kind"] == kind && objective["name"] == name), "{kind}");
     }
     for objective in objectives {
         for field in ["minimises", "unit", "source"] {

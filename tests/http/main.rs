@@ -22,3 +22,4 @@ mod prefer;
 mod restart;
 mod ruled_surfaces;
 mod studio;
+mod uniform_meshes;

@@ -41,14 +41,14 @@ fn cylinder(angle: f64) -> Domain {
     })
 }
 
-/// A square frame of side 60 with two humps of height 6 on every side, `n` points a side.
+/// A square frame of side 60 with three humps of height 6 on every side, `n` points a side.
 fn frame(n: usize) -> Vec<DVec3> {
     let corners = [[0.0, 0.0], [60.0, 0.0], [60.0, 60.0], [0.0, 60.0]].map(DVec2::from);
     (0..4 * n)
         .map(|k| {
             let t = (k % n) as f64 / n as f64;
             let p = corners[k / n].lerp(corners[(k / n + 1) % 4], t);
-            p.extend(6.0 * (2.0 * std::f64::consts::PI * t).sin().powi(2))
+            p.extend(6.0 * (3.0 * std::f64::consts::PI * t).sin().powi(2))
         })
         .collect()
 }

@@ -34,6 +34,10 @@ pub async fn minimal_surface(
     submit(&app, &caller, Kind::MinimalSurface, request).await
 }
 
+pub async fn uniform_mesh(State(app): State<App>, caller: Caller, request: Request<Body>) -> Result<Response, Failure> {
+    submit(&app, &caller, Kind::UniformMesh, request).await
+}
+
 async fn submit(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) -> Result<Response, Failure> {
     let wait_s = granted_wait_s(app, request.headers());
     let key = idempotency_key(request.headers())?;

@@ -27,6 +27,10 @@ const ROW: f64 = 0.866_025_403_784_438_6;
 /// What rounding may take from the distances asked for, in ℓ: lattices aligned with the boundary touch them exactly.
 const TOUCH: f64 = 1e-10;
 
+/// From how many placements the pattern search starts, in all and at one angle.
+const STARTS: usize = 24;
+const STARTS_PER_ANGLE: usize = 3;
+
 /// A placed lattice of edge 1: node (i, j) stands at origin + i e₁ + j e₂, with e₁ at `angle` and e₂ 60° further.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Placement {
@@ -291,7 +295,7 @@ pub(super) fn search(
     span: (f64, f64),
     execution: &Execution<'_>,
 ) -> Result<Option<Placement>, Interruption> {
-    let budget = (1_500_000 / boundary.nodes.len().max(1) as u64).clamp(60, 3000);
+    let budget = (1_500_000 / boundary.nodes.len().max(1) as u64).clamp(60, 6000);
     let steps: u32 = if budget >= 2000 {
         12
     } else if budget >= 300 {
@@ -333,7 +337,15 @@ pub(super) fn search(
     }
     search.best.sort_by_key(|&(edges, _)| std::cmp::Reverse(edges));
     let mut winner = search.best.first().copied();
-    for (edges, start) in search.best.clone().into_iter().take(6) {
+    // The best few, but not all of one angle: neighbouring heights climb to the same place.
+    let mut starts: Vec<(usize, Placement)> = Vec::new();
+    for &candidate in &search.best {
+        let alike = starts.iter().filter(|(_, start)| start.angle == candidate.1.angle).count();
+        if starts.len() < STARTS && alike < STARTS_PER_ANGLE {
+            starts.push(candidate);
+        }
+    }
+    for (edges, start) in starts {
         let (mut edges, mut here) = (edges, start);
         let mut step = 0.5 / f64::from(steps);
         while step > 5e-4 && search.built < budget {

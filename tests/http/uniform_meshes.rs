@@ -1,0 +1,120 @@
+//! Uniform meshes over HTTP: statistics, members in the glTF, and what is refused.
+
+use crate::app::{TestApp, UNIFORM, example, pointers, problem};
+use serde_json::{Value, json};
+
+fn square() -> Value {
+    json!([[0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0]])
+}
+
+#[tokio::test]
+async fn a_square_is_answered_with_table_1_and_its_own_points_first() {
+    let app = TestApp::start().await;
+    let body = json!({ "domain": { "polygon": square() }, "edge_length": 1, "objective": "most_equal_edges" });
+    let job = app.solve(UNIFORM, &body).await;
+    let statistics = &job["statistics"];
+    assert_eq!(statistics["objective"], "most_equal_edges");
+    assert_eq!(statistics["objective_value"], statistics["lattice_edges"]["count"]);
+    assert_eq!((&statistics["out_of_range_edges"], &statistics["converged"]), (&json!(0), &json!(true)));
+    let least = statistics["edge_lengths"]["min"].as_f64().unwrap();
+    let most = statistics["edge_lengths"]["max"].as_f64().unwrap();
+    assert!(least > 1.0 - 1e-9 && most < 2.0 + 1e-8, "{least} {most}");
+    assert_eq!(statistics["stages"][0]["name"], "plane");
+    assert_eq!(statistics["stages"][0]["lattice"]["distinct_lengths"], 1);
+    let counts = statistics["valence_histogram"].as_array().unwrap().iter().map(|count| count.as_u64().unwrap());
+    assert_eq!(counts.sum::<u64>(), statistics["nodes"].as_u64().unwrap());
+    let obj = app.get(&format!("{}?format=obj", job["links"]["mesh"].as_str().unwrap())).await.text().await.unwrap();
+    let first = obj.lines().filter(|line| line.starts_with("v ")).take(4).collect::<Vec<_>>();
+    assert_eq!(first, ["v 0 0 0", "v 10 0 0", "v 10 10 0", "v 0 10 0"]);
+}
+
+#[tokio::test]
+async fn members_carry_their_lengths_and_lattice_and_rim_have_materials_of_their_own() {
+    let app = TestApp::start().await;
+    let job = app.solve(UNIFORM, &example("latticed-roof")).await;
+    let document = app.get_json(&format!("{}?format=gltf", job["links"]["mesh"].as_str().unwrap())).await;
+    let statistics = &job["statistics"];
+    let lattice = statistics["lattice_edges"]["count"].as_u64().unwrap();
+    let rim = statistics["edges"].as_u64().unwrap() - lattice;
+    let mut materials = Vec::new();
+    for (name, count) in [("members lattice", lattice), ("members rim", rim)] {
+        let mesh = document["meshes"].as_array().unwrap().iter().find(|mesh| mesh["name"] == name).expect(name);
+        let primitive = &mesh["primitives"][0];
+        // Mode 1 is LINES: two ends a member, each with the member's length.
+        assert_eq!(primitive["mode"], 1);
+        let lengths = &document["accessors"][primitive["attributes"]["_LENGTH"].as_u64().unwrap() as usize];
+        assert_eq!(lengths["count"].as_u64().unwrap(), 2 * count);
+        materials.push(primitive["material"].as_u64().unwrap());
+    }
+    assert_ne!(materials[0], materials[1]);
+}
+
+#[tokio::test]
+async fn each_wrong_value_is_named() {
+    let app = TestApp::start().await;
+    let mut warped = square();
+    warped[2][2] = json!(1);
+    let bezier = json!({ "control_points": [[[0, 0, 0], [0, 5, 1]], [[5, 0, 1], [5, 5, 0]]] });
+    let nurbs = |extra: Value| {
+        let mut nurbs = json!({ "degrees": [1, 1], "knots": [[0, 0, 1, 1], [0, 0, 1, 1]], "control_points": bezier["control_points"] });
+        nurbs.as_object_mut().unwrap().extend(extra.as_object().unwrap().clone());
+        json!({ "nurbs": nurbs })
+    };
+    let with = |domain: Value| json!({ "domain": domain, "edge_length": 1 });
+    let asks = |extra: Value| {
+        let mut body = with(json!({ "polygon": square() }));
+        body.as_object_mut().unwrap().extend(extra.as_object().unwrap().clone());
+        body
+    };
+    let cases = [
+        (json!({}), vec!["/domain", "/edge_length"]),
+        (with(json!({})), vec!["/domain"]),
+        (with(json!({ "holes": [square()] })), vec!["/domain"]),
+        (with(json!({ "polygon": square(), "bezier": bezier })), vec!["/domain"]),
+        (with(json!({ "bezier": bezier, "holes": [square()] })), vec!["/domain/holes"]),
+        (with(json!({ "polygon": [[0, 0, 0], [1, 0, 0]] })), vec!["/domain/polygon"]),
+        (with(json!({ "polygon": [[0, 0, 0], [1, 0, 0], [2, 0, 0]] })), vec!["/domain/polygon"]),
+        (with(json!({ "polygon": warped })), vec!["/domain/polygon/0"]),
+        (with(json!({ "boundaries": [[[0, 0, 0], [1, 1, 1], [0, 0, 0]]] })), vec!["/domain/boundaries/0"]),
+        (with(nurbs(json!({ "trim_curves": [[[0, 0], [1, 0], [0, 1]]] }))), vec!["/domain/nurbs/trim_curves"]),
+        (with(nurbs(json!({ "knots": [[0, 0, 1], [0, 0, 1, 1]] }))), vec!["/domain/nurbs/knots/0"]),
+        (with(nurbs(json!({ "weights": [[1, 1], [1, 0]] }))), vec!["/domain/nurbs/weights/1/1"]),
+        (asks(json!({ "edge_length": 0 })), vec!["/edge_length"]),
+        (asks(json!({ "objective": "prettiest" })), vec!["/objective"]),
+        (asks(json!({ "auxiliary_grid": [15, 1] })), vec!["/auxiliary_grid/1"]),
+        (asks(json!({ "optimise": "lengths" })), vec!["/max_distinct_lengths"]),
+        (asks(json!({ "max_distinct_lengths": 3 })), vec!["/max_distinct_lengths"]),
+        (
+            asks(json!({ "optimise": "lengths", "max_distinct_lengths": 3, "optimise_nodes": false })),
+            vec!["/optimise_nodes"],
+        ),
+    ];
+    for (body, expected) in cases {
+        let problem = problem(app.post(UNIFORM, &body).await, 422).await;
+        assert_eq!(pointers(&problem), expected, "{body}");
+    }
+    let problem = problem(app.post(UNIFORM, &asks(json!({ "edge_length": 1e-4 }))).await, 413).await;
+    assert_eq!(pointers(&problem), ["/edge_length"]);
+}
+
+#[tokio::test]
+async fn a_polygon_that_crosses_itself_fails_with_the_place() {
+    let app = TestApp::start().await;
+    let bow_tie = json!([[0, 0, 0], [4, 4, 0], [4, 0, 0], [0, 7, 0]]);
+    let body = json!({ "domain": { "polygon": bow_tie }, "edge_length": 1 });
+    let response = app.post_waiting(UNIFORM, &body).await;
+    let job: Value = response.json().await.unwrap();
+    assert_eq!(job["status"], "failed");
+    let pointer = job["error"]["errors"][0]["pointer"].as_str().unwrap();
+    assert!(pointer.starts_with("/domain/polygon/"), "{job}");
+}
+
+#[tokio::test]
+async fn an_edge_length_is_all_that_a_domain_needs_and_units_reach_the_mesh() {
+    let app = TestApp::start().await;
+    let in_metres = json!({ "domain": { "polygon": square() }, "edge_length": 2 });
+    let in_feet = json!({ "domain": { "polygon": square() }, "edge_length": 2, "units": "ft", "up": "y" });
+    let [metres, feet] = [app.solve(UNIFORM, &in_metres).await, app.solve(UNIFORM, &in_feet).await];
+    assert_eq!(metres["statistics"], feet["statistics"]);
+    assert_eq!(metres["statistics"]["objective"], "most_equal_edges");
+}
