@@ -180,6 +180,7 @@ impl Request {
         match self {
             Self::RuledSurface(request) => request.memory_bytes(),
             Self::MinimalSurface(request) => request.memory_bytes(),
+            Self::UniformMesh(request) => request.memory_bytes(),
         }
     }
 

@@ -277,6 +277,16 @@ impl UniformMeshRequest {
         (self.domain.to_geometry(), options)
     }
 
+    /// About how much memory solving takes: a triangle costs some 600 bytes with its members, their lengths and the archive,
+    /// and on a surface as much again for the sparse factor; a film's own mesh is bounded.
+    #[must_use]
+    pub fn memory_bytes(&self) -> u64 {
+        let (domain, options) = self.to_geometry();
+        let triangles = geometry::estimate(&domain, &options).map_or(0.0, |cost| cost.triangles);
+        let a_triangle = if self.domain.polygon.is_some() { 600.0 } else { 1500.0 };
+        (triangles * a_triangle) as u64 + (64 << 20)
+    }
+
     /// For each polyline of a polygon the vertices that its points became; empty for other domains, whose points are not
     /// nodes.
     #[must_use]
