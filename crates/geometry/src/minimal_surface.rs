@@ -28,12 +28,14 @@ mod statistics;
 #[cfg(test)]
 mod structured;
 mod topology_change;
+mod triple_junction;
 mod vertex_relaxation;
 
 pub use extrapolation::ExtrapolatedArea;
 pub use initial_mesh::InitialMeshKind;
 pub use spanning_topology::{SpanningComparison, SpanningTopology};
 pub use statistics::{Curvature, HistoryRow, MeanCurvature, Pinch, Stability, StabilityMethod, Statistics, StopReason};
+pub use triple_junction::JunctionStatistics;
 pub use vertex_relaxation::Process;
 
 use crate::error::{InputError, Warning};
@@ -212,7 +214,8 @@ pub enum InitialMesh {
     /// What [`InitialMesh::Auto`] is for one boundary under [`Objective::MinimalMeanCurvature`].
     Barycentres,
     /// The caller's own: an oriented manifold whose boundary loops are the boundaries, exactly, with or without further
-    /// vertices on their segments. The resolution then means nothing.
+    /// vertices on their segments. The resolution then means nothing. A mesh with edges of three triangles is a film with
+    /// junctions: the sheets meet there at 120° in the result, and the boundaries together must be its edges of one triangle.
     Given(Mesh),
 }
 
@@ -380,6 +383,10 @@ impl Options {
                 .push(InputError::new(Place::field("degenerate_angle_deg"), "must be above 0 and at most 20 degrees"));
         }
         self.constraints.check(&mut errors);
+        if self.topology == Topology::Best && self.initial_mesh != InitialMesh::Auto {
+            let detail = "best spans every set of boundaries by itself and takes auto alone";
+            errors.push(InputError::new(Place::field("initial_mesh"), detail));
+        }
         if !self.constraints.is_empty() && self.topology != Topology::Fixed {
             let detail = "a film with fixed points or curves keeps its topology";
             errors.push(InputError::new(Place::field("topology"), detail));
@@ -448,6 +455,13 @@ pub struct MinimalSurface {
 pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<MinimalSurface, Error> {
     let input = Input::read(boundaries, options)?;
     exec.look(input.point_count() as u64)?;
+    if let InitialMesh::Given(mesh) = &options.initial_mesh
+        && triple_junction::has_junctions(&mesh.triangles)
+    {
+        let mut surface = triple_junction::solve(&input.given, &input.vertices, mesh, options, exec)?;
+        surface.warnings.extend(input.merged_points());
+        return Ok(surface);
+    }
     let given = options;
     let options = &options.centred(input.centre);
     let newton = matches!(options.solver, Solver::Auto | Solver::Newton) && options.objective == Objective::MinimalArea;
@@ -574,6 +588,11 @@ impl Input {
         Ok(Self { centre, given, centred, vertices, dropped })
     }
 
+    fn merged_points(&self) -> Option<Warning> {
+        let detail = format!("{} points equal to their neighbour were merged with it", self.dropped);
+        (self.dropped > 0).then(|| Warning::new("merged_points", detail))
+    }
+
     fn point_count(&self) -> usize {
         self.given.iter().map(Vec::len).sum()
     }
@@ -637,10 +656,7 @@ fn finish(
     let statistics =
         statistics::collect(&film, &topology, &measured, statistics::Origin { kind, initial_area, run }, options);
     let mut warnings = Vec::new();
-    if input.dropped > 0 {
-        let detail = format!("{} points equal to their neighbour were merged with it", input.dropped);
-        warnings.push(Warning::new("merged_points", detail));
-    }
+    warnings.extend(input.merged_points());
     if !statistics.pinches.is_empty() {
         let detail = format!(
             "the film came apart at {} places; its topology is not the initial mesh's",

@@ -3,6 +3,7 @@
 use super::extrapolation::ExtrapolatedArea;
 use super::film::{Film, Run};
 use super::spanning_topology::SpanningComparison;
+use super::triple_junction::JunctionStatistics;
 use super::{InitialMeshKind, Objective, Options, Solver};
 use crate::DVec3;
 use crate::mesh::measure::{self, Spread};
@@ -153,6 +154,8 @@ pub struct Statistics {
     pub pinches: Vec<Pinch>,
     /// Under [`Topology::Best`](super::Topology::Best): the films over the boundaries that were compared.
     pub spanning: Option<SpanningComparison>,
+    /// Of a film with junctions: sheets that meet three by three along curves.
+    pub junctions: Option<JunctionStatistics>,
 }
 
 impl Statistics {
@@ -277,5 +280,6 @@ pub(super) fn collect(
         degenerate_triangles,
         pinches: run.pinches,
         spanning: run.spanning,
+        junctions: None,
     }
 }

@@ -1,0 +1,248 @@
+//! Half-circles from pole to pole of one sphere, and films between them.
+
+use super::super::{InitialMesh, Resolution};
+use super::*;
+
+/// Sheets from the polar axis (bent by `bend`, as a part of the radius) to half-circles at the given azimuths (degrees), `m`
+/// segments a half-circle and `n` rows from the axis; and the two loops of wire.
+fn half_discs(azimuths_deg: &[f64], m: usize, n: usize, radius: f64, bend: DVec3) -> (Vec<Vec<DVec3>>, Mesh) {
+    let angle = |i: usize| std::f64::consts::PI * i as f64 / m as f64;
+    let pole = |sign: f64| DVec3::new(0.0, 0.0, sign * radius);
+    let on_wire = |azimuth: f64, i: usize| match i {
+        0 => pole(1.0),
+        i if i == m => pole(-1.0),
+        i => radius * DVec3::new(angle(i).sin() * azimuth.cos(), angle(i).sin() * azimuth.sin(), angle(i).cos()),
+    };
+    let axis = |i: usize| DVec3::new(0.0, 0.0, radius * angle(i).cos()) + bend * (radius * angle(i).sin());
+    let mut vertices = vec![pole(1.0), pole(-1.0)];
+    let first = vertices.len();
+    vertices.extend((1..m).map(axis));
+    let mut triangles = Vec::new();
+    for azimuth in azimuths_deg.iter().map(|azimuth| azimuth.to_radians()) {
+        let begin = vertices.len();
+        for i in 1..m {
+            for j in 1..=n {
+                let point =
+                    if j == n { on_wire(azimuth, i) } else { axis(i).lerp(on_wire(azimuth, i), j as f64 / n as f64) };
+                vertices.push(point);
+            }
+        }
+        let at = |i: usize, j: usize| match (i, j) {
+            (0, _) => 0,
+            (i, _) if i == m => 1,
+            (i, 0) => (first + i - 1) as u32,
+            (i, j) => (begin + (i - 1) * n + j - 1) as u32,
+        };
+        for j in 0..n {
+            triangles.push([at(0, 0), at(1, j), at(1, j + 1)]);
+            triangles.push([at(m, 0), at(m - 1, j + 1), at(m - 1, j)]);
+            for i in 1..m - 1 {
+                triangles.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
+                triangles.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
+            }
+        }
+    }
+    let loops = azimuths_deg
+        .windows(2)
+        .map(|pair| {
+            let down = (0..m).map(|i| on_wire(pair[0].to_radians(), i));
+            let up = (1..=m).rev().map(|i| on_wire(pair[1].to_radians(), i));
+            down.chain(up).collect()
+        })
+        .collect();
+    (loops, Mesh::new(vertices, triangles))
+}
+
+fn solved(loops: &[Vec<DVec3>], mesh: &Mesh) -> MinimalSurface {
+    let options = Options {
+        initial_mesh: InitialMesh::Given(mesh.clone()),
+        tolerance: 1e-8,
+        ..Options::new(Resolution::Triangles(1))
+    };
+    crate::minimal_surface::solve(loops, &options, &Execution::default()).unwrap()
+}
+
+fn deviation_deg(angles: &Spread) -> f64 {
+    (angles.max - THIRD_OF_TURN).max(THIRD_OF_TURN - angles.min).to_degrees()
+}
+
+#[test]
+fn three_half_circles_120_degrees_apart_carry_three_half_discs() {
+    let radius = 2.0;
+    for bend in [DVec3::new(0.3, -0.2, 0.0), DVec3::new(0.1, 0.5, 0.1)] {
+        let mut shortfalls = Vec::new();
+        for (m, n) in [(12, 4), (24, 8), (48, 16)] {
+            let (loops, mesh) = half_discs(&[0.0, 120.0, 240.0], m, n, radius, bend);
+            let surface = solved(&loops, &mesh);
+            let statistics = &surface.statistics;
+            let junctions = statistics.junctions.as_ref().unwrap();
+            assert!(statistics.converged && statistics.initial_area > statistics.area, "{statistics:?}");
+            assert_eq!((junctions.sheets, junctions.curves.len(), junctions.points), (3, 1, 0));
+            assert_eq!((junctions.edges, junctions.curves[0].len()), (m, m + 1));
+            // Three half-discs along a straight diameter, whatever the start.
+            assert!((junctions.length - 2.0 * radius).abs() < 1e-9);
+            let polygons = 1.5 * radius * radius * m as f64 * (std::f64::consts::PI / m as f64).sin();
+            assert!((statistics.area - polygons).abs() < 1e-12 * polygons);
+            assert!(deviation_deg(&junctions.facet_angles) < 1e-4 && deviation_deg(&junctions.sheet_angles) < 1e-4);
+            assert_eq!((junctions.morse_index, statistics.components), (Some(0), 1));
+            assert_eq!(statistics.euler_characteristic, 1);
+            shortfalls.push(1.5 * std::f64::consts::PI * radius * radius - statistics.area);
+            for (boundary, vertices) in loops.iter().zip(&surface.boundaries) {
+                assert!(boundary.iter().zip(vertices).all(|(&p, &v)| surface.mesh.vertices[v as usize] == p));
+            }
+        }
+        // Second order in the wire's segments.
+        assert!(shortfalls.windows(2).all(|pair| (3.9..4.1).contains(&(pair[0] / pair[1]))), "{shortfalls:?}");
+    }
+}
+
+#[test]
+fn half_circles_100_120_and_140_degrees_apart_still_meet_at_120() {
+    for (m, n) in [(12, 4), (24, 8), (48, 16)] {
+        for bend in [DVec3::ZERO, DVec3::new(0.2, 0.1, 0.0)] {
+            let (loops, mesh) = half_discs(&[0.0, 100.0, 220.0], m, n, 2.0, bend);
+            let surface = solved(&loops, &mesh);
+            let junctions = surface.statistics.junctions.as_ref().unwrap();
+            assert!(surface.statistics.converged && junctions.residual <= 1e-8);
+            assert!(surface.statistics.area < 1.5 * std::f64::consts::PI * 4.0);
+            assert!(junctions.length > 4.05 && junctions.morse_index == Some(0));
+            // The poles, where the wires force their own angles on the film, are the worst places.
+            assert!(junctions.largest_deviation.to_degrees() < 0.3, "{}", junctions.largest_deviation.to_degrees());
+            assert!(junctions.mean_deviation.to_degrees() < 0.1, "{}", junctions.mean_deviation.to_degrees());
+        }
+    }
+}
+
+#[test]
+fn scale_and_motion_change_nothing() {
+    let (loops, mesh) = half_discs(&[0.0, 100.0, 220.0], 12, 4, 1.0, DVec3::new(0.1, 0.2, 0.0));
+    let reference = solved(&loops, &mesh);
+    for (scale, shift) in [(1e6, DVec3::ZERO), (1e-6, DVec3::ZERO), (1.0, DVec3::new(1e7, -2e7, 3e7))] {
+        let map = |p: DVec3| p.rotate_x(0.4).rotate_z(1.3) * scale + shift;
+        let moved_loops: Vec<Vec<DVec3>> =
+            loops.iter().map(|boundary| boundary.iter().map(|&p| map(p)).collect()).collect();
+        let moved = Mesh::new(mesh.vertices.iter().map(|&p| map(p)).collect(), mesh.triangles.clone());
+        let surface = solved(&moved_loops, &moved);
+        let ratio = surface.statistics.area / (reference.statistics.area * scale * scale);
+        // Coordinates of 3e7 have a rounding of 4e-9.
+        assert!((ratio - 1.0).abs() < 1e-6, "{ratio}");
+    }
+}
+
+#[test]
+fn four_junctions_meet_in_a_point_inside_a_tetrahedron() {
+    // The cone over a regular tetrahedron's six edges: six sheets, four junctions from the middle to the corners, 109.47° apart.
+    let corners =
+        [(1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0, 1.0)].map(|(x, y, z)| DVec3::new(x, y, z));
+    let n = 8;
+    // The middle starts displaced.
+    let middle = DVec3::new(0.3, -0.2, 0.1);
+    let mut vertices = vec![middle];
+    let mut find = |p: DVec3| {
+        let known = vertices.iter().position(|q| q.distance(p) < 1e-9);
+        known.unwrap_or_else(|| {
+            vertices.push(p);
+            vertices.len() - 1
+        }) as u32
+    };
+    let mut triangles = Vec::new();
+    for a in 0..4 {
+        for b in a + 1..4 {
+            let at = |i: usize, j: usize| {
+                middle + (corners[a] - middle) * (i as f64 / n as f64) + (corners[b] - middle) * (j as f64 / n as f64)
+            };
+            for i in 0..n {
+                for j in 0..n - i {
+                    triangles.push([at(i, j), at(i + 1, j), at(i, j + 1)].map(&mut find));
+                    if i + j + 2 <= n {
+                        triangles.push([at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)].map(&mut find));
+                    }
+                }
+            }
+        }
+    }
+    let mesh = Mesh::new(vertices, triangles);
+    // The wire's points as the mesh has them, to the last bit.
+    let on_wire = |a: DVec3, b: DVec3, k: usize| {
+        let p = a.lerp(b, k as f64 / n as f64);
+        *mesh.vertices.iter().min_by(|x, y| x.distance(p).total_cmp(&y.distance(p))).unwrap()
+    };
+    let [p, q, r, s] = corners;
+    let polygon = |cycle: &[DVec3]| -> Vec<DVec3> {
+        let sides = cycle.iter().zip(cycle.iter().cycle().skip(1));
+        sides.flat_map(|(&a, &b)| (0..n).map(move |k| (a, b, k))).map(|(a, b, k)| on_wire(a, b, k)).collect()
+    };
+    let surface = solved(&[polygon(&[p, q, r]), polygon(&[p, q, s]), polygon(&[p, r, s])], &mesh);
+    let junctions = surface.statistics.junctions.as_ref().unwrap();
+    assert!(surface.statistics.converged, "{:?}", surface.warnings);
+    assert_eq!((junctions.sheets, junctions.curves.len(), junctions.points), (6, 4, 1));
+    // Six triangles from the centre to the edges: 6 · ½ |p × q|.
+    let cone = 3.0 * p.cross(q).length();
+    assert!((surface.statistics.area - cone).abs() < 1e-9 * cone, "{} {cone}", surface.statistics.area);
+    assert!(junctions.largest_deviation.to_degrees() < 1e-3);
+    let inside = surface.mesh.vertices.iter().map(|v| v.length()).fold(f64::INFINITY, f64::min);
+    assert!(inside < 1e-8, "{inside}");
+}
+
+#[test]
+fn what_is_no_such_film_is_refused() {
+    let (loops, mesh) = half_discs(&[0.0, 120.0, 240.0], 6, 2, 1.0, DVec3::ZERO);
+    let told = |loops: &[Vec<DVec3>], mesh: &Mesh| {
+        let options = Options::new(Resolution::Triangles(1));
+        match solve(loops, &[], mesh, &options, &Execution::default()) {
+            Err(Error::Input(errors)) => format!("{}: {}", errors[0].place, errors[0].detail),
+            other => panic!("{other:?}"),
+        }
+    };
+    // One wire of the three is not named.
+    assert!(told(&loops[..1], &mesh).contains("such edges are no segment"));
+    let mut moved = loops.clone();
+    moved[0][2].x += 1e-3;
+    assert!(told(&moved, &mesh).contains("no vertex at a point of boundary 0"));
+    let mut bad = mesh.clone();
+    bad.triangles[5][0] = 10_000;
+    assert!(told(&loops, &bad).contains("does not exist"));
+    let mut bad = mesh.clone();
+    bad.vertices.push(DVec3::ONE);
+    assert!(told(&loops, &bad).contains("belongs to no triangle"));
+    // A fourth sheet on the same junction.
+    let (four, mesh) = half_discs(&[0.0, 90.0, 180.0, 270.0], 6, 2, 1.0, DVec3::ZERO);
+    assert!(told(&four, &mesh).contains("4 triangles share the edge"));
+    let options = Options { topology: Topology::Free, ..Options::new(Resolution::Triangles(1)) };
+    let refused = solve(&loops, &[], &mesh, &options, &Execution::default());
+    assert!(matches!(refused, Err(Error::Input(errors)) if errors[0].place.to_string() == "/topology"));
+}
+
+#[test]
+fn junctions_are_recognised() {
+    let (_, film) = half_discs(&[0.0, 120.0, 240.0], 6, 2, 1.0, DVec3::ZERO);
+    let (_, plain) = half_discs(&[0.0, 120.0], 6, 2, 1.0, DVec3::ZERO);
+    assert!(has_junctions(&film.triangles) && !has_junctions(&plain.triangles));
+}
+
+#[test]
+fn the_variations_agree_with_finite_differences() {
+    let (_, mesh) = half_discs(&[0.0, 100.0, 220.0], 5, 2, 1.0, DVec3::new(0.2, 0.1, 0.05));
+    let film = Sheets::read(mesh.vertices, mesh.triangles).unwrap();
+    let directions = Directions::of(&film);
+    let mut second = SecondVariation::new(&film, &directions);
+    second.assemble(&film, &directions, 0.0);
+    let n = directions.direction.len();
+    let pull =
+        |step: &[f64]| -> Vec<f64> { directions.components(&film.gradient(&directions.moved(&film, step, 1.0))) };
+    let h = 1e-6;
+    for k in 0..n {
+        let mut step = vec![0.0; n];
+        step[k] = h;
+        let up = pull(&step);
+        step[k] = -h;
+        let down = pull(&step);
+        let mut row = vec![0.0; n];
+        let (columns, values) = second.matrix.row(k);
+        columns.iter().zip(values).for_each(|(&column, &value)| row[column as usize] = value);
+        for other in 0..n {
+            let difference = (up[other] - down[other]) / (2.0 * h);
+            assert!((difference - row[other]).abs() < 1e-6, "{k} {other}: {difference} {}", row[other]);
+        }
+    }
+}
