@@ -2,7 +2,7 @@
 
 mod statistics;
 
-pub use statistics::{MinimalStatistics, Spread};
+pub use statistics::{AngleRange, MinimalStatistics, Spread};
 
 use super::common::{self, Cache, Point, Units, UpAxis};
 use super::objectives::Objective as ObjectiveDoc;
