@@ -25,7 +25,7 @@ async fn a_square_is_answered_with_table_1_and_its_own_points_first() {
     assert_eq!(counts.sum::<u64>(), statistics["nodes"].as_u64().unwrap());
     let obj = app.get(&format!("{}?format=obj", job["links"]["mesh"].as_str().unwrap())).await.text().await.unwrap();
     let first = obj.lines().filter(|line| line.starts_with("v ")).take(4).collect::<Vec<_>>();
-    assert_eq!(first, ["v 0 0 0", "v 10 0 0", "v 10 10 0", "v 0 10 0"]);
+    assert_eq!(first, ["v 0.0 0.0 0.0", "v 10.0 0.0 0.0", "v 10.0 10.0 0.0", "v 0.0 10.0 0.0"]);
 }
 
 #[tokio::test]
