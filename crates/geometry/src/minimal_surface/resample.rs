@@ -32,6 +32,7 @@ const CLOSE_ENOUGH: f64 = 0.03;
 /// The interruptions of `exec`; the film is valid then too.
 pub(super) fn resample(film: &mut Film, count: f64, passes: u32, exec: &Execution) -> Result<(), Interruption> {
     let (mut aim, mut before) = (count, film.triangles().len() as f64);
+    let most = RUNAWAY * count.max(before);
     for _ in 0..passes {
         let size = sizes(film, aim);
         split_long(film, &size);
@@ -44,7 +45,7 @@ pub(super) fn resample(film: &mut Film, count: f64, passes: u32, exec: &Executio
         flip_to_delaunay(film);
         exec.look(20 * film.triangles().len() as u64)?;
         let reached = film.triangles().len() as f64;
-        if reached > RUNAWAY * count.max(before) {
+        if reached > most {
             // A film without area: however often its edges are split, the triangles stay too flat for their sizes.
             break;
         }
