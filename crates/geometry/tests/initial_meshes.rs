@@ -143,7 +143,7 @@ fn spacing_from_a_thousandth_to_one_is_graded() {
     let boundary: Vec<DVec3> = half.into_iter().chain(back).map(place).collect();
     {
         let options = options(3000);
-        let surface = solved(&[boundary.clone()], &options);
+        let surface = solved(std::slice::from_ref(&boundary), &options);
         let smallest = surface.statistics.smallest_angle.to_degrees();
         assert!(surface.statistics.converged);
         assert!(smallest > 20.0, "{smallest}");
@@ -229,9 +229,9 @@ fn odd_boundaries_converge_or_are_refused_with_the_reason() {
         ("nearly_equal", nearly_equal),
     ] {
         for options in [options(1500), keep(1500)] {
-            match solve(&[boundary.clone()], &options, &Execution::default()) {
+            match solve(std::slice::from_ref(&boundary), &options, &Execution::default()) {
                 Ok(surface) => {
-                    valid(&[boundary.clone()], &surface);
+                    valid(std::slice::from_ref(&boundary), &surface);
                     let statistics = &surface.statistics;
                     // Two points a rounding apart leave a triangle that is folded by rounding, and said to be.
                     let folded =
@@ -262,15 +262,18 @@ fn impossible_inputs_name_the_reason() {
     let line = flat(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (0.5, 0.0)]);
     assert!(refused(&[line], &options(100)).contains("one line"));
     let bow_tie = flat(&[(0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0)]);
-    assert!(refused(&[bow_tie.clone()], &options(100)).starts_with("self_intersecting_boundary"));
+    assert!(refused(std::slice::from_ref(&bow_tie), &options(100)).starts_with("self_intersecting_boundary"));
     assert!(refused(&[moved(&bow_tie, at(3.0, 0.0, 1e3))], &options(100)).starts_with("self_intersecting_boundary"));
     assert!(refused(&[circle(200, 1.0, 0.0)], &options(50)).starts_with("/resolution"));
     assert!(
-        refused(&[triangle.clone()], &Options::new(Resolution::EdgeLength(-1.0)))
+        refused(std::slice::from_ref(&triangle), &Options::new(Resolution::EdgeLength(-1.0)))
             .starts_with("/resolution/edge_length")
     );
-    assert!(refused(&[triangle.clone()], &Options::new(Resolution::EdgeLength(1e-9))).starts_with("/resolution"));
-    assert!(refused(&[triangle.clone()], &options(usize::MAX)).starts_with("/resolution/triangles"));
+    assert!(
+        refused(std::slice::from_ref(&triangle), &Options::new(Resolution::EdgeLength(1e-9)))
+            .starts_with("/resolution")
+    );
+    assert!(refused(std::slice::from_ref(&triangle), &options(usize::MAX)).starts_with("/resolution/triangles"));
     let bad = Options { tolerance: f64::NAN, ..options(100) };
     assert!(refused(&[triangle], &bad).starts_with("/tolerance"));
 }
@@ -323,7 +326,7 @@ fn the_clients_own_mesh_is_the_start_and_the_unstable_catenoid_is_reported() {
         }
     }
     let from_catenoid = Options { initial_mesh: InitialMesh::Given(mesh), ..keep(1) };
-    let surface = solved(&[boundary.clone()], &from_catenoid);
+    let surface = solved(std::slice::from_ref(&boundary), &from_catenoid);
     let statistics = &surface.statistics;
     assert_eq!((statistics.initial_mesh.name(), statistics.triangles), ("given", 2 * nu * nv));
     let stability = statistics.stability.unwrap();
@@ -338,11 +341,12 @@ fn the_clients_own_mesh_is_the_start_and_the_unstable_catenoid_is_reported() {
         moved.vertices.iter_mut().zip(way_down).for_each(|(vertex, &direction)| *vertex += step * direction);
         assert!(measure::area(&moved) < statistics.area);
     }
-    let left = solved(&[boundary.clone()], &Options { on_unstable: OnUnstable::Descend, ..from_catenoid.clone() });
+    let left =
+        solved(std::slice::from_ref(&boundary), &Options { on_unstable: OnUnstable::Descend, ..from_catenoid.clone() });
     assert!(left.statistics.converged && left.statistics.stability.unwrap().stable && left.way_down.is_none());
     assert!((left.statistics.area - 58.16).abs() < 0.2, "{}", left.statistics.area);
     // Left to choose, the solver finds the stable one; and a result can be posted again.
-    let stable = solved(&[boundary.clone()], &keep(2040));
+    let stable = solved(std::slice::from_ref(&boundary), &keep(2040));
     assert_eq!(stable.statistics.stability.unwrap().morse_index, 0);
     assert!((stable.statistics.area - 58.16).abs() < 0.1);
     let again = Options { initial_mesh: InitialMesh::Given(stable.mesh.clone()), ..keep(1) };
@@ -371,7 +375,7 @@ fn fixed_points_and_curves_are_vertices_and_edges_exactly() {
         };
         for sampling in [BoundarySampling::Refine, BoundarySampling::Keep] {
             let options = Options { constraints: constraints.clone(), boundary_sampling: sampling, ..options(2200) };
-            let surface = solved(&[given.clone()], &options);
+            let surface = solved(std::slice::from_ref(&given), &options);
             let topology = surface.mesh.check().unwrap();
             assert_eq!(surface.constraints.points.len(), 1);
             assert_eq!(surface.mesh.vertices[surface.constraints.points[0] as usize], constraints.points[0]);

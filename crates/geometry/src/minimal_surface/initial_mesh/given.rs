@@ -180,7 +180,7 @@ mod tests {
             if reversed {
                 polygon.reverse();
             }
-            let film = build(&mesh, &[polygon.clone()], &Pins::default()).unwrap();
+            let film = build(&mesh, std::slice::from_ref(&polygon), &Pins::default()).unwrap();
             assert_eq!(film.vertices[..4], polygon);
             assert_eq!(film.boundaries[0].len(), 5);
             let first = film.boundaries[0][0];
@@ -201,13 +201,13 @@ mod tests {
         assert!(place(&mesh, &[corners.clone(), corners.clone()]).contains("1 boundary loops, there are 2"));
         let mut bad = mesh.clone();
         bad.triangles[3] = [4, 5, 99];
-        assert!(place(&bad, &[corners.clone()]).starts_with("/initial_mesh/triangles/3"));
+        assert!(place(&bad, std::slice::from_ref(&corners)).starts_with("/initial_mesh/triangles/3"));
         let mut bad = mesh.clone();
         bad.vertices[0].x = f64::NAN;
-        assert!(place(&bad, &[corners.clone()]).starts_with("/initial_mesh/vertices/0"));
+        assert!(place(&bad, std::slice::from_ref(&corners)).starts_with("/initial_mesh/vertices/0"));
         let mut bad = mesh.clone();
         bad.triangles.push([2, 1, 0]);
-        assert!(place(&bad, &[corners.clone()]).contains("manifold"));
+        assert!(place(&bad, std::slice::from_ref(&corners)).contains("manifold"));
         let mut bad = mesh;
         bad.vertices[0] = bad.vertices[1];
         assert!(place(&bad, &[corners]).contains("no area"));

@@ -149,7 +149,7 @@ mod tests {
         let inner = DVec3::new(2.0, 2.0, 1.0);
         let constraints =
             Constraints { points: vec![inner, inner], polylines: vec![vec![DVec3::ZERO, inner, boundary[2]]] };
-        let kept = Pins::new(&constraints, &[boundary.clone()], 0.5, BoundarySampling::Keep);
+        let kept = Pins::new(&constraints, std::slice::from_ref(&boundary), 0.5, BoundarySampling::Keep);
         assert_eq!(kept.points, [inner]);
         assert_eq!(kept.edges, [[Pin::Boundary(0), Pin::Inner(0)], [Pin::Inner(0), Pin::Boundary(2)]]);
         let refined = Pins::new(&constraints, &[boundary], 1.0, BoundarySampling::Refine);
