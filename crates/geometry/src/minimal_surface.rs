@@ -579,6 +579,19 @@ impl Input {
             dropped += merged.dropped();
             given.push(merged.points);
         }
+        // The film between a loop and its double has no area: no size of triangle suits it.
+        let mut seen = std::collections::BTreeMap::new();
+        for (k, points) in given.iter().enumerate() {
+            let mut keys: Vec<[u64; 3]> =
+                points.iter().map(|p| (*p + DVec3::ZERO).to_array().map(f64::to_bits)).collect();
+            keys.sort_unstable();
+            if let Some(first) = seen.get(&keys) {
+                let detail = format!("runs through the same points as boundary {first}");
+                errors.push(InputError::new(place().at(k), detail));
+            } else {
+                seen.insert(keys, k);
+            }
+        }
         if !errors.is_empty() {
             return Err(Error::Input(errors));
         }
