@@ -186,7 +186,8 @@ fn a_film_is_meshed_and_its_corners_stay_where_they_are() {
     check(&result, 4.0);
     assert_eq!(names(&result), ["auxiliary_surface", "auxiliary_plane", "plane", "surface", "optimised_nodes"]);
     for (k, vertex) in result.input_vertices.iter().enumerate() {
-        assert_eq!(vertex.is_some(), k % 24 == 0, "input point {k}");
+        // Points where the frame turns sharply are kept too.
+        assert!(vertex.is_some() || k % 24 != 0, "input point {k}");
         if let Some(vertex) = vertex {
             assert_eq!(result.mesh.vertices[*vertex as usize], boundary[k]);
         }

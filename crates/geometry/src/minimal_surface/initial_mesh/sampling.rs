@@ -54,6 +54,9 @@ pub(super) fn sample(polygon: &[DVec3], size: f64, grading: f64, sampling: Bound
     result
 }
 
+/// A segment is cut into at most so many pieces.
+const MOST_PIECES: f64 = 1e5;
+
 /// Shares of a segment at which it is cut: sizes `from` and `to` at its ends, growing inwards with `grading`, at most `size`.
 fn parts(length: f64, from: f64, to: f64, size: f64, grading: f64) -> Vec<f64> {
     let meeting = ((to - from + grading * length) / (2.0 * grading)).clamp(0.0, length);
@@ -66,7 +69,8 @@ fn parts(length: f64, from: f64, to: f64, size: f64, grading: f64) -> Vec<f64> {
     let flat = (down - up) / size;
     let fall = (1.0 + grading * (length - down) / to).ln() / grading;
     let pieces = rise + flat + fall;
-    let count = (pieces - 0.3).ceil().max(1.0) as usize;
+    // Sizes that the boundary's own spacing makes vanish would ask for points without end.
+    let count = if pieces.is_finite() { (pieces - 0.3).ceil().clamp(1.0, MOST_PIECES) as usize } else { 1 };
     (1..count)
         .map(|k| {
             let at = pieces * k as f64 / count as f64;
