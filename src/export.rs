@@ -18,6 +18,7 @@ pub mod gltf;
 pub mod obj;
 pub mod pattern;
 pub mod ply;
+mod sheets;
 pub mod stl;
 pub mod svg;
 

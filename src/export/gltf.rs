@@ -7,6 +7,7 @@
 //! - The surface is node 0; every line set is a node of its own (`LINES`, `LINE_STRIP`) over the same positions, so a
 //!   viewer can switch it. Segments with values have positions of their own and carry the value at both ends.
 //! - `NORMAL` is area-weighted and of unit length everywhere: where no triangle gives a direction, it is the up axis.
+//! - Where three sheets meet each has vertices of its own with its own normals, after all vertices of the mesh.
 //! - `_MEAN_CURVATURE` is in 1/m (clamped to f32); `COLOR_0` runs from blue through green to red over
 //!   `asset.extras.color_range`, interpolated linearly between its stops.
 //!
@@ -17,8 +18,8 @@ use plateau_geometry::mesh::measure;
 use plateau_geometry::{DVec3, Mesh};
 use serde_json::{Value, json};
 
-use super::Error;
 use super::archive::{Archive, Contents, LineSet, Lines, MeanCurvature, Polyline, UpAxis};
+use super::{Error, sheets};
 
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
@@ -191,20 +192,25 @@ fn document(archive: &Archive) -> Result<(Value, Vec<u8>), Error> {
     let contents = archive.contents();
     let frame = Frame::new(contents)?;
     let mut buffer = Buffer::default();
-    let positions: Vec<[f32; 3]> = contents.mesh.vertices.iter().map(|&vertex| frame.position(vertex)).collect();
+    let apart = sheets::apart(&contents.mesh);
+    let mesh = apart.as_ref().map_or(&contents.mesh, |(mesh, _)| mesh);
+    let positions: Vec<[f32; 3]> = mesh.vertices.iter().map(|&vertex| frame.position(vertex)).collect();
     let shared = buffer.positions(&positions);
 
     let mut attributes = json!({
         "POSITION": shared,
-        "NORMAL": buffer.vectors(normals(&contents.mesh, &frame).into_iter()),
+        "NORMAL": buffer.vectors(normals(mesh, &frame).into_iter()),
     });
     if let Some(curvature) = &contents.mean_curvature {
         let per_metre = |value: f64| (value / frame.metres).min(f64::from(f32::MAX)) as f32;
-        attributes["_MEAN_CURVATURE"] = buffer.scalars(curvature.values.iter().map(|&value| per_metre(value))).into();
+        let further = apart.iter().flat_map(|(_, source)| &source[curvature.values.len()..]);
+        let further = further.map(|&vertex| curvature.values[vertex as usize]);
+        let values: Vec<f64> = curvature.values.iter().copied().chain(further).collect();
+        attributes["_MEAN_CURVATURE"] = buffer.scalars(values.iter().map(|&value| per_metre(value))).into();
         let range = curvature.range();
-        attributes["COLOR_0"] = buffer.colors(curvature.values.iter().map(|&value| color(value, range))).into();
+        attributes["COLOR_0"] = buffer.colors(values.iter().map(|&value| color(value, range))).into();
     }
-    let triangles = buffer.indices(contents.mesh.triangles.iter().flatten().copied());
+    let triangles = buffer.indices(mesh.triangles.iter().flatten().copied());
 
     let base_color = if contents.mean_curvature.is_some() { [1.0, 1.0, 1.0, 1.0] } else { [0.55, 0.68, 0.8, 1.0] };
     let mut materials = vec![material("surface", base_color, true)];

@@ -163,6 +163,9 @@ fn prefer_parameter() -> Value {
         "schema": { "type": "string" }, "example": "wait=10" })
 }
 
+/// Longer requests (each would be hundreds of lines of coordinates) are at `GET /v1/examples/{name}` alone.
+const LONGEST_EXAMPLE_BYTES: usize = 1200;
+
 fn submit(kind: Kind) -> Value {
     let component = schema::request_component(kind);
     let (id, summary) = match kind {
@@ -177,7 +180,7 @@ fn submit(kind: Kind) -> Value {
     };
     let examples: Map<String, Value> = examples()
         .iter()
-        .filter(|example| example.kind == kind)
+        .filter(|example| example.kind == kind && example.request.to_string().len() <= LONGEST_EXAMPLE_BYTES)
         .map(|example| (example.name.into(), json!({ "summary": example.title, "value": example.request })))
         .collect();
     let finished = json!({

@@ -87,6 +87,10 @@ fn minimal(request: &MinimalSurfaceRequest, exec: &Execution) -> Result<Solved, 
     let points: Vec<DVec3> = boundaries.into_iter().flatten().collect();
     let centre = polyline::mean(&points);
     let radius = points.iter().map(|point| point.distance(centre)).fold(0.0, f64::max);
+    let mut line_sets = vec![line_set("boundaries", polylines(&surface.boundaries, true))];
+    if let Some(junctions) = &surface.statistics.junctions {
+        line_sets.push(line_set("junctions", polylines(&junctions.curves, false)));
+    }
     let archive = archive(Contents {
         generator: generator(),
         title: "minimal surface".into(),
@@ -97,7 +101,7 @@ fn minimal(request: &MinimalSurfaceRequest, exec: &Execution) -> Result<Solved, 
             values: surface.mean_curvature,
             least_range: if radius > 0.0 { options.tolerance / radius } else { 0.0 },
         }),
-        line_sets: vec![line_set("boundaries", polylines(&surface.boundaries, true))],
+        line_sets,
         input_vertices: surface.input_vertices,
         statistics: statistics.to_string(),
         pattern: None,

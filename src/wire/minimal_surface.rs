@@ -73,7 +73,7 @@ pub struct MinimalSurfaceRequest {
     pub linear_solver: LinearSolver,
     /// Triangles with an angle below this are removed by `pinkall_polthier` and under `topology: free`; 0: none is.
     #[serde(default = "default_degenerate_angle_deg")]
-    #[schemars(range(min = 0, max = 30))]
+    #[schemars(range(min = 0, max = 20))]
     pub degenerate_angle_deg: f64,
     /// Which of the candidate points `initial_mesh: barycentres` takes.
     #[serde(default = "default_seed")]
@@ -195,7 +195,8 @@ pub enum MadeMesh {
 }
 
 /// The client's own initial mesh: an oriented manifold whose boundary loops are `boundaries`, with or without further vertices
-/// on their segments. `resolution` then means nothing.
+/// on their segments. Or a film whose sheets meet three by three along edges with three triangles: its edges with one triangle
+/// must then be the segments of `boundaries`, which may share points. `resolution` means nothing in either case.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GivenMesh {

@@ -129,6 +129,71 @@ const FILES: &[(&str, &str, &str)] = &[
     ),
     ("two-rings", "A film between two coaxial rings", include_str!("../../api/examples/two-rings.json")),
     (
+        "rings-12-free",
+        "Two rings at a distance of 0.6 of their diameter: the catenoid holds",
+        include_str!("../../api/examples/rings-12-free.json"),
+    ),
+    (
+        "rings-12-best",
+        "The same rings: two discs have less area than their catenoid, which is stable",
+        include_str!("../../api/examples/rings-12-best.json"),
+    ),
+    (
+        "rings-14-free",
+        "Two rings too far apart for a catenoid: the neck pinches, two discs are left",
+        include_str!("../../api/examples/rings-14-free.json"),
+    ),
+    (
+        "rings-14-best",
+        "The same rings, every way to span them compared",
+        include_str!("../../api/examples/rings-14-best.json"),
+    ),
+    (
+        "rings-14-pinkall-polthier",
+        "The same rings by Bento and Cavalcanti's own method (their Fig. 7)",
+        include_str!("../../api/examples/rings-14-pinkall-polthier.json"),
+    ),
+    (
+        "cut-cylinder",
+        "A cylinder cut along a line, by Bento and Cavalcanti's own method (their Fig. 9)",
+        include_str!("../../api/examples/cut-cylinder.json"),
+    ),
+    (
+        "three-rings",
+        "Three rings in a row, every way to span them compared",
+        include_str!("../../api/examples/three-rings.json"),
+    ),
+    (
+        "tetrahedron-loops",
+        "Four loops on a tetrahedron's faces, every way to span them compared",
+        include_str!("../../api/examples/tetrahedron-loops.json"),
+    ),
+    (
+        "nested-loops",
+        "A loop inside another in the plane, every way to span them compared",
+        include_str!("../../api/examples/nested-loops.json"),
+    ),
+    (
+        "three-half-circles",
+        "Three half-discs that meet at 120° along a diameter, from a displaced start",
+        include_str!("../../api/examples/three-half-circles.json"),
+    ),
+    (
+        "three-half-circles-uneven",
+        "Half-circles 100°, 120° and 140° apart: the sheets still meet at 120°",
+        include_str!("../../api/examples/three-half-circles-uneven.json"),
+    ),
+    (
+        "helicoid-liu-wang",
+        "Liu and Wang's helicoid, 28 boundary and 20 interior points",
+        include_str!("../../api/examples/helicoid-liu-wang.json"),
+    ),
+    (
+        "scherk-relaxation",
+        "Scherk's surface by Chen-Cai-Zheng's processes in an order of the caller's, both tolerances",
+        include_str!("../../api/examples/scherk-relaxation.json"),
+    ),
+    (
         "wavy-strip",
         "A strip between a wave of 60 and a wave of 80 points",
         include_str!("../../api/examples/wavy-strip.json"),

@@ -79,3 +79,96 @@ async fn what_no_mesh_can_have_is_refused_by_name() {
     request["processes"] = json!([["ironing"]]);
     assert_eq!(pointers(&problem(app.post(MINIMAL, &request).await, 422).await), ["/processes/0/0"]);
 }
+
+#[tokio::test]
+async fn rings_of_radius_10_hold_at_height_12_and_come_apart_at_14_with_a_log_of_the_pinch() {
+    let app = TestApp::start().await;
+    // Of two regular 36-gons in circles of radius 10.
+    let two_discs = 3600.0 * 10f64.to_radians().sin();
+    let near = solved(&app, &example("rings-12-free"), &json!({})).await;
+    assert_eq!((&near["components"], &near["pinches"]), (&json!(1), &json!([])));
+    assert!((near["area"].as_f64().unwrap() - 699.5).abs() < 1.0 && near["stability"]["stable"] == true);
+    // The catenoid is the second of the two candidates, and stable.
+    let best = solved(&app, &example("rings-12-best"), &json!({})).await;
+    assert!((best["area"].as_f64().unwrap() - two_discs).abs() < 1e-3);
+    let catenoid = &best["spanning"]["topologies"][1];
+    assert_eq!((&catenoid["films"], &catenoid["stability"]["stable"]), (&json!([[0, 1]]), &json!(true)));
+    assert!((catenoid["area"].as_f64().unwrap() - 699.5).abs() < 1.0);
+    for name in ["rings-14-free", "rings-14-pinkall-polthier"] {
+        let far = solved(&app, &example(name), &json!({})).await;
+        assert_eq!((&far["components"], &far["degenerate_triangles"]), (&json!(2), &json!(0)), "{name}");
+        assert!((far["area"].as_f64().unwrap() - two_discs).abs() < 1e-3, "{name}");
+        let [pinch] = &far["pinches"].as_array().unwrap()[..] else { panic!("{}", far["pinches"]) };
+        assert!(pinch["what"] == "split" && pinch["iteration"].as_u64().unwrap() > 0, "{pinch}");
+        assert!((pinch["place"][2].as_f64().unwrap() - 7.0).abs() < 1.5, "{pinch}");
+    }
+    let best = solved(&app, &example("rings-14-best"), &json!({})).await;
+    let spanning = &best["spanning"];
+    assert_eq!((&best["components"], &spanning["connected_film_exists"]), (&json!(2), &json!(false)));
+    assert_eq!(spanning["topologies"][1]["area"], json!(null));
+    let fraction = spanning["largest_gap_fraction"].as_f64().unwrap();
+    assert!((fraction - 0.6627 / 0.7).abs() < 0.005, "{fraction}");
+}
+
+#[tokio::test]
+async fn the_least_of_every_candidate_is_returned_and_each_area_shown() {
+    let app = TestApp::start().await;
+    for (name, candidates, films) in [
+        ("three-rings", 5, json!([[0], [1, 2]])),
+        ("tetrahedron-loops", 15, json!([[0, 1, 2, 3]])),
+        ("nested-loops", 2, json!([[0, 1]])),
+    ] {
+        let statistics = solved(&app, &example(name), &json!({})).await;
+        let topologies = statistics["spanning"]["topologies"].as_array().unwrap();
+        assert_eq!((topologies.len(), &topologies[0]["films"]), (candidates, &films), "{name}");
+        let area = |k: usize| topologies[k]["area"].as_f64().unwrap_or(f64::INFINITY);
+        assert!((1..candidates).all(|k| area(k - 1) <= area(k) * (1.0 + 1e-8)), "{name}");
+        assert!((area(0) / statistics["area"].as_f64().unwrap() - 1.0).abs() < 1e-12, "{name}");
+        assert!((0..candidates).all(|k| topologies[k]["chosen"] == (k == 0)), "{name}");
+    }
+}
+
+#[tokio::test]
+async fn a_film_with_a_triple_junction_comes_out_in_every_format() {
+    let app = TestApp::start().await;
+    let request = example("three-half-circles");
+    let job = app.solve(MINIMAL, &request).await;
+    let (statistics, junctions) = (&job["statistics"], &job["statistics"]["junctions"]);
+    assert_eq!((&statistics["converged"], &statistics["components"]), (&json!(true), &json!(1)));
+    assert_eq!(
+        (&junctions["sheets"], &junctions["edges"], &junctions["morse_index"]),
+        (&json!(3), &json!(16), &json!(0))
+    );
+    assert!((junctions["length"].as_f64().unwrap() - 2.0).abs() < 1e-9);
+    assert!(junctions["largest_deviation_deg"].as_f64().unwrap() < 1e-6);
+    let curve: Vec<usize> = serde_json::from_value(junctions["curves"][0].clone()).unwrap();
+    assert_eq!(curve.len(), 17);
+    let (vertices, triangles) =
+        (statistics["vertices"].as_u64().unwrap() as usize, statistics["triangles"].as_u64().unwrap() as usize);
+    let format = async |name: &str| {
+        let path = format!("{}?format={name}", job["links"]["mesh"].as_str().unwrap());
+        app.get(&path).await.bytes().await.unwrap()
+    };
+    // OBJ: the curve's vertices lie on the diameter from pole to pole, each once.
+    let obj = String::from_utf8(format("obj").await.to_vec()).unwrap();
+    let positions: Vec<Vec<f64>> = obj
+        .lines()
+        .filter_map(|line| line.strip_prefix("v "))
+        .map(|line| line.split_whitespace().map(|word| word.parse().unwrap()).collect())
+        .collect();
+    assert_eq!((positions.len(), obj.lines().filter(|line| line.starts_with("f ")).count()), (vertices, triangles));
+    assert!(curve.iter().all(|&v| positions[v][0].abs() < 1e-6 && positions[v][1].abs() < 1e-6));
+    let ply = format("ply").await;
+    let header = String::from_utf8_lossy(&ply[..400.min(ply.len())]).into_owned();
+    assert!(header.contains(&format!("element vertex {vertices}")) && header.contains(&format!("face {triangles}")));
+    assert_eq!(format("stl").await.len(), 84 + 50 * triangles);
+    // glTF: three sheets have a vertex each where they meet, with normals of their own; the junction is a line of its own.
+    let gltf: Value = serde_json::from_slice(&format("gltf").await).unwrap();
+    let names: Vec<&Value> = gltf["nodes"].as_array().unwrap().iter().map(|node| &node["name"]).collect();
+    assert_eq!(names, ["surface", "boundaries", "junctions"]);
+    let surface = &gltf["meshes"][0]["primitives"][0];
+    for attribute in ["POSITION", "NORMAL", "_MEAN_CURVATURE", "COLOR_0"] {
+        let accessor = surface["attributes"][attribute].as_u64().unwrap() as usize;
+        assert_eq!(gltf["accessors"][accessor]["count"], vertices + 2 * curve.len(), "{attribute}");
+    }
+}

@@ -505,6 +505,11 @@ fn relax(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Er
 /// The [`Error::Input`] that [`solve`] would begin with. Arguments that pass may still turn out to have no valid mesh.
 pub fn check(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
     let input = Input::read(boundaries, options)?;
+    if let InitialMesh::Given(mesh) = &options.initial_mesh
+        && triple_junction::has_junctions(&mesh.triangles)
+    {
+        return triple_junction::check(&input.given, mesh, options);
+    }
     initial_mesh::check(&input.centred, &options.centred(input.centre))
 }
 

@@ -126,6 +126,58 @@ impl From<&geometry::SpanningComparison> for Spanning {
     }
 }
 
+/// A film whose sheets meet three by three along curves: how well they balance there.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Junctions {
+    /// Parts of the film that hang together without crossing a junction.
+    pub sheets: usize,
+    /// Curves along which three sheets meet, each as vertices of the mesh (counted from 0) from end to end; a closed one
+    /// ends with its first.
+    pub curves: Vec<Vec<u32>>,
+    /// Mesh edges with three triangles.
+    pub edges: usize,
+    /// Vertices inside the film where such curves meet.
+    pub points: usize,
+    /// Length of all these curves.
+    pub length: f64,
+    /// Largest net pull of the sheets across a junction, per length: 0 where they balance, 1 for one sheet alone.
+    pub residual: f64,
+    /// Between neighbouring triangles around the junctions' edges.
+    pub facet_angles_deg: Spread,
+    /// Between the pulls of neighbouring sheets at the junctions' inner vertices.
+    pub sheet_angles_deg: Spread,
+    /// Largest departure of `sheet_angles_deg` from 120°.
+    pub largest_deviation_deg: f64,
+    /// The same, on average.
+    pub mean_deviation_deg: f64,
+    /// Number of negative eigenvalues of the second variation, junctions moving too; null where it was not computed.
+    pub morse_index: Option<usize>,
+}
+
+impl From<&geometry::JunctionStatistics> for Junctions {
+    fn from(junctions: &geometry::JunctionStatistics) -> Self {
+        let degrees = |angles: plateau_geometry::mesh::measure::Spread| Spread {
+            min: angles.min.to_degrees(),
+            mean: angles.mean.to_degrees(),
+            max: angles.max.to_degrees(),
+            std_dev: angles.std_dev.to_degrees(),
+        };
+        Self {
+            sheets: junctions.sheets,
+            curves: junctions.curves.clone(),
+            edges: junctions.edges,
+            points: junctions.points,
+            length: junctions.length,
+            residual: junctions.residual,
+            facet_angles_deg: degrees(junctions.facet_angles),
+            sheet_angles_deg: degrees(junctions.sheet_angles),
+            largest_deviation_deg: junctions.largest_deviation.to_degrees(),
+            mean_deviation_deg: junctions.mean_deviation.to_degrees(),
+            morse_index: junctions.morse_index,
+        }
+    }
+}
+
 /// What is reported about a minimal surface. Lengths in the request's unit, areas in its square, curvatures in its inverse, angles in degrees.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct MinimalStatistics {
@@ -166,6 +218,8 @@ pub struct MinimalStatistics {
     pub pinches: Vec<Pinch>,
     /// With `topology: best`; else null.
     pub spanning: Option<Spanning>,
+    /// Of a film whose initial mesh has edges with three triangles; else null.
+    pub junctions: Option<Junctions>,
 }
 
 impl From<&geometry::Statistics> for MinimalStatistics {
@@ -219,6 +273,7 @@ impl From<&geometry::Statistics> for MinimalStatistics {
             degenerate_triangles: statistics.degenerate_triangles,
             pinches: statistics.pinches.iter().map(pinch).collect(),
             spanning: statistics.spanning.as_ref().map(Into::into),
+            junctions: statistics.junctions.as_ref().map(Into::into),
         }
     }
 }

@@ -48,7 +48,7 @@ const THIRD_OF_TURN: f64 = 2.0 * std::f64::consts::FRAC_PI_3;
 pub struct JunctionStatistics {
     /// Sheets: parts that hang together across edges of two triangles.
     pub sheets: usize,
-    /// Curves along which three sheets meet, each as mesh vertices from end to end.
+    /// Curves along which three sheets meet, each as mesh vertices from end to end; a closed one ends with its first.
     pub curves: Vec<Vec<u32>>,
     /// Edges of three triangles.
     pub edges: usize,
@@ -85,14 +85,7 @@ pub(super) fn solve(
     options: &Options,
     exec: &Execution,
 ) -> Result<MinimalSurface, Error> {
-    check(options)?;
-    let wires = Wires::find(given, mesh)?;
-    let all: Vec<DVec3> = given.iter().flatten().copied().collect();
-    let centre = polyline::mean(&all);
-    let (vertices, triangles) = wires.renumbered(mesh);
-    let exact = vertices[..wires.points].to_vec();
-    let mut film = Sheets::read(vertices.into_iter().map(|v| v - centre).collect(), triangles)?;
-    wires.check(&film)?;
+    let Start { wires, mut film, centre, exact } = Start::read(given, mesh, options)?;
     let initial_area = film.area();
     let mut solver = JunctionSolver::new(&film, options, exec);
     let stop_reason = match solver.run(&mut film) {
@@ -126,8 +119,41 @@ pub(super) fn solve(
     })
 }
 
+/// What [`solve`] would say of its arguments before any work: O(n log n) in the size of the mesh.
+///
+/// # Errors
+/// The [`Error::Input`] that [`solve`] would begin with.
+pub(super) fn check(given: &[Vec<DVec3>], mesh: &Mesh, options: &Options) -> Result<(), Error> {
+    Start::read(given, mesh, options).map(|_| ())
+}
+
+/// The caller's mesh and boundaries, found to fit together.
+#[derive(Debug)]
+struct Start {
+    wires: Wires,
+    /// Around the centre.
+    film: Sheets,
+    centre: DVec3,
+    /// The boundaries' points as they were given: the film's first vertices.
+    exact: Vec<DVec3>,
+}
+
+impl Start {
+    fn read(given: &[Vec<DVec3>], mesh: &Mesh, options: &Options) -> Result<Self, Error> {
+        check_options(options)?;
+        let wires = Wires::find(given, mesh)?;
+        let all: Vec<DVec3> = given.iter().flatten().copied().collect();
+        let centre = polyline::mean(&all);
+        let (vertices, triangles) = wires.renumbered(mesh);
+        let exact = vertices[..wires.points].to_vec();
+        let film = Sheets::read(vertices.into_iter().map(|v| v - centre).collect(), triangles)?;
+        wires.check(&film)?;
+        Ok(Self { wires, film, centre, exact })
+    }
+}
+
 /// What a film with junctions does not take.
-fn check(options: &Options) -> Result<(), Error> {
+fn check_options(options: &Options) -> Result<(), Error> {
     let mut errors = Vec::new();
     let mut refuse = |refused: bool, field: &'static str, detail: &str| {
         errors.extend(refused.then(|| InputError::new(Place::field(field), detail)));

@@ -195,7 +195,7 @@ impl Sheets {
         sheets.map(|(film, _)| measure::flipped_triangles(&film.mesh())).sum()
     }
 
-    /// The curves along which three sheets meet, each from end to end (or closed, without repeating its first vertex).
+    /// The curves along which three sheets meet, each from end to end; a closed one ends with its first vertex.
     pub fn curves(&self) -> Vec<Vec<u32>> {
         let mut next: Vec<Vec<u32>> = vec![Vec::new(); self.vertices.len()];
         for &[a, b] in &self.junctions {
@@ -217,9 +217,6 @@ impl Sheets {
                     }
                     let Some(after) = next[here as usize].pop() else { break };
                     (before, here) = (here, after);
-                }
-                if curve.len() > 2 && curve[0] == curve[curve.len() - 1] {
-                    curve.pop();
                 }
                 curves.push(curve);
             }

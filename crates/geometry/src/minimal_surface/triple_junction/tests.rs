@@ -59,6 +59,7 @@ fn solved(loops: &[Vec<DVec3>], mesh: &Mesh) -> MinimalSurface {
         tolerance: 1e-8,
         ..Options::new(Resolution::Triangles(1))
     };
+    crate::minimal_surface::check(loops, &options).unwrap();
     crate::minimal_surface::solve(loops, &options, &Execution::default()).unwrap()
 }
 
@@ -189,7 +190,9 @@ fn what_is_no_such_film_is_refused() {
     let (loops, mesh) = half_discs(&[0.0, 120.0, 240.0], 6, 2, 1.0, DVec3::ZERO);
     let told = |loops: &[Vec<DVec3>], mesh: &Mesh| {
         let options = Options::new(Resolution::Triangles(1));
-        match solve(loops, &[], mesh, &options, &Execution::default()) {
+        let solved = solve(loops, &[], mesh, &options, &Execution::default());
+        assert_eq!(check(loops, mesh, &options).unwrap_err(), *solved.as_ref().unwrap_err());
+        match solved {
             Err(Error::Input(errors)) => format!("{}: {}", errors[0].place, errors[0].detail),
             other => panic!("{other:?}"),
         }
