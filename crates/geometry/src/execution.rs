@@ -40,6 +40,7 @@ pub struct Progress {
 pub struct Execution<'a> {
     signal: &'a dyn Fn() -> Signal,
     report: &'a dyn Fn(Progress),
+    work: Cell<u64>,
     largest_work: Cell<u64>,
     looks: Cell<u64>,
 }
@@ -52,7 +53,7 @@ impl fmt::Debug for Execution<'_> {
 
 impl<'a> Execution<'a> {
     pub fn new(signal: &'a dyn Fn() -> Signal, report: &'a dyn Fn(Progress)) -> Self {
-        Self { signal, report, largest_work: Cell::new(0), looks: Cell::new(0) }
+        Self { signal, report, work: Cell::new(0), largest_work: Cell::new(0), looks: Cell::new(0) }
     }
 
     /// Asks whether to go on. `work` is the number of elementary operations (cells, triangles visited) since the last look.
@@ -61,6 +62,7 @@ impl<'a> Execution<'a> {
     /// The interruption, if the caller wants the solver to stop.
     pub fn look(&self, work: u64) -> Result<(), Interruption> {
         self.looks.set(self.looks.get() + 1);
+        self.work.set(self.work.get() + work);
         self.largest_work.set(self.largest_work.get().max(work));
         match (self.signal)() {
             Signal::Continue => Ok(()),
@@ -81,8 +83,14 @@ impl<'a> Execution<'a> {
         let part = Execution::new(self.signal, &report);
         let result = work(&part);
         self.looks.set(self.looks.get() + part.looks.get());
+        self.work.set(self.work.get() + part.work.get());
         self.largest_work.set(self.largest_work.get().max(part.largest_work.get()));
         result
+    }
+
+    /// All the work that was told to [`look`](Self::look) so far.
+    pub fn work(&self) -> u64 {
+        self.work.get()
     }
 
     pub fn looks(&self) -> u64 {
@@ -118,7 +126,7 @@ mod tests {
                 part.report(Progress { fraction, phase: "p", iteration: 0, objective_value: None, residual: None });
             }
         });
-        assert_eq!((exec.looks(), exec.largest_work_between_looks()), (2, 7));
+        assert_eq!((exec.looks(), exec.largest_work_between_looks(), exec.work()), (2, 7, 10));
         assert_eq!(*seen.borrow(), [0.5, 0.625, 0.75]);
     }
 }

@@ -106,10 +106,10 @@ impl<V: Lanes, K: Kernel<V>> Search for Searcher<V, K> {
     }
 }
 
-/// The shortest path of an open strip.
-pub(super) fn open(search: &mut dyn Search, pulse: &mut Pulse<'_, '_>) -> Result<Found, Interruption> {
-    let (rows, last) = (search.rows(), search.columns() - 1);
-    search.find(&Region::full(rows, 0, last), (0, 0, Seed::Open), (last, last), pulse)
+/// The shortest path of an open strip, known to lie within the region.
+pub(super) fn open(search: &mut dyn Search, region: &Region, pulse: &mut Pulse<'_, '_>) -> Result<Found, Interruption> {
+    let last = search.columns() - 1;
+    search.find(region, (0, 0, Seed::Open), (last, last), pulse)
 }
 
 /// The shortest closed path over all starts.

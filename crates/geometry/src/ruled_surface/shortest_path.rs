@@ -75,6 +75,9 @@ impl Region {
     pub(super) fn full(rows: usize, first: usize, last: usize) -> Self {
         Self { first: vec![first as u32; rows], last: vec![last as u32; rows] }
     }
+    pub(super) fn cells(&self) -> u64 {
+        self.first.iter().zip(&self.last).map(|(&first, &last)| u64::from(last - first) + 1).sum()
+    }
 }
 
 /// One bit (or `layers` bits) for every bridge of a region, in the order in which a sweep visits them.
@@ -350,6 +353,10 @@ impl<'a, 'e> Pulse<'a, 'e> {
     pub(super) fn phase(&mut self, phase: &'static str) {
         self.phase = phase;
     }
+    /// Cells that need no visit after all: progress only.
+    pub(super) fn leave_out(&mut self, cells: u64) {
+        self.done += cells;
+    }
     /// Counts cells, looks when enough have gathered and reports every half per cent.
     pub(super) fn beat(&mut self, cells: u64) -> Result<(), Interruption> {
         self.done += cells;
@@ -357,8 +364,7 @@ impl<'a, 'e> Pulse<'a, 'e> {
         if self.since_look < CELLS_BETWEEN_LOOKS {
             return Ok(());
         }
-        self.execution.look(self.since_look)?;
-        self.since_look = 0;
+        self.last_look()?;
         // More work than expected (closed strips search until the bounds meet) creeps towards 1.
         let ratio = self.done as f64 / self.expected as f64;
         let fraction = if ratio <= 0.9 { ratio } else { 1.0 - 0.09 / ratio };
@@ -367,6 +373,10 @@ impl<'a, 'e> Pulse<'a, 'e> {
             self.report(self.fraction, None);
         }
         Ok(())
+    }
+    /// Looks with what has gathered since.
+    pub(super) fn last_look(&mut self) -> Result<(), Interruption> {
+        self.execution.look(std::mem::take(&mut self.since_look))
     }
     pub(super) fn report(&mut self, fraction: f64, objective_value: Option<f64>) {
         self.fraction = self.fraction.max(fraction);

@@ -2,13 +2,14 @@
 
 use super::closed::{self, Search, Searcher};
 use super::convexity::{self, Test};
+use super::corridor::corridor;
 use super::lanes::{Lanes, Widest};
 use super::layered_graph::{
     Area, Concave, DualLayer, Factors, Lattice, Lexicographic, NormalVariation, QuadrupleLayer, SingleLayer, Twist,
     Value,
 };
 use super::objective::{Objective, Secondary, Weights};
-use super::shortest_path::Pulse;
+use super::shortest_path::{Pulse, Region};
 use super::statistics::{Evaluation, Statistics, evaluate};
 use super::strip::Strip;
 use crate::error::{Error, Warning};
@@ -246,9 +247,14 @@ fn search<V: Lanes>(
         _ => None,
     };
     let concave = table.as_ref();
+    // An open strip of least area does not need the whole grid.
+    let region = match goal.objective {
+        Objective::MinimalArea if !strip.closed => corridor(strip, pulse)?,
+        _ => Region::full(rows, 0, columns - 1),
+    };
     macro_rules! run {
         ($kernel:expr) => {
-            find(strip.closed, &mut Searcher::<V, _>::new($kernel, rows, columns), pulse)
+            find(strip.closed, &mut Searcher::<V, _>::new($kernel, rows, columns), &region, pulse)
         };
     }
     match (goal.objective, goal.secondary, concave) {
@@ -275,7 +281,12 @@ fn search<V: Lanes>(
     }
 }
 
-fn find(is_closed: bool, search: &mut dyn Search, pulse: &mut Pulse<'_, '_>) -> Result<Vec<[u32; 2]>, Interruption> {
-    let found = if is_closed { closed::closed(search, pulse) } else { closed::open(search, pulse) }?;
+fn find(
+    is_closed: bool,
+    search: &mut dyn Search,
+    region: &Region,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<Vec<[u32; 2]>, Interruption> {
+    let found = if is_closed { closed::closed(search, pulse) } else { closed::open(search, region, pulse) }?;
     Ok(found.path)
 }

@@ -83,7 +83,9 @@ impl Strip {
         let goal = Goal { objective, secondary };
         let mut pulse = Pulse::new(execution, (self.m() * self.n()) as u64);
         let test = Test::new(convexity_tolerance);
-        solve_strip::path_of(self, goal, test, Widest::get(), &mut pulse)
+        let path = solve_strip::path_of(self, goal, test, Widest::get(), &mut pulse)?;
+        pulse.last_look()?;
+        Ok(path)
     }
 
     /// The figures of any triangulation of this strip; `objective_value` and `secondary_value` are not set. With normals, the
