@@ -5,7 +5,8 @@
 //! 1. Directrices are cleaned (equal neighbours merged, resampled if asked) and every neighbouring pair becomes a strip.
 //! 2. A triangulation of a strip is a path through the grid of its bridges (section 2); each objective is a graph of
 //!    one, two or four nodes a bridge (sections 4 and 5, `layered_graph`) whose weights are in `weight`.
-//! 3. One sweep finds the shortest path (`shortest_path`), within a `corridor` where least area allows one; closed strips are optimal over all starts too (`closed`).
+//! 3. One sweep finds the shortest path (`shortest_path`), within a `corridor` where least area allows one; closed strips
+//!    are optimal over all starts too (`closed`).
 //! 4. The path gives the triangles, every figure of Table 1 (`statistics`) and the flat pattern (`unroll`).
 //!
 //! Departures, and why: local convexity sees q_{j-1}, which the printed definition 6 lost; bending grows monotonically to a

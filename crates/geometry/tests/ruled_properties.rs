@@ -502,7 +502,9 @@ fn a_solve_looks_often_reports_in_order_and_stops_when_asked() {
             let execution = Execution::new(&|| Signal::Continue, &report);
             solve(&rails, &options, &execution).expect("nothing stops it");
             assert_eq!(last.get(), 1.0);
-            assert!(closed || reports.get() > 10, "{goal:?}: {} reports", reports.get());
+            // Least area visits so few cells of an open strip that there is little to report.
+            let least = if closed || options.objective == Objective::MinimalArea { 0 } else { 10 };
+            assert!(reports.get() > least, "{goal:?}: {} reports", reports.get());
             assert!(execution.looks() > 1);
             assert!(execution.largest_work_between_looks() <= 1 << 18, "{}", execution.largest_work_between_looks());
             let looks = Cell::new(0);
