@@ -68,34 +68,30 @@ impl Topology {
             start[v + 1] += start[v];
         }
         let mut cursor = start.clone();
-        let mut bucket = vec![0u32; count];
+        // In each bucket the higher vertex and the half-edge.
+        let mut bucket = vec![(0u32, 0u32); count];
         for h in 0..count {
             let (a, b) = ends(h);
             let slot = &mut cursor[a.min(b) as usize];
-            bucket[*slot as usize] = h as u32;
+            bucket[*slot as usize] = (a.max(b), h as u32);
             *slot += 1;
         }
         let mut twin = vec![NONE; count];
         let mut outgoing = vec![NONE; vertex_count];
         for v in 0..vertex_count {
             let edges = &mut bucket[start[v] as usize..start[v + 1] as usize];
-            edges.sort_unstable_by_key(|&h| {
-                let (a, b) = ends(h as usize);
-                (a.max(b), h)
-            });
+            edges.sort_unstable();
             let mut k = 0;
             while k < edges.len() {
-                let (a, b) = ends(edges[k] as usize);
-                let run = edges[k..].iter().take_while(|&&h| {
-                    let (c, d) = ends(h as usize);
-                    c.max(d) == a.max(b)
-                });
-                let length = run.count();
+                let (higher, h) = edges[k];
+                let length = edges[k..].iter().take_while(|edge| edge.0 == higher).count();
+                let (a, b) = ends(h as usize);
                 match length {
                     1 => {}
-                    2 if ends(edges[k + 1] as usize) == (b, a) => {
-                        twin[edges[k] as usize] = edges[k + 1];
-                        twin[edges[k + 1] as usize] = edges[k];
+                    2 if ends(edges[k + 1].1 as usize) == (b, a) => {
+                        let other = edges[k + 1].1;
+                        twin[h as usize] = other;
+                        twin[other as usize] = h;
                     }
                     _ => return Err(Defect::NonManifoldEdge { from: a, to: b }),
                 }

@@ -10,17 +10,25 @@ use std::rc::Rc;
 /// A piece of boundary (or of a fixed curve; a point if both ends are equal), and the edge length wanted along it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Source {
-    pub a: DVec2,
-    pub b: DVec2,
-    pub size: f64,
+    a: DVec2,
+    along: DVec2,
+    /// One over the squared length; zero for a point.
+    inverse: f64,
+    size: f64,
 }
 
 impl Source {
-    fn distance(&self, point: DVec2) -> f64 {
-        let along = self.b - self.a;
+    pub fn new(a: DVec2, b: DVec2, size: f64) -> Self {
+        let along = b - a;
         let length_squared = along.length_squared();
-        let part = if length_squared > 0.0 { (point - self.a).dot(along) / length_squared } else { 0.0 };
-        (point - self.a - along * part.clamp(0.0, 1.0)).length()
+        let inverse = if length_squared > 0.0 { 1.0 / length_squared } else { 0.0 };
+        Self { a, along, inverse: if inverse.is_finite() { inverse } else { 0.0 }, size }
+    }
+
+    fn distance(&self, point: DVec2) -> f64 {
+        let away = point - self.a;
+        let part = away.dot(self.along) * self.inverse;
+        (away - self.along * part.clamp(0.0, 1.0)).length()
     }
 }
 
@@ -41,16 +49,26 @@ const DEPTH: u32 = 24;
 struct Cell {
     corners: [[i64; 2]; 3],
     depth: u32,
+    /// Pointing the other way than the root: then every corner is one of an upright cell too.
+    inverted: bool,
     near: Rc<[u32]>,
 }
 
+/// A lattice point, row before column, that may stand too near to a source; and the number of a list of the sources near it.
+type Corner = (u64, u32);
+
 impl SizeField<'_> {
-    fn size(&self, point: DVec2, near: &[u32]) -> f64 {
-        let at = |&k: &u32| {
+    /// The size at a place, and the distance of the nearest source.
+    fn size_and_clearance(&self, point: DVec2, near: &[u32]) -> (f64, f64) {
+        let mut clearance = f64::INFINITY;
+        let mut size = (self.cap)(point);
+        for &k in near {
             let source = &self.sources[k as usize];
-            source.size + self.grading * source.distance(point)
-        };
-        near.iter().map(at).fold((self.cap)(point), f64::min)
+            let distance = source.distance(point);
+            clearance = clearance.min(distance);
+            size = size.min(source.size + self.grading * distance);
+        }
+        (size, clearance)
     }
 
     /// Lattice points in the rectangle, not too near to any source, sorted by y, then x. `None` if there would be more than `limit`.
@@ -69,49 +87,69 @@ impl SizeField<'_> {
         let place = |[u, v]: [i64; 2]| origin + DVec2::new((u as f64 + 0.5 * v as f64) * unit, v as f64 * row * unit);
         let whole = 1i64 << DEPTH;
         let all: Rc<[u32]> = (0..self.sources.len() as u32).collect();
-        let mut stack = vec![Cell { corners: [[0, 0], [whole, 0], [0, whole]], depth: 0, near: all }];
-        let mut found: Vec<[i64; 2]> = Vec::new();
-        while let Some(Cell { corners, depth, near }) = stack.pop() {
-            let [p, q, r] = corners.map(place);
+        let mut stack = vec![Cell { corners: [[0, 0], [whole, 0], [0, whole]], depth: 0, inverted: false, near: all }];
+        let (mut found, mut lists): (Vec<Corner>, Vec<Rc<[u32]>>) = (Vec::new(), Vec::new());
+        let merge = |found: &mut Vec<Corner>| {
+            found.sort_unstable();
+            found.dedup_by_key(|corner| corner.0);
+        };
+        let mut merged = 0;
+        while let Some(Cell { corners, depth, inverted, near }) = stack.pop() {
+            let places = corners.map(place);
+            let [p, q, r] = places;
             let centre = (p + q + r) / 3.0;
             let side = side / 2f64.powi(depth as i32);
             let reach = side / 3f64.sqrt();
             if p.min(q).min(r).cmpgt(high).any() || p.max(q).max(r).cmplt(low).any() {
                 continue;
             }
-            let size = self.size(centre, &near);
+            let (size, _) = self.size_and_clearance(centre, &near);
             if depth < DEPTH && side > size * (1.0 + 1e-9) {
-                let near = self.narrowed(centre, reach, &near);
+                let near = self.narrowed(centre, reach, size, &near);
                 let half = |a: [i64; 2], b: [i64; 2]| [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
                 let [a, b, c] = corners;
                 let (ab, bc, ca) = (half(a, b), half(b, c), half(c, a));
-                for corners in [[a, ab, ca], [ab, b, bc], [ca, bc, c], [bc, ca, ab]] {
-                    stack.push(Cell { corners, depth: depth + 1, near: Rc::clone(&near) });
+                for (corners, turned) in
+                    [([a, ab, ca], false), ([ab, b, bc], false), ([ca, bc, c], false), ([bc, ca, ab], true)]
+                {
+                    let inverted = inverted != turned;
+                    stack.push(Cell { corners, depth: depth + 1, inverted, near: Rc::clone(&near) });
                 }
                 continue;
             }
-            for (corner, point) in corners.into_iter().zip([p, q, r]) {
-                let clearance = CLEARANCE * self.size(point, &near);
-                if near.iter().all(|&k| self.sources[k as usize].distance(point) >= clearance) {
-                    found.push([corner[1], corner[0]]);
+            if inverted {
+                continue;
+            }
+            if lists.last().is_none_or(|last| !Rc::ptr_eq(last, &near)) {
+                lists.push(near);
+            }
+            let list = lists.len() as u32 - 1;
+            for ([column, row], point) in corners.into_iter().zip(places) {
+                if point.cmpge(low).all() && point.cmple(high).all() {
+                    found.push(((row as u64) << 32 | column as u64, list));
                 }
             }
-            if found.len() > 6 * limit {
-                found.sort_unstable();
-                found.dedup();
-                if found.len() > limit {
+            if found.len() > merged + 2 * limit {
+                merge(&mut found);
+                merged = found.len();
+                // Those too near to a source do not count; far more than the limit cannot all be such.
+                if merged > 2 * limit {
                     return None;
                 }
             }
         }
-        found.sort_unstable();
-        found.dedup();
-        (found.len() <= limit).then(|| found.into_iter().map(|[v, u]| place([u, v])).collect())
+        merge(&mut found);
+        let clear = |&(corner, list): &Corner| {
+            let point = place([(corner & u64::from(u32::MAX)) as i64, (corner >> 32) as i64]);
+            let (size, clearance) = self.size_and_clearance(point, &lists[list as usize]);
+            (clearance >= CLEARANCE * size).then_some(point)
+        };
+        let points: Vec<DVec2> = found.iter().filter_map(clear).collect();
+        (points.len() <= limit).then_some(points)
     }
 
     /// The sources that can set the size, or stand too near, anywhere within `reach` of a point.
-    fn narrowed(&self, centre: DVec2, reach: f64, near: &[u32]) -> Rc<[u32]> {
-        let size = self.size(centre, near);
+    fn narrowed(&self, centre: DVec2, reach: f64, size: f64, near: &[u32]) -> Rc<[u32]> {
         let spread = self.grading * reach;
         let matters = |&&k: &&u32| {
             let source = &self.sources[k as usize];
@@ -167,7 +205,7 @@ mod tests {
                 let (a, b) = (corners[k], corners[(k + 1) % 4]);
                 (0..pieces).map(move |i| {
                     let at = |i: usize| a + (b - a) * (i as f64 / pieces as f64);
-                    Source { a: at(i), b: at(i + 1), size }
+                    Source::new(at(i), at(i + 1), size)
                 })
             })
             .collect()
@@ -177,13 +215,13 @@ mod tests {
     fn pruned_sizes_and_clearances_equal_brute_force() {
         // One long and one very short source: pruning must keep both where they matter.
         let mut sources = square_sources(1.0, 4);
-        sources.push(Source { a: DVec2::new(0.3, 0.4), b: DVec2::new(0.3, 0.4), size: 0.003 });
+        sources.push(Source::new(DVec2::new(0.3, 0.4), DVec2::new(0.3, 0.4), 0.003));
         let field = SizeField { sources, grading: 0.3, cap: &|_| 0.2 };
         let points = field.lattice(DVec2::ZERO, DVec2::ONE, 0.2, 100_000).unwrap();
         let all: Vec<u32> = (0..field.sources.len() as u32).collect();
         assert!(points.len() > 100);
         for (k, &p) in points.iter().enumerate() {
-            let size = field.size(p, &all);
+            let (size, _) = field.size_and_clearance(p, &all);
             assert!(field.sources.iter().all(|source| source.distance(p) >= CLEARANCE * size * (1.0 - 1e-9)));
             let nearest = points.iter().enumerate().filter(|&(i, _)| i != k).map(|(_, q)| q.distance(p));
             let nearest = nearest.fold(f64::INFINITY, f64::min);

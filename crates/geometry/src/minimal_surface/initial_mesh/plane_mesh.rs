@@ -71,19 +71,19 @@ impl Domain {
         self.boundary_edges().into_iter().chain(self.segments.iter().copied()).collect()
     }
 
-    /// Meshes the domain: sizes from the lengths of the boundary's edges and of the fixed ones, growing with `grading`
-    /// to the cap.
+    /// Where a mesh's vertices are to stand: the fixed ones, then a lattice's. Sizes from the lengths of the boundary's edges
+    /// and of the fixed ones, growing with `grading` to the cap.
     ///
     /// # Errors
-    /// See [`PlaneError`].
-    pub fn mesh(
+    /// See [`PlaneError`]; a boundary that crosses itself shows only in [`mesh`](Self::mesh).
+    pub fn sites(
         &self,
         cap: &dyn Fn(DVec2) -> f64,
         largest_cap: f64,
         grading: f64,
         limit: usize,
         exec: &Execution,
-    ) -> Result<PlaneMesh, PlaneError> {
+    ) -> Result<Vec<DVec2>, PlaneError> {
         let mut points = self.fixed_points();
         let mut order: Vec<usize> = (0..self.points.len()).collect();
         order.sort_by(|&a, &b| self.points[a].y.total_cmp(&self.points[b].y));
@@ -94,10 +94,10 @@ impl Domain {
         let edges = self.edges();
         let source = |&[a, b]: &[u32; 2]| {
             let (a, b) = (points[a as usize], points[b as usize]);
-            Source { a, b, size: a.distance(b) }
+            Source::new(a, b, a.distance(b))
         };
         let mut sources: Vec<Source> = edges.iter().map(source).collect();
-        sources.extend(self.points.iter().map(|&point| Source { a: point, b: point, size: f64::INFINITY }));
+        sources.extend(self.points.iter().map(|&point| Source::new(point, point, f64::INFINITY)));
         let low = points.iter().copied().fold(DVec2::INFINITY, DVec2::min);
         let high = points.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
         let extent = (high - low).max_element();
@@ -106,7 +106,63 @@ impl Domain {
         exec.look(candidates.len() as u64).map_err(PlaneError::Interrupted)?;
         let kept = inside(&self.loops, &candidates);
         points.extend(candidates.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point));
-        self.smooth(&points, exec)
+        Ok(points)
+    }
+
+    /// Refuses a boundary that crosses or touches itself.
+    ///
+    /// # Errors
+    /// [`PlaneError::NotSimple`].
+    pub fn check_simple(&self) -> Result<(), PlaneError> {
+        let boundary: Vec<DVec2> = self.loops.iter().flatten().copied().collect();
+        self.triangulate(&boundary, &self.boundary_edges()).map(drop)
+    }
+
+    /// The area inside the loops.
+    pub fn area(&self) -> f64 {
+        let signed = |points: &[DVec2]| -> f64 {
+            let edge = |k: usize| (points[k] - points[0]).perp_dot(points[(k + 1) % points.len()] - points[0]);
+            (0..points.len()).map(edge).sum::<f64>() * 0.5
+        };
+        let part = |(k, points): (usize, &Vec<DVec2>)| {
+            let others: Vec<Vec<DVec2>> =
+                self.loops.iter().enumerate().filter(|&(i, _)| i != k).map(|(_, l)| l.clone()).collect();
+            let hole = inside(&others, &points[..1])[0];
+            if hole { -signed(points).abs() } else { signed(points).abs() }
+        };
+        self.loops.iter().enumerate().map(part).sum()
+    }
+
+    /// Mean edge length of the triangles on the sites, before they are evened out.
+    ///
+    /// # Errors
+    /// [`PlaneError::NotSimple`].
+    pub fn mean_edge(&self, sites: &[DVec2]) -> Result<f64, PlaneError> {
+        let triangles = self.triangulate(sites, &self.edges())?;
+        let length = |a: u32, b: u32| sites[a as usize].distance(sites[b as usize]);
+        let around: f64 = triangles.iter().map(|&[a, b, c]| length(a, b) + length(b, c) + length(c, a)).sum();
+        // Every inner edge was counted twice, the boundary's once.
+        let boundary = self.boundary_edges();
+        let rim: f64 = boundary.iter().map(|&[a, b]| length(a, b)).sum();
+        Ok((around + rim) / (3 * triangles.len() + boundary.len()) as f64)
+    }
+
+    /// Triangulates the fixed and the free points and evens the free ones out.
+    ///
+    /// # Errors
+    /// See [`PlaneError`].
+    pub fn mesh(&self, sites: &[DVec2], exec: &Execution) -> Result<PlaneMesh, PlaneError> {
+        let triangles = self.triangulate(sites, &self.edges())?;
+        exec.look(triangles.len() as u64).map_err(PlaneError::Interrupted)?;
+        let topology =
+            Topology::build(&triangles, sites.len()).map_err(|_| PlaneError::NotSimple(self.boundary_edges()[0]))?;
+        let mut film = self.as_film(sites, topology);
+        for _ in 0..SMOOTHING_ROUNDS {
+            tangential_relaxation(&mut film, 1);
+            flip_to_delaunay(&mut film);
+            exec.look(film.triangles().len() as u64).map_err(PlaneError::Interrupted)?;
+        }
+        Ok(PlaneMesh { points: film.vertices.iter().map(|p| p.truncate()).collect(), topology: film.topology })
     }
 
     /// The same mesh with about `count` more vertices, in its largest triangles.
@@ -134,22 +190,7 @@ impl Domain {
                 added += 1;
             }
         }
-        self.smooth(&points, exec)
-    }
-
-    /// Triangulates the fixed and the free points and evens the free ones out.
-    fn smooth(&self, points: &[DVec2], exec: &Execution) -> Result<PlaneMesh, PlaneError> {
-        let triangles = self.triangulate(points, &self.edges())?;
-        exec.look(triangles.len() as u64).map_err(PlaneError::Interrupted)?;
-        let topology =
-            Topology::build(&triangles, points.len()).map_err(|_| PlaneError::NotSimple(self.boundary_edges()[0]))?;
-        let mut film = self.as_film(points, topology);
-        for _ in 0..SMOOTHING_ROUNDS {
-            tangential_relaxation(&mut film, 1);
-            flip_to_delaunay(&mut film);
-            exec.look(film.triangles().len() as u64).map_err(PlaneError::Interrupted)?;
-        }
-        Ok(PlaneMesh { points: film.vertices.iter().map(|p| p.truncate()).collect(), topology: film.topology })
+        self.mesh(&points, exec)
     }
 
     fn as_film(&self, points: &[DVec2], topology: Topology) -> Film {
@@ -249,7 +290,9 @@ mod tests {
 
     fn mesh(loops: Vec<Vec<DVec2>>, size: f64) -> Result<Film, PlaneError> {
         let domain = Domain { loops, ..Domain::default() };
-        let plane = domain.mesh(&|_| size, size, 0.3, 1_000_000, &Execution::default())?;
+        let exec = Execution::default();
+        let sites = domain.sites(&|_| size, size, 0.3, 1_000_000, &exec)?;
+        let plane = domain.mesh(&sites, &exec)?;
         Ok(domain.as_film(&plane.points, plane.topology))
     }
 
@@ -306,7 +349,9 @@ mod tests {
             points: vec![DVec2::new(0.31, 0.52), DVec2::new(0.69, 0.47), DVec2::new(0.5, 0.1)],
             segments: vec![[20, 21]],
         };
-        let plane = domain.mesh(&|_| 0.2, 0.2, 0.3, 10_000, &Execution::default()).unwrap();
+        let exec = Execution::default();
+        let sites = domain.sites(&|_| 0.2, 0.2, 0.3, 10_000, &exec).unwrap();
+        let plane = domain.mesh(&sites, &exec).unwrap();
         assert_eq!(plane.points[20..23], domain.points);
         assert!(plane.topology.are_adjacent(20, 21));
     }

@@ -68,8 +68,9 @@ const LARGEST_RESAMPLED: f64 = 20_000.0;
 const FINEST_MAPPED: usize = 2_000;
 /// Passes of resampling from there to the wanted number.
 const FINE_PASSES: u32 = 12;
-/// Sizes tried.
+/// Sizes tried, and how many before something less near is near enough.
 const TRIALS: u32 = 10;
+const PATIENCE: u32 = 3;
 
 /// What a resolution counts, for a surface of known Euler characteristic.
 #[derive(Clone, Copy, Debug)]
@@ -92,19 +93,19 @@ impl Goal {
     }
 
     /// Wanted over reached: above 1 the mesh must become finer. In units of triangles (number, not length).
-    fn shortfall(&self, mesh: &Trial, subdivisions: u32) -> f64 {
+    fn shortfall(&self, layout: &Layout, subdivisions: u32) -> f64 {
         let growth = 4f64.powi(subdivisions as i32);
-        let triangles = mesh.plane.topology.triangles().len() as f64 * growth;
+        let triangles = layout.triangles as f64 * growth;
         match self.resolution {
             Resolution::Triangles(count) => count as f64 / triangles,
             Resolution::InteriorVertices(count) => {
                 // Euler: F = 2 (interior) + (boundary) - 2 χ.
-                let boundary = mesh.boundary_points() as f64 * 2f64.powi(subdivisions as i32);
+                let boundary = layout.boundary_points() as f64 * 2f64.powi(subdivisions as i32);
                 let interior = 0.5 * (triangles - boundary) + self.euler as f64;
                 (count as f64).max(0.5) / interior.max(0.25)
             }
             Resolution::EdgeLength(length) => {
-                let reached = mesh.mean_edge() / 2f64.powi(subdivisions as i32);
+                let reached = layout.mean_edge / 2f64.powi(subdivisions as i32);
                 (reached / length) * (reached / length)
             }
         }
@@ -138,30 +139,30 @@ struct Pinned {
     places: Vec<DVec2>,
 }
 
-/// One attempt: boundaries as sampled, and the plane mesh between them.
-struct Trial {
+/// One attempt at the sizes: boundaries as sampled, and where vertices stand between them. It is triangulated only when it
+/// is the one, since the number of triangles does not depend on how.
+struct Layout {
     boundaries: Vec<Sampled>,
     domain: Domain,
-    plane: PlaneMesh,
-    /// Mean of length in the plane per length in space over the mesh's edges.
+    sites: Vec<DVec2>,
+    triangles: usize,
+    /// In space, where the resolution is an edge length.
+    mean_edge: f64,
+    /// Mean of length in the plane per length in space over the sites.
     scale: f64,
 }
 
-impl Trial {
+impl Layout {
     fn boundary_points(&self) -> usize {
         self.boundaries.iter().map(|boundary| boundary.points.len()).sum()
     }
+}
 
-    fn mean_edge(&self) -> f64 {
-        let topology = &self.plane.topology;
-        let (mut sum, mut count) = (0.0, 0);
-        for h in (0..topology.twin.len() as u32).filter(|&h| topology.twin[h as usize] > h) {
-            let (a, b) = (topology.from(h) as usize, topology.to(h) as usize);
-            sum += self.plane.points[a].distance(self.plane.points[b]);
-            count += 1;
-        }
-        sum / count as f64 / self.scale
-    }
+/// A layout with its mesh.
+struct Meshed {
+    boundaries: Vec<Sampled>,
+    domain: Domain,
+    plane: PlaneMesh,
 }
 
 /// Meshes one shape of domain over the boundaries.
@@ -190,8 +191,8 @@ impl Spanning<'_> {
             return Spanning { options: &options, shape: self.shape.clone(), ..*self }.try_build();
         }
         let pinned = self.pinned()?;
-        let (trial, subdivisions) = self.fit(&pinned)?;
-        let (mut film, _) = self.carry(&trial, &pinned)?;
+        let (meshed, subdivisions) = self.fit(&pinned)?;
+        let (mut film, _) = self.carry(&meshed, &pinned)?;
         if !self.is_plane() {
             self.even_out(&mut film)?;
         }
@@ -235,8 +236,8 @@ impl Spanning<'_> {
                 let resolution = Resolution::Triangles(FINEST_MAPPED.max(8 * boundary));
                 let coarse = Options { resolution, boundary_sampling: BoundarySampling::Keep, ..self.options.clone() };
                 let spanning = self.unpinned(&coarse);
-                let (trial, _) = spanning.fit(&Pinned::default())?;
-                let (mut film, flat) = spanning.carry(&trial, &Pinned::default())?;
+                let (meshed, _) = spanning.fit(&Pinned::default())?;
+                let (mut film, flat) = spanning.carry(&meshed, &Pinned::default())?;
                 // A few solves on the same connectivity bring it near the film that the points are meant for.
                 if let Ok(mut dirichlet) = Dirichlet::new(&film) {
                     let _ = (0..3).try_for_each(|_| dirichlet.step(&mut film));
@@ -285,13 +286,16 @@ impl Spanning<'_> {
     }
 
     /// Meshes at the size and with the number of subdivisions that come nearest to the resolution.
-    fn fit(&self, pinned: &Pinned) -> Result<(Trial, u32), PlaneError> {
+    fn fit(&self, pinned: &Pinned) -> Result<(Meshed, u32), PlaneError> {
         let goal = Goal { resolution: self.resolution(), ..self.goal() };
         // With the largest size only the boundary's own spacing counts: nothing is coarser, but by grading faster.
         let mut grading = GRADING;
-        let mut coarsest = self.trial(self.largest_size(), grading, pinned)?;
+        let mut coarsest = self.layout(self.largest_size(), grading, pinned)?;
+        if matches!(self.shape, Shape::Plane(_)) {
+            coarsest.domain.check_simple()?;
+        }
         // The area in the plane is the only one known yet; in space it is about that over the scale's square.
-        let area = coarsest.plane.area() / (coarsest.scale * coarsest.scale);
+        let area = coarsest.domain.area() / (coarsest.scale * coarsest.scale);
         let triangle = 0.75f64.sqrt() / 2.0;
         let wanted = match goal.resolution {
             Resolution::Triangles(count) => count as f64,
@@ -310,63 +314,84 @@ impl Spanning<'_> {
         }
         while goal.shortfall(&coarsest, subdivisions) < 1.0 && grading < STEEPEST_GRADING {
             grading *= 1.5;
-            coarsest = self.trial(self.largest_size(), grading, pinned)?;
+            coarsest = self.layout(self.largest_size(), grading, pinned)?;
         }
         let shortfall = goal.shortfall(&coarsest, subdivisions);
         if shortfall < 1.0 - TOLERATED && !matches!(goal.resolution, Resolution::EdgeLength(_)) {
-            return Err(PlaneError::TooCoarse { triangles: coarsest.plane.topology.triangles().len() });
+            return Err(PlaneError::TooCoarse { triangles: coarsest.triangles });
         }
-        if shortfall <= 1.0 + CLOSE_ENOUGH {
-            return Ok((coarsest, subdivisions));
+        let (layout, shortfall) = if shortfall <= 1.0 + CLOSE_ENOUGH {
+            (coarsest, shortfall)
+        } else {
+            let first = (area / (triangle * wanted)).sqrt() * 2f64.powi(subdivisions as i32);
+            self.tune(&goal, first, (grading, shortfall), subdivisions, pinned)?
+        };
+        let Layout { boundaries, domain, sites, .. } = layout;
+        let mut plane = domain.mesh(&sites, self.exec)?;
+        if shortfall > 1.0 + CLOSE_ENOUGH {
+            let missing = (shortfall.min(2.0) - 1.0) * plane.topology.triangles().len() as f64 / 2.0;
+            plane = domain.densified(&plane, missing.round() as usize, self.exec)?;
         }
-        let first = (area / (triangle * wanted)).sqrt() * 2f64.powi(subdivisions as i32);
-        Ok((self.tune(&goal, first, grading, subdivisions, pinned)?, subdivisions))
+        Ok((Meshed { boundaries, domain, plane }, subdivisions))
     }
 
-    /// Adjusts the size until the resolution is met, and adds vertices if it is only nearly.
+    /// Adjusts the size until the resolution is met, and says how nearly it is (wanted over reached). `coarsest` is the grading
+    /// and what is met with the largest size.
     fn tune(
         &self,
         goal: &Goal,
         first: f64,
-        grading: f64,
+        coarsest: (f64, f64),
         subdivisions: u32,
         pinned: &Pinned,
-    ) -> Result<Trial, PlaneError> {
-        let (mut low, mut high) = (0.0f64, self.largest_size());
-        let mut size = first.min(0.9 * high);
-        let mut best: Option<(Trial, f64)> = None;
-        for _ in 0..TRIALS {
-            let trial = self.trial(size, grading, pinned)?;
-            let shortfall = goal.shortfall(&trial, subdivisions);
+    ) -> Result<(Layout, f64), PlaneError> {
+        let (grading, at_largest) = coarsest;
+        let largest = self.largest_size();
+        let mut size = first.min(0.9 * largest);
+        // Logarithms of sizes, and of what is met there: too many triangles at the low end, too few at the high one.
+        let (mut low, mut high): (Option<(f64, f64)>, _) = (None, (largest.ln(), at_largest.ln()));
+        let mut best: Option<(Layout, f64)> = None;
+        for trial in 0..TRIALS {
+            let layout = self.layout(size, grading, pinned)?;
+            let shortfall = goal.shortfall(&layout, subdivisions);
             // Too few triangles are better than too many by as much: vertices can be added.
             let distance = |shortfall: f64| if shortfall < 1.0 { 2.0 / shortfall - 2.0 } else { shortfall - 1.0 };
             if best.as_ref().is_none_or(|(_, nearest)| distance(shortfall) < distance(*nearest)) {
-                best = Some((trial, shortfall));
+                best = Some((layout, shortfall));
             }
-            if (shortfall - 1.0).abs() <= CLOSE_ENOUGH {
+            // The lattice's spacing jumps beside the boundary: to the last percent sizes are tried a few times only.
+            if (shortfall - 1.0).abs() <= if trial < PATIENCE { CLOSE_ENOUGH } else { 2.0 * CLOSE_ENOUGH } {
                 break;
             }
+            let here = (size.ln(), shortfall.ln());
             if shortfall < 1.0 {
-                low = size
+                low = Some(here);
             } else {
-                high = size
+                high = here;
             }
-            let next = size / shortfall.sqrt();
-            size = if next > low && next < high { next } else { 0.5 * (low + high) };
+            // The number falls with the square of the size, or more slowly where the boundary's spacing rules; beyond
+            // some size it falls no more, so that the largest is no guide.
+            let square = here.0 - 0.5 * here.1;
+            size = match low {
+                None => square,
+                Some(_) if high.0 == largest.ln() => square.max(here.0 + 0.05).min(0.5 * (here.0 + high.0)),
+                Some(low) => {
+                    let secant = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
+                    let room = 0.15 * (high.0 - low.0);
+                    secant.max(low.0 + room).min(high.0 - room)
+                }
+            }
+            .exp();
         }
-        let (mut trial, shortfall) = best.expect("at least one trial was made");
-        if shortfall > 1.0 + CLOSE_ENOUGH {
-            let missing = (shortfall.min(2.0) - 1.0) * trial.plane.topology.triangles().len() as f64 / 2.0;
-            trial.plane = trial.domain.densified(&trial.plane, missing.round() as usize, self.exec)?;
-        }
-        Ok(trial)
+        Ok(best.expect("at least one layout was tried"))
     }
 
     fn largest_size(&self) -> f64 {
         self.boundaries.iter().map(|points| polyline::length(points, true)).sum()
     }
 
-    fn trial(&self, size: f64, grading: f64, pinned: &Pinned) -> Result<Trial, PlaneError> {
+    /// What a size gives, before any triangulation.
+    fn layout(&self, size: f64, grading: f64, pinned: &Pinned) -> Result<Layout, PlaneError> {
         let sampling = self.options.boundary_sampling;
         let boundaries: Vec<Sampled> =
             self.boundaries.iter().map(|points| sample(points, size, GRADING, sampling)).collect();
@@ -390,28 +415,35 @@ impl Spanning<'_> {
         let scale = self.shape.scale(self.boundaries);
         // The lattice's spacing follows the size without jumps where the scale is the same everywhere.
         let largest = domain.loops.iter().flatten().map(|&p| scale(p)).fold(0.0, f64::max);
-        let plane = domain.mesh(&|p| size * scale(p), size * largest, grading, LARGEST_COUNT, self.exec)?;
-        let mean_scale = plane.points.iter().map(|&p| scale(p)).sum::<f64>() / plane.points.len() as f64;
-        Ok(Trial { boundaries, domain, plane, scale: mean_scale })
+        let sites = domain.sites(&|p| size * scale(p), size * largest, grading, LARGEST_COUNT, self.exec)?;
+        let mean_scale = sites.iter().map(|&p| scale(p)).sum::<f64>() / sites.len() as f64;
+        // Euler again, with as many parts as loops less holes; side by side they make a few triangles less.
+        let euler = 2 - boundaries.len() as i64;
+        let triangles = (2 * sites.len() as i64 - i64::from(first) - 2 * euler).max(1) as usize;
+        let mean_edge = match self.options.resolution {
+            Resolution::EdgeLength(_) => domain.mean_edge(&sites)? / mean_scale,
+            _ => 0.0,
+        };
+        Ok(Layout { boundaries, domain, sites, triangles, mean_edge, scale: mean_scale })
     }
 
     /// Puts a plane mesh into space and in order: the polygons' own points, then the added ones, then the fixed ones
     /// inside, then the rest. Also gives the places in the plane in that order.
-    fn carry(&self, trial: &Trial, pinned: &Pinned) -> Result<(Film, Vec<DVec2>), Error> {
-        let PlaneMesh { points, topology } = &trial.plane;
-        let boundary: usize = trial.boundary_points();
-        let mut place = numbers(&trial.boundaries);
+    fn carry(&self, meshed: &Meshed, pinned: &Pinned) -> Result<(Film, Vec<DVec2>), Error> {
+        let PlaneMesh { points, topology } = &meshed.plane;
+        let boundary: usize = meshed.boundaries.iter().map(|boundary| boundary.points.len()).sum();
+        let mut place = numbers(&meshed.boundaries);
         place.extend(boundary as u32..points.len() as u32);
         let mut in_plane = vec![DVec2::ZERO; points.len()];
         points.iter().zip(&place).for_each(|(&p, &v)| in_plane[v as usize] = p);
         let mut vertices = vec![DVec3::ZERO; points.len()];
-        let in_space = trial.boundaries.iter().flat_map(|boundary| &boundary.points);
+        let in_space = meshed.boundaries.iter().flat_map(|boundary| &boundary.points);
         in_space.zip(&place).for_each(|(&p, &v)| vertices[v as usize] = p);
         vertices[boundary..boundary + pinned.pins.points.len()].copy_from_slice(&pinned.pins.points);
         let mut triangles: Vec<[u32; 3]> =
             topology.triangles().iter().map(|triangle| triangle.map(|v| place[v as usize])).collect();
         let mut first = 0;
-        let loops: Vec<Vec<u32>> = trial
+        let loops: Vec<Vec<u32>> = meshed
             .boundaries
             .iter()
             .map(|boundary| {
@@ -421,7 +453,7 @@ impl Spanning<'_> {
             })
             .collect();
         let fixed: Vec<bool> = (0..points.len()).map(|v| v < boundary + pinned.pins.points.len()).collect();
-        let mut locked: Vec<[u32; 2]> = trial
+        let mut locked: Vec<[u32; 2]> = meshed
             .domain
             .segments
             .iter()
@@ -512,14 +544,6 @@ impl Spanning<'_> {
             Shape::Disc { .. } => harmonic(in_plane, triangles, fixed, vertices, self.exec)?,
         }
         Ok(())
-    }
-}
-
-impl PlaneMesh {
-    fn area(&self) -> f64 {
-        let corner = |v: u32| self.points[v as usize];
-        let double = |&[a, b, c]: &[u32; 3]| (corner(b) - corner(a)).perp_dot(corner(c) - corner(a));
-        0.5 * self.topology.triangles().iter().map(double).sum::<f64>()
     }
 }
 
