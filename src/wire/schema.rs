@@ -163,6 +163,11 @@ fn collect(error: &ValidationError<'_>, errors: &mut Vec<FieldError>) {
     }
     match error.kind() {
         ValidationErrorKind::AnyOf { context } | ValidationErrorKind::OneOfNotValid { context } => {
+            if let Some(names) = allowed_names(context) {
+                let detail = format!("it is not one of {}", names.join(", "));
+                errors.push(FieldError::new(error.instance_path().as_str(), detail));
+                return;
+            }
             let depth = |branch: &Vec<ValidationError<'_>>| {
                 branch
                     .iter()
@@ -200,6 +205,20 @@ fn collect(error: &ValidationError<'_>, errors: &mut Vec<FieldError>) {
             errors.push(FieldError::new(error.instance_path().as_str(), detail));
         }
     }
+}
+
+/// The values of a union all of whose branches are named values: an enumeration in which each has its description.
+fn allowed_names(branches: &[Vec<ValidationError<'_>>]) -> Option<Vec<String>> {
+    let mut names = Vec::new();
+    for branch in branches {
+        let named = branch.iter().find_map(|error| match error.kind() {
+            ValidationErrorKind::Constant { expected_value } => Some(vec![expected_value.to_string()]),
+            ValidationErrorKind::Enum { options } => Some(options.as_array()?.iter().map(Value::to_string).collect()),
+            _ => None,
+        });
+        names.extend(named?);
+    }
+    Some(names)
 }
 
 fn type_matched(error: &ValidationError<'_>) -> bool {
@@ -252,6 +271,29 @@ mod tests {
             let body = json!({ "directrices": [[[0, 0, 0], [1, 1, 1]], points] });
             assert_eq!(pointers(&body), [format!("/directrices/1/{place}/1")]);
         }
+    }
+
+    #[test]
+    fn an_unknown_name_is_answered_with_the_known_ones() {
+        let boundary = json!([[0, 0, 0], [1, 0, 0], [0, 1, 0]]);
+        let refused = |field: &str, value: Value| match validate(
+            Kind::MinimalSurface,
+            &json!({ "boundaries": [boundary], field: value }),
+        ) {
+            Err(Rejection::Invalid(errors)) => {
+                assert_eq!((errors.len(), errors[0].pointer.as_str()), (1, format!("/{field}").as_str()), "{errors:?}");
+                errors[0].detail.clone()
+            }
+            other => panic!("expected a violation, got {other:?}"),
+        };
+        let meshes = r#"it is not one of "auto", "planar", "disk", "rings", "barycentres""#;
+        assert_eq!(refused("initial_mesh", json!("plane")), meshes);
+        let solvers = r#"it is not one of "auto", "vertex_relaxation", "pinkall_polthier", "newton""#;
+        assert_eq!(refused("solver", json!("newtonian")), solvers);
+        assert_eq!(refused("solver", json!(7)), solvers);
+        assert!(refused("objective", json!("area")).contains(r#""minimal_area""#));
+        assert!(refused("boundary_sampling", json!("fine")).contains(r#""keep""#));
+        assert_eq!(refused("initial_mesh", json!(7)), "is of a type that is not allowed here");
     }
 
     #[test]
