@@ -141,6 +141,8 @@ async fn a_film_with_a_triple_junction_comes_out_in_every_format() {
     );
     assert!((junctions["length"].as_f64().unwrap() - 2.0).abs() < 1e-9);
     assert!(junctions["largest_deviation_deg"].as_f64().unwrap() < 1e-6);
+    let uneven = solved(&app, &example("three-half-circles-uneven"), &json!({})).await["junctions"].clone();
+    assert!(uneven["largest_deviation_deg"].as_f64().unwrap() < 0.1, "{uneven}");
     let curve: Vec<usize> = serde_json::from_value(junctions["curves"][0].clone()).unwrap();
     assert_eq!(curve.len(), 17);
     let (vertices, triangles) =

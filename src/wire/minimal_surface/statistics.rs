@@ -146,9 +146,11 @@ pub struct Junctions {
     pub facet_angles_deg: Spread,
     /// Between the pulls of neighbouring sheets at the junctions' inner vertices.
     pub sheet_angles_deg: Spread,
-    /// Largest departure of `sheet_angles_deg` from 120°.
+    /// Largest departure of `sheet_angles_deg` from 120° at the vertices that are not next to an end of their junction.
     pub largest_deviation_deg: f64,
-    /// The same, on average.
+    /// The same at the vertices next to an end, where it may hardly fall with the mesh; 0 where there are none.
+    pub largest_deviation_at_ends_deg: f64,
+    /// On average over all of them.
     pub mean_deviation_deg: f64,
     /// Number of negative eigenvalues of the second variation, junctions moving too; null where it was not computed.
     pub morse_index: Option<usize>,
@@ -172,6 +174,7 @@ impl From<&geometry::JunctionStatistics> for Junctions {
             facet_angles_deg: degrees(junctions.facet_angles),
             sheet_angles_deg: degrees(junctions.sheet_angles),
             largest_deviation_deg: junctions.largest_deviation.to_degrees(),
+            largest_deviation_at_ends_deg: junctions.largest_deviation_at_ends.to_degrees(),
             mean_deviation_deg: junctions.mean_deviation.to_degrees(),
             morse_index: junctions.morse_index,
         }

@@ -10,7 +10,9 @@
 //!
 //! The three pulls on a junction are the sheets' area gradients. Where they balance, unit sheets meet at 120°; nothing is asked of the
 //! angles themselves. They are measured twice: between the facets at each junction edge, which a curved sheet leaves at
-//! an angle of order h, and between the sheets' pulls at each junction vertex, which converges faster.
+//! an angle of order h, and between the sheets' pulls at each junction vertex, which converges with h². Next to a junction's end it does
+//! not: between wires that leave the end at other angles than 120° the film need not tend to a cone there, and goes on turning as one
+//! comes nearer, at every scale. The departure at the vertex next to an end is therefore reported apart.
 
 mod sheets;
 mod variation;
@@ -62,9 +64,12 @@ pub struct JunctionStatistics {
     pub facet_angles: Spread,
     /// Angles between the pulls of neighbouring sheets at the junctions' inner vertices, radians.
     pub sheet_angles: Spread,
-    /// Largest departure of [`Self::sheet_angles`] from 120°, radians.
+    /// Largest departure of [`Self::sheet_angles`] from 120°, radians, at the vertices that are not next to an end of their junction
+    /// (where all are: at all).
     pub largest_deviation: f64,
-    /// The same, on average.
+    /// The same at the vertices next to an end, where it may hardly fall with the mesh; 0 where there are none.
+    pub largest_deviation_at_ends: f64,
+    /// On average over all of them.
     pub mean_deviation: f64,
     /// Number of negative eigenvalues of the second variation; `None` where it was not computed.
     pub morse_index: Option<usize>,
@@ -531,13 +536,26 @@ fn junction_statistics(film: &Sheets, pulls: &Pulls, morse_index: Option<usize>)
         })
         .flatten()
         .collect();
-    let sheet_angles: Vec<f64> = (0..film.vertices.len())
-        .filter(|&v| matches!(film.kinds[v], Kind::Junction(_)))
-        .filter_map(|v| Some(angles_around(film.tangent(v), sheet_pulls(film, v as u32, &around[v])?)))
-        .flatten()
+    let at_vertices: Vec<(bool, [f64; 3])> = (0..film.vertices.len())
+        .filter_map(|v| {
+            let Kind::Junction(beside) = film.kinds[v] else { return None };
+            let inside = beside.iter().all(|&v| matches!(film.kinds[v as usize], Kind::Junction(_)));
+            Some((inside, angles_around(film.tangent(v), sheet_pulls(film, v as u32, &around[v])?)))
+        })
         .collect();
-    let measured = if sheet_angles.is_empty() { &facet_angles } else { &sheet_angles };
-    let deviation = Spread::of(measured.iter().map(|angle| (angle - THIRD_OF_TURN).abs()));
+    let sheet_angles = || at_vertices.iter().flat_map(|(_, angles)| *angles);
+    let departure = |angles: &[f64]| angles.iter().map(|angle| (angle - THIRD_OF_TURN).abs()).fold(0.0, f64::max);
+    let departures =
+        |inside: bool| at_vertices.iter().filter(move |vertex| vertex.0 == inside).map(|(_, angles)| departure(angles));
+    let at_ends = departures(false).fold(0.0, f64::max);
+    let away = departures(true).reduce(f64::max);
+    // A junction of one edge has no inner vertex, but facets.
+    let (largest, mean) = if at_vertices.is_empty() {
+        let mean = Spread::of(facet_angles.iter().map(|angle| (angle - THIRD_OF_TURN).abs())).mean;
+        (departure(&facet_angles), mean)
+    } else {
+        (away.unwrap_or(at_ends), Spread::of(sheet_angles().map(|angle| (angle - THIRD_OF_TURN).abs())).mean)
+    };
     let length = |&[a, b]: &[u32; 2]| film.vertices[a as usize].distance(film.vertices[b as usize]);
     JunctionStatistics {
         sheets: film.sheets.len(),
@@ -546,10 +564,11 @@ fn junction_statistics(film: &Sheets, pulls: &Pulls, morse_index: Option<usize>)
         points: film.kinds.iter().filter(|kind| **kind == Kind::Point).count(),
         length: film.junctions.iter().map(length).sum(),
         residual: pulls.junction_residual,
-        largest_deviation: deviation.max,
-        mean_deviation: deviation.mean,
+        largest_deviation: largest,
+        largest_deviation_at_ends: at_ends,
+        mean_deviation: mean,
         facet_angles: Spread::of(facet_angles.into_iter()),
-        sheet_angles: Spread::of(sheet_angles.into_iter()),
+        sheet_angles: Spread::of(sheet_angles()),
         morse_index,
     }
 }
