@@ -14,7 +14,8 @@
 //!
 //! The steps, each in a file of its own: `polygon` checks a planar domain and places the boundary's nodes, `lattice` lays the
 //! lattice, `increment` fills the rest, `plane` joins them; `parametric_surface` evaluates patches, `flatten` lays surfaces
-//! into the plane, `curved` goes there and back, `refine_on_surface` moves the nodes.
+//! into the plane, `curved` goes there and back, `refine_on_surface` moves the nodes, `rim` rebuilds what lies between lattice and
+//! boundary for where they have come to.
 
 mod assemble;
 mod curved;
@@ -27,6 +28,7 @@ pub mod parametric_surface;
 mod plane;
 mod polygon;
 mod refine_on_surface;
+mod rim;
 mod sides;
 pub mod statistics;
 mod triangulation;
@@ -121,7 +123,8 @@ impl Objective {
 pub enum Optimise {
     /// Nothing: they stay where the plane puts them.
     None,
-    /// The inner nodes move on the surface to the least Σ (L - ℓ)² over the lattice group. (In the plane it is 0 already.)
+    /// The inner nodes move on the surface to the least Σ (L - ℓ)² over the lattice group, and the rim is made anew for them
+    /// unless it is [`Rim::Free`]. (In the plane the sum is 0 already.)
     #[default]
     Nodes,
     /// After that, on polygons too: the inner nodes move until at most so many lengths stand for all members, each within
@@ -182,7 +185,7 @@ pub enum Why {
     SharpCorner,
     /// It joins two parts of the boundary that come closer than ℓ.
     Narrow,
-    /// In [ℓ, 2ℓ] in the plane, but the surface is stretched against it there.
+    /// The surface is stretched against the plane there.
     Curvature,
     /// The optimisation took it out, as [`Rim::Free`] and [`Optimise::Lengths`] may.
     Optimised,

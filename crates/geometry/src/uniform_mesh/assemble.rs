@@ -1,14 +1,16 @@
 //! From a checked domain to a measured result: the order of the steps, and what each hands to the next.
 
-use super::curved::{Auxiliary, Surface};
+use super::curved::{Auxiliary, Boundary, Surface};
 use super::flatten::{self, Locator};
 use super::lengths::{LengthsRow, share_lengths};
-use super::plane::{self, Failure, PlaneMesh, deadline};
+use super::plane::{self, Failure, Outline, PlaneMesh, deadline};
 use super::polygon::Polygon;
-use super::refine_on_surface::{Aim, OnSurface, refine};
+use super::refine_on_surface::OnSurface;
+use super::rim::fit;
+use super::sides::Division;
 use super::statistics::{self, Group, LengthHistogram, Stage};
 use super::triangulation::Tangle;
-use super::{Objective, Optimise, Options, OutOfRange, RANGE_TOLERANCE, Rim, Statistics, UniformMesh, Why};
+use super::{Objective, Optimise, Options, OutOfRange, RANGE_TOLERANCE, Statistics, UniformMesh, Why};
 use crate::error::{Error, InputError, Place, Warning};
 use crate::execution::{Execution, Progress};
 use crate::mesh::measure::{Spread, angle_range};
@@ -23,11 +25,19 @@ pub(super) fn on_polygon(
     options: &Options,
     execution: &Execution<'_>,
 ) -> Result<UniformMesh, Error> {
-    let mut polygon = Polygon::new(outer, holes, options.edge_length)?;
-    polygon.split(options.objective);
+    let whole = Polygon::new(outer, holes, options.edge_length)?;
+    let split = |&division: &Division| {
+        let mut polygon = whole.clone();
+        polygon.split(division);
+        polygon
+    };
+    let mut polygons: Vec<Polygon> = Division::candidates(options.objective).iter().map(split).collect();
+    polygons.dedup_by_key(|polygon| polygon.positions.len());
+    let outlines: Vec<&Outline> = polygons.iter().map(|polygon| &polygon.outline).collect();
     let shares = matches!(options.optimise, Optimise::Lengths { .. });
-    let flat = plane::mesh(&polygon.outline, options.objective, (0.0, if shares { 0.5 } else { 0.95 }), execution)
-        .map_err(|failure| planar_error(failure, &polygon))?;
+    let (which, flat) = plane::mesh(&outlines, options.objective, (0.0, if shares { 0.5 } else { 0.95 }), execution)
+        .map_err(|failure| planar_error(failure, &polygons[0]))?;
+    let polygon = polygons.swap_remove(which);
     let fixed = polygon.positions.len();
     let members = flatten::edges(&topology(flat.points.iter().map(|p| p.extend(0.0)).collect(), &flat.triangles)?);
     let lattice_group = lattice_group(&members, &flat);
@@ -38,10 +48,16 @@ pub(super) fn on_polygon(
     if let Optimise::Lengths { most } = options.optimise
         && !interrupted
     {
-        let (parameters, positions, triangles) = (flat.points.clone(), points, &flat.triangles[..]);
-        let surface = &Surface::Plane;
-        let mut nodes = OnSurface { surface, parameters, positions, fixed, triangles, members: &members };
-        (shared, interrupted) = share(&mut nodes, most, &mut table, &lattice_group, (0.5, 0.99), execution)?;
+        let mut nodes = OnSurface {
+            surface: &Surface::Plane,
+            parameters: flat.points.clone(),
+            positions: points,
+            fixed,
+            triangles: flat.triangles.clone(),
+            members: members.clone(),
+            lattice_group: lattice_group.clone(),
+        };
+        (shared, interrupted) = share(&mut nodes, most, &mut table, (0.5, 0.99), execution)?;
         points = nodes.positions;
     }
     let mut vertices = polygon.positions.clone();
@@ -82,14 +98,19 @@ pub(super) fn on_surface(
     }
     let locator = Rc::new(Locator::new(&plane, &auxiliary.mesh.triangles));
     let surface = auxiliary.surface(&plane, &locator);
-    let boundary = auxiliary.boundary(&plane, &surface, options.objective);
-    let flat = plane::mesh(&boundary.outline, options.objective, (at(0.3), at(0.6)), execution).map_err(|failure| {
+    let divided = |&division: &Division| auxiliary.boundary(&plane, &surface, division);
+    let mut boundaries: Vec<Boundary> = Division::candidates(options.objective).iter().map(divided).collect();
+    boundaries.dedup_by_key(|boundary| boundary.positions.len());
+    let outlines: Vec<&Outline> = boundaries.iter().map(|boundary| &boundary.outline).collect();
+    let meshed = plane::mesh(&outlines, options.objective, (at(0.3), at(0.6)), execution);
+    let (which, flat) = meshed.map_err(|failure| {
         let detail = "the surface folds over itself when it is laid into the plane: split it into several";
         match failure {
             Failure::Interrupted(interruption) => Error::Interrupted(interruption),
             Failure::Tangle(_) => Error::no_result("not_flattenable", detail),
         }
     })?;
+    let boundary = boundaries.swap_remove(which);
     let mut table = Table::new(options);
     table.row("auxiliary_surface", &lengths(&auxiliary_edges, |v| auxiliary.mesh.vertices[v as usize]), None);
     table.row("auxiliary_plane", &lengths(&auxiliary_edges, |v| plane[v as usize].extend(0.0)), None);
@@ -101,43 +122,49 @@ pub(super) fn on_surface(
     positions.extend(parameters[fixed..].iter().map(|&p| surface.evaluate(p)[0]));
     let members = flatten::edges(&topology(positions.clone(), &flat.triangles)?);
     let lattice_group = lattice_group(&members, &flat);
-    let mut nodes =
-        OnSurface { surface: &surface, parameters, positions, fixed, triangles: &flat.triangles, members: &members };
     table.row("plane", &lengths(&members, |v| flat.points[v as usize].extend(0.0)), Some(&lattice_group));
-    let before = nodes.lengths();
-    table.row("surface", &before, Some(&lattice_group));
+    let surface = &surface;
+    let mut nodes =
+        OnSurface { surface, parameters, positions, fixed, triangles: flat.triangles, members, lattice_group };
+    let mut before = nodes.lengths();
+    table.row("surface", &before, Some(&nodes.lattice_group));
     let (mut shared, mut interrupted) = (Vec::new(), flat.interrupted);
     let (middle, end) = if shares { (0.7, 0.98) } else { (0.98, 0.98) };
     if options.optimise != Optimise::None && !interrupted {
-        let rim = if options.rim == Rim::Bounded { Aim::Within } else { Aim::Free };
-        let aims: Vec<Aim> = lattice_group.iter().map(|&lattice| if lattice { Aim::At(1.0) } else { rim }).collect();
-        let stopped = refine(&mut nodes, &aims, "optimise_nodes", (at(0.6), at(middle)), execution);
+        let (rebuilt, stopped) = fit(&mut nodes, options.rim, (at(0.6), at(middle)), execution);
         interrupted = deadline(stopped.map_or(Ok(()), Err))?;
-        table.row("optimised_nodes", &nodes.lengths(), Some(&lattice_group));
+        if rebuilt {
+            before = nodes.lengths();
+        }
+        table.row("optimised_nodes", &nodes.lengths(), Some(&nodes.lattice_group));
     }
     if let Optimise::Lengths { most } = options.optimise
         && !interrupted
     {
         let span = (at(middle), at(end));
-        (shared, interrupted) = share(&mut nodes, most, &mut table, &lattice_group, span, execution)?;
+        (shared, interrupted) = share(&mut nodes, most, &mut table, span, execution)?;
     }
 
     let mut vertices: Vec<DVec3> = nodes.positions.iter().map(|&p| auxiliary.place(p)).collect();
     for &(node, p) in &boundary.exact {
         vertices[node as usize] = p;
     }
+    let OnSurface { triangles, members, lattice_group, .. } = nodes;
     let why = |member: usize| {
-        let [a, b] = members[member].map(|v| flat.points[v as usize]);
-        let length = a.distance(b);
-        if !is_in_range(length) {
-            boundary.sides.why(members[member], length, &boundary.outline.nodes)
-        } else if is_in_range(before[member]) && !lattice_group[member] {
-            Why::Optimised
-        } else {
-            Why::Curvature
+        // Only what the boundary's own nodes do is the plane's doing: inserted nodes are clear of all others there.
+        let ends = members[member].map(|v| boundary.outline.nodes.get(v as usize));
+        let narrow = match ends {
+            [Some(a), Some(b)] => Some(a.distance(*b)).filter(|&length| !is_in_range(length)),
+            _ => None,
+        };
+        match narrow {
+            Some(length) if length < 1.0 => boundary.sides.why(members[member], length, &boundary.outline.nodes),
+            _ if flat.interrupted => Why::Unfinished,
+            _ if is_in_range(before[member]) && !lattice_group[member] => Why::Optimised,
+            _ => Why::Curvature,
         }
     };
-    let mesh = Mesh::new(vertices, flat.triangles.clone());
+    let mesh = Mesh::new(vertices, triangles);
     let mut result = assemble(mesh, members.clone(), lattice_group.clone(), options, why);
     result.stages = table.stages;
     result.shared_lengths = shared;
@@ -177,7 +204,6 @@ fn share(
     nodes: &mut OnSurface<'_>,
     most: usize,
     table: &mut Table,
-    lattice: &[bool],
     span: (f64, f64),
     execution: &Execution<'_>,
 ) -> Result<(Vec<LengthsRow>, bool), Error> {
@@ -188,7 +214,7 @@ fn share(
         row.deviation *= target;
         row.deviation_before *= target;
     }
-    table.row("shared_lengths", &nodes.lengths(), Some(lattice));
+    table.row("shared_lengths", &nodes.lengths(), Some(&nodes.lattice_group));
     Ok((rows, interrupted))
 }
 

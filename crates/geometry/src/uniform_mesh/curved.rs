@@ -12,11 +12,11 @@
 //! along the surface, as many as keep every piece at ℓ or more both on the surface and in the plane. Lengths are in ℓ and
 //! around the surface's centre throughout.
 
+use super::Options;
 use super::flatten::{self, Locator};
 use super::parametric_surface::Nurbs;
 use super::plane::Outline;
-use super::sides::{Sides, is_sharp, pieces};
-use super::{Objective, Options};
+use super::sides::{Division, Sides, is_sharp, pieces};
 use crate::error::{Error, InputError, Place, Step, Warning};
 use crate::execution::{Execution, Interruption, Progress, Signal};
 use crate::mesh::topology::Topology;
@@ -252,7 +252,7 @@ impl Auxiliary {
     }
 
     /// Divides the flattened boundary. Corners come first.
-    pub fn boundary(&self, plane: &[DVec2], surface: &Surface, objective: Objective) -> Boundary {
+    pub fn boundary(&self, plane: &[DVec2], surface: &Surface, division: Division) -> Boundary {
         let mut boundary = Boundary::default();
         let mut node_of = vec![None; self.mesh.vertices.len()];
         let parameter =
@@ -270,7 +270,7 @@ impl Auxiliary {
         boundary.sides = Sides::new(boundary.corners);
         for ring in &self.sides {
             let lines: Vec<Line> = ring.iter().map(|side| Line::new(side, plane, parameter, surface)).collect();
-            let mut counts: Vec<u32> = lines.iter().map(|line| line.pieces(surface, objective)).collect();
+            let mut counts: Vec<u32> = lines.iter().map(|line| line.pieces(surface, division)).collect();
             // A loop needs three nodes.
             while counts.iter().sum::<u32>() < 3 {
                 let longest = (0..counts.len()).max_by(|&a, &b| {
@@ -317,6 +317,11 @@ pub(super) struct Boundary {
     corners: usize,
 }
 
+/// A point between two. A coordinate that both share stays what it is: nodes on one side of a patch must not make triangles.
+fn between(a: DVec2, b: DVec2, part: f64) -> DVec2 {
+    a + (b - a) * part
+}
+
 /// One side, sampled: plane position, parameters and way along the surface.
 struct Line {
     samples: Vec<(f64, DVec2, DVec2)>,
@@ -331,8 +336,8 @@ impl Line {
             let (segment, part) = ((k / SAMPLES).min(segments - 1), k - (k / SAMPLES).min(segments - 1) * SAMPLES);
             let part = part as f64 / SAMPLES as f64;
             let (a, b) = (side[segment], side[segment + 1]);
-            let p = plane[a as usize].lerp(plane[b as usize], part);
-            let q = parameter(a).lerp(parameter(b), part);
+            let p = between(plane[a as usize], plane[b as usize], part);
+            let q = between(parameter(a), parameter(b), part);
             let here = surface.evaluate(q)[0];
             way += last.map_or(0.0, |last| last.distance(here));
             last = Some(here);
@@ -350,12 +355,12 @@ impl Line {
         let k = self.samples.partition_point(|sample| sample.0 < way).clamp(1, self.samples.len() - 1);
         let ((w0, p0, q0), (w1, p1, q1)) = (self.samples[k - 1], self.samples[k]);
         let part = if w1 > w0 { ((way - w0) / (w1 - w0)).clamp(0.0, 1.0) } else { 0.0 };
-        (p0.lerp(p1, part), q0.lerp(q1, part))
+        (between(p0, p1, part), between(q0, q1, part))
     }
 
-    /// As many pieces as the objective asks for, fewer where a chord would get shorter than ℓ in the plane or in space.
-    fn pieces(&self, surface: &Surface, objective: Objective) -> u32 {
-        let mut count = pieces(self.length(), objective);
+    /// As many pieces as the division asks for, fewer where a chord would get shorter than ℓ in the plane or in space.
+    fn pieces(&self, surface: &Surface, division: Division) -> u32 {
+        let mut count = pieces(self.length(), division);
         while count > 1 {
             let nodes: Vec<(DVec2, DVec3)> = (0..=count)
                 .map(|k| self.at(self.length() * f64::from(k) / f64::from(count)))

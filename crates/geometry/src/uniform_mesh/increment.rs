@@ -57,7 +57,7 @@ pub(super) fn fill(
         work += visited;
         if let Sight::In(t) = sight {
             star.clear();
-            region.insert(t, centre, &mut star);
+            region.insert(t, centre, &mut star, Triangulation::is_not_delaunay);
             radius.resize(region.corners.len(), 0);
             for &t in &star {
                 consider(region, t, &mut radius, &mut heap);

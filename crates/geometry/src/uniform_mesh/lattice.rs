@@ -13,7 +13,8 @@
 //! - Nodes without any lattice edge are dropped: they only constrain the rim.
 //! - The paper takes one placement. We search for the one with the most lattice edges: along every edge direction of the
 //!   boundary with the lattice running through a corner, then a grid of angles and origins, then a pattern search from the
-//!   best few. One placement costs O(boundary) because a lattice row is a set of free intervals of a line and edges are
+//!   best few. The boundary's division counts too: pieces of √2 ℓ let the lattice come nearer than pieces of ℓ unless the boundary
+//!   runs along it, so both are searched ([`Division`](super::sides::Division)). One placement costs O(boundary) because a lattice row is a set of free intervals of a line and edges are
 //!   counted from the intervals' ends; the lattice's nodes are never touched. The search is bounded by a count of rows
 //!   built, not by time, so it is the same on every machine.
 
@@ -59,7 +60,6 @@ pub(super) struct Boundary<'a> {
 /// The lattice group: nodes, triangles, and the edges that the rim must respect.
 #[derive(Clone, Debug)]
 pub(super) struct Lattice {
-    pub placement: Placement,
     pub nodes: Vec<DVec2>,
     pub triangles: Vec<[u32; 3]>,
     /// Edges with fewer than two lattice triangles, between lattice nodes.
@@ -286,7 +286,7 @@ fn directions(boundary: &Boundary<'_>) -> Vec<(f64, Vec<u32>)> {
         .collect()
 }
 
-/// The placement with the most lattice edges that the search finds, or `None` if no lattice edge fits.
+/// The placement with the most lattice edges that the search finds, and how many; `None` if no lattice edge fits.
 ///
 /// # Errors
 /// Cancelled, or the deadline passed before the first placement; later the best so far is returned.
@@ -294,7 +294,7 @@ pub(super) fn search(
     boundary: &Boundary<'_>,
     span: (f64, f64),
     execution: &Execution<'_>,
-) -> Result<Option<Placement>, Interruption> {
+) -> Result<Option<(usize, Placement)>, Interruption> {
     let budget = (1_500_000 / boundary.nodes.len().max(1) as u64).clamp(60, 6000);
     let steps: u32 = if budget >= 2000 {
         12
@@ -370,7 +370,15 @@ pub(super) fn search(
             winner = Some((edges, here));
         }
     }
-    Ok(winner.filter(|&(edges, _)| edges > 0).map(|(_, placement)| placement))
+    Ok(winner.filter(|&(edges, _)| edges > 0))
+}
+
+/// Pieces of the boundary that are lattice edges themselves: of length 1 between two lattice points.
+pub(super) fn pieces_on(boundary: &Boundary<'_>, placement: Placement) -> usize {
+    let on: Vec<bool> = boundary.nodes.iter().map(|&p| placement.carries(p)).collect();
+    let apart = |a: u32, b: u32| boundary.nodes[a as usize].distance(boundary.nodes[b as usize]);
+    let is_on = |&&(a, b): &&(u32, u32)| on[a as usize] && on[b as usize] && (apart(a, b) - 1.0).abs() < 1e-6;
+    boundary.pieces.iter().filter(is_on).count()
 }
 
 /// Lays the lattice out. O(nodes + boundary log boundary).
@@ -448,7 +456,7 @@ pub(super) fn place(boundary: &Boundary<'_>, placement: Placement) -> Lattice {
     for border in &mut borders {
         (border.from, border.to) = (number[border.from as usize], number[border.to as usize]);
     }
-    Lattice { placement, nodes, triangles, borders }
+    Lattice { nodes, triangles, borders }
 }
 
 #[cfg(test)]

@@ -60,47 +60,55 @@ impl From<Interruption> for Failure {
     }
 }
 
-/// Meshes the domain. Progress runs over `span`.
+/// Meshes the domain by that one of the `outlines`, which differ in how its sides are divided, on which the most lattice edges
+/// fit; the first one where none fits. Returns its index too. Progress runs over `span`.
 ///
 /// # Errors
 /// The outline's tangles, or the interruption. A passed deadline returns the valid mesh reached so far.
 pub(super) fn mesh(
-    outline: &Outline,
+    outlines: &[&Outline],
     objective: Objective,
     span: (f64, f64),
     execution: &Execution<'_>,
-) -> Result<PlaneMesh, Failure> {
-    let pieces = outline.pieces();
-    let mut constraints: Vec<Constraint> =
-        pieces.iter().map(|&(from, to)| Constraint { from, to, border: Border::Outline }).collect();
-    execution.look(pieces.len() as u64)?;
+) -> Result<(usize, PlaneMesh), Failure> {
     // Both problems start here: this is also what finds crossing outlines and holes on the wrong side.
-    let mut region = Triangulation::build(outline.nodes.clone(), &constraints)?;
+    let mut region = region(outlines[0], execution)?;
     let mut interrupted = false;
     let middle = span.0 + 0.4 * (span.1 - span.0);
-    let lattice = match objective {
-        Objective::FewestNodes => None,
-        Objective::MostEqualEdges => {
+    let mut best: Option<(usize, usize, Placement)> = None;
+    if objective == Objective::MostEqualEdges {
+        for (which, outline) in outlines.iter().enumerate() {
+            let at = |k: usize| span.0 + (middle - span.0) * k as f64 / outlines.len() as f64;
+            let pieces = outline.pieces();
             let boundary = Boundary { nodes: &outline.nodes, pieces: &pieces };
-            let found = lattice::search(&boundary, (span.0, middle), execution);
-            let found = match found {
-                Ok(found) => found,
+            match lattice::search(&boundary, (at(which), at(which + 1)), execution) {
+                Ok(Some((edges, placement))) => {
+                    let edges = edges + EDGES_A_PIECE * lattice::pieces_on(&boundary, placement);
+                    if best.is_none_or(|(most, ..)| edges > most) {
+                        best = Some((edges, which, placement));
+                    }
+                }
+                Ok(None) => {}
                 Err(interruption) => {
                     interrupted |= deadline(Err(interruption))?;
-                    None
+                    break;
                 }
-            };
-            found.map(|placement| lattice::place(&boundary, placement))
+            }
         }
-    };
-    let fixed = outline.nodes.len() as u32;
-    let Some(Lattice { placement, nodes, triangles, borders, .. }) = lattice else {
-        let expected = expected_nodes(outline.area());
+    }
+    let Some((_, which, placement)) = best else {
+        let expected = expected_nodes(outlines[0].area());
         if !interrupted {
             interrupted = deadline(fill(&mut region, expected, span, execution))?;
         }
-        return Ok(PlaneMesh { points: region.points, triangles: region.corners, lattice: None, interrupted });
+        let mesh = PlaneMesh { points: region.points, triangles: region.corners, lattice: None, interrupted };
+        return Ok((0, mesh));
     };
+    let outline = outlines[which];
+    let (pieces, fixed) = (outline.pieces(), outline.nodes.len() as u32);
+    let lattice = lattice::place(&Boundary { nodes: &outline.nodes, pieces: &pieces }, placement);
+    let Lattice { nodes, triangles, borders, .. } = lattice;
+    let mut constraints = outline_constraints(&pieces);
     execution.look(nodes.len() as u64)?;
     // Only the lattice's border takes part in the rim; `outer` is a node's number in the whole mesh.
     let mut outer: Vec<u32> = (0..fixed).collect();
@@ -130,7 +138,21 @@ pub(super) fn mesh(
     points.extend_from_slice(&region.points[rim_fixed..]);
     let mut all: Vec<[u32; 3]> = triangles.iter().map(|t| t.map(|v| fixed + v)).collect();
     all.extend(region.corners.iter().map(|t| t.map(|v| outer[v as usize])));
-    Ok(PlaneMesh { points, triangles: all, lattice: Some(placement), interrupted })
+    Ok((which, PlaneMesh { points, triangles: all, lattice: Some(placement), interrupted }))
+}
+
+/// What a piece of boundary on the lattice adds to the lattice's edges about: itself and two to the next row of nodes.
+const EDGES_A_PIECE: usize = 3;
+
+fn outline_constraints(pieces: &[(u32, u32)]) -> Vec<Constraint> {
+    pieces.iter().map(|&(from, to)| Constraint { from, to, border: Border::Outline }).collect()
+}
+
+/// The domain without any inner node.
+fn region(outline: &Outline, execution: &Execution<'_>) -> Result<Triangulation, Failure> {
+    let pieces = outline.pieces();
+    execution.look(pieces.len() as u64)?;
+    Ok(Triangulation::build(outline.nodes.clone(), &outline_constraints(&pieces))?)
 }
 
 /// Whether the deadline passed; a cancelled run is an error.

@@ -1,8 +1,7 @@
 //! A planar polygon in space, with holes: checked, brought into its plane in units of ℓ, its long sides split.
 
-use super::Objective;
 use super::plane::Outline;
-use super::sides::{Sides, is_sharp, pieces};
+use super::sides::{Division, Sides, is_sharp, pieces};
 use crate::error::{Error, InputError, Place, Warning};
 use crate::polyline::{mean, merge_equal_neighbours};
 use crate::{DVec2, DVec3};
@@ -26,7 +25,7 @@ impl Frame {
 }
 
 /// A polygon ready to be meshed.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Polygon {
     pub frame: Frame,
     pub outline: Outline,
@@ -136,7 +135,7 @@ impl Polygon {
     }
 
     /// Splits the sides: pieces within [ℓ, 2ℓ] wherever the side is at least ℓ long.
-    pub fn split(&mut self, objective: Objective) {
+    pub fn split(&mut self, division: Division) {
         self.sides = Sides::new(self.positions.len());
         for corners in &self.corner_loops {
             let count = corners.len();
@@ -150,7 +149,7 @@ impl Polygon {
                 let first = nodes.len();
                 nodes.push(a as u32);
                 let (from, to) = (self.positions[a], self.positions[b]);
-                let pieces = pieces(edge.length(), objective);
+                let pieces = pieces(edge.length(), division);
                 for piece in 1..pieces {
                     let part = f64::from(piece) / f64::from(pieces);
                     nodes.push(self.positions.len() as u32);

@@ -5,8 +5,8 @@
 //! 2. Members of the rim are kept in [ℓ, 2ℓ]: a member beyond a bound adds the square of a weighted excess, and the bound is
 //!    shifted by the excess left over (Powell's and Hestenes' multipliers), until none is left.
 //!
-//! Our departures: the paper's own optimum stretched a rim member to 13.4 for ℓ = 5, hence step 2 ([`Rim::Free`](super::Rim::Free) leaves it
-//! out); a step that would flip a triangle in the parameter plane is refused; the damping is the surface's metric, so that
+//! Our departures: the paper's own optimum stretched a rim member to 13.4 for ℓ = 5, hence step 2 ([`Rim::Free`](super::Rim::Free)
+//! leaves it out) and the rebuilding of the rim in [`rim`](super::rim); a step that would flip a triangle in the parameter plane is refused; the damping is the surface's metric, so that
 //! the result does not depend on how the patch is parametrised.
 
 use super::curved::Surface;
@@ -44,8 +44,10 @@ pub(super) struct OnSurface<'a> {
     pub positions: Vec<DVec3>,
     /// The first so many nodes are on the boundary and stay.
     pub fixed: usize,
-    pub triangles: &'a [[u32; 3]],
-    pub members: &'a [[u32; 2]],
+    pub triangles: Vec<[u32; 3]>,
+    pub members: Vec<[u32; 2]>,
+    /// For each member whether it belongs to the lattice group.
+    pub lattice_group: Vec<bool>,
 }
 
 impl OnSurface<'_> {

@@ -6,16 +6,34 @@ use crate::DVec2;
 /// Rounding allowed in counting how often ℓ goes into a side.
 const WHOLE: f64 = 1e-10;
 
+/// How long the pieces are that a side of 2ℓ or more is split into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Division {
+    /// As near to ℓ as they get: where the domain's own directions fit the lattice's, the lattice goes on to the boundary.
+    Short,
+    /// At most √2 ℓ wherever possible: no inserted node then falls into the diametral circle of a piece. A boundary that runs
+    /// across the lattice keeps the lattice's nodes at a smaller distance than short pieces do.
+    Long,
+}
+
+impl Division {
+    /// Those worth trying for an objective.
+    pub fn candidates(objective: Objective) -> &'static [Self] {
+        match objective {
+            Objective::FewestNodes => &[Self::Long],
+            Objective::MostEqualEdges => &[Self::Short, Self::Long],
+        }
+    }
+}
+
 /// How many pieces a side of the given length (in ℓ) is split into.
-pub(super) fn pieces(length: f64, objective: Objective) -> u32 {
+pub(super) fn pieces(length: f64, division: Division) -> u32 {
     // Up to 2ℓ a side stays whole, but for one that is two members exactly.
     let most = (length * (1.0 + WHOLE)).floor().max(1.0);
-    match objective {
+    match division {
         _ if length < 2.0 * (1.0 - WHOLE) => 1,
-        // Pieces as near to ℓ as they get, so that the rim can go on where the lattice ends.
-        Objective::MostEqualEdges => most as u32,
-        // Pieces of at most √2 ℓ wherever possible: no inserted node then falls into the diametral circle of a piece.
-        Objective::FewestNodes => (length / std::f64::consts::SQRT_2).ceil().min(most) as u32,
+        Division::Short => most as u32,
+        Division::Long => (length / std::f64::consts::SQRT_2).ceil().min(most) as u32,
     }
 }
 

@@ -205,11 +205,11 @@ impl Triangulation {
         Ok(Self { points, corners, twin, stack: Vec::new() })
     }
 
-    fn from(&self, half_edge: u32) -> u32 {
+    pub fn from(&self, half_edge: u32) -> u32 {
         self.corners[half_edge as usize / 3][half_edge as usize % 3]
     }
 
-    fn twin_of(&self, half_edge: u32) -> u32 {
+    pub fn twin_of(&self, half_edge: u32) -> u32 {
         self.twin[half_edge as usize / 3][half_edge as usize % 3]
     }
 
@@ -256,9 +256,10 @@ impl Triangulation {
         (Sight::Hidden, visited)
     }
 
-    /// Inserts a point that lies in triangle `t` (or on an edge of it that has a twin) and restores the Delaunay property.
+    /// Inserts a point that lies in triangle `t` (or on an edge of it that has a twin) and flips the edges opposite to it as
+    /// long as `flips` says so of a half-edge ([`is_not_delaunay`](Self::is_not_delaunay) restores the Delaunay property).
     /// Appends the triangles around the new point to `star`.
-    pub fn insert(&mut self, t: u32, point: DVec2, star: &mut Vec<u32>) {
+    pub fn insert(&mut self, t: u32, point: DVec2, star: &mut Vec<u32>, flips: impl Fn(&Self, u32) -> bool) {
         let p = self.points.len() as u32;
         self.points.push(point);
         let [a, b, c] = self.corners[t as usize];
@@ -276,31 +277,43 @@ impl Triangulation {
         let mut stack = std::mem::take(&mut self.stack);
         stack.extend([t, n, n + 1]);
         while let Some(t) = stack.pop() {
-            let across = self.twin[t as usize][0];
-            let flips = across != NONE && {
-                let d = self.position_of(self.from(previous(across)));
-                let [a, b, p] = self.triangle(t);
-                incircle(coord(a), coord(b), coord(p), coord(d)) > 0.0
-            };
-            if !flips {
+            if self.twin[t as usize][0] == NONE || !flips(self, 3 * t) {
                 star.push(t);
                 continue;
             }
-            let s = across / 3;
-            let [a, b, p] = self.corners[t as usize];
-            let d = self.from(previous(across));
-            let (ad, db) = (self.twin_of(next(across)), self.twin_of(previous(across)));
-            let [_, bp, pa] = self.twin[t as usize];
-            self.corners[t as usize] = [a, d, p];
-            self.corners[s as usize] = [d, b, p];
-            self.twin[t as usize] = [ad, 3 * s + 2, pa];
-            self.twin[s as usize] = [db, bp, 3 * t + 1];
-            self.point_back(ad, 3 * t);
-            self.point_back(db, 3 * s);
-            self.point_back(bp, 3 * s + 1);
-            stack.extend([t, s]);
+            stack.extend(self.flip(3 * t));
         }
         self.stack = stack;
+    }
+
+    /// Whether the circle through a half-edge's triangle holds the corner beyond it.
+    pub fn is_not_delaunay(&self, half_edge: u32) -> bool {
+        let [a, b, c, d] = self.around(half_edge).map(|v| coord(self.position_of(v)));
+        incircle(a, b, c, d) > 0.0
+    }
+
+    /// The ends of a half-edge that has a twin, the third corner of its triangle and that of its twin's.
+    pub fn around(&self, half_edge: u32) -> [u32; 4] {
+        let across = self.twin_of(half_edge);
+        [half_edge, next(half_edge), previous(half_edge), previous(across)].map(|h| self.from(h))
+    }
+
+    /// Replaces the edge between two triangles by the other diagonal. Both have the half-edge's third corner at corner 2 then.
+    pub fn flip(&mut self, half_edge: u32) -> [u32; 2] {
+        let across = self.twin_of(half_edge);
+        let (t, s) = (half_edge / 3, across / 3);
+        let [a, b, c, d] = self.around(half_edge);
+        let (ad, db) = (self.twin_of(next(across)), self.twin_of(previous(across)));
+        let (bc, ca) = (self.twin_of(next(half_edge)), self.twin_of(previous(half_edge)));
+        self.corners[t as usize] = [a, d, c];
+        self.corners[s as usize] = [d, b, c];
+        self.twin[t as usize] = [ad, 3 * s + 2, ca];
+        self.twin[s as usize] = [db, bc, 3 * t + 1];
+        self.point_back(ad, 3 * t);
+        self.point_back(ca, 3 * t + 2);
+        self.point_back(db, 3 * s);
+        self.point_back(bc, 3 * s + 1);
+        [t, s]
     }
 
     fn point_back(&mut self, half_edge: u32, twin: u32) {
@@ -380,7 +393,7 @@ mod tests {
             });
             let Some(t) = holder else { continue };
             let mut star = Vec::new();
-            region.insert(t, p, &mut star);
+            region.insert(t, p, &mut star, Triangulation::is_not_delaunay);
             assert!(star.iter().all(|&t| region.corners[t as usize][2] as usize == region.points.len() - 1));
             region.sanity_check();
         }
