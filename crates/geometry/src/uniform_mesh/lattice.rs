@@ -31,6 +31,8 @@ const TOUCH: f64 = 1e-10;
 /// From how many placements the pattern search starts, in all and at one angle.
 const STARTS: usize = 24;
 const STARTS_PER_ANGLE: usize = 3;
+/// How many placements are looked at for boundary that runs on the lattice.
+const BEST: usize = 64;
 
 /// A placed lattice of edge 1: node (i, j) stands at origin + i e₁ + j e₂, with e₁ at `angle` and e₂ 60° further.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -286,7 +288,7 @@ fn directions(boundary: &Boundary<'_>) -> Vec<(f64, Vec<u32>)> {
         .collect()
 }
 
-/// The placement with the most lattice edges that the search finds, and how many; `None` if no lattice edge fits.
+/// The placement with the most lattice edges that the search finds, and how many, those along the boundary about; `None` if no lattice edge fits.
 ///
 /// # Errors
 /// Cancelled, or the deadline passed before the first placement; later the best so far is returned.
@@ -336,7 +338,14 @@ pub(super) fn search(
         }
     }
     search.best.sort_by_key(|&(edges, _)| std::cmp::Reverse(edges));
-    let mut winner = search.best.first().copied();
+    // Among the best, what runs on to the boundary counts as well.
+    let with_boundary = |&(edges, placement): &(usize, Placement)| (edges + edges_on(boundary, placement), placement);
+    let mut winner: Option<(usize, Placement)> = None;
+    for candidate in search.best.iter().take(BEST).map(with_boundary) {
+        if winner.is_none_or(|(most, _)| candidate.0 > most) {
+            winner = Some(candidate);
+        }
+    }
     // The best few, but not all of one angle: neighbouring heights climb to the same place.
     let mut starts: Vec<(usize, Placement)> = Vec::new();
     for &candidate in &search.best {
@@ -366,19 +375,21 @@ pub(super) fn search(
                 step /= 2.0;
             }
         }
-        if winner.is_none_or(|(most, _)| edges > most) {
-            winner = Some((edges, here));
+        let climbed = with_boundary(&(edges, here));
+        if winner.is_none_or(|(most, _)| climbed.0 > most) {
+            winner = Some(climbed);
         }
     }
     Ok(winner.filter(|&(edges, _)| edges > 0))
 }
 
-/// Pieces of the boundary that are lattice edges themselves: of length 1 between two lattice points.
-pub(super) fn pieces_on(boundary: &Boundary<'_>, placement: Placement) -> usize {
+/// About how many edges of the finished mesh are lattice edges because the boundary runs on the lattice: pieces of length 1
+/// between two lattice points, and two to the next row for each boundary node on one.
+fn edges_on(boundary: &Boundary<'_>, placement: Placement) -> usize {
     let on: Vec<bool> = boundary.nodes.iter().map(|&p| placement.carries(p)).collect();
     let apart = |a: u32, b: u32| boundary.nodes[a as usize].distance(boundary.nodes[b as usize]);
     let is_on = |&&(a, b): &&(u32, u32)| on[a as usize] && on[b as usize] && (apart(a, b) - 1.0).abs() < 1e-6;
-    boundary.pieces.iter().filter(is_on).count()
+    boundary.pieces.iter().filter(is_on).count() + 2 * on.iter().filter(|&&on| on).count()
 }
 
 /// Lays the lattice out. O(nodes + boundary log boundary).

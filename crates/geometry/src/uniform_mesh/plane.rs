@@ -83,7 +83,6 @@ pub(super) fn mesh(
             let boundary = Boundary { nodes: &outline.nodes, pieces: &pieces };
             match lattice::search(&boundary, (at(which), at(which + 1)), execution) {
                 Ok(Some((edges, placement))) => {
-                    let edges = edges + EDGES_A_PIECE * lattice::pieces_on(&boundary, placement);
                     if best.is_none_or(|(most, ..)| edges > most) {
                         best = Some((edges, which, placement));
                     }
@@ -140,9 +139,6 @@ pub(super) fn mesh(
     all.extend(region.corners.iter().map(|t| t.map(|v| outer[v as usize])));
     Ok((which, PlaneMesh { points, triangles: all, lattice: Some(placement), interrupted }))
 }
-
-/// What a piece of boundary on the lattice adds to the lattice's edges about: itself and two to the next row of nodes.
-const EDGES_A_PIECE: usize = 3;
 
 fn outline_constraints(pieces: &[(u32, u32)]) -> Vec<Constraint> {
     pieces.iter().map(|&(from, to)| Constraint { from, to, border: Border::Outline }).collect()
