@@ -237,6 +237,21 @@ const FILES: &[(&str, &str, &str)] = &[
         include_str!("../../api/examples/latticed-film.json"),
     ),
     (
+        "latticed-roof-few-lengths",
+        "A Bézier roof whose members share twelve lengths as nearly as they can",
+        include_str!("../../api/examples/latticed-roof-few-lengths.json"),
+    ),
+    (
+        "floor-fewest-nodes",
+        "A convex polygon with as few nodes as possible",
+        include_str!("../../api/examples/floor-fewest-nodes.json"),
+    ),
+    (
+        "floor-equal-members",
+        "The same polygon with as many equal members as possible",
+        include_str!("../../api/examples/floor-equal-members.json"),
+    ),
+    (
         "courtyard",
         "A plaza with a courtyard and a re-entrant corner, as few nodes as possible",
         include_str!("../../api/examples/courtyard.json"),
