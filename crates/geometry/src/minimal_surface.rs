@@ -516,7 +516,7 @@ pub fn check(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), Error> 
 /// About how many triangles a request asks for, so that a service can price it before the work.
 ///
 /// Exact where a count is asked for; for an edge length the area of the boundaries' fans about their means is divided by
-/// that of an equilateral triangle, which is right within a small factor unless the boundaries are far apart.
+/// that of an equilateral triangle (but the boundary's own points ask for some each), which is right within a small factor unless the boundaries are far apart.
 #[must_use]
 pub fn estimate_triangles(boundaries: &[Vec<DVec3>], options: &Options) -> f64 {
     let points: usize = boundaries.iter().map(Vec::len).sum();
@@ -527,15 +527,25 @@ pub fn estimate_triangles(boundaries: &[Vec<DVec3>], options: &Options) -> f64 {
         Resolution::Triangles(count) => count as f64,
         Resolution::InteriorVertices(count) => (2 * count + points) as f64,
         Resolution::EdgeLength(length) => {
-            let all: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
-            let centre = crate::polyline::mean(&all);
-            let fans = boundaries.iter().flat_map(|boundary| {
-                let next = boundary.iter().cycle().skip(1);
-                boundary.iter().zip(next).map(|(&a, &b)| 0.5 * (a - centre).cross(b - centre).length())
-            });
-            fans.sum::<f64>() / (length * length * 0.75_f64.sqrt() * 0.5)
+            triangles_of_length(boundaries, length).max(TRIANGLES_PER_POINT * points as f64)
         }
     }
+}
+
+/// How many equilateral triangles of an edge length cover the boundaries' fans.
+fn triangles_of_length(boundaries: &[Vec<DVec3>], length: f64) -> f64 {
+    area_of_fans(boundaries) / (length * length * 0.75_f64.sqrt() * 0.5)
+}
+
+/// The area of all boundaries' fans about the mean of their points.
+fn area_of_fans(boundaries: &[Vec<DVec3>]) -> f64 {
+    let all: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
+    let centre = crate::polyline::mean(&all);
+    let fans = boundaries.iter().flat_map(|boundary| {
+        let next = boundary.iter().cycle().skip(1);
+        boundary.iter().zip(next).map(|(&a, &b)| 0.5 * (a - centre).cross(b - centre).length())
+    });
+    fans.sum()
 }
 
 /// The boundaries without equal neighbours, and around the origin, so that an offset of 1e7 costs no digits.
@@ -548,6 +558,11 @@ struct Input {
     vertices: Vec<Vec<u32>>,
     dropped: usize,
 }
+
+/// About how many triangles a boundary of points much closer than the edge length has for each, graded.
+const TRIANGLES_PER_POINT: f64 = 12.0;
+/// How far a resolution may be missed without a warning.
+const RESOLUTION_TOLERANCE: f64 = 0.1;
 
 /// A third of an equilateral triangle's angle: rules against thinner ones leave good triangles alone.
 const LARGEST_DEGENERATE_ANGLE: f64 = std::f64::consts::PI / 9.0;
@@ -614,6 +629,25 @@ impl Input {
     fn point_count(&self) -> usize {
         self.given.iter().map(Vec::len).sum()
     }
+}
+
+/// A warning where the edges are not as long as was asked for.
+fn missed_edge_length(statistics: &Statistics, options: &Options) -> Option<Warning> {
+    let Resolution::EdgeLength(length) = options.resolution else { return None };
+    let mean = statistics.edge_lengths.mean;
+    let missed =
+        (mean / length - 1.0).abs() > RESOLUTION_TOLERANCE && !matches!(options.initial_mesh, InitialMesh::Given(_));
+    missed.then(|| {
+        let why = if mean < length {
+            "the boundary's own points are closer, or the film shrank on the way"
+        } else {
+            "the boundary's own segments are longer and must be kept, or the film grew on the way"
+        };
+        let detail = format!(
+            "the mean edge is {mean:.4e} long, not {length:.4e}: {why}; ask for a number of triangles to be sure of it"
+        );
+        Warning::new("edge_length_missed", detail)
+    })
 }
 
 /// The fixed vertices by the bits of their (centred) coordinates.
@@ -685,6 +719,7 @@ fn finish(
     if let Some(spanning) = &statistics.spanning {
         warnings.extend(spanning.warnings());
     }
+    warnings.extend(missed_edge_length(&statistics, options));
     if !statistics.converged {
         warnings.push(Warning::new("not_converged", statistics.shortfall(options.tolerance)));
     }

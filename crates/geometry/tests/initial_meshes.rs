@@ -131,22 +131,90 @@ fn four_corners_are_enough() {
 }
 
 #[test]
-fn spacing_from_a_thousandth_to_one_is_graded() {
-    // Steps grow from 0.001 at angle 0 to 1 half way round, and fall again.
-    let (mut half, mut step) = (vec![0.0f64], 0.001f64);
-    while half[half.len() - 1] + step / 3.0 < TAU / 2.0 - 0.15 {
-        half.push(half[half.len() - 1] + step / 3.0);
-        step = (step * 1.15).min(1.0);
+fn long_skew_and_twisted_corners_have_good_triangles_too() {
+    let cases: [(&str, [DVec3; 4]); 6] = [
+        ("short and flat", [at(0.0, 0.0, 0.0), at(5.0, 0.0, 0.0), at(5.0, 1.0, 0.0), at(0.0, 1.0, 0.0)]),
+        ("long and flat", [at(0.0, 0.0, 0.0), at(50.0, 0.0, 0.0), at(50.0, 1.0, 0.0), at(0.0, 1.0, 0.0)]),
+        ("long and skew", [at(0.0, 0.0, 0.0), at(20.0, 0.0, 1.0), at(20.0, 1.0, 0.0), at(0.0, 1.0, 1.0)]),
+        ("tall", [at(0.0, 0.0, 0.0), at(1.0, 0.0, 3.0), at(1.0, 1.0, 0.0), at(0.0, 1.0, 3.0)]),
+        ("tall and long", [at(0.0, 0.0, 0.0), at(5.0, 0.0, 10.0), at(5.0, 1.0, 0.0), at(0.0, 1.0, 10.0)]),
+        ("twisted", [at(0.0, 0.0, 0.0), at(10.0, 0.0, 0.0), at(10.0, 0.6, 0.8), at(0.0, 1.0, 0.0)]),
+    ];
+    for (name, corners) in cases {
+        for triangles in [100, 2_000, 50_000] {
+            let surface = solved(&[corners.to_vec()], &options(triangles));
+            let statistics = &surface.statistics;
+            let reached = statistics.triangles as f64 / triangles as f64;
+            assert!(statistics.converged && (reached - 1.0).abs() <= 0.1, "{name}: {reached} of {triangles}");
+            let smallest = statistics.smallest_angle.to_degrees();
+            assert!(smallest > 20.0, "{name}: {smallest} at {triangles}");
+            assert_eq!(surface.mesh.vertices[..4], corners);
+        }
     }
-    let back: Vec<f64> = half.iter().skip(1).rev().map(|angle| TAU - angle).collect();
-    let place = |angle: f64| at(3.0 * angle.cos(), 3.0 * angle.sin(), 0.4 * (2.0 * angle).cos());
-    let boundary: Vec<DVec3> = half.into_iter().chain(back).map(place).collect();
+}
+
+#[test]
+fn a_mapped_disc_keeps_no_trace_of_its_circle() {
+    for (length, height) in [(3.0, 0.3), (10.0, 1.0), (3.0, 3.0)] {
+        let ellipse = curve(60, |t| at(length * t.cos(), t.sin(), height * (2.0 * t).cos()));
+        for (sampling, least) in [(BoundarySampling::Refine, 20.0), (BoundarySampling::Keep, 9.0)] {
+            let mapped = Options { initial_mesh: InitialMesh::Disk, boundary_sampling: sampling, ..options(2_000) };
+            let statistics = solved(std::slice::from_ref(&ellipse), &mapped).statistics;
+            let smallest = statistics.smallest_angle.to_degrees();
+            assert!(statistics.converged && smallest > least, "{length} {height} {sampling:?}: {smallest}");
+        }
+    }
+}
+
+#[test]
+fn a_boundary_finer_than_the_edge_length_is_graded_and_said_to_be() {
+    let circle = curve(300, |t| at(t.cos(), t.sin(), 0.3 * (2.0 * t).cos()));
+    for (initial_mesh, sampling) in
+        [(InitialMesh::Auto, BoundarySampling::Keep), (InitialMesh::Disk, BoundarySampling::Refine)]
     {
-        let options = options(3000);
-        let surface = solved(std::slice::from_ref(&boundary), &options);
-        let smallest = surface.statistics.smallest_angle.to_degrees();
-        assert!(surface.statistics.converged);
-        assert!(smallest > 20.0, "{smallest}");
+        let options =
+            Options { initial_mesh, boundary_sampling: sampling, ..Options::new(Resolution::EdgeLength(0.3)) };
+        let surface = solved(std::slice::from_ref(&circle), &options);
+        let statistics = &surface.statistics;
+        assert!(statistics.smallest_angle.to_degrees() > 20.0, "{}", statistics.smallest_angle.to_degrees());
+        assert!(statistics.triangles < 8_000, "{}", statistics.triangles);
+        assert!(surface.warnings.iter().any(|warning| warning.code == "edge_length_missed"));
+    }
+}
+
+#[test]
+fn an_edge_length_is_met_between_three_loops() {
+    let pants = [0.0, 1.0, 2.0].map(|k| {
+        let (sin, cos) = (TAU * k / 3.0).sin_cos();
+        curve(24, |t| at(0.5 * (cos - sin * t.cos()), 0.5 * (sin + cos * t.cos()), 0.5 * t.sin()))
+    });
+    for length in [0.1, 0.05] {
+        let surface = solved(&pants, &Options::new(Resolution::EdgeLength(length)));
+        let statistics = &surface.statistics;
+        assert!(statistics.converged && statistics.initial_mesh.name() == "sphere_with_holes");
+        let ratio = statistics.edge_lengths.mean / length;
+        assert!((ratio - 1.0).abs() < 0.1, "{length}: {ratio}");
+    }
+}
+
+#[test]
+fn spacing_from_a_thousandth_to_one_is_graded() {
+    // Steps grow from 0.001 at angle 0 to 1 half way round, and fall again; gently, and at once.
+    for (growth, height) in [(1.15, 0.4), (1.15, 3.0), (3.0, 0.0), (1000.0, 0.4)] {
+        let (mut half, mut step) = (vec![0.0f64], 0.001f64);
+        while half[half.len() - 1] + step / 3.0 < TAU / 2.0 - 0.15 {
+            half.push(half[half.len() - 1] + step / 3.0);
+            step = (step * growth).min(1.0);
+        }
+        let back: Vec<f64> = half.iter().skip(1).rev().map(|angle| TAU - angle).collect();
+        let place = |angle: f64| at(3.0 * angle.cos(), 3.0 * angle.sin(), height * (2.0 * angle).cos());
+        let boundary: Vec<DVec3> = half.into_iter().chain(back).map(place).collect();
+        for triangles in [3_000, 20_000] {
+            let surface = solved(std::slice::from_ref(&boundary), &options(triangles));
+            let smallest = surface.statistics.smallest_angle.to_degrees();
+            assert!(surface.statistics.converged);
+            assert!(smallest > 20.0, "{growth} {height} {triangles}: {smallest}");
+        }
     }
 }
 

@@ -24,7 +24,7 @@ use super::{BoundarySampling, InitialMesh, Options, Resolution};
 use crate::linear::{LinearError, Symbolic, SymmetricMatrix};
 use crate::mesh::measure;
 use crate::mesh::topology::{NONE, Topology, next, previous};
-use crate::{DVec3, Error, Execution, Interruption};
+use crate::{DVec3, Error, Execution, Interruption, polyline};
 
 /// The coarse mesh has at least this many triangles, so at most four times as many.
 const LEAST_COARSE_TRIANGLES: f64 = 1000.0;
@@ -36,6 +36,8 @@ const CORNER: f64 = 0.6;
 const MIDDLE_TOLERANCE: f64 = 1e-3;
 /// Up to this many triangles the Morse index comes from a factorisation, beyond it from the lowest eigenvalue.
 const INERTIA_TRIANGLES: usize = 250_000;
+/// Boundary edges longer than so many of the mesh's own are long.
+const LONG_EDGE: f64 = 1.6;
 /// Newton steps on one level.
 const STEPS_PER_LEVEL: u32 = 12;
 /// Each step's linear system is solved to this fraction of the residual, until the residual is small enough for the rest in one go.
@@ -236,7 +238,13 @@ impl Plan {
     fn from_coarse(boundaries: &[Vec<DVec3>], options: &Options) -> impl Iterator<Item = Self> {
         let suits = matches!(options.initial_mesh, InitialMesh::Auto | InitialMesh::Planar | InitialMesh::Disk)
             && options.constraints.is_empty();
-        let target = super::estimate_triangles(boundaries, options);
+        let target = match options.resolution {
+            // As many as the area asks for: what the boundary's own points ask for beyond that is not halved.
+            Resolution::EdgeLength(length) => super::triangles_of_length(boundaries, length),
+            _ => super::estimate_triangles(boundaries, options),
+        };
+        let suits =
+            suits && !(options.boundary_sampling == BoundarySampling::Keep && has_long_edges(boundaries, target));
         let most = if suits { (target / LEAST_COARSE_TRIANGLES).log(4.0).floor().clamp(0.0, 12.0) as u32 } else { 0 };
         (1..=most).rev().filter_map(move |levels| {
             let kept: Vec<Vec<u32>> = boundaries.iter().map(|points| kept_points(points, 1 << levels)).collect();
@@ -261,6 +269,15 @@ impl Plan {
         let pick = |(points, kept): (&Vec<DVec3>, &Vec<u32>)| kept.iter().map(|&k| points[k as usize]).collect();
         boundaries.iter().zip(&self.kept).map(pick).collect()
     }
+}
+
+/// Whether boundary edges are on average much longer than those of so many triangles: where they must be kept, the triangles
+/// beside them have to be graded, and halving all others would not leave them so.
+fn has_long_edges(boundaries: &[Vec<DVec3>], triangles: f64) -> bool {
+    let length: f64 = boundaries.iter().map(|points| polyline::length(points, true)).sum();
+    let points: usize = boundaries.iter().map(Vec::len).sum();
+    let edge = (super::area_of_fans(boundaries) / (0.75f64.sqrt() / 2.0 * triangles)).sqrt();
+    length / points as f64 > LONG_EDGE * edge
 }
 
 /// Indices of points at most `stride` apart that keep the corners of a closed polygon, and let no edge turn by more than one.
@@ -325,14 +342,13 @@ impl<'a> Rim<'a> {
                 let (a, b) = (point_at(polygon, start), point_at(polygon, end));
                 for j in 1..=added {
                     let vertex = boundary[k + j] as usize;
-                    let place = if skipped == 0 {
-                        let along = b - a;
-                        start + ((film.vertices[vertex] - a).dot(along) / along.length_squared()).clamp(0.0, 1.0)
-                    } else {
-                        let place = (start + (end - start) * j as f64 / (added + 1) as f64).round();
+                    let along = b - a;
+                    let part = ((film.vertices[vertex] - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+                    let mut place = start + (end - start) * part;
+                    if skipped > 0 {
+                        place = place.round();
                         film.vertices[vertex] = point_at(polygon, place);
-                        place
-                    };
+                    }
                     if place <= on_polygon[on_polygon.len() - 1] || place >= end {
                         return None;
                     }

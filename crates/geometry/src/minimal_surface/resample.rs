@@ -17,6 +17,13 @@ const SHORT: f64 = 0.7;
 /// Sizes grow by this per length, or faster where the boundary's spacing would make too many triangles.
 const GRADING: f64 = 0.3;
 const STEEPEST_GRADING: f64 = 5.0;
+/// An edge that cannot be split keeps the sizes beside it at this share of its length at least, falling by so much per length
+/// (or faster, where too few triangles would be left for the rest): no fan of needles starts there.
+const FLOOR: f64 = 0.8;
+const FALL: f64 = 0.5;
+const STEEPEST_FALL: f64 = 4.0;
+/// The floors are given up one by one until the cap is at least this share of what it would be without them.
+const ROOM: f64 = 0.7;
 /// A pass that changes the number of triangles by less than this shows where they settle.
 const SETTLED: f64 = 0.1;
 /// Splitting ends beyond this many times the wanted number.
@@ -24,18 +31,32 @@ const RUNAWAY: f64 = 4.0;
 /// How near the wanted number ends the passes.
 const CLOSE_ENOUGH: f64 = 0.03;
 
-/// Brings the film's triangles to about `count`, of even size away from the boundary. Boundary, fixed vertices and
-/// locked edges stay. Vertices that are not fixed are numbered afresh. Each of at most `passes` passes splits, collapses, flips
+/// What may happen to the boundary's own edges.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Rim {
+    /// Long ones are split; the new vertices are fixed and stand on the segments.
+    Refined,
+    Kept,
+}
+
+/// Brings the film's triangles to about `count`, of even size away from the boundary. Fixed vertices and
+/// locked edges stay, and the boundary as `rim` says. Vertices that are not fixed are numbered afresh. Each of at most `passes` passes splits, collapses, flips
 /// and relaxes once.
 ///
 /// # Errors
 /// The interruptions of `exec`; the film is valid then too.
-pub(super) fn resample(film: &mut Film, count: f64, passes: u32, exec: &Execution) -> Result<(), Interruption> {
+pub(super) fn resample(
+    film: &mut Film,
+    count: f64,
+    passes: u32,
+    rim: Rim,
+    exec: &Execution,
+) -> Result<(), Interruption> {
     let (mut aim, mut before) = (count, film.triangles().len() as f64);
     let most = RUNAWAY * count.max(before);
     for _ in 0..passes {
         let size = sizes(film, aim);
-        split_long(film, &size);
+        split_long(film, &size, rim);
         let size = sizes(film, aim);
         collapse_short(film, &size);
         for _ in 0..2 {
@@ -95,47 +116,119 @@ fn sizes(film: &Film, count: f64) -> Vec<f64> {
         below += area / (unit * size * size);
         above -= area;
     }
+    let longest = stiff_edges(film).map(|(_, length)| length).fold(0.0, f64::max);
+    if FLOOR * longest > cap {
+        return with_floors(film, &spacing, count, cap);
+    }
     spacing.into_iter().map(|size| size.min(cap)).collect()
 }
 
-/// Mean length of the fixed edges at each fixed vertex, and from there inwards along edges.
-fn graded_spacing(film: &Film, grading: f64) -> Vec<f64> {
+/// The same beside edges that are longer than the cap.
+fn with_floors(film: &Film, spacing: &[f64], count: f64, plain_cap: f64) -> Vec<f64> {
+    let unit = 0.75f64.sqrt() / 2.0;
+    let size = |floor: &[f64], cap: f64, v: usize| spacing[v].min(cap.max(floor[v]));
+    let mut fall = FALL;
+    while fall <= STEEPEST_FALL {
+        let floor = graded_floor(film, fall);
+        let triangles = |cap: f64| -> f64 {
+            let number = |t: &[u32; 3]| {
+                let mean = t.iter().map(|&v| size(&floor, cap, v as usize)).sum::<f64>() / 3.0;
+                0.5 * double_area_vector(film.corners(*t)).length() / (unit * mean * mean)
+            };
+            film.triangles().iter().map(number).sum()
+        };
+        let (mut low, mut high) = (ROOM * plain_cap, plain_cap);
+        if triangles(low) >= count {
+            for _ in 0..8 {
+                let middle = (low * high).sqrt();
+                *(if triangles(middle) >= count { &mut low } else { &mut high }) = middle;
+            }
+            return (0..spacing.len()).map(|v| size(&floor, low, v)).collect();
+        }
+        fall *= 1.5;
+    }
+    spacing.iter().map(|size| size.min(plain_cap)).collect()
+}
+
+/// Edges that keep their length (the boundary's and the locked ones), each by a half-edge, and that length.
+fn stiff_edges(film: &Film) -> impl Iterator<Item = (u32, f64)> + '_ {
     let topology = &film.topology;
-    let mut size = vec![f64::INFINITY; film.vertices.len()];
-    for h in 0..topology.twin.len() as u32 {
+    (0..topology.twin.len() as u32).filter_map(move |h| {
         let (a, b) = (topology.from(h), topology.to(h));
-        if topology.twin[h as usize] == NONE || film.is_locked(a, b) {
-            let length = film.vertices[a as usize].distance(film.vertices[b as usize]);
-            size[a as usize] = size[a as usize].min(length);
-            size[b as usize] = size[b as usize].min(length);
+        let twin = topology.twin[h as usize];
+        let stiff = twin == NONE || (twin > h && film.is_locked(a, b));
+        stiff.then(|| (h, film.vertices[a as usize].distance(film.vertices[b as usize])))
+    })
+}
+
+/// A share of the stiff edges' lengths at their ends, from there inwards less by `fall` per length; zero elsewhere.
+fn graded_floor(film: &Film, fall: f64) -> Vec<f64> {
+    let mut floor = vec![0.0f64; film.vertices.len()];
+    let topology = &film.topology;
+    for (h, length) in stiff_edges(film) {
+        for v in [topology.from(h), topology.to(h)] {
+            floor[v as usize] = floor[v as usize].max(FLOOR * length);
+        }
+        // The third corners lie beside the edge, not beside its ends.
+        for half in [h, topology.twin[h as usize]].into_iter().filter(|&half| half != NONE) {
+            let apex = topology.opposite(half) as usize;
+            let altitude = double_area_vector(film.corners(film.triangles()[half as usize / 3])).length() / length;
+            floor[apex] = floor[apex].max(FLOOR * length - fall * altitude);
         }
     }
-    // Sweeps in both directions until nothing falls: a few, as sizes need not travel far before the cap.
+    spread(film, |near, far, length| {
+        let reached = floor[near] - fall * length;
+        let rises = reached > floor[far] * (1.0 + 1e-9);
+        if rises {
+            floor[far] = reached;
+        }
+        rises
+    });
+    floor
+}
+
+/// Offers every edge, in both directions, until nothing changes any more: a few sweeps to and fro, as sizes need not travel far.
+fn spread(film: &Film, mut offer: impl FnMut(usize, usize, f64) -> bool) {
+    let topology = &film.topology;
     for sweep in 0..50 {
-        let mut fell = false;
+        let mut changed = false;
         for k in 0..topology.twin.len() {
             let h = if sweep % 2 == 0 { k } else { topology.twin.len() - 1 - k } as u32;
             let (a, b) = (topology.from(h) as usize, topology.to(h) as usize);
-            let step = grading * film.vertices[a].distance(film.vertices[b]);
-            for (near, far) in [(a, b), (b, a)] {
-                if size[near] + step < size[far] * (1.0 - 1e-9) {
-                    size[far] = size[near] + step;
-                    fell = true;
-                }
-            }
+            let length = film.vertices[a].distance(film.vertices[b]);
+            changed |= offer(a, b, length);
+            changed |= offer(b, a, length);
         }
-        if !fell {
+        if !changed {
             break;
         }
     }
+}
+
+/// The least length of the stiff edges at each of their ends, and from there inwards along edges.
+fn graded_spacing(film: &Film, grading: f64) -> Vec<f64> {
+    let mut size = vec![f64::INFINITY; film.vertices.len()];
+    for (h, length) in stiff_edges(film) {
+        for v in [film.topology.from(h), film.topology.to(h)] {
+            size[v as usize] = size[v as usize].min(length);
+        }
+    }
+    spread(film, |near, far, length| {
+        let reached = size[near] + grading * length;
+        let falls = reached < size[far] * (1.0 - 1e-9);
+        if falls {
+            size[far] = reached;
+        }
+        falls
+    });
     size
 }
 
-/// Half-edges (one per edge, both ends' triangles present), sorted by a key, largest first.
-fn ranked(film: &Film, key: impl Fn(u32) -> f64) -> Vec<u32> {
+/// Half-edges (one per edge) sorted by a key, largest first, where it is above 1.
+fn ranked(film: &Film, rim: Rim, key: impl Fn(u32) -> f64) -> Vec<u32> {
     let topology = &film.topology;
     let mut ranked: Vec<(f64, u32)> = (0..topology.twin.len() as u32)
-        .filter(|&h| topology.twin[h as usize] != NONE && topology.twin[h as usize] > h)
+        .filter(|&h| topology.twin[h as usize] > h && (rim == Rim::Refined || topology.twin[h as usize] != NONE))
         .map(|h| (key(h), h))
         .filter(|&(key, _)| key > 1.0)
         .collect();
@@ -152,24 +245,45 @@ fn size_at(film: &Film, size: &[f64], h: u32) -> f64 {
 }
 
 /// Splits edges that are too long, longest (for its size) first, no two of one triangle.
-fn split_long(film: &mut Film, size: &[f64]) {
-    let edges = ranked(film, |h| length(film, h) / (LONG * size_at(film, size, h)));
+fn split_long(film: &mut Film, size: &[f64], rim: Rim) {
+    let edges = ranked(film, rim, |h| length(film, h) / (LONG * size_at(film, size, h)));
     let mut taken = vec![false; film.triangles().len()];
     let mut triangles = film.triangles().to_vec();
+    let mut on_rim: Vec<([u32; 2], u32)> = Vec::new();
     for h in edges {
         let twin = film.topology.twin[h as usize];
         let (a, b) = (film.topology.from(h), film.topology.to(h));
-        if taken[h as usize / 3] || taken[twin as usize / 3] || film.is_locked(a, b) {
+        let is_taken = |half: u32| half != NONE && taken[half as usize / 3];
+        if is_taken(h) || is_taken(twin) || film.is_locked(a, b) {
             continue;
         }
         let middle = film.vertices.len() as u32;
         film.vertices.push(0.5 * (film.vertices[a as usize] + film.vertices[b as usize]));
-        film.fixed.push(false);
+        film.fixed.push(twin == NONE);
+        if twin == NONE {
+            on_rim.push(([a.min(b), a.max(b)], middle));
+        }
         for (half, from, to) in [(h, a, b), (twin, b, a)] {
-            taken[half as usize / 3] = true;
-            let apex = film.topology.opposite(half);
-            triangles[half as usize / 3] = [from, middle, apex];
-            triangles.push([middle, to, apex]);
+            if half != NONE {
+                taken[half as usize / 3] = true;
+                let apex = film.topology.opposite(half);
+                triangles[half as usize / 3] = [from, middle, apex];
+                triangles.push([middle, to, apex]);
+            }
+        }
+    }
+    on_rim.sort_unstable();
+    if !on_rim.is_empty() {
+        for boundary in &mut film.boundaries {
+            let mut longer = Vec::with_capacity(2 * boundary.len());
+            for (k, &a) in boundary.iter().enumerate() {
+                let b = boundary[(k + 1) % boundary.len()];
+                longer.push(a);
+                if let Ok(found) = on_rim.binary_search_by_key(&[a.min(b), a.max(b)], |(ends, _)| *ends) {
+                    longer.push(on_rim[found].1);
+                }
+            }
+            *boundary = longer;
         }
     }
     film.topology = Topology::build(&triangles, film.vertices.len()).expect("splitting edges keeps a manifold");
@@ -177,7 +291,7 @@ fn split_long(film: &mut Film, size: &[f64]) {
 
 /// Collapses edges that are too short, shortest first, in places that do not touch.
 fn collapse_short(film: &mut Film, size: &[f64]) {
-    let edges = ranked(film, |h| SHORT * size_at(film, size, h) / length(film, h).max(f64::MIN_POSITIVE));
+    let edges = ranked(film, Rim::Kept, |h| SHORT * size_at(film, size, h) / length(film, h).max(f64::MIN_POSITIVE));
     let mut touched = vec![false; film.vertices.len()];
     let mut gone: Vec<Option<u32>> = vec![None; film.vertices.len()];
     for h in edges {
@@ -304,7 +418,7 @@ mod tests {
         let start = strip();
         for count in [320.0, 900.0] {
             let mut film = start.clone();
-            resample(&mut film, count, 12, &Execution::default()).unwrap();
+            resample(&mut film, count, 12, Rim::Kept, &Execution::default()).unwrap();
             let mesh = film.mesh();
             mesh.check().unwrap();
             assert_eq!(measure::flipped_triangles(&mesh), 0);
@@ -315,6 +429,33 @@ mod tests {
             assert!(smallest > 25.0, "{smallest} for {count}");
             for (&v, &w) in film.boundaries[0].iter().zip(&start.boundaries[0]) {
                 assert_eq!(film.vertices[v as usize], start.vertices[w as usize]);
+            }
+        }
+    }
+
+    /// Triangles in a polygon, a few of its boundary edges far longer than they are to be.
+    fn coarse_square() -> Film {
+        let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
+        Film::new(corners.to_vec(), &[[0, 1, 2], [0, 2, 3]], vec![vec![0, 1, 2, 3]]).unwrap()
+    }
+
+    #[test]
+    fn a_coarse_boundary_is_split_where_it_may_be_and_has_larger_triangles_where_not() {
+        for (rim, count, least_angle) in [(Rim::Refined, 600.0, 25.0), (Rim::Kept, 60.0, 7.0)] {
+            let mut film = coarse_square();
+            resample(&mut film, count, 20, rim, &Execution::default()).unwrap();
+            let mesh = film.mesh();
+            mesh.check().unwrap();
+            assert!((film.area() - 1.0).abs() < 1e-12 && measure::flipped_triangles(&mesh) == 0);
+            let reached = film.triangles().len() as f64;
+            assert!((reached / count - 1.0).abs() < 0.1, "{rim:?}: {reached}");
+            let smallest = measure::angle_range(&mesh).0.to_degrees();
+            assert!(smallest > least_angle, "{rim:?}: {smallest}");
+            let boundary = &film.boundaries[0];
+            assert_eq!(boundary.len() == 4, rim == Rim::Kept);
+            for (k, &a) in boundary.iter().enumerate() {
+                assert!(film.fixed[a as usize] && film.topology.is_boundary(a));
+                assert!(film.topology.are_adjacent(a, boundary[(k + 1) % boundary.len()]));
             }
         }
     }

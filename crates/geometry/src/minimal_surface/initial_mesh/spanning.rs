@@ -12,7 +12,7 @@ use super::super::cotangent::Pattern;
 use super::super::film::Film;
 use super::super::pinkall_polthier::Dirichlet;
 use super::super::remesh::{flip_to_delaunay, subdivide, tangential_relaxation};
-use super::super::resample::resample;
+use super::super::resample::{Rim, resample};
 use super::super::{BoundarySampling, Constraints, LARGEST_COUNT, Options, Resolution};
 use super::domain::Shape;
 use super::pins::{Pin, Pins};
@@ -71,6 +71,8 @@ const FINE_PASSES: u32 = 12;
 /// Sizes tried, and how many before something less near is near enough.
 const TRIALS: u32 = 10;
 const PATIENCE: u32 = 3;
+/// Rounds of adding vertices where no size gave enough.
+const DENSIFICATIONS: u32 = 4;
 
 /// What a resolution counts, for a surface of known Euler characteristic.
 #[derive(Clone, Copy, Debug)]
@@ -193,12 +195,10 @@ impl Spanning<'_> {
         let pinned = self.pinned()?;
         let (meshed, subdivisions) = self.fit(&pinned)?;
         let (mut film, _) = self.carry(&meshed, &pinned)?;
-        if !self.is_plane() {
-            self.even_out(&mut film)?;
-        }
+        self.even_out(&mut film)?;
         if self.resolution() != self.options.resolution {
             let count = self.goal().triangles(&film);
-            resample(&mut film, count, FINE_PASSES, self.exec).map_err(Error::from)?;
+            resample(&mut film, count, FINE_PASSES, self.rim(), self.exec).map_err(Error::from)?;
         }
         Ok(Start { film, subdivisions })
     }
@@ -216,7 +216,9 @@ impl Spanning<'_> {
         if count > LARGEST_COUNT as f64 {
             return Err(PlaneError::TooManyPoints.into());
         }
-        Ok(Some(Resolution::Triangles((count.round() as usize).max(boundary))))
+        // No fewer than the boundary's own spacing asks for.
+        let least = self.unpinned(self.options).layout(self.largest_size(), GRADING, &Pinned::default())?.triangles;
+        Ok(Some(Resolution::Triangles((count.round() as usize).max(least))))
     }
 
     /// The same without constraints.
@@ -259,6 +261,13 @@ impl Spanning<'_> {
         Ok(Pinned { pins, places })
     }
 
+    fn rim(&self) -> Rim {
+        match self.options.boundary_sampling {
+            BoundarySampling::Refine => Rim::Refined,
+            BoundarySampling::Keep => Rim::Kept,
+        }
+    }
+
     fn radius(&self) -> f64 {
         self.boundaries.iter().flatten().map(|p| p.length()).fold(0.0, f64::max)
     }
@@ -267,10 +276,9 @@ impl Spanning<'_> {
         Goal { resolution: self.options.resolution, euler: 2 - self.boundaries.len() as i64 }
     }
 
-    /// The resolution that the plane is meshed at. A mapped mesh whose boundary must be kept cannot be subdivided: a fine
-    /// one is made from one that is coarse enough to be evened out, by splitting edges.
+    /// The resolution that the plane is meshed at. A mesh whose boundary must be kept cannot be subdivided: a fine one is
+    /// made from one that is coarse enough to be evened out, by splitting edges.
     fn resolution(&self) -> Resolution {
-        let mapped = matches!(self.shape, Shape::Disc { .. });
         let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
         let coarse = FINEST_MAPPED.max(8 * boundary);
         let fine = match self.options.resolution {
@@ -278,7 +286,7 @@ impl Spanning<'_> {
             Resolution::InteriorVertices(count) => count > coarse,
             Resolution::EdgeLength(_) => false,
         };
-        if mapped && fine && self.options.boundary_sampling == BoundarySampling::Keep {
+        if fine && self.options.boundary_sampling == BoundarySampling::Keep {
             Resolution::Triangles(coarse)
         } else {
             self.options.resolution
@@ -312,12 +320,14 @@ impl Spanning<'_> {
         while subdivisions > 0 && goal.shortfall(&coarsest, subdivisions) < 1.0 {
             subdivisions -= 1;
         }
-        while goal.shortfall(&coarsest, subdivisions) < 1.0 && grading < STEEPEST_GRADING {
+        // An edge length that the boundary's spacing does not allow is kept where it does; a number must be met.
+        let by_number = !matches!(goal.resolution, Resolution::EdgeLength(_));
+        while by_number && goal.shortfall(&coarsest, subdivisions) < 1.0 && grading < STEEPEST_GRADING {
             grading *= 1.5;
             coarsest = self.layout(self.largest_size(), grading, pinned)?;
         }
         let shortfall = goal.shortfall(&coarsest, subdivisions);
-        if shortfall < 1.0 - TOLERATED && !matches!(goal.resolution, Resolution::EdgeLength(_)) {
+        if by_number && shortfall < 1.0 - TOLERATED {
             return Err(PlaneError::TooCoarse { triangles: coarsest.triangles });
         }
         let (layout, shortfall) = if shortfall <= 1.0 + CLOSE_ENOUGH {
@@ -326,11 +336,16 @@ impl Spanning<'_> {
             let first = (area / (triangle * wanted)).sqrt() * 2f64.powi(subdivisions as i32);
             self.tune(&goal, first, (grading, shortfall), subdivisions, pinned)?
         };
-        let Layout { boundaries, domain, sites, .. } = layout;
+        let Layout { boundaries, domain, sites, triangles, .. } = layout;
         let mut plane = domain.mesh(&sites, self.exec)?;
-        if shortfall > 1.0 + CLOSE_ENOUGH {
-            let missing = (shortfall.min(2.0) - 1.0) * plane.topology.triangles().len() as f64 / 2.0;
-            plane = domain.densified(&plane, missing.round() as usize, self.exec)?;
+        // New vertices must not crowd, so that one round may not be enough.
+        for _ in 0..DENSIFICATIONS {
+            let reached = plane.topology.triangles().len() as f64;
+            let missing = (shortfall * triangles as f64 / reached).min(2.0) - 1.0;
+            if missing <= CLOSE_ENOUGH {
+                break;
+            }
+            plane = domain.densified(&plane, (0.5 * missing * reached).round() as usize, self.exec)?;
         }
         Ok((Meshed { boundaries, domain, plane }, subdivisions))
     }
@@ -355,7 +370,11 @@ impl Spanning<'_> {
             let layout = self.layout(size, grading, pinned)?;
             let shortfall = goal.shortfall(&layout, subdivisions);
             // Too few triangles are better than too many by as much: vertices can be added.
-            let distance = |shortfall: f64| if shortfall < 1.0 { 2.0 / shortfall - 2.0 } else { shortfall - 1.0 };
+            let distance = |shortfall: f64| match shortfall {
+                ..0.92 => 2.0 / shortfall,
+                ..1.0 => 2.0 / shortfall - 2.0,
+                _ => shortfall - 1.0,
+            };
             if best.as_ref().is_none_or(|(_, nearest)| distance(shortfall) < distance(*nearest)) {
                 best = Some((layout, shortfall));
             }
@@ -473,24 +492,25 @@ impl Spanning<'_> {
     /// Evens out a film whose map from the plane has stretched its triangles: solves towards the minimal surface, where
     /// the triangles will have to be good, with an even distribution of the vertices before each, until the area settles.
     fn even_out(&self, film: &mut Film) -> Result<(), Error> {
-        for _ in 0..2 {
+        let flat = self.is_plane();
+        for _ in 0..if flat { 0 } else { 2 } {
             flip_to_delaunay(film);
             tangential_relaxation(film, 2);
             self.exec.look(3 * film.triangles().len() as u64)?;
         }
         flip_to_delaunay(film);
         let count = film.triangles().len() as f64;
-        let relaxed = film.clone();
         let mapped = matches!(self.shape, Shape::Disc { .. });
         if count > LARGEST_RESAMPLED || (!mapped && measure::angle_range(&film.mesh()).0 >= GOOD_ANGLE) {
             return Ok(());
         }
+        let relaxed = film.clone();
         let mut area = f64::INFINITY;
         for _ in 0..ROUNDS {
-            resample(film, count, 3, self.exec)?;
+            resample(film, count, 3, self.rim(), self.exec)?;
             let settled = film.area() > SETTLED * area;
             area = film.area();
-            if settled {
+            if settled || flat {
                 break;
             }
             let solved = Dirichlet::new(film).and_then(|mut dirichlet| {
@@ -503,9 +523,11 @@ impl Spanning<'_> {
             }
             flip_to_delaunay(film);
         }
-        resample(film, count, 5, self.exec)?;
+        resample(film, count, 5, self.rim(), self.exec)?;
         // Right beside a boundary that asks for more triangles than are wanted, collapsing does not get far enough.
-        if film.triangles().len() as f64 > (1.0 + 0.8 * TOLERATED) * count {
+        // In the plane both are what they will be, and the better one is seen.
+        let worse = || flat && measure::angle_range(&film.mesh()).0 < measure::angle_range(&relaxed.mesh()).0;
+        if film.triangles().len() as f64 > (1.0 + 0.8 * TOLERATED) * count || worse() {
             *film = relaxed;
         }
         Ok(())
