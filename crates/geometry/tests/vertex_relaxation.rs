@@ -3,7 +3,7 @@
 mod boundaries;
 
 use plateau_geometry::minimal_surface::{
-    BoundarySampling, InitialMesh, MinimalSurface, Options, Resolution, Solver, solve,
+    BoundarySampling, InitialMesh, MinimalSurface, Options, Process, Resolution, Solver, solve,
 };
 use plateau_geometry::{DVec3, Execution};
 
@@ -62,4 +62,71 @@ fn the_catenoid_with_156_points_and_2040_triangles_is_the_other_surface() {
     let surface = solved(&[boundaries::catenoid()], &relax(2040));
     assert_eq!(surface.statistics.triangles, 2040);
     assert!((surface.statistics.area / 58.1637 - 1.0).abs() < 2e-3, "area {}", surface.statistics.area);
+}
+
+#[test]
+fn the_two_tolerances_end_their_own_stages() {
+    let iterations = |fairing: f64, area: f64| {
+        let options = Options { fairing_tolerance: Some(fairing), area_tolerance: area, ..relax(800) };
+        let history = solved(&[boundaries::scherk()], &options).statistics.history;
+        let last =
+            |phase: &str| history.iter().filter(|row| row.phase == phase).map(|row| row.iteration).max().unwrap();
+        (last("laplacian_fairing"), last("area_minimising") - last("laplacian_fairing"))
+    };
+    let (coarse, fine, longer) = (iterations(1e-2, 1e-4), iterations(1e-4, 1e-4), iterations(1e-2, 1e-6));
+    assert!(fine.0 > coarse.0, "{coarse:?} {fine:?}");
+    assert!(longer.0 == coarse.0 && longer.1 > coarse.1, "{coarse:?} {longer:?}");
+}
+
+#[test]
+fn the_caller_may_name_another_order_of_the_processes() {
+    let processes = Some(vec![vec![Process::AreaMinimising], vec![Process::LaplacianFairing, Process::EdgeSwapping]]);
+    let statistics = solved(&[boundaries::scherk()], &Options { processes, ..relax(800) }).statistics;
+    let mut phases: Vec<&str> = statistics.history.iter().map(|row| row.phase).collect();
+    phases.dedup();
+    assert_eq!(phases, ["area_minimising", "laplacian_fairing"]);
+}
+
+#[test]
+fn two_contours_are_joined_as_in_their_ninth_figure() {
+    let statistics = solved(&boundaries::rings(96, 1.0), &relax(1920)).statistics;
+    assert_eq!((statistics.triangles, statistics.euler_characteristic), (1920, 0));
+    assert!((statistics.area / 5.98944 - 1.0).abs() < 2e-3, "area {}", statistics.area);
+}
+
+#[test]
+fn more_triangles_lower_the_area_as_in_their_tables() {
+    for (boundary, limit) in [(boundaries::scherk(), 11.6147), (boundaries::skew_quadrilateral(16), 0.639_630_8)] {
+        let level = |triangles| {
+            let options = Options { area_tolerance: 1e-8, fairing_tolerance: Some(1e-4), ..relax(triangles) };
+            solved(&[boundary.clone()], &options).statistics
+        };
+        let (coarse, fine) = (level(400), level(1600));
+        assert!(coarse.area > fine.area && fine.area > limit, "{} {} {limit}", coarse.area, fine.area);
+        assert!(fine.area - limit < 0.6 * (coarse.area - limit));
+    }
+}
+
+#[test]
+fn a_start_that_crosses_itself_is_undone_as_in_their_fourth_figure() {
+    // A banana bent in space: the segments to the mean leave it and cross its inner side.
+    let (n, bend) = (96, 2.4);
+    let boundary: Vec<DVec3> = (0..n)
+        .map(|k| {
+            let t = std::f64::consts::TAU * f64::from(k) / f64::from(n);
+            let (angle, radius) = (bend * t.cos(), 3.0 + 0.7 * t.sin());
+            DVec3::new(radius * angle.sin(), radius * angle.cos(), 0.4 * (2.0 * t).cos())
+        })
+        .collect();
+    let surface = solved(&[boundary.clone()], &Options { area_tolerance: 1e-8, ..relax(1500) });
+    let expected = solve(&[boundary], &Options::new(Resolution::Triangles(1500)), &Execution::default()).unwrap();
+    let statistics = &surface.statistics;
+    assert!(statistics.initial_area > 1.3 * statistics.area);
+    assert_eq!((statistics.flipped_triangles, statistics.degenerate_triangles), (0, 0));
+    assert!(
+        (statistics.area / expected.statistics.area - 1.0).abs() < 0.01,
+        "{} {}",
+        statistics.area,
+        expected.statistics.area
+    );
 }

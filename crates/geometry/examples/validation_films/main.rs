@@ -1,0 +1,56 @@
+//! The pictures and tables of docs/VALIDATION.md on films: Chen-Cai-Zheng, Liu-Wang, Bento-Cavalcanti, spanning topologies,
+//! triple junctions.
+//!
+//! `cargo run --release -p plateau-geometry --example validation_films -- docs/validation` writes the SVG files there and
+//! prints the tables.
+
+mod bento_cavalcanti;
+#[path = "../../tests/boundaries/mod.rs"]
+mod boundaries;
+mod chen_cai_zheng;
+mod liu_wang;
+mod picture;
+mod spanning;
+mod triple_junctions;
+
+use picture::{Picture, row};
+use plateau_geometry::minimal_surface::{MinimalSurface, Options, solve};
+use plateau_geometry::{DVec3, Execution};
+use std::f64::consts::TAU;
+
+fn main() {
+    let folder = std::env::args().nth(1).unwrap_or_else(|| String::from("docs/validation"));
+    let save = |name: &str, pictures: &[Picture]| {
+        let path = format!("{folder}/{name}.svg");
+        if let Err(error) = std::fs::write(&path, row(pictures)) {
+            eprintln!("{path}: {error}");
+            std::process::exit(1);
+        }
+    };
+    chen_cai_zheng::run_all(&save);
+    liu_wang::run_all(&save);
+    bento_cavalcanti::run_all(&save);
+    spanning::run_all(&save);
+    triple_junctions::run_all(&save);
+}
+
+type Save<'a> = &'a dyn Fn(&str, &[Picture]);
+
+fn run(boundaries: &[Vec<DVec3>], options: &Options) -> MinimalSurface {
+    match solve(boundaries, options, &Execution::default()) {
+        Ok(surface) => surface,
+        Err(error) => {
+            eprintln!("{error}");
+            std::process::exit(1);
+        }
+    }
+}
+
+fn circle(n: usize, radius: f64, centre: DVec3, normal: DVec3) -> Vec<DVec3> {
+    let (u, v) = normal.normalize().any_orthonormal_pair();
+    (0..n).map(|k| TAU * k as f64 / n as f64).map(|t| centre + radius * (u * t.cos() + v * t.sin())).collect()
+}
+
+fn rings(heights: &[f64]) -> Vec<Vec<DVec3>> {
+    heights.iter().map(|&z| circle(36, 10.0, DVec3::new(0.0, 0.0, z), DVec3::Z)).collect()
+}
