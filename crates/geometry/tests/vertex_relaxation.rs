@@ -99,7 +99,7 @@ fn more_triangles_lower_the_area_as_in_their_tables() {
     for (boundary, limit) in [(boundaries::scherk(), 11.6147), (boundaries::skew_quadrilateral(16), 0.639_630_8)] {
         let level = |triangles| {
             let options = Options { area_tolerance: 1e-8, fairing_tolerance: Some(1e-4), ..relax(triangles) };
-            solved(&[boundary.clone()], &options).statistics
+            solved(std::slice::from_ref(&boundary), &options).statistics
         };
         let (coarse, fine) = (level(400), level(1600));
         assert!(coarse.area > fine.area && fine.area > limit, "{} {} {limit}", coarse.area, fine.area);
@@ -118,7 +118,7 @@ fn a_start_that_crosses_itself_is_undone_as_in_their_fourth_figure() {
             DVec3::new(radius * angle.sin(), radius * angle.cos(), 0.4 * (2.0 * t).cos())
         })
         .collect();
-    let surface = solved(&[boundary.clone()], &Options { area_tolerance: 1e-8, ..relax(1500) });
+    let surface = solved(std::slice::from_ref(&boundary), &Options { area_tolerance: 1e-8, ..relax(1500) });
     let expected = solve(&[boundary], &Options::new(Resolution::Triangles(1500)), &Execution::default()).unwrap();
     let statistics = &surface.statistics;
     assert!(statistics.initial_area > 1.3 * statistics.area);
