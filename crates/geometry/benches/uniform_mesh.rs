@@ -3,7 +3,8 @@
 //!
 //! `cargo bench -p plateau-geometry --bench uniform_mesh` measures with criterion; with `-- --record` it prints one JSON line a
 //! case for `benches/results.jsonl` instead (the fastest of several runs, `ratio` to spade's in the same run).
-//! `benches/uniform_mesh_peers.py` compares with Triangle.
+//! `-- --case OBJECTIVE NODES` meshes once and says how many nodes came out: `benches/uniform_mesh_peers.py` compares its processor
+//! time with Triangle's.
 
 use criterion::{BenchmarkId, Criterion};
 use plateau_geometry::uniform_mesh::{Domain, Objective, Options, UniformMesh, solve};
@@ -63,6 +64,17 @@ fn record() {
 }
 
 fn main() {
+    let arguments: Vec<String> = std::env::args().collect();
+    if let Some(k) = arguments.iter().position(|argument| argument == "--case") {
+        let objective = Objective::ALL.into_iter().find(|o| arguments.get(k + 1).is_some_and(|name| name == o.name()));
+        let nodes = arguments.get(k + 2).and_then(|nodes| nodes.parse().ok());
+        let (Some(objective), Some(nodes)) = (objective, nodes) else {
+            eprintln!("--case OBJECTIVE NODES");
+            std::process::exit(2);
+        };
+        println!("{}", mesh(&square(nodes, objective), objective).statistics.nodes);
+        return;
+    }
     if std::env::args().any(|argument| argument == "--record") {
         return record();
     }

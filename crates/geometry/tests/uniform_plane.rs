@@ -19,6 +19,11 @@ fn run(domain: &Domain, edge_length: f64, objective: Objective) -> Result<Unifor
     solve(domain, &Options::new(edge_length, objective), &Execution::default())
 }
 
+/// How many random cases; ten times as many with PLATEAU_LONG=1.
+fn cases(usual: u32) -> u32 {
+    if std::env::var_os("PLATEAU_LONG").is_some() { 10 * usual } else { usual }
+}
+
 /// Splitmix64: the tests' own numbers, the same everywhere.
 struct Random(u64);
 
@@ -160,7 +165,7 @@ fn check_admissible(outline: &[DVec2], edge_length: f64, objective: Objective) -
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(3000) })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases(2000)) })]
 
     #[test]
     fn admissible_polygons_get_edges_between_l_and_2l(seed in any::<u64>(), scale in -2.0..3.0f64) {
@@ -201,7 +206,7 @@ fn points(outline: &[[f64; 2]]) -> Vec<DVec2> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, rng_seed: RngSeed::Fixed(5), ..ProptestConfig::with_cases(400) })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, rng_seed: RngSeed::Fixed(5), ..ProptestConfig::with_cases(cases(150)) })]
 
     #[test]
     fn concave_polygons_get_valid_meshes_without_long_edges(seed in any::<u64>(), corners in 4usize..30) {

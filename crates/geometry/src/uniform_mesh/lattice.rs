@@ -21,6 +21,7 @@
 use super::triangulation::{Border, Constraint};
 use crate::DVec2;
 use crate::execution::{Execution, Interruption, Progress};
+use std::cmp::Ordering;
 use std::f64::consts::FRAC_PI_3;
 
 /// Height of a lattice row, √3/2.
@@ -76,6 +77,10 @@ struct Rows {
     free: Vec<(f64, f64)>,
     crossings: Vec<(u32, f64)>,
     blocked: Vec<(u32, f64, f64)>,
+    // Scratch of `sort_rows`.
+    spare_crossings: Vec<(u32, f64)>,
+    spare_blocked: Vec<(u32, f64, f64)>,
+    ends: Vec<u32>,
     runs: Vec<(i64, i64)>,
 }
 
@@ -121,9 +126,16 @@ impl Rows {
                 block(&mut self.blocked, (a + b) / 2.0, a.distance(b) / 2.0 + TOUCH);
             }
         }
-        let order = |a: (u32, f64), b: (u32, f64)| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1));
-        self.crossings.sort_unstable_by(|&a, &b| order(a, b));
-        self.blocked.sort_unstable_by(|a, b| order((a.0, a.1), (b.0, b.1)).then(a.2.total_cmp(&b.2)));
+        sort_rows(
+            &mut self.crossings,
+            &mut self.spare_crossings,
+            &mut self.ends,
+            count,
+            |c| c.0,
+            |a, b| a.1.total_cmp(&b.1),
+        );
+        let order = |a: &(u32, f64, f64), b: &(u32, f64, f64)| a.1.total_cmp(&b.1).then(a.2.total_cmp(&b.2));
+        sort_rows(&mut self.blocked, &mut self.spare_blocked, &mut self.ends, count, |b| b.0, order);
         self.start.clear();
         self.free.clear();
         let (mut c, mut k) = (0, 0);
@@ -187,6 +199,37 @@ impl Rows {
             std::mem::swap(&mut below, &mut spare);
         });
         total as usize
+    }
+}
+
+/// Sorts by row and then by `order`: into buckets first, because a row holds few. Most of the search's time goes here.
+fn sort_rows<T: Copy>(
+    items: &mut Vec<T>,
+    spare: &mut Vec<T>,
+    ends: &mut Vec<u32>,
+    rows: usize,
+    row: impl Fn(&T) -> u32,
+    order: impl Fn(&T, &T) -> Ordering,
+) {
+    ends.clear();
+    ends.resize(rows + 1, 0);
+    for item in items.iter() {
+        ends[row(item) as usize + 1] += 1;
+    }
+    for k in 0..rows {
+        ends[k + 1] += ends[k];
+    }
+    spare.clear();
+    spare.extend_from_slice(items);
+    for item in spare.iter() {
+        let end = &mut ends[row(item) as usize];
+        items[*end as usize] = *item;
+        *end += 1;
+    }
+    let mut from = 0;
+    for &end in &ends[..rows] {
+        items[from..end as usize].sort_unstable_by(&order);
+        from = end as usize;
     }
 }
 
