@@ -3,9 +3,10 @@
 use crate::config::Config;
 use crate::http::auth::Keys;
 use crate::http::{body, router, serve};
-use crate::jobs::{Jobs, worker};
+use crate::jobs::{Jobs, callbacks, worker};
 use crate::store::{Store, StoreError, StoreOptions, redacted};
 use crate::telemetry;
+use crate::webhook::Sender;
 use metrics_exporter_prometheus::PrometheusHandle;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -58,6 +59,7 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
             "http.listen {address} is open to others: configure auth.keys or auth.keys_file, or set auth.open_without_keys"
         )));
     }
+    let webhooks = Sender::load(&config.webhooks).map_err(StartError::Configuration)?;
     let metrics = telemetry::init_metrics().map_err(StartError::Failed)?;
     let store = open_store(&config, keys.is_empty()).await?;
     let listener = match role {
@@ -67,7 +69,7 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
             Some(bound.map_err(|error| StartError::Failed(format!("http.listen {address}: {error}")))?)
         }
     };
-    let jobs = Jobs::new(store.clone(), config.clone());
+    let jobs = Jobs::new(store.clone(), config.clone(), webhooks);
     let own_metrics = !config.http.metrics_listen.is_empty();
     if own_metrics {
         let address = &config.http.metrics_listen;
@@ -87,6 +89,7 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     for number in 0..count {
         workers.spawn(worker::run(jobs.clone(), format!("{process}/{number}")));
     }
+    let callbacks = tokio::spawn(callbacks::run(jobs.clone()));
     let sweeper = tokio::spawn(sweep(store.clone()));
     let stopping = jobs.clone();
     tokio::spawn(async move {
@@ -104,6 +107,8 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     }
     // Workers end once a shutdown was asked for; each sees to its running job first.
     while workers.join_next().await.is_some() {}
+    // An attempt that is cut off is made again by whoever comes next.
+    callbacks.abort();
     sweeper.abort();
     store.close().await;
     Ok(())

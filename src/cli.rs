@@ -6,6 +6,7 @@ use crate::export::MeshFormat;
 use crate::http::{auth, openapi};
 use crate::jobs::solve;
 use crate::telemetry;
+use crate::webhook::Secret;
 use crate::wire::{Rejection, Request};
 use clap::{Args, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -58,6 +59,11 @@ enum KeyCommand {
     New {
         /// Names the key in logs and owns its jobs.
         name: String,
+    },
+    /// Print the secret that messages to a key's callback URLs are signed with, for its holder's Standard Webhooks library.
+    Webhooks {
+        /// The key's name; none for a server without keys.
+        name: Option<String>,
     },
 }
 
@@ -126,6 +132,7 @@ pub fn main() -> ExitCode {
         }
         Command::Health => health(config.http.listen),
         Command::Key { command: KeyCommand::New { name } } => new_key(&name),
+        Command::Key { command: KeyCommand::Webhooks { name } } => webhook_secret(&config, name.as_deref()),
         Command::Solve { request, output } => solve_file(&config, &request, &output),
         command => {
             if let Err(message) = telemetry::init_logs(&config.log) {
@@ -184,6 +191,17 @@ fn new_key(name: &str) -> ExitCode {
             ExitCode::SUCCESS
         }
         Err(message) => fail(1, &message),
+    }
+}
+
+fn webhook_secret(config: &Config, name: Option<&str>) -> ExitCode {
+    match Secret::load(&config.webhooks) {
+        Ok(Some(secret)) => {
+            println!("{}", secret.of(name));
+            ExitCode::SUCCESS
+        }
+        Ok(None) => fail(USAGE, "webhooks.secret_file is not set: webhooks are off"),
+        Err(message) => fail(USAGE, &message),
     }
 }
 

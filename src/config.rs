@@ -18,6 +18,7 @@ pub struct Config {
     pub jobs: JobsConfig,
     pub limits: LimitsConfig,
     pub auth: AuthConfig,
+    pub webhooks: WebhooksConfig,
     pub log: LogConfig,
 }
 
@@ -45,6 +46,10 @@ pub struct HttpConfig {
     pub hosts: Vec<String>,
     /// Origins whose pages may use this server from a browser (`https://site.example`); `*` for all.
     pub cors_origins: Vec<String>,
+    /// What a proxy puts before this server's paths (`/plateau`), kept or taken off on the way: links begin with it.
+    pub public_base_path: String,
+    /// Memory for files that were converted lately (meshes in a format, flat patterns).
+    pub files_kept_bytes: usize,
     /// Where `/metrics` is answered, without a key and there alone; empty: with everything else. `plateau worker` has it too.
     pub metrics_listen: String,
 }
@@ -62,6 +67,8 @@ impl Default for HttpConfig {
             bodies_in_flight_bytes: 256 << 20,
             hosts: Vec::new(),
             cors_origins: Vec::new(),
+            public_base_path: String::new(),
+            files_kept_bytes: 64 << 20,
             metrics_listen: String::new(),
         }
     }
@@ -156,6 +163,8 @@ pub struct LimitsConfig {
     pub iterations: u32,
     /// Memory that solving one request may take, by estimate.
     pub memory_bytes: u64,
+    /// Requests of one batch.
+    pub batch_requests: usize,
 }
 
 impl Default for LimitsConfig {
@@ -167,6 +176,7 @@ impl Default for LimitsConfig {
             grid_cells: 2_000_000_000,
             iterations: 1_000_000,
             memory_bytes: 4 << 30,
+            batch_requests: 100,
         }
     }
 }
@@ -203,6 +213,35 @@ impl Default for AuthConfig {
 impl std::fmt::Debug for AuthConfig {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         formatter.debug_struct("AuthConfig").field("keys", &self.keys.len()).finish_non_exhaustive()
+    }
+}
+
+/// Telling a client's URL that its job or batch has ended.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct WebhooksConfig {
+    /// A file with `whsec_` and 24 to 64 random bytes in base64, from which each key's signing secret is derived
+    /// (`plateau key webhooks NAME` prints it); empty: requests may not name a `callback_url`.
+    pub secret_file: PathBuf,
+    /// Networks (`10.1.0.0/16`) that may be told although they are not public.
+    pub allowed_networks: Vec<String>,
+    /// How long one attempt may take, resolving the name included.
+    pub timeout_ms: u64,
+    /// Pause after the first attempt that failed; each further one is four times as long, a day at most.
+    pub retry_ms: u64,
+    /// Attempts before a message is given up.
+    pub attempts_max: u32,
+}
+
+impl Default for WebhooksConfig {
+    fn default() -> Self {
+        Self {
+            secret_file: PathBuf::new(),
+            allowed_networks: Vec::new(),
+            timeout_ms: 5000,
+            retry_ms: 5000,
+            attempts_max: 9,
+        }
     }
 }
 
@@ -281,6 +320,10 @@ impl Config {
             ("limits.points", self.limits.points as u64),
             ("limits.triangles", self.limits.triangles as u64),
             ("limits.grid_cells", self.limits.grid_cells),
+            ("limits.batch_requests", self.limits.batch_requests as u64),
+            ("webhooks.attempts_max", u64::from(self.webhooks.attempts_max)),
+            ("webhooks.timeout_ms", self.webhooks.timeout_ms),
+            ("webhooks.retry_ms", self.webhooks.retry_ms),
             ("limits.iterations", u64::from(self.limits.iterations)),
         ];
         if let Some((name, _)) = at_least_one.iter().find(|(_, value)| *value == 0) {
@@ -301,6 +344,13 @@ impl Config {
         if !self.http.metrics_listen.is_empty() && self.http.metrics_listen.parse::<SocketAddr>().is_err() {
             return Err("http.metrics_listen must be ADDRESS:PORT or empty".into());
         }
+        if !is_base_path(&self.http.public_base_path) {
+            return Err(
+                "http.public_base_path must be empty or like /plateau: no slash at its end, letters, digits, and -._~ \
+                        between the slashes"
+                    .into(),
+            );
+        }
         if self.http.bodies_in_flight_bytes < self.limits.body_bytes {
             return Err("http.bodies_in_flight_bytes must be at least limits.body_bytes".into());
         }
@@ -316,6 +366,16 @@ impl Config {
             self.store.database.clone()
         }
     }
+}
+
+/// Nothing, or segments of characters that need no escape.
+fn is_base_path(path: &str) -> bool {
+    let plain = |segment: &str| {
+        !segment.is_empty()
+            && ![".", ".."].contains(&segment)
+            && segment.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"-._~".contains(&byte))
+    };
+    path.is_empty() || path.strip_prefix('/').is_some_and(|rest| rest.split('/').all(plain))
 }
 
 /// An environment variable's text as a value of the type that the setting has.
@@ -384,5 +444,11 @@ mod tests {
         assert!(error.contains("PLATEAU_JOBS__QUEUE") && error.contains("unknown field"), "{error}");
         let error = Config::load(None, variables(&[("PLATEAU_JOBS__QUEUE_LENGTH", "0")]), Table::new()).unwrap_err();
         assert!(error.contains("jobs.queue_length"), "{error}");
+        for path in ["plateau", "/", "/a/", "//a", "/a/../b", "/a?b", "/a b"] {
+            let error =
+                Config::load(None, variables(&[("PLATEAU_HTTP__PUBLIC_BASE_PATH", path)]), Table::new()).unwrap_err();
+            assert!(error.contains("http.public_base_path"), "{path}: {error}");
+        }
+        Config::load(None, variables(&[("PLATEAU_HTTP__PUBLIC_BASE_PATH", "/a/b-1")]), Table::new()).unwrap();
     }
 }

@@ -21,6 +21,7 @@ pub mod ply;
 mod sheets;
 pub mod stl;
 pub mod svg;
+pub mod zip;
 
 pub use archive::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Polyline, SegmentValues, Unit, UpAxis};
 pub use pattern::{Fold, Pattern, Piece};
@@ -131,6 +132,6 @@ pub enum Error {
     #[error("the mesh does not fit into {format}'s 32-bit coordinates: {detail}; OBJ and PLY hold every digit")]
     OutOfRange { format: &'static str, detail: &'static str },
     /// The file would be larger than the format's 32-bit lengths can say.
-    #[error("the mesh is larger than the 4 GiB that a {format} file can hold")]
+    #[error("this is more than the 4 GiB that a {format} file can hold")]
     TooLarge { format: &'static str },
 }

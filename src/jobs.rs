@@ -4,6 +4,9 @@
 //! once, and a running one whose worker died goes back to `queued`. The store makes every transition, in one transaction each;
 //! this module decides which.
 
+pub mod batch;
+pub mod callbacks;
+pub mod files;
 pub mod memory;
 pub mod progress;
 pub mod queue;
@@ -16,15 +19,17 @@ use crate::export::{Archive, Error as ExportError};
 use crate::store::{Counts, Lookup, Store, StoreError};
 // What a follower of jobs sees of the store.
 pub use crate::store::{EventId, Filter, JobRow, JobWatch, Status as StoredStatus};
+use crate::webhook::Sender;
 use crate::wire::job::{Job, JobError, JobList, JobWarning, Links, Progress, Status};
 use crate::wire::{Kind, Rejection};
+use files::{File, Files};
 use memory::MemoryBudget;
 use progress::Running;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::sync::Arc;
 use std::time::Duration;
-use tokio::sync::{Semaphore, watch};
+use tokio::sync::{Semaphore, SemaphorePermit, watch};
 
 /// Why `jobs` did not do as asked.
 #[derive(Debug)]
@@ -43,6 +48,8 @@ pub enum JobsError {
     NoMesh(Status),
     /// Only open ruled surfaces have a flat pattern.
     NoPattern,
+    /// More than one file can hold, and what to do instead.
+    TooMuch(String),
     /// The mesh cannot be written in the format.
     Unwritable(ExportError),
     /// The store cannot take or give anything now.
@@ -88,17 +95,24 @@ struct Inner {
     memory: MemoryBudget,
     /// Bodies parsed and meshes converted at once, so that neither can take every core from the solvers and the server.
     conversions: Semaphore,
+    /// What conversions made lately.
+    files: Files,
+    /// Who tells callback URLs, if anybody does.
+    webhooks: Option<Arc<Sender>>,
 }
 
 impl Jobs {
     #[must_use]
-    pub fn new(store: Store, config: Arc<Config>) -> Self {
+    pub fn new(store: Store, config: Arc<Config>, webhooks: Option<Sender>) -> Self {
         let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
         let memory = MemoryBudget::new(config.jobs.memory_bytes);
+        let files = Files::new(config.http.files_kept_bytes);
         Self(Arc::new(Inner {
             store,
             config,
             memory,
+            files,
+            webhooks: webhooks.map(Arc::new),
             running: Running::default(),
             shutdown: watch::Sender::new(false),
             conversions: Semaphore::new(cores.max(2)),
@@ -148,7 +162,7 @@ impl Jobs {
     /// # Errors
     /// [`JobsError::NotFound`] or [`JobsError::Expired`], else as the store.
     pub async fn get(&self, id: &str, owner: Option<&str>) -> Result<Job, JobsError> {
-        view(&*found(self.0.store.get(id, owner).await?)?)
+        self.view(&*found(self.0.store.get(id, owner).await?)?)
     }
 
     /// The job as it is when it ends or the wait is over, whichever is first.
@@ -158,7 +172,7 @@ impl Jobs {
     pub async fn wait(&self, id: &str, owner: Option<&str>, wait: Duration) -> Result<Job, JobsError> {
         let mut watch = self.watch(id, owner).await?;
         match tokio::time::timeout(wait, watch.ended()).await {
-            Ok(Some(row)) => view(&row),
+            Ok(Some(row)) => self.view(&row),
             Ok(None) => Err(JobsError::NotFound),
             Err(_) => self.get(id, owner).await,
         }
@@ -177,7 +191,7 @@ impl Jobs {
     /// As the store.
     pub async fn list(&self, filter: &Filter, limit: u32, cursor: Option<&str>) -> Result<JobList, JobsError> {
         let (rows, next_cursor) = self.0.store.list(filter, limit, cursor).await?;
-        Ok(JobList { jobs: rows.iter().map(view).collect::<Result<_, _>>()?, next_cursor })
+        Ok(JobList { jobs: rows.iter().map(|row| self.view(row)).collect::<Result<_, _>>()?, next_cursor })
     }
 
     /// Cancels a queued or running job at once; any other is returned unchanged.
@@ -185,7 +199,7 @@ impl Jobs {
     /// # Errors
     /// As [`Jobs::get`].
     pub async fn cancel(&self, id: &str, owner: Option<&str>) -> Result<Job, JobsError> {
-        let job = view(&*found(self.0.store.cancel(id, owner).await?)?)?;
+        let job = self.view(&*found(self.0.store.cancel(id, owner).await?)?)?;
         if job.status == Status::Cancelled {
             self.0.running.cancel(id);
         }
@@ -207,7 +221,8 @@ impl Jobs {
         })
     }
 
-    /// A file made from a succeeded job's mesh, off the async threads, a bounded number at once.
+    /// A file made from a succeeded job's mesh, off the async threads, a bounded number at once. Files are kept for a while,
+    /// so that ranges, revalidations and many readers cost one conversion. `format` names what `convert` does.
     ///
     /// # Errors
     /// As [`Jobs::get`]; [`JobsError::NoMesh`] unless the job has succeeded; what `convert` says.
@@ -215,25 +230,45 @@ impl Jobs {
         &self,
         id: &str,
         owner: Option<&str>,
+        format: &'static str,
         convert: impl FnOnce(&Archive) -> Result<Vec<u8>, JobsError> + Send + 'static,
-    ) -> Result<Vec<u8>, JobsError> {
+    ) -> Result<File, JobsError> {
         let row = found(self.0.store.get(id, owner).await?)?;
         let status = status(&row);
         if status != Status::Succeeded {
             return Err(JobsError::NoMesh(status));
         }
+        let key = (row.artefact.unwrap_or_default(), format);
+        if let Some(file) = self.0.files.get(&key) {
+            return Ok(file);
+        }
+        let _slot = self.slot().await?;
+        // Somebody else's conversion may have ended while this one waited.
+        if let Some(file) = self.0.files.get(&key) {
+            return Ok(file);
+        }
         let artefact = self.0.store.artefact(id, owner).await?.ok_or(JobsError::NotFound)?;
-        self.off_runtime(move || convert(&Archive::from_bytes(&artefact.bytes)?)).await?
+        let converted = blocking(move || convert(&Archive::from_bytes(&artefact.bytes)?).map(File::new)).await??;
+        self.0.files.put(key, converted.clone());
+        Ok(converted)
     }
 
     /// Runs something that computes for more than a moment where it stalls nobody.
     async fn off_runtime<T: Send + 'static>(&self, work: impl FnOnce() -> T + Send + 'static) -> Result<T, JobsError> {
-        let _slot = self.0.conversions.acquire().await.map_err(|error| JobsError::Internal(error.to_string()))?;
-        tokio::task::spawn_blocking(work).await.map_err(|error| {
-            tracing::error!(%error, "a conversion panicked");
-            JobsError::Internal("a conversion ran into a defect of this server".into())
-        })
+        let _slot = self.slot().await?;
+        blocking(work).await
     }
+
+    async fn slot(&self) -> Result<SemaphorePermit<'_>, JobsError> {
+        self.0.conversions.acquire().await.map_err(|error| JobsError::Internal(error.to_string()))
+    }
+}
+
+async fn blocking<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> Result<T, JobsError> {
+    tokio::task::spawn_blocking(work).await.map_err(|error| {
+        tracing::error!(%error, "a conversion panicked");
+        JobsError::Internal("a conversion ran into a defect of this server".into())
+    })
 }
 
 fn found(lookup: Lookup) -> Result<Box<JobRow>, JobsError> {
@@ -245,8 +280,12 @@ fn found(lookup: Lookup) -> Result<Box<JobRow>, JobsError> {
 }
 
 fn status(row: &JobRow) -> Status {
-    use crate::store::Status as Stored;
-    match row.status {
+    wire_status(row.status)
+}
+
+fn wire_status(status: StoredStatus) -> Status {
+    use StoredStatus as Stored;
+    match status {
         Stored::Queued => Status::Queued,
         Stored::Running => Status::Running,
         Stored::Succeeded => Status::Succeeded,
@@ -255,11 +294,17 @@ fn status(row: &JobRow) -> Status {
     }
 }
 
-/// A row as a client sees it.
-///
-/// # Errors
-/// [`JobsError::Internal`] if the row holds what this version does not know.
-pub fn view(row: &JobRow) -> Result<Job, JobsError> {
+impl Jobs {
+    /// A row as a client sees it.
+    ///
+    /// # Errors
+    /// [`JobsError::Internal`] if the row holds what this version does not know.
+    pub fn view(&self, row: &JobRow) -> Result<Job, JobsError> {
+        view(&self.0.config.http.public_base_path, row)
+    }
+}
+
+fn view(base: &str, row: &JobRow) -> Result<Job, JobsError> {
     let unreadable = |what: &str| JobsError::Internal(format!("the stored job's {what} cannot be read"));
     let kind = Kind::from_name(&row.kind).ok_or_else(|| unreadable("kind"))?;
     let status = status(row);
@@ -272,7 +317,7 @@ pub fn view(row: &JobRow) -> Result<Job, JobsError> {
         _ => progress.unwrap_or_else(|| Progress { phase: status.name().into(), ..Progress::default() }),
     };
     Ok(Job {
-        links: Links::of(&row.id, kind),
+        links: Links::of(base, &row.id, kind),
         id: row.id.clone(),
         kind,
         status,

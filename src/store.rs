@@ -13,6 +13,8 @@
 //! since 1970 by the database's clock. An owner is the name of an API key; without keys there is none. Functions that
 //! take an `owner` see only that owner's jobs if one is given and every job otherwise.
 
+mod batch;
+mod callback;
 mod engine;
 mod files;
 mod queue;
@@ -27,6 +29,8 @@ use std::time::Duration;
 
 use tokio::sync::watch as signal;
 
+pub use batch::{BatchJob, BatchLookup, BatchRow, NewBatch, SubmittedBatch};
+pub use callback::{Callback, Subject};
 use engine::{Engine, Result};
 use files::Files;
 pub use queue::{Claimed, NewJob, Outcome, Renewed, Submitted};

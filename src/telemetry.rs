@@ -29,6 +29,8 @@ pub mod metric {
     pub const JOBS: &str = "plateau_jobs_total";
     /// Counter: submissions by kind and outcome (created, repeated, rejected, queue_full).
     pub const SUBMISSIONS: &str = "plateau_submissions_total";
+    /// Counter: attempts to tell a callback URL, by outcome (delivered, failed, given_up, unwanted).
+    pub const CALLBACKS: &str = "plateau_callbacks_total";
     /// Histogram: seconds from claim to finish, by kind and objective.
     pub const SOLVE_SECONDS: &str = "plateau_solve_seconds";
     /// Histogram: seconds from submission to claim, by kind.
@@ -56,6 +58,7 @@ pub fn init_metrics() -> Result<PrometheusHandle, String> {
         .map_err(|error| error.to_string())?;
     metrics::describe_counter!(metric::JOBS, "Finished jobs by kind and final status");
     metrics::describe_counter!(metric::SUBMISSIONS, "Submissions by kind and outcome");
+    metrics::describe_counter!(metric::CALLBACKS, "Attempts to tell a callback URL, by outcome");
     metrics::describe_histogram!(metric::SOLVE_SECONDS, "Seconds from claim to finish");
     metrics::describe_histogram!(metric::WAIT_SECONDS, "Seconds from submission to claim");
     metrics::describe_gauge!(metric::QUEUE_LENGTH, "Jobs that wait");

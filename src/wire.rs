@@ -5,6 +5,7 @@
 //! (too few distinct points, a directrix pair of two single points) is checked next, and what only the geometry knows is
 //! asked of the geometry's own checks. Nothing but this module knows both wire names and geometry types.
 
+pub mod batch;
 pub mod common;
 pub mod job;
 pub mod json;
@@ -101,6 +102,17 @@ impl Kind {
     }
 }
 
+/// Points, normals and tangents of three coordinates each come to twelve values a point. A value is many times larger in memory
+/// than in the text, so they are counted before any is read.
+fn refuse_too_many_values(body: &[u8], limits: &LimitsConfig) -> Result<(), Rejection> {
+    let most = limits.points.saturating_mul(16).saturating_add(10_000);
+    if body.iter().filter(|&&byte| byte == b',').count() <= most {
+        return Ok(());
+    }
+    let detail = format!("has more values than a request of {} points can have; see GET /v1/limits", limits.points);
+    Err(Rejection::TooLarge(vec![FieldError::new("", detail)]))
+}
+
 /// A request that passed every check that can be made before the work.
 #[derive(Clone, Debug)]
 pub enum Request {
@@ -115,14 +127,7 @@ impl Request {
     /// # Errors
     /// The first stage that fails reports all it found, at most [`MAX_ERRORS`] and one more (so that a reader knows that some were left out).
     pub fn read(kind: Kind, body: &[u8], limits: &LimitsConfig) -> Result<(Self, Value), Rejection> {
-        // Points, normals and tangents of three coordinates each come to twelve values a point. A value is many times larger in
-        // memory than in the text, so they are counted before any is read.
-        let most = limits.points.saturating_mul(16).saturating_add(10_000);
-        if body.iter().filter(|&&byte| byte == b',').count() > most {
-            let detail =
-                format!("has more values than a request of {} points can have; see GET /v1/limits", limits.points);
-            return Err(Rejection::TooLarge(vec![FieldError::new("", detail)]));
-        }
+        refuse_too_many_values(body, limits)?;
         let value = json::parse(body)?;
         let request = Self::from_value(kind, &value, limits)?;
         Ok((request, value))
@@ -191,6 +196,16 @@ impl Request {
             Self::RuledSurface(request) => request.cache,
             Self::MinimalSurface(request) => request.cache,
             Self::UniformMesh(request) => request.cache,
+        }
+    }
+
+    /// Who is to be told of the job's end.
+    #[must_use]
+    pub fn callback_url(&self) -> Option<&str> {
+        match self {
+            Self::RuledSurface(request) => request.callback_url.as_deref(),
+            Self::MinimalSurface(request) => request.callback_url.as_deref(),
+            Self::UniformMesh(request) => request.callback_url.as_deref(),
         }
     }
 

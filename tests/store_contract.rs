@@ -8,8 +8,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use plateau::store::{
-    Artefact, EventId, Filter, JobRow, Lookup, NewJob, Outcome, Renewed, Status, Store, StoreError, StoreOptions,
-    Submitted,
+    Artefact, BatchLookup, BatchRow, EventId, Filter, JobRow, Lookup, NewBatch, NewJob, Outcome, Renewed, Status,
+    Store, StoreError, StoreOptions, Subject, Submitted, SubmittedBatch,
 };
 use tempfile::TempDir;
 
@@ -104,6 +104,12 @@ cases! {
     a_reopened_store_has_its_jobs,
     a_closed_store_says_so,
     counts_follow_the_queue,
+    a_batch_is_on_disk_whole_or_not_at_all,
+    a_batch_is_its_owners_and_is_gone_with_its_last_job,
+    a_cancelled_batch_has_no_job_that_goes_on,
+    a_callback_is_due_from_the_end_until_it_is_settled,
+    a_batchs_callback_is_due_after_its_last_job,
+    many_tellers_take_every_callback_once,
 }
 
 fn job(number: usize) -> NewJob {
@@ -115,6 +121,7 @@ fn job(number: usize) -> NewJob {
         idempotency_key: None,
         body_hash: [number as u8; 32],
         warnings: "[]".into(),
+        callback_url: None,
         reuse: true,
     }
 }
@@ -875,4 +882,169 @@ async fn a_url_of_neither_engine_is_refused() {
     for url in ["mysql://localhost/x", "plateau.db", ""] {
         assert!(matches!(Store::open(url, StoreOptions::default()).await, Err(StoreError::Url(_))), "{url}");
     }
+}
+
+fn batch_of(owner: Option<&str>, number: usize, jobs: std::ops::Range<usize>) -> NewBatch {
+    let owner = owner.map(str::to_owned);
+    NewBatch {
+        id: format!("B{number:025}"),
+        owner: owner.clone(),
+        idempotency_key: Some(format!("key {number}")),
+        body_hash: [number as u8; 32],
+        callback_url: None,
+        jobs: jobs.map(|number| NewJob { owner: owner.clone(), ..job(number) }).collect(),
+    }
+}
+
+async fn create_batch(store: &Store, batch: NewBatch) -> BatchRow {
+    match store.submit_batch(batch).await.unwrap() {
+        SubmittedBatch::Created(row) => row,
+        other => panic!("expected a new batch, got {other:?}"),
+    }
+}
+
+async fn found_batch(store: &Store, id: &str) -> BatchRow {
+    match store.batch(id, None).await.unwrap() {
+        BatchLookup::Found(row) => row,
+        other => panic!("expected a batch, got {other:?}"),
+    }
+}
+
+async fn a_batch_is_on_disk_whole_or_not_at_all(database: Database) {
+    let store = database.open(StoreOptions { queue_limit: 5, ..StoreOptions::default() }).await;
+    let batch = create_batch(&store, batch_of(None, 1, 0..4)).await;
+    let indices: Vec<(i64, &str)> = batch.jobs.iter().map(|job| (job.index, job.id.as_str())).collect();
+    let expected: Vec<String> = (0..4).map(|number| job(number).id).collect();
+    assert_eq!(indices, (0..4).zip(expected.iter().map(String::as_str)).collect::<Vec<_>>());
+    // One would find room, two do not.
+    let refused = store.submit_batch(batch_of(None, 2, 4..6)).await;
+    assert!(matches!(refused, Err(StoreError::QueueFull { own: false })));
+    assert_eq!(
+        (store.counts().await.unwrap().queued, store.batch("B2", None).await.unwrap()),
+        (4, BatchLookup::Missing)
+    );
+    // The same key and body: the same batch; with another body: nobody's.
+    let again = store.submit_batch(NewBatch { id: "other".into(), ..batch_of(None, 1, 10..12) }).await.unwrap();
+    assert_eq!(again, SubmittedBatch::Existing(batch));
+    let conflict = NewBatch { body_hash: [9; 32], ..batch_of(None, 1, 10..12) };
+    assert_eq!(store.submit_batch(conflict).await.unwrap(), SubmittedBatch::KeyConflict);
+    assert_eq!(store.counts().await.unwrap().queued, 4);
+}
+
+async fn a_batch_is_its_owners_and_is_gone_with_its_last_job(database: Database) {
+    let store = database.open(StoreOptions { retention: Duration::ZERO, ..StoreOptions::default() }).await;
+    let batch = create_batch(&store, batch_of(Some("me"), 1, 0..2)).await;
+    assert_eq!(store.batch(&batch.id, Some("you")).await.unwrap(), BatchLookup::Missing);
+    assert_eq!(store.delete_batch(&batch.id, Some("you")).await.unwrap(), None);
+    assert!(store.cancel_batch(&batch.id, Some("you")).await.unwrap().1.is_empty());
+    for _ in 0..2 {
+        let claimed = store.claim("w", LEASE).await.unwrap().unwrap();
+        assert!(store.finish(&claimed.id, claimed.attempt, success(b"mesh")).await.unwrap());
+        store.sweep().await.unwrap();
+    }
+    assert_eq!(store.batch(&batch.id, Some("me")).await.unwrap(), BatchLookup::Expired);
+    assert_eq!(store.batch(&batch.id, Some("you")).await.unwrap(), BatchLookup::Missing);
+    // Deleted is not expired.
+    let other = create_batch(&store, batch_of(Some("me"), 2, 2..4)).await;
+    assert_eq!(store.delete_batch(&other.id, Some("me")).await.unwrap().map(|ids| ids.len()), Some(2));
+    assert_eq!(store.batch(&other.id, Some("me")).await.unwrap(), BatchLookup::Missing);
+    assert_eq!(store.counts().await.unwrap().queued, 0);
+}
+
+async fn a_cancelled_batch_has_no_job_that_goes_on(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    let batch = create_batch(&store, batch_of(None, 1, 0..3)).await;
+    let ended = store.claim("w", LEASE).await.unwrap().unwrap();
+    assert!(store.finish(&ended.id, ended.attempt, success(b"mesh")).await.unwrap());
+    let running = store.claim("w", LEASE).await.unwrap().unwrap();
+    let (_, mut cancelled) = store.cancel_batch(&batch.id, None).await.unwrap();
+    cancelled.sort();
+    assert_eq!(cancelled, [job(1).id, job(2).id]);
+    let statuses: Vec<Status> = found_batch(&store, &batch.id).await.jobs.iter().map(|job| job.status).collect();
+    assert_eq!(statuses, [Status::Succeeded, Status::Cancelled, Status::Cancelled]);
+    assert_eq!(store.renew(&running.id, running.attempt, LEASE).await.unwrap(), Renewed::Cancelled);
+    assert!(store.claim("w", LEASE).await.unwrap().is_none());
+    assert_eq!(store.batch_jobs(&batch.id).await.unwrap().len(), 3);
+}
+
+async fn a_callback_is_due_from_the_end_until_it_is_settled(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    create(&store, NewJob { callback_url: Some("https://example.org".into()), ..job_of("me", 1) }).await;
+    assert_eq!(store.claim_callback(LEASE).await.unwrap(), None, "it has not ended");
+    let claimed = store.claim("w", LEASE).await.unwrap().unwrap();
+    assert!(store.finish(&claimed.id, claimed.attempt, success(b"mesh")).await.unwrap());
+    let first = store.claim_callback(NO_LEASE).await.unwrap().unwrap();
+    assert_eq!(
+        (first.subject, first.id.as_str(), first.owner.as_deref()),
+        (Subject::Job, claimed.id.as_str(), Some("me"))
+    );
+    assert_eq!((first.url.as_str(), first.attempts), ("https://example.org", 1));
+    // Its claimer died; somebody else has it now, and what the first says counts no more.
+    let second = store.claim_callback(LEASE).await.unwrap().unwrap();
+    assert_eq!(second.attempts, 2);
+    assert_eq!(store.claim_callback(LEASE).await.unwrap(), None);
+    store.settle_callback(&first).await.unwrap();
+    store.put_off_callback(&second, Duration::ZERO).await.unwrap();
+    let third = store.claim_callback(LEASE).await.unwrap().unwrap();
+    assert_eq!(third.attempts, 3);
+    store.settle_callback(&third).await.unwrap();
+    store.put_off_callback(&third, Duration::ZERO).await.unwrap();
+    assert_eq!(store.claim_callback(LEASE).await.unwrap(), None);
+    // However it ends: by a shared result, and by a cancel.
+    create(
+        &store,
+        NewJob { callback_url: Some("https://a.example".into()), request: job(1).request, ..job_of("me", 2) },
+    )
+    .await;
+    create(&store, NewJob { callback_url: Some("https://b.example".into()), ..job_of("me", 3) }).await;
+    store.cancel(&job(3).id, None).await.unwrap();
+    let mut urls = Vec::new();
+    while let Some(callback) = store.claim_callback(LEASE).await.unwrap() {
+        urls.push(callback.url);
+    }
+    urls.sort();
+    assert_eq!(urls, ["https://a.example", "https://b.example"]);
+}
+
+async fn a_batchs_callback_is_due_after_its_last_job(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    let new = NewBatch { callback_url: Some("https://example.org".into()), ..batch_of(Some("me"), 1, 0..2) };
+    let batch = create_batch(&store, new).await;
+    for _ in 0..2 {
+        assert_eq!(store.claim_callback(LEASE).await.unwrap(), None);
+        let claimed = store.claim("w", LEASE).await.unwrap().unwrap();
+        assert!(store.finish(&claimed.id, claimed.attempt, success(b"mesh")).await.unwrap());
+    }
+    let callback = store.claim_callback(LEASE).await.unwrap().unwrap();
+    assert_eq!(
+        (callback.subject, callback.id.as_str(), callback.owner.as_deref()),
+        (Subject::Batch, batch.id.as_str(), Some("me"))
+    );
+    store.settle_callback(&callback).await.unwrap();
+    assert_eq!(store.claim_callback(NO_LEASE).await.unwrap(), None);
+}
+
+async fn many_tellers_take_every_callback_once(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    for number in 0..40 {
+        create(&store, NewJob { callback_url: Some(format!("https://{number}.example")), ..job(number) }).await;
+        store.cancel(&job(number).id, None).await.unwrap();
+    }
+    let mut tellers = tokio::task::JoinSet::new();
+    for _ in 0..4 {
+        let store = store.clone();
+        tellers.spawn(async move {
+            let mut taken = Vec::new();
+            while let Some(callback) = store.claim_callback(LEASE).await.unwrap() {
+                store.settle_callback(&callback).await.unwrap();
+                taken.push(callback.url);
+            }
+            taken
+        });
+    }
+    let mut taken: Vec<String> = tellers.join_all().await.concat();
+    let count = taken.len();
+    taken.sort();
+    taken.dedup();
+    assert_eq!((count, taken.len()), (40, 40));
 }

@@ -11,11 +11,15 @@ export class Problem extends Error {
 let key = '';
 export const setKey = (value) => { key = value; };
 
+// The folder of this page. Links of the server begin with it if the server was told of it; other paths are completed.
+const base = new URL('.', document.baseURI).pathname;
+const at = (path) => (path.startsWith(base) ? path : base + path.replace(/^\//, ''));
+
 async function ask(path, options = {}) {
   const headers = { ...(key && { Authorization: `Bearer ${key}` }), ...options.headers };
   let response;
   try {
-    response = await fetch(path.replace(/^\//, ''), { ...options, headers });
+    response = await fetch(at(path), { ...options, headers });
   } catch {
     throw new Problem({ title: 'The server cannot be reached', detail: 'Is it still running? Nothing was lost; try again.' });
   }

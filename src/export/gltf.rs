@@ -42,7 +42,31 @@ const COLOR_STOPS: [[f64; 3]; 5] =
 /// # Errors
 /// [`Error::OutOfRange`] if f32 cannot hold the positions, [`Error::TooLarge`] from 4 GiB.
 pub fn to_glb(archive: &Archive) -> Result<Vec<u8>, Error> {
-    let (mut document, buffer) = document(archive)?;
+    let (document, buffer) = document(archive)?;
+    binary(document, &buffer)
+}
+
+/// Binary glTF of several meshes in one scene, in their places: each is a node of its own name, with its surface and lines as
+/// children and what a single file has in `asset.extras` as the node's `extras`.
+///
+/// # Errors
+/// As for [`to_glb`].
+pub fn to_glb_scene(title: &str, parts: &[(String, Archive)]) -> Result<Vec<u8>, Error> {
+    let mut scene = Scene::default();
+    let mut roots = Vec::with_capacity(parts.len());
+    for (name, archive) in parts {
+        let frame = Frame::new(archive.contents())?;
+        let children = scene.add(archive.contents(), &frame);
+        roots.push(scene.nodes.len());
+        let extras = asset_extras(archive.contents(), &frame);
+        scene.nodes.push(json!({ "name": name, "children": children, "extras": extras }));
+    }
+    let generator = parts.first().map_or("", |(_, archive)| archive.contents().generator.as_str());
+    let (document, buffer) = scene.document(json!({ "version": "2.0", "generator": generator }), title, &roots);
+    binary(document, &buffer)
+}
+
+fn binary(mut document: Value, buffer: &[u8]) -> Result<Vec<u8>, Error> {
     document["buffers"] = json!([{ "byteLength": buffer.len() }]);
     let mut text = to_text(&document);
     text.resize(text.len().next_multiple_of(4), b' ');
@@ -58,7 +82,7 @@ pub fn to_glb(archive: &Archive) -> Result<Vec<u8>, Error> {
     glb.extend_from_slice(&text);
     glb.extend_from_slice(&length(buffer.len())?.to_le_bytes());
     glb.extend_from_slice(b"BIN\0");
-    glb.extend_from_slice(&buffer);
+    glb.extend_from_slice(buffer);
     Ok(glb)
 }
 
@@ -191,57 +215,80 @@ impl Buffer {
 fn document(archive: &Archive) -> Result<(Value, Vec<u8>), Error> {
     let contents = archive.contents();
     let frame = Frame::new(contents)?;
-    let mut buffer = Buffer::default();
-    let apart = sheets::apart(&contents.mesh);
-    let mesh = apart.as_ref().map_or(&contents.mesh, |(mesh, _)| mesh);
-    let positions: Vec<[f32; 3]> = mesh.vertices.iter().map(|&vertex| frame.position(vertex)).collect();
-    let shared = buffer.positions(&positions);
+    let mut scene = Scene::default();
+    let nodes = scene.add(contents, &frame);
+    let asset = json!({ "version": "2.0", "generator": contents.generator, "extras": asset_extras(contents, &frame) });
+    Ok(scene.document(asset, &contents.title, &nodes))
+}
 
-    let mut attributes = json!({
-        "POSITION": shared,
-        "NORMAL": buffer.vectors(normals(mesh, &frame).into_iter()),
-    });
-    if let Some(curvature) = &contents.mean_curvature {
-        let per_metre = |value: f64| (value / frame.metres).min(f64::from(f32::MAX)) as f32;
-        let further = apart.iter().flat_map(|(_, source)| &source[curvature.values.len()..]);
-        let further = further.map(|&vertex| curvature.values[vertex as usize]);
-        let values: Vec<f64> = curvature.values.iter().copied().chain(further).collect();
-        attributes["_MEAN_CURVATURE"] = buffer.scalars(values.iter().map(|&value| per_metre(value))).into();
-        let range = curvature.range();
-        attributes["COLOR_0"] = buffer.colors(values.iter().map(|&value| color(value, range))).into();
-    }
-    let triangles = buffer.indices(mesh.triangles.iter().flatten().copied());
+/// A scene under construction.
+#[derive(Default)]
+struct Scene {
+    nodes: Vec<Value>,
+    meshes: Vec<Value>,
+    materials: Vec<Value>,
+    buffer: Buffer,
+}
 
-    let base_color = if contents.mean_curvature.is_some() { [1.0, 1.0, 1.0, 1.0] } else { [0.55, 0.68, 0.8, 1.0] };
-    let mut materials = vec![material("surface", base_color, true)];
-    let mut meshes = vec![json!({ "name": "surface", "primitives": [
-        { "attributes": attributes, "indices": triangles, "material": 0, "mode": TRIANGLES }
-    ] })];
-    let translation = frame.translation().to_array();
-    let mut nodes = vec![json!({ "name": "surface", "mesh": 0, "translation": translation })];
-    for set in &contents.line_sets {
-        let primitives = line_primitives(set, materials.len(), shared, &positions, &mut buffer);
-        if primitives.is_empty() {
-            continue;
+impl Scene {
+    /// Adds a surface and its line sets; gives their nodes.
+    fn add(&mut self, contents: &Contents, frame: &Frame) -> Vec<usize> {
+        let Self { nodes, meshes, materials, buffer } = self;
+        let first_node = nodes.len();
+        let apart = sheets::apart(&contents.mesh);
+        let mesh = apart.as_ref().map_or(&contents.mesh, |(mesh, _)| mesh);
+        let positions: Vec<[f32; 3]> = mesh.vertices.iter().map(|&vertex| frame.position(vertex)).collect();
+        let shared = buffer.positions(&positions);
+
+        let mut attributes = json!({
+            "POSITION": shared,
+            "NORMAL": buffer.vectors(normals(mesh, frame).into_iter()),
+        });
+        if let Some(curvature) = &contents.mean_curvature {
+            let per_metre = |value: f64| (value / frame.metres).min(f64::from(f32::MAX)) as f32;
+            let further = apart.iter().flat_map(|(_, source)| &source[curvature.values.len()..]);
+            let further = further.map(|&vertex| curvature.values[vertex as usize]);
+            let values: Vec<f64> = curvature.values.iter().copied().chain(further).collect();
+            attributes["_MEAN_CURVATURE"] = buffer.scalars(values.iter().map(|&value| per_metre(value))).into();
+            let range = curvature.range();
+            attributes["COLOR_0"] = buffer.colors(values.iter().map(|&value| color(value, range))).into();
         }
-        let name = set.full_name();
-        let mut node = json!({ "name": name, "mesh": meshes.len(), "translation": translation });
-        if let Lines::Segments { values: Some(values), .. } = &set.lines {
-            node["extras"] = json!({ attribute_name(&values.name): { "unit": values.unit } });
+        let triangles = buffer.indices(mesh.triangles.iter().flatten().copied());
+
+        let base_color = if contents.mean_curvature.is_some() { [1.0, 1.0, 1.0, 1.0] } else { [0.55, 0.68, 0.8, 1.0] };
+        let translation = frame.translation().to_array();
+        nodes.push(json!({ "name": "surface", "mesh": meshes.len(), "translation": translation }));
+        meshes.push(json!({ "name": "surface", "primitives": [
+            { "attributes": attributes, "indices": triangles, "material": materials.len(), "mode": TRIANGLES }
+        ] }));
+        materials.push(material("surface", base_color, true));
+        for set in &contents.line_sets {
+            let primitives = line_primitives(set, materials.len(), shared, &positions, buffer);
+            if primitives.is_empty() {
+                continue;
+            }
+            let name = set.full_name();
+            let mut node = json!({ "name": name, "mesh": meshes.len(), "translation": translation });
+            if let Lines::Segments { values: Some(values), .. } = &set.lines {
+                node["extras"] = json!({ attribute_name(&values.name): { "unit": values.unit } });
+            }
+            nodes.push(node);
+            meshes.push(json!({ "name": name, "primitives": primitives }));
+            materials.push(material(&name, line_color(set), false));
         }
-        nodes.push(node);
-        meshes.push(json!({ "name": name, "primitives": primitives }));
-        materials.push(material(&name, line_color(set), false));
+        (first_node..nodes.len()).collect()
     }
 
-    let document = json!({
-        "asset": { "version": "2.0", "generator": contents.generator, "extras": asset_extras(contents, &frame) },
-        "scene": 0,
-        "scenes": [{ "name": contents.title, "nodes": (0..nodes.len()).collect::<Vec<_>>() }],
-        "nodes": nodes, "meshes": meshes, "materials": materials,
-        "accessors": buffer.accessors, "bufferViews": buffer.views,
-    });
-    Ok((document, buffer.bytes))
+    fn document(self, asset: Value, title: &str, roots: &[usize]) -> (Value, Vec<u8>) {
+        let document = json!({
+            "asset": asset,
+            "scene": 0,
+            "scenes": [{ "name": title, "nodes": roots }],
+            "nodes": self.nodes, "meshes": self.meshes, "materials": self.materials,
+            "accessors": self.buffer.accessors, "bufferViews": self.buffer.views,
+        });
+        (document, self.buffer.bytes)
+    }
 }
 
 fn asset_extras(contents: &Contents, frame: &Frame) -> Value {

@@ -209,7 +209,8 @@ impl<S: Sync> FromRequestParts<S> for Caller {
 }
 
 /// True for what anybody may see: the API document, its page, the studio, and whether the server lives.
-fn is_public(path: &str) -> bool {
+#[must_use]
+pub fn is_public(path: &str) -> bool {
     let below = |folder: &str| path.strip_prefix(folder).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'));
     path == "/" || path == "/openapi.json" || ["/docs", "/health", "/problems", "/studio"].into_iter().any(below)
 }

@@ -3,12 +3,13 @@
 use crate::http::problem::{self, Failure};
 use crate::telemetry::metric;
 use axum::body::Body;
-use axum::extract::{MatchedPath, Request};
+use axum::extract::{MatchedPath, Request, State};
 use axum::http::{HeaderName, HeaderValue, Response};
 use axum::middleware::Next;
 use axum::response::IntoResponse;
 use futures_util::FutureExt;
 use std::panic::AssertUnwindSafe;
+use std::sync::Arc;
 use std::time::Instant;
 use tracing::Instrument;
 
@@ -25,7 +26,8 @@ fn request_id(request: &Request) -> String {
         .map_or_else(|| ulid::Ulid::generate().to_string(), str::to_owned)
 }
 
-pub async fn observe(request: Request, next: Next) -> Response<Body> {
+/// `base` is what a proxy puts before the paths of this server.
+pub async fn observe(State(base): State<Arc<str>>, request: Request, next: Next) -> Response<Body> {
     let started = Instant::now();
     let id = request_id(&request);
     let path = request.uri().path().to_owned();
@@ -37,7 +39,7 @@ pub async fn observe(request: Request, next: Next) -> Response<Body> {
         span.in_scope(|| tracing::error!("a handler panicked"));
         Failure::internal("the request ran into a defect of this server").into_response()
     });
-    let mut response = problem::address(response, &path);
+    let mut response = problem::address(response, &format!("{base}{path}"));
     if let Ok(value) = HeaderValue::from_str(&id) {
         response.headers_mut().insert(REQUEST_ID, value);
     }

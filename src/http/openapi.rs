@@ -2,6 +2,8 @@
 //!
 //! `api/openapi.json` is this document, committed; `plateau openapi` prints it; a test holds the two together.
 
+use crate::http::auth::is_public;
+use crate::http::routes::batches::FORMATS;
 use crate::wire::objectives::examples;
 use crate::wire::{Kind, schema};
 use serde_json::{Map, Value, json};
@@ -18,6 +20,15 @@ pub fn text() -> &'static str {
     &TEXT
 }
 
+/// The document as a server below `base` serves it: paths are relative to that.
+#[must_use]
+pub fn served_at(base: &str) -> String {
+    text().replacen(SERVER, &format!(r#""url": "{base}/""#), 1)
+}
+
+/// Where the document says which server it is of.
+const SERVER: &str = r#""url": "/""#;
+
 fn document() -> Value {
     json!({
         "openapi": "3.1.0",
@@ -33,15 +44,22 @@ fn document() -> Value {
         "tags": [
             { "name": "solve", "description": "Requests that become jobs" },
             { "name": "jobs", "description": "Jobs and their meshes" },
+            { "name": "batches", "description": "Many requests at once" },
             { "name": "catalogue", "description": "What this server offers" },
             { "name": "operation", "description": "For those who run it" },
         ],
-        "paths": paths(),
+        // A server without keys asks for none.
+        "security": [{ "key": [] }, {}],
+        "paths": with_access(paths()),
         "components": {
+            "securitySchemes": {
+                "key": { "type": "http", "scheme": "bearer", "description": "A key of this server, as `plateau key new` makes them." },
+            },
             "schemas": schema::components(),
             "responses": problems(),
             "headers": {
                 "RequestId": { "description": "Names this request in the server's logs.", "schema": { "type": "string" } },
+                "WwwAuthenticate": { "description": "Bearer", "schema": { "type": "string" } },
                 "RetryAfter": { "description": "Seconds to wait.", "schema": { "type": "integer", "minimum": 0 } },
             },
         },
@@ -61,13 +79,17 @@ fn problems() -> Value {
         ("TooLarge", "More bytes, points, triangles or cells than this server takes"),
         ("UnsupportedMediaType", "The body is not plain application/json"),
         ("Invalid", "The request is well-formed JSON but cannot be worked on; `errors` names each offending value"),
-        ("Unavailable", "The server cannot take this now"),
+        ("Misdirected", "The request is for a host that this server does not answer to"),
         ("Failed", "A defect of the server"),
     ] {
         responses.insert(name.into(), problem(description, &[]));
     }
     let retry = ("Retry-After", "RetryAfter");
-    responses.insert("QueueFull".into(), problem("The queue is full", &[retry]));
+    responses
+        .insert("QueueFull".into(), problem("The queue is full, or this key has made too many requests", &[retry]));
+    responses.insert("RateLimited".into(), problem("This key has made too many requests", &[retry]));
+    responses
+        .insert("Unauthorized".into(), problem("No key of this server", &[("WWW-Authenticate", "WwwAuthenticate")]));
     responses.insert("Unavailable".into(), problem("The server cannot take this now", &[retry]));
     Value::Object(responses)
 }
@@ -96,6 +118,26 @@ fn with_problems(mut responses: Value, names: &[(&str, &str)]) -> Value {
     responses
 }
 
+/// Adds what stands before every route: its host is checked, then its key, unless it is public.
+fn with_access(mut paths: Value) -> Value {
+    let response = |name: &str| json!({ "$ref": format!("#/components/responses/{name}") });
+    for (path, operations) in paths.as_object_mut().into_iter().flatten() {
+        let operations = operations.as_object_mut().into_iter().flatten();
+        for (_, operation) in operations.filter(|(name, _)| *name != "parameters") {
+            operation["responses"]["421"] = response("Misdirected");
+            if is_public(path) {
+                operation["security"] = json!([]);
+                continue;
+            }
+            operation["responses"]["401"] = response("Unauthorized");
+            if operation["responses"].get("429").is_none() {
+                operation["responses"]["429"] = response("RateLimited");
+            }
+        }
+    }
+    paths
+}
+
 fn json_response(description: &str, component: &str) -> Value {
     json!({ "description": description, "content": { "application/json": { "schema": reference(component) } } })
 }
@@ -114,6 +156,7 @@ fn paths() -> Value {
     paths.insert("/v1/jobs/{id}/mesh".into(), json!({ "parameters": [id_parameter()], "get": mesh() }));
     paths.insert("/v1/jobs/{id}/pattern".into(), json!({ "parameters": [id_parameter()], "get": pattern() }));
     paths.insert("/v1/jobs/{id}/events".into(), json!({ "parameters": [id_parameter()], "get": events() }));
+    batches(&mut paths);
     for (path, id, summary, component) in [
         ("/v1/objectives", "listObjectives", "What can be asked for", "ObjectiveList"),
         ("/v1/limits", "getLimits", "What one request may cost here", "Limits"),
@@ -183,34 +226,87 @@ fn submit(kind: Kind) -> Value {
         .filter(|example| example.kind == kind && example.request.to_string().len() <= LONGEST_EXAMPLE_BYTES)
         .map(|example| (example.name.into(), json!({ "summary": example.title, "value": example.request })))
         .collect();
+    let mut post = submission(component, "Job", Value::Object(examples));
+    post["operationId"] = id.into();
+    post["summary"] = summary.into();
+    post["responses"]["202"]["links"] =
+        json!({ "job": { "operationId": "getJob", "parameters": { "id": "$response.body#/id" } } });
+    post
+}
+
+/// A POST of `body` that answers `answer`, which may be waited for.
+fn submission(body: &str, answer: &str, examples: Value) -> Value {
+    let what = answer.to_lowercase();
+    let location = json!({ "description": format!("The {what}."), "schema": { "type": "string" } });
+    let wait = json!({ "description": "The wait that was granted.", "schema": { "type": "string" } });
     let finished = json!({
-        "description": "With `Prefer: wait`: the job ended in time (read its `status`); or the same idempotency key was used before with this body.",
-        "headers": { "Preference-Applied": { "description": "The wait that was granted.", "schema": { "type": "string" } },
-            "Location": { "description": "The job.", "schema": { "type": "string" } } },
-        "content": { "application/json": { "schema": reference("Job") } },
+        "description": format!("With `Prefer: wait`: the {what} ended in time (read its `status`); or the same idempotency key was used before with this body."),
+        "headers": { "Preference-Applied": wait, "Location": location },
+        "content": { "application/json": { "schema": reference(answer) } },
     });
     let accepted = json!({
-        "description": "The job is on disk and will be worked on.",
-        "headers": { "Location": { "description": "The job.", "schema": { "type": "string" } },
-            "Retry-After": { "$ref": "#/components/headers/RetryAfter" },
-            "Preference-Applied": { "description": "The wait that was granted.", "schema": { "type": "string" } } },
-        "content": { "application/json": { "schema": reference("Job") } },
-        "links": { "job": { "operationId": "getJob", "parameters": { "id": "$response.body#/id" } } },
+        "description": format!("The {what} is on disk and will be worked on."),
+        "headers": { "Location": location, "Retry-After": { "$ref": "#/components/headers/RetryAfter" }, "Preference-Applied": wait },
+        "content": { "application/json": { "schema": reference(answer) } },
     });
     json!({
-        "operationId": id, "tags": ["solve"], "summary": summary,
+        "tags": ["solve"],
         "parameters": [
             prefer_parameter(),
             { "name": "Idempotency-Key", "in": "header", "required": false,
-              "description": "The same key with the same body gives the same job; with another body 422. Printable ASCII.",
+              "description": format!("The same key with the same body gives the same {what}; with another body 422. Printable ASCII."),
               "schema": { "type": "string", "minLength": 1, "maxLength": 200, "pattern": "^[!-~]+$" } },
         ],
-        "requestBody": { "required": true, "content": { "application/json": { "schema": reference(component), "examples": examples } } },
+        "requestBody": { "required": true, "content": { "application/json": { "schema": reference(body), "examples": examples } } },
         "responses": with_problems(json!({ "200": finished, "202": accepted }), &[
             ("400", "BadRequest"), ("408", "RequestTimeout"), ("413", "TooLarge"), ("415", "UnsupportedMediaType"),
             ("422", "Invalid"), ("429", "QueueFull"), ("503", "Unavailable"),
         ]),
     })
+}
+
+fn batches(paths: &mut Map<String, Value>) {
+    let id = json!({ "name": "id", "in": "path", "required": true, "description": "The batch's id",
+        "schema": { "type": "string", "pattern": "^[0-9A-HJKMNP-TV-Z]{26}$" } });
+    let example = json!({ "requests": [
+        { "kind": "ruled_surface", "directrices": [[[0, 0, 0], [1, 0, 0.2], [2, 0, 0]], [[0, 1, 0], [2, 1, 0.5]]] },
+        { "kind": "minimal_surface", "boundaries": [[[0, 0, 0], [1, 0, 0.5], [1, 1, 0], [0, 1, 0.5]]], "resolution": { "triangles": 200 } },
+    ] });
+    let mut post =
+        submission(schema::BATCH, "Batch", json!({ "mixed": { "summary": "A strip and a film", "value": example } }));
+    post["operationId"] = "postBatch".into();
+    post["summary"] = "Many requests at once: all are taken or none".into();
+    post["responses"]["202"]["links"] =
+        json!({ "batch": { "operationId": "getBatch", "parameters": { "id": "$response.body#/id" } } });
+    paths.insert("/v1/batches".into(), json!({ "post": post }));
+    let named = |operation: &str, summary: &str, parameters: Value, responses: Value, problems: &[(&str, &str)]| {
+        let always = [("404", "NotFound"), ("410", "Gone"), ("503", "Unavailable")];
+        json!({ "operationId": operation, "tags": ["batches"], "summary": summary, "parameters": parameters,
+            "responses": with_problems(responses, &[&always, problems].concat()) })
+    };
+    let one = |description: &str| json!({ "200": json_response(description, "Batch") });
+    let get = named(
+        "getBatch",
+        "The batch: one status, and its jobs",
+        json!([prefer_parameter()]),
+        one("The batch as it is now, or as it ended within the wait"),
+        &[],
+    );
+    let removed = json!({ "204": { "description": "Removed" } });
+    let delete = named("deleteBatch", "Cancels what has not ended, removes jobs and meshes", json!([]), removed, &[]);
+    paths.insert("/v1/batches/{id}".into(), json!({ "parameters": [id], "get": get, "delete": delete }));
+    let cancel = named("cancelBatch", "Cancels every job that has not ended", json!([]), one("The batch"), &[]);
+    paths.insert("/v1/batches/{id}/cancel".into(), json!({ "parameters": [id], "post": cancel }));
+
+    let description =
+        "A ZIP of every mesh with `batch.json`, which says what became of each request; or all meshes in one GLB scene";
+    let (format, responses) = representation(&FORMATS, "zip", description, &[]);
+    let names = crate::export::MeshFormat::ALL.map(crate::export::MeshFormat::name);
+    let mesh_format = json!({ "name": "mesh_format", "in": "query", "required": false,
+        "description": "What the meshes of a ZIP come as; `glb` unless told.", "schema": { "type": "string", "enum": names } });
+    let problems = [("400", "BadRequest"), ("406", "NotAcceptable"), ("409", "NoMesh"), ("422", "Invalid")];
+    let meshes = named("getBatchMeshes", "All meshes in one file", json!([format, mesh_format]), responses, &problems);
+    paths.insert("/v1/batches/{id}/meshes".into(), json!({ "parameters": [id], "get": meshes }));
 }
 
 fn list() -> Value {

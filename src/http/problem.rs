@@ -106,6 +106,7 @@ impl From<JobsError> for Failure {
             JobsError::Expired => Self::expired("the job and its mesh were kept for their time and removed"),
             JobsError::NoMesh(status) => Self::no_mesh(format!("the job is {}", status.name())),
             JobsError::NoPattern => Self::not_found("only open ruled surfaces have a flat pattern"),
+            JobsError::TooMuch(detail) => Self::unwritable(detail),
             JobsError::Unwritable(error) => Self::unwritable(error.to_string()),
             JobsError::Unavailable(detail) => Self::unavailable(detail),
             JobsError::Internal(detail) => Self::internal(detail),

@@ -6,16 +6,21 @@ use crate::http::{auth, observe, routes};
 use crate::jobs::Jobs;
 use crate::wire::Kind;
 use axum::Router;
+use axum::extract::Request;
 use axum::http::{HeaderName, HeaderValue, Method, Uri, header};
 use axum::middleware;
+use axum::response::Redirect;
 use axum::routing::{get, post};
 use metrics_exporter_prometheus::PrometheusHandle;
+use std::sync::Arc;
 use std::time::Duration;
+use tower::util::MapRequest;
 use tower_http::cors::{AllowOrigin, Any, CorsLayer};
 
 pub fn router(app: App) -> Router {
     let own_metrics = !app.config.http.metrics_listen.is_empty();
     let origins = app.config.http.cors_origins.clone();
+    let base: Arc<str> = app.config.http.public_base_path.as_str().into();
     let routes = Router::new()
         .route(Kind::RuledSurface.path(), post(routes::submit::ruled_surface))
         .route(Kind::MinimalSurface.path(), post(routes::submit::minimal_surface))
@@ -26,6 +31,10 @@ pub fn router(app: App) -> Router {
         .route("/v1/jobs/{id}/mesh", get(routes::mesh::mesh))
         .route("/v1/jobs/{id}/pattern", get(routes::mesh::pattern))
         .route("/v1/jobs/{id}/events", get(routes::jobs::events))
+        .route("/v1/batches", post(routes::batches::submit))
+        .route("/v1/batches/{id}", get(routes::batches::get).delete(routes::batches::delete))
+        .route("/v1/batches/{id}/cancel", post(routes::batches::cancel))
+        .route("/v1/batches/{id}/meshes", get(routes::batches::meshes))
         .route("/v1/objectives", get(routes::catalogue::objectives))
         .route("/v1/limits", get(routes::catalogue::limits))
         .route("/v1/examples", get(routes::catalogue::examples))
@@ -48,16 +57,41 @@ pub fn router(app: App) -> Router {
         .layer(middleware::from_fn_with_state(app.clone(), auth::authenticate));
     // Without origins there is no CORS, and OPTIONS is a method like any other.
     let routes = if origins.is_empty() { routes } else { routes.layer(cors(&origins)) };
-    routes
+    let routes = routes
         .layer(middleware::from_fn_with_state(app.clone(), auth::check_host))
-        .layer(middleware::from_fn(observe::observe))
-        .with_state(app)
+        .layer(middleware::from_fn_with_state(base.clone(), observe::observe))
+        .with_state(app);
+    below(&base, routes)
+}
+
+/// The same routes below the public base path, for proxies that pass paths on as they are.
+fn below(base: &Arc<str>, routes: Router) -> Router {
+    if base.is_empty() {
+        return routes;
+    }
+    // The studio's and the API page's files are named relative to a folder.
+    let folder = format!("{base}/");
+    let base = base.clone();
+    let stripped = MapRequest::new(routes, move |mut request: Request| {
+        *request.uri_mut() = without_base(&base, request.uri());
+        request
+    });
+    Router::new().route(folder.trim_end_matches('/'), get(Redirect::permanent(&folder))).fallback_service(stripped)
+}
+
+/// The URI without the base path, if it has it.
+fn without_base(base: &str, uri: &Uri) -> Uri {
+    let rest = uri.path_and_query().and_then(|path| path.as_str().strip_prefix(base));
+    let Some(rest) = rest.filter(|rest| rest.starts_with('/')) else { return uri.clone() };
+    let mut parts = uri.clone().into_parts();
+    parts.path_and_query = rest.parse().ok();
+    Uri::from_parts(parts).unwrap_or_else(|_| uri.clone())
 }
 
 /// The listener of metrics alone.
 pub fn metrics(jobs: Jobs, handle: PrometheusHandle) -> Router {
     let render = move || async move { routes::health::render(&jobs, &handle).await };
-    Router::new().route("/metrics", get(render)).layer(middleware::from_fn(observe::observe))
+    Router::new().route("/metrics", get(render)).layer(middleware::from_fn_with_state(Arc::from(""), observe::observe))
 }
 
 /// What pages of other origins may do: everything a client may, if the operator named their origin.
@@ -89,4 +123,20 @@ fn cors(origins: &[String]) -> CorsLayer {
             observe::REQUEST_ID,
         ])
         .max_age(Duration::from_secs(3600))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_whole_segments_are_taken_off() {
+        let stripped = |uri: &str| without_base("/plateau", &uri.parse().unwrap()).to_string();
+        assert_eq!(stripped("/plateau/v1/jobs?limit=1"), "/v1/jobs?limit=1");
+        assert_eq!(stripped("/plateau/"), "/");
+        assert_eq!(stripped("http://host/plateau/v1/jobs"), "http://host/v1/jobs");
+        for other in ["/v1/jobs", "/plateaux/v1", "/", "/a/plateau/b"] {
+            assert_eq!(stripped(other), other);
+        }
+    }
 }

@@ -1,5 +1,6 @@
 //! Handlers, by resource.
 
+pub mod batches;
 pub mod catalogue;
 pub mod health;
 pub mod jobs;

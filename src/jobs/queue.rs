@@ -1,7 +1,6 @@
 //! Submitting: a body is read and checked, then put on disk, and only then acknowledged.
 
-use super::{Jobs, JobsError, view};
-use crate::config::LimitsConfig;
+use super::{Jobs, JobsError};
 use crate::store::{NewJob, Submitted as Stored};
 use crate::telemetry::metric;
 use crate::wire::common::Cache;
@@ -36,13 +35,7 @@ impl Jobs {
         idempotency_key: Option<String>,
     ) -> Result<Submitted, JobsError> {
         let outcome = self.submit_unmetered(kind, body, owner, idempotency_key).await;
-        let label = match &outcome {
-            Ok(Submitted::Created(_)) => "created",
-            Ok(Submitted::Existing(_)) => "repeated",
-            Err(JobsError::QueueFull { .. }) => "queue_full",
-            Err(JobsError::Rejected(_) | JobsError::KeyConflict) => "rejected",
-            Err(_) => "failed",
-        };
+        let label = label(outcome.as_ref().map(|submitted| matches!(submitted, Submitted::Created(_))));
         metrics::counter!(metric::SUBMISSIONS, "kind" => kind.name(), "outcome" => label).increment(1);
         outcome
     }
@@ -56,47 +49,61 @@ impl Jobs {
     ) -> Result<Submitted, JobsError> {
         let limits = self.0.config.limits.clone();
         let inline = body.len() <= INLINE_BYTES;
-        let read = move || Read::of(kind, &body, &limits);
-        let Read { request, body_hash, reuse } = if inline { read()? } else { self.off_runtime(read).await?? };
-        let job = NewJob {
-            id: ulid::Ulid::generate().to_string(),
-            kind: kind.name().into(),
-            owner,
-            request,
-            body_hash,
-            idempotency_key,
-            warnings: "[]".into(),
-            reuse,
+        let read = move || {
+            let (request, value) = Request::read(kind, &body, &limits).map_err(JobsError::Rejected)?;
+            new_job(&request, value, owner)
         };
+        let mut job = if inline { read()? } else { self.off_runtime(read).await?? };
+        self.check_callback("", job.callback_url.as_deref())?;
+        job.idempotency_key = idempotency_key;
         match self.0.store.submit(job).await? {
             Stored::Created(row) => {
                 tracing::info!(job_id = %row.id, kind = kind.name(), "submitted");
-                Ok(Submitted::Created(view(&row)?))
+                Ok(Submitted::Created(self.view(&row)?))
             }
-            Stored::Existing(row) => Ok(Submitted::Existing(view(&row)?)),
+            Stored::Existing(row) => Ok(Submitted::Existing(self.view(&row)?)),
             Stored::KeyConflict => Err(JobsError::KeyConflict),
         }
     }
 }
 
-/// What the store needs of a body.
-struct Read {
-    /// The canonical form: keys sorted, numbers as f64 prints them, without what does not change the result. It is what is
-    /// stored and what equality means.
-    request: Vec<u8>,
-    body_hash: [u8; 32],
-    reuse: bool,
+/// A submission's outcome in the metrics; `Ok(true)` is a new job.
+pub(super) fn label(outcome: Result<bool, &JobsError>) -> &'static str {
+    match outcome {
+        Ok(true) => "created",
+        Ok(false) => "repeated",
+        Err(JobsError::QueueFull { .. }) => "queue_full",
+        Err(JobsError::Rejected(_) | JobsError::KeyConflict) => "rejected",
+        Err(_) => "failed",
+    }
 }
 
-impl Read {
-    fn of(kind: Kind, body: &[u8], limits: &LimitsConfig) -> Result<Self, JobsError> {
-        let (request, mut value) = Request::read(kind, body, limits).map_err(JobsError::Rejected)?;
-        let bytes = |value: &Value| serde_json::to_vec(value).map_err(|error| JobsError::Internal(error.to_string()));
-        let body_hash = Sha256::digest(bytes(&value)?).into();
-        if let Some(fields) = value.as_object_mut() {
-            fields.remove("kind");
-            fields.remove("cache");
+fn canonical(value: &Value) -> Result<Vec<u8>, JobsError> {
+    serde_json::to_vec(value).map_err(|error| JobsError::Internal(error.to_string()))
+}
+
+/// What equality of bodies means: keys sorted, numbers as f64 prints them.
+pub(super) fn hash(value: &Value) -> Result<[u8; 32], JobsError> {
+    Ok(Sha256::digest(canonical(value)?).into())
+}
+
+/// What the store keeps of a request that was read from `value`: its canonical form without what does not change the result.
+pub(super) fn new_job(request: &Request, mut value: Value, owner: Option<String>) -> Result<NewJob, JobsError> {
+    let body_hash = hash(&value)?;
+    if let Some(fields) = value.as_object_mut() {
+        for name in ["kind", "cache", "callback_url"] {
+            fields.remove(name);
         }
-        Ok(Self { request: bytes(&value)?, body_hash, reuse: request.cache() == Cache::Reuse })
     }
+    Ok(NewJob {
+        id: ulid::Ulid::generate().to_string(),
+        kind: request.kind().name().into(),
+        owner,
+        request: canonical(&value)?,
+        body_hash,
+        idempotency_key: None,
+        warnings: "[]".into(),
+        callback_url: request.callback_url().map(str::to_owned),
+        reuse: request.cache() == Cache::Reuse,
+    })
 }

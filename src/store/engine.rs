@@ -348,7 +348,10 @@ async fn execute(connection: &mut SqliteConnection, text: &'static str) -> Resul
 }
 
 fn migrations() -> Migrator {
-    let texts = [(1, "jobs", include_str!("../../migrations/0001_jobs.sql"))];
+    let texts = [
+        (1, "jobs", include_str!("../../migrations/0001_jobs.sql")),
+        (2, "batches and callbacks", include_str!("../../migrations/0002_batches_and_callbacks.sql")),
+    ];
     let mut migrator = Migrator::with_migrations(
         texts
             .into_iter()

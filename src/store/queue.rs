@@ -15,7 +15,7 @@ use super::engine::Result;
 use super::files::Prepared;
 use super::record::{COLUMNS, JobRow, Lookup, Status};
 use super::sql::{Connection, Row, Value};
-use super::{Store, StoreError, milliseconds};
+use super::{Store, StoreError, StoreOptions, milliseconds};
 
 /// A job to be.
 #[derive(Debug, Clone)]
@@ -32,6 +32,8 @@ pub struct NewJob {
     pub body_hash: [u8; 32],
     /// JSON array.
     pub warnings: String,
+    /// Told once the job has ended.
+    pub callback_url: Option<String>,
     /// True if a kept result of the same owner, request and result version may be taken instead of solving again.
     pub reuse: bool,
 }
@@ -93,7 +95,7 @@ fn history(attempt: &str, status: Status) -> String {
 }
 
 /// Assignments that end a job, but for what only success has. `$2` is the retention.
-fn ending(status: Status) -> String {
+pub(super) fn ending(status: Status) -> String {
     format!(
         "status = '{}', sequence = sequence + 1, finished_at = now_ms(), expires_at = now_ms() + $2, \
          worker = NULL, lease_until = NULL, history = {}",
@@ -106,28 +108,13 @@ impl Store {
     /// Puts a job on disk. Refuses with `QueueFull` if the queue or the owner's share of it is full; a job that takes a
     /// kept result does not count.
     pub async fn submit(&self, job: NewJob) -> Result<Submitted> {
-        let options = &self.inner.options;
-        let (queue_limit, owner_limit) = (bounded(options.queue_limit), bounded(options.owner_queue_limit));
-        let retention = milliseconds(options.retention);
-        let content = content_hash(&options.result_version, &job.kind, &job.request);
-        let job = Arc::new(job);
+        let (store, job) = (self.clone(), Arc::new(job));
         let submitted = self
             .inner
             .engine
             .write(move |connection| {
-                let job = Arc::clone(&job);
-                Box::pin(async move {
-                    if let Some(earlier) = earlier_submission(connection, &job).await? {
-                        return Ok(earlier);
-                    }
-                    if job.reuse
-                        && let Some(row) = share_result(connection, &job, &content, retention).await?
-                    {
-                        return Ok(Submitted::Created(Box::new(row)));
-                    }
-                    let turn = next_turn(connection, &job, queue_limit, owner_limit).await?;
-                    insert(connection, &job, &content, turn).await.map(|row| Submitted::Created(Box::new(row)))
-                })
+                let (store, job) = (store.clone(), Arc::clone(&job));
+                Box::pin(async move { submit(connection, &job, None, store.options()).await })
             })
             .await?;
         if let Submitted::Created(job) = &submitted
@@ -341,7 +328,33 @@ impl Store {
     }
 }
 
-fn bounded(limit: u64) -> i64 {
+/// Puts a job on disk, as part of a batch if it has a place in one.
+pub(super) async fn submit(
+    connection: &mut Connection<'_>,
+    job: &NewJob,
+    place: Option<(&str, i64)>,
+    options: &StoreOptions,
+) -> Result<Submitted> {
+    if let Some(earlier) = earlier_submission(connection, job).await? {
+        return Ok(earlier);
+    }
+    let content = content_hash(&options.result_version, &job.kind, &job.request);
+    if job.reuse
+        && let Some(row) = share_result(connection, job, place, &content, milliseconds(options.retention)).await?
+    {
+        return Ok(Submitted::Created(Box::new(row)));
+    }
+    let limits = (bounded(options.queue_limit), bounded(options.owner_queue_limit));
+    let turn = next_turn(connection, job, limits.0, limits.1).await?;
+    insert(connection, job, place, &content, turn).await.map(|row| Submitted::Created(Box::new(row)))
+}
+
+/// The columns of a job's batch and its place in it.
+fn place_values(place: Option<(&str, i64)>) -> [Value; 2] {
+    [place.map(|(batch, _)| batch.to_owned()).into(), place.map_or(0, |(_, index)| index).into()]
+}
+
+pub(super) fn bounded(limit: u64) -> i64 {
     i64::try_from(limit).unwrap_or(i64::MAX)
 }
 
@@ -396,13 +409,21 @@ async fn next_turn(connection: &mut Connection<'_>, job: &NewJob, limit: i64, ow
     Ok(served_next.max(row.optional_int(3)?.map_or(1, |last| last + 1)))
 }
 
-async fn insert(connection: &mut Connection<'_>, job: &NewJob, content: &[u8], turn: i64) -> Result<JobRow> {
+async fn insert(
+    connection: &mut Connection<'_>,
+    job: &NewJob,
+    place: Option<(&str, i64)>,
+    content: &[u8],
+    turn: i64,
+) -> Result<JobRow> {
     let text = format!(
         "INSERT INTO jobs (id, kind, owner, status, attempt, sequence, turn, created_at, idempotency_key, body_hash, \
-         content_hash, history, warnings) \
-         VALUES ($1, $2, $3, 'queued', 0, 1, $4, now_ms(), $5, $6, $7, '0 1 queued ' || now_ms() || '\n', $8) \
+         content_hash, history, warnings, callback_url, batch, batch_index) \
+         VALUES ($1, $2, $3, 'queued', 0, 1, $4, now_ms(), $5, $6, $7, '0 1 queued ' || now_ms() || '\n', $8, $9, $10, \
+         $11) \
          RETURNING {COLUMNS}"
     );
+    let [batch, index] = place_values(place);
     let values = vec![
         job.id.as_str().into(),
         job.kind.as_str().into(),
@@ -412,6 +433,9 @@ async fn insert(connection: &mut Connection<'_>, job: &NewJob, content: &[u8], t
         job.body_hash.as_slice().into(),
         content.into(),
         job.warnings.as_str().into(),
+        job.callback_url.clone().into(),
+        batch,
+        index,
     ];
     let row = inserted(connection.row(&text, values).await?)?;
     let values = vec![job.id.as_str().into(), job.request.as_slice().into()];
@@ -427,6 +451,7 @@ fn inserted(row: Option<Row>) -> Result<JobRow> {
 async fn share_result(
     connection: &mut Connection<'_>,
     job: &NewJob,
+    place: Option<(&str, i64)>,
     content: &[u8],
     retention: i64,
 ) -> Result<Option<JobRow>> {
@@ -439,17 +464,21 @@ async fn share_result(
     let text = format!(
         "INSERT INTO jobs (id, kind, owner, status, attempt, sequence, turn, created_at, started_at, finished_at, \
          expires_at, idempotency_key, body_hash, content_hash, reusable, history, warnings, statistics, artefact, \
-         progress, progress_sequence) \
+         progress, progress_sequence, callback_url, batch, batch_index) \
          SELECT $1, kind, owner, status, 0, 3, 0, now_ms(), now_ms(), now_ms(), now_ms() + $2, $3, $4, content_hash, 1, \
          '0 1 queued ' || now_ms() || '\n0 3 succeeded ' || now_ms() || '\n', warnings, statistics, artefact, \
-         progress, 2 FROM jobs WHERE id = $5 RETURNING {COLUMNS}"
+         progress, 2, $6, $7, $8 FROM jobs WHERE id = $5 RETURNING {COLUMNS}"
     );
+    let [batch, index] = place_values(place);
     let values = vec![
         job.id.as_str().into(),
         retention.into(),
         job.idempotency_key.clone().into(),
         job.body_hash.as_slice().into(),
         found.text(0)?.into(),
+        job.callback_url.clone().into(),
+        batch,
+        index,
     ];
     inserted(connection.row(&text, values).await?).map(Some)
 }
@@ -461,7 +490,7 @@ async fn touch(connection: &mut Connection<'_>, hash: &[u8]) -> Result<bool> {
     Ok(connection.execute(text, vec![hash.into()]).await? > 0)
 }
 
-async fn drop_request(connection: &mut Connection<'_>, id: &str) -> Result<()> {
+pub(super) async fn drop_request(connection: &mut Connection<'_>, id: &str) -> Result<()> {
     connection.execute("DELETE FROM requests WHERE job_id = $1", vec![id.into()]).await?;
     Ok(())
 }

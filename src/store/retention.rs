@@ -110,6 +110,7 @@ impl Store {
         while let count @ 1.. = self.expire(surplus, vec![SWEEP_STEP.into(), max_jobs.into()]).await? {
             swept.expired += count;
         }
+        self.sweep_batches().await?;
         let forget = "DELETE FROM expired_jobs WHERE expired_at < now_ms() - $1";
         self.change(forget, vec![milliseconds(self.inner.options.expired_retention).into()]).await?;
         if let Some(max_bytes) = self.inner.options.max_bytes {

@@ -88,9 +88,10 @@ pub struct Links {
 }
 
 impl Links {
+    /// `base` is what a proxy puts before the paths of this server; empty without one.
     #[must_use]
-    pub fn of(id: &str, kind: Kind) -> Self {
-        let this = format!("/v1/jobs/{id}");
+    pub fn of(base: &str, id: &str, kind: Kind) -> Self {
+        let this = format!("{base}/v1/jobs/{id}");
         Self {
             mesh: format!("{this}/mesh"),
             pattern: (kind == Kind::RuledSurface).then(|| format!("{this}/pattern")),
@@ -163,6 +164,7 @@ pub struct Problem {
 pub(super) fn schemas(generator: &mut SchemaGenerator) {
     generator.subschema_for::<Job>();
     generator.subschema_for::<JobList>();
+    generator.subschema_for::<super::batch::Batch>();
     generator.subschema_for::<Problem>();
     generator.subschema_for::<super::objectives::ObjectiveList>();
     generator.subschema_for::<super::objectives::Limits>();

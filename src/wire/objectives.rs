@@ -52,6 +52,10 @@ pub struct Limits {
     pub deadline_ms: u64,
     /// Longest `Prefer: wait`, seconds.
     pub wait_max_s: u64,
+    /// Requests of one batch.
+    pub batch_requests: usize,
+    /// Whether requests may name a `callback_url`.
+    pub webhooks: bool,
     /// Jobs that may wait.
     pub queue_length: usize,
     /// Jobs and meshes are removed this long after they ended; 0: never.
@@ -69,6 +73,8 @@ impl Limits {
             iterations: config.limits.iterations,
             deadline_ms: config.jobs.deadline_ms,
             wait_max_s: config.http.wait_max_s,
+            batch_requests: config.limits.batch_requests,
+            webhooks: !config.webhooks.secret_file.as_os_str().is_empty(),
             queue_length: config.jobs.queue_length,
             retention_s: config.jobs.retention_s,
         }

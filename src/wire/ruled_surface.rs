@@ -18,6 +18,10 @@ pub struct RuledSurfaceRequest {
     /// Whether the kept result of an equal request may be taken.
     #[serde(default)]
     pub cache: Cache,
+    /// An https URL that is told of the job's end, if this server does that: `webhooks` of `GET /v1/limits`.
+    #[serde(default)]
+    #[schemars(length(max = 2000))]
+    pub callback_url: Option<String>,
     /// Unit of the coordinates.
     #[serde(default)]
     pub units: Units,

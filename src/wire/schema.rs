@@ -21,6 +21,7 @@ pub fn components() -> &'static Map<String, Value> {
         requests(&mut generator);
         super::job::schemas(&mut generator);
         let mut components = generator.take_definitions(true);
+        components.insert(BATCH.into(), super::batch::request_schema());
         for schema in components.values_mut() {
             tidy(schema);
         }
@@ -61,6 +62,30 @@ pub fn request_component(kind: Kind) -> &'static str {
         Kind::MinimalSurface => "MinimalSurfaceRequest",
         Kind::UniformMesh => "UniformMeshRequest",
     }
+}
+
+/// The component name of a batch's body.
+pub const BATCH: &str = "BatchRequest";
+
+/// Validates a batch's body but for what its requests hold beyond their kind: each is validated against its own schema.
+///
+/// # Errors
+/// As [`validate`].
+pub fn validate_outline(value: &Value) -> Result<(), Rejection> {
+    static VALIDATOR: LazyLock<Validator> = LazyLock::new(|| {
+        let mut schema = components()[BATCH].clone();
+        schema["properties"]["requests"]["items"] = json!({ "type": "object", "required": ["kind"],
+            "properties": { "kind": { "enum": Kind::ALL.map(Kind::name) } } });
+        jsonschema::validator_for(&schema).expect("the outline of a batch is a valid schema")
+    });
+    let mut errors = Vec::new();
+    for error in VALIDATOR.iter_errors(value) {
+        collect(&error, &mut errors);
+        if errors.len() > MAX_ERRORS {
+            break;
+        }
+    }
+    if errors.is_empty() { Ok(()) } else { Err(Rejection::Invalid(errors)) }
 }
 
 fn validator(kind: Kind) -> &'static Validator {

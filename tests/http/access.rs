@@ -13,7 +13,7 @@ struct Guarded {
     _secrets: TempDir,
 }
 
-async fn new_key(name: &str) -> (String, String) {
+pub async fn new_key(name: &str) -> (String, String) {
     let output = app::binary().args(["key", "new", name]).output().await.expect("the binary runs");
     assert!(output.status.success());
     let text = String::from_utf8(output.stdout).expect("UTF-8");
@@ -97,6 +97,23 @@ async fn a_key_never_sees_jobs_of_another_by_any_route() {
     };
     assert_eq!((list(alice).await, list(bob).await), (1, 0));
     assert_eq!(guarded.status(alice, Method::GET, &format!("{own}/mesh")).await, StatusCode::OK);
+
+    // Nor a batch.
+    let request = guarded.request(alice, Method::POST, "/v1/batches").header("prefer", "wait=60");
+    let request = request.json(&serde_json::json!({ "requests": [strip] }));
+    let batch: Value = request.send().await.unwrap().json().await.unwrap();
+    assert_eq!(batch["status"], "succeeded", "{batch:#}");
+    let of_alice = batch["links"]["self"].as_str().unwrap();
+    for (method, path) in [
+        (Method::GET, of_alice.to_owned()),
+        (Method::GET, format!("{of_alice}/meshes")),
+        (Method::GET, format!("{of_alice}/meshes?format=glb")),
+        (Method::POST, format!("{of_alice}/cancel")),
+        (Method::DELETE, of_alice.to_owned()),
+    ] {
+        assert_eq!(guarded.status(bob, method.clone(), &path).await, StatusCode::NOT_FOUND, "{method} {path}");
+    }
+    assert_eq!(guarded.status(alice, Method::DELETE, of_alice).await, StatusCode::NO_CONTENT);
 
     // Idempotency keys are each one's own as well.
     let post = async |key: &str, body: &Value| {

@@ -2,6 +2,8 @@
 
 mod access;
 mod app;
+mod base_path;
+mod batches;
 
 mod cancel;
 mod catalogue;
@@ -23,3 +25,4 @@ mod restart;
 mod ruled_surfaces;
 mod studio;
 mod uniform_meshes;
+mod webhooks;

@@ -28,8 +28,9 @@ pub async fn example(Path(name): Path<String>) -> Result<Json<&'static Example>,
     found.map(Json).ok_or_else(|| Failure::not_found("no example of this name; see GET /v1/examples"))
 }
 
-pub async fn openapi() -> Response {
-    ([(header::CONTENT_TYPE, "application/json")], openapi::text()).into_response()
+pub async fn openapi(State(app): State<App>) -> Response {
+    let text = openapi::served_at(&app.config.http.public_base_path);
+    ([(header::CONTENT_TYPE, "application/json")], text).into_response()
 }
 
 /// The page's files are named relative to it, so it lives one level down.

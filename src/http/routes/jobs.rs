@@ -4,7 +4,7 @@ use super::submit::{granted_wait_s, with_wait};
 use crate::app::App;
 use crate::http::auth::Caller;
 use crate::http::problem::Failure;
-use crate::jobs::{EventId, Filter, JobRow, JobWatch, StoredStatus as Stored, view};
+use crate::jobs::{EventId, Filter, JobRow, JobWatch, Jobs, StoredStatus as Stored};
 use crate::wire::Kind;
 use crate::wire::job::{Job, JobList, Status};
 use axum::Json;
@@ -117,7 +117,7 @@ pub async fn events(
         return Ok(StatusCode::NO_CONTENT.into_response());
     }
     let keep_alive = Duration::from_millis(app.config.http.event_keep_alive_ms);
-    let mut response = Sse::new(follow(watch, last))
+    let mut response = Sse::new(follow(app.jobs, watch, last))
         .keep_alive(KeepAlive::new().interval(keep_alive).text("still here"))
         .into_response();
     let headers = response.headers_mut();
@@ -130,6 +130,7 @@ pub async fn events(
 const RETRY: Duration = Duration::from_secs(2);
 
 struct Following {
+    jobs: Jobs,
     watch: JobWatch,
     last: Option<EventId>,
     pending: VecDeque<Event>,
@@ -137,8 +138,8 @@ struct Following {
     ended: bool,
 }
 
-fn follow(watch: JobWatch, last: Option<EventId>) -> impl Stream<Item = Result<Event, Infallible>> {
-    let following = Following { watch, last, pending: VecDeque::new(), first: true, ended: false };
+fn follow(jobs: Jobs, watch: JobWatch, last: Option<EventId>) -> impl Stream<Item = Result<Event, Infallible>> {
+    let following = Following { jobs, watch, last, pending: VecDeque::new(), first: true, ended: false };
     stream::unfold(following, |mut following| async move {
         loop {
             if let Some(event) = following.pending.pop_front() {
@@ -162,7 +163,7 @@ fn follow(watch: JobWatch, last: Option<EventId>) -> impl Stream<Item = Result<E
 impl Following {
     /// Queues what happened since the last event: status changes, then the latest progress, in the order of their ids.
     fn queue(&mut self, row: &JobRow, retry: Option<Duration>) {
-        let Ok(job) = view(row) else {
+        let Ok(job) = self.jobs.view(row) else {
             self.ended = true;
             return;
         };

@@ -4,14 +4,14 @@ use super::jobs::{checked, parameters};
 use crate::app::App;
 use crate::export::{MeshFormat, PatternFormat};
 use crate::http::auth::Caller;
-use crate::http::negotiate::{Part, accepted, entity_tag, none_match_hits, part};
+use crate::http::negotiate::{Part, accepted, none_match_hits, part};
 use crate::http::problem::Failure;
 use crate::jobs::JobsError;
+use crate::jobs::files::File;
 use axum::body::Body;
 use axum::extract::{Path, RawQuery, State};
 use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use bytes::Bytes;
 
 pub async fn mesh(
     State(app): State<App>,
@@ -24,11 +24,13 @@ pub async fn mesh(
     let names = MeshFormat::ALL.map(MeshFormat::name);
     let chosen = choose(query.as_deref(), &headers, &names, &MeshFormat::ALL.map(MeshFormat::media_type))?;
     let format = MeshFormat::ALL[chosen];
-    let bytes = app
+    let file = app
         .jobs
-        .convert(id, caller.owner(), move |archive| format.encode(archive).map_err(JobsError::Unwritable))
+        .convert(id, caller.owner(), format.name(), move |archive| {
+            format.encode(archive).map_err(JobsError::Unwritable)
+        })
         .await?;
-    Ok(file(&headers, bytes, format.media_type(), &format!("{id}.{}", format.name())))
+    Ok(answer(&headers, &file, format.media_type(), &format!("{id}.{}", format.name())))
 }
 
 pub async fn pattern(
@@ -42,14 +44,26 @@ pub async fn pattern(
     let names = PatternFormat::ALL.map(PatternFormat::name);
     let chosen = choose(query.as_deref(), &headers, &names, &PatternFormat::ALL.map(PatternFormat::media_type))?;
     let format = PatternFormat::ALL[chosen];
-    let bytes =
-        app.jobs.convert(id, caller.owner(), move |archive| format.encode(archive).ok_or(JobsError::NoPattern)).await?;
-    Ok(file(&headers, bytes, format.media_type(), &format!("{id}.{}", format.name())))
+    let file = app
+        .jobs
+        .convert(id, caller.owner(), format.name(), move |archive| format.encode(archive).ok_or(JobsError::NoPattern))
+        .await?;
+    Ok(answer(&headers, &file, format.media_type(), &format!("{id}.{}", format.name())))
 }
 
 /// `?format=` beats `Accept`; without either the first format that is offered.
 fn choose(query: Option<&str>, headers: &HeaderMap, names: &[&str], media_types: &[&str]) -> Result<usize, Failure> {
     let [format] = parameters(query, ["format"])?;
+    choose_named(format, headers, names, media_types)
+}
+
+/// As [`choose`], the query's `format` already read.
+pub fn choose_named(
+    format: Option<String>,
+    headers: &HeaderMap,
+    names: &[&str],
+    media_types: &[&str],
+) -> Result<usize, Failure> {
     match format {
         Some(name) => {
             let known = || Failure::bad_query(format!("format must be one of: {}", names.join(", ")));
@@ -60,18 +74,18 @@ fn choose(query: Option<&str>, headers: &HeaderMap, names: &[&str], media_types:
     }
 }
 
-fn file(headers: &HeaderMap, bytes: Vec<u8>, media_type: &'static str, name: &str) -> Response {
-    let tag = entity_tag(&bytes);
-    let bytes = Bytes::from(bytes);
-    let length = bytes.len();
+/// The file, a range of it, or that it has not changed.
+pub fn answer(headers: &HeaderMap, file: &File, media_type: &'static str, name: &str) -> Response {
+    let tag = format!("\"{}\"", file.tag);
+    let length = file.bytes.len();
     let mut response = if none_match_hits(headers, &tag) {
         StatusCode::NOT_MODIFIED.into_response()
     } else {
         match part(headers, length, &tag) {
-            Part::Whole => Response::new(Body::from(bytes)),
+            Part::Whole => Response::new(Body::from(file.bytes.clone())),
             Part::Range(range) => {
                 let content_range = format!("bytes {}-{}/{length}", range.start, range.end - 1);
-                let mut response = (StatusCode::PARTIAL_CONTENT, Body::from(bytes.slice(range))).into_response();
+                let mut response = (StatusCode::PARTIAL_CONTENT, Body::from(file.bytes.slice(range))).into_response();
                 insert(&mut response, header::CONTENT_RANGE, &content_range);
                 response
             }
@@ -84,15 +98,22 @@ fn file(headers: &HeaderMap, bytes: Vec<u8>, media_type: &'static str, name: &st
         }
     };
     if response.status() != StatusCode::NOT_MODIFIED {
-        insert(&mut response, header::CONTENT_TYPE, media_type);
-        insert(&mut response, header::CONTENT_DISPOSITION, &format!("attachment; filename=\"{name}\""));
         insert(&mut response, header::ACCEPT_RANGES, "bytes");
     }
-    insert(&mut response, header::ETAG, &tag);
-    insert(&mut response, header::VARY, "Accept");
-    // A job's mesh never changes; who may read it is for the server to say each time.
-    insert(&mut response, header::CACHE_CONTROL, "private, no-cache");
+    describe(&mut response, &tag, media_type, name);
     response
+}
+
+/// What every answer with a file, or without it because it is known, says of it.
+pub fn describe(response: &mut Response, tag: &str, media_type: &str, name: &str) {
+    if response.status() != StatusCode::NOT_MODIFIED {
+        insert(response, header::CONTENT_TYPE, media_type);
+        insert(response, header::CONTENT_DISPOSITION, &format!("attachment; filename=\"{name}\""));
+    }
+    insert(response, header::ETAG, tag);
+    insert(response, header::VARY, "Accept");
+    // A job's mesh never changes; who may read it is for the server to say each time.
+    insert(response, header::CACHE_CONTROL, "private, no-cache");
 }
 
 fn insert(response: &mut Response, name: header::HeaderName, value: &str) {

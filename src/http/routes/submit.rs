@@ -7,12 +7,12 @@ use crate::http::negotiate::prefer_wait_s;
 use crate::http::problem::Failure;
 use crate::jobs::queue::Submitted;
 use crate::wire::Kind;
-use crate::wire::job::Job;
 use axum::Json;
 use axum::body::Body;
 use axum::extract::State;
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Request, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use serde::Serialize;
 use std::time::Duration;
 
 pub const PREFERENCE_APPLIED: HeaderName = HeaderName::from_static("preference-applied");
@@ -61,12 +61,14 @@ async fn submit(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) 
     // With a wait a finished job is an answer; without one a new job is a promise, whatever its state.
     let finished = job.status.is_final() && (wait_s.is_some() || !created);
     let status = if finished { StatusCode::OK } else { StatusCode::ACCEPTED };
-    Ok(with_wait(answer(status, job), wait_s))
+    let location = job.links.this.clone();
+    Ok(with_wait(answer(status, &location, job), wait_s))
 }
 
-fn answer(status: StatusCode, job: Job) -> Response {
-    let location = HeaderValue::from_str(&job.links.this);
-    let mut response = (status, Json(job)).into_response();
+/// What was taken, or what became of it, with its address.
+pub fn answer(status: StatusCode, location: &str, taken: impl Serialize) -> Response {
+    let location = HeaderValue::from_str(location);
+    let mut response = (status, Json(taken)).into_response();
     if let Ok(location) = location {
         response.headers_mut().insert(header::LOCATION, location);
     }
@@ -89,7 +91,7 @@ pub fn with_wait(mut response: Response, wait_s: Option<u64>) -> Response {
     response
 }
 
-fn idempotency_key(headers: &HeaderMap) -> Result<Option<String>, Failure> {
+pub fn idempotency_key(headers: &HeaderMap) -> Result<Option<String>, Failure> {
     let Some(value) = headers.get(IDEMPOTENCY_KEY) else { return Ok(None) };
     let key = value
         .to_str()

@@ -1,0 +1,120 @@
+//! Telling callback URLs that their job or batch has ended: what is due comes from the store, how it is sent is [`webhook`]'s.
+//!
+//! A message says what ended and how; the result is fetched with the client's key. Any number of processes may do this at once.
+
+use super::{Jobs, JobsError};
+use crate::config::WebhooksConfig;
+use crate::store::{Callback, Subject};
+use crate::telemetry::metric;
+use crate::webhook::{Message, Sender, Undelivered};
+use serde_json::json;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::sync::Semaphore;
+
+/// Callbacks are looked for this often.
+const POLL: Duration = Duration::from_secs(1);
+/// Attempts under way at once.
+const AT_ONCE: usize = 8;
+const LONGEST_PAUSE: Duration = Duration::from_secs(24 * 3600);
+
+/// Attempts callbacks until a shutdown is asked for. Does nothing if webhooks are off.
+pub async fn run(jobs: Jobs) {
+    let Some(sender) = jobs.0.webhooks.clone() else { return };
+    let slots = Arc::new(Semaphore::new(AT_ONCE));
+    // An attempt ends by itself before anybody else is given the same callback.
+    let lease = Duration::from_millis(jobs.0.config.webhooks.timeout_ms) + Duration::from_secs(30);
+    while !jobs.is_shutting_down() {
+        let Ok(slot) = slots.clone().acquire_owned().await else { return };
+        match jobs.0.store.claim_callback(lease).await {
+            Ok(Some(callback)) => {
+                let (jobs, sender) = (jobs.clone(), sender.clone());
+                tokio::spawn(async move {
+                    attempt(&jobs, &sender, &callback).await;
+                    drop(slot);
+                });
+                continue;
+            }
+            Ok(None) => {}
+            Err(error) => tracing::warn!(%error, "cannot look for callbacks"),
+        }
+        drop(slot);
+        tokio::select! {
+            () = tokio::time::sleep(POLL) => {}
+            () = jobs.shutdown() => {}
+        }
+    }
+}
+
+/// How long after attempt number `attempts` the next one comes; `None` if that was the last.
+fn pause(config: &WebhooksConfig, attempts: i64) -> Option<Duration> {
+    let attempts = u32::try_from(attempts).unwrap_or(u32::MAX);
+    let first = Duration::from_millis(config.retry_ms);
+    let factor = 4u32.checked_pow(attempts.saturating_sub(1)).unwrap_or(u32::MAX);
+    (attempts < config.attempts_max).then(|| first.saturating_mul(factor).min(LONGEST_PAUSE))
+}
+
+async fn attempt(jobs: &Jobs, sender: &Sender, callback: &Callback) {
+    let store = &jobs.0.store;
+    let (id, attempts) = (&callback.id, callback.attempts);
+    let body = match body(jobs, callback).await {
+        Ok(body) => body,
+        // Removed meanwhile: there is nothing to tell. The store's trouble passes, and the callback is due again then.
+        Err(error) => {
+            tracing::debug!(?error, id, "no callback");
+            return;
+        }
+    };
+    let message = Message { id, owner: callback.owner.as_deref(), body: body.as_bytes() };
+    let now_s = jiff::Timestamp::now().as_second();
+    let (outcome, settled) = match sender.send(&callback.url, message, now_s).await {
+        Ok(()) => ("delivered", store.settle_callback(callback).await),
+        Err(Undelivered::Unwanted) => ("unwanted", store.settle_callback(callback).await),
+        Err(Undelivered::Failed(why)) => match pause(&jobs.0.config.webhooks, attempts) {
+            Some(pause) => {
+                tracing::info!(id, attempts, why, next_s = pause.as_secs(), "a callback failed");
+                ("failed", store.put_off_callback(callback, pause).await)
+            }
+            None => {
+                tracing::warn!(id, attempts, why, "a callback is given up");
+                ("given_up", store.settle_callback(callback).await)
+            }
+        },
+    };
+    metrics::counter!(metric::CALLBACKS, "outcome" => outcome).increment(1);
+    if let Err(error) = settled {
+        tracing::warn!(%error, id, "cannot say what became of a callback; it will be attempted again");
+    }
+}
+
+/// The message: Standard Webhooks' `type`, `timestamp` (of the end) and `data`.
+async fn body(jobs: &Jobs, callback: &Callback) -> Result<String, JobsError> {
+    let owner = callback.owner.as_deref();
+    let message = match callback.subject {
+        Subject::Job => {
+            let job = jobs.get(&callback.id, owner).await?;
+            json!({ "type": format!("job.{}", job.status.name()), "timestamp": job.finished_at,
+                "data": { "id": job.id, "kind": job.kind, "status": job.status, "links": job.links } })
+        }
+        Subject::Batch => {
+            let batch = jobs.batch(&callback.id, owner).await?;
+            json!({ "type": format!("batch.{}", batch.status.name()), "timestamp": batch.finished_at,
+                "data": { "id": batch.id, "status": batch.status, "counts": batch.counts, "links": batch.links } })
+        }
+    };
+    Ok(message.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pauses_grow_up_to_a_day_and_end() {
+        let config = WebhooksConfig { retry_ms: 5000, attempts_max: 10, ..WebhooksConfig::default() };
+        let pauses: Vec<Option<u64>> = (1..=10).map(|n| pause(&config, n).map(|pause| pause.as_secs())).collect();
+        let expected = [5, 20, 80, 320, 1280, 5120, 20_480, 81_920, 86_400].map(Some);
+        assert_eq!((&pauses[..9], pauses[9]), (&expected[..], None));
+        assert_eq!(pause(&WebhooksConfig { attempts_max: u32::MAX, ..config }, i64::MAX), None);
+    }
+}

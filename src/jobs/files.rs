@@ -1,0 +1,117 @@
+//! Files that were made from results lately, kept in memory up to a budget: a mesh never changes, so the file made of it in one
+//! format is the same for every reader, every range and every revalidation.
+
+use bytes::Bytes;
+use sha2::{Digest, Sha256};
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// A file and the name of its contents.
+#[derive(Clone, Debug)]
+pub struct File {
+    pub bytes: Bytes,
+    /// Hash of the bytes, 32 hex digits.
+    pub tag: Arc<str>,
+}
+
+impl File {
+    #[must_use]
+    pub fn new(bytes: Vec<u8>) -> Self {
+        let digest = Sha256::digest(&bytes);
+        let tag: String = digest.iter().take(16).map(|byte| format!("{byte:02x}")).collect();
+        Self { bytes: bytes.into(), tag: tag.into() }
+    }
+}
+
+/// The stored result's hash, and the name of the format.
+pub type Key = (Vec<u8>, &'static str);
+
+#[derive(Debug)]
+pub struct Files {
+    budget_bytes: usize,
+    kept: Mutex<Kept>,
+}
+
+#[derive(Debug, Default)]
+struct Kept {
+    files: HashMap<Key, (File, u64)>,
+    bytes: usize,
+    /// Counts uses; the file whose last use is longest ago goes first.
+    clock: u64,
+}
+
+/// What a file takes besides its bytes, so that a budget bounds the number of files as well.
+const OVERHEAD_BYTES: usize = 1024;
+
+impl Files {
+    #[must_use]
+    pub fn new(budget_bytes: usize) -> Self {
+        Self { budget_bytes, kept: Mutex::default() }
+    }
+
+    fn kept(&self) -> MutexGuard<'_, Kept> {
+        self.kept.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    pub fn get(&self, key: &Key) -> Option<File> {
+        let mut kept = self.kept();
+        kept.clock += 1;
+        let now = kept.clock;
+        kept.files.get_mut(key).map(|(file, used_at)| {
+            *used_at = now;
+            file.clone()
+        })
+    }
+
+    /// Keeps a file unless it would take more than half of the budget alone; others make room, longest unused first.
+    pub fn put(&self, key: Key, file: File) {
+        let size = file.bytes.len() + OVERHEAD_BYTES;
+        if size > self.budget_bytes / 2 {
+            return;
+        }
+        let mut kept = self.kept();
+        kept.clock += 1;
+        let now = kept.clock;
+        if kept.files.insert(key, (file, now)).is_none() {
+            kept.bytes += size;
+        }
+        while kept.bytes > self.budget_bytes {
+            let oldest = kept.files.iter().min_by_key(|(_, (_, used_at))| *used_at).map(|(key, _)| key.clone());
+            let Some((file, _)) = oldest.and_then(|key| kept.files.remove(&key)) else { break };
+            kept.bytes -= file.bytes.len() + OVERHEAD_BYTES;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn file(bytes: usize) -> File {
+        File::new(vec![0; bytes])
+    }
+
+    #[test]
+    fn the_file_that_was_not_used_for_longest_makes_room() {
+        let files = Files::new(10 * OVERHEAD_BYTES);
+        let key = |name| (vec![1], name);
+        for name in ["glb", "obj", "ply"] {
+            files.put(key(name), file(2 * OVERHEAD_BYTES));
+        }
+        assert!(files.get(&key("glb")).is_some());
+        files.put(key("stl"), file(2 * OVERHEAD_BYTES));
+        let there = ["glb", "obj", "ply", "stl"].map(|name| files.get(&key(name)).is_some());
+        assert_eq!(there, [true, false, true, true]);
+        // Put twice, counted once.
+        files.put(key("stl"), file(2 * OVERHEAD_BYTES));
+        assert_eq!(files.kept().bytes, 9 * OVERHEAD_BYTES);
+    }
+
+    #[test]
+    fn a_file_that_would_fill_the_budget_is_not_kept() {
+        let files = Files::new(10 * OVERHEAD_BYTES);
+        files.put((vec![1], "glb"), file(5 * OVERHEAD_BYTES));
+        assert!(files.get(&(vec![1], "glb")).is_none());
+        assert_eq!(files.kept().bytes, 0);
+    }
+}

@@ -1,0 +1,242 @@
+//! `POST /v1/batches`: many requests at once, each as its own path takes it but with its `kind`.
+
+use super::job::{Links, Status};
+use super::{FieldError, Kind, MAX_ERRORS, Rejection, Request, json, schema};
+use crate::config::LimitsConfig;
+use schemars::JsonSchema;
+use serde::Serialize;
+use serde_json::{Value, json};
+
+/// The longest `callback_url`.
+pub const URL_BYTES: usize = 2000;
+
+/// A batch's body that passed every check that can be made before the work.
+#[derive(Debug)]
+pub struct BatchRequest {
+    /// Each request with the value that it was read from.
+    pub requests: Vec<(Request, Value)>,
+    pub callback_url: Option<String>,
+    /// All of it.
+    pub value: Value,
+}
+
+/// The published schema of the body.
+pub(super) fn request_schema() -> Value {
+    let kinds = Kind::ALL.map(|kind| {
+        let request = format!("#/components/schemas/{}", schema::request_component(kind));
+        let says_kind = json!({ "required": ["kind"], "properties": { "kind": { "const": kind.name() } } });
+        json!({ "allOf": [{ "$ref": request }, says_kind] })
+    });
+    json!({
+        "type": "object",
+        "description": "Requests of any kinds, solved as jobs of their own.",
+        "required": ["requests"],
+        "additionalProperties": false,
+        "properties": {
+            "requests": {
+                "type": "array", "minItems": 1, "items": { "anyOf": kinds },
+                "description": "Each with its `kind`; at most as many as `GET /v1/limits` says.",
+            },
+            "callback_url": {
+                "type": ["string", "null"], "maxLength": URL_BYTES, "default": null,
+                "description": "An https URL that is told once every job has ended, if this server does that: `webhooks` of `GET /v1/limits`.",
+            },
+        },
+    })
+}
+
+impl BatchRequest {
+    /// # Errors
+    /// As [`Request::read`], with pointers from the body's root. All requests are checked, so that the answer names what is
+    /// wrong with any of them.
+    pub fn read(body: &[u8], limits: &LimitsConfig) -> Result<Self, Rejection> {
+        super::refuse_too_many_values(body, limits)?;
+        let mut value = json::parse(body)?;
+        schema::validate_outline(&value)?;
+        let items = value["requests"].as_array_mut().map(std::mem::take).unwrap_or_default();
+        if items.len() > limits.batch_requests {
+            let detail = format!("a batch may have at most {} requests; see GET /v1/limits", limits.batch_requests);
+            return Err(Rejection::TooLarge(vec![FieldError::new("/requests", detail)]));
+        }
+        let (mut requests, mut invalid, mut too_large) = (Vec::with_capacity(items.len()), Vec::new(), Vec::new());
+        for (index, item) in items.into_iter().enumerate() {
+            // The outline says that each has a known kind.
+            let Some(kind) = item["kind"].as_str().and_then(Kind::from_name) else { continue };
+            match Request::from_value(kind, &item, limits) {
+                Ok(request) => requests.push((request, item)),
+                Err(Rejection::Malformed(detail)) => {
+                    invalid.push(FieldError::new(format!("/requests/{index}"), detail))
+                }
+                Err(Rejection::Invalid(errors)) => invalid.extend(within(index, errors)),
+                Err(Rejection::TooLarge(errors)) => too_large.extend(within(index, errors)),
+            }
+            if invalid.len() > MAX_ERRORS {
+                invalid.truncate(MAX_ERRORS + 1);
+                break;
+            }
+        }
+        if !invalid.is_empty() {
+            return Err(Rejection::Invalid(invalid));
+        }
+        if !too_large.is_empty() {
+            too_large.truncate(MAX_ERRORS + 1);
+            return Err(Rejection::TooLarge(too_large));
+        }
+        let callback_url = value["callback_url"].as_str().map(str::to_owned);
+        value["requests"] = requests.iter().map(|(_, item)| item.clone()).collect();
+        Ok(Self { requests, callback_url, value })
+    }
+}
+
+fn within(index: usize, errors: Vec<FieldError>) -> impl Iterator<Item = FieldError> {
+    errors.into_iter().map(move |error| FieldError::new(format!("/requests/{index}{}", error.pointer), error.detail))
+}
+
+/// A job of a batch, in short; its own address tells the rest.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct BatchJob {
+    /// Place of its request in the batch.
+    pub index: u64,
+    pub id: String,
+    pub kind: Kind,
+    pub status: Status,
+    pub links: Links,
+}
+
+/// How many jobs of a batch are in each state.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct BatchCounts {
+    pub queued: u64,
+    pub running: u64,
+    pub succeeded: u64,
+    pub failed: u64,
+    pub cancelled: u64,
+}
+
+/// Where to go from a batch.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct BatchLinks {
+    #[serde(rename = "self")]
+    pub this: String,
+    /// All meshes in one file.
+    pub meshes: String,
+    pub cancel: String,
+}
+
+impl BatchLinks {
+    /// `base` is what a proxy puts before the paths of this server; empty without one.
+    #[must_use]
+    pub fn of(base: &str, id: &str) -> Self {
+        let this = format!("{base}/v1/batches/{id}");
+        Self { meshes: format!("{this}/meshes"), cancel: format!("{this}/cancel"), this }
+    }
+}
+
+/// Requests that were taken together, and what became of them.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Batch {
+    /// A ULID: sorts by time of submission.
+    pub id: String,
+    /// `queued` until the first job starts, then `running` until the last has ended; then `failed` if any has failed, else
+    /// `cancelled` if any was cancelled, else `succeeded`.
+    pub status: Status,
+    /// RFC 3339, UTC.
+    pub created_at: String,
+    /// When the last job ended.
+    pub finished_at: Option<String>,
+    pub counts: BatchCounts,
+    /// In the order of the requests. A job that was deleted or has expired is not among them.
+    pub jobs: Vec<BatchJob>,
+    pub links: BatchLinks,
+}
+
+impl BatchCounts {
+    #[must_use]
+    pub fn of(statuses: impl Iterator<Item = Status>) -> Self {
+        let mut counts = Self::default();
+        for status in statuses {
+            *match status {
+                Status::Queued => &mut counts.queued,
+                Status::Running => &mut counts.running,
+                Status::Succeeded => &mut counts.succeeded,
+                Status::Failed => &mut counts.failed,
+                Status::Cancelled => &mut counts.cancelled,
+            } += 1;
+        }
+        counts
+    }
+
+    /// The status of the whole.
+    #[must_use]
+    pub fn status(&self) -> Status {
+        let ended = self.succeeded + self.failed + self.cancelled;
+        match self {
+            Self { queued: 1.., running: 0, .. } if ended == 0 => Status::Queued,
+            Self { queued: 1.., .. } | Self { running: 1.., .. } => Status::Running,
+            Self { failed: 1.., .. } => Status::Failed,
+            Self { cancelled: 1.., .. } => Status::Cancelled,
+            _ => Status::Succeeded,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_status_of_the_whole_follows_from_its_parts() {
+        use Status::{Cancelled, Failed, Queued, Running, Succeeded};
+        for (parts, whole) in [
+            (&[Queued, Queued][..], Queued),
+            (&[Queued, Running], Running),
+            (&[Queued, Succeeded], Running),
+            (&[Running, Failed], Running),
+            (&[Succeeded, Failed, Cancelled], Failed),
+            (&[Succeeded, Cancelled], Cancelled),
+            (&[Succeeded, Succeeded], Succeeded),
+        ] {
+            assert_eq!(BatchCounts::of(parts.iter().copied()).status(), whole, "{parts:?}");
+        }
+    }
+
+    fn read(body: &Value) -> Result<BatchRequest, Rejection> {
+        BatchRequest::read(body.to_string().as_bytes(), &LimitsConfig { batch_requests: 3, ..LimitsConfig::default() })
+    }
+
+    fn strip() -> Value {
+        json!({ "kind": "ruled_surface", "directrices": [[[0, 0, 0], [1, 0, 0]], [[0, 1, 0], [1, 1, 1]]] })
+    }
+
+    #[test]
+    fn pointers_lead_from_the_root_to_each_wrong_value() {
+        let mut wrong = strip();
+        wrong["directrices"][0][1][2] = "x".into();
+        let Err(Rejection::Invalid(errors)) =
+            read(&json!({ "requests": [strip(), wrong, { "kind": "ruled_surface" }] }))
+        else {
+            panic!("should be invalid")
+        };
+        let pointers: Vec<&str> = errors.iter().map(|error| error.pointer.as_str()).collect();
+        assert_eq!(pointers, ["/requests/1/directrices/0/1/2", "/requests/2/directrices"]);
+    }
+
+    #[test]
+    fn the_outline_is_checked_first() {
+        for (body, pointer) in [
+            (json!([]), ""),
+            (json!({}), "/requests"),
+            (json!({ "requests": [] }), "/requests"),
+            (json!({ "requests": [1] }), "/requests/0"),
+            (json!({ "requests": [{}] }), "/requests/0/kind"),
+            (json!({ "requests": [{ "kind": "soap" }] }), "/requests/0/kind"),
+            (json!({ "requests": [strip()], "more": 1 }), "/more"),
+        ] {
+            let Err(Rejection::Invalid(errors)) = read(&body) else { panic!("{body} should be invalid") };
+            assert_eq!(errors[0].pointer, pointer, "{body}");
+        }
+        assert!(matches!(read(&json!({ "requests": vec![strip(); 4] })), Err(Rejection::TooLarge(_))));
+        let read = read(&json!({ "requests": vec![strip(); 3], "callback_url": "https://example.org" })).unwrap();
+        assert_eq!((read.requests.len(), read.callback_url.as_deref()), (3, Some("https://example.org")));
+    }
+}

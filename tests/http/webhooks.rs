@@ -1,0 +1,270 @@
+//! Callback URLs: told of an end over TLS, signed, tried again, and never led to where they have no business.
+
+use crate::app::{self, MINIMAL, RULED, TestApp, large_strip, pointers, problem, small_film};
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD as BASE64;
+use hmac::{Hmac, KeyInit, Mac};
+use reqwest::Method;
+use serde_json::{Value, json};
+use sha2::Sha256;
+use std::collections::HashMap;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use tempfile::TempDir;
+use tokio::io::{AsyncBufReadExt, AsyncReadExt, AsyncWriteExt, BufReader};
+use tokio::net::TcpListener;
+use tokio::sync::mpsc;
+use tokio_rustls::TlsAcceptor;
+use tokio_rustls::rustls::ServerConfig;
+use tokio_rustls::rustls::crypto::ring;
+use tokio_rustls::rustls::pki_types::PrivateKeyDer;
+
+const SECRET: &str = "whsec_MfKQ9r8GKYqrTwjUPD8ILPZIo2LaLaSw";
+/// Longer than anything here takes; only a defect runs into it.
+const TOO_LONG: Duration = Duration::from_secs(30);
+
+/// A request as the receiver got it.
+struct Received {
+    target: String,
+    headers: HashMap<String, String>,
+    body: String,
+}
+
+impl Received {
+    fn json(&self) -> Value {
+        serde_json::from_str(&self.body).unwrap()
+    }
+
+    /// Verifies the signature as a receiver's library does.
+    fn is_signed_with(&self, secret: &str) -> bool {
+        let key = BASE64.decode(secret.strip_prefix("whsec_").unwrap()).unwrap();
+        let mut mac = Hmac::<Sha256>::new_from_slice(&key).unwrap();
+        let header = |name: &str| &self.headers[name];
+        mac.update(format!("{}.{}.{}", header("webhook-id"), header("webhook-timestamp"), self.body).as_bytes());
+        *header("webhook-signature") == format!("v1,{}", BASE64.encode(mac.finalize().into_bytes()))
+    }
+}
+
+/// An HTTPS server for `localhost` that answers with the given heads in turn, the last one for ever.
+struct Receiver {
+    url: String,
+    folder: TempDir,
+    received: mpsc::UnboundedReceiver<Received>,
+}
+
+impl Receiver {
+    async fn start(answers: &'static [&'static str]) -> Self {
+        let certified = rcgen::generate_simple_self_signed(["localhost".into()]).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("roots.pem"), certified.cert.pem()).unwrap();
+        std::fs::write(folder.path().join("secret"), SECRET).unwrap();
+        let key = PrivateKeyDer::try_from(certified.signing_key.serialize_der()).unwrap();
+        let provider = Arc::new(ring::default_provider());
+        let config = ServerConfig::builder_with_provider(provider).with_safe_default_protocol_versions().unwrap();
+        let config = config.with_no_client_auth().with_single_cert(vec![certified.cert.der().clone()], key).unwrap();
+        let acceptor = TlsAcceptor::from(Arc::new(config));
+        let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
+        let url = format!("https://localhost:{}/hook?for=test", listener.local_addr().unwrap().port());
+        let (sender, received) = mpsc::unbounded_channel();
+        tokio::spawn(async move {
+            let mut count = 0;
+            loop {
+                let (stream, _) = listener.accept().await.unwrap();
+                let Ok(stream) = acceptor.accept(stream).await else { continue };
+                let mut stream = BufReader::new(stream);
+                let mut lines = Vec::new();
+                loop {
+                    let mut line = String::new();
+                    stream.read_line(&mut line).await.unwrap();
+                    if line.trim().is_empty() {
+                        break;
+                    }
+                    lines.push(line.trim().to_owned());
+                }
+                let pairs = lines[1..].iter().map(|line| line.split_once(':').unwrap());
+                let headers: HashMap<_, _> =
+                    pairs.map(|(name, value)| (name.to_lowercase(), value.trim().to_owned())).collect();
+                let mut body = vec![0; headers["content-length"].parse().unwrap()];
+                stream.read_exact(&mut body).await.unwrap();
+                let answer = answers[count.min(answers.len() - 1)];
+                count += 1;
+                let _ = stream.write_all(format!("HTTP/1.1 {answer}\r\ncontent-length: 0\r\n\r\n").as_bytes()).await;
+                let _ = stream.flush().await;
+                let body = String::from_utf8(body).unwrap();
+                let _ = sender.send(Received { target: lines[0].clone(), headers, body });
+            }
+        });
+        Self { url, folder, received }
+    }
+
+    fn file(&self, name: &str) -> String {
+        self.folder.path().join(name).display().to_string()
+    }
+
+    async fn app(&self, more: &[(&str, &str)]) -> TestApp {
+        let (secret, roots) = (self.file("secret"), self.file("roots.pem"));
+        let settings = [
+            ("PLATEAU_WEBHOOKS__SECRET_FILE", secret.as_str()),
+            ("PLATEAU_WEBHOOKS__ALLOWED_NETWORKS", "127.0.0.0/8,::1/128"),
+            ("PLATEAU_WEBHOOKS__RETRY_MS", "1"),
+            // On a busy machine no attempt is to fail for want of time.
+            ("PLATEAU_WEBHOOKS__TIMEOUT_MS", "60000"),
+            ("SSL_CERT_FILE", roots.as_str()),
+        ];
+        TestApp::start_with(&[&settings, more].concat()).await
+    }
+
+    async fn next(&mut self) -> Received {
+        tokio::time::timeout(TOO_LONG, self.received.recv())
+            .await
+            .expect("a message in time")
+            .expect("the receiver runs")
+    }
+}
+
+/// What `plateau key webhooks` prints for a key.
+async fn secret_of(receiver: &Receiver, name: &[&str]) -> String {
+    let mut command = app::binary();
+    command.env("PLATEAU_WEBHOOKS__SECRET_FILE", receiver.file("secret")).args(["key", "webhooks"]).args(name);
+    String::from_utf8(command.output().await.unwrap().stdout).unwrap().trim().to_owned()
+}
+
+fn film(url: &str) -> Value {
+    let mut film = small_film(0.3);
+    film["callback_url"] = url.into();
+    film
+}
+
+async fn delivered(app: &TestApp, outcome: &str, count: u32) {
+    let expected = format!("plateau_callbacks_total{{outcome=\"{outcome}\"}} {count}");
+    let started = Instant::now();
+    loop {
+        let metrics = app.get("/metrics").await.text().await.unwrap();
+        if metrics.contains(&expected) {
+            return;
+        }
+        let found: Vec<&str> = metrics.lines().filter(|line| line.contains("plateau_callbacks_total{")).collect();
+        assert!(started.elapsed() < TOO_LONG, "{expected}: {found:?}");
+        tokio::task::yield_now().await;
+    }
+}
+
+#[tokio::test]
+async fn the_end_of_a_job_is_told_signed_and_repeated_until_it_is_heard() {
+    let mut receiver =
+        Receiver::start(&["500 Oops", "302 Found\r\nlocation: https://localhost/", "204 No Content"]).await;
+    let app = receiver.app(&[]).await;
+    assert_eq!(app.get_json("/v1/limits").await["webhooks"], true);
+    let job = app.solve(MINIMAL, &film(&receiver.url)).await;
+    let secret = secret_of(&receiver, &[]).await;
+    for _ in 0..3 {
+        let message = receiver.next().await;
+        assert_eq!(message.target, "POST /hook?for=test HTTP/1.1");
+        assert_eq!(message.headers["webhook-id"], job["id"].as_str().unwrap());
+        assert!(message.is_signed_with(&secret));
+        let body = message.json();
+        assert_eq!((&body["type"], &body["timestamp"]), (&json!("job.succeeded"), &job["finished_at"]));
+        assert_eq!(
+            body["data"],
+            json!({ "id": job["id"], "kind": "minimal_surface", "status": "succeeded", "links": job["links"] })
+        );
+    }
+    delivered(&app, "delivered", 1).await;
+    delivered(&app, "failed", 2).await;
+    assert!(receiver.received.try_recv().is_err(), "once it was heard it is not told again");
+    // A kept result of an earlier job is an end too; the URL is no part of what is asked for.
+    let again: Value = app.post(MINIMAL, &film(&receiver.url)).await.json().await.unwrap();
+    assert_eq!(again["status"], "succeeded");
+    assert_eq!(receiver.next().await.json()["data"]["id"], again["id"]);
+}
+
+#[tokio::test]
+async fn a_cancelled_job_and_a_batch_are_told_with_the_secret_of_their_key() {
+    let mut receiver = Receiver::start(&["200 OK"]).await;
+    let (key, line) = crate::access::new_key("alice").await;
+    std::fs::write(receiver.file("keys"), line).unwrap();
+    let keys = receiver.file("keys");
+    let app = receiver
+        .app(&[("PLATEAU_AUTH__KEYS_FILE", &keys), ("PLATEAU_WORKERS", "1"), ("PLATEAU_HTTP__METRICS_LISTEN", "")])
+        .await;
+    let secret = secret_of(&receiver, &["alice"]).await;
+    assert_ne!(secret, secret_of(&receiver, &["bob"]).await);
+
+    let mut strip = large_strip(30_000);
+    strip["callback_url"] = receiver.url.as_str().into();
+    let post = |path: &str, body: &Value| app.request(Method::POST, path).bearer_auth(&key).json(body).send();
+    let job: Value = post(RULED, &strip).await.unwrap().json().await.unwrap();
+    post(job["links"]["cancel"].as_str().unwrap(), &json!(null)).await.unwrap();
+    let message = receiver.next().await;
+    assert_eq!(message.json()["type"], "job.cancelled");
+    assert!(message.is_signed_with(&secret));
+
+    let mut film = small_film(0.4);
+    film["kind"] = "minimal_surface".into();
+    let batch: Value = post("/v1/batches", &json!({ "requests": [film], "callback_url": receiver.url }))
+        .await
+        .unwrap()
+        .json()
+        .await
+        .unwrap();
+    let message = receiver.next().await;
+    let body = message.json();
+    assert_eq!((&body["type"], &body["data"]["id"]), (&json!("batch.succeeded"), &batch["id"]), "{body:#}");
+    assert_eq!(body["data"]["counts"]["succeeded"], 1);
+    assert!(message.is_signed_with(&secret));
+}
+
+#[tokio::test]
+async fn a_message_that_nobody_wants_or_hears_is_given_up() {
+    let mut receiver = Receiver::start(&["410 Gone", "500 Oops"]).await;
+    let app = receiver.app(&[("PLATEAU_WEBHOOKS__ATTEMPTS_MAX", "2")]).await;
+    app.solve(MINIMAL, &film(&receiver.url)).await;
+    delivered(&app, "unwanted", 1).await;
+    let mut other = film(&receiver.url);
+    other["cache"] = "bypass".into();
+    app.solve(MINIMAL, &other).await;
+    delivered(&app, "failed", 1).await;
+    delivered(&app, "given_up", 1).await;
+    for _ in 0..3 {
+        receiver.next().await;
+    }
+    assert!(receiver.received.try_recv().is_err());
+}
+
+#[tokio::test]
+async fn a_certificate_that_nobody_vouches_for_is_told_nothing() {
+    let mut stranger = Receiver::start(&["200 OK"]).await;
+    let trusted = Receiver::start(&["200 OK"]).await;
+    let app = trusted.app(&[("PLATEAU_WEBHOOKS__ATTEMPTS_MAX", "1")]).await;
+    app.solve(MINIMAL, &film(&stranger.url)).await;
+    delivered(&app, "given_up", 1).await;
+    assert!(stranger.received.try_recv().is_err());
+}
+
+#[tokio::test]
+async fn a_name_that_leads_inside_is_told_nothing() {
+    let mut receiver = Receiver::start(&["200 OK"]).await;
+    let settings = [("PLATEAU_WEBHOOKS__ALLOWED_NETWORKS", "10.0.0.0/8"), ("PLATEAU_WEBHOOKS__ATTEMPTS_MAX", "1")];
+    let app = receiver.app(&settings).await;
+    // Taken, since the name is resolved only at the attempt; then it is this machine.
+    app.solve(MINIMAL, &film(&receiver.url)).await;
+    delivered(&app, "given_up", 1).await;
+    assert!(receiver.received.try_recv().is_err());
+    for inside in ["https://127.0.0.1/", "https://[::1]/", "http://example.org/", "https://169.254.169.254/latest"] {
+        let refused = problem(app.post(MINIMAL, &film(inside)).await, 422).await;
+        assert_eq!(pointers(&refused), ["/callback_url"], "{inside}");
+    }
+    let batch = json!({ "requests": [{ "kind": "minimal_surface", "callback_url": "https://10.0.0.1/", "boundaries": small_film(0.1)["boundaries"],
+        "resolution": { "triangles": 10 } }, { "kind": "minimal_surface", "callback_url": "https://127.0.0.1/",
+        "boundaries": small_film(0.1)["boundaries"], "resolution": { "triangles": 10 } }] });
+    let refused = problem(app.post("/v1/batches", &batch).await, 422).await;
+    assert_eq!(pointers(&refused), ["/requests/1/callback_url"]);
+}
+
+#[tokio::test]
+async fn webhooks_are_off_until_there_is_a_secret() {
+    let app = TestApp::start().await;
+    assert_eq!(app.get_json("/v1/limits").await["webhooks"], false);
+    let refused = problem(app.post(MINIMAL, &film("https://example.org/")).await, 422).await;
+    assert_eq!(pointers(&refused), ["/callback_url"]);
+}
