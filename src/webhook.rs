@@ -229,13 +229,11 @@ impl Sender {
             .map_err(|error| said(&error))?;
         let mut answer = std::pin::pin!(sender.send_request(request));
         let mut connection = std::pin::pin!(connection);
-        // The connection ends here with the head of the answer; what would follow is nobody's.
+        // The connection ends here with the head of the answer; what would follow is nobody's. A receiver that closes right
+        // after its answer has answered all the same.
         let answer = tokio::select! {
             answer = &mut answer => answer,
-            ended = &mut connection => {
-                ended.map_err(|error| said(&error))?;
-                answer.await
-            }
+            _ = &mut connection => answer.await,
         };
         answer.map(|answer| answer.status()).map_err(|error| said(&error))
     }
