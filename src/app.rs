@@ -3,7 +3,7 @@
 use crate::config::Config;
 use crate::http::auth::Keys;
 use crate::http::{body, router, serve};
-use crate::jobs::{Jobs, callbacks, worker};
+use crate::jobs::{Jobs, callbacks};
 use crate::store::{Store, StoreError, StoreOptions, redacted};
 use crate::telemetry;
 use crate::webhook::Sender;
@@ -12,7 +12,6 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
-use tokio::task::JoinSet;
 
 /// What a handler may use.
 #[derive(Clone, Debug)]
@@ -79,16 +78,11 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         let (config, jobs) = (config.clone(), jobs.clone());
         tokio::spawn(async move { serve::serve(listener, routes, &config.http, jobs.shutdown()).await });
     }
-    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let count = config.jobs.workers.unwrap_or(cores);
+    let count = jobs.solvers();
     if role == Role::Worker && count == 0 {
         return Err(StartError::Configuration("jobs.workers is 0: this process would do nothing".into()));
     }
-    let mut workers = JoinSet::new();
-    let process = ulid::Ulid::generate();
-    for number in 0..count {
-        workers.spawn(worker::run(jobs.clone(), format!("{process}/{number}")));
-    }
+    jobs.spawn_workers();
     let callbacks = tokio::spawn(callbacks::run(jobs.clone()));
     let sweeper = tokio::spawn(sweep(store.clone()));
     let stopping = jobs.clone();
@@ -105,8 +99,7 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         let app = App { config: config.clone(), jobs: jobs.clone(), metrics, bodies, keys };
         serve::serve(listener, router::router(app), &config.http, jobs.shutdown()).await;
     }
-    // Workers end once a shutdown was asked for; each sees to its running job first.
-    while workers.join_next().await.is_some() {}
+    jobs.idle().await;
     // An attempt that is cut off is made again by whoever comes next.
     callbacks.abort();
     sweeper.abort();
@@ -122,9 +115,9 @@ async fn open_store(config: &Config, one_owner: bool) -> Result<Store, StartErro
     }
     let results = &config.store.results;
     let embedded = config.database_url().starts_with("sqlite:");
-    let results_folder = match (results.as_os_str().is_empty(), embedded) {
+    let results = match (results.is_empty(), embedded) {
         (false, _) => Some(results.clone()),
-        (true, true) => Some(config.store.data.join("results")),
+        (true, true) => Some(config.store.data.join("results").display().to_string()),
         (true, false) => None,
     };
     let forever_s = 100 * 365 * 24 * 3600;
@@ -138,7 +131,7 @@ async fn open_store(config: &Config, one_owner: bool) -> Result<Store, StartErro
         retention: Duration::from_secs(retention_s),
         max_jobs: config.store.max_jobs,
         max_bytes: (config.store.max_bytes > 0).then_some(config.store.max_bytes),
-        results_folder,
+        results,
         inline_bytes: config.store.inline_bytes,
         connections: config.store.connections,
         ..StoreOptions::default()
@@ -148,7 +141,7 @@ async fn open_store(config: &Config, one_owner: bool) -> Result<Store, StartErro
         match Store::open(&config.database_url(), options.clone()).await {
             Ok(store) => return Ok(store),
             Err(StoreError::Url(message)) => {
-                return Err(StartError::Configuration(format!("store.database: {message}")));
+                return Err(StartError::Configuration(format!("store.database or store.results: {message}")));
             }
             Err(error) if embedded || Instant::now() > given_up => {
                 return Err(StartError::Failed(format!("store: {error}")));

@@ -82,9 +82,10 @@ pub struct StoreConfig {
     pub data: PathBuf,
     /// Empty: SQLite in the data folder. Else `sqlite://…` or `postgres://…`.
     pub database: String,
-    /// Folder of results larger than `inline_bytes`; empty: `results` in the data folder with SQLite, the database itself with
-    /// PostgreSQL. Every process on one database must see the same folder.
-    pub results: PathBuf,
+    /// Where results larger than `inline_bytes` go: a folder, or `s3://BUCKET/PREFIX` (region, endpoint and credentials from
+    /// `AWS_…`); empty: `results` in the data folder with SQLite, the database itself with PostgreSQL. Every process on one
+    /// database must see the same place.
+    pub results: String,
     /// Results up to this size are kept in the database.
     pub inline_bytes: usize,
     /// Bytes that all results together may take (on SQLite also the database); the oldest beyond them expire early. 0: any.
@@ -100,7 +101,7 @@ impl Default for StoreConfig {
         Self {
             data: PathBuf::from("./data"),
             database: String::new(),
-            results: PathBuf::new(),
+            results: String::new(),
             inline_bytes: 1 << 20,
             max_bytes: 0,
             max_jobs: 100_000,
@@ -422,6 +423,16 @@ mod tests {
         // Every setting stands in the file (a missing one would silently be the default).
         let in_file: Table = text.parse().unwrap();
         assert_eq!(in_file, Table::try_from(Config::default()).unwrap(), "config/default.toml must list every setting");
+    }
+
+    #[test]
+    fn the_operators_table_has_every_setting() {
+        let text = include_str!("../docs/OPERATIONS.md");
+        for (section, settings) in Table::try_from(Config::default()).unwrap() {
+            for name in settings.as_table().unwrap().keys().filter(|name| *name != "keys") {
+                assert!(text.contains(&format!("| `{section}.{name}` |")), "{section}.{name} is not in the table");
+            }
+        }
     }
 
     #[test]

@@ -6,6 +6,7 @@
 
 pub mod batch;
 pub mod callbacks;
+pub mod express;
 pub mod files;
 pub mod memory;
 pub mod progress;
@@ -22,6 +23,7 @@ pub use crate::store::{EventId, Filter, JobRow, JobWatch, Status as StoredStatus
 use crate::webhook::Sender;
 use crate::wire::job::{Job, JobError, JobList, JobWarning, Links, Progress, Status};
 use crate::wire::{Kind, Rejection};
+use express::Waiting;
 use files::{File, Files};
 use memory::MemoryBudget;
 use progress::Running;
@@ -29,7 +31,7 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::sync::Arc;
 use std::time::Duration;
-use tokio::sync::{Semaphore, SemaphorePermit, watch};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, SemaphorePermit, watch};
 
 /// Why `jobs` did not do as asked.
 #[derive(Debug)]
@@ -81,6 +83,9 @@ impl From<Defect> for JobsError {
     }
 }
 
+/// More than the process has memory for.
+const MOST_UNDER_WAY: u32 = 1 << 24;
+
 /// A handle of the jobs; clones share it.
 #[derive(Clone, Debug)]
 pub struct Jobs(Arc<Inner>);
@@ -97,6 +102,14 @@ struct Inner {
     conversions: Semaphore,
     /// What conversions made lately.
     files: Files,
+    /// One for each solver that may run in this process at once; whoever waits for one gets it in turn.
+    slots: Arc<Semaphore>,
+    solvers: usize,
+    /// Workers and attempts that a shutdown waits for.
+    under_way: Arc<Semaphore>,
+    waiting: Waiting,
+    /// Names this process in attempts.
+    process: String,
     /// Who tells callback URLs, if anybody does.
     webhooks: Option<Arc<Sender>>,
 }
@@ -105,6 +118,7 @@ impl Jobs {
     #[must_use]
     pub fn new(store: Store, config: Arc<Config>, webhooks: Option<Sender>) -> Self {
         let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        let solvers = config.jobs.workers.unwrap_or(cores);
         let memory = MemoryBudget::new(config.jobs.memory_bytes);
         let files = Files::new(config.http.files_kept_bytes);
         Self(Arc::new(Inner {
@@ -113,6 +127,11 @@ impl Jobs {
             memory,
             files,
             webhooks: webhooks.map(Arc::new),
+            slots: Arc::new(Semaphore::new(solvers)),
+            solvers,
+            under_way: Arc::new(Semaphore::new(MOST_UNDER_WAY as usize)),
+            waiting: Waiting::default(),
+            process: ulid::Ulid::generate().to_string(),
             running: Running::default(),
             shutdown: watch::Sender::new(false),
             conversions: Semaphore::new(cores.max(2)),
@@ -127,6 +146,31 @@ impl Jobs {
     #[must_use]
     pub fn is_shutting_down(&self) -> bool {
         *self.0.shutdown.borrow()
+    }
+
+    /// Starts the workers of this process; they end after a shutdown was asked for.
+    pub fn spawn_workers(&self) {
+        for number in 0..self.0.solvers {
+            tokio::spawn(worker::run(self.clone(), format!("{}/{number}", self.0.process)));
+        }
+    }
+
+    /// How many solvers may run in this process at once.
+    #[must_use]
+    pub fn solvers(&self) -> usize {
+        self.0.solvers
+    }
+
+    /// Resolves when a shutdown was asked for and no worker or attempt is left: each has ended or was handed back.
+    pub async fn idle(&self) {
+        self.shutdown().await;
+        // The semaphore is never closed; an error would only say that there is nothing to wait for.
+        let _ = self.0.under_way.acquire_many(MOST_UNDER_WAY).await;
+    }
+
+    /// Something that a shutdown waits for.
+    fn under_way(&self) -> Option<OwnedSemaphorePermit> {
+        self.0.under_way.clone().try_acquire_owned().ok()
     }
 
     /// Resolves once a shutdown was asked for.
@@ -145,11 +189,11 @@ impl Jobs {
     }
 
     /// Whether one more job of this owner would find a place in the queue, so that a body need not be read in vain. The
-    /// submission itself decides.
+    /// submission itself decides. True if no job waits at all.
     ///
     /// # Errors
     /// [`JobsError::QueueFull`], or as the store.
-    pub async fn check_room(&self, owner: Option<&str>) -> Result<(), JobsError> {
+    pub async fn check_room(&self, owner: Option<&str>) -> Result<bool, JobsError> {
         Ok(self.0.store.check_room(owner).await?)
     }
 

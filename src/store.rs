@@ -23,7 +23,6 @@ mod retention;
 mod sql;
 mod watch;
 
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -33,7 +32,7 @@ pub use batch::{BatchJob, BatchLookup, BatchRow, NewBatch, SubmittedBatch};
 pub use callback::{Callback, Subject};
 use engine::{Engine, Result};
 use files::Files;
-pub use queue::{Claimed, NewJob, Outcome, Renewed, Submitted};
+pub use queue::{Begun, Claimed, NewJob, Outcome, Renewed, Submitted};
 pub use record::{EventId, Filter, JobRow, Lookup, Status, StatusEvent};
 pub use retention::{Artefact, Counts, Swept};
 pub use sql::redacted;
@@ -58,9 +57,9 @@ pub struct StoreOptions {
     /// Bytes that all results together may take; the oldest ended jobs beyond them expire early. On SQLite the database
     /// itself does not grow beyond it either.
     pub max_bytes: Option<u64>,
-    /// Where results larger than `inline_bytes` go; into the database if there is no folder. Every instance that shares
-    /// the database must see the same folder.
-    pub results_folder: Option<PathBuf>,
+    /// Where results larger than `inline_bytes` go: a folder or `s3://BUCKET/PREFIX`; into the database if there is neither.
+    /// Every instance that shares the database must see the same place.
+    pub results: Option<String>,
     /// Results up to this size are kept in the database.
     pub inline_bytes: usize,
     /// How long a result that no job has is left alone; longer than any transaction takes.
@@ -83,7 +82,7 @@ impl Default for StoreOptions {
             expired_retention: Duration::from_secs(30 * 24 * 3600),
             max_jobs: 100_000,
             max_bytes: None,
-            results_folder: None,
+            results: None,
             inline_bytes: 1 << 20,
             orphan_age: Duration::from_secs(60),
             result_version: env!("CARGO_PKG_VERSION").into(),
@@ -178,7 +177,7 @@ impl Store {
     /// Opens `sqlite://PATH` (created if missing) or `postgres://USER@HOST/DATABASE` and brings its tables up to date.
     /// Must run inside a tokio runtime, which then also runs the store's own tasks.
     pub async fn open(url: &str, options: StoreOptions) -> Result<Self> {
-        let files = options.results_folder.as_deref().map(Files::open).transpose()?;
+        let files = options.results.as_deref().map(Files::open).transpose()?;
         let engine = Engine::open(url, &options).await?;
         let changes = Changes::new(&engine, options.poll_interval);
         Ok(Self { inner: Arc::new(Inner { engine, options, changes, files }) })

@@ -558,7 +558,7 @@ async fn a_shared_result_outlives_the_job_that_made_it(database: Database) {
 /// Options that put results of more than eight bytes into `folder`.
 fn with_files(folder: &TempDir) -> StoreOptions {
     StoreOptions {
-        results_folder: Some(folder.path().to_owned()),
+        results: Some(folder.path().display().to_string()),
         inline_bytes: 8,
         orphan_age: Duration::ZERO,
         ..StoreOptions::default()

@@ -303,7 +303,7 @@ fn batches(paths: &mut Map<String, Value>) {
     let (format, responses) = representation(&FORMATS, "zip", description, &[]);
     let names = crate::export::MeshFormat::ALL.map(crate::export::MeshFormat::name);
     let mesh_format = json!({ "name": "mesh_format", "in": "query", "required": false,
-        "description": "What the meshes of a ZIP come as; `glb` unless told.", "schema": { "type": "string", "enum": names } });
+        "description": "What the meshes of a ZIP come as; `glb` unless told. A scene is GLB whatever this says.", "schema": { "type": "string", "enum": names } });
     let problems = [("400", "BadRequest"), ("406", "NotAcceptable"), ("409", "NoMesh"), ("422", "Invalid")];
     let meshes = named("getBatchMeshes", "All meshes in one file", json!([format, mesh_format]), responses, &problems);
     paths.insert("/v1/batches/{id}/meshes".into(), json!({ "parameters": [id], "get": meshes }));

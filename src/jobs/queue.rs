@@ -1,7 +1,7 @@
 //! Submitting: a body is read and checked, then put on disk, and only then acknowledged.
 
 use super::{Jobs, JobsError};
-use crate::store::{NewJob, Submitted as Stored};
+use crate::store::{NewJob, StoreError, Submitted as Stored};
 use crate::telemetry::metric;
 use crate::wire::common::Cache;
 use crate::wire::job::Job;
@@ -9,6 +9,7 @@ use crate::wire::{Kind, Request};
 use bytes::Bytes;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
+use std::time::Instant;
 
 /// Bodies above this are parsed off the async threads.
 const INLINE_BYTES: usize = 16 << 10;
@@ -23,7 +24,8 @@ pub enum Submitted {
 }
 
 impl Jobs {
-    /// Reads a body and puts the job on disk.
+    /// Reads a body and puts the job on disk. `at_once`: the client waits and no job is in the queue, so that it may be solved
+    /// on the way.
     ///
     /// # Errors
     /// [`JobsError::Rejected`] names every offending value; [`JobsError::QueueFull`], [`JobsError::KeyConflict`], or as the store.
@@ -33,8 +35,9 @@ impl Jobs {
         body: Bytes,
         owner: Option<String>,
         idempotency_key: Option<String>,
+        at_once: bool,
     ) -> Result<Submitted, JobsError> {
-        let outcome = self.submit_unmetered(kind, body, owner, idempotency_key).await;
+        let outcome = self.submit_unmetered(kind, body, owner, idempotency_key, at_once).await;
         let label = label(outcome.as_ref().map(|submitted| matches!(submitted, Submitted::Created(_))));
         metrics::counter!(metric::SUBMISSIONS, "kind" => kind.name(), "outcome" => label).increment(1);
         outcome
@@ -46,19 +49,30 @@ impl Jobs {
         body: Bytes,
         owner: Option<String>,
         idempotency_key: Option<String>,
+        at_once: bool,
     ) -> Result<Submitted, JobsError> {
+        let submitted_at = Instant::now();
         let limits = self.0.config.limits.clone();
         let inline = body.len() <= INLINE_BYTES;
         let read = move || {
             let (request, value) = Request::read(kind, &body, &limits).map_err(JobsError::Rejected)?;
-            new_job(&request, value, owner)
+            let job = new_job(&request, value, owner)?;
+            Ok::<_, JobsError>((job, request))
         };
-        let mut job = if inline { read()? } else { self.off_runtime(read).await?? };
+        let (mut job, request) = if inline { read()? } else { self.off_runtime(read).await?? };
         self.check_callback("", job.callback_url.as_deref())?;
         job.idempotency_key = idempotency_key;
-        match self.0.store.submit(job).await? {
+        if at_once && let Some(slot) = self.solver_at_once(&job).await? {
+            return self.solve_at_once(job, request, submitted_at, slot).await;
+        }
+        self.submitted(self.0.store.submit(job).await)
+    }
+
+    /// What the store says of a submission, as a client sees it.
+    pub(super) fn submitted(&self, stored: Result<Stored, StoreError>) -> Result<Submitted, JobsError> {
+        match stored? {
             Stored::Created(row) => {
-                tracing::info!(job_id = %row.id, kind = kind.name(), "submitted");
+                tracing::info!(job_id = %row.id, kind = row.kind, "submitted");
                 Ok(Submitted::Created(self.view(&row)?))
             }
             Stored::Existing(row) => Ok(Submitted::Existing(self.view(&row)?)),

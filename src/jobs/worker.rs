@@ -10,7 +10,7 @@ use crate::wire::{FieldError, Kind, Rejection, Request};
 use plateau_geometry::{Error as GeometryError, Execution, Interruption, Signal};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-use tokio::sync::oneshot;
+use tokio::sync::{OwnedSemaphorePermit, oneshot};
 use tracing::Instrument;
 
 /// Solvers may recurse (sparse orderings, Delaunay walks); address space is cheap.
@@ -18,17 +18,24 @@ const STACK_BYTES: usize = 64 << 20;
 /// A worker that was told of no work looks for some this often.
 const IDLE_POLL: Duration = Duration::from_secs(1);
 
-/// Works until a shutdown is asked for. Any number of these may run, here and in other processes.
+/// Works until a shutdown is asked for. Any number of these may run, here and in other processes. What an attempt found is
+/// stored while the next one is claimed and solved, so that the disk keeps no solver waiting.
 pub async fn run(jobs: Jobs, name: String) {
+    let Some(_working) = jobs.under_way() else { return };
     let lease = Duration::from_millis(jobs.0.config.jobs.lease_ms);
     let mut work = jobs.0.store.work_signal();
-    while !jobs.is_shutting_down() {
+    loop {
+        // Submissions that are waited for take turns with what waits in the queue.
+        let Ok(slot) = jobs.0.slots.clone().acquire_owned().await else { return };
+        if jobs.is_shutting_down() {
+            return;
+        }
         work.borrow_and_update();
         let pause = match jobs.0.store.claim(&name, lease).await {
             Ok(Some(claimed)) => {
-                let span =
-                    tracing::info_span!("job", job_id = %claimed.id, kind = %claimed.kind, attempt = claimed.attempt);
-                attempt(&jobs, claimed).instrument(span).await;
+                let span = span(&claimed.id, &claimed.kind, claimed.attempt);
+                let jobs = jobs.clone();
+                tokio::spawn(async move { attempt(&jobs, &claimed, slot).await }.instrument(span));
                 continue;
             }
             Ok(None) => IDLE_POLL,
@@ -37,6 +44,7 @@ pub async fn run(jobs: Jobs, name: String) {
                 IDLE_POLL
             }
         };
+        drop(slot);
         tokio::select! {
             _ = work.changed() => {}
             () = tokio::time::sleep(pause) => {}
@@ -53,43 +61,80 @@ enum Ended {
     Panicked,
 }
 
-async fn attempt(jobs: &Jobs, claimed: Claimed) {
-    let started = Instant::now();
-    let config = &jobs.0.config.jobs;
-    let line = Arc::new(Line::new(Duration::from_millis(config.deadline_ms)));
-    jobs.0.running.insert(&claimed.id, line.clone());
-    metrics::gauge!(metric::RUNNING).increment(1.0);
-    let waited_s = claimed.waited_ms as f64 / 1e3;
-    metrics::histogram!(metric::WAIT_SECONDS, "kind" => claimed.kind.clone()).record(waited_s);
-    tracing::info!(waited_s, "started");
-    let handed_back = supervise(jobs, &claimed, &line).await;
-    jobs.0.running.remove(&claimed.id, &line);
-    metrics::gauge!(metric::RUNNING).decrement(1.0);
-    let status = match handed_back {
-        End::HandedBack => return,
-        End::Dropped => "dropped",
-        End::Finished(status) => status,
-    };
-    let elapsed = started.elapsed();
-    tracing::info!(status, elapsed_ms = elapsed.as_secs_f64() * 1e3, "ended");
-    metrics::counter!(metric::JOBS, "kind" => claimed.kind.clone(), "status" => status).increment(1);
-    metrics::histogram!(metric::SOLVE_SECONDS, "kind" => claimed.kind).record(elapsed.as_secs_f64());
+/// The span of a job's log lines.
+pub(super) fn span(id: &str, kind: &str, attempt: i64) -> tracing::Span {
+    tracing::info_span!("job", job_id = %id, kind = %kind, attempt)
 }
 
-enum End {
+async fn attempt(jobs: &Jobs, claimed: &Claimed, slot: OwnedSemaphorePermit) {
+    let attempt = Attempt::begin(jobs, &claimed.id, &claimed.kind, claimed.waited_ms);
+    let work = Work::Stored { kind: claimed.kind.clone(), request: claimed.request.clone() };
+    let solver = spawn_solver(jobs, work, attempt.line.clone());
+    let end = supervise(jobs, &claimed.id, claimed.attempt, &attempt.line, solver, slot).await;
+    attempt.end(end);
+}
+
+/// A solver at work: counted, known to cancels, and accounted for at its end.
+pub(super) struct Attempt<'j> {
+    jobs: &'j Jobs,
+    id: &'j str,
+    kind: &'j str,
+    started: Instant,
+    pub(super) line: Arc<Line>,
+    /// A shutdown waits for it.
+    _under_way: Option<OwnedSemaphorePermit>,
+}
+
+impl<'j> Attempt<'j> {
+    pub(super) fn begin(jobs: &'j Jobs, id: &'j str, kind: &'j str, waited_ms: i64) -> Self {
+        let line = Arc::new(Line::new(Duration::from_millis(jobs.0.config.jobs.deadline_ms)));
+        jobs.0.running.insert(id, line.clone());
+        metrics::gauge!(metric::RUNNING).increment(1.0);
+        let waited_s = waited_ms as f64 / 1e3;
+        metrics::histogram!(metric::WAIT_SECONDS, "kind" => kind.to_owned()).record(waited_s);
+        tracing::info!(waited_s, "started");
+        Self { jobs, id, kind, started: Instant::now(), line, _under_way: jobs.under_way() }
+    }
+
+    pub(super) fn end(self, end: End) {
+        let status = match end {
+            End::HandedBack => return,
+            End::Dropped => "dropped",
+            End::Finished(status) => status,
+        };
+        let elapsed = self.started.elapsed();
+        tracing::info!(status, elapsed_ms = elapsed.as_secs_f64() * 1e3, "ended");
+        metrics::counter!(metric::JOBS, "kind" => self.kind.to_owned(), "status" => status).increment(1);
+        metrics::histogram!(metric::SOLVE_SECONDS, "kind" => self.kind.to_owned()).record(elapsed.as_secs_f64());
+    }
+}
+
+impl Drop for Attempt<'_> {
+    fn drop(&mut self) {
+        self.jobs.0.running.remove(self.id, &self.line);
+        metrics::gauge!(metric::RUNNING).decrement(1.0);
+    }
+}
+
+pub(super) enum End {
     Finished(&'static str),
     /// The job was cancelled, deleted or taken over: its outcome is nobody's.
     Dropped,
     HandedBack,
 }
 
-/// Runs the solver and keeps the claim alive until it ends.
-async fn supervise(jobs: &Jobs, claimed: &Claimed, line: &Arc<Line>) -> End {
+/// Keeps the claim alive until the solver ends, which frees its slot, and stores what came out.
+pub(super) async fn supervise(
+    jobs: &Jobs,
+    id: &str,
+    number: i64,
+    line: &Arc<Line>,
+    mut solver: Solver,
+    slot: OwnedSemaphorePermit,
+) -> End {
     let config = &jobs.0.config;
     let store = &jobs.0.store;
-    let (id, number) = (claimed.id.as_str(), claimed.attempt);
     let lease = Duration::from_millis(config.jobs.lease_ms);
-    let mut solver = spawn_solver(jobs, claimed, line.clone());
     let mut renewal = tokio::time::interval_at(tokio::time::Instant::now() + lease / 3, lease / 3);
     let tick = Duration::from_millis(config.jobs.progress_interval_ms.max(10));
     let mut progress = tokio::time::interval_at(tokio::time::Instant::now() + tick, tick);
@@ -102,7 +147,7 @@ async fn supervise(jobs: &Jobs, claimed: &Claimed, line: &Arc<Line>) -> End {
     let mut grace = std::pin::pin!(grace);
     let ended = loop {
         let renewed = tokio::select! {
-            ended = &mut solver => break ended.unwrap_or(Ended::Panicked),
+            ended = &mut solver => break outcome_of(ended),
             _ = progress.tick() => match line.take() {
                 // A progress is strings and finite numbers only.
                 Some(progress) => store.progress(id, number, &serde_json::to_string(&progress).unwrap_or_default()).await,
@@ -137,10 +182,8 @@ async fn supervise(jobs: &Jobs, claimed: &Claimed, line: &Arc<Line>) -> End {
             }
         }
     };
-    let (status, outcome) = match outcome(ended) {
-        Some(outcome) => outcome,
-        None => return End::Dropped,
-    };
+    drop(slot);
+    let Some((status, outcome)) = ended else { return End::Dropped };
     // A result in hand is worth some patience with the store; the fence makes trying again safe.
     for pause_ms in [50, 200, 1000, 3000, 0] {
         match store.finish(id, number, outcome.clone()).await {
@@ -153,25 +196,44 @@ async fn supervise(jobs: &Jobs, claimed: &Claimed, line: &Arc<Line>) -> End {
     End::Dropped
 }
 
-fn spawn_solver(jobs: &Jobs, claimed: &Claimed, line: Arc<Line>) -> oneshot::Receiver<Ended> {
+/// What a solver is given.
+pub(super) enum Work {
+    /// As the store has it.
+    Stored { kind: String, request: Vec<u8> },
+    /// Read and checked already.
+    Read(Box<Request>),
+}
+
+/// The outcome of a solver's thread, once it has one; none if nobody wants it.
+pub(super) type Solver = oneshot::Receiver<Option<(&'static str, Outcome)>>;
+
+/// What a solver's thread left behind: one that could not be started, or went without a word, has panicked.
+pub(super) fn outcome_of(
+    received: Result<Option<(&'static str, Outcome)>, oneshot::error::RecvError>,
+) -> Option<(&'static str, Outcome)> {
+    received.unwrap_or_else(|_| outcome(Ended::Panicked))
+}
+
+pub(super) fn spawn_solver(jobs: &Jobs, work: Work, line: Arc<Line>) -> Solver {
     let (sender, receiver) = oneshot::channel();
-    let kind = Kind::from_name(&claimed.kind);
-    let request = claimed.request.clone();
     let limits = jobs.0.config.limits.clone();
     let span = tracing::Span::current();
     let jobs = jobs.clone();
-    let work = move || {
+    let run = move || {
         let _entered = span.enter();
         let solve = || {
-            let Some(kind) = kind else {
-                return Ended::Failed(GeometryError::no_result(
-                    "unknown_kind",
-                    "this version does not know this kind of job",
-                ));
-            };
-            let request = match Request::read(kind, &request, &limits) {
-                Ok((request, _)) => request,
-                Err(rejection) => return Ended::Rejected(rejection),
+            let request = match work {
+                Work::Read(request) => *request,
+                Work::Stored { kind, request } => {
+                    let Some(kind) = Kind::from_name(&kind) else {
+                        let detail = "this version does not know this kind of job";
+                        return Ended::Failed(GeometryError::no_result("unknown_kind", detail));
+                    };
+                    match Request::read(kind, &request, &limits) {
+                        Ok((request, _)) => request,
+                        Err(rejection) => return Ended::Rejected(rejection),
+                    }
+                }
             };
             let (signal, report) = (|| line.signal(), |progress| line.report(progress));
             let wanted = || line.signal() == Signal::Continue;
@@ -189,9 +251,9 @@ fn spawn_solver(jobs: &Jobs, claimed: &Claimed, line: Arc<Line>) -> oneshot::Rec
         };
         let ended = guarded(solve);
         // Nobody listens any more if the server is going down.
-        let _ = sender.send(ended);
+        let _ = sender.send(outcome(ended));
     };
-    let spawned = std::thread::Builder::new().name("solver".into()).stack_size(STACK_BYTES).spawn(work);
+    let spawned = std::thread::Builder::new().name("solver".into()).stack_size(STACK_BYTES).spawn(run);
     if let Err(error) = spawned {
         // The receiver sees a closed channel and the attempt fails.
         tracing::error!(%error, "cannot start a solver thread");

@@ -63,6 +63,13 @@ pub struct Claimed {
     pub waited_ms: i64,
 }
 
+/// How long ago a job that is on its way to the disk was submitted and begun, by this process's clock.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Begun {
+    pub submitted_ms: i64,
+    pub started_ms: i64,
+}
+
 /// How a worker stands with its job.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Renewed {
@@ -125,14 +132,92 @@ impl Store {
         Ok(submitted)
     }
 
-    /// `QueueFull` if one more job of this owner would find no place at this moment.
-    pub async fn check_room(&self, owner: Option<&str>) -> Result<()> {
+    /// `QueueFull` if one more job of this owner would find no place at this moment; else whether no job waits at all.
+    pub async fn check_room(&self, owner: Option<&str>) -> Result<bool> {
         let options = &self.inner.options;
         let (limit, owner_limit) = (bounded(options.queue_limit), bounded(options.owner_queue_limit));
         let text = format!("SELECT {ROOM}");
         let values = vec![owner.unwrap_or_default().into(), limit.into(), owner_limit.into()];
         let row = self.inner.engine.row(&text, values).await?;
-        row.map_or(Ok(()), |row| refuse_if_full(&row, limit, owner_limit))
+        let Some(row) = row else { return Ok(false) };
+        refuse_if_full(&row, limit, owner_limit)?;
+        Ok(row.int(0)? == 0)
+    }
+
+    /// True if submitting this job would give an earlier one, or a new one with a kept result.
+    pub async fn has_answer(&self, job: &NewJob) -> Result<bool> {
+        if let Some(key) = &job.idempotency_key {
+            let text = "SELECT 1 FROM jobs WHERE owner = $1 AND kind = $2 AND idempotency_key = $3";
+            let values = vec![owner_column(job), job.kind.as_str().into(), key.as_str().into()];
+            if self.inner.engine.row(text, values).await?.is_some() {
+                return Ok(true);
+            }
+        }
+        if !job.reuse {
+            return Ok(false);
+        }
+        let content = content_hash(&self.inner.options.result_version, &job.kind, &job.request);
+        let text = "SELECT 1 FROM jobs WHERE owner = $1 AND content_hash = $2 AND reusable = 1 LIMIT 1";
+        let values = vec![owner_column(job), content.as_slice().into()];
+        Ok(self.inner.engine.row(text, values).await?.is_some())
+    }
+
+    /// Puts a job on disk that this process has begun to work on already, as its first attempt with a lease. It takes no
+    /// place in the queue.
+    pub async fn submit_begun(&self, job: NewJob, worker: &str, lease: Duration, begun: Begun) -> Result<Submitted> {
+        let (store, job, worker) = (self.clone(), Arc::new(job), worker.to_owned());
+        self.inner
+            .engine
+            .write(move |connection| {
+                let (store, job, worker) = (store.clone(), Arc::clone(&job), worker.clone());
+                Box::pin(async move {
+                    if let Some(earlier) = earlier_submission(connection, &job).await? {
+                        return Ok(earlier);
+                    }
+                    let content = content_hash(&store.options().result_version, &job.kind, &job.request);
+                    let text = format!(
+                        "INSERT INTO jobs (id, kind, owner, status, attempt, sequence, turn, {BEGUN_COLUMNS}, history, \
+                         worker, lease_until) VALUES ($1, $2, $3, 'running', 1, 2, 0, {BEGUN_VALUES}, {BEGUN_HISTORY}, \
+                         $11, now_ms() + $12) RETURNING {COLUMNS}"
+                    );
+                    let mut values = begun_values(&job, &content, begun);
+                    values.extend([worker.into(), milliseconds(lease).into()]);
+                    let row = inserted(connection.row(&text, values).await?)?;
+                    let values = vec![job.id.as_str().into(), job.request.as_slice().into()];
+                    connection.execute("INSERT INTO requests (job_id, body) VALUES ($1, $2)", values).await?;
+                    Ok(Submitted::Created(Box::new(row)))
+                })
+            })
+            .await
+    }
+
+    /// Puts a job on disk that this process has solved already: submission and end are one write, visible together.
+    pub async fn submit_ended(&self, job: NewJob, outcome: Outcome, begun: Begun) -> Result<Submitted> {
+        let result = match &outcome {
+            Outcome::Succeeded { artefact, .. } => Some(self.prepare(&job.id, 1, artefact).await?),
+            Outcome::Failed { .. } | Outcome::Cancelled => None,
+        };
+        let file = result.as_ref().and_then(|result| result.file.clone());
+        let (store, ending) = (self.clone(), Arc::new((job, outcome, result)));
+        let submitted = self
+            .inner
+            .engine
+            .write(move |connection| {
+                let (store, ending) = (store.clone(), Arc::clone(&ending));
+                Box::pin(async move {
+                    let (job, outcome, result) = &*ending;
+                    submit_ended(connection, job, outcome, result.as_ref(), begun, store.options()).await
+                })
+            })
+            .await;
+        let used = submitted.as_ref().ok().and_then(|(_, used)| used.clone());
+        if let (Some(files), Some(file)) = (&self.inner.files, file)
+            && submitted.is_ok()
+            && used.as_ref() != Some(&file)
+        {
+            files.remove(file).await;
+        }
+        Ok(submitted?.0)
     }
 
     /// Takes the job whose turn it is, if any, for `lease`. Jobs whose lease ran out go back to the queue first.
@@ -443,6 +528,86 @@ async fn insert(
     Ok(row)
 }
 
+/// What a job that was begun before it was on disk is inserted with; the values are those of `begun_values`.
+const BEGUN_COLUMNS: &str = "created_at, started_at, idempotency_key, body_hash, content_hash, warnings, callback_url";
+const BEGUN_VALUES: &str = "now_ms() - $4, now_ms() - $5, $6, $7, $8, $9, $10";
+const BEGUN_HISTORY: &str = "'0 1 queued ' || (now_ms() - $4) || '\n1 2 running ' || (now_ms() - $5) || '\n'";
+
+fn begun_values(job: &NewJob, content: &[u8], begun: Begun) -> Vec<Value> {
+    vec![
+        job.id.as_str().into(),
+        job.kind.as_str().into(),
+        owner_column(job),
+        begun.submitted_ms.into(),
+        begun.started_ms.into(),
+        job.idempotency_key.clone().into(),
+        job.body_hash.as_slice().into(),
+        content.into(),
+        job.warnings.as_str().into(),
+        job.callback_url.clone().into(),
+    ]
+}
+
+/// As `finish`, of a job that is not on disk yet.
+async fn submit_ended(
+    connection: &mut Connection<'_>,
+    job: &NewJob,
+    outcome: &Outcome,
+    result: Option<&Prepared>,
+    begun: Begun,
+    options: &StoreOptions,
+) -> Result<(Submitted, Option<String>)> {
+    if let Some(earlier) = earlier_submission(connection, job).await? {
+        return Ok((earlier, None));
+    }
+    let content = content_hash(&options.result_version, &job.kind, &job.request);
+    let mut values = begun_values(job, &content, begun);
+    values.push(milliseconds(options.retention).into());
+    let (status, reusable) = match outcome {
+        Outcome::Succeeded { reusable, .. } => (Status::Succeeded, *reusable),
+        Outcome::Failed { .. } => (Status::Failed, false),
+        Outcome::Cancelled => (Status::Cancelled, false),
+    };
+    let (statistics, warnings, error) = match outcome {
+        Outcome::Succeeded { statistics, warnings, .. } => (Some(statistics.clone()), Some(warnings.clone()), None),
+        Outcome::Failed { error } => (None, None, Some(error.clone())),
+        Outcome::Cancelled => (None, None, None),
+    };
+    if let Some(warnings) = warnings {
+        values[8] = warnings.into();
+    }
+    let file = keep(connection, outcome, result).await?;
+    values.extend([
+        statistics.into(),
+        error.into(),
+        Value::OptionalBytes(result.map(|result| result.hash.to_vec())),
+        i64::from(reusable).into(),
+    ]);
+    let name = status.name();
+    let text = format!(
+        "INSERT INTO jobs (id, kind, owner, status, attempt, sequence, turn, {BEGUN_COLUMNS}, finished_at, expires_at, \
+         history, statistics, error, artefact, reusable) \
+         VALUES ($1, $2, $3, '{name}', 1, 3, 0, {BEGUN_VALUES}, now_ms(), now_ms() + $11, \
+         {BEGUN_HISTORY} || '1 3 {name} ' || now_ms() || '\n', $12, $13, $14, $15) RETURNING {COLUMNS}"
+    );
+    let row = inserted(connection.row(&text, values).await?)?;
+    Ok((Submitted::Created(Box::new(row)), file))
+}
+
+/// Puts a success's result where jobs find it; gives the file that holds it, which may be an earlier one with the same bytes.
+async fn keep(connection: &mut Connection<'_>, outcome: &Outcome, result: Option<&Prepared>) -> Result<Option<String>> {
+    let (Outcome::Succeeded { artefact, .. }, Some(result)) = (outcome, result) else { return Ok(None) };
+    let text = "INSERT INTO artefacts (hash, size, touched_at, file, body) VALUES ($1, $2, now_ms(), $3, $4) \
+                ON CONFLICT (hash) DO UPDATE SET touched_at = now_ms() RETURNING file";
+    let values = vec![
+        result.hash.as_slice().into(),
+        bounded(artefact.len() as u64).into(),
+        result.file.clone().into(),
+        Value::OptionalBytes(result.file.is_none().then(|| artefact.clone())),
+    ];
+    Ok(connection.row(text, values).await?.map(|row| row.optional_text(0)).transpose()?.flatten())
+}
+
 fn inserted(row: Option<Row>) -> Result<JobRow> {
     JobRow::read(&row.ok_or_else(|| StoreError::Internal("an INSERT returned no row".into()))?)
 }
@@ -527,18 +692,7 @@ async fn finish(
     if connection.execute(&format!("UPDATE jobs SET {}{text} {fence}", ending(status)), values).await? == 0 {
         return Ok((false, None));
     }
-    let mut file = None;
-    if let (Outcome::Succeeded { artefact, .. }, Some(result)) = (outcome, result) {
-        let text = "INSERT INTO artefacts (hash, size, touched_at, file, body) VALUES ($1, $2, now_ms(), $3, $4) \
-                    ON CONFLICT (hash) DO UPDATE SET touched_at = now_ms() RETURNING file";
-        let values = vec![
-            result.hash.as_slice().into(),
-            bounded(artefact.len() as u64).into(),
-            result.file.clone().into(),
-            Value::OptionalBytes(result.file.is_none().then(|| artefact.clone())),
-        ];
-        file = connection.row(text, values).await?.map(|row| row.optional_text(0)).transpose()?.flatten();
-    }
+    let file = keep(connection, outcome, result).await?;
     connection.execute("DELETE FROM requests WHERE job_id = $1", id).await?;
     Ok((true, file))
 }

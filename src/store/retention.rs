@@ -53,7 +53,7 @@ impl Store {
             (Some(bytes), _) => bytes,
             (None, Some(file)) => {
                 let files = self.inner.files.as_ref().ok_or_else(|| {
-                    StoreError::Unavailable(format!("the result is in file {file} but no results folder is set"))
+                    StoreError::Unavailable(format!("the result is in file {file} but store.results is not set"))
                 })?;
                 files.read(&file).await?
             }

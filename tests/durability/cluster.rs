@@ -124,6 +124,8 @@ pub fn film(triangles: usize, variant: usize) -> Value {
 }
 
 pub fn client() -> Client {
+    // The TLS that it could speak needs to be told of its cryptography; an error says that it has been.
+    let _ = rustls::crypto::ring::default_provider().install_default();
     Client::builder().timeout(Duration::from_secs(60)).build().expect("a client")
 }
 

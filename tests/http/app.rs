@@ -21,6 +21,17 @@ pub fn binary() -> Command {
     command
 }
 
+/// A client; the TLS that it could speak needs to be told of its cryptography, once in a process.
+pub fn client() -> reqwest::Client {
+    client_builder().build().expect("a client")
+}
+
+pub fn client_builder() -> reqwest::ClientBuilder {
+    // An error says that it has been told.
+    let _ = rustls::crypto::ring::default_provider().install_default();
+    reqwest::Client::builder()
+}
+
 pub fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
@@ -47,7 +58,7 @@ impl TestApp {
         let stdout = child.stdout.take().expect("standard output is piped");
         let line = BufReader::new(stdout).lines().next_line().await.expect("a first line").expect("a first line");
         let url = line.strip_prefix("listening on ").expect("the first line says where").to_owned();
-        Self { url, folder, client: reqwest::Client::new(), child }
+        Self { url, folder, client: client(), child }
     }
 
     pub fn request(&self, method: Method, path: &str) -> RequestBuilder {

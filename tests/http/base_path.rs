@@ -1,6 +1,6 @@
 //! Behind a proxy: every address that the server hands out begins with the public base path, kept by the proxy or not.
 
-use crate::app::{MINIMAL, TestApp, problem, small_film};
+use crate::app::{MINIMAL, TestApp, client_builder, problem, small_film};
 use reqwest::{Method, StatusCode, redirect};
 use serde_json::Value;
 
@@ -30,7 +30,7 @@ async fn every_address_begins_with_the_base_path_and_works_with_and_without_it()
     problem(app.get("/tools/plateau/v1/jobs/none").await, 404).await;
     assert_eq!(app.get("/tools/plateaux/v1/jobs").await.status(), StatusCode::NOT_FOUND);
     // The studio's files are named relative to a folder.
-    let client = reqwest::Client::builder().redirect(redirect::Policy::none()).build().unwrap();
+    let client = client_builder().redirect(redirect::Policy::none()).build().unwrap();
     let response = client.request(Method::GET, format!("{}/tools/plateau", app.url)).send().await.unwrap();
     assert_eq!(
         (response.status(), &response.headers()["location"]),

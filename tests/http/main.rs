@@ -4,6 +4,7 @@ mod access;
 mod app;
 mod base_path;
 mod batches;
+mod bucket;
 
 mod cancel;
 mod catalogue;

@@ -89,15 +89,10 @@ pub async fn meshes(
     let (name, media_type) = FORMATS[choose_named(format, &headers, &FORMATS.map(|f| f.0), &FORMATS.map(|f| f.1))?];
     let mesh_format = match mesh_format {
         None => MeshFormat::Glb,
-        Some(mesh_format) => match MeshFormat::from_name(&mesh_format) {
-            Some(MeshFormat::Glb) => MeshFormat::Glb,
-            Some(mesh_format) if name == "zip" => mesh_format,
-            Some(_) => return Err(Failure::bad_query("mesh_format is what a ZIP's meshes come as; a scene is GLB")),
-            None => {
-                let names = MeshFormat::ALL.map(MeshFormat::name).join(", ");
-                return Err(Failure::bad_query(format!("mesh_format must be one of: {names}")));
-            }
-        },
+        Some(name) => MeshFormat::from_name(&name).ok_or_else(|| {
+            let names = MeshFormat::ALL.map(MeshFormat::name).join(", ");
+            Failure::bad_query(format!("mesh_format must be one of: {names}"))
+        })?,
     };
     let meshes = app.jobs.batch_meshes(id, caller.owner()).await?;
     let filename = format!("{id}.{name}");

@@ -5,6 +5,7 @@ use crate::http::auth::Caller;
 use crate::http::body;
 use crate::http::negotiate::prefer_wait_s;
 use crate::http::problem::Failure;
+use crate::jobs::JobsError;
 use crate::jobs::queue::Submitted;
 use crate::wire::Kind;
 use axum::Json;
@@ -41,12 +42,16 @@ pub async fn uniform_mesh(State(app): State<App>, caller: Caller, request: Reque
 async fn submit(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) -> Result<Response, Failure> {
     let wait_s = granted_wait_s(app, request.headers());
     let key = idempotency_key(request.headers())?;
-    // A key may name a job that is there already, however full the queue.
-    if key.is_none() {
-        app.jobs.check_room(caller.owner()).await?;
-    }
+    let room = app.jobs.check_room(caller.owner()).await;
+    let nobody_waits = match room {
+        // A key may name a job that is there already, however full the queue.
+        Err(JobsError::QueueFull { .. }) if key.is_some() => false,
+        room => room?,
+    };
+    let at_once = nobody_waits && wait_s.is_some_and(|wait_s| wait_s > 0);
     let received = body::read_json(app, request).await?;
-    let submitted = app.jobs.submit(kind, received.bytes.clone(), caller.owner().map(str::to_owned), key).await?;
+    let owner = caller.owner().map(str::to_owned);
+    let submitted = app.jobs.submit(kind, received.bytes.clone(), owner, key, at_once).await?;
     drop(received);
     let (job, created) = match submitted {
         Submitted::Created(job) => (job, true),

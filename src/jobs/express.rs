@@ -1,0 +1,126 @@
+//! The short way of a submission that is waited for: where no job waits and a solver is free, the request is solved at once.
+//!
+//! What is solved within a moment is put on disk with its result in one write, so that durability costs one disk sync and not
+//! three; what is not is put on disk then, as a running job with a lease like any other. Nothing is promised before: the client
+//! has no answer yet, and nobody knows the job. A process that dies in that moment leaves no trace of the submission, as if it
+//! had died while it read the body.
+//!
+//! Solvers' slots are given out in turn, to workers as to these; where a job waits, submissions queue up behind it.
+
+use super::queue::Submitted;
+use super::worker::{Attempt, End, Work, outcome_of, span, spawn_solver, supervise};
+use super::{Jobs, JobsError};
+use crate::store::{Begun, NewJob, Submitted as Stored};
+use crate::wire::Request;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+use tokio::sync::{OwnedSemaphorePermit, oneshot};
+use tracing::Instrument;
+
+/// How long a job may be solved, and before that wait for a solver, without being on disk.
+const MOMENT: Duration = Duration::from_millis(25);
+/// Submissions that may wait for a solver at once, for each solver; others queue up on disk.
+const WAITING_PER_SOLVER: usize = 16;
+
+/// Counts those that wait for a solver.
+#[derive(Debug, Default)]
+pub(super) struct Waiting(AtomicUsize);
+
+/// One of them, until it is dropped.
+struct Place<'w>(&'w AtomicUsize);
+
+impl Waiting {
+    fn place(&self, most: usize) -> Option<Place<'_>> {
+        let taken = self.0.fetch_add(1, Ordering::Relaxed);
+        let place = Place(&self.0);
+        (taken < most).then_some(place)
+    }
+}
+
+impl Drop for Place<'_> {
+    fn drop(&mut self) {
+        self.0.fetch_sub(1, Ordering::Relaxed);
+    }
+}
+
+impl Jobs {
+    /// A solver for a submission that is waited for; none if it must queue up.
+    pub(super) async fn solver_at_once(&self, job: &NewJob) -> Result<Option<OwnedSemaphorePermit>, JobsError> {
+        let Some(_place) = self.0.waiting.place(WAITING_PER_SOLVER * self.0.solvers) else { return Ok(None) };
+        if self.is_shutting_down() || self.0.store.has_answer(job).await? {
+            return Ok(None);
+        }
+        let slot = tokio::time::timeout(MOMENT, self.0.slots.clone().acquire_owned()).await;
+        Ok(slot.ok().and_then(Result::ok))
+    }
+
+    /// Solves a job and puts it on disk: with its result, or as running if that takes longer than a moment. Goes on when the
+    /// caller goes away.
+    pub(super) async fn solve_at_once(
+        &self,
+        job: NewJob,
+        request: Request,
+        submitted_at: Instant,
+        slot: OwnedSemaphorePermit,
+    ) -> Result<Submitted, JobsError> {
+        let (answer, answered) = oneshot::channel();
+        let jobs = self.clone();
+        let span = span(&job.id, &job.kind, 1);
+        let work = async move { jobs.begin(job, request, submitted_at, slot, answer).await };
+        tokio::spawn(work.instrument(span));
+        answered
+            .await
+            .unwrap_or_else(|_| Err(JobsError::Internal("a submission ran into a defect of this server".into())))
+    }
+
+    async fn begin(
+        &self,
+        job: NewJob,
+        request: Request,
+        submitted_at: Instant,
+        slot: OwnedSemaphorePermit,
+        answer: oneshot::Sender<Result<Submitted, JobsError>>,
+    ) {
+        let (id, kind) = (job.id.clone(), job.kind.clone());
+        let started_at = Instant::now();
+        let attempt = Attempt::begin(self, &id, &kind, milliseconds(started_at - submitted_at));
+        let mut solver = spawn_solver(self, Work::Read(Box::new(request)), attempt.line.clone());
+        let ended = tokio::time::timeout(MOMENT, &mut solver).await;
+        let begun = Begun {
+            submitted_ms: milliseconds(submitted_at.elapsed()),
+            started_ms: milliseconds(started_at.elapsed()),
+        };
+        let lease = Duration::from_millis(self.0.config.jobs.lease_ms);
+        let mut slot = Some(slot);
+        let (stored, ended) = match ended {
+            Ok(ended) => {
+                // The disk need not keep the next one from being solved.
+                slot.take();
+                // Nobody can have cancelled it; there would be nothing to keep.
+                let Some((status, outcome)) = outcome_of(ended) else { return };
+                (self.0.store.submit_ended(job, outcome, begun).await, Some(End::Finished(status)))
+            }
+            Err(_) => {
+                let worker = format!("{}/at once", self.0.process);
+                (self.0.store.submit_begun(job, &worker, lease, begun).await, None)
+            }
+        };
+        let created = matches!(stored, Ok(Stored::Created(_)));
+        // A client that went away does not need its answer.
+        let _ = answer.send(self.submitted(stored));
+        let end = match (created, ended, slot) {
+            (true, Some(end), _) => end,
+            (true, None, Some(slot)) => supervise(self, &id, 1, &attempt.line, solver, slot).await,
+            // Refused, or a repetition that came at the same time was first.
+            _ => {
+                attempt.line.stop();
+                End::Dropped
+            }
+        };
+        attempt.end(end);
+    }
+}
+
+fn milliseconds(duration: Duration) -> i64 {
+    i64::try_from(duration.as_millis()).unwrap_or(i64::MAX)
+}

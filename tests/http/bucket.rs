@@ -1,0 +1,95 @@
+//! Large results in an S3-compatible bucket.
+
+use crate::app::{MINIMAL, TestApp, small_film};
+use axum::Router;
+use axum::body::Bytes;
+use axum::extract::{Request, State};
+use axum::http::{HeaderMap, Method, StatusCode};
+use axum::response::{IntoResponse, Response};
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex};
+
+/// As much of S3 as holds objects: PUT and GET by path, for requests that are signed with the right key's name.
+#[derive(Clone, Default)]
+struct Bucket {
+    objects: Arc<Mutex<BTreeMap<String, Bytes>>>,
+    refuses: Arc<Mutex<bool>>,
+}
+
+impl Bucket {
+    async fn start() -> (Self, String) {
+        let bucket = Self::default();
+        let listener = tokio::net::TcpListener::bind("127.0.0.1:0").await.unwrap();
+        let url = format!("http://{}", listener.local_addr().unwrap());
+        let routes = Router::new().fallback(answer).with_state(bucket.clone());
+        tokio::spawn(async move { axum::serve(listener, routes).await });
+        (bucket, url)
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.objects.lock().unwrap().keys().cloned().collect()
+    }
+}
+
+fn is_signed(headers: &HeaderMap) -> bool {
+    let value = headers.get("authorization").and_then(|value| value.to_str().ok()).unwrap_or_default();
+    value.starts_with("AWS4-HMAC-SHA256 Credential=test-key/") && value.contains("/eu-test-1/s3/aws4_request")
+}
+
+async fn answer(State(bucket): State<Bucket>, request: Request) -> Response {
+    let (parts, body) = request.into_parts();
+    let body = axum::body::to_bytes(body, 1 << 30).await.unwrap();
+    let path = parts.uri.path().to_owned();
+    if !is_signed(&parts.headers) || *bucket.refuses.lock().unwrap() {
+        return StatusCode::FORBIDDEN.into_response();
+    }
+    let mut objects = bucket.objects.lock().unwrap();
+    match parts.method {
+        Method::PUT => {
+            objects.insert(path, body);
+            [("etag", "\"1\"")].into_response()
+        }
+        Method::GET => match objects.get(&path) {
+            Some(body) => {
+                ([("etag", "\"1\""), ("last-modified", "Sat, 21 Nov 2026 00:00:00 GMT")], body.clone()).into_response()
+            }
+            None => StatusCode::NOT_FOUND.into_response(),
+        },
+        _ => StatusCode::METHOD_NOT_ALLOWED.into_response(),
+    }
+}
+
+#[tokio::test]
+async fn large_results_are_objects_and_a_bucket_that_refuses_costs_no_job() {
+    let (bucket, url) = Bucket::start().await;
+    let settings = [
+        ("PLATEAU_STORE__RESULTS", "s3://plateau/results/of-ours"),
+        ("PLATEAU_STORE__INLINE_BYTES", "100"),
+        ("AWS_ENDPOINT_URL", url.as_str()),
+        ("AWS_ALLOW_HTTP", "true"),
+        ("AWS_REGION", "eu-test-1"),
+        ("AWS_ACCESS_KEY_ID", "test-key"),
+        ("AWS_SECRET_ACCESS_KEY", "test-secret"),
+    ];
+    let app = TestApp::start_with(&settings).await;
+    let job = app.solve(MINIMAL, &small_film(0.3)).await;
+    let names = bucket.names();
+    assert_eq!(names.len(), 1);
+    let expected = format!("/plateau/results/of-ours/{}-1", job["id"].as_str().unwrap());
+    assert_eq!(names, [expected]);
+    assert!(!app.folder.path().join("data/results").exists());
+    let mesh = app.get(job["links"]["mesh"].as_str().unwrap()).await;
+    assert_eq!(mesh.status(), 200);
+    assert_eq!(&mesh.bytes().await.unwrap()[..4], b"glTF");
+
+    *bucket.refuses.lock().unwrap() = true;
+    // The result cannot be kept, so nothing is said to have succeeded: the client hears that the store is away.
+    let refused = app.post_waiting(MINIMAL, &small_film(0.4)).await;
+    assert_eq!(refused.status(), 503);
+    assert!(refused.headers().contains_key("retry-after"));
+    *bucket.refuses.lock().unwrap() = false;
+    let solved: Value = app.solve(MINIMAL, &small_film(0.4)).await;
+    assert_eq!(solved["status"], "succeeded");
+    assert_eq!(bucket.names().len(), 2);
+}
