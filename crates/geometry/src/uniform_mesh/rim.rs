@@ -127,6 +127,14 @@ pub(super) fn rebuild<'a>(
         Rim { flat, positions: part.iter().map(|&v| positions[v as usize]).collect(), surface: nodes.surface, work: 0 };
     rim.flip_all(execution)?;
     rim.fill(execution)?;
+    let upright = |t: u32| {
+        let [a, b, c] = rim.flat.triangle(t);
+        side(a, b, c) > 0.0
+    };
+    // A centre on an edge that may not flip leaves a triangle without area.
+    if !(0..rim.flat.corners.len() as u32).all(upright) {
+        return Ok(None);
+    }
 
     let inserted = core.nodes.len() as u32;
     part.extend((0..(rim.positions.len() - part.len()) as u32).map(|k| inserted + k));
