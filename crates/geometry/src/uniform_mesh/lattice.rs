@@ -204,7 +204,7 @@ impl Rows {
 
 /// Sorts by row and then by `order`: into buckets first, because a row holds few. Most of the search's time goes here.
 fn sort_rows<T: Copy>(
-    items: &mut Vec<T>,
+    items: &mut [T],
     spare: &mut Vec<T>,
     ends: &mut Vec<u32>,
     rows: usize,
