@@ -346,6 +346,23 @@ fn impossible_inputs_name_the_reason() {
     assert!(refused(&[triangle], &bad).starts_with("/tolerance"));
 }
 
+/// Once it took a minute without a look and 3 GB: a rectangle around a needle of 1e6 was filled to reach 300 triangles.
+#[test]
+fn a_spike_of_a_million_costs_a_bounded_number_of_steps() {
+    for direction in [DVec3::X, DVec3::Y, DVec3::Z, DVec3::ONE] {
+        let mut boundary = curve(36, |t| 10.0 * at(t.cos(), t.sin(), 0.0));
+        boundary[18] += 1e6 * direction;
+        let exec = Execution::default();
+        match solve(&[boundary.clone()], &options(300), &exec) {
+            Ok(surface) => valid(&[boundary], &surface),
+            Err(Error::Interrupted(_)) => panic!("nobody asked for it"),
+            Err(_) => {}
+        }
+        assert!(exec.work() < 50_000_000, "{} steps", exec.work());
+        assert!(exec.largest_work_between_looks() < 5_000_000, "{}", exec.largest_work_between_looks());
+    }
+}
+
 #[test]
 fn several_loops_however_they_lie_give_a_mesh_or_a_reason() {
     let nested = vec![circle(40, 1.0, 0.0), circle(40, 0.4, 0.0)];

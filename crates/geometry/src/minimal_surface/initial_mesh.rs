@@ -194,7 +194,9 @@ fn refusal(boundaries: &[Vec<DVec3>], error: PlaneError, plane: bool) -> Error {
     match error {
         PlaneError::Interrupted(interruption) => interruption.into(),
         PlaneError::TooManyPoints => {
-            Error::input(Place::field("resolution"), "so fine a mesh has more triangles than can be numbered")
+            let detail = "the mesh would have more triangles than can be numbered, or many times those asked for; is there \
+                a spike in the boundaries, or are some points much closer together than the rest?";
+            Error::input(Place::field("resolution"), detail)
         }
         PlaneError::PointOutside(_) => {
             let detail = "a fixed point or curve does not lie inside the boundaries, seen in their plane";

@@ -4,6 +4,7 @@
 //! are nested and one passes into the next without a seam. Delaunay triangles on these points are equilateral wherever
 //! the size is constant.
 
+use crate::execution::{Execution, Interruption};
 use glam::DVec2;
 use std::rc::Rc;
 
@@ -54,6 +55,9 @@ struct Cell {
     near: Rc<[u32]>,
 }
 
+/// Some milliseconds' worth.
+const CELLS_BETWEEN_LOOKS: u64 = 1 << 15;
+
 /// A lattice point, row before column, that may stand too near to a source; and the number of a list of the sources near it.
 type Corner = (u64, u32);
 
@@ -72,9 +76,17 @@ impl SizeField<'_> {
     }
 
     /// Lattice points in the rectangle, not too near to any source, sorted by y, then x. `None` if there would be more than `limit`.
+    /// Looks every [`CELLS_BETWEEN_LOOKS`] cells.
     ///
     /// `spacing` is the lattice's own spacing where nothing else asks for less, at most the cap's largest value.
-    pub fn lattice(&self, low: DVec2, high: DVec2, spacing: f64, limit: usize) -> Option<Vec<DVec2>> {
+    pub fn lattice(
+        &self,
+        low: DVec2,
+        high: DVec2,
+        spacing: f64,
+        limit: usize,
+        exec: &Execution,
+    ) -> Result<Option<Vec<DVec2>>, Interruption> {
         // An equilateral triangle around the rectangle, its side the spacing times a power of two.
         let row = 0.75f64.sqrt();
         let extent = high - low;
@@ -94,7 +106,12 @@ impl SizeField<'_> {
             found.dedup_by_key(|corner| corner.0);
         };
         let mut merged = 0;
+        let mut visited = 0;
         while let Some(Cell { corners, depth, inverted, near }) = stack.pop() {
+            visited += 1;
+            if visited % CELLS_BETWEEN_LOOKS == 0 {
+                exec.look(CELLS_BETWEEN_LOOKS)?;
+            }
             let places = corners.map(place);
             let [p, q, r] = places;
             let centre = (p + q + r) / 3.0;
@@ -134,7 +151,7 @@ impl SizeField<'_> {
                 merged = found.len();
                 // Those too near to a source do not count; far more than the limit cannot all be such.
                 if merged > 2 * limit {
-                    return None;
+                    return Ok(None);
                 }
             }
         }
@@ -145,7 +162,7 @@ impl SizeField<'_> {
             (clearance >= CLEARANCE * size).then_some(point)
         };
         let points: Vec<DVec2> = found.iter().filter_map(clear).collect();
-        (points.len() <= limit).then_some(points)
+        Ok((points.len() <= limit).then_some(points))
     }
 
     /// The sources that can set the size, or stand too near, anywhere within `reach` of a point.
@@ -217,7 +234,7 @@ mod tests {
         let mut sources = square_sources(1.0, 4);
         sources.push(Source::new(DVec2::new(0.3, 0.4), DVec2::new(0.3, 0.4), 0.003));
         let field = SizeField { sources, grading: 0.3, cap: &|_| 0.2 };
-        let points = field.lattice(DVec2::ZERO, DVec2::ONE, 0.2, 100_000).unwrap();
+        let points = field.lattice(DVec2::ZERO, DVec2::ONE, 0.2, 100_000, &Execution::default()).unwrap().unwrap();
         let all: Vec<u32> = (0..field.sources.len() as u32).collect();
         assert!(points.len() > 100);
         for (k, &p) in points.iter().enumerate() {
@@ -244,6 +261,6 @@ mod tests {
     #[test]
     fn too_many_points_are_refused_before_they_are_made() {
         let field = SizeField { sources: square_sources(1.0, 4), grading: 0.3, cap: &|_| 1e-4 };
-        assert!(field.lattice(DVec2::ZERO, DVec2::ONE, 1e-4, 10_000).is_none());
+        assert!(field.lattice(DVec2::ZERO, DVec2::ONE, 1e-4, 10_000, &Execution::default()).unwrap().is_none());
     }
 }

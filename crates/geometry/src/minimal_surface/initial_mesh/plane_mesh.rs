@@ -102,7 +102,10 @@ impl Domain {
         let high = points.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
         let extent = (high - low).max_element();
         let field = SizeField { sources, grading, cap };
-        let candidates = field.lattice(low, high, largest_cap.min(extent), limit).ok_or(PlaneError::TooManyPoints)?;
+        let candidates = field
+            .lattice(low, high, largest_cap.min(extent), limit, exec)
+            .map_err(PlaneError::Interrupted)?
+            .ok_or(PlaneError::TooManyPoints)?;
         exec.look(candidates.len() as u64).map_err(PlaneError::Interrupted)?;
         let kept = inside(&self.loops, &candidates);
         points.extend(candidates.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point));

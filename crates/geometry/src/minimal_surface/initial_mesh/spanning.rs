@@ -13,7 +13,7 @@ use super::super::film::Film;
 use super::super::pinkall_polthier::Dirichlet;
 use super::super::remesh::{flip_to_delaunay, subdivide, tangential_relaxation};
 use super::super::resample::{Rim, resample};
-use super::super::{BoundarySampling, Constraints, LARGEST_COUNT, Options, Resolution};
+use super::super::{BoundarySampling, Constraints, LARGEST_COUNT, Options, Resolution, estimate_triangles};
 use super::domain::Shape;
 use super::pins::{Pin, Pins};
 use super::plane_mesh::{Domain, PlaneError, PlaneMesh};
@@ -272,6 +272,14 @@ impl Spanning<'_> {
         self.boundaries.iter().flatten().map(|p| p.length()).fold(0.0, f64::max)
     }
 
+    /// Lattice points after which a layout is given up. Many may lie in the rectangle around the boundary and outside of it (a
+    /// thin strip across), so that they may be more than those asked for, but not without bound (a spike, a million long).
+    fn largest_lattice(&self) -> usize {
+        let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
+        let asked = estimate_triangles(self.boundaries, self.options) + boundary as f64;
+        (64.0 * asked + 1e6).min(LARGEST_COUNT as f64) as usize
+    }
+
     fn goal(&self) -> Goal {
         Goal { resolution: self.options.resolution, euler: 2 - self.boundaries.len() as i64 }
     }
@@ -434,7 +442,7 @@ impl Spanning<'_> {
         let scale = self.shape.scale(self.boundaries);
         // The lattice's spacing follows the size without jumps where the scale is the same everywhere.
         let largest = domain.loops.iter().flatten().map(|&p| scale(p)).fold(0.0, f64::max);
-        let sites = domain.sites(&|p| size * scale(p), size * largest, grading, LARGEST_COUNT, self.exec)?;
+        let sites = domain.sites(&|p| size * scale(p), size * largest, grading, self.largest_lattice(), self.exec)?;
         let mean_scale = sites.iter().map(|&p| scale(p)).sum::<f64>() / sites.len() as f64;
         // Euler again, with as many parts as loops less holes; side by side they make a few triangles less.
         let euler = 2 - boundaries.len() as i64;

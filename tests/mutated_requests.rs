@@ -1,0 +1,241 @@
+//! Requests that went wrong: the examples, mutated at random, from body to archive. Whatever comes in, the answer is a mesh or an
+//! error that names a value; never a panic, never a solve that does not end.
+//!
+//! `PLATEAU_LONG=1` tries twenty times as many, `PLATEAU_SEED` others.
+
+use plateau::config::LimitsConfig;
+use plateau::export::{Archive, MeshFormat};
+use plateau::jobs::solve::solve;
+use plateau::wire::{Rejection, Request};
+use plateau_geometry::{Error, Execution, Signal};
+use serde_json::{Value, json};
+use std::cell::Cell;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// SplitMix64.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+    fn below(&mut self, count: usize) -> usize {
+        (self.next() % count.max(1) as u64) as usize
+    }
+    fn pick<'a, T>(&mut self, from: &'a [T]) -> &'a T {
+        &from[self.below(from.len())]
+    }
+}
+
+const NUMBERS: [f64; 17] =
+    [0.0, -0.0, 1.0, -1.0, 0.5, 3.0, 2.0, 1e-6, 1e6, 1e7, -1e7, 1e15, 1e-12, 5e-324, 1e-300, 1e99, 1e300];
+
+/// The examples, made small: fewer points would not be another shape, but fewer triangles are quicker.
+fn examples() -> Vec<Value> {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("api/examples");
+    let mut files: Vec<_> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    let read = |file| {
+        let mut value: Value = serde_json::from_slice(&std::fs::read(file).unwrap()).unwrap();
+        if value["kind"] == "minimal_surface" {
+            value["resolution"] = json!({ "triangles": 300 });
+            value["max_iterations"] = json!(40);
+        }
+        if value["kind"] == "uniform_mesh"
+            && let Some(length) = value["length"].as_f64()
+        {
+            value["length"] = json!(2.0 * length);
+        }
+        value
+    };
+    files.iter().map(read).collect()
+}
+
+/// Every polyline of the request: arrays of arrays of three numbers.
+fn polylines(value: &mut Value) -> Vec<&mut Vec<Value>> {
+    let is_point = |value: &Value| value.as_array().is_some_and(|p| p.len() == 3 && p.iter().all(Value::is_number));
+    match value {
+        Value::Array(list) => {
+            if list.first().is_some_and(is_point) {
+                vec![list]
+            } else {
+                list.iter_mut().flat_map(polylines).collect()
+            }
+        }
+        Value::Object(map) => map.values_mut().flat_map(polylines).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Every value that is not a container, with the container's slot to overwrite.
+fn leaves(value: &mut Value) -> Vec<&mut Value> {
+    match value {
+        Value::Array(list) => list.iter_mut().flat_map(leaves).collect(),
+        Value::Object(map) => map.values_mut().flat_map(leaves).collect(),
+        leaf => vec![leaf],
+    }
+}
+
+fn each_coordinate(value: &mut Value, mut change: impl FnMut(usize, f64) -> f64) {
+    for polyline in polylines(value) {
+        for point in polyline.iter_mut().filter_map(Value::as_array_mut) {
+            for (axis, coordinate) in point.iter_mut().enumerate() {
+                *coordinate = json!(change(axis, coordinate.as_f64().unwrap_or(0.0)));
+            }
+        }
+    }
+}
+
+/// Something that a client, a script or a tired designer might do to a request.
+fn mutate(request: &mut Value, others: &[Value], random: &mut Random) {
+    let other = random.pick(others).clone();
+    let number = *random.pick(&NUMBERS);
+    let axis = random.below(3);
+    match random.below(16) {
+        // One value replaced by another.
+        0 | 1 => {
+            let mut all = leaves(request);
+            let at = random.below(all.len());
+            *all[at] = match random.below(6) {
+                0 => Value::Null,
+                1 => json!("minimal_area"),
+                2 => json!(true),
+                3 => json!([]),
+                _ => json!(number),
+            };
+        }
+        // A field of another example, or none.
+        2 | 3 => {
+            let fields: Vec<String> = other.as_object().unwrap().keys().filter(|key| *key != "kind").cloned().collect();
+            let key = random.pick(&fields).clone();
+            request[key.as_str()] = other[key.as_str()].clone();
+        }
+        4 => {
+            let keys: Vec<String> = request.as_object().unwrap().keys().filter(|key| *key != "kind").cloned().collect();
+            request.as_object_mut().unwrap().remove(random.pick(&keys));
+        }
+        // The whole shape: flat, tiny, huge, far away, on a coarse grid, shaken.
+        5 => each_coordinate(request, |a, c| if a == axis { 0.0 } else { c }),
+        6 => each_coordinate(request, |_, c| c * number),
+        7 => each_coordinate(request, |a, c| if a == axis { c + number } else { c }),
+        8 => each_coordinate(request, |_, c| c.round()),
+        9 => each_coordinate(request, |_, c| c + (random.below(2001) as f64 / 1000.0 - 1.0) * 0.3),
+        // One polyline: a point twice, one moved, two exchanged, one dropped, reversed, cut short.
+        what => {
+            let mut all = polylines(request);
+            if all.is_empty() {
+                return;
+            }
+            let at = random.below(all.len());
+            let line = &mut *all[at];
+            if line.is_empty() {
+                return;
+            }
+            let (a, b) = (random.below(line.len()), random.below(line.len()));
+            match what {
+                10 => line.insert(a, line[b].clone()),
+                11 => line[a][axis] = json!(line[a][axis].as_f64().unwrap_or(0.0) + number),
+                12 => line.swap(a, b),
+                13 => {
+                    line.remove(a);
+                }
+                14 => line.reverse(),
+                _ => line.truncate(a),
+            }
+        }
+    }
+}
+
+/// Looks after which a solve is told that its time is over, and after which it is said to hang.
+const PATIENCE: u64 = 100;
+const HANGS: u64 = 10 * PATIENCE;
+
+/// What became of a body; Err if it should not have.
+fn outcome(body: &[u8], limits: &LimitsConfig) -> Result<&'static str, String> {
+    let request = match Request::read_with_kind(body, limits) {
+        Ok((_, request)) => request,
+        Err(Rejection::Malformed(detail)) => return Err(format!("called malformed: {detail}")),
+        Err(Rejection::Invalid(errors) | Rejection::TooLarge(errors)) => {
+            let document: Value = serde_json::from_slice(body).unwrap();
+            for error in &errors {
+                // A missing field is named where it belongs.
+                let parent = error.pointer.rsplit_once('/').map_or("", |(parent, _)| parent);
+                if errors.is_empty() || document.pointer(parent).is_none() || error.detail.is_empty() {
+                    return Err(format!("{} is not a place in the request: {}", error.pointer, error.detail));
+                }
+            }
+            return Ok("refused");
+        }
+    };
+    let looks = Cell::new(0);
+    let signal = || {
+        looks.set(looks.get() + 1);
+        assert!(looks.get() < HANGS, "goes on after its deadline");
+        if looks.get() > PATIENCE { Signal::Deadline } else { Signal::Continue }
+    };
+    match solve(&request, &Execution::new(&signal, &|_| {})) {
+        Ok(solved) => {
+            Archive::from_bytes(&solved.archive.to_bytes()).map_err(|defect| format!("its archive: {defect}"))?;
+            // A mesh of 1e99 m is refused by glTF, whose coordinates have 32 bits; OBJ holds everything.
+            let _ = MeshFormat::Glb.encode(&solved.archive);
+            MeshFormat::Obj.encode(&solved.archive).map_err(|error| format!("its OBJ: {error}"))?;
+            Ok("solved")
+        }
+        Err(Error::Input(errors)) => {
+            if errors.is_empty() {
+                Err("refused without a reason".into())
+            } else {
+                Ok("refused by the solver")
+            }
+        }
+        Err(Error::NoResult { reason, detail, .. }) => match reason {
+            "internal" | "invalid_mesh" => Err(format!("{reason}: {detail}")),
+            _ if detail.is_empty() => Err(format!("{reason} without a word")),
+            _ => Ok("no result"),
+        },
+        Err(Error::Interrupted(_)) => Ok("interrupted"),
+    }
+}
+
+/// The outcome, or the defect with the request that shows it.
+fn check(body: &[u8], limits: &LimitsConfig) -> Result<&'static str, String> {
+    let shown = |defect: &str| format!("{defect}\n{}", String::from_utf8_lossy(body));
+    match catch_unwind(AssertUnwindSafe(|| outcome(body, limits))) {
+        Ok(outcome) => outcome.map_err(|defect| shown(&defect)),
+        Err(_) => Err(shown("a panic")),
+    }
+}
+
+#[test]
+fn every_mutated_example_gets_a_mesh_or_an_honest_refusal() {
+    let limits = LimitsConfig {
+        points: 3_000,
+        triangles: 4_000,
+        grid_cells: 2_000_000,
+        iterations: 100,
+        ..LimitsConfig::default()
+    };
+    let examples = examples();
+    let long = if std::env::var_os("PLATEAU_LONG").is_some() { 20 } else { 1 };
+    let seed = std::env::var("PLATEAU_SEED").ok().and_then(|text| text.parse().ok()).unwrap_or(20_261_121);
+    let mut random = Random(seed);
+    let mut seen = std::collections::BTreeMap::new();
+    let mut defects = Vec::new();
+    for _ in 0..400 * long {
+        let mut request = random.pick(&examples).clone();
+        for _ in 0..=random.below(3) {
+            mutate(&mut request, &examples, &mut random);
+        }
+        match check(request.to_string().as_bytes(), &limits) {
+            Ok(outcome) => *seen.entry(outcome).or_insert(0) += 1,
+            Err(defect) => defects.push(defect),
+        }
+    }
+    println!("{seen:?}");
+    assert!(defects.is_empty(), "{} defects:\n{}", defects.len(), defects.join("\n"));
+    assert!(seen["solved"] > 40 && seen["refused"] > 40, "too few of a kind: {seen:?}");
+}
