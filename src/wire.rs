@@ -54,6 +54,22 @@ pub enum Rejection {
     TooLarge(Vec<FieldError>),
 }
 
+impl Rejection {
+    /// With every pointer leading to a value of this body, or to the member that it lacks and whose default does not do.
+    fn placed_in(mut self, body: &Value) -> Self {
+        if let Self::Invalid(errors) | Self::TooLarge(errors) = &mut self {
+            for error in errors {
+                let ends = error.pointer.match_indices('/').map(|(at, _)| at).skip(1).chain([error.pointer.len()]);
+                let lacking = ends.into_iter().find(|&end| body.pointer(&error.pointer[..end]).is_none());
+                if let Some(end) = lacking {
+                    error.pointer.truncate(end);
+                }
+            }
+        }
+        self
+    }
+}
+
 impl From<GeometryError> for Rejection {
     fn from(error: GeometryError) -> Self {
         match error {
@@ -150,7 +166,7 @@ impl Request {
     /// As [`Request::read`].
     pub fn from_value(kind: Kind, value: &Value, limits: &LimitsConfig) -> Result<Self, Rejection> {
         schema::validate(kind, value)?;
-        let request = Self::checked(kind, value, limits)?;
+        let request = Self::checked(kind, value, limits).map_err(|rejection| rejection.placed_in(value))?;
         if request.memory_bytes() > limits.memory_bytes {
             let (needed, most) = (request.memory_bytes() >> 20, limits.memory_bytes >> 20);
             let detail = format!("needs about {needed} MiB to solve, more than this server gives one job ({most} MiB)");

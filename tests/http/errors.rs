@@ -162,6 +162,12 @@ async fn bad_queries_and_headers_are_400_and_impossible_media_types_406() {
 #[tokio::test]
 async fn geometry_that_has_no_surface_is_a_failed_job_that_says_why_or_a_422() {
     let app = TestApp::start().await;
+    // Where a default does not do, the pointer ends at the member that would have to be given.
+    let mut defaulted = example("helicoid");
+    defaulted["initial_mesh"] = json!("rings");
+    defaulted["boundaries"][0].as_array_mut().unwrap().pop();
+    defaulted.as_object_mut().unwrap().remove("resolution");
+    assert_eq!(pointers(&problem(app.post(MINIMAL, &defaulted).await, 422).await), ["/resolution"]);
     // Chen-Cai-Zheng's rings cannot have an odd number of free parities: the count is impossible.
     let mut request = example("helicoid");
     request["initial_mesh"] = json!("rings");

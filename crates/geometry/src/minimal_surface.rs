@@ -39,7 +39,7 @@ pub use triple_junction::JunctionStatistics;
 pub use vertex_relaxation::Process;
 
 use crate::error::{InputError, Warning};
-use crate::polyline::merge_equal_neighbours;
+use crate::polyline::{LARGEST_COORDINATE, merge_equal_neighbours};
 use crate::{DVec3, Error, Execution, Mesh, Place};
 use film::{Film, Run};
 
@@ -449,8 +449,8 @@ pub struct MinimalSurface {
 /// returned with `converged: false` and the warning `not_converged`, at a deadline too.
 ///
 /// # Errors
-/// [`Error::Input`] for what the arguments themselves show (a coordinate that is not finite or beyond 1e70, fewer than
-/// three distinct points on a boundary, an impossible resolution); [`Error::NoResult`] if no valid mesh came out;
+/// [`Error::Input`] for what the arguments themselves show (a coordinate that is not finite or beyond 1e70, neighbours
+/// nearer than 1e-70 and not equal, fewer than three distinct points on a boundary, an impossible resolution); [`Error::NoResult`] if no valid mesh came out;
 /// [`Error::Interrupted`] on cancel, and on a deadline that passes before there is a mesh.
 pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<MinimalSurface, Error> {
     let input = Input::read(boundaries, options)?;
@@ -567,8 +567,8 @@ const RESOLUTION_TOLERANCE: f64 = 0.1;
 /// A third of an equilateral triangle's angle: rules against thinner ones leave good triangles alone.
 const LARGEST_DEGENERATE_ANGLE: f64 = std::f64::consts::PI / 9.0;
 
-/// Coordinates beyond this could overflow when lengths are multiplied.
-const LARGEST_COORDINATE: f64 = 1e70;
+/// Between neighbours on a boundary: products of four lengths must not vanish.
+const SMALLEST_DISTANCE: f64 = 1e-70;
 
 impl Input {
     fn read(boundaries: &[Vec<DVec3>], options: &Options) -> Result<Self, Error> {
@@ -588,6 +588,13 @@ impl Input {
                 }
             }
             let merged = merge_equal_neighbours(boundary, true);
+            let next = |i: usize| merged.points[(i + 1) % merged.points.len()];
+            if let Some(i) = (0..merged.points.len()).find(|&i| merged.points[i].distance(next(i)) < SMALLEST_DISTANCE)
+                && merged.points.len() > 1
+            {
+                let detail = "lies nearer than 1e-70 to its neighbour, too near to compute with";
+                errors.push(InputError::new(place().at(k).at(merged.source[i]), detail));
+            }
             let mut distinct: Vec<[f64; 3]> = merged.points.iter().map(|p| (*p + DVec3::ZERO).to_array()).collect();
             distinct.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
             distinct.dedup();

@@ -2,6 +2,9 @@
 
 use crate::DVec3;
 
+/// Coordinates beyond this could overflow where four lengths are multiplied, as in a squared area.
+pub(crate) const LARGEST_COORDINATE: f64 = 1e70;
+
 /// A polyline without equal neighbours, and where each input point went.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Merged {

@@ -36,6 +36,7 @@ mod triangulation;
 use crate::error::{Error, InputError, Place, Warning};
 use crate::execution::Execution;
 use crate::mesh::measure::Spread;
+use crate::polyline::LARGEST_COORDINATE;
 use crate::{DVec2, DVec3, Mesh};
 use assemble::{on_polygon, on_surface};
 use curved::Auxiliary;
@@ -44,8 +45,6 @@ use parametric_surface::Nurbs;
 use polygon::Polygon;
 use statistics::{LengthHistogram, Stage};
 
-/// Coordinates beyond this overflow when squared and multiplied.
-const LARGEST_COORDINATE: f64 = 1e100;
 /// More nodes than this and indices no longer fit.
 const MOST_NODES: f64 = 5e7;
 /// What rounding of unit lengths may add beyond [ℓ, 2ℓ] (the insertion's own slack is half of it).
@@ -294,7 +293,7 @@ pub fn estimate(domain: &Domain, options: &Options) -> Result<Cost, Error> {
                     boundary.iter().position(|p| !p.is_finite() || p.abs().max_element() > LARGEST_COORDINATE)
                 {
                     let place = Place::field("domain").then("boundaries").at(k).at(i);
-                    return Err(Error::input(place, "must be finite and below 1e100 in magnitude"));
+                    return Err(Error::input(place, "must be finite and below 1e70 in magnitude"));
                 }
             }
             let perimeter: f64 = boundaries.iter().map(|points| crate::polyline::length(points, true)).sum();
@@ -339,7 +338,7 @@ fn cost(area: f64, perimeter: f64, edge_length: f64) -> Cost {
 fn check_options(options: &Options) -> Result<(), Error> {
     let mut errors = Vec::new();
     if !(1.0 / LARGEST_COORDINATE..=LARGEST_COORDINATE).contains(&options.edge_length) {
-        errors.push(InputError::new(Place::field("edge_length"), "must be positive, between 1e-100 and 1e100"));
+        errors.push(InputError::new(Place::field("edge_length"), "must be positive, between 1e-70 and 1e70"));
     }
     for (axis, &cells) in options.auxiliary_grid.iter().enumerate() {
         if !(2..=400).contains(&cells) {

@@ -1,6 +1,9 @@
 //! Films that change their topology: `free` lets necks close, `best` compares every way to span the boundaries.
 
-use plateau_geometry::minimal_surface::{MinimalSurface, Options, Resolution, SpanningComparison, Topology, solve};
+use plateau_geometry::minimal_surface::{
+    BoundarySampling, InitialMesh, LinearSolver, MinimalSurface, Options, Resolution, Solver, SpanningComparison,
+    StopReason, Topology, solve,
+};
 use plateau_geometry::{DVec3, Error, Execution, Progress, Signal};
 use std::cell::Cell;
 use std::f64::consts::TAU;
@@ -94,6 +97,29 @@ fn rings_of_radius_10_at_height_14_become_two_discs() {
     assert!((fraction - 0.6627 / 0.7).abs() < 0.004, "{fraction}");
     let told = surface.warnings.iter().find(|warning| warning.code == "no_connected_film").unwrap();
     assert!(told.detail.contains("0.94"), "{}", told.detail);
+}
+
+/// Once conjugate gradients were asked for the places of no vertices, and died of it.
+#[test]
+fn a_film_that_mending_leaves_without_a_free_vertex_has_nothing_to_move() {
+    let edgewise = |z: f64| {
+        let circle = circle(36, 10.0, DVec3::new(0.0, 0.0, z), DVec3::Z);
+        circle.into_iter().map(|p| DVec3::new(p.x, 0.0, p.z)).collect::<Vec<_>>()
+    };
+    for linear_solver in [LinearSolver::Direct, LinearSolver::ConjugateGradients] {
+        let options = Options {
+            linear_solver,
+            solver: Solver::PinkallPolthier,
+            topology: Topology::Free,
+            initial_mesh: InitialMesh::Rings,
+            boundary_sampling: BoundarySampling::Keep,
+            tolerance: 0.0,
+            ..Options::new(Resolution::Triangles(300))
+        };
+        let surface = solve(&[edgewise(0.0), edgewise(14.0)], &options, &Execution::default()).unwrap();
+        assert_eq!(surface.statistics.stop_reason, StopReason::NothingToMove);
+        assert!(!surface.statistics.converged);
+    }
 }
 
 #[test]

@@ -343,6 +343,20 @@ fn reasons_are_named() {
     assert_eq!(why(&rooms, 1.0), [Why::Narrow]);
 }
 
+/// The way along the sides of a hole whose whole circumference is below 3ℓ once led round and round.
+#[test]
+fn a_polygon_and_its_hole_may_be_much_smaller_than_the_edge_length() {
+    let hole = flat(&[[0.4, 0.2], [0.2, 0.2], [0.2, 0.5], [0.4, 0.5]]);
+    let outer = flat(&[[0.0, 0.0], [1.0, 0.0], [1.0, 0.45], [0.6, 0.45], [0.6, 0.9], [0.0, 0.9]]);
+    for objective in [Objective::FewestNodes, Objective::MostEqualEdges] {
+        for length in [1.0, 10.0, 1e11] {
+            let domain = Domain::Polygon { outer: outer.clone(), holes: vec![hole.clone()] };
+            let mesh = run(&domain, length, objective).unwrap();
+            assert_eq!(mesh.statistics.nodes, 10);
+        }
+    }
+}
+
 #[test]
 fn a_triangle_smaller_than_the_edge_length_is_one_triangle() {
     for objective in Objective::ALL {

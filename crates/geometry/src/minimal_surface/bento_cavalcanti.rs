@@ -87,9 +87,6 @@ pub(super) fn iterate(
     let mut first_change = None;
     let (pinches_before, mut mended) = (run.pinches.len(), false);
     loop {
-        if film.fixed.iter().all(|&fixed| fixed) {
-            return Ok(StopReason::NothingToMove);
-        }
         if record.iterations >= limit {
             return Ok(StopReason::MaxIterations);
         }
@@ -105,6 +102,10 @@ pub(super) fn iterate(
         run.pinches.extend(changes.pinches.into_iter().map(|pinch| Pinch { iteration, ..pinch }));
         if changed {
             dirichlet = Dirichlet::new(film).map_err(|error| Stop::TooLarge(too_large(error)))?;
+        }
+        // Of a film that has fallen together, mending may leave no free vertex.
+        if dirichlet.pattern.vertex.is_empty() {
+            return Ok(StopReason::NothingToMove);
         }
         let solved = match options.linear_solver {
             LinearSolver::Direct => dirichlet.step(film).map(|()| Elimination::Used),

@@ -27,7 +27,7 @@ const ROOM: f64 = 0.7;
 /// A pass that changes the number of triangles by less than this shows where they settle.
 const SETTLED: f64 = 0.1;
 /// Splitting ends beyond this many times the wanted number.
-const RUNAWAY: f64 = 4.0;
+pub(super) const RUNAWAY: f64 = 4.0;
 /// How near the wanted number ends the passes.
 const CLOSE_ENOUGH: f64 = 0.03;
 
@@ -303,11 +303,14 @@ fn collapse_short(film: &mut Film, size: &[f64]) {
         } else {
             0.5 * (film.vertices[a as usize] + film.vertices[b as usize])
         };
-        let ring = |v: u32| film.topology.outgoing_half_edges(v).map(|e| film.topology.to(e));
+        // A vertex of the boundary reaches its last neighbour only as an opposite one.
+        let ring = |v: u32| {
+            film.topology.outgoing_half_edges(v).flat_map(|e| [film.topology.to(e), film.topology.opposite(e)])
+        };
         let near = || ring(a).chain(ring(b)).chain([a, b]);
         if film.fixed[leaves as usize]
             || near().any(|v| touched[v as usize])
-            || !can_collapse(film, h)
+            || !can_collapse(film, leaves, stays, h)
             || ![(leaves, stays), (stays, leaves)].iter().all(|&(v, other)| keeps_shape(film, size, v, other, meeting))
         {
             continue;
@@ -346,23 +349,14 @@ fn collapse_short(film: &mut Film, size: &[f64]) {
 }
 
 /// The link condition: the ends have no common neighbour but the two opposite vertices, and an inner edge does not join
-/// two boundary vertices (one end is free, hence inside).
-fn can_collapse(film: &Film, h: u32) -> bool {
+/// two boundary vertices. `from` is free, hence inside, so that its outgoing half-edges reach all its neighbours.
+fn can_collapse(film: &Film, from: u32, to: u32, h: u32) -> bool {
     let topology = &film.topology;
-    let (a, b) = (topology.from(h), topology.to(h));
     let opposite = [topology.opposite(h), topology.opposite(topology.twin[h as usize])];
-    let common =
-        topology.outgoing_half_edges(a).map(|e| topology.to(e)).filter(|&v| v != b && topology.are_adjacent(v, b));
-    let mut count = 0;
-    for v in common {
-        if !opposite.contains(&v) {
-            return false;
-        }
-        count += 1;
-    }
-    // A vertex of the boundary reaches its last neighbour by the incoming half-edge only; both opposite ones must be common.
-    count <= 2
-        && opposite[0] != opposite[1]
+    let mut common =
+        topology.outgoing_half_edges(from).map(|e| topology.to(e)).filter(|&v| v != to && topology.are_adjacent(v, to));
+    opposite[0] != opposite[1]
+        && common.all(|v| opposite.contains(&v))
         && opposite.iter().all(|&v| topology.outgoing_half_edges(v).count() > 3 || topology.is_boundary(v))
 }
 
@@ -388,6 +382,24 @@ fn keeps_shape(film: &Film, size: &[f64], v: u32, other: u32, place: DVec3) -> b
 mod tests {
     use super::*;
     use crate::mesh::measure;
+
+    /// Once such an edge was taken away, and two triangles stood on one another.
+    #[test]
+    fn an_edge_whose_ends_share_a_neighbour_around_a_corner_stays() {
+        let at = |x: f64, y: f64| DVec3::new(x, y, 0.0);
+        let (corners, inner) =
+            ([at(0.0, 0.0), at(4.0, 0.0), at(4.0, 4.0), at(0.0, 4.0)], [at(2.0, 1.5), at(0.5, 1.2), at(0.8, 2.0)]);
+        // The corner 0 and the vertex 4 have the neighbour 3 in common, and two vertices in the triangle between.
+        let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [0, 4, 5], [0, 5, 3], [5, 4, 6], [4, 3, 6], [5, 6, 3]];
+        let film = Film::new([&corners[..], &inner].concat(), &triangles, Vec::new()).unwrap();
+        let topology = &film.topology;
+        for [from, to] in [[0, 4], [4, 0]] {
+            let h = topology.outgoing_half_edges(from).find(|&h| topology.to(h) == to).unwrap();
+            assert!(!can_collapse(&film, 4, 0, h));
+        }
+        let h = topology.outgoing_half_edges(4).find(|&h| topology.to(h) == 6).unwrap();
+        assert!(can_collapse(&film, 6, 4, h));
+    }
 
     /// A flat strip, ten times as long as it is wide, its inner vertices crowded towards one side.
     fn strip() -> Film {

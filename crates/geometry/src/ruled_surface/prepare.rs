@@ -12,10 +12,9 @@ use super::warnings::{BENDING_CHECKED_UP_TO, CLOSED_BENDING_CHECKED_UP_TO};
 use super::{Caps, Cost, Options, RuledSurface, Statistics};
 use crate::error::{Error, InputError, Place, Warning};
 use crate::execution::{Execution, Interruption};
+use crate::polyline::LARGEST_COORDINATE;
 use crate::{DVec3, Mesh, polyline};
 
-/// Coordinates beyond this would have areas outside f64.
-const LARGEST_COORDINATE: f64 = 1e100;
 /// Errors listed before the rest is left out.
 const MOST_ERRORS: usize = 51;
 /// Samples of one directrix.
@@ -219,7 +218,7 @@ fn value_errors(name: &'static str, lists: &[&[DVec3]], largest: f64) -> Vec<Inp
             for axis in 0..3 {
                 let (finite, small) = (point[axis].is_finite(), point[axis].abs() <= largest);
                 if !(finite && small) && errors.len() < MOST_ERRORS {
-                    let detail = if finite { "must not exceed 1e100" } else { "must be finite" };
+                    let detail = if finite { "must not exceed 1e70" } else { "must be finite" };
                     errors.push(InputError::new(Place::field(name).at(k).at(index).at(axis), detail));
                 }
             }

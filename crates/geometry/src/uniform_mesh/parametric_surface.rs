@@ -3,8 +3,8 @@
 //! Evaluation follows Piegl and Tiller, *The NURBS Book*: span by bisection (A2.1), basis functions and their first
 //! derivatives from one triangular table (A2.2, A2.3), the quotient rule on homogeneous coordinates (eq. 4.20).
 
-use super::LARGEST_COORDINATE;
 use crate::error::{Error, InputError, Place, Step};
+use crate::polyline::LARGEST_COORDINATE;
 use crate::{DVec2, DVec3};
 
 /// Degrees beyond this are refused: nothing is drawn with them, and their tables are evaluated in O(degree²).
@@ -56,7 +56,7 @@ impl Nurbs {
             for (j, p) in row.iter().enumerate() {
                 if !p.is_finite() || p.abs().max_element() > LARGEST_COORDINATE {
                     let place = points.clone().at(i).at(j);
-                    errors.push(InputError::new(place, "must be finite and below 1e100 in magnitude"));
+                    errors.push(InputError::new(place, "must be finite and below 1e70 in magnitude"));
                 }
             }
         }

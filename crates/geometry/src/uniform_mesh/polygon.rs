@@ -3,7 +3,7 @@
 use super::plane::Outline;
 use super::sides::{Division, Sides, is_sharp, pieces};
 use crate::error::{Error, InputError, Place, Warning};
-use crate::polyline::{mean, merge_equal_neighbours};
+use crate::polyline::{LARGEST_COORDINATE, mean, merge_equal_neighbours};
 use crate::{DVec2, DVec3};
 
 /// How far a point may lie off the plane, as a fraction of the polygon's size.
@@ -206,10 +206,10 @@ pub(super) fn extent(outer: &[DVec3], holes: &[Vec<DVec3>]) -> Result<(f64, f64)
 }
 
 fn finite(ring: usize, points: &[DVec3]) -> Result<(), Error> {
-    let bad = |p: &DVec3| !p.is_finite() || p.abs().max_element() > super::LARGEST_COORDINATE;
+    let bad = |p: &DVec3| !p.is_finite() || p.abs().max_element() > LARGEST_COORDINATE;
     let errors: Vec<_> = (0..points.len())
         .filter(|&k| bad(&points[k]))
-        .map(|k| InputError::new(place(ring, k), "must be finite and below 1e100 in magnitude"))
+        .map(|k| InputError::new(place(ring, k), "must be finite and below 1e70 in magnitude"))
         .collect();
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
 }

@@ -119,7 +119,8 @@ impl Sides {
         // Two nodes less than 3ℓ apart along the boundary, with a short side on the way.
         let at = |v: u32| nodes[v as usize];
         for (from, to) in [(edge[0], edge[1]), (edge[1], edge[0])] {
-            let mut s = self.stands[from as usize][1];
+            let first = self.stands[from as usize][1];
+            let mut s = first;
             let (mut way, mut shorter) = (at(from).distance(at(side(side(s).next).start)), short(s));
             while way < 3.0 {
                 s = side(s).next;
@@ -128,6 +129,10 @@ impl Sides {
                     if shorter && way + at(side(s).start).distance(at(to)) < 3.0 {
                         return Why::ShortSide;
                     }
+                    break;
+                }
+                // Once around a small loop: the other node is on another one.
+                if s == first {
                     break;
                 }
                 way += side(s).length;

@@ -6,6 +6,7 @@ use super::domain::Shape;
 use crate::DVec3;
 use crate::mesh::measure::double_area_vector;
 use glam::DVec2;
+use std::collections::BTreeMap;
 
 /// A vertex of a fixed curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +16,9 @@ pub(super) enum Pin {
     /// One of [`Pins::points`].
     Inner(u32),
 }
+
+/// The vertex at each known point.
+type Known = BTreeMap<[u64; 3], Pin>;
 
 /// The constraints as vertices and edges.
 #[derive(Clone, Debug, Default)]
@@ -28,10 +32,11 @@ impl Pins {
     /// Points that equal one of the boundary's, or each other, are one vertex. With `refine`, curves are cut into pieces of
     /// about `size`.
     pub fn new(constraints: &Constraints, boundaries: &[Vec<DVec3>], size: f64, sampling: BoundarySampling) -> Self {
-        let mut known: Vec<([u64; 3], Pin)> =
-            boundaries.iter().flatten().enumerate().map(|(k, &point)| (bits(point), Pin::Boundary(k as u32))).collect();
-        // Points that occur twice on the boundary keep their first number.
-        known.sort_by_key(|&(bits, pin)| (bits, rank(pin)));
+        let mut known = Known::new();
+        for (k, &point) in boundaries.iter().flatten().enumerate() {
+            // Points that occur twice on the boundary keep their first number.
+            known.entry(bits(point)).or_insert(Pin::Boundary(k as u32));
+        }
         let mut pins = Self::default();
         for &point in &constraints.points {
             pins.vertex(point, &mut known);
@@ -60,18 +65,11 @@ impl Pins {
         pins
     }
 
-    fn vertex(&mut self, point: DVec3, known: &mut Vec<([u64; 3], Pin)>) -> Pin {
-        let key = bits(point);
-        let at = known.partition_point(|&(bits, _)| bits < key);
-        if let Some(&(bits, pin)) = known.get(at)
-            && bits == key
-        {
-            return pin;
-        }
-        let pin = Pin::Inner(self.points.len() as u32);
-        self.points.push(point);
-        known.insert(at, (key, pin));
-        pin
+    fn vertex(&mut self, point: DVec3, known: &mut Known) -> Pin {
+        *known.entry(bits(point)).or_insert_with(|| {
+            self.points.push(point);
+            Pin::Inner(self.points.len() as u32 - 1)
+        })
     }
 
     /// Where the inner vertices stand in the plane: projected, or at the nearest point of a film that was mapped from there.
@@ -82,12 +80,6 @@ impl Pins {
             (Shape::Disc { .. }, None) => DVec2::ZERO,
         };
         self.points.iter().map(place).collect()
-    }
-}
-
-fn rank(pin: Pin) -> u32 {
-    match pin {
-        Pin::Boundary(k) | Pin::Inner(k) => k,
     }
 }
 

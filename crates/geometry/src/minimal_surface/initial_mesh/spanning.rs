@@ -12,7 +12,7 @@ use super::super::cotangent::Pattern;
 use super::super::film::Film;
 use super::super::pinkall_polthier::Dirichlet;
 use super::super::remesh::{flip_to_delaunay, subdivide, tangential_relaxation};
-use super::super::resample::{Rim, resample};
+use super::super::resample::{RUNAWAY, Rim, resample};
 use super::super::{BoundarySampling, Constraints, LARGEST_COUNT, Options, Resolution, estimate_triangles};
 use super::domain::Shape;
 use super::pins::{Pin, Pins};
@@ -21,7 +21,7 @@ use super::sampling::{Sampled, numbers, sample};
 use crate::linear::{LinearError, Symbolic};
 use crate::mesh::measure;
 use crate::mesh::topology::Topology;
-use crate::{DVec3, Error, Execution, polyline};
+use crate::{DVec3, Error, Execution, Place, polyline};
 use glam::DVec2;
 
 /// A film at a coarse resolution and how often it is to be subdivided.
@@ -131,6 +131,9 @@ impl From<Error> for Failure {
         Self::Other(error)
     }
 }
+
+/// Edges of all fixed curves together, where they are cut: each end is looked for in the whole film.
+const MOST_PINS: f64 = 2e4;
 
 static NO_CONSTRAINTS: Constraints = Constraints { points: Vec::new(), polylines: Vec::new() };
 
@@ -256,9 +259,28 @@ impl Spanning<'_> {
             Resolution::EdgeLength(length) => length,
             _ => 2.0 * self.radius() / wanted.clamp(16.0, 4.0 * COARSE_TRIANGLES).sqrt(),
         };
+        self.check_lengths(size)?;
         let pins = Pins::new(self.constraints, self.boundaries, size, self.options.boundary_sampling);
         let places = pins.in_plane(&self.shape, mapped.as_ref());
         Ok(Pinned { pins, places })
+    }
+
+    /// Refuses curves (one point far off is enough) of more pieces than the film can have triangles.
+    fn check_lengths(&self, size: f64) -> Result<(), Failure> {
+        if self.options.boundary_sampling == BoundarySampling::Keep {
+            return Ok(());
+        }
+        let most = estimate_triangles(self.boundaries, self.options).clamp(1e3, MOST_PINS);
+        let mut pieces = 0.0;
+        for (k, curve) in self.constraints.polylines.iter().enumerate() {
+            pieces += polyline::length(curve, false) / size;
+            if pieces > most {
+                let detail =
+                    format!("too long for this film: more than {most:.0} edges of {size:.3e} with those before it");
+                return Err(Failure::Other(Error::input(Place::field("constraints").then("polylines").at(k), detail)));
+            }
+        }
+        Ok(())
     }
 
     fn rim(&self) -> Rim {
@@ -516,6 +538,10 @@ impl Spanning<'_> {
         let mut area = f64::INFINITY;
         for _ in 0..ROUNDS {
             resample(film, count, 3, self.rim(), self.exec)?;
+            if film.triangles().len() as f64 > RUNAWAY * count {
+                *film = relaxed;
+                return Ok(());
+            }
             let settled = film.area() > SETTLED * area;
             area = film.area();
             if settled || flat {

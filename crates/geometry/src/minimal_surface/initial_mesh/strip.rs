@@ -98,8 +98,8 @@ fn march(p: &[f64], q: &[f64]) -> Vec<(usize, usize)> {
     let mut bridges = vec![(0, 0)];
     while i + 1 < p.len() || j + 1 < q.len() {
         // Middles of the segments ahead: the one that lies earlier is crossed first.
-        let ahead = |shares: &[f64], k: usize| if k + 1 < shares.len() { shares[k] + shares[k + 1] } else { f64::MAX };
-        if ahead(p, i) <= ahead(q, j) {
+        let ahead = |shares: &[f64], k: usize| shares[k] + shares[k + 1];
+        if j + 1 == q.len() || (i + 1 < p.len() && ahead(p, i) <= ahead(q, j)) {
             i += 1;
         } else {
             j += 1;

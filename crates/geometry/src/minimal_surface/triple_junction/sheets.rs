@@ -6,6 +6,7 @@ use crate::error::InputError;
 use crate::mesh::measure;
 use crate::mesh::topology::Topology;
 use crate::{DVec3, Error, Place};
+use std::collections::BTreeMap;
 
 /// How a vertex may move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,7 +69,14 @@ impl Sheets {
         let count = vertices.len();
         let triangle_place = |t: usize| Place::field("initial_mesh").then("triangles").at(t);
         let mut errors = Vec::new();
+        let mut seen = BTreeMap::new();
         for (t, triangle) in triangles.iter().enumerate() {
+            let mut corners = *triangle;
+            corners.sort_unstable();
+            let first = *seen.entry(corners).or_insert(t);
+            if first < t {
+                errors.push(InputError::new(triangle_place(t), format!("has the same corners as triangle {first}")));
+            }
             if triangle.iter().any(|&v| v as usize >= count) {
                 errors.push(InputError::new(triangle_place(t), "names a vertex that does not exist"));
             } else if measure::is_degenerate(triangle.map(|v| vertices[v as usize])) {
@@ -135,7 +143,9 @@ impl Sheets {
                 all.get(first + 1).is_none_or(|e| (e.0, e.1) != (a.min(b), a.max(b)))
             })
             .collect();
-        Ok(Self { vertices, triangles, kinds, junctions, boundary, sheets })
+        let film = Self { vertices, triangles, kinds, junctions, boundary, sheets };
+        film.check().map_err(refused)?;
+        Ok(film)
     }
 
     pub fn area(&self) -> f64 {

@@ -260,6 +260,11 @@ fn what_is_no_such_film_is_refused() {
     let mut bad = mesh.clone();
     bad.triangles[5][0] = 10_000;
     assert!(told(&loops, &bad).contains("does not exist"));
+    // Its edges look like a small junction.
+    let mut bad = mesh.clone();
+    let [a, b, c] = bad.triangles[5];
+    bad.triangles.push([b, c, a]);
+    assert!(told(&loops, &bad).ends_with("has the same corners as triangle 5"));
     let mut bad = mesh.clone();
     bad.vertices.push(DVec3::ONE);
     assert!(told(&loops, &bad).contains("belongs to no triangle"));
