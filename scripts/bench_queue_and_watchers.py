@@ -21,6 +21,14 @@ def strip(number, points):
     return json.dumps({"directrices": [first, rail(4, 1)], "cache": "bypass"}).encode()
 
 
+def endless():
+    """A film whose sweeps stop at no tolerance: it runs until it is cancelled."""
+    turns = [2 * math.pi * k / 100 for k in range(100)]
+    loop = [[math.cos(t), math.sin(t), 0.3 * math.sin(2 * t)] for t in turns]
+    return json.dumps({"boundaries": [loop], "resolution": {"triangles": 20_000}, "solver": "vertex_relaxation",
+                       "area_tolerance": 0, "fairing_tolerance": 0, "max_iterations": 1_000_000}).encode()
+
+
 async def post(reader, writer, path, body):
     head = f"POST {path} HTTP/1.1\r\nhost: localhost\r\ncontent-type: application/json\r\ncontent-length: {len(body)}\r\n\r\n"
     writer.write(head.encode() + body)
@@ -68,7 +76,8 @@ def resident_mib(pid):
 
 async def watch(host, port, pid):
     reader, writer = await asyncio.open_connection(host, port)
-    _, job = await post(reader, writer, "/v1/ruled-surfaces", strip(0, 14_000))
+    status, job = await post(reader, writer, "/v1/minimal-surfaces", endless())
+    assert status == 202, job
     before = resident_mib(pid)
     seen_at, progress = [], 0
 
