@@ -23,8 +23,8 @@ mod retention;
 mod sql;
 mod watch;
 
-use std::sync::Arc;
-use std::time::Duration;
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
 
 use tokio::sync::watch as signal;
 
@@ -171,6 +171,8 @@ struct Inner {
     options: StoreOptions,
     changes: Changes,
     files: Option<Files>,
+    /// When it was last seen that no job waits.
+    idle_at: Mutex<Option<Instant>>,
 }
 
 impl Store {
@@ -180,7 +182,7 @@ impl Store {
         let files = options.results.as_deref().map(Files::open).transpose()?;
         let engine = Engine::open(url, &options).await?;
         let changes = Changes::new(&engine, options.poll_interval);
-        Ok(Self { inner: Arc::new(Inner { engine, options, changes, files }) })
+        Ok(Self { inner: Arc::new(Inner { engine, options, changes, files, idle_at: Mutex::default() }) })
     }
 
     /// Waits for writes under way, then closes every connection. Later calls fail as `Unavailable`.

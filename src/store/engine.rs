@@ -1,8 +1,8 @@
 //! Opening either engine and running transactions on it.
 //!
 //! SQLite has one writer task: it takes whatever writes have queued up while the last commit was on its way to the disk
-//! and commits them together, each inside a savepoint of its own, so that durability costs one disk sync a group and
-//! not one a job. Readers have a pool of their own. PostgreSQL runs every write in a transaction from its pool and
+//! and commits them together (where one fails, all again, each inside a savepoint of its own), so that durability costs one disk
+//! sync a group and not one a job. Readers have a pool of their own. PostgreSQL runs every write in a transaction from its pool and
 //! repeats the ones that lost a race.
 
 use std::str::FromStr;
@@ -27,6 +27,9 @@ const GROUP_SIZE: usize = 128;
 const WRITE_BACKLOG: usize = 1024;
 /// The write-ahead log is cut back to this size when it has been copied into the database.
 const WAL_KEPT_BYTES: &str = "67108864";
+/// Pages in the write-ahead log after which it is copied into the database: pages of indexes that many jobs change are then
+/// copied once.
+const WAL_PAGES: &str = "2048";
 const SQLITE_READERS: u32 = 4;
 /// Pages that one `shrink` moves at most, so that it never holds up other writes for long.
 const SHRINK_PAGES: u32 = 1000;
@@ -111,7 +114,8 @@ impl Kind {
                 .auto_vacuum(SqliteAutoVacuum::Incremental)
                 .journal_mode(SqliteJournalMode::Wal)
                 .synchronous(SqliteSynchronous::Full)
-                .pragma("journal_size_limit", WAL_KEPT_BYTES),
+                .pragma("journal_size_limit", WAL_KEPT_BYTES)
+                .pragma("wal_autocheckpoint", WAL_PAGES),
         )
         .await?;
         if let Some(bytes) = options.max_bytes {
@@ -317,7 +321,13 @@ async fn write_in_groups(mut connection: SqliteConnection, mut writes: mpsc::Rec
 /// Runs a group in one transaction. What failed by itself has kept its error and left no trace; an error here means that
 /// nothing of the group happened.
 async fn commit_group(connection: &mut SqliteConnection, runs: &mut [Box<dyn Run>]) -> Result<()> {
-    let committed = run_group(connection, runs).await;
+    let committed = match run_together(connection, runs).await {
+        Err(_) if runs.len() > 1 => {
+            let _ = execute(connection, "ROLLBACK").await;
+            run_apart(connection, runs).await
+        }
+        committed => committed,
+    };
     if committed.is_err() {
         // Fails if the engine has rolled back by itself, which is as good.
         let _ = execute(connection, "ROLLBACK").await;
@@ -325,12 +335,18 @@ async fn commit_group(connection: &mut SqliteConnection, runs: &mut [Box<dyn Run
     committed
 }
 
-async fn run_group(connection: &mut SqliteConnection, runs: &mut [Box<dyn Run>]) -> Result<()> {
+/// The whole group or nothing: each statement is a way to the connection's thread and back, and failures are rare.
+async fn run_together(connection: &mut SqliteConnection, runs: &mut [Box<dyn Run>]) -> Result<()> {
     execute(connection, "BEGIN IMMEDIATE").await?;
-    if let [only] = runs {
-        only.run(&mut Connection::Sqlite(connection)).await?;
-        return execute(connection, "COMMIT").await;
+    for run in runs {
+        run.run(&mut Connection::Sqlite(connection)).await?;
     }
+    execute(connection, "COMMIT").await
+}
+
+/// Each inside a savepoint, so that one that fails leaves the others alone.
+async fn run_apart(connection: &mut SqliteConnection, runs: &mut [Box<dyn Run>]) -> Result<()> {
+    execute(connection, "BEGIN IMMEDIATE").await?;
     for run in runs {
         execute(connection, "SAVEPOINT one").await?;
         if let Err(error) = run.run(&mut Connection::Sqlite(connection)).await {

@@ -6,8 +6,8 @@
 //! the single job of another owner comes right after the job served next. With one owner this is first come, first
 //! served.
 
-use std::sync::Arc;
-use std::time::Duration;
+use std::sync::{Arc, PoisonError};
+use std::time::{Duration, Instant};
 
 use sha2::{Digest, Sha256};
 
@@ -16,6 +16,9 @@ use super::files::Prepared;
 use super::record::{COLUMNS, JobRow, Lookup, Status};
 use super::sql::{Connection, Row, Value};
 use super::{Store, StoreError, StoreOptions, milliseconds};
+
+/// How long it is taken as known that no job waits: submissions that come together ask the disk once.
+const IDLE_KNOWN: Duration = Duration::from_millis(5);
 
 /// A job to be.
 #[derive(Debug, Clone)]
@@ -132,8 +135,12 @@ impl Store {
         Ok(submitted)
     }
 
-    /// `QueueFull` if one more job of this owner would find no place at this moment; else whether no job waits at all.
+    /// `QueueFull` if one more job of this owner would find no place; else whether no job waits at all, as known a moment ago.
     pub async fn check_room(&self, owner: Option<&str>) -> Result<bool> {
+        let idle_at = || self.inner.idle_at.lock().unwrap_or_else(PoisonError::into_inner);
+        if idle_at().is_some_and(|at| at.elapsed() < IDLE_KNOWN) {
+            return Ok(true);
+        }
         let options = &self.inner.options;
         let (limit, owner_limit) = (bounded(options.queue_limit), bounded(options.owner_queue_limit));
         let text = format!("SELECT {ROOM}");
@@ -141,7 +148,9 @@ impl Store {
         let row = self.inner.engine.row(&text, values).await?;
         let Some(row) = row else { return Ok(false) };
         refuse_if_full(&row, limit, owner_limit)?;
-        Ok(row.int(0)? == 0)
+        let idle = row.int(0)? == 0;
+        *idle_at() = idle.then(Instant::now);
+        Ok(idle)
     }
 
     /// True if submitting this job would give an earlier one, or a new one with a kept result.
