@@ -31,8 +31,10 @@ impl Random {
     }
 }
 
-const NUMBERS: [f64; 17] =
-    [0.0, -0.0, 1.0, -1.0, 0.5, 3.0, 2.0, 1e-6, 1e6, 1e7, -1e7, 1e15, 1e-12, 5e-324, 1e-300, 1e99, 1e300];
+const NUMBERS: [f64; 26] = [
+    0.0, -0.0, 1.0, -1.0, 0.5, 3.0, 2.0, 0.1, 7.0, 1e-3, -1e-9, 1e-6, 1e6, 1e7, -1e7, 1e15, 1e-12, 1e25, 1e-40, 1e-80,
+    1e69, 5e-324, 1e-160, 1e-300, 1e99, 1e300,
+];
 
 /// The examples, made small: fewer points would not be another shape, but fewer triangles are quicker.
 fn examples() -> Vec<Value> {

@@ -238,7 +238,7 @@ impl Constraints {
     fn check(&self, errors: &mut Vec<InputError>) {
         let place = || Place::field("constraints");
         let usable = |point: DVec3| point.is_finite() && point.abs().max_element() <= LARGEST_COORDINATE;
-        let detail = "every coordinate must be a finite number of magnitude at most 1e70";
+        let detail = "every coordinate must be a finite number of magnitude at most 1e50";
         for (k, &point) in self.points.iter().enumerate() {
             if !usable(point) {
                 errors.push(InputError::new(place().then("points").at(k), detail));
@@ -449,8 +449,8 @@ pub struct MinimalSurface {
 /// returned with `converged: false` and the warning `not_converged`, at a deadline too.
 ///
 /// # Errors
-/// [`Error::Input`] for what the arguments themselves show (a coordinate that is not finite or beyond 1e70, neighbours
-/// nearer than 1e-70 and not equal, fewer than three distinct points on a boundary, an impossible resolution); [`Error::NoResult`] if no valid mesh came out;
+/// [`Error::Input`] for what the arguments themselves show (a coordinate that is not finite or beyond 1e50, neighbours
+/// nearer than 1e-50 and not equal, fewer than three distinct points on a boundary, an impossible resolution); [`Error::NoResult`] if no valid mesh came out;
 /// [`Error::Interrupted`] on cancel, and on a deadline that passes before there is a mesh.
 pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<MinimalSurface, Error> {
     let input = Input::read(boundaries, options)?;
@@ -567,8 +567,8 @@ const RESOLUTION_TOLERANCE: f64 = 0.1;
 /// A third of an equilateral triangle's angle: rules against thinner ones leave good triangles alone.
 const LARGEST_DEGENERATE_ANGLE: f64 = std::f64::consts::PI / 9.0;
 
-/// Between neighbours on a boundary: products of four lengths must not vanish.
-const SMALLEST_DISTANCE: f64 = 1e-70;
+/// Between neighbours on a boundary: products of six lengths must not vanish.
+const SMALLEST_DISTANCE: f64 = 1e-50;
 
 impl Input {
     fn read(boundaries: &[Vec<DVec3>], options: &Options) -> Result<Self, Error> {
@@ -583,7 +583,7 @@ impl Input {
         for (k, boundary) in boundaries.iter().enumerate() {
             for (i, point) in boundary.iter().enumerate() {
                 if !(point.is_finite() && point.abs().max_element() <= LARGEST_COORDINATE) {
-                    let detail = "every coordinate must be a finite number of magnitude at most 1e70";
+                    let detail = "every coordinate must be a finite number of magnitude at most 1e50";
                     errors.push(InputError::new(place().at(k).at(i), detail));
                 }
             }
@@ -592,7 +592,7 @@ impl Input {
             if let Some(i) = (0..merged.points.len()).find(|&i| merged.points[i].distance(next(i)) < SMALLEST_DISTANCE)
                 && merged.points.len() > 1
             {
-                let detail = "lies nearer than 1e-70 to its neighbour, too near to compute with";
+                let detail = "lies nearer than 1e-50 to its neighbour, too near to compute with";
                 errors.push(InputError::new(place().at(k).at(merged.source[i]), detail));
             }
             let mut distinct: Vec<[f64; 3]> = merged.points.iter().map(|p| (*p + DVec3::ZERO).to_array()).collect();

@@ -2,8 +2,8 @@
 
 use crate::DVec3;
 
-/// Coordinates beyond this could overflow where four lengths are multiplied, as in a squared area.
-pub(crate) const LARGEST_COORDINATE: f64 = 1e70;
+/// Coordinates beyond this could overflow where six lengths are multiplied, as in the square of an area times a length.
+pub(crate) const LARGEST_COORDINATE: f64 = 1e50;
 
 /// A polyline without equal neighbours, and where each input point went.
 #[derive(Clone, Debug, PartialEq)]

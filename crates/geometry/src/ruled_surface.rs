@@ -156,7 +156,7 @@ pub struct Cost {
 /// Equal neighbouring points are merged (warning `merged_points`). Results do not depend on the processor's vector width.
 ///
 /// # Errors
-/// [`Error::Input`] if the input is not as described, values are not finite or beyond 1e70, or options do not fit together;
+/// [`Error::Input`] if the input is not as described, values are not finite or beyond 1e50, or options do not fit together;
 /// [`Error::Interrupted`] if stopped, by cancel or deadline: there is no mesh before the optimum is known.
 ///
 /// # Cost

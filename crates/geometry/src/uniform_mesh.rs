@@ -293,7 +293,7 @@ pub fn estimate(domain: &Domain, options: &Options) -> Result<Cost, Error> {
                     boundary.iter().position(|p| !p.is_finite() || p.abs().max_element() > LARGEST_COORDINATE)
                 {
                     let place = Place::field("domain").then("boundaries").at(k).at(i);
-                    return Err(Error::input(place, "must be finite and below 1e70 in magnitude"));
+                    return Err(Error::input(place, "must be finite and below 1e50 in magnitude"));
                 }
             }
             let perimeter: f64 = boundaries.iter().map(|points| crate::polyline::length(points, true)).sum();
@@ -338,7 +338,7 @@ fn cost(area: f64, perimeter: f64, edge_length: f64) -> Cost {
 fn check_options(options: &Options) -> Result<(), Error> {
     let mut errors = Vec::new();
     if !(1.0 / LARGEST_COORDINATE..=LARGEST_COORDINATE).contains(&options.edge_length) {
-        errors.push(InputError::new(Place::field("edge_length"), "must be positive, between 1e-70 and 1e70"));
+        errors.push(InputError::new(Place::field("edge_length"), "must be positive, between 1e-50 and 1e50"));
     }
     for (axis, &cells) in options.auxiliary_grid.iter().enumerate() {
         if !(2..=400).contains(&cells) {

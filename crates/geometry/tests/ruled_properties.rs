@@ -446,6 +446,25 @@ fn odd_inputs_are_answered_or_refused_but_never_break() {
     }
 }
 
+/// Weights that overflow once led a closed search out of its grid, or on without end.
+#[test]
+fn one_point_at_the_largest_coordinate_breaks_no_search() {
+    let ring = |n: usize, z: f64| -> Vec<DVec3> {
+        let angles = (0..n).map(|k| std::f64::consts::TAU * k as f64 / n as f64);
+        angles.map(|t| DVec3::new(2.0 * t.cos(), 2.0 * t.sin(), z)).collect()
+    };
+    for closed in [false, true] {
+        for goal in GOALS {
+            for axis in [DVec3::X, DVec3::Z, DVec3::ONE] {
+                let mut directrices = [ring(36, 0.0), ring(48, 1.2)];
+                directrices[1][0] = 9.9e49 * axis;
+                let strip = solve(&directrices, &options(goal, closed), &Execution::default());
+                assert!(!matches!(strip, Err(Error::Interrupted(_))), "{goal:?} {closed}");
+            }
+        }
+    }
+}
+
 #[test]
 fn wrong_values_are_named() {
     let good = vec![DVec3::ZERO, DVec3::X];

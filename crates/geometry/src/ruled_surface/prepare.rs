@@ -86,12 +86,12 @@ pub(super) fn prepare(
 ) -> Result<Prepared, Error> {
     let mut errors = option_errors(directrices, options);
     let points: Vec<&[DVec3]> = directrices.iter().map(Vec::as_slice).collect();
-    errors.extend(value_errors("directrices", &points, LARGEST_COORDINATE));
+    errors.extend(value_errors("directrices", &points));
     for (name, values) in [("normals", &options.normals), ("tangents", &options.tangents)] {
         if let Some(values) = values {
             let values: Vec<&[DVec3]> = values.iter().map(Vec::as_slice).collect();
             errors.extend(shape_errors(name, &values, &points));
-            errors.extend(value_errors(name, &values, f64::MAX));
+            errors.extend(value_errors(name, &values));
         }
     }
     if !errors.is_empty() {
@@ -208,7 +208,7 @@ fn option_errors(directrices: &[Vec<DVec3>], options: &Options) -> Vec<InputErro
     errors
 }
 
-fn value_errors(name: &'static str, lists: &[&[DVec3]], largest: f64) -> Vec<InputError> {
+fn value_errors(name: &'static str, lists: &[&[DVec3]]) -> Vec<InputError> {
     let mut errors = Vec::new();
     for (k, list) in lists.iter().enumerate() {
         if list.is_empty() {
@@ -216,9 +216,9 @@ fn value_errors(name: &'static str, lists: &[&[DVec3]], largest: f64) -> Vec<Inp
         }
         for (index, point) in list.iter().enumerate() {
             for axis in 0..3 {
-                let (finite, small) = (point[axis].is_finite(), point[axis].abs() <= largest);
+                let (finite, small) = (point[axis].is_finite(), point[axis].abs() <= LARGEST_COORDINATE);
                 if !(finite && small) && errors.len() < MOST_ERRORS {
-                    let detail = if finite { "must not exceed 1e70" } else { "must be finite" };
+                    let detail = if finite { "must not exceed 1e50" } else { "must be finite" };
                     errors.push(InputError::new(Place::field(name).at(k).at(index).at(axis), detail));
                 }
             }
@@ -243,13 +243,13 @@ fn shape_errors(name: &'static str, values: &[&[DVec3]], directrices: &[&[DVec3]
 /// What is wrong with the two directrices of a single strip.
 pub(super) fn strip_errors(sides: [Given<'_>; 2], closed: bool) -> Vec<InputError> {
     let points = sides.map(|side| side.points);
-    let mut errors = value_errors("directrices", &points, LARGEST_COORDINATE);
+    let mut errors = value_errors("directrices", &points);
     for (name, values) in [("normals", sides.map(|s| s.normals)), ("tangents", sides.map(|s| s.tangents))] {
         match values {
             [None, None] => {}
             [Some(p), Some(q)] => {
                 errors.extend(shape_errors(name, &[p, q], &points));
-                errors.extend(value_errors(name, &[p, q], f64::MAX));
+                errors.extend(value_errors(name, &[p, q]));
             }
             _ => errors.push(InputError::new(Place::field(name), "must be given for both directrices or for neither")),
         }

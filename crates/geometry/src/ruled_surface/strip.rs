@@ -57,7 +57,7 @@ impl Strip {
     ///
     /// # Errors
     /// [`Error::Input`], at `directrices`, `tangents` or `normals`, if lengths do not fit or values are not finite or
-    /// beyond 1e70.
+    /// beyond 1e50.
     pub fn new(p: Given<'_>, q: Given<'_>, closed: bool) -> Result<Self, Error> {
         let errors = super::prepare::strip_errors([p, q], closed);
         if errors.is_empty() { Ok(Self::of_checked(p, q, closed)) } else { Err(Error::Input(errors)) }

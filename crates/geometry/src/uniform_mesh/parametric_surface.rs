@@ -56,7 +56,7 @@ impl Nurbs {
             for (j, p) in row.iter().enumerate() {
                 if !p.is_finite() || p.abs().max_element() > LARGEST_COORDINATE {
                     let place = points.clone().at(i).at(j);
-                    errors.push(InputError::new(place, "must be finite and below 1e70 in magnitude"));
+                    errors.push(InputError::new(place, "must be finite and below 1e50 in magnitude"));
                 }
             }
         }

@@ -209,7 +209,7 @@ fn finite(ring: usize, points: &[DVec3]) -> Result<(), Error> {
     let bad = |p: &DVec3| !p.is_finite() || p.abs().max_element() > LARGEST_COORDINATE;
     let errors: Vec<_> = (0..points.len())
         .filter(|&k| bad(&points[k]))
-        .map(|k| InputError::new(place(ring, k), "must be finite and below 1e70 in magnitude"))
+        .map(|k| InputError::new(place(ring, k), "must be finite and below 1e50 in magnitude"))
         .collect();
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
 }
