@@ -5,6 +5,7 @@ use crate::config::Config;
 use crate::export::MeshFormat;
 use crate::http::{auth, openapi};
 use crate::jobs::solve;
+use crate::jobs::worker::STACK_BYTES;
 use crate::telemetry;
 use crate::webhook::Secret;
 use crate::wire::{Rejection, Request};
@@ -138,7 +139,9 @@ pub fn main() -> ExitCode {
             if let Err(message) = telemetry::init_logs(&config.log) {
                 return fail(USAGE, &message);
             }
-            let runtime = match tokio::runtime::Builder::new_multi_thread().enable_all().build() {
+            let runtime =
+                tokio::runtime::Builder::new_multi_thread().enable_all().thread_stack_size(STACK_BYTES).build();
+            let runtime = match runtime {
                 Ok(runtime) => runtime,
                 Err(error) => return fail(1, &error.to_string()),
             };

@@ -21,6 +21,7 @@ mod queue;
 mod record;
 mod retention;
 mod sql;
+mod sqlite;
 mod watch;
 
 use std::sync::{Arc, Mutex};
@@ -121,15 +122,12 @@ impl From<sqlx::Error> for StoreError {
         let text = error.to_string();
         match &error {
             sqlx::Error::Database(database) => match database.code().as_deref() {
-                // SQLITE_FULL; disk_full.
-                Some("13" | "53100") => Self::NoSpace(text),
+                // disk_full.
+                Some("53100") => Self::NoSpace(text),
                 // serialization_failure, deadlock_detected, unique_violation.
                 Some("40001" | "40P01" | "23505") => Self::Contended(text),
-                // SQLITE_BUSY and its kin, SQLITE_IOERR and its kin; connection, resource and operator classes.
-                Some(code)
-                    if sqlite_primary(code).is_some_and(|primary| [5, 6, 10].contains(&primary))
-                        || code.len() == 5 && ["08", "53", "57", "58"].contains(&&code[..2]) =>
-                {
+                // Connection, resource and operator classes.
+                Some(code) if code.len() == 5 && ["08", "53", "57", "58"].contains(&&code[..2]) => {
                     Self::Unavailable(text)
                 }
                 _ => Self::Internal(text),
@@ -145,6 +143,18 @@ impl From<sqlx::Error> for StoreError {
     }
 }
 
+impl From<rusqlite::Error> for StoreError {
+    fn from(error: rusqlite::Error) -> Self {
+        use rusqlite::ErrorCode::{DatabaseBusy, DatabaseLocked, DiskFull, SystemIoFailure};
+        let text = error.to_string();
+        match error.sqlite_error_code() {
+            Some(DiskFull) => Self::NoSpace(text),
+            Some(DatabaseBusy | DatabaseLocked | SystemIoFailure) => Self::Unavailable(text),
+            _ => Self::Internal(text),
+        }
+    }
+}
+
 impl From<std::io::Error> for StoreError {
     fn from(error: std::io::Error) -> Self {
         match error.kind() {
@@ -152,11 +162,6 @@ impl From<std::io::Error> for StoreError {
             _ => Self::Unavailable(error.to_string()),
         }
     }
-}
-
-/// The primary result code of SQLite's extended `code`; PostgreSQL's codes have five characters and mean other things.
-fn sqlite_primary(code: &str) -> Option<u32> {
-    (code.len() < 5).then(|| code.parse::<u32>().ok()).flatten().map(|code| code & 0xff)
 }
 
 /// A handle of the store; clones share it.

@@ -3,8 +3,8 @@
 #[path = "export/sample.rs"]
 mod sample;
 
-use plateau::export::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Polyline};
-use plateau_geometry::DVec3;
+use plateau::export::{Archive, Contents, Defect, Fold, LineSet, Lines, MeanCurvature, Pattern, Piece, Polyline};
+use plateau_geometry::{DVec2, DVec3};
 use proptest::prelude::*;
 use sha2::{Digest, Sha256};
 
@@ -43,12 +43,37 @@ fn coordinates_keep_every_bit() {
     assert_eq!(read, odd.map(f64::to_bits));
 }
 
-/// A file of version 1 as it was written when version 1 was new: it must open for ever, and be written so while 1 is current.
+/// A file of each version as it was written when the version was new: it must open for ever, and be written so while it is current.
 #[test]
-fn version_one_is_frozen() {
-    let frozen = include_bytes!("export/archive-v1.bin");
-    assert_eq!(Archive::from_bytes(frozen), Ok(sample::full()));
-    assert!(sample::full().to_bytes() == frozen);
+fn every_version_is_frozen() {
+    assert_eq!(Archive::from_bytes(include_bytes!("export/archive-v1.bin")), Ok(sample::full()));
+    let current = include_bytes!("export/archive-v2.bin");
+    assert_eq!(Archive::from_bytes(current), Ok(sample::full()));
+    assert!(sample::full().to_bytes() == current);
+}
+
+#[test]
+fn folds_along_the_outline_take_few_bytes_and_others_come_back_too() {
+    let outline: Vec<DVec2> = (0..50)
+        .map(|k| DVec2::new(f64::from(k), 0.0))
+        .chain((0..50).rev().map(|k| DVec2::new(f64::from(k), 9.0)))
+        .collect();
+    let with = |ends: &dyn Fn(usize) -> [DVec2; 2]| {
+        let folds = (0..40).map(|k| Fold { ends: ends(k), angle_deg: 1.0 }).collect();
+        let mut contents = sample::roof(1.0, DVec3::ZERO);
+        contents.pattern =
+            Some(Pattern { pieces: vec![Piece { name: "strip".into(), outline: outline.clone(), folds }] });
+        let archive = Archive::new(contents).unwrap();
+        let bytes = archive.to_bytes();
+        assert_eq!(Archive::from_bytes(&bytes), Ok(archive));
+        bytes.len()
+    };
+    let on = with(&|k| [outline[1 + k], outline[99 - k / 2]]);
+    let off = with(&|k| [outline[1 + k], DVec2::new(k as f64, 8.5)]);
+    let far = with(&|k| [outline[30 + k], outline[99]]);
+    let back = with(&|k| [outline[40 - k], outline[99]]);
+    assert_eq!(off - on, 40 * 16);
+    assert!(far - on > 16 && back - on > 16);
 }
 
 #[test]
@@ -57,8 +82,8 @@ fn foreign_newer_cut_and_changed_files_are_told_apart() {
     assert_eq!(Archive::from_bytes(b""), Err(Defect::Magic));
     assert_eq!(Archive::from_bytes(b"glTF and so on"), Err(Defect::Magic));
     let mut newer = bytes.clone();
-    newer[8] = 2;
-    assert_eq!(Archive::from_bytes(&newer), Err(Defect::Version(2)));
+    newer[8] = 3;
+    assert_eq!(Archive::from_bytes(&newer), Err(Defect::Version(3)));
     for length in 12..bytes.len() {
         assert_eq!(Archive::from_bytes(&bytes[..length]), Err(Defect::Checksum), "cut to {length} bytes");
     }
@@ -81,11 +106,15 @@ fn a_cut_or_longer_body_under_a_fitting_checksum_is_refused() {
 
 #[test]
 fn a_huge_count_is_refused_before_memory_is_asked_for() {
-    let mut body = b"\x89PLATEAU\x01\0\0\0".to_vec();
-    body.extend_from_slice(&[0; 4 + 4 + 1 + 1]);
-    body.extend_from_slice(&u32::MAX.to_le_bytes());
-    let defect = Archive::from_bytes(&signed(body)).unwrap_err();
-    assert_eq!(defect, Defect::Bytes { at: 26, what: "a list longer than the file" });
+    let mut first = b"\x89PLATEAU\x01\0\0\0".to_vec();
+    first.extend_from_slice(&[0; 4 + 4 + 1 + 1]);
+    first.extend_from_slice(&u32::MAX.to_le_bytes());
+    let mut second = b"\x89PLATEAU\x02\0\0\0".to_vec();
+    second.extend_from_slice(&[0, 0, 0, 0, 0xff, 0xff, 0xff, 0xff, 0xff, 0x7f]);
+    for (body, at) in [(first, 26), (second, 22)] {
+        let defect = Archive::from_bytes(&signed(body)).unwrap_err();
+        assert_eq!(defect, Defect::Bytes { at, what: "a list longer than the file" });
+    }
 }
 
 #[test]
@@ -118,27 +147,29 @@ fn unsound_contents_are_refused_by_name() {
 }
 
 proptest! {
-    /// Any bytes behind a right start and checksum: an archive that writes the same bytes again, or a refusal.
+    /// Any bytes behind a right start and checksum: an archive that comes back from what it is written as, or a refusal.
     #[test]
-    fn any_payload_is_read_or_refused(payload in prop::collection::vec(any::<u8>(), 0..400)) {
-        let body = [b"\x89PLATEAU\x01\0\0\0".as_slice(), &payload].concat();
-        let bytes = signed(body);
-        if let Ok(archive) = Archive::from_bytes(&bytes) {
-            prop_assert_eq!(archive.to_bytes(), bytes);
+    fn any_payload_is_read_or_refused(version in 1..=2u8, payload in prop::collection::vec(any::<u8>(), 0..400)) {
+        let body = [b"\x89PLATEAU".as_slice(), &[version, 0, 0, 0], &payload].concat();
+        if let Ok(archive) = Archive::from_bytes(&signed(body)) {
+            prop_assert_eq!(Archive::from_bytes(&archive.to_bytes()), Ok(archive));
         }
     }
 
     /// A real archive with a few bytes overwritten gets further into the reader than noise does.
     #[test]
-    fn any_change_is_read_or_refused(changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6)) {
-        let mut body = body(&sample::full());
+    fn any_change_is_read_or_refused(
+        first in any::<bool>(),
+        changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
+    ) {
+        let mut body = if first { include_bytes!("export/archive-v1.bin").to_vec() } else { sample::full().to_bytes() };
+        body.truncate(body.len() - 32);
         for (at, value) in changes {
             let at = 12 + at.index(body.len() - 12);
             body[at] = value;
         }
-        let bytes = signed(body);
-        if let Ok(archive) = Archive::from_bytes(&bytes) {
-            prop_assert_eq!(archive.to_bytes(), bytes);
+        if let Ok(archive) = Archive::from_bytes(&signed(body)) {
+            prop_assert_eq!(Archive::from_bytes(&archive.to_bytes()), Ok(archive));
         }
     }
 }

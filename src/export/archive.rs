@@ -1,18 +1,23 @@
 //! The stored artefact: one mesh in f64 with everything that the download formats need.
 //!
-//! # Bytes, version 1
-//! All numbers are little endian; lists and strings carry a u32 count first; an option is a byte 0 or 1.
+//! # Bytes, version 2
+//! All numbers are little endian. Counts and indices are LEB128 numbers; a list of indices is its count, then each index as
+//! the zigzag difference from the one before it (from 0 at first; in a list of groups, from the same place in the group
+//! before). Strings and other lists carry their count first; an option is a byte 0 or 1.
 //! ```text
 //! magic "\x89PLATEAU" · version u32 · payload · SHA-256 of all that precedes
 //! payload: generator, title: string · unit u8 · up u8
-//!          vertices: list of 3 f64 · triangles: list of 3 u32
+//!          vertices: list of 3 f64 · triangles: list of 3 indices
 //!          mean curvature: option (least_range f64 · one f64 per vertex, count not repeated)
-//!          line sets: list (name, group: string · 0: list of polylines (closed u8 · list of u32)
-//!                                               | 1: list of 2 u32 · option (name, unit: string · one f64 per segment))
-//!          input vertices: list of lists of u32 · statistics: string (JSON)
-//!          pattern: option (list of pieces (name: string · outline: list of 2 f64 · folds: list of 5 f64))
+//!          line sets: list (name, group: string · 0: list of polylines (closed u8 · list of indices)
+//!                                               | 1: list of 2 indices · option (name, unit: string · one f64 per segment))
+//!          input vertices: list of lists of indices · statistics: string (JSON)
+//!          pattern: option (list of pieces (name: string · outline: list of 2 f64 · folds: list (2 ends · angle_deg f64)))
+//! end of a fold: a number: 0, then 2 f64 | 1 + the difference between the index of the outline's point that it is and that of
+//!          the fold before: upwards from the first point for the first end, downwards from the last for the second
 //! ```
-//! The same contents always give the same bytes. A later version reads every earlier one.
+//! In version 1 counts and indices are u32, indices stand for themselves, and an end of a fold is 2 f64. The same contents always
+//! give the same bytes. A later version reads every earlier one.
 
 use plateau_geometry::{DVec2, DVec3, Mesh};
 use sha2::{Digest, Sha256};
@@ -20,7 +25,7 @@ use sha2::{Digest, Sha256};
 use super::pattern::{Fold, Pattern, Piece};
 
 const MAGIC: &[u8; 8] = b"\x89PLATEAU";
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 const CHECKSUM_BYTES: usize = 32;
 
 /// The client's unit of length.
@@ -219,13 +224,13 @@ impl Archive {
         out.u8(contents.unit as u8);
         out.u8(contents.up as u8);
         out.list(&contents.mesh.vertices, |out, v| v.to_array().into_iter().for_each(|x| out.f64(x)));
-        out.list(&contents.mesh.triangles, |out, t| t.iter().for_each(|&v| out.u32(v)));
+        out.groups(&contents.mesh.triangles);
         out.option(contents.mean_curvature.as_ref(), |out, curvature| {
             out.f64(curvature.least_range);
             curvature.values.iter().for_each(|&value| out.f64(value));
         });
         out.list(&contents.line_sets, Writer::line_set);
-        out.list(&contents.input_vertices, |out, vertices| out.list(vertices, |out, &v| out.u32(v)));
+        out.list(&contents.input_vertices, |out, vertices| out.indices(vertices));
         out.string(&contents.statistics);
         out.option(contents.pattern.as_ref(), |out, pattern| out.list(&pattern.pieces, Writer::piece));
         let checksum = Sha256::digest(&out.0);
@@ -241,7 +246,7 @@ impl Archive {
         if !bytes.starts_with(MAGIC) {
             return Err(Defect::Magic);
         }
-        let mut input = Reader { bytes, at: MAGIC.len() };
+        let mut input = Reader { bytes, at: MAGIC.len(), version: 0 };
         let version = input.u32()?;
         if version == 0 || version > VERSION {
             return Err(Defect::Version(version));
@@ -251,7 +256,7 @@ impl Archive {
         if Sha256::digest(body).as_slice() != checksum {
             return Err(Defect::Checksum);
         }
-        let mut input = Reader { bytes: body, at: input.at };
+        let mut input = Reader { bytes: body, at: input.at, version };
         let contents = input.contents()?;
         if input.at != body.len() {
             return Err(input.fault("bytes after the end"));
@@ -326,8 +331,40 @@ impl Writer {
         self.0.extend_from_slice(&value.to_le_bytes());
     }
 
+    /// LEB128: seven bits a byte, the lowest first.
+    fn number(&mut self, mut value: u64) {
+        while value >= 0x80 {
+            self.u8(value as u8 | 0x80);
+            value >>= 7;
+        }
+        self.u8(value as u8);
+    }
+
     fn count(&mut self, length: usize) {
-        self.u32(u32::try_from(length).expect("a list of more than 2^32 items is no job's result"));
+        self.number(length as u64);
+    }
+
+    fn index(&mut self, value: u32, before: u32) {
+        let difference = i64::from(value) - i64::from(before);
+        self.number(((difference << 1) ^ (difference >> 63)) as u64);
+    }
+
+    fn indices(&mut self, values: &[u32]) {
+        self.count(values.len());
+        let mut before = 0;
+        for &value in values {
+            self.index(value, std::mem::replace(&mut before, value));
+        }
+    }
+
+    fn groups<const N: usize>(&mut self, groups: &[[u32; N]]) {
+        self.count(groups.len());
+        let mut before = [0; N];
+        for &group in groups {
+            for (value, before) in group.into_iter().zip(std::mem::replace(&mut before, group)) {
+                self.index(value, before);
+            }
+        }
     }
 
     fn string(&mut self, text: &str) {
@@ -355,12 +392,12 @@ impl Writer {
                 self.u8(0);
                 self.list(polylines, |out, line| {
                     out.u8(u8::from(line.closed));
-                    out.list(&line.vertices, |out, &v| out.u32(v));
+                    out.indices(&line.vertices);
                 });
             }
             Lines::Segments { pairs, values } => {
                 self.u8(1);
-                self.list(pairs, |out, pair| pair.iter().for_each(|&v| out.u32(v)));
+                self.groups(pairs);
                 self.option(values.as_ref(), |out, values| {
                     out.string(&values.name);
                     out.string(&values.unit);
@@ -373,16 +410,45 @@ impl Writer {
     fn piece(&mut self, piece: &Piece) {
         self.string(&piece.name);
         self.list(&piece.outline, |out, point| point.to_array().into_iter().for_each(|x| out.f64(x)));
-        self.list(&piece.folds, |out, fold| {
-            fold.ends.iter().flat_map(|end| end.to_array()).for_each(|x| out.f64(x));
-            out.f64(fold.angle_deg);
-        });
+        self.count(piece.folds.len());
+        let mut passed = [0, 0];
+        for fold in &piece.folds {
+            for (end, point) in fold.ends.into_iter().enumerate() {
+                // Folds follow one another along the outline: an end is the one before or a few points on.
+                let place = |step: &usize| piece.outline.get(along(&piece.outline, end, passed[end] + step)?);
+                match (0..NEAR).find(|step| place(step).is_some_and(|other| same(*other, point))) {
+                    Some(step) => {
+                        self.number(1 + step as u64);
+                        passed[end] += step;
+                    }
+                    None => {
+                        self.number(0);
+                        point.to_array().into_iter().for_each(|x| self.f64(x));
+                    }
+                }
+            }
+            self.f64(fold.angle_deg);
+        }
     }
+}
+
+/// How far on along the outline the next fold's end is looked for.
+const NEAR: usize = 8;
+
+/// The index of the point so many from the outline's first (`end` 0) or back from its last (`end` 1).
+fn along(outline: &[DVec2], end: usize, passed: usize) -> Option<usize> {
+    if end == 0 { Some(passed) } else { outline.len().checked_sub(passed.checked_add(1)?) }
+}
+
+/// To the bit: -0 is not 0.
+fn same(one: DVec2, other: DVec2) -> bool {
+    one.to_array().map(f64::to_bits) == other.to_array().map(f64::to_bits)
 }
 
 struct Reader<'a> {
     bytes: &'a [u8],
     at: usize,
+    version: u32,
 }
 
 impl Reader<'_> {
@@ -422,8 +488,53 @@ impl Reader<'_> {
         }
     }
 
+    fn number(&mut self) -> Result<u64, Defect> {
+        let mut value = 0;
+        for shift in (0..63).step_by(7) {
+            let byte = self.u8()?;
+            value |= u64::from(byte & 0x7f) << shift;
+            if byte < 0x80 {
+                return Ok(value);
+            }
+        }
+        Err(self.fault("a number of too many bytes"))
+    }
+
+    fn count(&mut self) -> Result<usize, Defect> {
+        if self.version == 1 {
+            return Ok(self.u32()? as usize);
+        }
+        usize::try_from(self.number()?).map_err(|_| self.fault("a list longer than the file"))
+    }
+
+    fn index(&mut self, before: u32) -> Result<u32, Defect> {
+        if self.version == 1 {
+            return self.u32();
+        }
+        let number = self.number()?;
+        let difference = (number >> 1) as i64 ^ -((number & 1) as i64);
+        let value = i64::from(before).checked_add(difference).and_then(|value| u32::try_from(value).ok());
+        value.ok_or_else(|| self.fault("an index out of range"))
+    }
+
+    fn indices(&mut self) -> Result<Vec<u32>, Defect> {
+        Ok(self.groups()?.into_iter().map(|[value]| value).collect())
+    }
+
+    fn groups<const N: usize>(&mut self) -> Result<Vec<[u32; N]>, Defect> {
+        let count = self.count()?;
+        let mut before = [0; N];
+        let least_bytes = if self.version == 1 { 4 * N } else { N };
+        self.items(count, least_bytes, |input| {
+            for value in &mut before {
+                *value = input.index(*value)?;
+            }
+            Ok(before)
+        })
+    }
+
     fn string(&mut self) -> Result<String, Defect> {
-        let length = self.u32()? as usize;
+        let length = self.count()?;
         let bytes = self.take(length)?.to_vec();
         String::from_utf8(bytes).map_err(|_| self.fault("text that is not UTF-8"))
     }
@@ -433,7 +544,7 @@ impl Reader<'_> {
         &mut self,
         count: usize,
         least_bytes: usize,
-        each: impl Fn(&mut Self) -> Result<T, Defect>,
+        mut each: impl FnMut(&mut Self) -> Result<T, Defect>,
     ) -> Result<Vec<T>, Defect> {
         if count > (self.bytes.len() - self.at) / least_bytes {
             return Err(self.fault("a list longer than the file"));
@@ -442,7 +553,7 @@ impl Reader<'_> {
     }
 
     fn list<T>(&mut self, least_bytes: usize, each: impl Fn(&mut Self) -> Result<T, Defect>) -> Result<Vec<T>, Defect> {
-        let count = self.u32()? as usize;
+        let count = self.count()?;
         self.items(count, least_bytes, each)
     }
 
@@ -461,7 +572,7 @@ impl Reader<'_> {
         let unit = self.one_of(&Unit::ALL)?;
         let up = self.one_of(&UpAxis::ALL)?;
         let vertices = self.list(24, |input| Ok(DVec3::new(input.f64()?, input.f64()?, input.f64()?)))?;
-        let triangles = self.list(12, |input| Ok([input.u32()?, input.u32()?, input.u32()?]))?;
+        let triangles = self.groups()?;
         let vertex_count = vertices.len();
         Ok(Contents {
             generator,
@@ -473,10 +584,10 @@ impl Reader<'_> {
                 let least_range = input.f64()?;
                 Ok(MeanCurvature { values: input.items(vertex_count, 8, Self::f64)?, least_range })
             })?,
-            line_sets: self.list(13, Self::line_set)?,
-            input_vertices: self.list(4, |input| input.list(4, Self::u32))?,
+            line_sets: self.list(4, Self::line_set)?,
+            input_vertices: self.list(1, Self::indices)?,
             statistics: self.string()?,
-            pattern: self.option(|input| Ok(Pattern { pieces: input.list(12, Self::piece)? }))?,
+            pattern: self.option(|input| Ok(Pattern { pieces: input.list(3, Self::piece)? }))?,
         })
     }
 
@@ -484,10 +595,10 @@ impl Reader<'_> {
         let (name, group) = (self.string()?, self.string()?);
         let lines = match self.u8()? {
             0 => Lines::Polylines(
-                self.list(5, |input| Ok(Polyline { closed: input.flag()?, vertices: input.list(4, Self::u32)? }))?,
+                self.list(2, |input| Ok(Polyline { closed: input.flag()?, vertices: input.indices()? }))?,
             ),
             1 => {
-                let pairs = self.list(8, |input| Ok([input.u32()?, input.u32()?]))?;
+                let pairs = self.groups()?;
                 let values = self.option(|input| {
                     let (name, unit) = (input.string()?, input.string()?);
                     Ok(SegmentValues { name, unit, values: input.items(pairs.len(), 8, Self::f64)? })
@@ -501,10 +612,27 @@ impl Reader<'_> {
 
     fn piece(&mut self) -> Result<Piece, Defect> {
         let point = |input: &mut Self| Ok(DVec2::new(input.f64()?, input.f64()?));
-        Ok(Piece {
-            name: self.string()?,
-            outline: self.list(16, point)?,
-            folds: self.list(40, |input| Ok(Fold { ends: [point(input)?, point(input)?], angle_deg: input.f64()? }))?,
-        })
+        let name = self.string()?;
+        let outline = self.list(16, point)?;
+        let count = self.count()?;
+        let mut passed = [0, 0];
+        let folds = self.items(count, 10, |input| {
+            let mut ends = [DVec2::ZERO; 2];
+            for (end, place) in ends.iter_mut().enumerate() {
+                let number = if input.version == 1 { 0 } else { input.number()? };
+                *place = if number == 0 {
+                    point(input)?
+                } else {
+                    let step = usize::try_from(number - 1).ok();
+                    let on = step.and_then(|step| step.checked_add(passed[end]));
+                    let found = on.and_then(|on| Some((on, *outline.get(along(&outline, end, on)?)?)));
+                    let (on, point) = found.ok_or_else(|| input.fault("an end of a fold beyond the outline"))?;
+                    passed[end] = on;
+                    point
+                };
+            }
+            Ok(Fold { ends, angle_deg: input.f64()? })
+        })?;
+        Ok(Piece { name, outline, folds })
     }
 }

@@ -59,7 +59,7 @@ impl Jobs {
         let mut jobs = Vec::with_capacity(requests.len());
         for (index, (request, value)) in requests.into_iter().enumerate() {
             self.check_callback(&format!("/requests/{index}"), request.callback_url())?;
-            jobs.push(super::queue::new_job(&request, value, owner.clone())?);
+            jobs.push(super::queue::new_job(&request, value, owner.clone(), None)?);
         }
         let id = ulid::Ulid::generate().to_string();
         match self.0.store.submit_batch(NewBatch { id, owner, idempotency_key, body_hash, callback_url, jobs }).await? {

@@ -56,12 +56,11 @@ impl Jobs {
         let inline = body.len() <= INLINE_BYTES;
         let read = move || {
             let (request, value) = Request::read(kind, &body, &limits).map_err(JobsError::Rejected)?;
-            let job = new_job(&request, value, owner)?;
+            let job = new_job(&request, value, owner, idempotency_key)?;
             Ok::<_, JobsError>((job, request))
         };
-        let (mut job, request) = if inline { read()? } else { self.off_runtime(read).await?? };
+        let (job, request) = if inline { read()? } else { self.off_runtime(read).await?? };
         self.check_callback("", job.callback_url.as_deref())?;
-        job.idempotency_key = idempotency_key;
         if at_once && let Some(slot) = self.solver_at_once(&job).await? {
             return self.solve_at_once(job, request, submitted_at, slot).await;
         }
@@ -102,8 +101,14 @@ pub(super) fn hash(value: &Value) -> Result<[u8; 32], JobsError> {
 }
 
 /// What the store keeps of a request that was read from `value`: its canonical form without what does not change the result.
-pub(super) fn new_job(request: &Request, mut value: Value, owner: Option<String>) -> Result<NewJob, JobsError> {
-    let body_hash = hash(&value)?;
+pub(super) fn new_job(
+    request: &Request,
+    mut value: Value,
+    owner: Option<String>,
+    idempotency_key: Option<String>,
+) -> Result<NewJob, JobsError> {
+    // Without a key nothing is compared with it.
+    let body_hash = if idempotency_key.is_some() { hash(&value)? } else { [0; 32] };
     if let Some(fields) = value.as_object_mut() {
         for name in ["kind", "cache", "callback_url"] {
             fields.remove(name);
@@ -115,7 +120,7 @@ pub(super) fn new_job(request: &Request, mut value: Value, owner: Option<String>
         owner,
         request: canonical(&value)?,
         body_hash,
-        idempotency_key: None,
+        idempotency_key,
         warnings: "[]".into(),
         callback_url: request.callback_url().map(str::to_owned),
         reuse: request.cache() == Cache::Reuse,

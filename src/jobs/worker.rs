@@ -1,4 +1,4 @@
-//! Workers: claim a job, run its solver on a thread of its own, renew the claim, store the outcome.
+//! Workers: claim a job, run its solver on a thread that stalls nobody, renew the claim, store the outcome.
 
 use super::Jobs;
 use super::progress::Line;
@@ -13,8 +13,9 @@ use std::time::{Duration, Instant};
 use tokio::sync::{OwnedSemaphorePermit, oneshot};
 use tracing::Instrument;
 
-/// Solvers may recurse (sparse orderings, Delaunay walks); address space is cheap.
-const STACK_BYTES: usize = 64 << 20;
+/// The stack of the runtime's threads, which solvers run on: they may recurse (sparse orderings, Delaunay walks), and address
+/// space is cheap.
+pub const STACK_BYTES: usize = 64 << 20;
 /// A worker that was told of no work looks for some this often.
 const IDLE_POLL: Duration = Duration::from_secs(1);
 
@@ -207,7 +208,7 @@ pub(super) enum Work {
 /// The outcome of a solver's thread, once it has one; none if nobody wants it.
 pub(super) type Solver = oneshot::Receiver<Option<(&'static str, Outcome)>>;
 
-/// What a solver's thread left behind: one that could not be started, or went without a word, has panicked.
+/// What a solver's thread left behind: one that went without a word has panicked.
 pub(super) fn outcome_of(
     received: Result<Option<(&'static str, Outcome)>, oneshot::error::RecvError>,
 ) -> Option<(&'static str, Outcome)> {
@@ -253,11 +254,8 @@ pub(super) fn spawn_solver(jobs: &Jobs, work: Work, line: Arc<Line>) -> Solver {
         // Nobody listens any more if the server is going down.
         let _ = sender.send(outcome(ended));
     };
-    let spawned = std::thread::Builder::new().name("solver".into()).stack_size(STACK_BYTES).spawn(run);
-    if let Err(error) = spawned {
-        // The receiver sees a closed channel and the attempt fails.
-        tracing::error!(%error, "cannot start a solver thread");
-    }
+    // On a thread that an earlier solver left, if there is one; there are as many as slots.
+    tokio::task::spawn_blocking(run);
     receiver
 }
 

@@ -31,7 +31,7 @@ pub struct NewJob {
     pub request: Vec<u8>,
     /// Unique per owner and kind for as long as the job is kept.
     pub idempotency_key: Option<String>,
-    /// What a second submission with the same idempotency key is compared by.
+    /// What a second submission with the same idempotency key is compared by; without a key anything.
     pub body_hash: [u8; 32],
     /// JSON array.
     pub warnings: String,
@@ -141,6 +141,10 @@ impl Store {
         if idle_at().is_some_and(|at| at.elapsed() < IDLE_KNOWN) {
             return Ok(true);
         }
+        if self.inner.engine.row("SELECT 1 FROM jobs WHERE status = 'queued' LIMIT 1", Vec::new()).await?.is_none() {
+            *idle_at() = Some(Instant::now());
+            return Ok(true);
+        }
         let options = &self.inner.options;
         let (limit, owner_limit) = (bounded(options.queue_limit), bounded(options.owner_queue_limit));
         let text = format!("SELECT {ROOM}");
@@ -148,9 +152,7 @@ impl Store {
         let row = self.inner.engine.row(&text, values).await?;
         let Some(row) = row else { return Ok(false) };
         refuse_if_full(&row, limit, owner_limit)?;
-        let idle = row.int(0)? == 0;
-        *idle_at() = idle.then(Instant::now);
-        Ok(idle)
+        Ok(row.int(0)? == 0)
     }
 
     /// True if submitting this job would give an earlier one, or a new one with a kept result.

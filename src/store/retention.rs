@@ -145,7 +145,7 @@ impl Store {
         if let Some(files) = &self.inner.files {
             let old = files.older_than(self.inner.options.orphan_age).await?;
             let rows = self.inner.engine.rows("SELECT file FROM artefacts WHERE file IS NOT NULL", Vec::new()).await?;
-            let known = rows.iter().map(|row| row.text(0)).collect::<sqlx::Result<BTreeSet<_>>>()?;
+            let known = rows.iter().map(|row| row.text(0)).collect::<Result<BTreeSet<_>>>()?;
             for file in old.into_iter().filter(|file| !known.contains(file)) {
                 files.remove(file).await;
                 swept.files += 1;
@@ -172,7 +172,7 @@ impl Store {
                 let values = values.clone();
                 Box::pin(async move {
                     let rows = connection.rows(text, values).await?;
-                    Ok(rows.iter().map(|row| row.optional_text(0)).collect::<sqlx::Result<_>>()?)
+                    rows.iter().map(|row| row.optional_text(0)).collect()
                 })
             })
             .await
@@ -210,7 +210,7 @@ impl Store {
             .engine
             .write(move |connection| {
                 let values = values.clone();
-                Box::pin(async move { Ok(connection.execute(text, values).await?) })
+                Box::pin(async move { connection.execute(text, values).await })
             })
             .await
     }

@@ -6,9 +6,12 @@
 
 use std::borrow::Cow;
 
+use rusqlite::types::{ToSqlOutput, Value as SqliteValue, ValueRef};
 use sqlx::postgres::PgRow;
-use sqlx::sqlite::SqliteRow;
-use sqlx::{AssertSqlSafe, PgConnection, Row as _, SqliteConnection};
+use sqlx::{AssertSqlSafe, PgConnection, Row as _};
+
+use super::StoreError;
+use super::engine::Result;
 
 const CLOCK: &str = "now_ms()";
 const SQLITE_CLOCK: &str = "CAST(unixepoch('subsec') * 1000 AS INTEGER)";
@@ -55,10 +58,22 @@ impl From<&[u8]> for Value {
     }
 }
 
-/// A connection of either engine, inside a transaction or not.
+impl rusqlite::ToSql for Value {
+    fn to_sql(&self) -> rusqlite::Result<ToSqlOutput<'_>> {
+        Ok(ToSqlOutput::Borrowed(match self {
+            Self::Int(value) => ValueRef::Integer(*value),
+            Self::Text(text) | Self::OptionalText(Some(text)) => ValueRef::Text(text.as_bytes()),
+            Self::Bytes(bytes) | Self::OptionalBytes(Some(bytes)) => ValueRef::Blob(bytes),
+            Self::OptionalText(None) | Self::OptionalBytes(None) => ValueRef::Null,
+        }))
+    }
+}
+
+/// A connection of either engine, inside a transaction or not. On SQLite a statement runs on the thread that polls it and has
+/// ended at the first poll.
 #[derive(Debug)]
 pub(super) enum Connection<'c> {
-    Sqlite(&'c mut SqliteConnection),
+    Sqlite(&'c mut rusqlite::Connection),
     Postgres(&'c mut PgConnection),
 }
 
@@ -80,43 +95,61 @@ macro_rules! bind {
 
 impl Connection<'_> {
     /// Runs a statement and returns its rows.
-    pub(super) async fn rows(&mut self, text: &str, values: Vec<Value>) -> sqlx::Result<Vec<Row>> {
-        Ok(match self {
-            Self::Sqlite(connection) => bind!(AssertSqlSafe(for_sqlite(text)), values)
-                .fetch_all(&mut **connection)
-                .await?
-                .into_iter()
-                .map(Row::Sqlite)
-                .collect(),
-            Self::Postgres(connection) => bind!(AssertSqlSafe(for_postgres(text)), values)
-                .fetch_all(&mut **connection)
-                .await?
-                .into_iter()
-                .map(Row::Postgres)
-                .collect(),
-        })
+    pub(super) async fn rows(&mut self, text: &str, values: Vec<Value>) -> Result<Vec<Row>> {
+        match self {
+            Self::Sqlite(connection) => sqlite_rows(connection, text, &values),
+            Self::Postgres(connection) => {
+                let query = bind!(AssertSqlSafe(for_postgres(text)), values);
+                Ok(query.fetch_all(&mut **connection).await?.into_iter().map(Row::Postgres).collect())
+            }
+        }
     }
 
     /// Runs a statement that returns at most one row of interest.
-    pub(super) async fn row(&mut self, text: &str, values: Vec<Value>) -> sqlx::Result<Option<Row>> {
+    pub(super) async fn row(&mut self, text: &str, values: Vec<Value>) -> Result<Option<Row>> {
         Ok(self.rows(text, values).await?.into_iter().next())
     }
 
     /// Runs a statement and returns how many rows it changed.
-    pub(super) async fn execute(&mut self, text: &str, values: Vec<Value>) -> sqlx::Result<u64> {
-        Ok(match self {
-            Self::Sqlite(connection) => {
-                bind!(AssertSqlSafe(for_sqlite(text)), values).execute(&mut **connection).await?.rows_affected()
-            }
+    pub(super) async fn execute(&mut self, text: &str, values: Vec<Value>) -> Result<u64> {
+        match self {
+            Self::Sqlite(connection) => Ok(prepared(connection, text, &values)?.raw_execute()? as u64),
             Self::Postgres(connection) => {
-                bind!(AssertSqlSafe(for_postgres(text)), values).execute(&mut **connection).await?.rows_affected()
+                let query = bind!(AssertSqlSafe(for_postgres(text)), values);
+                Ok(query.execute(&mut **connection).await?.rows_affected())
             }
-        })
+        }
     }
 }
 
+/// Runs a statement on SQLite and returns its rows.
+pub(super) fn sqlite_rows(connection: &rusqlite::Connection, text: &str, values: &[Value]) -> Result<Vec<Row>> {
+    let mut statement = prepared(connection, text, values)?;
+    let columns = statement.column_count();
+    let mut rows = statement.raw_query();
+    let mut read = Vec::new();
+    while let Some(row) = rows.next()? {
+        read.push(Row::Sqlite((0..columns).map(|column| row.get(column)).collect::<rusqlite::Result<_>>()?));
+    }
+    Ok(read)
+}
+
+fn prepared<'c>(
+    connection: &'c rusqlite::Connection,
+    text: &str,
+    values: &[Value],
+) -> Result<rusqlite::CachedStatement<'c>> {
+    let mut statement = connection.prepare_cached(&for_sqlite(text))?;
+    // As PostgreSQL, which is told of every value, a statement need not use them all.
+    for (index, value) in (1..=statement.parameter_count()).zip(values) {
+        statement.raw_bind_parameter(index, value)?;
+    }
+    Ok(statement)
+}
+
+/// SQLite numbers `?1`; a `$1` would be a name to it.
 fn for_sqlite(text: &str) -> String {
-    text.replace(CLOCK, SQLITE_CLOCK)
+    text.replace(CLOCK, SQLITE_CLOCK).replace('$', "?")
 }
 
 fn for_postgres(text: &str) -> String {
@@ -125,42 +158,49 @@ fn for_postgres(text: &str) -> String {
 
 /// A row of either engine; columns by position.
 pub(super) enum Row {
-    Sqlite(SqliteRow),
+    Sqlite(Vec<SqliteValue>),
     Postgres(PgRow),
 }
 
 macro_rules! column {
-    ($row:expr, $index:expr) => {
+    ($row:expr, $index:expr, $($value:pat => $read:expr),+) => {
         match $row {
-            Row::Sqlite(row) => row.try_get_unchecked($index),
-            Row::Postgres(row) => row.try_get($index),
+            Row::Sqlite(values) => match &values[$index] {
+                $($value => Ok($read),)+
+                value => Err(unexpected($index, value)),
+            },
+            Row::Postgres(row) => Ok(row.try_get($index)?),
         }
     };
 }
 
+fn unexpected(column: usize, value: &SqliteValue) -> StoreError {
+    StoreError::Internal(format!("column {column} is unexpectedly {}", value.data_type()))
+}
+
 impl Row {
-    pub(super) fn int(&self, index: usize) -> sqlx::Result<i64> {
-        column!(self, index)
+    pub(super) fn int(&self, index: usize) -> Result<i64> {
+        column!(self, index, SqliteValue::Integer(value) => *value)
     }
 
-    pub(super) fn optional_int(&self, index: usize) -> sqlx::Result<Option<i64>> {
-        column!(self, index)
+    pub(super) fn optional_int(&self, index: usize) -> Result<Option<i64>> {
+        column!(self, index, SqliteValue::Integer(value) => Some(*value), SqliteValue::Null => None)
     }
 
-    pub(super) fn text(&self, index: usize) -> sqlx::Result<String> {
-        column!(self, index)
+    pub(super) fn text(&self, index: usize) -> Result<String> {
+        column!(self, index, SqliteValue::Text(text) => text.clone())
     }
 
-    pub(super) fn optional_text(&self, index: usize) -> sqlx::Result<Option<String>> {
-        column!(self, index)
+    pub(super) fn optional_text(&self, index: usize) -> Result<Option<String>> {
+        column!(self, index, SqliteValue::Text(text) => Some(text.clone()), SqliteValue::Null => None)
     }
 
-    pub(super) fn bytes(&self, index: usize) -> sqlx::Result<Vec<u8>> {
-        column!(self, index)
+    pub(super) fn bytes(&self, index: usize) -> Result<Vec<u8>> {
+        column!(self, index, SqliteValue::Blob(bytes) => bytes.clone())
     }
 
-    pub(super) fn optional_bytes(&self, index: usize) -> sqlx::Result<Option<Vec<u8>>> {
-        column!(self, index)
+    pub(super) fn optional_bytes(&self, index: usize) -> Result<Option<Vec<u8>>> {
+        column!(self, index, SqliteValue::Blob(bytes) => Some(bytes.clone()), SqliteValue::Null => None)
     }
 }
 
@@ -197,8 +237,8 @@ mod tests {
 
     #[test]
     fn each_engine_gets_its_own_clock_and_locks() {
-        let text = "SELECT now_ms() FROM jobs /* skip locked */";
-        assert_eq!(for_sqlite(text), format!("SELECT {SQLITE_CLOCK} FROM jobs /* skip locked */"));
-        assert_eq!(for_postgres(text), format!("SELECT {POSTGRES_CLOCK} FROM jobs FOR UPDATE SKIP LOCKED"));
+        let text = "SELECT now_ms() + $2 FROM jobs /* skip locked */";
+        assert_eq!(for_sqlite(text), format!("SELECT {SQLITE_CLOCK} + ?2 FROM jobs /* skip locked */"));
+        assert_eq!(for_postgres(text), format!("SELECT {POSTGRES_CLOCK} + $2 FROM jobs FOR UPDATE SKIP LOCKED"));
     }
 }

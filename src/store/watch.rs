@@ -75,7 +75,7 @@ impl Changes {
     pub(super) fn new(engine: &Engine, poll_interval: Duration) -> Self {
         let hub = Arc::new(Hub { work: watch::Sender::new(0), jobs: Mutex::default() });
         let (outgoing, tasks) = match &engine.kind {
-            Kind::Sqlite { .. } => (None, Vec::new()),
+            Kind::Sqlite(_) => (None, Vec::new()),
             Kind::Postgres(pool) => {
                 let (outgoing, changes) = mpsc::unbounded_channel();
                 let tasks = vec![

@@ -210,11 +210,8 @@ fn solve_with(
     }
     pulse.phase("checks");
     for (k, strip) in strips.iter().enumerate() {
-        if options.direction == Direction::AsGiven {
-            let sides = [&prepared.directrices[k], &prepared.directrices[k + 1]].map(|d| d.points.as_slice());
-            prepared.warnings.extend(warnings::of_directions(k, sides, options.closed, lanes, &mut pulse)?);
-        }
-        let found = warnings::of_strip(k, strip, &paths[k], &strip_statistics[k], goal, lanes, &mut pulse)?;
+        let asked = (goal, options.direction == Direction::AsGiven);
+        let found = warnings::of_strip(k, strip, &paths[k], &strip_statistics[k], asked, lanes, &mut pulse)?;
         prepared.warnings.extend(found);
     }
     surface.statistics = Statistics::total(&strip_statistics);

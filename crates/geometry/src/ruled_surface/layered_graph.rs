@@ -24,7 +24,7 @@ pub(super) struct Lattice {
 
 const MARGIN: usize = 4;
 
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Side {
     point: [Vec<f64>; 3],
     /// The bank edge that ends at the point; zero where there is none.
@@ -35,6 +35,18 @@ struct Side {
 }
 
 impl Side {
+    /// Room for `length` points, with tangents and normals if there are any.
+    fn with_capacity(length: usize, tangents: bool, normals: bool) -> Self {
+        let room = |wanted: bool| [(); 3].map(|()| Vec::with_capacity(if wanted { length } else { 0 }));
+        Self {
+            point: room(true),
+            bank: room(true),
+            bank_squared: Vec::with_capacity(length),
+            tangent: room(tangents),
+            normal: room(normals),
+        }
+    }
+
     fn push(
         &mut self,
         directrix: &Directrix,
@@ -67,13 +79,13 @@ impl Lattice {
         let (rows, n, closed) = (strip.m(), strip.n(), strip.closed);
         let columns = if closed { 2 * n } else { n };
         let tangents = [&strip.p, &strip.q].map(|side| with_tangents.then(|| side.tangents(closed)));
-        let mut row = Side::default();
+        let mut row = Side::with_capacity(rows + 2 * MARGIN, with_tangents, strip.has_normals());
         for k in 0..rows + 2 * MARGIN {
             // Row `rows` holds the edge that leaves the last row; beyond, anything finite.
             let index = if closed { k } else { k.min(rows - 1) };
             row.push(&strip.p, tangents[0], index, closed || (k > 0 && k < rows), closed);
         }
-        let mut column = Side::default();
+        let mut column = Side::with_capacity(columns + 2 * MARGIN, with_tangents, strip.has_normals());
         for k in (0..columns + 2 * MARGIN).rev() {
             let c = k as isize - MARGIN as isize;
             let exists = closed || (c > 0 && c < columns as isize);

@@ -1,6 +1,6 @@
 //! From a strip and an objective to a path: which graph, which kernel, how wide.
 
-use super::closed::{self, Search, Searcher};
+use super::closed::{self, Found, Search, Searcher};
 use super::convexity::{self, Test};
 use super::corridor::corridor;
 use super::lanes::{Lanes, Widest};
@@ -224,12 +224,36 @@ pub(super) fn optimal_path(
         // The only triangulation there is.
         return Ok(if m == 1 { (0..n).map(|j| [0, j]).collect() } else { (0..m).map(|i| [i, 0]).collect() });
     }
-    let path = match lanes {
-        Widest::Plain => search::<f64>(strip, goal, factors, sign, test, pulse)?,
-        #[cfg(target_arch = "x86_64")]
-        Widest::Avx2 => search::<super::lanes::Wide>(strip, goal, factors, sign, test, pulse)?,
-    };
+    let path = found(strip, goal, factors, sign, test, lanes, pulse)?.path;
     Ok(if strip.closed { path.into_iter().map(|[i, j]| [i % m, j % n]).collect() } else { path })
+}
+
+/// The least area, in the caller's unit, or bending energy of a strip without an apex: the optimum's cost, without its other
+/// figures.
+pub(super) fn least(
+    strip: &Strip,
+    objective: Objective,
+    lanes: Widest,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<f64, Interruption> {
+    let cost = found(strip, Goal::single(objective), None, 1.0, Test::Within(0.0), lanes, pulse)?.score.value;
+    Ok(if objective == Objective::MinimalArea { 0.5 * cost * strip.unit * strip.unit } else { cost })
+}
+
+fn found(
+    strip: &Strip,
+    goal: Goal,
+    factors: Option<&Factors>,
+    sign: f64,
+    test: Test,
+    lanes: Widest,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<Found, Interruption> {
+    match lanes {
+        Widest::Plain => search::<f64>(strip, goal, factors, sign, test, pulse),
+        #[cfg(target_arch = "x86_64")]
+        Widest::Avx2 => search::<super::lanes::Wide>(strip, goal, factors, sign, test, pulse),
+    }
 }
 
 fn search<V: Lanes>(
@@ -239,7 +263,7 @@ fn search<V: Lanes>(
     sign: f64,
     test: Test,
     pulse: &mut Pulse<'_, '_>,
-) -> Result<Vec<[u32; 2]>, Interruption> {
+) -> Result<Found, Interruption> {
     let lattice = &Lattice::new(strip, goal.needs_tangents());
     let (rows, columns) = (lattice.rows, lattice.columns);
     let table = match goal.objective {
@@ -286,7 +310,6 @@ fn find(
     search: &mut dyn Search,
     region: &Region,
     pulse: &mut Pulse<'_, '_>,
-) -> Result<Vec<[u32; 2]>, Interruption> {
-    let found = if is_closed { closed::closed(search, pulse) } else { closed::open(search, region, pulse) }?;
-    Ok(found.path)
+) -> Result<Found, Interruption> {
+    if is_closed { closed::closed(search, pulse) } else { closed::open(search, region, pulse) }
 }

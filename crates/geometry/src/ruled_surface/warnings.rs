@@ -1,10 +1,9 @@
 //! What a caller should know about a result that is optimal all the same.
 
-use super::convexity::Test;
 use super::lanes::Widest;
 use super::objective::Objective;
 use super::shortest_path::Pulse;
-use super::solve_strip::{self, Goal};
+use super::solve_strip::{Goal, least};
 use super::statistics::Statistics;
 use super::strip::{Given, Strip};
 use crate::DVec3;
@@ -20,16 +19,19 @@ pub(super) const BENDING_CHECKED_UP_TO: usize = 1 << 18;
 pub(super) const CLOSED_BENDING_CHECKED_UP_TO: usize = 1 << 14;
 /// Reversing must help by so much, in area, to be mentioned.
 const OPPOSITE: f64 = 0.9;
-/// Directrices are thinned to so many points to find out.
-const THINNED: usize = 96;
+/// Directrices are thinned to so many points for what need not be known exactly.
+const THINNED: usize = 64;
+/// What thinning may hide of the least bending energy. It is an integral along a smooth strip, and thinned ones are close;
+/// thinned ones of jagged directrices bend less.
+const HIDDEN: f64 = 1.1;
 
-/// Warnings about strip `k` of a stack, solved as `path` with these figures.
+/// Warnings about strip `k` of a stack, solved as `path` with these figures. `as_given`: nobody chose its directions.
 pub(super) fn of_strip(
     k: usize,
     strip: &Strip,
     path: &[[u32; 2]],
     statistics: &Statistics,
-    goal: Goal,
+    (goal, as_given): (Goal, bool),
     lanes: Widest,
     pulse: &mut Pulse<'_, '_>,
 ) -> Result<Vec<Warning>, Error> {
@@ -48,74 +50,67 @@ pub(super) fn of_strip(
     if strip.has_apex() {
         return Ok(warnings);
     }
-    let mut least = |objective: Objective| -> Result<Statistics, Error> {
-        let strips = std::slice::from_ref(strip);
-        let solved =
-            solve_strip::solve_all(strips, Goal::single(objective), Test::Within(0.0), lanes, pulse, &mut Vec::new())?;
-        Ok(solved.statistics[0])
-    };
+    let coarse = thinned(strip, false);
+    let is_coarse = strip.m().max(strip.n()) > THINNED;
+    if as_given {
+        let area = least(&coarse, Objective::MinimalArea, lanes, pulse)?;
+        let reversed = least(&thinned(strip, true), Objective::MinimalArea, lanes, pulse)?;
+        if reversed < OPPOSITE * area {
+            let (saved, next) = (100.0 * (1.0 - reversed / area), k + 1);
+            let detail = format!(
+                "directrices {k} and {next} run in opposite directions: reversing one makes the minimal area about {saved:.0}% smaller"
+            );
+            warnings.push(Warning::new("opposite_directions", detail));
+        }
+    }
     if goal.objective != Objective::MinimalArea {
-        let factor = statistics.area / least(Objective::MinimalArea)?.area;
+        let factor = statistics.area / least(strip, Objective::MinimalArea, lanes, pulse)?;
         if factor > LARGE {
             let detail = format!("strip {k}: {factor:.2} times the area of the strip of minimal area");
             warnings.push(Warning::new("large_area", detail));
         }
     }
     let limit = if strip.closed { CLOSED_BENDING_CHECKED_UP_TO } else { BENDING_CHECKED_UP_TO };
-    if goal.objective != Objective::MinimalBendingEnergy && strip.m() * strip.n() <= limit {
-        let least = least(Objective::MinimalBendingEnergy)?.bending_energy;
-        // A planar strip bends by rounding alone.
-        if statistics.bending_energy > BENT * least && statistics.bending_energy > 1e-9 * statistics.bridges as f64 {
-            let detail = if least > 1e-9 * statistics.bridges as f64 {
-                let factor = statistics.bending_energy / least;
-                format!("strip {k}: {factor:.0} times the bending energy of the strip that bends least")
-            } else {
-                format!("strip {k}: it bends, although it could be laid without bending")
-            };
-            warnings.push(Warning::new("strongly_bent", detail));
+    // A planar strip bends by rounding alone.
+    let rounding = 1e-9 * statistics.bridges as f64;
+    if goal.objective != Objective::MinimalBendingEnergy
+        && strip.m() * strip.n() <= limit
+        && statistics.bending_energy > rounding
+    {
+        let mut factor = |strip: &Strip| -> Result<f64, Error> {
+            let least = least(strip, Objective::MinimalBendingEnergy, lanes, pulse)?;
+            Ok(if least > rounding { statistics.bending_energy / least } else { f64::INFINITY })
+        };
+        if !is_coarse || factor(&coarse)? > BENT / HIDDEN {
+            let factor = factor(strip)?;
+            if factor > BENT {
+                let detail = if factor.is_finite() {
+                    format!("strip {k}: {factor:.0} times the bending energy of the strip that bends least")
+                } else {
+                    format!("strip {k}: it bends, although it could be laid without bending")
+                };
+                warnings.push(Warning::new("strongly_bent", detail));
+            }
         }
     }
     Ok(warnings)
+}
+
+/// A strip of the same shape with at most [`THINNED`] points a side, its second directrix run through backwards if asked.
+fn thinned(strip: &Strip, reversed: bool) -> Strip {
+    let thin = |points: &[DVec3]| -> Vec<DVec3> {
+        let count = points.len().min(THINNED);
+        (0..count).map(|k| points[k * (points.len() - 1) / (count - 1)]).collect()
+    };
+    let (p, mut q) = (thin(&strip.p.points), thin(&strip.q.points));
+    if reversed {
+        q.reverse();
+    }
+    Strip::of_checked(Given::from(p.as_slice()), Given::from(q.as_slice()), strip.closed)
 }
 
 fn repeats_a_bridge(path: &[[u32; 2]]) -> bool {
     let mut bridges = path.to_vec();
     bridges.sort_unstable();
     bridges.windows(2).any(|pair| pair[0] == pair[1])
-}
-
-/// Whether the directrices run in opposite directions, judged by the minimal area of thinned ones both ways.
-pub(super) fn of_directions(
-    k: usize,
-    [p, q]: [&[DVec3]; 2],
-    closed: bool,
-    lanes: Widest,
-    pulse: &mut Pulse<'_, '_>,
-) -> Result<Option<Warning>, Error> {
-    if p.len() < 2 || q.len() < 2 {
-        return Ok(None);
-    }
-    let thin = |points: &[DVec3]| -> Vec<DVec3> {
-        let count = points.len().min(THINNED);
-        (0..count).map(|k| points[k * (points.len() - 1) / (count - 1)]).collect()
-    };
-    let (p, mut q) = (thin(p), thin(q));
-    let mut area = |q: &[DVec3]| -> Result<f64, Error> {
-        let given = |points| Given { points, tangents: None, normals: None };
-        let strip = Strip::of_checked(given(&p), given(q), closed);
-        let goal = Goal::single(Objective::MinimalArea);
-        let solved = solve_strip::solve_all(&[strip], goal, Test::Within(0.0), lanes, pulse, &mut Vec::new())?;
-        Ok(solved.statistics[0].area)
-    };
-    let as_given = area(&q)?;
-    q.reverse();
-    let reversed = area(&q)?;
-    Ok((reversed < OPPOSITE * as_given).then(|| {
-        let saved = 100.0 * (1.0 - reversed / as_given);
-        let detail = format!(
-            "directrices {k} and {} run in opposite directions: reversing one makes the minimal area about {saved:.0}% smaller",
-            k + 1
-        );
-        Warning::new("opposite_directions", detail)
-    }))
 }
