@@ -205,6 +205,15 @@ impl Request {
         }
     }
 
+    /// Whether solving it takes about a millisecond at most, so that it may keep a thread of the server.
+    #[must_use]
+    pub fn is_quick(&self) -> bool {
+        match self {
+            Self::RuledSurface(request) => request.is_quick(),
+            Self::MinimalSurface(_) | Self::UniformMesh(_) => false,
+        }
+    }
+
     /// Whether the kept result of an equal request may be taken.
     #[must_use]
     pub fn cache(&self) -> common::Cache {

@@ -118,6 +118,7 @@ fn job(number: usize) -> NewJob {
         kind: "ruled_surface".into(),
         owner: None,
         request: format!("{{\"number\":{number}}}").into_bytes(),
+        request_hash: std::array::from_fn(|byte| number.to_le_bytes()[byte % 8]),
         idempotency_key: None,
         body_hash: [number as u8; 32],
         warnings: "[]".into(),
@@ -483,7 +484,7 @@ async fn a_result_is_not_shared_beyond_owner_version_or_wish(database: Database)
         NewJob { owner: Some("you".into()), ..again() },
         NewJob { reuse: false, ..again() },
         NewJob { kind: "minimal_surface".into(), ..again() },
-        NewJob { request: b"{\"number\":2}".to_vec(), ..again() },
+        NewJob { request_hash: [2; 32], ..again() },
     ];
     for new in expect_queued {
         assert_eq!(create(&store, new).await.status, Status::Queued);
@@ -993,7 +994,7 @@ async fn a_callback_is_due_from_the_end_until_it_is_settled(database: Database) 
     // However it ends: by a shared result, and by a cancel.
     create(
         &store,
-        NewJob { callback_url: Some("https://a.example".into()), request: job(1).request, ..job_of("me", 2) },
+        NewJob { callback_url: Some("https://a.example".into()), request_hash: job(1).request_hash, ..job_of("me", 2) },
     )
     .await;
     create(&store, NewJob { callback_url: Some("https://b.example".into()), ..job_of("me", 3) }).await;

@@ -5,10 +5,12 @@
 //! has no answer yet, and nobody knows the job. A process that dies in that moment leaves no trace of the submission, as if it
 //! had died while it read the body.
 //!
+//! What is solved within about a millisecond is solved where it was read: a way to another thread and back costs as much.
+//!
 //! Solvers' slots are given out in turn, to workers as to these; where a job waits, submissions queue up behind it.
 
-use super::queue::Submitted;
-use super::worker::{Attempt, End, Work, outcome_of, span, spawn_solver, supervise};
+use super::queue::{Submission, Submitted};
+use super::worker::{Attempt, End, Work, outcome_of, solve_here, span, spawn_solver, supervise};
 use super::{Jobs, JobsError};
 use crate::store::{Begun, NewJob, Submitted as Stored};
 use crate::wire::Request;
@@ -58,15 +60,15 @@ impl Jobs {
     /// caller goes away.
     pub(super) async fn solve_at_once(
         &self,
-        job: NewJob,
+        submission: Submission,
         request: Request,
         submitted_at: Instant,
         slot: OwnedSemaphorePermit,
     ) -> Result<Submitted, JobsError> {
         let (answer, answered) = oneshot::channel();
         let jobs = self.clone();
-        let span = span(&job.id, &job.kind, 1);
-        let work = async move { jobs.begin(job, request, submitted_at, slot, answer).await };
+        let span = span(&submission.job.id, &submission.job.kind, 1);
+        let work = async move { jobs.begin(submission, request, submitted_at, slot, answer).await };
         tokio::spawn(work.instrument(span));
         answered
             .await
@@ -75,17 +77,24 @@ impl Jobs {
 
     async fn begin(
         &self,
-        job: NewJob,
+        submission: Submission,
         request: Request,
         submitted_at: Instant,
         slot: OwnedSemaphorePermit,
         answer: oneshot::Sender<Result<Submitted, JobsError>>,
     ) {
-        let (id, kind) = (job.id.clone(), job.kind.clone());
+        let (id, kind) = (submission.job.id.clone(), submission.job.kind.clone());
         let started_at = Instant::now();
         let attempt = Attempt::begin(self, &id, &kind, milliseconds(started_at - submitted_at));
-        let mut solver = spawn_solver(self, Work::Read(Box::new(request)), attempt.line.clone());
-        let ended = tokio::time::timeout(MOMENT, &mut solver).await;
+        let here = if request.is_quick() { solve_here(self, &request, &attempt.line) } else { None };
+        let (ended, solver) = match here {
+            Some(ended) => (Some(ended), None),
+            None => {
+                let mut solver = spawn_solver(self, Work::Read(Box::new(request)), attempt.line.clone());
+                let ended = tokio::time::timeout(MOMENT, &mut solver).await;
+                (ended.ok().map(outcome_of), Some(solver))
+            }
+        };
         let begun = Begun {
             submitted_ms: milliseconds(submitted_at.elapsed()),
             started_ms: milliseconds(started_at.elapsed()),
@@ -93,24 +102,32 @@ impl Jobs {
         let lease = Duration::from_millis(self.0.config.jobs.lease_ms);
         let mut slot = Some(slot);
         let (stored, ended) = match ended {
-            Ok(ended) => {
+            Some(ended) => {
                 // The disk need not keep the next one from being solved.
                 slot.take();
                 // Nobody can have cancelled it; there would be nothing to keep.
-                let Some((status, outcome)) = outcome_of(ended) else { return };
-                (self.0.store.submit_ended(job, outcome, begun).await, Some(End::Finished(status)))
+                let Some((status, outcome)) = ended else { return };
+                (self.0.store.submit_ended(submission.job, outcome, begun).await, Some(End::Finished(status)))
             }
-            Err(_) => {
+            None => {
                 let worker = format!("{}/at once", self.0.process);
-                (self.0.store.submit_begun(job, &worker, lease, begun).await, None)
+                let stored = match self.off_runtime(|| submission.stored()).await {
+                    Ok(Ok(job)) => self.0.store.submit_begun(job, &worker, lease, begun).await,
+                    Ok(Err(error)) | Err(error) => {
+                        attempt.line.stop();
+                        let _ = answer.send(Err(error));
+                        return;
+                    }
+                };
+                (stored, None)
             }
         };
         let created = matches!(stored, Ok(Stored::Created(_)));
         // A client that went away does not need its answer.
         let _ = answer.send(self.submitted(stored));
-        let end = match (created, ended, slot) {
+        let end = match (created, ended, slot.zip(solver)) {
             (true, Some(end), _) => end,
-            (true, None, Some(slot)) => supervise(self, &id, 1, &attempt.line, solver, slot).await,
+            (true, None, Some((slot, solver))) => supervise(self, &id, 1, &attempt.line, solver, slot).await,
             // Refused, or a repetition that came at the same time was first.
             _ => {
                 attempt.line.stop();

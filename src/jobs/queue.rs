@@ -56,14 +56,15 @@ impl Jobs {
         let inline = body.len() <= INLINE_BYTES;
         let read = move || {
             let (request, value) = Request::read(kind, &body, &limits).map_err(JobsError::Rejected)?;
-            let job = new_job(&request, value, owner, idempotency_key)?;
-            Ok::<_, JobsError>((job, request))
+            let submission = new_job(&request, value, owner, idempotency_key);
+            Ok::<_, JobsError>((submission, request))
         };
-        let (job, request) = if inline { read()? } else { self.off_runtime(read).await?? };
-        self.check_callback("", job.callback_url.as_deref())?;
-        if at_once && let Some(slot) = self.solver_at_once(&job).await? {
-            return self.solve_at_once(job, request, submitted_at, slot).await;
+        let (submission, request) = if inline { read()? } else { self.off_runtime(read).await?? };
+        self.check_callback("", submission.job.callback_url.as_deref())?;
+        if at_once && let Some(slot) = self.solver_at_once(&submission.job).await? {
+            return self.solve_at_once(submission, request, submitted_at, slot).await;
         }
+        let job = if inline { submission.stored()? } else { self.off_runtime(|| submission.stored()).await?? };
         self.submitted(self.0.store.submit(job).await)
     }
 
@@ -91,38 +92,139 @@ pub(super) fn label(outcome: Result<bool, &JobsError>) -> &'static str {
     }
 }
 
-fn canonical(value: &Value) -> Result<Vec<u8>, JobsError> {
-    serde_json::to_vec(value).map_err(|error| JobsError::Internal(error.to_string()))
+/// A job to be, whose request has not been written out yet: one that is solved at once never needs it.
+#[derive(Debug)]
+pub(super) struct Submission {
+    pub(super) job: NewJob,
+    value: Value,
 }
 
-/// What equality of bodies means: keys sorted, numbers as f64 prints them.
-pub(super) fn hash(value: &Value) -> Result<[u8; 32], JobsError> {
-    Ok(Sha256::digest(canonical(value)?).into())
+impl Submission {
+    /// With its request as the store keeps it, for a worker.
+    pub(super) fn stored(mut self) -> Result<NewJob, JobsError> {
+        self.job.request = serde_json::to_vec(&self.value).map_err(|error| JobsError::Internal(error.to_string()))?;
+        Ok(self.job)
+    }
 }
 
-/// What the store keeps of a request that was read from `value`: its canonical form without what does not change the result.
+/// What equality of bodies means: the order of keys does not count, and numbers are what they are in f64.
+pub(super) fn hash(value: &Value) -> [u8; 32] {
+    let mut bytes = Vec::new();
+    write(value, &mut bytes);
+    Sha256::digest(bytes).into()
+}
+
+/// One encoding for each value. Keys are sorted already, and integral numbers are integers (`json::parse`).
+fn write(value: &Value, out: &mut Vec<u8>) {
+    let number = |tag: u8, value: u64, out: &mut Vec<u8>| {
+        out.push(tag);
+        out.extend_from_slice(&value.to_le_bytes());
+    };
+    match value {
+        Value::Null => out.push(0),
+        Value::Bool(value) => out.extend_from_slice(&[1, u8::from(*value)]),
+        Value::Number(value) => {
+            let (tag, bits) = match (value.as_i64(), value.as_u64()) {
+                (Some(value), _) => (2, value as u64),
+                (None, Some(value)) => (3, value),
+                (None, None) => (4, value.as_f64().unwrap_or_default().to_bits()),
+            };
+            number(tag, bits, out);
+        }
+        Value::String(text) => {
+            number(5, text.len() as u64, out);
+            out.extend_from_slice(text.as_bytes());
+        }
+        Value::Array(items) => {
+            number(6, items.len() as u64, out);
+            items.iter().for_each(|item| write(item, out));
+        }
+        Value::Object(fields) => {
+            number(7, fields.len() as u64, out);
+            for (name, field) in fields {
+                number(5, name.len() as u64, out);
+                out.extend_from_slice(name.as_bytes());
+                write(field, out);
+            }
+        }
+    }
+}
+
+/// A request that was read from `value`, without what does not change the result.
 pub(super) fn new_job(
     request: &Request,
     mut value: Value,
     owner: Option<String>,
     idempotency_key: Option<String>,
-) -> Result<NewJob, JobsError> {
+) -> Submission {
     // Without a key nothing is compared with it.
-    let body_hash = if idempotency_key.is_some() { hash(&value)? } else { [0; 32] };
+    let body_hash = if idempotency_key.is_some() { hash(&value) } else { [0; 32] };
     if let Some(fields) = value.as_object_mut() {
         for name in ["kind", "cache", "callback_url"] {
             fields.remove(name);
         }
     }
-    Ok(NewJob {
+    let job = NewJob {
         id: ulid::Ulid::generate().to_string(),
         kind: request.kind().name().into(),
         owner,
-        request: canonical(&value)?,
+        request: Vec::new(),
+        request_hash: hash(&value),
         body_hash,
         idempotency_key,
         warnings: "[]".into(),
         callback_url: request.callback_url().map(str::to_owned),
         reuse: request.cache() == Cache::Reuse,
-    })
+    };
+    Submission { job, value }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wire::json::parse;
+
+    #[test]
+    fn equal_bodies_have_equal_hashes_and_others_do_not() {
+        let of = |text: &str| hash(&parse(text.as_bytes()).unwrap());
+        for (one, other) in [
+            (r#"{"a":1,"b":[2,3]}"#, r#"{ "b": [2.0, 3e0], "a": 1.00 }"#),
+            (r#"{"a":0.1}"#, r#"{"a":1e-1}"#),
+            (r#""\u0041""#, r#""A""#),
+        ] {
+            assert_eq!(of(one), of(other), "{one} {other}");
+        }
+        let different = [
+            "null",
+            "false",
+            "true",
+            "0",
+            "-0.0",
+            "1",
+            "-1",
+            "0.1",
+            "0.2",
+            "9223372036854775808",
+            "1e300",
+            "\"\"",
+            "\"a\"",
+            "[]",
+            "{}",
+            "[[]]",
+            "[[],[]]",
+            "[[[]]]",
+            "[1,2]",
+            "[[1],2]",
+            "[12]",
+            "{\"a\":1}",
+            "{\"a\":{}}",
+            "{\"b\":1}",
+            "[\"a\",1]",
+            "{\"a\":[1,2]}",
+            "{\"a\":[1],\"b\":2}",
+            "\"a1\"",
+        ];
+        let hashes: std::collections::BTreeSet<_> = different.iter().map(|text| of(text)).collect();
+        assert_eq!(hashes.len(), different.len());
+    }
 }

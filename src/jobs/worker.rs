@@ -222,7 +222,7 @@ pub(super) fn spawn_solver(jobs: &Jobs, work: Work, line: Arc<Line>) -> Solver {
     let jobs = jobs.clone();
     let run = move || {
         let _entered = span.enter();
-        let solve = || {
+        let work = || {
             let request = match work {
                 Work::Read(request) => *request,
                 Work::Stored { kind, request } => {
@@ -236,7 +236,6 @@ pub(super) fn spawn_solver(jobs: &Jobs, work: Work, line: Arc<Line>) -> Solver {
                     }
                 }
             };
-            let (signal, report) = (|| line.signal(), |progress| line.report(progress));
             let wanted = || line.signal() == Signal::Continue;
             let Some(_share) = jobs.0.memory.share(request.memory_bytes(), wanted) else {
                 let why = match line.signal() {
@@ -245,18 +244,29 @@ pub(super) fn spawn_solver(jobs: &Jobs, work: Work, line: Arc<Line>) -> Solver {
                 };
                 return Ended::Failed(GeometryError::Interrupted(why));
             };
-            match solve::solve(&request, &Execution::new(&signal, &report)) {
-                Ok(solved) => Ended::Solved(Box::new(solved)),
-                Err(error) => Ended::Failed(error),
-            }
+            solve(&request, &line)
         };
-        let ended = guarded(solve);
+        let ended = guarded(work);
         // Nobody listens any more if the server is going down.
         let _ = sender.send(outcome(ended));
     };
     // On a thread that an earlier solver left, if there is one; there are as many as slots.
     tokio::task::spawn_blocking(run);
     receiver
+}
+
+/// Solves on this thread, unless memory would have to be waited for.
+pub(super) fn solve_here(jobs: &Jobs, request: &Request, line: &Line) -> Option<Option<(&'static str, Outcome)>> {
+    let _share = jobs.0.memory.share(request.memory_bytes(), || false)?;
+    Some(outcome(guarded(|| solve(request, line))))
+}
+
+fn solve(request: &Request, line: &Line) -> Ended {
+    let (signal, report) = (|| line.signal(), |progress| line.report(progress));
+    match solve::solve(request, &Execution::new(&signal, &report)) {
+        Ok(solved) => Ended::Solved(Box::new(solved)),
+        Err(error) => Ended::Failed(error),
+    }
 }
 
 /// A solver's panic is a failed job, not a dead worker. Nothing that the solver touched is used afterwards.
@@ -277,7 +287,7 @@ fn outcome(ended: Ended) -> Option<(&'static str, Outcome)> {
                 .map(|warning| JobWarning { code: warning.code.into(), detail: warning.detail.clone() })
                 .collect();
             let outcome = Outcome::Succeeded {
-                statistics: solved.statistics.to_string(),
+                statistics: solved.archive.contents().statistics.clone(),
                 // Warnings are strings only.
                 warnings: serde_json::to_string(&warnings).unwrap_or_else(|_| "[]".into()),
                 artefact: solved.archive.to_bytes(),

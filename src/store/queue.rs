@@ -27,8 +27,10 @@ pub struct NewJob {
     pub id: String,
     pub kind: String,
     pub owner: Option<String>,
-    /// Canonical: equal requests have equal bytes.
+    /// What a worker is given. A job that was solved before it was put on disk need not have it.
     pub request: Vec<u8>,
+    /// Hash of the request: equal requests have equal hashes.
+    pub request_hash: [u8; 32],
     /// Unique per owner and kind for as long as the job is kept.
     pub idempotency_key: Option<String>,
     /// What a second submission with the same idempotency key is compared by; without a key anything.
@@ -167,7 +169,7 @@ impl Store {
         if !job.reuse {
             return Ok(false);
         }
-        let content = content_hash(&self.inner.options.result_version, &job.kind, &job.request);
+        let content = content_hash(&self.inner.options.result_version, &job.kind, &job.request_hash);
         let text = "SELECT 1 FROM jobs WHERE owner = $1 AND content_hash = $2 AND reusable = 1 LIMIT 1";
         let values = vec![owner_column(job), content.as_slice().into()];
         Ok(self.inner.engine.row(text, values).await?.is_some())
@@ -185,7 +187,7 @@ impl Store {
                     if let Some(earlier) = earlier_submission(connection, &job).await? {
                         return Ok(earlier);
                     }
-                    let content = content_hash(&store.options().result_version, &job.kind, &job.request);
+                    let content = content_hash(&store.options().result_version, &job.kind, &job.request_hash);
                     let text = format!(
                         "INSERT INTO jobs (id, kind, owner, status, attempt, sequence, turn, {BEGUN_COLUMNS}, history, \
                          worker, lease_until) VALUES ($1, $2, $3, 'running', 1, 2, 0, {BEGUN_VALUES}, {BEGUN_HISTORY}, \
@@ -202,7 +204,7 @@ impl Store {
             .await
     }
 
-    /// Puts a job on disk that this process has solved already: submission and end are one write, visible together.
+    /// Puts a job on disk that this process has solved already, without its request, which nobody needs any more: submission and end are one write, visible together.
     pub async fn submit_ended(&self, job: NewJob, outcome: Outcome, begun: Begun) -> Result<Submitted> {
         let result = match &outcome {
             Outcome::Succeeded { artefact, .. } => Some(self.prepare(&job.id, 1, artefact).await?),
@@ -434,7 +436,7 @@ pub(super) async fn submit(
     if let Some(earlier) = earlier_submission(connection, job).await? {
         return Ok(earlier);
     }
-    let content = content_hash(&options.result_version, &job.kind, &job.request);
+    let content = content_hash(&options.result_version, &job.kind, &job.request_hash);
     if job.reuse
         && let Some(row) = share_result(connection, job, place, &content, milliseconds(options.retention)).await?
     {
@@ -454,9 +456,9 @@ pub(super) fn bounded(limit: u64) -> i64 {
     i64::try_from(limit).unwrap_or(i64::MAX)
 }
 
-fn content_hash(version: &str, kind: &str, request: &[u8]) -> [u8; 32] {
+fn content_hash(version: &str, kind: &str, request_hash: &[u8; 32]) -> [u8; 32] {
     let mut hash = Sha256::new();
-    for part in [version.as_bytes(), kind.as_bytes(), request] {
+    for part in [version.as_bytes(), kind.as_bytes(), request_hash] {
         hash.update((part.len() as u64).to_le_bytes());
         hash.update(part);
     }
@@ -571,7 +573,7 @@ async fn submit_ended(
     if let Some(earlier) = earlier_submission(connection, job).await? {
         return Ok((earlier, None));
     }
-    let content = content_hash(&options.result_version, &job.kind, &job.request);
+    let content = content_hash(&options.result_version, &job.kind, &job.request_hash);
     let mut values = begun_values(job, &content, begun);
     values.push(milliseconds(options.retention).into());
     let (status, reusable) = match outcome {

@@ -2,10 +2,14 @@
 //!
 //! The writer takes whatever writes have queued up while the last commit was on its way to the disk and commits them together
 //! (where one fails, all again, each inside a savepoint of its own), so that durability costs one disk sync a group and not one a
-//! job. Its statements run on its own thread, one after the other, without a way to another thread and back for each.
+//! job. Its statements run on its own thread, one after the other, without a way to another thread and back for each. Another
+//! thread copies the write-ahead log into the database, so that writes need not wait for that either.
 
+use std::cell::Cell;
 use std::path::{Path, PathBuf};
+use std::sync::mpsc::{SyncSender, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::JoinHandle;
 use std::time::Duration;
 
 use futures_util::FutureExt;
@@ -23,9 +27,14 @@ const GROUP_SIZE: usize = 128;
 const WRITE_BACKLOG: usize = 1024;
 /// The write-ahead log is cut back to this size when it has been copied into the database.
 const WAL_KEPT_BYTES: u32 = 64 << 20;
-/// Pages in the write-ahead log after which it is copied into the database: pages of indexes that many jobs change are then
-/// copied once.
-const WAL_PAGES: u32 = 2048;
+/// Pages that the write-ahead log has grown by when it is copied into the database, beside the writes: pages of indexes that
+/// many jobs change are then copied once.
+const COPIED_PAGES: u32 = 2048;
+/// Pages in the write-ahead log at which the writer itself copies what is left. The log begins anew only where all of it has been
+/// copied, and while writes come without a pause that is never so otherwise.
+const MOST_PAGES: u32 = 16384;
+/// What the writer keeps of the database in memory: hashes are indexed, so that writes touch pages anywhere.
+const CACHE_KIB: u32 = 8 << 10;
 const READERS: u32 = 4;
 /// Statements that a connection keeps prepared; there are fewer than these in all.
 const PREPARED: usize = 128;
@@ -49,11 +58,12 @@ impl Database {
         let (writer, writes) = mpsc::channel(WRITE_BACKLOG);
         let (file, max_bytes) = (path.clone(), options.max_bytes);
         let (opened, opening) = oneshot::channel();
-        let run = move || match open_writer(&file, max_bytes) {
-            Ok(connection) => {
+        let open = move || Result::Ok((open_writer(&file, max_bytes)?, Copier::start(&file)?));
+        let run = move || match open() {
+            Ok((connection, copier)) => {
                 // Whoever asked may have gone away; then there is nobody to write for either.
                 let _ = opened.send(Ok(()));
-                write_in_groups(connection, writes);
+                write_in_groups(connection, copier, writes);
             }
             Err(error) => {
                 let _ = opened.send(Err(error));
@@ -147,8 +157,13 @@ fn open_writer(path: &Path, max_bytes: Option<u64>) -> Result<Sqlite> {
     // The first only works before the first table, so before the log.
     connection.execute_batch(&format!(
         "PRAGMA auto_vacuum = INCREMENTAL; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; \
-         PRAGMA journal_size_limit = {WAL_KEPT_BYTES}; PRAGMA wal_autocheckpoint = {WAL_PAGES};"
+         PRAGMA journal_size_limit = {WAL_KEPT_BYTES}; PRAGMA cache_size = -{CACHE_KIB};"
     ))?;
+    // In place of the engine's own copying, which every so many commits keeps one waiting.
+    connection.wal_hook(Some(|_, pages| {
+        LOG_PAGES.set(u32::try_from(pages).unwrap_or(u32::MAX));
+        Ok(())
+    }));
     if let Some(bytes) = max_bytes {
         // The engine refuses writes beyond this as on a full disk.
         let size: i64 = connection.query_row("PRAGMA page_size", [], |row| row.get(0))?;
@@ -244,10 +259,63 @@ where
     }
 }
 
+/// Pages by which the log may grow before it is copied again: few where the writer is about to copy the rest.
+fn step(pages: u32) -> u32 {
+    if pages < MOST_PAGES - COPIED_PAGES { COPIED_PAGES } else { COPIED_PAGES / 8 }
+}
+
+thread_local! {
+    /// Pages in the write-ahead log after the last commit of the writer that this thread is.
+    static LOG_PAGES: Cell<u32> = const { Cell::new(0) };
+}
+
+/// A thread that copies the write-ahead log into the database. Ends when this is dropped.
+struct Copier {
+    wanted: Option<SyncSender<()>>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Copier {
+    fn start(path: &Path) -> Result<Self> {
+        let connection = open(path, OpenFlags::SQLITE_OPEN_READ_WRITE)?;
+        connection.execute_batch("PRAGMA synchronous = FULL")?;
+        let (wanted, wishes) = sync_channel(1);
+        let run = move || {
+            for () in wishes {
+                copy_log(&connection);
+            }
+        };
+        let thread = std::thread::Builder::new().name("sqlite copier".into()).spawn(run)?;
+        Ok(Self { wanted: Some(wanted), thread: Some(thread) })
+    }
+
+    fn want(&self) {
+        // A full channel means that it is about to copy anyway.
+        let _ = self.wanted.as_ref().map(|wanted| wanted.try_send(()));
+    }
+}
+
+impl Drop for Copier {
+    fn drop(&mut self) {
+        self.wanted = None;
+        // A panic of that thread has been reported, and the log is still there to be copied.
+        let _ = self.thread.take().map(JoinHandle::join);
+    }
+}
+
+/// Copies what no reader needs in the log any more, without keeping anybody waiting.
+fn copy_log(connection: &Sqlite) {
+    let copied = connection.query_row("PRAGMA wal_checkpoint(PASSIVE)", [], |_| Ok(()));
+    if let Err(error) = copied {
+        tracing::warn!(%error, "copying the write-ahead log");
+    }
+}
+
 /// The writer. Ends when the last sender is gone or on `Close`.
-fn write_in_groups(mut connection: Sqlite, mut writes: mpsc::Receiver<Write>) {
+fn write_in_groups(mut connection: Sqlite, copier: Copier, mut writes: mpsc::Receiver<Write>) {
     let mut group = Vec::with_capacity(GROUP_SIZE);
     let mut closing = None;
+    let mut copied_at = 0;
     while closing.is_none() && writes.blocking_recv_many(&mut group, GROUP_SIZE) > 0 {
         let mut runs = Vec::with_capacity(group.len());
         for write in group.drain(..) {
@@ -271,7 +339,17 @@ fn write_in_groups(mut connection: Sqlite, mut writes: mpsc::Receiver<Write>) {
         for run in runs {
             run.answer(committed.clone());
         }
+        let pages = LOG_PAGES.get();
+        if pages >= MOST_PAGES {
+            copy_log(&connection);
+            copied_at = 0;
+        } else if pages < copied_at || pages - copied_at >= step(pages) {
+            copier.want();
+            copied_at = pages;
+        }
     }
+    // The last connection to be closed leaves one file behind.
+    drop(copier);
     if let Err((_, error)) = connection.close() {
         tracing::warn!(%error, "closing the database");
     }

@@ -119,7 +119,8 @@ impl<'de> Visitor<'de> for Strict {
         Ok(Value::Null)
     }
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Value, A::Error> {
-        let mut list = Vec::new();
+        // A point has three coordinates.
+        let mut list = Vec::with_capacity(3);
         while let Some(value) = seq.next_element_seed(Strict)? {
             list.push(value);
         }

@@ -231,6 +231,19 @@ impl RuledSurfaceRequest {
         })
     }
 
+    /// Whether solving it takes about a millisecond at most. Closed strips and exact convexity may take more than their cells say.
+    #[must_use]
+    pub fn is_quick(&self) -> bool {
+        const QUICK_POINTS: usize = 1_000;
+        const QUICK_CELLS: u64 = 50_000;
+        let points: Vec<usize> = self.directrices.iter().map(Vec::len).collect();
+        if self.closed || self.convexity_tolerance_deg == 0.0 || points.iter().sum::<usize>() > QUICK_POINTS {
+            return false;
+        }
+        let (_, options) = self.to_geometry();
+        options.sampling.is_none() && geometry::estimate(&points, &options).cells <= QUICK_CELLS
+    }
+
     /// About how much memory solving it takes: the solver's own estimate, and points and triangles with what is said of them.
     #[must_use]
     pub fn memory_bytes(&self) -> u64 {

@@ -7,7 +7,7 @@
 //! ambiguity.
 
 use super::lanes::{Lanes, Vector};
-use super::shortest_path::{Kernel, Score, Seed, Table};
+use super::shortest_path::{Bounded, Kernel, Score, Seed, Table};
 use super::strip::{Directrix, Strip};
 use super::weight::{self, Wing};
 
@@ -456,6 +456,18 @@ impl<V: Lanes, C: Cost<V>> Kernel<V> for DualLayer<'_, C> {
     }
     fn end(&self, top: &[f64], _: usize) -> Score {
         C::score(top)
+    }
+}
+
+impl<V: Lanes> Bounded<V> for DualLayer<'_, Value<V>> {
+    #[inline(always)]
+    fn is_alive(&self, state: &[Value<V>; 2], bound: f64) -> bool {
+        let bound = V::splat(bound);
+        V::bits(state[0].0.at_most(bound) | state[1].0.at_most(bound)) != 0
+    }
+    #[inline(always)]
+    fn hands_down(&self, top: &[f64], bound: f64) -> bool {
+        top[0] <= bound
     }
 }
 

@@ -63,6 +63,14 @@ pub(super) trait Kernel<V: Lanes> {
     fn end(&self, top: &[f64], arrived_by: usize) -> Score;
 }
 
+/// A kernel whose costs only grow along a path, so that what exceeds a bound need not be followed.
+pub(super) trait Bounded<V: Lanes>: Kernel<V> {
+    /// Whether a lane remembers a cost up to `bound`.
+    fn is_alive(&self, state: &Self::State, bound: f64) -> bool;
+    /// Whether a column hands one down.
+    fn hands_down(&self, top: &[f64], bound: f64) -> bool;
+}
+
 /// The columns that a search may visit, inclusive, for each row; both ends never fall from one row to the next. So what lies
 /// right of a band's end was never written and still says `unreached` to the next band.
 #[derive(Clone, Debug)]
@@ -294,6 +302,93 @@ fn steps<V: Lanes, K: Kernel<V>, const LAST_LANE: bool>(
     }
     position.state = state;
     position.step = end;
+}
+
+/// The cost of the shortest path of an open strip if it is at most `bound`; no path is kept. Visits little more than the cells
+/// that some path within the bound passes.
+pub(super) fn cost_within<V: Lanes, K: Bounded<V>>(
+    kernel: &K,
+    (rows, columns): (usize, usize),
+    bound: f64,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<Option<f64>, Interruption> {
+    let mut top = vec![0.0; (LEFT + columns + V::WIDTH) * K::CARRY];
+    for column in top.chunks_exact_mut(K::CARRY) {
+        kernel.unreached(column);
+    }
+    kernel.source(0, Seed::Open, &mut top[LEFT * K::CARRY..(LEFT + 1) * K::CARRY]);
+    // Nobody walks back: one band's pointers are overwritten by the next.
+    let mut words = vec![0; columns + V::WIDTH];
+    let (mut band, mut written) = (0, Some((0, 0)));
+    while let Some(columns_written) = written
+        && band * V::WIDTH < rows
+    {
+        let task = Pruned { kernel, rows, columns, bound, top: &mut top, words: &mut words, band, columns_written };
+        let visited;
+        (band, written, visited) = V::run(task);
+        pulse.beat(visited)?;
+    }
+    let end = kernel.end(&top[(LEFT + columns - 1) * K::CARRY..], 0).value;
+    Ok(written.filter(|&(_, last)| last + 1 == columns && end <= bound).map(|_| end))
+}
+
+/// Some bands of a search within a bound.
+struct Pruned<'a, K> {
+    kernel: &'a K,
+    rows: usize,
+    columns: usize,
+    bound: f64,
+    top: &'a mut [f64],
+    words: &'a mut [u64],
+    band: usize,
+    /// The columns that the row above has written, inclusive.
+    columns_written: (usize, usize),
+}
+
+impl<V: Lanes, K: Bounded<V>> Task<V> for Pruned<'_, K> {
+    /// The next band, the columns written for it (none if nothing is left within the bound), and the cells visited.
+    type Output = (usize, Option<(usize, usize)>, u64);
+    #[inline(always)]
+    fn run(mut self) -> Self::Output {
+        /// Steps between two looks at whether anything is alive.
+        const STEPS: usize = 16;
+        let mut visited = 0;
+        while visited < CELLS_BETWEEN_LOOKS && self.band * V::WIDTH < self.rows {
+            let (from, to) = self.columns_written;
+            let hands_down = |column: &usize| {
+                let at = (LEFT + column) * K::CARRY;
+                self.kernel.hands_down(&self.top[at..at + K::CARRY], self.bound)
+            };
+            let Some(begin) = (from..=to).find(hands_down) else { return (self.band, None, visited) };
+            let last = (begin..=to).rev().find(hands_down).unwrap_or(begin);
+            let lanes = V::WIDTH.min(self.rows - self.band * V::WIDTH);
+            let all = BandOf { word: 0, begin, end: self.columns + lanes - 1 };
+            let mut position = Position { band: self.band, step: begin, state: self.kernel.blank() };
+            loop {
+                let end = all.end.min(position.step + STEPS);
+                if lanes == V::WIDTH {
+                    let lane = V::WIDTH - 1;
+                    steps::<V, K, true>(self.kernel, self.band, all, end, lane, self.top, self.words, &mut position);
+                } else {
+                    let lane = lanes - 1;
+                    steps::<V, K, false>(self.kernel, self.band, all, end, lane, self.top, self.words, &mut position);
+                }
+                if end == all.end || end > last && !self.kernel.is_alive(&position.state, self.bound) {
+                    break;
+                }
+            }
+            visited += ((position.step - begin) * V::WIDTH) as u64;
+            // Further right stands what the row above handed down.
+            let written = position.step - lanes;
+            for column in written + 1..=to {
+                let at = (LEFT + column) * K::CARRY;
+                self.kernel.unreached(&mut self.top[at..at + K::CARRY]);
+            }
+            self.columns_written = (begin, written);
+            self.band += 1;
+        }
+        (self.band, Some(self.columns_written), visited)
+    }
 }
 
 /// Walks the back pointers from the bridge (rows - 1, `column`), left by the closing P-step and, on four layers, arrived at by

@@ -9,7 +9,7 @@ use super::layered_graph::{
     Value,
 };
 use super::objective::{Objective, Secondary, Weights};
-use super::shortest_path::{Pulse, Region};
+use super::shortest_path::{Pulse, Region, cost_within};
 use super::statistics::{Evaluation, Statistics, evaluate};
 use super::strip::Strip;
 use crate::error::{Error, Warning};
@@ -240,6 +240,29 @@ pub(super) fn least(
     Ok(if objective == Objective::MinimalArea { 0.5 * cost * strip.unit * strip.unit } else { cost })
 }
 
+/// The least bending energy of a strip without an apex, if it is at most `bound`.
+pub(super) fn least_bending_within(
+    strip: &Strip,
+    bound: f64,
+    lanes: Widest,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<Option<f64>, Interruption> {
+    if strip.closed {
+        return Ok(Some(least(strip, Objective::MinimalBendingEnergy, lanes, pulse)?).filter(|&least| least <= bound));
+    }
+    match lanes {
+        Widest::Plain => bending_within::<f64>(strip, bound, pulse),
+        #[cfg(target_arch = "x86_64")]
+        Widest::Avx2 => bending_within::<super::lanes::Wide>(strip, bound, pulse),
+    }
+}
+
+fn bending_within<V: Lanes>(strip: &Strip, bound: f64, pulse: &mut Pulse<'_, '_>) -> Result<Option<f64>, Interruption> {
+    let lattice = &Lattice::new(strip, false);
+    let kernel = DualLayer { lattice, concave: None, cost: PhantomData::<Value<V>> };
+    cost_within::<V, _>(&kernel, (lattice.rows, lattice.columns), bound, pulse)
+}
+
 fn found(
     strip: &Strip,
     goal: Goal,
@@ -255,6 +278,9 @@ fn found(
         Widest::Avx2 => search::<super::lanes::Wide>(strip, goal, factors, sign, test, pulse),
     }
 }
+
+/// Cells that are visited faster than a corridor through them is found.
+const SMALL: usize = 8192;
 
 fn search<V: Lanes>(
     strip: &Strip,
@@ -273,7 +299,7 @@ fn search<V: Lanes>(
     let concave = table.as_ref();
     // An open strip of least area does not need the whole grid.
     let region = match goal.objective {
-        Objective::MinimalArea if !strip.closed => corridor(strip, pulse)?,
+        Objective::MinimalArea if !strip.closed && rows * columns > SMALL => corridor(strip, pulse)?,
         _ => Region::full(rows, 0, columns - 1),
     };
     macro_rules! run {
@@ -312,4 +338,56 @@ fn find(
     pulse: &mut Pulse<'_, '_>,
 ) -> Result<Found, Interruption> {
     if is_closed { closed::closed(search, pulse) } else { closed::open(search, region, pulse) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{DVec3, Execution};
+
+    fn strip(m: usize, n: usize, wave: f64) -> Strip {
+        let rail = |count: usize, y: f64, phase: f64| -> Vec<DVec3> {
+            let point = |k: usize| {
+                let u = k as f64 / (count - 1) as f64;
+                DVec3::new(8.0 * u, y + wave * (9.0 * u + phase).sin(), wave * (7.0 * u - phase).cos())
+            };
+            (0..count).map(point).collect()
+        };
+        let (p, q) = (rail(m, 0.0, 0.0), rail(n, 3.0, 1.0));
+        Strip::of_checked(p.as_slice().into(), q.as_slice().into(), false)
+    }
+
+    #[test]
+    fn a_bounded_search_finds_the_optimum_exactly_if_it_is_within_the_bound() {
+        let execution = Execution::default();
+        for (m, n) in [(2, 2), (2, 9), (3, 7), (5, 4), (8, 8), (66, 41), (41, 66), (131, 203), (400, 90)] {
+            for wave in [0.0, 0.3, 1.0, 2.0] {
+                let strip = strip(m, n, wave);
+                for lanes in [Widest::Plain, Widest::get()] {
+                    let mut pulse = Pulse::new(&execution, 1);
+                    let least = least(&strip, Objective::MinimalBendingEnergy, lanes, &mut pulse).unwrap();
+                    for factor in [0.0, 0.5, 1.0 - 1e-9, 1.0, 1.0 + 1e-9, 2.0, 1e3, f64::INFINITY] {
+                        let bound = if factor.is_finite() { factor * least } else { factor };
+                        let found = least_bending_within(&strip, bound, lanes, &mut pulse).unwrap();
+                        assert_eq!(found, (least <= bound).then_some(least), "{m} x {n}, {wave}, {factor} times");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_bounded_search_leaves_most_of_the_grid_alone() {
+        let strip = strip(1000, 1000, 1.0);
+        let execution = Execution::default();
+        let mut pulse = Pulse::new(&execution, 1);
+        let least = least(&strip, Objective::MinimalBendingEnergy, Widest::get(), &mut pulse).unwrap();
+        for (factor, share) in [(0.2, 0.1), (0.5, 0.25), (1.0, 0.7)] {
+            let before = execution.work();
+            least_bending_within(&strip, factor * least, Widest::get(), &mut pulse).unwrap();
+            pulse.last_look().unwrap();
+            let cells = (execution.work() - before) as f64;
+            assert!(cells < share * 1e6, "{factor}: {cells} of 1e6");
+        }
+    }
 }

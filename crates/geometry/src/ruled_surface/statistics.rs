@@ -84,6 +84,24 @@ pub(super) struct Evaluation {
     pub(super) concave_curvature: f64,
 }
 
+/// An angle from 0 to 180°, its sine and cosine times any positive number. Angles compare without being computed.
+#[derive(Clone, Copy)]
+struct Angle {
+    sine: f64,
+    cosine: f64,
+}
+
+impl Angle {
+    const ZERO: Self = Self { sine: 0.0, cosine: 1.0 };
+
+    fn max(self, other: Self) -> Self {
+        if other.sine * self.cosine > self.sine * other.cosine { other } else { self }
+    }
+    fn radians(self) -> f64 {
+        self.sine.atan2(self.cosine)
+    }
+}
+
 /// Evaluates a path: bridges in order, indices cyclic on closed strips (without repeating the first). O(bridges).
 pub(super) fn evaluate(
     strip: &Strip,
@@ -111,6 +129,7 @@ pub(super) fn evaluate(
         shortest_bridge: f64::INFINITY,
         ..Statistics::default()
     };
+    let (mut largest_fold, mut largest_concave_fold) = (Angle::ZERO, Angle::ZERO);
     let mut variation = [0.0; 2];
     let (mut concave_bending, mut concave_curvature) = (0.0, 0.0);
     let (mut first_curvature, mut first_is_convex) = (Vector::zero(), true);
@@ -153,11 +172,11 @@ pub(super) fn evaluate(
                 (weight::curvature_part(bridge, right), right.sound),
             );
             let cross = left.normal.cross(right.normal);
-            let fold = cross.dot(cross).sqrt().atan2(left.normal.dot(right.normal));
-            statistics.largest_fold = statistics.largest_fold.max(fold);
+            let fold = Angle { sine: cross.dot(cross).sqrt(), cosine: left.normal.dot(right.normal) };
+            largest_fold = largest_fold.max(fold);
             if !convex {
                 concave_bending += energy;
-                statistics.developability_deviation = statistics.developability_deviation.max(fold);
+                largest_concave_fold = largest_concave_fold.max(fold);
             }
         }
         if k == 0 {
@@ -177,6 +196,8 @@ pub(super) fn evaluate(
         statistics.mean_curvature_variation += step;
         concave_curvature += if first_is_convex { 0.0 } else { step };
     }
+    statistics.largest_fold = largest_fold.radians();
+    statistics.developability_deviation = largest_concave_fold.radians();
     let unit = strip.unit;
     statistics.area *= unit * unit;
     statistics.mean_curvature_variation *= unit;

@@ -3,7 +3,7 @@
 use super::lanes::Widest;
 use super::objective::Objective;
 use super::shortest_path::Pulse;
-use super::solve_strip::{Goal, least};
+use super::solve_strip::{Goal, least, least_bending_within};
 use super::statistics::Statistics;
 use super::strip::{Given, Strip};
 use crate::DVec3;
@@ -13,18 +13,14 @@ use crate::error::{Error, Warning};
 const LARGE: f64 = 1.25;
 /// Bending energy above the least one from which on a strip is reported: minimal area alone costs a factor of 10 to 20.
 const BENT: f64 = 50.0;
-/// Strips of up to so many cells are also solved for their least bending, to compare.
+/// Strips of up to so many cells are also searched for a path that bends so much less.
 pub(super) const BENDING_CHECKED_UP_TO: usize = 1 << 18;
 /// The same on closed strips, which take a few dozen searches.
 pub(super) const CLOSED_BENDING_CHECKED_UP_TO: usize = 1 << 14;
 /// Reversing must help by so much, in area, to be mentioned.
 const OPPOSITE: f64 = 0.9;
-/// Directrices are thinned to so many points for what need not be known exactly.
-const THINNED: usize = 64;
-/// What thinning may hide of the least bending energy. It is an integral along a smooth strip, and thinned ones are close;
-/// thinned ones of jagged directrices bend less.
-const HIDDEN: f64 = 1.1;
-
+/// Directrices are thinned to so many points to find out.
+const THINNED: usize = 48;
 /// Warnings about strip `k` of a stack, solved as `path` with these figures. `as_given`: nobody chose its directions.
 pub(super) fn of_strip(
     k: usize,
@@ -50,10 +46,8 @@ pub(super) fn of_strip(
     if strip.has_apex() {
         return Ok(warnings);
     }
-    let coarse = thinned(strip, false);
-    let is_coarse = strip.m().max(strip.n()) > THINNED;
     if as_given {
-        let area = least(&coarse, Objective::MinimalArea, lanes, pulse)?;
+        let area = least(&thinned(strip, false), Objective::MinimalArea, lanes, pulse)?;
         let reversed = least(&thinned(strip, true), Objective::MinimalArea, lanes, pulse)?;
         if reversed < OPPOSITE * area {
             let (saved, next) = (100.0 * (1.0 - reversed / area), k + 1);
@@ -77,20 +71,15 @@ pub(super) fn of_strip(
         && strip.m() * strip.n() <= limit
         && statistics.bending_energy > rounding
     {
-        let mut factor = |strip: &Strip| -> Result<f64, Error> {
-            let least = least(strip, Objective::MinimalBendingEnergy, lanes, pulse)?;
-            Ok(if least > rounding { statistics.bending_energy / least } else { f64::INFINITY })
-        };
-        if !is_coarse || factor(&coarse)? > BENT / HIDDEN {
-            let factor = factor(strip)?;
-            if factor > BENT {
-                let detail = if factor.is_finite() {
-                    format!("strip {k}: {factor:.0} times the bending energy of the strip that bends least")
-                } else {
-                    format!("strip {k}: it bends, although it could be laid without bending")
-                };
-                warnings.push(Warning::new("strongly_bent", detail));
-            }
+        let bound = statistics.bending_energy / BENT;
+        if let Some(least) = least_bending_within(strip, bound, lanes, pulse)? {
+            let detail = if least > rounding {
+                let factor = statistics.bending_energy / least;
+                format!("strip {k}: {factor:.0} times the bending energy of the strip that bends least")
+            } else {
+                format!("strip {k}: it bends, although it could be laid without bending")
+            };
+            warnings.push(Warning::new("strongly_bent", detail));
         }
     }
     Ok(warnings)
