@@ -13,10 +13,12 @@ use sha2::{Digest, Sha256};
 
 use super::engine::Result;
 use super::files::Prepared;
-use super::record::{COLUMNS, JobRow, Lookup, Status};
+use super::record::{COLUMNS, EventId, JobRow, Lookup, Status, StatusEvent};
 use super::sql::{Connection, Row, Value};
 use super::{Store, StoreError, StoreOptions, milliseconds};
 
+/// Tries to put a result where an equal one may come and go.
+const KEEP_TRIES: usize = 3;
 /// How long it is taken as known that no job waits: submissions that come together ask the disk once.
 const IDLE_KNOWN: Duration = Duration::from_millis(5);
 
@@ -574,51 +576,97 @@ async fn submit_ended(
         return Ok((earlier, None));
     }
     let content = content_hash(&options.result_version, &job.kind, &job.request_hash);
-    let mut values = begun_values(job, &content, begun);
-    values.push(milliseconds(options.retention).into());
     let (status, reusable) = match outcome {
         Outcome::Succeeded { reusable, .. } => (Status::Succeeded, *reusable),
         Outcome::Failed { .. } => (Status::Failed, false),
         Outcome::Cancelled => (Status::Cancelled, false),
     };
     let (statistics, warnings, error) = match outcome {
-        Outcome::Succeeded { statistics, warnings, .. } => (Some(statistics.clone()), Some(warnings.clone()), None),
-        Outcome::Failed { error } => (None, None, Some(error.clone())),
-        Outcome::Cancelled => (None, None, None),
+        Outcome::Succeeded { statistics, warnings, .. } => (Some(statistics.clone()), warnings.clone(), None),
+        Outcome::Failed { error } => (None, job.warnings.clone(), Some(error.clone())),
+        Outcome::Cancelled => (None, job.warnings.clone(), None),
     };
-    if let Some(warnings) = warnings {
-        values[8] = warnings.into();
-    }
     let file = keep(connection, outcome, result).await?;
-    values.extend([
-        statistics.into(),
-        error.into(),
-        Value::OptionalBytes(result.map(|result| result.hash.to_vec())),
+    // Asked for apart: a statement that returns rows keeps a journal of its own on SQLite.
+    let now = connection.row("SELECT now_ms()", Vec::new()).await?;
+    let now = now.ok_or_else(|| StoreError::Internal("a SELECT without FROM gave no row".into()))?.int(0)?;
+    let (created_at, started_at) = (now - begun.submitted_ms, now - begun.started_ms);
+    let event = |attempt, sequence, status, at_ms| StatusEvent { id: EventId { attempt, sequence }, status, at_ms };
+    let row = JobRow {
+        id: job.id.clone(),
+        kind: job.kind.clone(),
+        owner: job.owner.clone(),
+        status,
+        attempt: 1,
+        sequence: 3,
+        created_at_ms: created_at,
+        started_at_ms: Some(started_at),
+        finished_at_ms: Some(now),
+        expires_at_ms: Some(now + milliseconds(options.retention)),
+        progress: None,
+        progress_sequence: 0,
+        statistics,
+        warnings,
+        error,
+        artefact: result.map(|result| result.hash.to_vec()),
+        history: vec![
+            event(0, 1, Status::Queued, created_at),
+            event(1, 2, Status::Running, started_at),
+            event(1, 3, status, now),
+        ],
+    };
+    let text = "INSERT INTO jobs (id, kind, owner, status, attempt, sequence, turn, created_at, started_at, finished_at, \
+                expires_at, history, idempotency_key, body_hash, content_hash, warnings, callback_url, statistics, error, \
+                artefact, reusable) \
+                VALUES ($1, $2, $3, $4, $5, $6, 0, $7, $8, $9, $10, $11, $12, $13, $14, $15, $16, $17, $18, $19, $20)";
+    let values = vec![
+        row.id.as_str().into(),
+        row.kind.as_str().into(),
+        owner_column(job),
+        status.name().into(),
+        row.attempt.into(),
+        row.sequence.into(),
+        created_at.into(),
+        started_at.into(),
+        now.into(),
+        (now + milliseconds(options.retention)).into(),
+        row.history.iter().map(StatusEvent::line).collect::<String>().into(),
+        job.idempotency_key.clone().into(),
+        job.body_hash.as_slice().into(),
+        content.as_slice().into(),
+        row.warnings.as_str().into(),
+        job.callback_url.clone().into(),
+        row.statistics.clone().into(),
+        row.error.clone().into(),
+        Value::OptionalBytes(row.artefact.clone()),
         i64::from(reusable).into(),
-    ]);
-    let name = status.name();
-    let text = format!(
-        "INSERT INTO jobs (id, kind, owner, status, attempt, sequence, turn, {BEGUN_COLUMNS}, finished_at, expires_at, \
-         history, statistics, error, artefact, reusable) \
-         VALUES ($1, $2, $3, '{name}', 1, 3, 0, {BEGUN_VALUES}, now_ms(), now_ms() + $11, \
-         {BEGUN_HISTORY} || '1 3 {name} ' || now_ms() || '\n', $12, $13, $14, $15) RETURNING {COLUMNS}"
-    );
-    let row = inserted(connection.row(&text, values).await?)?;
+    ];
+    connection.execute(text, values).await?;
     Ok((Submitted::Created(Box::new(row)), file))
 }
 
 /// Puts a success's result where jobs find it; gives the file that holds it, which may be an earlier one with the same bytes.
 async fn keep(connection: &mut Connection<'_>, outcome: &Outcome, result: Option<&Prepared>) -> Result<Option<String>> {
     let (Outcome::Succeeded { artefact, .. }, Some(result)) = (outcome, result) else { return Ok(None) };
-    let text = "INSERT INTO artefacts (hash, size, touched_at, file, body) VALUES ($1, $2, now_ms(), $3, $4) \
-                ON CONFLICT (hash) DO UPDATE SET touched_at = now_ms() RETURNING file";
-    let values = vec![
-        result.hash.as_slice().into(),
-        bounded(artefact.len() as u64).into(),
-        result.file.clone().into(),
-        Value::OptionalBytes(result.file.is_none().then(|| artefact.clone())),
-    ];
-    Ok(connection.row(text, values).await?.map(|row| row.optional_text(0)).transpose()?.flatten())
+    let insert = "INSERT INTO artefacts (hash, size, touched_at, file, body) VALUES ($1, $2, now_ms(), $3, $4) \
+                  ON CONFLICT (hash) DO NOTHING";
+    let touch = "UPDATE artefacts SET touched_at = now_ms() WHERE hash = $1 RETURNING file";
+    for _ in 0..KEEP_TRIES {
+        let values = vec![
+            result.hash.as_slice().into(),
+            bounded(artefact.len() as u64).into(),
+            result.file.clone().into(),
+            Value::OptionalBytes(result.file.is_none().then(|| artefact.clone())),
+        ];
+        if connection.execute(insert, values).await? > 0 {
+            return Ok(result.file.clone());
+        }
+        if let Some(row) = connection.row(touch, vec![result.hash.as_slice().into()]).await? {
+            return row.optional_text(0);
+        }
+        // Swept away in between.
+    }
+    Err(StoreError::Contended("a result came and went".into()))
 }
 
 fn inserted(row: Option<Row>) -> Result<JobRow> {

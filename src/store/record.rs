@@ -89,6 +89,13 @@ pub struct StatusEvent {
     pub at_ms: i64,
 }
 
+impl StatusEvent {
+    /// As the history keeps it.
+    pub(super) fn line(&self) -> String {
+        format!("{} {} {} {}\n", self.id.attempt, self.id.sequence, self.status, self.at_ms)
+    }
+}
+
 /// A job without its request and its mesh. `progress`, `statistics`, `warnings` and `error` are the JSON texts that
 /// were put in.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -150,7 +150,7 @@ pub fn large_strip(n: usize) -> Value {
     let rail = |y: f64, phase: f64| -> Vec<[f64; 3]> {
         (0..n).map(|k| k as f64 / n as f64).map(|t| [10.0 * t, y + (9.0 * t + phase).sin(), (7.0 * t).cos()]).collect()
     };
-    json!({ "directrices": [rail(0.0, 0.0), rail(4.0, 1.0)] })
+    json!({ "directrices": [rail(0.0, 0.0), rail(4.0, 1.0)], "objective": "minimal_bending_energy" })
 }
 
 /// Asserts that a response is a problem document of this status, and returns it.
