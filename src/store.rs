@@ -196,12 +196,6 @@ impl Store {
         self.inner.engine.close().await;
     }
 
-    /// Says that a write will come within about a millisecond, so that others may wait for it and share its commit. It stands
-    /// until what it gives is dropped.
-    pub fn announce(&self) -> impl Send + use<> {
-        self.inner.engine.announce()
-    }
-
     /// Ok if the database answers.
     pub async fn ping(&self) -> Result<()> {
         self.inner.engine.rows("SELECT 1", Vec::new()).await.map(|_| ())

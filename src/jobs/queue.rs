@@ -61,7 +61,6 @@ impl Jobs {
         };
         let (submission, request) = if inline { read()? } else { self.off_runtime(read).await?? };
         self.check_callback("", submission.job.callback_url.as_deref())?;
-        let _announced = (at_once && request.is_quick()).then(|| self.0.store.announce());
         if at_once && let Some(slot) = self.solver_at_once(&submission.job).await? {
             return self.solve_at_once(submission, request, submitted_at, slot).await;
         }

@@ -12,7 +12,7 @@ use sqlx::postgres::{PgConnectOptions, PgPoolOptions};
 use sqlx::{PgPool, SqlSafeStr};
 
 use super::sql::{Connection, Row, Value};
-use super::sqlite::{Announced, Database};
+use super::sqlite::Database;
 use super::{StoreError, StoreOptions};
 
 pub(super) type Result<T> = std::result::Result<T, StoreError>;
@@ -58,14 +58,6 @@ impl Engine {
             Err(_) => {}
         }
         result
-    }
-
-    /// Says that a write will come within about a millisecond. PostgreSQL gathers commits by itself (`commit_delay`).
-    pub(super) fn announce(&self) -> Option<Announced> {
-        match &self.kind {
-            Kind::Sqlite(database) => Some(database.announce()),
-            Kind::Postgres(_) => None,
-        }
     }
 
     pub(super) async fn rows(&self, text: &str, values: Vec<Value>) -> Result<Vec<Row>> {

@@ -7,16 +7,15 @@
 
 use std::cell::Cell;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
+use std::sync::mpsc::{SyncSender, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use futures_util::FutureExt;
 use futures_util::future::BoxFuture;
 use rusqlite::{Connection as Sqlite, OpenFlags, OptionalExtension, params};
-use tokio::sync::{Semaphore, oneshot};
+use tokio::sync::{Semaphore, mpsc, oneshot};
 
 use super::engine::{Result, migrations};
 use super::sql::{self, Connection, Row, Value};
@@ -26,8 +25,6 @@ use super::{StoreError, StoreOptions};
 const GROUP_SIZE: usize = 128;
 /// Writes that may wait for the writer before callers wait for a place.
 const WRITE_BACKLOG: usize = 1024;
-/// How long the writer waits for writes that have been announced, for at least half of them to share a commit.
-const GATHERING: Duration = Duration::from_micros(500);
 /// The write-ahead log is cut back to this size when it has been copied into the database.
 const WAL_KEPT_BYTES: u32 = 64 << 20;
 /// Pages that the write-ahead log has grown by when it is copied into the database, beside the writes: pages of indexes that
@@ -47,19 +44,7 @@ const BUSY_TIMEOUT: Duration = Duration::from_secs(10);
 #[derive(Debug, Clone)]
 pub(super) struct Database {
     readers: Arc<Readers>,
-    writer: Sender<Write>,
-    backlog: Arc<Semaphore>,
-    announced: Arc<AtomicUsize>,
-}
-
-/// A write that will come within about a millisecond, until this is dropped.
-#[derive(Debug)]
-pub(super) struct Announced(Arc<AtomicUsize>);
-
-impl Drop for Announced {
-    fn drop(&mut self) {
-        self.0.fetch_sub(1, Ordering::Relaxed);
-    }
+    writer: mpsc::Sender<Write>,
 }
 
 impl Database {
@@ -70,9 +55,7 @@ impl Database {
             return Err(StoreError::Url("expected sqlite://PATH, with the path of a file and no parameters".into()));
         }
         let path = PathBuf::from(path);
-        let (writer, writes) = channel();
-        let announced = Arc::new(AtomicUsize::new(0));
-        let coming = announced.clone();
+        let (writer, writes) = mpsc::channel(WRITE_BACKLOG);
         let (file, max_bytes) = (path.clone(), options.max_bytes);
         let (opened, opening) = oneshot::channel();
         let open = move || Result::Ok((open_writer(&file, max_bytes)?, Copier::start(&file)?));
@@ -80,7 +63,7 @@ impl Database {
             Ok((connection, copier)) => {
                 // Whoever asked may have gone away; then there is nobody to write for either.
                 let _ = opened.send(Ok(()));
-                write_in_groups(connection, copier, &writes, &coming);
+                write_in_groups(connection, copier, writes);
             }
             Err(error) => {
                 let _ = opened.send(Err(error));
@@ -88,8 +71,7 @@ impl Database {
         };
         std::thread::Builder::new().name("sqlite writer".into()).spawn(run)?;
         opening.await.map_err(|_| closed())??;
-        let backlog = Arc::new(Semaphore::new(WRITE_BACKLOG));
-        Ok(Self { readers: Arc::new(Readers::new(path)), writer, backlog, announced })
+        Ok(Self { readers: Arc::new(Readers::new(path)), writer })
     }
 
     /// Runs `work` in one transaction, which it may share with others.
@@ -100,14 +82,8 @@ impl Database {
     {
         let (answer, answered) = oneshot::channel();
         let pending = Pending { work, result: None, answer };
-        let _place = self.backlog.acquire().await.map_err(|_| closed())?;
-        self.writer.send(Write::Run(Box::new(pending))).map_err(|_| closed())?;
+        self.writer.send(Write::Run(Box::new(pending))).await.map_err(|_| closed())?;
         answered.await.map_err(|_| closed())?
-    }
-
-    pub(super) fn announce(&self) -> Announced {
-        self.announced.fetch_add(1, Ordering::Relaxed);
-        Announced(self.announced.clone())
     }
 
     /// Rows of a statement that only reads.
@@ -128,7 +104,7 @@ impl Database {
         self.readers.permits.close();
         self.readers.idle().clear();
         let (answer, answered) = oneshot::channel();
-        if self.writer.send(Write::Close(answer)).is_ok() {
+        if self.writer.send(Write::Close(answer)).await.is_ok() {
             // An error only says that the writer was gone already.
             let _ = answered.await;
         }
@@ -335,25 +311,12 @@ fn copy_log(connection: &Sqlite) {
     }
 }
 
-/// Waits for the next group of writes; false if there will be none.
-fn gather(writes: &Receiver<Write>, announced: &AtomicUsize, group: &mut Vec<Write>) -> bool {
-    let Ok(first) = writes.recv() else { return false };
-    group.push(first);
-    group.extend(writes.try_iter().take(GROUP_SIZE - 1));
-    let end = Instant::now() + GATHERING;
-    while group.len() < GROUP_SIZE && 2 * group.len() < announced.load(Ordering::Relaxed) {
-        let Ok(next) = writes.recv_timeout(end.saturating_duration_since(Instant::now())) else { break };
-        group.push(next);
-    }
-    true
-}
-
 /// The writer. Ends when the last sender is gone or on `Close`.
-fn write_in_groups(mut connection: Sqlite, copier: Copier, writes: &Receiver<Write>, announced: &AtomicUsize) {
+fn write_in_groups(mut connection: Sqlite, copier: Copier, mut writes: mpsc::Receiver<Write>) {
     let mut group = Vec::with_capacity(GROUP_SIZE);
     let mut closing = None;
     let mut copied_at = 0;
-    while closing.is_none() && gather(writes, announced, &mut group) {
+    while closing.is_none() && writes.blocking_recv_many(&mut group, GROUP_SIZE) > 0 {
         let mut runs = Vec::with_capacity(group.len());
         for write in group.drain(..) {
             match write {
