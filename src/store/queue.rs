@@ -142,10 +142,13 @@ impl Store {
     /// `QueueFull` if one more job of this owner would find no place; else whether no job waits at all, as known a moment ago.
     pub async fn check_room(&self, owner: Option<&str>) -> Result<bool> {
         let idle_at = || self.inner.idle_at.lock().unwrap_or_else(PoisonError::into_inner);
-        if idle_at().is_some_and(|at| at.elapsed() < IDLE_KNOWN) {
+        let known = *idle_at();
+        if known.is_some_and(|at| at.elapsed() < IDLE_KNOWN) {
             return Ok(true);
         }
-        if self.inner.engine.row("SELECT 1 FROM jobs WHERE status = 'queued' LIMIT 1", Vec::new()).await?.is_none() {
+        // Where nothing waited lately, mostly nothing waits.
+        let any = "SELECT 1 FROM jobs WHERE status = 'queued' LIMIT 1";
+        if known.is_some() && self.inner.engine.row(any, Vec::new()).await?.is_none() {
             *idle_at() = Some(Instant::now());
             return Ok(true);
         }
@@ -155,8 +158,10 @@ impl Store {
         let values = vec![owner.unwrap_or_default().into(), limit.into(), owner_limit.into()];
         let row = self.inner.engine.row(&text, values).await?;
         let Some(row) = row else { return Ok(false) };
+        let idle = row.int(0)? == 0;
+        *idle_at() = idle.then(Instant::now);
         refuse_if_full(&row, limit, owner_limit)?;
-        Ok(row.int(0)? == 0)
+        Ok(idle)
     }
 
     /// True if submitting this job would give an earlier one, or a new one with a kept result.
