@@ -168,10 +168,11 @@ fn pattern(flat: &FlatPattern, mesh: &Mesh) -> Pattern {
     let pieces = flat.strips.iter().enumerate().map(|(number, strip)| {
         let triangles = &mesh.triangles[first..first + strip.triangles.len()];
         first += strip.triangles.len();
+        let normals: Vec<DVec3> = triangles.iter().map(|&triangle| double_area_vector(mesh.corners(triangle))).collect();
         let inner = strip.bridges.get(1..strip.bridges.len().saturating_sub(1)).unwrap_or_default();
-        let folds = inner.iter().zip(triangles.windows(2)).map(|(&[i, j], pair)| Fold {
+        let folds = inner.iter().enumerate().map(|(k, &[i, j])| Fold {
             ends: [strip.p[i as usize], strip.q[j as usize]],
-            angle_deg: fold_angle(mesh, pair[0], pair[1]).to_degrees(),
+            angle_deg: fold_angle(mesh, [triangles[k], triangles[k + 1]], [normals[k], normals[k + 1]]).to_degrees(),
         });
         Piece { name: format!("strip {}", number + 1), outline: strip.outline(), folds: folds.collect() }
     });
@@ -179,8 +180,7 @@ fn pattern(flat: &FlatPattern, mesh: &Mesh) -> Pattern {
 }
 
 /// The angle between two neighbouring triangles' normals, positive at a ridge seen from the side that they point to.
-fn fold_angle(mesh: &Mesh, left: [u32; 3], right: [u32; 3]) -> f64 {
-    let normals = [left, right].map(|triangle| double_area_vector(mesh.corners(triangle)));
+fn fold_angle(mesh: &Mesh, [left, right]: [[u32; 3]; 2], normals: [DVec3; 2]) -> f64 {
     let angle = normals[0].cross(normals[1]).length().atan2(normals[0].dot(normals[1]));
     let beyond = right.into_iter().find(|vertex| !left.contains(vertex)).unwrap_or(right[0]);
     let height = normals[0].dot(mesh.vertices[beyond as usize] - mesh.vertices[left[0] as usize]);
