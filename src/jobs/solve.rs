@@ -168,7 +168,8 @@ fn pattern(flat: &FlatPattern, mesh: &Mesh) -> Pattern {
     let pieces = flat.strips.iter().enumerate().map(|(number, strip)| {
         let triangles = &mesh.triangles[first..first + strip.triangles.len()];
         first += strip.triangles.len();
-        let normals: Vec<DVec3> = triangles.iter().map(|&triangle| double_area_vector(mesh.corners(triangle))).collect();
+        let normals: Vec<DVec3> =
+            triangles.iter().map(|&triangle| double_area_vector(mesh.corners(triangle))).collect();
         let inner = strip.bridges.get(1..strip.bridges.len().saturating_sub(1)).unwrap_or_default();
         let folds = inner.iter().enumerate().map(|(k, &[i, j])| Fold {
             ends: [strip.p[i as usize], strip.q[j as usize]],
