@@ -211,7 +211,8 @@ impl Store {
             .await
     }
 
-    /// Puts a job on disk that this process has solved already, without its request, which nobody needs any more: submission and end are one write, visible together.
+    /// Puts a job on disk that this process has solved already, without its request, which nobody needs any more: submission and
+    /// end are one write, visible together.
     pub async fn submit_ended(&self, job: NewJob, outcome: Outcome, begun: Begun) -> Result<Submitted> {
         let result = match &outcome {
             Outcome::Succeeded { artefact, .. } => Some(self.prepare(&job.id, 1, artefact).await?),

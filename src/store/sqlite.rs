@@ -447,7 +447,18 @@ mod tests {
                     .await
             })
         };
+        // While the writer is held up, the others gather behind it.
+        let held = database.clone();
+        let holding = tokio::spawn(async move {
+            held.write(|_| {
+                std::thread::sleep(Duration::from_millis(200));
+                Box::pin(async { Ok(()) })
+            })
+            .await
+        });
+        tokio::task::yield_now().await;
         let writes = ["a", "b", "c", "d"].map(|id| forget(id, id == "c"));
+        holding.await.unwrap().unwrap();
         for (write, fails) in writes.into_iter().zip([false, false, true, false]) {
             assert_eq!(write.await.unwrap().is_err(), fails);
         }

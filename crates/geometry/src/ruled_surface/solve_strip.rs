@@ -73,6 +73,24 @@ impl Goal {
     }
 }
 
+/// What a search is asked for on one strip.
+#[derive(Clone, Copy)]
+pub(super) struct Asked<'a> {
+    goal: Goal,
+    /// A weighted sum's.
+    factors: Option<&'a Factors>,
+    /// Winding for the normal variation, 1 or -1.
+    sign: f64,
+    test: Test,
+}
+
+impl Asked<'_> {
+    /// A goal that needs no factors, on triangles as they come.
+    fn plainly(goal: Goal, test: Test) -> Self {
+        Self { goal, factors: None, sign: 1.0, test }
+    }
+}
+
 /// A path on every strip of a stack, and its figures.
 #[derive(Clone, Debug)]
 pub(super) struct Solved {
@@ -103,7 +121,8 @@ pub(super) fn solve_all(
         let mut paths = Vec::with_capacity(strips.len());
         let mut evaluations = Vec::with_capacity(strips.len());
         for (k, strip) in strips.iter().enumerate() {
-            let path = optimal_path(strip, goal, factors.get(k), sign, test, lanes, pulse)?;
+            let asked = Asked { goal, factors: factors.get(k), sign, test };
+            let path = optimal_path(strip, asked, lanes, pulse)?;
             evaluations.push(evaluate(strip, &path, test, pulse.execution())?);
             paths.push(path);
         }
@@ -135,7 +154,7 @@ pub(super) fn path_of(
         let mut solved = solve_all(std::slice::from_ref(strip), goal, test, lanes, pulse, &mut Vec::new())?;
         return Ok(solved.paths.swap_remove(0));
     }
-    Ok(optimal_path(strip, goal, None, 1.0, test, lanes, pulse)?)
+    Ok(optimal_path(strip, Asked::plainly(goal, test), lanes, pulse)?)
 }
 
 fn prefers_flipping(evaluations: &[Evaluation]) -> bool {
@@ -212,10 +231,7 @@ fn normalised(
 /// The optimal path of one strip, bridges in order; on closed strips the indices are reduced to the polygons'.
 pub(super) fn optimal_path(
     strip: &Strip,
-    goal: Goal,
-    factors: Option<&Factors>,
-    sign: f64,
-    test: Test,
+    asked: Asked<'_>,
     lanes: Widest,
     pulse: &mut Pulse<'_, '_>,
 ) -> Result<Vec<[u32; 2]>, Interruption> {
@@ -224,7 +240,7 @@ pub(super) fn optimal_path(
         // The only triangulation there is.
         return Ok(if m == 1 { (0..n).map(|j| [0, j]).collect() } else { (0..m).map(|i| [i, 0]).collect() });
     }
-    let path = found(strip, goal, factors, sign, test, lanes, pulse)?.path;
+    let path = found(strip, asked, lanes, pulse)?.path;
     Ok(if strip.closed { path.into_iter().map(|[i, j]| [i % m, j % n]).collect() } else { path })
 }
 
@@ -236,7 +252,7 @@ pub(super) fn least(
     lanes: Widest,
     pulse: &mut Pulse<'_, '_>,
 ) -> Result<f64, Interruption> {
-    let cost = found(strip, Goal::single(objective), None, 1.0, Test::Within(0.0), lanes, pulse)?.score.value;
+    let cost = found(strip, Asked::plainly(Goal::single(objective), Test::Within(0.0)), lanes, pulse)?.score.value;
     Ok(if objective == Objective::MinimalArea { 0.5 * cost * strip.unit * strip.unit } else { cost })
 }
 
@@ -263,19 +279,11 @@ fn bending_within<V: Lanes>(strip: &Strip, bound: f64, pulse: &mut Pulse<'_, '_>
     cost_within::<V, _>(&kernel, (lattice.rows, lattice.columns), bound, pulse)
 }
 
-fn found(
-    strip: &Strip,
-    goal: Goal,
-    factors: Option<&Factors>,
-    sign: f64,
-    test: Test,
-    lanes: Widest,
-    pulse: &mut Pulse<'_, '_>,
-) -> Result<Found, Interruption> {
+fn found(strip: &Strip, asked: Asked<'_>, lanes: Widest, pulse: &mut Pulse<'_, '_>) -> Result<Found, Interruption> {
     match lanes {
-        Widest::Plain => search::<f64>(strip, goal, factors, sign, test, pulse),
+        Widest::Plain => search::<f64>(strip, asked, pulse),
         #[cfg(target_arch = "x86_64")]
-        Widest::Avx2 => search::<super::lanes::Wide>(strip, goal, factors, sign, test, pulse),
+        Widest::Avx2 => search::<super::lanes::Wide>(strip, asked, pulse),
     }
 }
 
@@ -284,10 +292,7 @@ const SMALL: usize = 8192;
 
 fn search<V: Lanes>(
     strip: &Strip,
-    goal: Goal,
-    factors: Option<&Factors>,
-    sign: f64,
-    test: Test,
+    Asked { goal, factors, sign, test }: Asked<'_>,
     pulse: &mut Pulse<'_, '_>,
 ) -> Result<Found, Interruption> {
     let lattice = &Lattice::new(strip, goal.needs_tangents());
