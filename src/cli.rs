@@ -128,8 +128,11 @@ pub fn main() -> ExitCode {
     }
     match cli.command.unwrap_or(Command::Serve) {
         Command::Openapi => {
-            print!("{}", openapi::text());
-            ExitCode::SUCCESS
+            // A reader that has seen enough (`| head`) is no failure.
+            match std::io::stdout().write_all(openapi::text().as_bytes()) {
+                Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => fail(1, &error.to_string()),
+                _ => ExitCode::SUCCESS,
+            }
         }
         Command::Health => health(config.http.listen),
         Command::Key { command: KeyCommand::New { name } } => new_key(&name),
