@@ -133,24 +133,64 @@ fn fits_within<V: Lanes>(length: V, wings: &[Wing<V>; 4], sine: f64, rounding: f
     // For each direction: all others to its left, all others to its right.
     let all = zero.at_most(zero);
     let (mut lefts, mut rights) = ([all; 4], [all; 4]);
-    for (a, b) in [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)] {
-        let (first, second) = (&wings[a], &wings[b]);
-        // sin of the angle from a to b times both distances from the bridge's line times its length; edges that arrive
-        // point away from the bridge's end the other way round. It may miss its sign by the tolerance and by rounding over
-        // distance, for each of the two directions.
-        let turn = second.bank.dot(first.normal);
-        let side = if (a < 2) == (b < 2) { zero - turn } else { turn };
-        let slack = per_length * first.length * second.length + rounding * (first.length + second.length);
-        let (left, right) = ((zero - slack).at_most(side), side.at_most(slack));
-        lefts[a] = lefts[a] & (left | near[b]);
-        rights[a] = rights[a] & (right | near[b]);
-        lefts[b] = lefts[b] & (right | near[a]);
-        rights[b] = rights[b] & (left | near[a]);
+    // Written out pair by pair: with the pair's numbers known, everything stays in registers.
+    macro_rules! pair {
+        ($a:literal, $b:literal) => {
+            let (first, second) = (&wings[$a], &wings[$b]);
+            // sin of the angle from a to b times both distances from the bridge's line times its length; edges that arrive
+            // point away from the bridge's end the other way round. It may miss its sign by the tolerance and by rounding
+            // over distance, for each of the two directions.
+            let turn = second.bank.dot(first.normal);
+            let side = if ($a < 2) == ($b < 2) { zero - turn } else { turn };
+            let slack = per_length * first.length * second.length + rounding * (first.length + second.length);
+            let (left, right) = ((zero - slack).at_most(side), side.at_most(slack));
+            lefts[$a] = lefts[$a] & (left | near[$b]);
+            rights[$a] = rights[$a] & (right | near[$b]);
+            lefts[$b] = lefts[$b] & (right | near[$a]);
+            rights[$b] = rights[$b] & (left | near[$a]);
+        };
     }
-    for a in 0..4 {
-        fits = fits | (far[a] & (lefts[a] | rights[a]));
+    pair!(0, 1);
+    pair!(0, 2);
+    pair!(0, 3);
+    pair!(1, 2);
+    pair!(1, 3);
+    pair!(2, 3);
+    fits = fits | (far[0] & (lefts[0] | rights[0]));
+    fits = fits | (far[1] & (lefts[1] | rights[1]));
+    fits = fits | (far[2] & (lefts[2] | rights[2]));
+    fits | (far[3] & (lefts[3] | rights[3]))
+}
+
+/// Which bridges of a path are locally convex, the first in bit 0: a bridge on every lane, their `length`s and wings
+/// (arriving by P, by Q, leaving by P, by Q).
+#[inline(always)]
+pub(super) fn are_convex<V: Lanes>(
+    strip: &Strip,
+    bridges: &[[u32; 2]],
+    test: Test,
+    length: V,
+    wings: &[Wing<V>; 4],
+) -> u32 {
+    let (convex, exact) = match test {
+        Test::Exact => (0, (1 << bridges.len()) - 1),
+        Test::Within(sine) => (
+            V::bits(fits_within(length, wings, sine, strip.rounding)),
+            V::bits(length.at_most(V::splat(strip.rounding))),
+        ),
+    };
+    if exact == 0 { convex } else { exactly(strip, bridges, convex, exact) }
+}
+
+/// Judges the bridges that `exact` names exactly.
+#[cold]
+fn exactly(strip: &Strip, bridges: &[[u32; 2]], mut convex: u32, exact: u32) -> u32 {
+    for (lane, &[i, j]) in bridges.iter().enumerate() {
+        if exact >> lane & 1 == 1 {
+            convex = convex & !(1 << lane) | u32::from(is_convex_exactly(strip, i as usize, j as usize)) << lane;
+        }
     }
-    fits
+    convex
 }
 
 /// Marks every bridge that is not locally convex, in a table that a sweep can read.

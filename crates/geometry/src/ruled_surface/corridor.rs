@@ -255,7 +255,8 @@ mod tests {
             let rough = case % 2;
             let height = [0.0, 0.3, 1.0, 3.0][case / 2 % 4];
             let jagged = [0.0, 0.02][rough];
-            let count = |random: &mut Random| 60 + (59.0 * random.next()) as usize;
+            // Enough cells for the search to look for a corridor.
+            let count = |random: &mut Random| 150 + (21.0 * random.next()) as usize;
             let (m, n) = (count(&mut random), count(&mut random));
             let p = directrix(&mut random, m, DVec3::ZERO, height, jagged);
             let q = directrix(&mut random, n, DVec3::new(0.0, 1.0, 0.5), height, jagged);

@@ -1,7 +1,7 @@
-//! Numbers side by side: the kernels are written once, over [`Lanes`], and run on one `f64` or on four at a time.
+//! Numbers side by side: the kernels are written once, over [`Lanes`], and run on one `f64`, on four or on eight at a time.
 //!
 //! Every operation is a single correctly rounded IEEE operation on every lane and none is fused, so that all
-//! instances give the same bits. The wide instance is chosen at run time ([`Widest::get`]).
+//! instances give the same bits. The instance is chosen at run time ([`Widest::get`]).
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Sub};
 
@@ -27,10 +27,18 @@ pub(super) trait Lanes:
     /// Every lane moves up by one, `first` becomes lane 0.
     fn shift_in(self, first: f64) -> Self;
     fn last(self) -> f64;
-    fn lane(self, lane: usize) -> f64;
+    #[inline(always)]
+    fn lane(self, lane: usize) -> f64 {
+        self.lanes()[lane]
+    }
+    /// All lanes; zeros beyond `WIDTH`.
+    fn lanes(self) -> [f64; MOST_LANES];
     /// Runs a task with this instance's instructions enabled.
     fn run<T: Task<Self>>(task: T) -> T::Output;
 }
+
+/// The largest [`Lanes::WIDTH`] there is.
+pub(super) const MOST_LANES: usize = 8;
 
 /// A piece of work over lanes. `run` must be `#[inline(always)]`, so that it is compiled for the instance's instructions.
 pub(super) trait Task<V: Lanes> {
@@ -84,8 +92,10 @@ impl Lanes for f64 {
         self
     }
     #[inline(always)]
-    fn lane(self, _: usize) -> f64 {
-        self
+    fn lanes(self) -> [f64; MOST_LANES] {
+        let mut all = [0.0; MOST_LANES];
+        all[0] = self;
+        all
     }
     #[inline(always)]
     fn run<T: Task<Self>>(task: T) -> T::Output {
@@ -93,39 +103,80 @@ impl Lanes for f64 {
     }
 }
 
-/// Which instance to use: the widest that this processor has, or the plain one on demand (tests compare the two).
+/// Which instance to use: the widest that this processor has, or a narrower one on demand (tests compare them all).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Widest {
     Plain,
     #[cfg(target_arch = "x86_64")]
     Avx2,
+    #[cfg(target_arch = "x86_64")]
+    Avx512,
 }
 
 impl Widest {
     pub(super) fn get() -> Self {
+        *Self::all().last().expect("there is the plain one")
+    }
+
+    /// What this processor has, the narrowest first.
+    pub(super) fn all() -> &'static [Self] {
         #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx2") {
-            return Self::Avx2;
+        {
+            if std::arch::is_x86_feature_detected!("avx2") {
+                let wider = std::arch::is_x86_feature_detected!("avx512f")
+                    && std::arch::is_x86_feature_detected!("avx512dq")
+                    && std::arch::is_x86_feature_detected!("avx512vl");
+                return if wider { &[Self::Plain, Self::Avx2, Self::Avx512] } else { &[Self::Plain, Self::Avx2] };
+            }
         }
-        Self::Plain
+        &[Self::Plain]
     }
 }
 
-#[cfg(target_arch = "x86_64")]
-pub(super) use avx2::Wide;
+/// `$body` with the type `$lanes` standing for the instance that `$widest` names.
+macro_rules! with_lanes {
+    ($widest:expr, $lanes:ident => $body:expr) => {
+        match $widest {
+            $crate::ruled_surface::lanes::Widest::Plain => {
+                type $lanes = f64;
+                $body
+            }
+            #[cfg(target_arch = "x86_64")]
+            $crate::ruled_surface::lanes::Widest::Avx2 => {
+                type $lanes = $crate::ruled_surface::lanes::Four;
+                $body
+            }
+            #[cfg(target_arch = "x86_64")]
+            $crate::ruled_surface::lanes::Widest::Avx512 => {
+                type $lanes = $crate::ruled_surface::lanes::Eight;
+                $body
+            }
+        }
+    };
+}
+pub(super) use with_lanes;
 
 #[cfg(target_arch = "x86_64")]
-mod avx2 {
-    use super::{Lanes, Task};
+pub(super) use wide::{Eight, Four};
+
+#[cfg(target_arch = "x86_64")]
+mod wide {
+    use super::{Lanes, MOST_LANES, Task};
     use std::arch::x86_64::*;
     use std::ops::{Add, BitAnd, BitOr, Div, Mul, Sub};
 
     /// Four numbers in one AVX2 register. Only ever made where [`Widest`](super::Widest) found AVX2, which is what
     /// makes every `unsafe` call of an intrinsic below sound.
     #[derive(Clone, Copy)]
-    pub(in super::super) struct Wide(__m256d);
+    pub(in super::super) struct Four(__m256d);
     #[derive(Clone, Copy)]
-    pub(in super::super) struct WideMask(__m256d);
+    pub(in super::super) struct FourMask(__m256d);
+
+    /// Eight numbers in one AVX-512 register; as [`Four`], with AVX-512 F, DQ and VL.
+    #[derive(Clone, Copy)]
+    pub(in super::super) struct Eight(__m512d);
+    #[derive(Clone, Copy)]
+    pub(in super::super) struct EightMask(__mmask8);
 
     macro_rules! operator {
         ($trait:ident, $method:ident, $type:ident, $intrinsic:ident) => {
@@ -139,16 +190,35 @@ mod avx2 {
             }
         };
     }
-    operator!(Add, add, Wide, _mm256_add_pd);
-    operator!(Sub, sub, Wide, _mm256_sub_pd);
-    operator!(Mul, mul, Wide, _mm256_mul_pd);
-    operator!(Div, div, Wide, _mm256_div_pd);
-    operator!(BitAnd, bitand, WideMask, _mm256_and_pd);
-    operator!(BitOr, bitor, WideMask, _mm256_or_pd);
+    operator!(Add, add, Four, _mm256_add_pd);
+    operator!(Sub, sub, Four, _mm256_sub_pd);
+    operator!(Mul, mul, Four, _mm256_mul_pd);
+    operator!(Div, div, Four, _mm256_div_pd);
+    operator!(BitAnd, bitand, FourMask, _mm256_and_pd);
+    operator!(BitOr, bitor, FourMask, _mm256_or_pd);
+    operator!(Add, add, Eight, _mm512_add_pd);
+    operator!(Sub, sub, Eight, _mm512_sub_pd);
+    operator!(Mul, mul, Eight, _mm512_mul_pd);
+    operator!(Div, div, Eight, _mm512_div_pd);
 
-    impl Lanes for Wide {
+    impl BitAnd for EightMask {
+        type Output = Self;
+        #[inline(always)]
+        fn bitand(self, other: Self) -> Self {
+            Self(self.0 & other.0)
+        }
+    }
+    impl BitOr for EightMask {
+        type Output = Self;
+        #[inline(always)]
+        fn bitor(self, other: Self) -> Self {
+            Self(self.0 | other.0)
+        }
+    }
+
+    impl Lanes for Four {
         const WIDTH: usize = 4;
-        type Mask = WideMask;
+        type Mask = FourMask;
         #[inline(always)]
         fn splat(value: f64) -> Self {
             // SAFETY: see the type.
@@ -166,32 +236,32 @@ mod avx2 {
             Self(unsafe { _mm256_sqrt_pd(self.0) })
         }
         #[inline(always)]
-        fn less(self, other: Self) -> WideMask {
+        fn less(self, other: Self) -> FourMask {
             // SAFETY: see the type.
-            WideMask(unsafe { _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, other.0) })
+            FourMask(unsafe { _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, other.0) })
         }
         #[inline(always)]
-        fn at_most(self, other: Self) -> WideMask {
+        fn at_most(self, other: Self) -> FourMask {
             // SAFETY: see the type.
-            WideMask(unsafe { _mm256_cmp_pd::<_CMP_LE_OQ>(self.0, other.0) })
+            FourMask(unsafe { _mm256_cmp_pd::<_CMP_LE_OQ>(self.0, other.0) })
         }
         #[inline(always)]
-        fn select(mask: WideMask, yes: Self, no: Self) -> Self {
+        fn select(mask: FourMask, yes: Self, no: Self) -> Self {
             // SAFETY: see the type.
             Self(unsafe { _mm256_blendv_pd(no.0, yes.0, mask.0) })
         }
         #[inline(always)]
-        fn bits(mask: WideMask) -> u32 {
+        fn bits(mask: FourMask) -> u32 {
             // SAFETY: see the type.
             unsafe { _mm256_movemask_pd(mask.0) as u32 }
         }
         #[inline(always)]
-        fn from_bits(bits: u32) -> WideMask {
+        fn from_bits(bits: u32) -> FourMask {
             // SAFETY: see the type.
             unsafe {
                 let lanes = _mm256_set_epi64x(8, 4, 2, 1);
                 let set = _mm256_and_si256(_mm256_set1_epi64x(i64::from(bits)), lanes);
-                WideMask(_mm256_castsi256_pd(_mm256_cmpeq_epi64(set, lanes)))
+                FourMask(_mm256_castsi256_pd(_mm256_cmpeq_epi64(set, lanes)))
             }
         }
         #[inline(always)]
@@ -211,16 +281,92 @@ mod avx2 {
             }
         }
         #[inline(always)]
-        fn lane(self, lane: usize) -> f64 {
-            let mut all = [0.0; 4];
-            // SAFETY: see the type; `all` holds four.
+        fn lanes(self) -> [f64; MOST_LANES] {
+            let mut all = [0.0; MOST_LANES];
+            // SAFETY: see the type; there is room for four.
             unsafe { _mm256_storeu_pd(all.as_mut_ptr(), self.0) };
-            all[lane]
+            all
         }
         #[inline(always)]
         fn run<T: Task<Self>>(task: T) -> T::Output {
             #[target_feature(enable = "avx2")]
-            fn enabled<T: Task<Wide>>(task: T) -> T::Output {
+            fn enabled<T: Task<Four>>(task: T) -> T::Output {
+                task.run()
+            }
+            // SAFETY: see the type.
+            unsafe { enabled(task) }
+        }
+    }
+
+    impl Lanes for Eight {
+        const WIDTH: usize = 8;
+        type Mask = EightMask;
+        #[inline(always)]
+        fn splat(value: f64) -> Self {
+            // SAFETY: see the type.
+            Self(unsafe { _mm512_set1_pd(value) })
+        }
+        #[inline(always)]
+        unsafe fn load(from: &[f64], at: usize) -> Self {
+            debug_assert!(at + 8 <= from.len());
+            // SAFETY: the caller's promise; the load needs no alignment.
+            Self(unsafe { _mm512_loadu_pd(from.as_ptr().add(at)) })
+        }
+        #[inline(always)]
+        fn sqrt(self) -> Self {
+            // SAFETY: see the type.
+            Self(unsafe { _mm512_sqrt_pd(self.0) })
+        }
+        #[inline(always)]
+        fn less(self, other: Self) -> EightMask {
+            // SAFETY: see the type.
+            EightMask(unsafe { _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, other.0) })
+        }
+        #[inline(always)]
+        fn at_most(self, other: Self) -> EightMask {
+            // SAFETY: see the type.
+            EightMask(unsafe { _mm512_cmp_pd_mask::<_CMP_LE_OQ>(self.0, other.0) })
+        }
+        #[inline(always)]
+        fn select(mask: EightMask, yes: Self, no: Self) -> Self {
+            // SAFETY: see the type.
+            Self(unsafe { _mm512_mask_blend_pd(mask.0, no.0, yes.0) })
+        }
+        #[inline(always)]
+        fn bits(mask: EightMask) -> u32 {
+            u32::from(mask.0)
+        }
+        #[inline(always)]
+        fn from_bits(bits: u32) -> EightMask {
+            EightMask(bits as u8)
+        }
+        #[inline(always)]
+        fn shift_in(self, first: f64) -> Self {
+            // SAFETY: see the type.
+            unsafe {
+                let (all, first) = (_mm512_castpd_si512(self.0), _mm512_castpd_si512(_mm512_set1_pd(first)));
+                Self(_mm512_castsi512_pd(_mm512_alignr_epi64::<7>(all, first)))
+            }
+        }
+        #[inline(always)]
+        fn last(self) -> f64 {
+            // SAFETY: see the type.
+            unsafe {
+                let high = _mm512_extractf64x2_pd::<3>(self.0);
+                _mm_cvtsd_f64(_mm_unpackhi_pd(high, high))
+            }
+        }
+        #[inline(always)]
+        fn lanes(self) -> [f64; MOST_LANES] {
+            let mut all = [0.0; MOST_LANES];
+            // SAFETY: see the type; there is room for eight.
+            unsafe { _mm512_storeu_pd(all.as_mut_ptr(), self.0) };
+            all
+        }
+        #[inline(always)]
+        fn run<T: Task<Self>>(task: T) -> T::Output {
+            #[target_feature(enable = "avx512f,avx512dq,avx512vl")]
+            fn enabled<T: Task<Eight>>(task: T) -> T::Output {
                 task.run()
             }
             // SAFETY: see the type.

@@ -6,10 +6,11 @@
 //! a closed one, where every path takes exactly one step from p_{m-1} to p_0. That names a closed path's start without
 //! ambiguity.
 
-use super::lanes::{Lanes, Vector};
+use super::lanes::{Lanes, MOST_LANES, Vector};
 use super::shortest_path::{Bounded, Kernel, Score, Seed, Table};
 use super::strip::{Directrix, Strip};
 use super::weight::{self, Wing};
+use crate::DVec3;
 
 /// The strip as arrays of numbers for the sweep. Columns are stored backwards, so that the lanes of a skewed band (row r one
 /// column behind row r - 1) lie side by side; `MARGIN` entries beyond both ends repeat the last ones and are never used.
@@ -22,54 +23,77 @@ pub(super) struct Lattice {
     column: Side,
 }
 
-const MARGIN: usize = 4;
+const MARGIN: usize = MOST_LANES;
 
+/// What is known along one directrix, each number in a row of its own, `stride` long: one piece of memory.
 #[derive(Debug)]
 struct Side {
-    point: [Vec<f64>; 3],
-    /// The bank edge that ends at the point; zero where there is none.
-    bank: [Vec<f64>; 3],
-    bank_squared: Vec<f64>,
-    tangent: [Vec<f64>; 3],
-    normal: [Vec<f64>; 3],
+    stride: usize,
+    numbers: Vec<f64>,
 }
 
+/// First rows of a [`Side`].
+const POINT: usize = 0;
+/// The bank edge that ends at the point; zero where there is none.
+const BANK: usize = 3;
+const BANK_SQUARED: usize = 6;
+const TANGENT: usize = 7;
+const NORMAL: usize = 10;
+
 impl Side {
-    /// Room for `length` points, with tangents and normals if there are any.
-    fn with_capacity(length: usize, tangents: bool, normals: bool) -> Self {
-        let room = |wanted: bool| [(); 3].map(|()| Vec::with_capacity(if wanted { length } else { 0 }));
-        Self {
-            point: room(true),
-            bank: room(true),
-            bank_squared: Vec::with_capacity(length),
-            tangent: room(tangents),
-            normal: room(normals),
+    /// The points that `order` names: an index, and whether a bank edge ends there.
+    fn new(
+        directrix: &Directrix,
+        order: impl ExactSizeIterator<Item = (usize, bool)> + Clone,
+        closed: bool,
+        with_tangents: bool,
+    ) -> Self {
+        let (stride, points, normals) = (order.len(), &directrix.points, &directrix.normals);
+        let rows = match (with_tangents, normals.is_empty()) {
+            (_, false) => NORMAL + 3,
+            (true, true) => NORMAL,
+            (false, true) => TANGENT,
+        };
+        let mut numbers = vec![0.0; rows * stride];
+        let mut put = |row: usize, of: &mut dyn Iterator<Item = DVec3>| {
+            let (x, rest) = numbers[row * stride..].split_at_mut(stride);
+            let (y, rest) = rest.split_at_mut(stride);
+            for (((x, y), z), v) in x.iter_mut().zip(y).zip(rest).zip(of) {
+                [*x, *y, *z] = v.to_array();
+            }
+        };
+        put(POINT, &mut order.clone().map(|(at, _)| points[at]));
+        let bank = |(at, exists): (usize, bool)| match (exists, at) {
+            (false, _) => DVec3::ZERO,
+            (true, 0) => directrix.bank(0, 0, closed),
+            (true, _) => points[at] - points[at - 1],
+        };
+        put(BANK, &mut order.clone().map(bank));
+        if with_tangents {
+            let tangents = directrix.tangents(closed);
+            put(TANGENT, &mut order.clone().map(|(at, _)| tangents[at]));
         }
+        if !normals.is_empty() {
+            put(NORMAL, &mut order.clone().map(|(at, _)| normals[at]));
+        }
+        let (banks, squared) = numbers.split_at_mut(BANK_SQUARED * stride);
+        for (k, squared) in squared[..stride].iter_mut().enumerate() {
+            let component = |axis: usize| banks[(BANK + axis) * stride + k];
+            *squared = DVec3::new(component(0), component(1), component(2)).length_squared();
+        }
+        Self { stride, numbers }
     }
 
-    fn push(
-        &mut self,
-        directrix: &Directrix,
-        tangents: Option<&[crate::DVec3]>,
-        index: usize,
-        edge_exists: bool,
-        closed: bool,
-    ) {
-        let count = directrix.points.len();
-        let at = index % count;
-        let bank = if edge_exists { directrix.bank(at, 0, closed) } else { crate::DVec3::ZERO };
-        let normal = directrix.normals.get(at).copied();
-        for axis in 0..3 {
-            self.point[axis].push(directrix.points[at][axis]);
-            self.bank[axis].push(bank[axis]);
-            if let Some(tangents) = tangents {
-                self.tangent[axis].push(tangents[at][axis]);
-            }
-            if let Some(normal) = normal {
-                self.normal[axis].push(normal[axis]);
-            }
-        }
-        self.bank_squared.push(bank.length_squared());
+    #[inline(always)]
+    fn vector<V: Lanes>(&self, row: usize, at: usize) -> Vector<V> {
+        Vector::new(self.number(row, at), self.number(row + 1, at), self.number(row + 2, at))
+    }
+
+    #[inline(always)]
+    fn number<V: Lanes>(&self, row: usize, at: usize) -> V {
+        // SAFETY: rows reach `MARGIN` beyond every point that a sweep visits (asserted in `sweep`). Tangents and normals are
+        // there for the kernels that read them.
+        unsafe { V::load(&self.numbers, row * self.stride + at) }
     }
 }
 
@@ -78,22 +102,27 @@ impl Lattice {
     pub(super) fn new(strip: &Strip, with_tangents: bool) -> Self {
         let (rows, n, closed) = (strip.m(), strip.n(), strip.closed);
         let columns = if closed { 2 * n } else { n };
-        let tangents = [&strip.p, &strip.q].map(|side| with_tangents.then(|| side.tangents(closed)));
-        let mut row = Side::with_capacity(rows + 2 * MARGIN, with_tangents, strip.has_normals());
-        for k in 0..rows + 2 * MARGIN {
-            // Row `rows` holds the edge that leaves the last row; beyond, anything finite.
-            let index = if closed { k } else { k.min(rows - 1) };
-            row.push(&strip.p, tangents[0], index, closed || (k > 0 && k < rows), closed);
-        }
-        let mut column = Side::with_capacity(columns + 2 * MARGIN, with_tangents, strip.has_normals());
-        for k in (0..columns + 2 * MARGIN).rev() {
+        // Row `rows` holds the edge that leaves the last row; beyond, anything finite.
+        let down = (0..rows + 2 * MARGIN).map(|k| {
+            let index = if closed { k % rows } else { k.min(rows - 1) };
+            (index, closed || (k > 0 && k < rows))
+        });
+        let back = (0..columns + 2 * MARGIN).rev().map(|k| {
             let c = k as isize - MARGIN as isize;
             let exists = closed || (c > 0 && c < columns as isize);
-            let index =
-                if closed { (c + 2 * columns as isize) as usize } else { c.clamp(0, columns as isize - 1) as usize };
-            column.push(&strip.q, tangents[1], index, exists, closed);
+            let index = if closed {
+                (c + (MARGIN * n) as isize) as usize % n
+            } else {
+                c.clamp(0, columns as isize - 1) as usize
+            };
+            (index, exists)
+        });
+        Self {
+            rows,
+            columns,
+            row: Side::new(&strip.p, down, closed, with_tangents),
+            column: Side::new(&strip.q, back, closed, with_tangents),
         }
-        Self { rows, columns, row, column }
     }
 
     /// Where the lanes of step `t` start in a column array: lane r holds column t - r.
@@ -101,19 +130,6 @@ impl Lattice {
     fn at(&self, t: usize) -> usize {
         self.columns + MARGIN - 1 - t
     }
-}
-
-#[inline(always)]
-fn vector<V: Lanes>(from: &[Vec<f64>; 3], at: usize) -> Vector<V> {
-    // SAFETY: the arrays reach `MARGIN` beyond every row and column that a sweep visits (asserted in `sweep`), and all
-    // three have one length. Tangents and normals are there for the kernels that read them.
-    unsafe { Vector::new(V::load(&from[0], at), V::load(&from[1], at), V::load(&from[2], at)) }
-}
-
-#[inline(always)]
-fn number<V: Lanes>(from: &[f64], at: usize) -> V {
-    // SAFETY: as in `vector`.
-    unsafe { V::load(from, at) }
 }
 
 /// What a path has cost so far on every lane: one number, or a count of concave bridges and a number.
@@ -237,13 +253,13 @@ impl<V: Lanes> Weights<V> for Area<'_> {
     #[inline(always)]
     fn band(&self, band: usize) -> Self::Band {
         let row = &self.0.row;
-        [vector(&row.point, band * V::WIDTH), vector(&row.bank, band * V::WIDTH)]
+        [row.vector(POINT, band * V::WIDTH), row.vector(BANK, band * V::WIDTH)]
     }
     #[inline(always)]
     fn steps(&self, [p, bank]: &Self::Band, t: usize) -> [V; 2] {
         let (column, at) = (&self.0.column, self.0.at(t));
-        let bridge = vector::<V>(&column.point, at).minus(*p);
-        [weight::double_area(*bank, bridge), weight::double_area(vector(&column.bank, at), bridge)]
+        let bridge = column.vector::<V>(POINT, at).minus(*p);
+        [weight::double_area(*bank, bridge), weight::double_area(column.vector(BANK, at), bridge)]
     }
     #[inline(always)]
     fn bridge(&self, _: &Self::Band, _: usize, value: V) -> V {
@@ -260,7 +276,7 @@ impl<V: Lanes> Weights<V> for Twist<'_> {
     #[inline(always)]
     fn band(&self, band: usize) -> Self::Band {
         let row = &self.0.row;
-        [vector(&row.point, band * V::WIDTH), vector(&row.tangent, band * V::WIDTH)]
+        [row.vector(POINT, band * V::WIDTH), row.vector(TANGENT, band * V::WIDTH)]
     }
     #[inline(always)]
     fn steps(&self, _: &Self::Band, _: usize) -> [V; 2] {
@@ -269,7 +285,7 @@ impl<V: Lanes> Weights<V> for Twist<'_> {
     #[inline(always)]
     fn bridge(&self, [p, tangent]: &Self::Band, t: usize, value: V) -> V {
         let (column, at) = (&self.0.column, self.0.at(t));
-        value + weight::twist(vector::<V>(&column.point, at).minus(*p), *tangent, vector(&column.tangent, at))
+        value + weight::twist(column.vector::<V>(POINT, at).minus(*p), *tangent, column.vector(TANGENT, at))
     }
 }
 
@@ -285,7 +301,7 @@ impl<V: Lanes> Weights<V> for NormalVariation<'_> {
     #[inline(always)]
     fn band(&self, band: usize) -> Self::Band {
         let (row, at) = (&self.lattice.row, band * V::WIDTH);
-        [vector(&row.point, at), vector(&row.tangent, at), vector::<V>(&row.normal, at).times(V::splat(self.sign))]
+        [row.vector(POINT, at), row.vector(TANGENT, at), row.vector::<V>(NORMAL, at).times(V::splat(self.sign))]
     }
     #[inline(always)]
     fn steps(&self, _: &Self::Band, _: usize) -> [V; 2] {
@@ -294,9 +310,9 @@ impl<V: Lanes> Weights<V> for NormalVariation<'_> {
     #[inline(always)]
     fn bridge(&self, [p, tangent, normal]: &Self::Band, t: usize, value: V) -> V {
         let (column, at) = (&self.lattice.column, self.lattice.at(t));
-        let other = vector::<V>(&column.normal, at).times(V::splat(self.sign));
-        let bridge = vector::<V>(&column.point, at).minus(*p);
-        value + weight::normal_variation(bridge, [*tangent, vector(&column.tangent, at)], [*normal, other])
+        let other = column.vector::<V>(NORMAL, at).times(V::splat(self.sign));
+        let bridge = column.vector::<V>(POINT, at).minus(*p);
+        value + weight::normal_variation(bridge, [*tangent, column.vector(TANGENT, at)], [*normal, other])
     }
 }
 
@@ -376,10 +392,10 @@ impl Lattice {
         let (row, at) = (&self.row, band * V::WIDTH);
         BandRows {
             number: band,
-            point: vector(&row.point, at),
+            point: row.vector(POINT, at),
             banks: [
-                (vector(&row.bank, at), number(&row.bank_squared, at)),
-                (vector(&row.bank, at + 1), number(&row.bank_squared, at + 1)),
+                (row.vector(BANK, at), row.number(BANK_SQUARED, at)),
+                (row.vector(BANK, at + 1), row.number(BANK_SQUARED, at + 1)),
             ],
         }
     }
@@ -388,12 +404,12 @@ impl Lattice {
     #[inline(always)]
     pub(super) fn wings<V: Lanes>(&self, rows: &BandRows<V>, t: usize) -> (Vector<V>, V, [Wing<V>; 4]) {
         let (column, at) = (&self.column, self.at(t));
-        let bridge = vector::<V>(&column.point, at).minus(rows.point);
+        let bridge = column.vector::<V>(POINT, at).minus(rows.point);
         let squared = bridge.dot(bridge);
         let in_p = Wing::new(rows.banks[0].0, rows.banks[0].1, bridge, squared);
-        let in_q = Wing::new(vector(&column.bank, at), number(&column.bank_squared, at), bridge, squared);
+        let in_q = Wing::new(column.vector(BANK, at), column.number(BANK_SQUARED, at), bridge, squared);
         let out_p = Wing::new(rows.banks[1].0, rows.banks[1].1, bridge, squared);
-        let out_q = Wing::new(vector(&column.bank, at - 1), number(&column.bank_squared, at - 1), bridge, squared);
+        let out_q = Wing::new(column.vector(BANK, at - 1), column.number(BANK_SQUARED, at - 1), bridge, squared);
         (bridge, squared, [in_p, in_q, out_p, out_q])
     }
 }
@@ -643,13 +659,13 @@ impl<C> QuadrupleLayer<'_, C> {
         let row_at = band.number * V::WIDTH;
         let mut shared = V::splat(0.0);
         if factors.twist != 0.0 {
-            let twist = weight::twist(bridge, vector(&row.tangent, row_at), vector(&column.tangent, at));
+            let twist = weight::twist(bridge, row.vector(TANGENT, row_at), column.vector(TANGENT, at));
             shared = shared + V::splat(factors.twist) * twist;
         }
         if factors.normal_variation != 0.0 {
             let sign = V::splat(factors.sign);
-            let tangents = [vector(&row.tangent, row_at), vector(&column.tangent, at)];
-            let normals = [vector::<V>(&row.normal, row_at).times(sign), vector::<V>(&column.normal, at).times(sign)];
+            let tangents = [row.vector(TANGENT, row_at), column.vector(TANGENT, at)];
+            let normals = [row.vector::<V>(NORMAL, row_at).times(sign), column.vector::<V>(NORMAL, at).times(sign)];
             let variation = weight::normal_variation(bridge, tangents, normals);
             shared = shared + V::splat(factors.normal_variation) * variation;
         }

@@ -4,7 +4,7 @@
 //! one step back, in its own lane (left) and in the lane above, and the lanes do not wait for one another. A band hands the
 //! costs of its last row to the next band. Back pointers are bits, one a node: the table is all that grows with m n.
 
-use super::lanes::{Lanes, Task};
+use super::lanes::{Lanes, MOST_LANES, Task};
 use crate::execution::{Execution, Interruption, Progress};
 use std::cmp::Ordering;
 
@@ -166,7 +166,7 @@ pub(super) struct Workspace {
 }
 
 /// Columns left of 0 that lanes pass through on their way in.
-const LEFT: usize = 4;
+const LEFT: usize = MOST_LANES;
 
 /// Sweeps the region from the source columns; afterwards [`Workspace::table`] has the back pointers and
 /// [`Workspace::end`] the costs along the last row.

@@ -3,7 +3,7 @@
 use super::closed::{self, Found, Search, Searcher};
 use super::convexity::{self, Test};
 use super::corridor::corridor;
-use super::lanes::{Lanes, Widest};
+use super::lanes::{Lanes, Widest, with_lanes};
 use super::layered_graph::{
     Area, Concave, DualLayer, Factors, Lattice, Lexicographic, NormalVariation, QuadrupleLayer, SingleLayer, Twist,
     Value,
@@ -123,7 +123,7 @@ pub(super) fn solve_all(
         for (k, strip) in strips.iter().enumerate() {
             let asked = Asked { goal, factors: factors.get(k), sign, test };
             let path = optimal_path(strip, asked, lanes, pulse)?;
-            evaluations.push(evaluate(strip, &path, test, pulse.execution())?);
+            evaluations.push(evaluate(strip, &path, test, lanes, pulse.execution())?);
             paths.push(path);
         }
         // Where the objective has no say, the winding is the one that agrees with the normals.
@@ -266,11 +266,7 @@ pub(super) fn least_bending_within(
     if strip.closed {
         return Ok(Some(least(strip, Objective::MinimalBendingEnergy, lanes, pulse)?).filter(|&least| least <= bound));
     }
-    match lanes {
-        Widest::Plain => bending_within::<f64>(strip, bound, pulse),
-        #[cfg(target_arch = "x86_64")]
-        Widest::Avx2 => bending_within::<super::lanes::Wide>(strip, bound, pulse),
-    }
+    with_lanes!(lanes, V => bending_within::<V>(strip, bound, pulse))
 }
 
 fn bending_within<V: Lanes>(strip: &Strip, bound: f64, pulse: &mut Pulse<'_, '_>) -> Result<Option<f64>, Interruption> {
@@ -280,15 +276,11 @@ fn bending_within<V: Lanes>(strip: &Strip, bound: f64, pulse: &mut Pulse<'_, '_>
 }
 
 fn found(strip: &Strip, asked: Asked<'_>, lanes: Widest, pulse: &mut Pulse<'_, '_>) -> Result<Found, Interruption> {
-    match lanes {
-        Widest::Plain => search::<f64>(strip, asked, pulse),
-        #[cfg(target_arch = "x86_64")]
-        Widest::Avx2 => search::<super::lanes::Wide>(strip, asked, pulse),
-    }
+    with_lanes!(lanes, V => search::<V>(strip, asked, pulse))
 }
 
 /// Cells that are visited faster than a corridor through them is found.
-const SMALL: usize = 8192;
+const SMALL: usize = 16384;
 
 fn search<V: Lanes>(
     strip: &Strip,
@@ -368,7 +360,7 @@ mod tests {
         for (m, n) in [(2, 2), (2, 9), (3, 7), (5, 4), (8, 8), (66, 41), (41, 66), (131, 203), (400, 90)] {
             for wave in [0.0, 0.3, 1.0, 2.0] {
                 let strip = strip(m, n, wave);
-                for lanes in [Widest::Plain, Widest::get()] {
+                for &lanes in Widest::all() {
                     let mut pulse = Pulse::new(&execution, 1);
                     let least = least(&strip, Objective::MinimalBendingEnergy, lanes, &mut pulse).unwrap();
                     for factor in [0.0, 0.5, 1.0 - 1e-9, 1.0, 1.0 + 1e-9, 2.0, 1e3, f64::INFINITY] {

@@ -1,7 +1,7 @@
 //! Every quantity of Wang and Tang's Table 1 (and a few more) of one given triangulation of a strip.
 
-use super::convexity::{Test, is_convex};
-use super::lanes::Vector;
+use super::convexity::{self, Test};
+use super::lanes::{Lanes, MOST_LANES, Task, Vector, Widest, with_lanes};
 use super::strip::Strip;
 use super::weight::{self, Wing};
 use crate::DVec3;
@@ -102,112 +102,241 @@ impl Angle {
     }
 }
 
+/// Bridges between two looks.
+const BRIDGES_BETWEEN_LOOKS: usize = 4096;
+
 /// Evaluates a path: bridges in order, indices cyclic on closed strips (without repeating the first). O(bridges).
 pub(super) fn evaluate(
     strip: &Strip,
     path: &[[u32; 2]],
     test: Test,
+    lanes: Widest,
     execution: &Execution<'_>,
 ) -> Result<Evaluation, Error> {
-    let count = path.len();
-    let (tangents_p, tangents_q) = (strip.p.tangents(strip.closed), strip.q.tangents(strip.closed));
-    let bridge_at = |k: usize| path[k % count].map(|index| index as usize);
-    // The bank edge of the triangle between bridges k and k + 1.
-    let bank = |k: usize| -> Option<DVec3> {
-        if !strip.closed && k + 1 == count {
-            return None;
+    let mut sums = Sums::new(path.len());
+    for first in (0..path.len()).step_by(BRIDGES_BETWEEN_LOOKS) {
+        let bridges = first..path.len().min(first + BRIDGES_BETWEEN_LOOKS);
+        with_lanes!(lanes, V => V::run(Part { strip, path, test, bridges: bridges.clone(), sums: &mut sums }));
+        if bridges.end < path.len() {
+            execution.look(16 * bridges.len() as u64)?;
         }
-        let ([i, j], [next, _]) = (bridge_at(k), bridge_at(k + 1));
-        let (i, j) = (i % strip.m(), j % strip.n());
-        // A step by P changes the first index (by one, or back to 0); round an apex all steps are by Q or all by P.
-        let by_p = if strip.m() == 1 { false } else { strip.n() == 1 || next % strip.m() != i };
-        Some(if by_p { strip.p.bank(i, 1, strip.closed) } else { strip.q.bank(j, 1, strip.closed) })
-    };
-    let mut statistics = Statistics {
-        triangles: strip.triangles(),
-        bridges: count,
-        shortest_bridge: f64::INFINITY,
-        ..Statistics::default()
-    };
-    let (mut largest_fold, mut largest_concave_fold) = (Angle::ZERO, Angle::ZERO);
-    let mut variation = [0.0; 2];
-    let (mut concave_bending, mut concave_curvature) = (0.0, 0.0);
-    let (mut first_curvature, mut first_is_convex) = (Vector::zero(), true);
-    let mut last_curvature = Vector::<f64>::zero();
-    let mut before = if strip.closed { bank(count - 1) } else { None };
-    for k in 0..count {
-        let at = bridge_at(k);
-        let [i, j] = [at[0] % strip.m(), at[1] % strip.n()];
-        let vector = strip.bridge(at);
-        let (bridge, squared) = (Vector::<f64>::from(vector), vector.length_squared());
-        let convex = is_convex(strip, at, test);
-        statistics.convex_bridges += usize::from(convex);
-        statistics.shortest_bridge = statistics.shortest_bridge.min(vector.length());
-        statistics.longest_bridge = statistics.longest_bridge.max(vector.length());
-        let tangents = [tangents_p[i].into(), tangents_q[j].into()];
-        statistics.total_normal_twist += weight::twist(bridge, tangents[0], tangents[1]);
-        if strip.has_normals() {
-            for (sum, sign) in variation.iter_mut().zip([1.0, -1.0]) {
-                let normals = [(strip.p.normals[i] * sign).into(), (strip.q.normals[j] * sign).into()];
-                *sum += weight::normal_variation(bridge, tangents, normals);
+    }
+    Ok(sums.evaluation(strip))
+}
+
+/// What the bridges so far add up to, in the strip's own unit. They are added one by one, whatever the width of the lanes.
+struct Sums {
+    evaluation: Evaluation,
+    variation: [f64; 2],
+    largest_fold: Angle,
+    largest_concave_fold: Angle,
+    first: Option<(Vector<f64>, bool)>,
+    last_curvature: Vector<f64>,
+}
+
+/// One bridge of a path, as it is added to the sums.
+struct AtBridge {
+    convex: bool,
+    length: f64,
+    /// Of the triangle after it, doubled; 0 if there is none.
+    double_area: f64,
+    twist: f64,
+    variation: [f64; 2],
+    /// Of the fold between two triangles that are not degenerate.
+    fold: Option<Angle>,
+    bending: f64,
+    curvature: Vector<f64>,
+}
+
+impl Sums {
+    fn new(bridges: usize) -> Self {
+        let statistics = Statistics { bridges, shortest_bridge: f64::INFINITY, ..Statistics::default() };
+        Self {
+            evaluation: Evaluation { statistics, ..Evaluation::default() },
+            variation: [0.0; 2],
+            largest_fold: Angle::ZERO,
+            largest_concave_fold: Angle::ZERO,
+            first: None,
+            last_curvature: Vector::zero(),
+        }
+    }
+
+    #[inline(always)]
+    fn add(&mut self, bridge: &AtBridge) {
+        let statistics = &mut self.evaluation.statistics;
+        statistics.convex_bridges += usize::from(bridge.convex);
+        statistics.shortest_bridge = statistics.shortest_bridge.min(bridge.length);
+        statistics.longest_bridge = statistics.longest_bridge.max(bridge.length);
+        statistics.total_normal_twist += bridge.twist;
+        statistics.area += 0.5 * bridge.double_area;
+        for (sum, variation) in self.variation.iter_mut().zip(bridge.variation) {
+            *sum += variation;
+        }
+        if let Some(fold) = bridge.fold {
+            statistics.bending_energy += bridge.bending;
+            self.largest_fold = self.largest_fold.max(fold);
+            if !bridge.convex {
+                self.evaluation.concave_bending += bridge.bending;
+                self.largest_concave_fold = self.largest_concave_fold.max(fold);
             }
         }
-        let after = bank(k);
-        let wing = |bank: Option<DVec3>| {
-            bank.map(|bank| Wing::new(Vector::<f64>::from(bank), bank.length_squared(), bridge, squared))
-        };
-        let (left, right) = (wing(before), wing(after));
-        if let Some(right) = &right {
-            statistics.area += 0.5 * right.length;
+        if self.first.is_none() {
+            self.first = Some((bridge.curvature, bridge.convex));
+        } else {
+            self.step(bridge.curvature, bridge.convex);
         }
-        let mut curvature = Vector::zero();
-        if let (Some(left), Some(right)) = (&left, &right)
-            && left.sound
-            && right.sound
-        {
-            let energy = weight::bending(squared, left, right);
-            statistics.bending_energy += energy;
-            curvature = weight::mean_curvature(
-                (weight::curvature_part(bridge, left), left.sound),
-                (weight::curvature_part(bridge, right), right.sound),
+        self.last_curvature = bridge.curvature;
+    }
+
+    /// The curvature's step into a bridge.
+    #[inline(always)]
+    fn step(&mut self, curvature: Vector<f64>, convex: bool) {
+        let step = weight::curvature_step(self.last_curvature, curvature);
+        self.evaluation.statistics.mean_curvature_variation += step;
+        self.evaluation.concave_curvature += if convex { 0.0 } else { step };
+    }
+
+    fn evaluation(mut self, strip: &Strip) -> Evaluation {
+        if let Some((curvature, convex)) = self.first.filter(|_| strip.closed) {
+            self.step(curvature, convex);
+        }
+        let mut evaluation = self.evaluation;
+        let (unit, statistics) = (strip.unit, &mut evaluation.statistics);
+        statistics.triangles = strip.triangles();
+        statistics.largest_fold = self.largest_fold.radians();
+        statistics.developability_deviation = self.largest_concave_fold.radians();
+        statistics.area *= unit * unit;
+        statistics.mean_curvature_variation *= unit;
+        statistics.shortest_bridge *= unit;
+        statistics.longest_bridge *= unit;
+        statistics.convex_bridge_ratio = statistics.convex_bridges as f64 / statistics.bridges as f64;
+        evaluation.concave_curvature *= unit;
+        evaluation.normal_variation = strip.has_normals().then_some(self.variation);
+        evaluation
+    }
+}
+
+/// Some bridges of a path.
+struct Part<'a> {
+    strip: &'a Strip,
+    path: &'a [[u32; 2]],
+    test: Test,
+    bridges: std::ops::Range<usize>,
+    sums: &'a mut Sums,
+}
+
+/// A number for each lane.
+type Row = [f64; MOST_LANES];
+/// A vector for each lane, by components.
+type Rows = [Row; 3];
+
+#[inline(always)]
+fn put(rows: &mut Rows, lane: usize, vector: DVec3) {
+    for (axis, row) in rows.iter_mut().enumerate() {
+        row[lane] = vector[axis];
+    }
+}
+
+#[inline(always)]
+fn number<V: Lanes>(row: &Row) -> V {
+    // SAFETY: a row has room for the widest lanes.
+    unsafe { V::load(row, 0) }
+}
+
+#[inline(always)]
+fn vector<V: Lanes>(rows: &Rows) -> Vector<V> {
+    Vector::new(number(&rows[0]), number(&rows[1]), number(&rows[2]))
+}
+
+#[inline(always)]
+fn wing<V: Lanes>(bank: &Rows, bridge: Vector<V>, bridge_squared: V) -> Wing<V> {
+    let bank = vector::<V>(bank);
+    Wing::new(bank, bank.dot(bank), bridge, bridge_squared)
+}
+
+/// No closures over lanes here: the compiler does not take the instructions that [`Lanes::run`] enables into them.
+impl<V: Lanes> Task<V> for Part<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let Part { strip, path, test, bridges, sums } = self;
+        let (m, n, count) = (strip.m(), strip.n(), path.len());
+        let (tangents_p, tangents_q) = (strip.p.tangents(strip.closed), strip.q.tangents(strip.closed));
+        // A step by P changes the first index (by one, or back to 0); round an apex all steps are by Q or all by P.
+        let by_p = |from: usize, to: usize| m > 1 && (n == 1 || path[from][0] != path[to][0]);
+        let mut start = bridges.start;
+        while start < bridges.end {
+            let lanes = V::WIDTH.min(bridges.end - start);
+            let mut rows = [[[0.0; MOST_LANES]; 3]; 5];
+            // Arriving by P, by Q, leaving by P, by Q.
+            let mut banks = [[[0.0; MOST_LANES]; 3]; 4];
+            let (mut arrived_by_p, mut leaves_by_p) = (0, 0);
+            for lane in 0..lanes {
+                let k = start + lane;
+                let [i, j] = path[k].map(|index| index as usize);
+                put(&mut rows[0], lane, strip.q.points[j] - strip.p.points[i]);
+                put(&mut rows[1], lane, tangents_p[i]);
+                put(&mut rows[2], lane, tangents_q[j]);
+                if strip.has_normals() {
+                    put(&mut rows[3], lane, strip.p.normals[i]);
+                    put(&mut rows[4], lane, strip.q.normals[j]);
+                }
+                for (side, bank) in banks.iter_mut().enumerate() {
+                    let (directrix, index) = if side % 2 == 0 { (&strip.p, i) } else { (&strip.q, j) };
+                    put(bank, lane, directrix.bank(index, side / 2, strip.closed));
+                }
+                // The ends of an open strip have no bank edge there by either step.
+                arrived_by_p |= u32::from(by_p((k + count - 1) % count, k)) << lane;
+                leaves_by_p |= u32::from(by_p(k, (k + 1) % count)) << lane;
+            }
+            let bridge = vector::<V>(&rows[0]);
+            let squared = bridge.dot(bridge);
+            let length = squared.sqrt();
+            let wings = [
+                wing(&banks[0], bridge, squared),
+                wing(&banks[1], bridge, squared),
+                wing(&banks[2], bridge, squared),
+                wing(&banks[3], bridge, squared),
+            ];
+            let convex = convexity::are_convex(strip, &path[start..start + lanes], test, length, &wings);
+            let left = Wing::select(V::from_bits(arrived_by_p), &wings[0], &wings[1]);
+            let right = Wing::select(V::from_bits(leaves_by_p), &wings[2], &wings[3]);
+            let tangents = [vector::<V>(&rows[1]), vector(&rows[2])];
+            let twist = weight::twist(bridge, tangents[0], tangents[1]);
+            let zero = V::splat(0.0);
+            let mut variation = [zero; 2];
+            if strip.has_normals() {
+                let (normals, back) = ([vector::<V>(&rows[3]), vector(&rows[4])], V::splat(-1.0));
+                variation[0] = weight::normal_variation(bridge, tangents, normals);
+                variation[1] =
+                    weight::normal_variation(bridge, tangents, [normals[0].times(back), normals[1].times(back)]);
+            }
+            let sound = V::bits(left.sound & right.sound);
+            let bending = weight::bending(squared, &left, &right);
+            let curvature = weight::mean_curvature(
+                (weight::curvature_part(bridge, &left), left.sound),
+                (weight::curvature_part(bridge, &right), right.sound),
             );
             let cross = left.normal.cross(right.normal);
-            let fold = Angle { sine: cross.dot(cross).sqrt(), cosine: left.normal.dot(right.normal) };
-            largest_fold = largest_fold.max(fold);
-            if !convex {
-                concave_bending += energy;
-                largest_concave_fold = largest_concave_fold.max(fold);
+            let (sine, cosine) = (cross.dot(cross).sqrt().lanes(), left.normal.dot(right.normal).lanes());
+            let (length, double_area, twist, bending) =
+                (length.lanes(), right.length.lanes(), twist.lanes(), bending.lanes());
+            let variation = [variation[0].lanes(), variation[1].lanes()];
+            let curvature = [curvature.x.lanes(), curvature.y.lanes(), curvature.z.lanes()];
+            for lane in 0..lanes {
+                let fold = Angle { sine: sine[lane], cosine: cosine[lane] };
+                sums.add(&AtBridge {
+                    convex: convex >> lane & 1 == 1,
+                    length: length[lane],
+                    double_area: double_area[lane],
+                    twist: twist[lane],
+                    variation: [variation[0][lane], variation[1][lane]],
+                    fold: (sound >> lane & 1 == 1).then_some(fold),
+                    bending: bending[lane],
+                    curvature: Vector::new(curvature[0][lane], curvature[1][lane], curvature[2][lane]),
+                });
             }
-        }
-        if k == 0 {
-            (first_curvature, first_is_convex) = (curvature, convex);
-        } else {
-            let step = weight::curvature_step(last_curvature, curvature);
-            statistics.mean_curvature_variation += step;
-            concave_curvature += if convex { 0.0 } else { step };
-        }
-        (last_curvature, before) = (curvature, after);
-        if k % 4096 == 4095 {
-            execution.look(4096 * 16)?;
+            start += lanes;
         }
     }
-    if strip.closed {
-        let step = weight::curvature_step(last_curvature, first_curvature);
-        statistics.mean_curvature_variation += step;
-        concave_curvature += if first_is_convex { 0.0 } else { step };
-    }
-    statistics.largest_fold = largest_fold.radians();
-    statistics.developability_deviation = largest_concave_fold.radians();
-    let unit = strip.unit;
-    statistics.area *= unit * unit;
-    statistics.mean_curvature_variation *= unit;
-    statistics.shortest_bridge *= unit;
-    statistics.longest_bridge *= unit;
-    statistics.convex_bridge_ratio = statistics.convex_bridges as f64 / count as f64;
-    Ok(Evaluation {
-        statistics,
-        normal_variation: strip.has_normals().then_some(variation),
-        concave_bending,
-        concave_curvature: concave_curvature * unit,
-    })
 }

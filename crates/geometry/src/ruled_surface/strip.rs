@@ -100,7 +100,7 @@ impl Strip {
         execution: &Execution<'_>,
     ) -> Result<(Statistics, CoupledValues), Error> {
         self.check_path(path)?;
-        let evaluation = evaluate(self, path, Test::new(convexity_tolerance), execution)?;
+        let evaluation = evaluate(self, path, Test::new(convexity_tolerance), Widest::get(), execution)?;
         let mut statistics = evaluation.statistics;
         statistics.normal_variation = evaluation.normal_variation.map(|[one, other]| one.min(other));
         let coupled = CoupledValues {
@@ -147,17 +147,20 @@ impl Strip {
     }
 
     pub(super) fn of_checked(p: Given<'_>, q: Given<'_>, closed: bool) -> Self {
-        let largest =
-            |points: &mut dyn Iterator<Item = DVec3>| points.fold(0.0f64, |m, v| m.max(v.abs().max_element()));
-        let outer = power_of_two_above(largest(&mut p.points.iter().chain(q.points).copied()));
-        let raw = |points: &[DVec3]| points.iter().map(|&v| v / outer).collect::<Vec<_>>();
+        let largest = |sides: [&[DVec3]; 2], from: DVec3| {
+            let reach = |points: &[DVec3]| points.iter().fold(DVec3::ZERO, |reach, &v| reach.max((v - from).abs()));
+            reach(sides[0]).max(reach(sides[1])).max_element()
+        };
+        let outer = power_of_two_above(largest([p.points, q.points], DVec3::ZERO));
+        // Dividing by a power of two is multiplying by its inverse, to the bit.
+        let raw = |points: &[DVec3]| points.iter().map(|&v| v * outer.recip()).collect::<Vec<_>>();
         let (raw_p, raw_q) = (raw(p.points), raw(q.points));
         let centre = raw_p[0];
-        let extent = largest(&mut raw_p.iter().chain(&raw_q).map(|&v| v - centre));
+        let extent = largest([&raw_p, &raw_q], centre);
         let inner = power_of_two_above(extent);
-        let largest_raw = largest(&mut raw_p.iter().chain(&raw_q).copied());
+        let largest_raw = largest([&raw_p, &raw_q], DVec3::ZERO);
         let side = |given: Given<'_>, raw: Vec<DVec3>| {
-            let points: Vec<DVec3> = raw.iter().map(|&v| (v - centre) / inner).collect();
+            let points: Vec<DVec3> = raw.iter().map(|&v| (v - centre) * inner.recip()).collect();
             let tangents = match given.tangents {
                 Some(tangents) => OnceLock::from(tangents.iter().map(|t| unit(*t)).collect::<Vec<_>>()),
                 None => OnceLock::new(),

@@ -32,6 +32,18 @@ impl<V: Lanes> Wing<V> {
         let bound = V::splat(DEGENERATE_SQUARED) * bank_squared * bridge_squared + V::splat(TINY);
         Self { bank, normal, squared, length: squared.sqrt(), sound: bound.less(squared) }
     }
+
+    #[inline(always)]
+    pub(super) fn select(mask: V::Mask, yes: &Self, no: &Self) -> Self {
+        let taken = V::bits(mask);
+        Self {
+            bank: Vector::select(mask, yes.bank, no.bank),
+            normal: Vector::select(mask, yes.normal, no.normal),
+            squared: V::select(mask, yes.squared, no.squared),
+            length: V::select(mask, yes.length, no.length),
+            sound: V::from_bits(taken & V::bits(yes.sound) | !taken & V::bits(no.sound)),
+        }
+    }
 }
 
 /// `minimal_area` (section 3.1): twice the area of the triangle of a bank edge and a bridge that share a point.
