@@ -255,7 +255,8 @@ fn solve_file(config: &Config, request: &PathBuf, output: &PathBuf) -> ExitCode 
     if let Err(message) = written {
         return fail(1, &message);
     }
-    let text = serde_json::to_string_pretty(&solved.statistics).unwrap_or_default();
+    let statistics: serde_json::Value = serde_json::from_str(&solved.statistics).unwrap_or_default();
+    let text = serde_json::to_string_pretty(&statistics).unwrap_or_default();
     match writeln!(std::io::stdout(), "{text}") {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => fail(1, &error.to_string()),

@@ -27,8 +27,9 @@ use express::Waiting;
 use files::{File, Files};
 use memory::MemoryBudget;
 use progress::Running;
+use serde::Deserialize;
 use serde::de::DeserializeOwned;
-use serde_json::Value;
+use serde_json::value::RawValue;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, SemaphorePermit, watch};
@@ -352,12 +353,13 @@ fn view(base: &str, row: &JobRow) -> Result<Job, JobsError> {
     let unreadable = |what: &str| JobsError::Internal(format!("the stored job's {what} cannot be read"));
     let kind = Kind::from_name(&row.kind).ok_or_else(|| unreadable("kind"))?;
     let status = status(row);
-    let statistics: Option<Value> = read(row.statistics.as_deref()).map_err(|()| unreadable("statistics"))?;
+    let statistics = row.statistics.as_deref();
+    let figures: Option<Figures> = read(statistics).map_err(|()| unreadable("statistics"))?;
     let progress: Option<Progress> = read(row.progress.as_deref()).map_err(|()| unreadable("progress"))?;
     let warnings: Vec<JobWarning> = read(Some(&row.warnings)).map_err(|()| unreadable("warnings"))?.unwrap_or_default();
     let error: Option<JobError> = read(row.error.as_deref()).map_err(|()| unreadable("error"))?;
-    let progress = match (status, &statistics) {
-        (Status::Succeeded, Some(statistics)) => finished_progress(statistics),
+    let progress = match (status, figures) {
+        (Status::Succeeded, Some(figures)) => figures.progress(),
         _ => progress.unwrap_or_else(|| Progress { phase: status.name().into(), ..Progress::default() }),
     };
     Ok(Job {
@@ -370,20 +372,31 @@ fn view(base: &str, row: &JobRow) -> Result<Job, JobsError> {
         finished_at: row.finished_at_ms.map(timestamp),
         expires_at: row.expires_at_ms.map(timestamp),
         progress,
-        statistics,
+        // Read above, so it is JSON.
+        statistics: statistics.and_then(|text| RawValue::from_string(text.to_owned()).ok()),
         warnings,
         error,
     })
 }
 
-/// The last word on progress is what the statistics say.
-fn finished_progress(statistics: &Value) -> Progress {
-    Progress {
-        fraction: 1.0,
-        phase: "finished".into(),
-        iteration: statistics["iterations"].as_u64().unwrap_or(0),
-        objective_value: statistics["objective_value"].as_f64(),
-        residual: statistics["residual"].as_f64(),
+/// What statistics of any kind say of the way to the result, where they do.
+#[derive(Debug, Deserialize)]
+struct Figures {
+    iterations: Option<u64>,
+    objective_value: Option<f64>,
+    residual: Option<f64>,
+}
+
+impl Figures {
+    /// The last word on progress.
+    fn progress(&self) -> Progress {
+        Progress {
+            fraction: 1.0,
+            phase: "finished".into(),
+            iteration: self.iterations.unwrap_or(0),
+            objective_value: self.objective_value,
+            residual: self.residual,
+        }
     }
 }
 

@@ -11,6 +11,7 @@ use plateau::store::{
     Artefact, BatchLookup, BatchRow, EventId, Filter, JobRow, Lookup, NewBatch, NewJob, Outcome, Renewed, Status,
     Store, StoreError, StoreOptions, Subject, Submitted, SubmittedBatch,
 };
+use sha2::{Digest, Sha256};
 use tempfile::TempDir;
 
 const LEASE: Duration = Duration::from_secs(60);
@@ -136,6 +137,7 @@ fn success(artefact: &[u8]) -> Outcome {
         statistics: "{\"area\":1.5}".into(),
         warnings: "[{\"code\":\"folds\"}]".into(),
         artefact: artefact.to_vec(),
+        artefact_hash: Sha256::digest(artefact).into(),
         reusable: true,
     }
 }
@@ -498,6 +500,7 @@ async fn a_result_is_not_shared_beyond_owner_version_or_wish(database: Database)
             statistics: "{}".into(),
             warnings: "[]".into(),
             artefact: b"partial".to_vec(),
+            artefact_hash: [7; 32],
             reusable: false,
         };
         store.finish(&claimed.id, claimed.attempt, outcome).await.unwrap();

@@ -238,6 +238,13 @@ impl Archive {
         out.0
     }
 
+    /// The checksum at the end of a stored form: SHA-256 of all before it, so that it names the whole. Zeros for what is too
+    /// short to be one.
+    #[must_use]
+    pub fn checksum(bytes: &[u8]) -> [u8; CHECKSUM_BYTES] {
+        bytes.last_chunk().copied().unwrap_or_default()
+    }
+
     /// Reads the stored form. Safe on any bytes: lengths are checked against what is left before memory is asked for.
     ///
     /// # Errors

@@ -168,7 +168,11 @@ impl Jobs {
             return Err(JobsError::NoMesh(counts.status()));
         }
         let rows = self.0.store.batch_jobs(id).await?;
-        let jobs = rows.into_iter().map(|(index, row)| Ok((index, self.view(&row)?.statistics, row)));
+        let statistics = |row: &JobRow| {
+            let unreadable = |()| JobsError::Internal("the stored job's statistics cannot be read".into());
+            super::read(row.statistics.as_deref()).map_err(unreadable)
+        };
+        let jobs = rows.into_iter().map(|(index, row)| Ok((index, statistics(&row)?, row)));
         let jobs: Vec<(i64, Option<Value>, JobRow)> = jobs.collect::<Result<_, JobsError>>()?;
         let triangles = jobs.iter().filter_map(|(_, statistics, _)| statistics.as_ref()?["triangles"].as_u64()).sum();
         Ok(BatchMeshes { service: self.clone(), id: id.to_owned(), triangles, jobs })

@@ -16,12 +16,12 @@ use plateau_geometry::ruled_surface::{self, FlatPattern};
 use plateau_geometry::uniform_mesh;
 use plateau_geometry::{DVec3, Error, Execution, Mesh, polyline};
 use serde::Serialize;
-use serde_json::Value;
 
 /// A solved request.
 #[derive(Debug)]
 pub struct Solved {
-    pub statistics: Value,
+    /// JSON.
+    pub statistics: String,
     pub warnings: Vec<Warning>,
     pub archive: Archive,
     /// Whether the same request always gives this result (not when a deadline cut it short).
@@ -72,8 +72,8 @@ fn polylines(of: &[Vec<u32>], closed: bool) -> Lines {
 }
 
 /// Statistics as JSON. A figure that is not finite has no JSON form; it would be a solver's defect and becomes null.
-fn to_json(statistics: &impl Serialize) -> Result<Value, Error> {
-    serde_json::to_value(statistics).map_err(|error| Error::no_result("internal", error.to_string()))
+fn to_json(statistics: &impl Serialize) -> Result<String, Error> {
+    serde_json::to_string(statistics).map_err(|error| Error::no_result("internal", error.to_string()))
 }
 
 fn archive(contents: Contents) -> Result<Archive, Error> {
@@ -103,7 +103,7 @@ fn minimal(request: &MinimalSurfaceRequest, exec: &Execution) -> Result<Solved, 
         }),
         line_sets,
         input_vertices: surface.input_vertices,
-        statistics: statistics.to_string(),
+        statistics: statistics.clone(),
         pattern: None,
     })?;
     let reproducible = surface.statistics.stop_reason != StopReason::Deadline;
@@ -127,7 +127,7 @@ fn ruled(request: &RuledSurfaceRequest, exec: &Execution) -> Result<Solved, Erro
             line_set("bridges", Lines::Segments { pairs: surface.bridges, values: None }),
         ],
         input_vertices: surface.input_vertices,
-        statistics: statistics.to_string(),
+        statistics: statistics.clone(),
         pattern,
     })?;
     Ok(Solved { statistics, warnings: surface.warnings, archive, reproducible: true })
@@ -156,7 +156,7 @@ fn uniform(request: &UniformMeshRequest, exec: &Execution) -> Result<Solved, Err
         mesh: solved.mesh,
         mean_curvature: None,
         line_sets,
-        statistics: statistics.to_string(),
+        statistics: statistics.clone(),
         pattern: None,
     })?;
     Ok(Solved { statistics, warnings: solved.warnings, archive, reproducible: solved.converged })

@@ -3,6 +3,7 @@
 use super::Jobs;
 use super::progress::Line;
 use super::solve::{self, Solved};
+use crate::export::Archive;
 use crate::store::{Claimed, Outcome, Renewed};
 use crate::telemetry::metric;
 use crate::wire::job::{JobError, JobWarning};
@@ -281,16 +282,19 @@ fn guarded(solve: impl FnOnce() -> Ended) -> Ended {
 fn outcome(ended: Ended) -> Option<(&'static str, Outcome)> {
     let (kind, title, detail, errors) = match ended {
         Ended::Solved(solved) => {
+            let solved = *solved;
+            let artefact = solved.archive.to_bytes();
             let warnings: Vec<JobWarning> = solved
                 .warnings
                 .iter()
                 .map(|warning| JobWarning { code: warning.code.into(), detail: warning.detail.clone() })
                 .collect();
             let outcome = Outcome::Succeeded {
-                statistics: solved.archive.contents().statistics.clone(),
+                statistics: solved.statistics,
                 // Warnings are strings only.
                 warnings: serde_json::to_string(&warnings).unwrap_or_else(|_| "[]".into()),
-                artefact: solved.archive.to_bytes(),
+                artefact_hash: Archive::checksum(&artefact),
+                artefact,
                 reusable: solved.reproducible,
             };
             return Some(("succeeded", outcome));

@@ -16,7 +16,6 @@ use futures_util::TryStreamExt;
 use object_store::aws::AmazonS3Builder;
 use object_store::path::Path as ObjectPath;
 use object_store::{ObjectStore, ObjectStoreExt, PutPayload, RetryConfig};
-use sha2::{Digest, Sha256};
 
 use super::engine::Result;
 use super::{Store, StoreError};
@@ -193,9 +192,8 @@ async fn blocking<T: Send + 'static>(work: impl FnOnce() -> io::Result<T> + Send
 }
 
 impl Store {
-    /// Hashes a result and, if it is large, writes its file.
-    pub(super) async fn prepare(&self, id: &str, attempt: i64, bytes: &[u8]) -> Result<Prepared> {
-        let hash = Sha256::digest(bytes).into();
+    /// Writes a result's file, if it is large.
+    pub(super) async fn prepare(&self, id: &str, attempt: i64, bytes: &[u8], hash: [u8; 32]) -> Result<Prepared> {
         let file = match &self.inner.files {
             Some(files) if bytes.len() > self.inner.options.inline_bytes => {
                 let file = format!("{id}-{attempt}");

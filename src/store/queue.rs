@@ -94,6 +94,8 @@ pub enum Outcome {
         statistics: String,
         warnings: String,
         artefact: Vec<u8>,
+        /// Names the artefact: equal for equal bytes only.
+        artefact_hash: [u8; 32],
         /// True if the same request always gives this result, so that later jobs may share it.
         reusable: bool,
     },
@@ -215,7 +217,9 @@ impl Store {
     /// end are one write, visible together.
     pub async fn submit_ended(&self, job: NewJob, outcome: Outcome, begun: Begun) -> Result<Submitted> {
         let result = match &outcome {
-            Outcome::Succeeded { artefact, .. } => Some(self.prepare(&job.id, 1, artefact).await?),
+            Outcome::Succeeded { artefact, artefact_hash, .. } => {
+                Some(self.prepare(&job.id, 1, artefact, *artefact_hash).await?)
+            }
             Outcome::Failed { .. } | Outcome::Cancelled => None,
         };
         let file = result.as_ref().and_then(|result| result.file.clone());
@@ -331,7 +335,9 @@ impl Store {
         let key: Vec<Value> = vec![id.into(), retention.into(), attempt.into()];
         // Hashed and written here, so that the one writer of SQLite need not wait for it.
         let result = match &outcome {
-            Outcome::Succeeded { artefact, .. } => Some(self.prepare(id, attempt, artefact).await?),
+            Outcome::Succeeded { artefact, artefact_hash, .. } => {
+                Some(self.prepare(id, attempt, artefact, *artefact_hash).await?)
+            }
             Outcome::Failed { .. } | Outcome::Cancelled => None,
         };
         let file = result.as_ref().and_then(|result| result.file.clone());

@@ -4,7 +4,7 @@ use super::{FieldError, Kind};
 use schemars::JsonSchema;
 use schemars::generate::SchemaGenerator;
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde_json::value::RawValue;
 
 /// Where a job stands. `succeeded`, `failed` and `cancelled` are final.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -118,7 +118,7 @@ pub struct Job {
     pub progress: Progress,
     /// Null until the job has succeeded; its fields depend on the kind.
     #[schemars(schema_with = "statistics_schema")]
-    pub statistics: Option<Value>,
+    pub statistics: Option<Box<RawValue>>,
     pub warnings: Vec<JobWarning>,
     /// Null unless the job has failed.
     pub error: Option<JobError>,
