@@ -24,7 +24,7 @@ pub mod svg;
 pub mod zip;
 
 pub use archive::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Polyline, SegmentValues, Unit, UpAxis};
-pub use pattern::{Fold, Pattern, Piece};
+pub use pattern::{Flat, Fold, Pattern, Piece};
 
 /// What a mesh can be downloaded as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -117,10 +117,10 @@ impl PatternFormat {
     /// The flat pattern in this format; `None` if the archive has none (only open ruled strips do).
     #[must_use]
     pub fn encode(self, archive: &Archive) -> Option<Vec<u8>> {
-        let pattern = archive.contents().pattern.as_ref()?;
+        let pattern = archive.contents().flat_pattern()?;
         Some(match self {
-            Self::Svg => svg::to_svg(pattern, archive.contents()),
-            Self::Dxf => dxf::to_dxf(pattern, archive.contents()),
+            Self::Svg => svg::to_svg(&pattern, archive.contents()),
+            Self::Dxf => dxf::to_dxf(&pattern, archive.contents()),
         })
     }
 }

@@ -3,7 +3,7 @@
 #[path = "export/sample.rs"]
 mod sample;
 
-use plateau::export::{Archive, Contents, Defect, Fold, LineSet, Lines, MeanCurvature, Pattern, Piece, Polyline};
+use plateau::export::{Archive, Contents, Defect, Flat, Fold, LineSet, Lines, MeanCurvature, Pattern, Piece, Polyline};
 use plateau_geometry::{DVec2, DVec3};
 use proptest::prelude::*;
 use sha2::{Digest, Sha256};
@@ -47,9 +47,68 @@ fn coordinates_keep_every_bit() {
 #[test]
 fn every_version_is_frozen() {
     assert_eq!(Archive::from_bytes(include_bytes!("export/archive-v1.bin")), Ok(sample::full()));
-    let current = include_bytes!("export/archive-v2.bin");
+    assert_eq!(Archive::from_bytes(include_bytes!("export/archive-v2.bin")), Ok(sample::full()));
+    let current = include_bytes!("export/archive-v3.bin");
     assert_eq!(Archive::from_bytes(current), Ok(sample::full()));
     assert!(sample::full().to_bytes() == current);
+    let strip = include_bytes!("export/archive-v3-strip.bin");
+    assert_eq!(Archive::from_bytes(strip), Archive::new(sample::strip()));
+    assert!(Archive::new(sample::strip()).unwrap().to_bytes() == strip);
+}
+
+#[test]
+fn a_strip_unrolls_from_its_bridges() {
+    let contents = sample::strip();
+    let pattern = contents.flat_pattern().unwrap().into_owned();
+    let [piece] = pattern.pieces.as_slice() else { panic!("one strip") };
+    let (outline, folds) = (&piece.outline, &piece.folds);
+    assert_eq!((piece.name.as_str(), outline.len(), folds.len()), ("strip 1", 5, 2));
+    // The outline runs along the first directrix and back along the second; all edges keep their lengths.
+    let solid = [0, 1, 2, 4, 3].map(|k: usize| contents.mesh.vertices[k]);
+    for k in 0..5 {
+        let (flat, true_length) = (outline[k].distance(outline[(k + 1) % 5]), solid[k].distance(solid[(k + 1) % 5]));
+        assert!((flat - true_length).abs() < 1e-12);
+    }
+    assert_eq!(
+        folds.iter().map(|fold| fold.ends).collect::<Vec<_>>(),
+        [[outline[1], outline[4]], [outline[1], outline[3]]]
+    );
+    // The middle triangle dips below the first: a ridge; wound the other way round it is a valley.
+    assert!(folds[0].angle_deg > 1.0, "{}", folds[0].angle_deg);
+    let mut back = contents.clone();
+    back.mesh.triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));
+    let other = back.flat_pattern().unwrap().into_owned();
+    assert_eq!(other.pieces[0].folds[0].angle_deg, -folds[0].angle_deg);
+    // Version 2 knew no such pattern.
+    let mut bytes = body(&Archive::new(contents).unwrap());
+    bytes[8] = 2;
+    assert!(matches!(Archive::from_bytes(&signed(bytes)), Err(Defect::Bytes { what: "unknown kind of pattern", .. })));
+}
+
+#[test]
+fn bridges_that_do_not_unroll_the_mesh_are_refused() {
+    let with = |pairs: &[[u32; 2]]| {
+        let mut contents = sample::strip();
+        contents.line_sets[0].lines = Lines::Segments { pairs: pairs.to_vec(), values: None };
+        Archive::new(contents)
+    };
+    assert!(with(&[[0, 3], [1, 3], [1, 4], [2, 4]]).is_ok());
+    for pairs in [
+        [].as_slice(),
+        &[[0, 3]],
+        &[[0, 3], [1, 3], [1, 4]],
+        &[[0, 3], [1, 3], [1, 3], [1, 4]],
+        &[[0, 3], [1, 3], [1, 4], [2, 4], [0, 1]],
+        &[[0, 3], [1, 3], [1, 4], [2, 4], [2, 3]],
+    ] {
+        assert!(matches!(with(pairs), Err(Defect::Contents(what)) if what.contains("bridges")), "{pairs:?}");
+    }
+    let mut far = sample::strip();
+    far.mesh.vertices[2].x = 1e60;
+    assert!(Archive::new(far).is_err());
+    let mut none = sample::strip();
+    none.line_sets.clear();
+    assert!(Archive::new(none).is_err());
 }
 
 #[test]
@@ -62,7 +121,7 @@ fn folds_along_the_outline_take_few_bytes_and_others_come_back_too() {
         let folds = (0..40).map(|k| Fold { ends: ends(k), angle_deg: 1.0 }).collect();
         let mut contents = sample::roof(1.0, DVec3::ZERO);
         contents.pattern =
-            Some(Pattern { pieces: vec![Piece { name: "strip".into(), outline: outline.clone(), folds }] });
+            Flat::Kept(Pattern { pieces: vec![Piece { name: "strip".into(), outline: outline.clone(), folds }] });
         let archive = Archive::new(contents).unwrap();
         let bytes = archive.to_bytes();
         assert_eq!(Archive::from_bytes(&bytes), Ok(archive));
@@ -82,8 +141,8 @@ fn foreign_newer_cut_and_changed_files_are_told_apart() {
     assert_eq!(Archive::from_bytes(b""), Err(Defect::Magic));
     assert_eq!(Archive::from_bytes(b"glTF and so on"), Err(Defect::Magic));
     let mut newer = bytes.clone();
-    newer[8] = 3;
-    assert_eq!(Archive::from_bytes(&newer), Err(Defect::Version(3)));
+    newer[8] = 4;
+    assert_eq!(Archive::from_bytes(&newer), Err(Defect::Version(4)));
     for length in 12..bytes.len() {
         assert_eq!(Archive::from_bytes(&bytes[..length]), Err(Defect::Checksum), "cut to {length} bytes");
     }
@@ -149,7 +208,7 @@ fn unsound_contents_are_refused_by_name() {
 proptest! {
     /// Any bytes behind a right start and checksum: an archive that comes back from what it is written as, or a refusal.
     #[test]
-    fn any_payload_is_read_or_refused(version in 1..=2u8, payload in prop::collection::vec(any::<u8>(), 0..400)) {
+    fn any_payload_is_read_or_refused(version in 1..=3u8, payload in prop::collection::vec(any::<u8>(), 0..400)) {
         let body = [b"\x89PLATEAU".as_slice(), &[version, 0, 0, 0], &payload].concat();
         if let Ok(archive) = Archive::from_bytes(&signed(body)) {
             prop_assert_eq!(Archive::from_bytes(&archive.to_bytes()), Ok(archive));
@@ -159,16 +218,21 @@ proptest! {
     /// A real archive with a few bytes overwritten gets further into the reader than noise does.
     #[test]
     fn any_change_is_read_or_refused(
-        first in any::<bool>(),
+        which in 0..3,
         changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
     ) {
-        let mut body = if first { include_bytes!("export/archive-v1.bin").to_vec() } else { sample::full().to_bytes() };
+        let mut body = match which {
+            0 => include_bytes!("export/archive-v1.bin").to_vec(),
+            1 => Archive::new(sample::strip()).unwrap().to_bytes(),
+            _ => sample::full().to_bytes(),
+        };
         body.truncate(body.len() - 32);
         for (at, value) in changes {
             let at = 12 + at.index(body.len() - 12);
             body[at] = value;
         }
         if let Ok(archive) = Archive::from_bytes(&signed(body)) {
+            prop_assert!(archive.contents().flat_pattern().is_none_or(|pattern| pattern.pieces.len() < 1 << 20));
             prop_assert_eq!(Archive::from_bytes(&archive.to_bytes()), Ok(archive));
         }
     }

@@ -1,6 +1,6 @@
 //! The stored artefact: one mesh in f64 with everything that the download formats need.
 //!
-//! # Bytes, version 2
+//! # Bytes, version 3
 //! All numbers are little endian. Counts and indices are LEB128 numbers; a list of indices is its count, then each index as
 //! the zigzag difference from the one before it (from 0 at first; in a list of groups, from the same place in the group
 //! before). Strings and other lists carry their count first; an option is a byte 0 or 1.
@@ -12,20 +12,22 @@
 //!          line sets: list (name, group: string · 0: list of polylines (closed u8 · list of indices)
 //!                                               | 1: list of 2 indices · option (name, unit: string · one f64 per segment))
 //!          input vertices: list of lists of indices · statistics: string (JSON)
-//!          pattern: option (list of pieces (name: string · outline: list of 2 f64 · folds: list (2 ends · angle_deg f64)))
+//!          pattern: 0: none | 1: list of pieces (name: string · outline: list of 2 f64 · folds: list (2 ends · angle_deg f64))
+//!                   | 2: unrolled from the bridges when it is wanted
 //! end of a fold: a number: 0, then 2 f64 | 1 + the difference between the index of the outline's point that it is and that of
 //!          the fold before: upwards from the first point for the first end, downwards from the last for the second
 //! ```
-//! In version 1 counts and indices are u32, indices stand for themselves, and an end of a fold is 2 f64. The same contents always
+//! In version 2 a pattern was written out always. In version 1 counts and indices are u32, indices stand for themselves, and an end of a fold is 2 f64. The same contents always
 //! give the same bytes. A later version reads every earlier one.
 
+use plateau_geometry::polyline::LARGEST_COORDINATE;
 use plateau_geometry::{DVec2, DVec3, Mesh};
 use sha2::{Digest, Sha256};
 
-use super::pattern::{Fold, Pattern, Piece};
+use super::pattern::{self, Flat, Fold, Pattern, Piece};
 
 const MAGIC: &[u8; 8] = b"\x89PLATEAU";
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 const CHECKSUM_BYTES: usize = 32;
 
 /// The client's unit of length.
@@ -175,7 +177,7 @@ pub struct Contents {
     pub input_vertices: Vec<Vec<u32>>,
     /// The job's statistics: a JSON value, carried and not looked into.
     pub statistics: String,
-    pub pattern: Option<Pattern>,
+    pub pattern: Flat,
 }
 
 /// [`Contents`] that were found sound: indices in range, numbers finite, lists of matching length. The formats rely on it.
@@ -232,7 +234,14 @@ impl Archive {
         out.list(&contents.line_sets, Writer::line_set);
         out.list(&contents.input_vertices, |out, vertices| out.indices(vertices));
         out.string(&contents.statistics);
-        out.option(contents.pattern.as_ref(), |out, pattern| out.list(&pattern.pieces, Writer::piece));
+        match &contents.pattern {
+            Flat::None => out.u8(0),
+            Flat::Kept(pattern) => {
+                out.u8(1);
+                out.list(&pattern.pieces, Writer::piece);
+            }
+            Flat::OfBridges => out.u8(2),
+        }
         let checksum = Sha256::digest(&out.0);
         out.0.extend_from_slice(&checksum);
         out.0
@@ -314,13 +323,31 @@ fn check(contents: &Contents) -> Result<(), &'static str> {
     }
     ensure(contents.input_vertices.iter().flatten().all(exists), "an input point's vertex does not exist")?;
     ensure(serde_json::from_str::<serde::de::IgnoredAny>(&contents.statistics).is_ok(), "the statistics are not JSON")?;
-    for piece in contents.pattern.iter().flat_map(|pattern| &pattern.pieces) {
+    let kept: &[Piece] = match &contents.pattern {
+        Flat::None => &[],
+        Flat::Kept(pattern) => &pattern.pieces,
+        Flat::OfBridges => {
+            ensure(unrolls(contents), "the bridges are not those of the mesh's strips")?;
+            &[]
+        }
+    };
+    for piece in kept {
         ensure(piece.outline.len() >= 3, "a pattern piece of fewer than three points")?;
         let finite = piece.outline.iter().all(|p| p.is_finite())
             && piece.folds.iter().all(|f| f.ends.iter().all(|p| p.is_finite()) && f.angle_deg.abs() <= 180.0);
         ensure(finite, "a pattern's coordinate is not finite")?;
     }
     Ok(())
+}
+
+/// Whether the mesh is what its bridges say it is, as far as unrolling relies on it.
+fn unrolls(contents: &Contents) -> bool {
+    let Some(bridges) = pattern::bridges(contents) else { return false };
+    let steps = |strip: &[[u32; 2]]| strip.windows(2).all(|pair| pair[0] != pair[1]);
+    let triangles = pattern::strips(bridges).map(|strip| strip.len() - 1).sum::<usize>();
+    triangles == contents.mesh.triangles.len()
+        && pattern::strips(bridges).all(|strip| strip.len() > 1 && steps(strip))
+        && contents.mesh.vertices.iter().all(|v| v.abs().max_element() <= LARGEST_COORDINATE)
 }
 
 struct Writer(Vec<u8>);
@@ -594,7 +621,12 @@ impl Reader<'_> {
             line_sets: self.list(4, Self::line_set)?,
             input_vertices: self.list(1, Self::indices)?,
             statistics: self.string()?,
-            pattern: self.option(|input| Ok(Pattern { pieces: input.list(3, Self::piece)? }))?,
+            pattern: match self.u8()? {
+                0 => Flat::None,
+                1 => Flat::Kept(Pattern { pieces: self.list(3, Self::piece)? }),
+                2 if self.version > 2 => Flat::OfBridges,
+                _ => return Err(self.fault("unknown kind of pattern")),
+            },
         })
     }
 

@@ -3,7 +3,13 @@
 //! A strip of triangles unrolls isometrically, so each strip is one [`Piece`] in a plane of its own. The files show all
 //! pieces on one sheet ([`Pattern::sheet`]): each in its own box, the boxes below one another.
 
-use plateau_geometry::DVec2;
+use std::borrow::Cow;
+
+use plateau_geometry::mesh::measure::double_area_vector;
+use plateau_geometry::ruled_surface::FlatPattern;
+use plateau_geometry::{DVec2, DVec3, Execution, Mesh};
+
+use super::archive::{Contents, Lines};
 
 /// Every strip of a ruled surface, unrolled. Coordinates are in the client's unit.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -57,6 +63,77 @@ impl Piece {
         let points = self.outline.iter().copied().chain(self.folds.iter().flat_map(|fold| fold.ends));
         points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), point| (low.min(point), high.max(point)))
     }
+}
+
+/// Where an archive's flat pattern comes from.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Flat {
+    /// There is none.
+    #[default]
+    None,
+    /// It is kept, as archives of versions 1 and 2 do.
+    Kept(Pattern),
+    /// It is unrolled when it is wanted: the line set [`BRIDGES`] has the strips' bridges, first to last, and the mesh
+    /// their triangles in the same order.
+    OfBridges,
+}
+
+/// The line set that says how an open ruled surface unrolls.
+pub const BRIDGES: &str = "bridges";
+
+/// The bridges of a ruled surface.
+pub(super) fn bridges(contents: &Contents) -> Option<&[[u32; 2]]> {
+    contents.line_sets.iter().find(|set| set.name == BRIDGES).and_then(|set| match &set.lines {
+        Lines::Segments { pairs, .. } => Some(pairs.as_slice()),
+        Lines::Polylines(_) => None,
+    })
+}
+
+/// Strip by strip; within a strip one end stays from each bridge to the next.
+pub(super) fn strips(bridges: &[[u32; 2]]) -> impl Iterator<Item = &[[u32; 2]]> {
+    bridges.chunk_by(|[p, q], [next, other]| p == next || q == other)
+}
+
+impl Contents {
+    /// The flat pattern, if there is one.
+    #[must_use]
+    pub fn flat_pattern(&self) -> Option<Cow<'_, Pattern>> {
+        match &self.pattern {
+            Flat::None => None,
+            Flat::Kept(pattern) => Some(Cow::Borrowed(pattern)),
+            Flat::OfBridges => {
+                // An archive's bridges were found to be those of strips.
+                let flat = FlatPattern::of_bridges(&self.mesh.vertices, bridges(self)?, &Execution::default()).ok()?;
+                Some(Cow::Owned(unrolled(&flat, &self.mesh)))
+            }
+        }
+    }
+}
+
+/// The flat strips as pieces to cut and fold. The mesh's triangles are in the order of the strips' own.
+fn unrolled(flat: &FlatPattern, mesh: &Mesh) -> Pattern {
+    let mut first = 0;
+    let pieces = flat.strips.iter().enumerate().map(|(number, strip)| {
+        let triangles = &mesh.triangles[first..first + strip.triangles.len()];
+        first += strip.triangles.len();
+        let normals: Vec<DVec3> =
+            triangles.iter().map(|&triangle| double_area_vector(mesh.corners(triangle))).collect();
+        let inner = strip.bridges.get(1..strip.bridges.len().saturating_sub(1)).unwrap_or_default();
+        let folds = inner.iter().enumerate().map(|(k, &[i, j])| Fold {
+            ends: [strip.p[i as usize], strip.q[j as usize]],
+            angle_deg: fold_angle(mesh, [triangles[k], triangles[k + 1]], [normals[k], normals[k + 1]]).to_degrees(),
+        });
+        Piece { name: format!("strip {}", number + 1), outline: strip.outline(), folds: folds.collect() }
+    });
+    Pattern { pieces: pieces.collect() }
+}
+
+/// The angle between two neighbouring triangles' normals, positive at a ridge seen from the side that they point to.
+fn fold_angle(mesh: &Mesh, [left, right]: [[u32; 3]; 2], normals: [DVec3; 2]) -> f64 {
+    let angle = normals[0].cross(normals[1]).length().atan2(normals[0].dot(normals[1]));
+    let beyond = right.into_iter().find(|vertex| !left.contains(vertex)).unwrap_or(right[0]);
+    let height = normals[0].dot(mesh.vertices[beyond as usize] - mesh.vertices[left[0] as usize]);
+    if height > 0.0 { -angle } else { angle }
 }
 
 /// All pieces laid out: the lower left corner is the origin, y points up.

@@ -1,20 +1,18 @@
 //! Request -> geometry -> artefact: the one place where a solver is called for a job or for the command line.
 
 use crate::export::archive::Contents;
-use crate::export::{
-    Archive, Fold, LineSet, Lines, MeanCurvature, Pattern, Piece, Polyline, SegmentValues, Unit, UpAxis as ExportUp,
-};
+use crate::export::pattern::BRIDGES;
+use crate::export::{Archive, Flat, LineSet, Lines, MeanCurvature, Polyline, SegmentValues, Unit, UpAxis as ExportUp};
 use crate::wire::Request;
 use crate::wire::common::{Units, UpAxis};
 use crate::wire::minimal_surface::{MinimalStatistics, MinimalSurfaceRequest};
 use crate::wire::ruled_surface::{RuledStatistics, RuledSurfaceRequest};
 use crate::wire::uniform_mesh::{UniformMeshRequest, UniformStatistics};
 use plateau_geometry::error::Warning;
-use plateau_geometry::mesh::measure::double_area_vector;
 use plateau_geometry::minimal_surface::{self, StopReason};
-use plateau_geometry::ruled_surface::{self, FlatPattern};
+use plateau_geometry::ruled_surface;
 use plateau_geometry::uniform_mesh;
-use plateau_geometry::{DVec3, Error, Execution, Mesh, polyline};
+use plateau_geometry::{DVec3, Error, Execution, polyline};
 use serde::Serialize;
 
 /// A solved request.
@@ -104,7 +102,7 @@ fn minimal(request: &MinimalSurfaceRequest, exec: &Execution) -> Result<Solved, 
         line_sets,
         input_vertices: surface.input_vertices,
         statistics: statistics.clone(),
-        pattern: None,
+        pattern: Flat::None,
     })?;
     let reproducible = surface.statistics.stop_reason != StopReason::Deadline;
     Ok(Solved { statistics, warnings: surface.warnings, archive, reproducible })
@@ -114,7 +112,7 @@ fn ruled(request: &RuledSurfaceRequest, exec: &Execution) -> Result<Solved, Erro
     let (directrices, options) = request.to_geometry();
     let surface = ruled_surface::solve(&directrices, &options, exec)?;
     let statistics = to_json(&RuledStatistics::of(&surface, &options))?;
-    let pattern = surface.flat_pattern.as_ref().map(|flat| pattern(flat, &surface.mesh));
+    let pattern = if surface.flat_pattern.is_some() { Flat::OfBridges } else { Flat::None };
     let archive = archive(Contents {
         generator: generator(),
         title: "ruled surface".into(),
@@ -124,7 +122,7 @@ fn ruled(request: &RuledSurfaceRequest, exec: &Execution) -> Result<Solved, Erro
         mean_curvature: None,
         line_sets: vec![
             line_set("directrices", polylines(&surface.directrices, options.closed)),
-            line_set("bridges", Lines::Segments { pairs: surface.bridges, values: None }),
+            line_set(BRIDGES, Lines::Segments { pairs: surface.bridges, values: None }),
         ],
         input_vertices: surface.input_vertices,
         statistics: statistics.clone(),
@@ -157,33 +155,7 @@ fn uniform(request: &UniformMeshRequest, exec: &Execution) -> Result<Solved, Err
         mean_curvature: None,
         line_sets,
         statistics: statistics.clone(),
-        pattern: None,
+        pattern: Flat::None,
     })?;
     Ok(Solved { statistics, warnings: solved.warnings, archive, reproducible: solved.converged })
-}
-
-/// The flat strips as pieces to cut and fold. The mesh's triangles are in the order of the strips' own.
-fn pattern(flat: &FlatPattern, mesh: &Mesh) -> Pattern {
-    let mut first = 0;
-    let pieces = flat.strips.iter().enumerate().map(|(number, strip)| {
-        let triangles = &mesh.triangles[first..first + strip.triangles.len()];
-        first += strip.triangles.len();
-        let normals: Vec<DVec3> =
-            triangles.iter().map(|&triangle| double_area_vector(mesh.corners(triangle))).collect();
-        let inner = strip.bridges.get(1..strip.bridges.len().saturating_sub(1)).unwrap_or_default();
-        let folds = inner.iter().enumerate().map(|(k, &[i, j])| Fold {
-            ends: [strip.p[i as usize], strip.q[j as usize]],
-            angle_deg: fold_angle(mesh, [triangles[k], triangles[k + 1]], [normals[k], normals[k + 1]]).to_degrees(),
-        });
-        Piece { name: format!("strip {}", number + 1), outline: strip.outline(), folds: folds.collect() }
-    });
-    Pattern { pieces: pieces.collect() }
-}
-
-/// The angle between two neighbouring triangles' normals, positive at a ridge seen from the side that they point to.
-fn fold_angle(mesh: &Mesh, [left, right]: [[u32; 3]; 2], normals: [DVec3; 2]) -> f64 {
-    let angle = normals[0].cross(normals[1]).length().atan2(normals[0].dot(normals[1]));
-    let beyond = right.into_iter().find(|vertex| !left.contains(vertex)).unwrap_or(right[0]);
-    let height = normals[0].dot(mesh.vertices[beyond as usize] - mesh.vertices[left[0] as usize]);
-    if height > 0.0 { -angle } else { angle }
 }

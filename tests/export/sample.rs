@@ -1,7 +1,7 @@
 //! Archives for the export tests: everything that one can hold, at any place and size.
 
 use plateau::export::{
-    Archive, Contents, Fold, LineSet, Lines, MeanCurvature, Pattern, Piece, Polyline, SegmentValues, Unit, UpAxis,
+    Archive, Contents, Flat, Fold, LineSet, Lines, MeanCurvature, Pattern, Piece, Polyline, SegmentValues, Unit, UpAxis,
 };
 use plateau_geometry::{DVec2, DVec3, Mesh};
 
@@ -17,6 +17,27 @@ pub fn roof(scale: f64, offset: DVec3) -> Contents {
         mesh: Mesh::new(vertices, vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]),
         input_vertices: vec![vec![0, 1, 1, 2, 3]],
         statistics: r#"{"area":1.25,"converged":true}"#.into(),
+        ..Contents::default()
+    }
+}
+
+/// A strip of three triangles, which unrolls.
+#[allow(dead_code, reason = "not every test that takes samples unrolls one")]
+pub fn strip() -> Contents {
+    let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.5], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [2.0, 1.5, 0.25]];
+    let segments = |pairs: &[[u32; 2]]| Lines::Segments { pairs: pairs.to_vec(), values: None };
+    Contents {
+        generator: "plateau test".into(),
+        title: "strip".into(),
+        mesh: Mesh::new(points.map(DVec3::from_array).to_vec(), vec![[0, 1, 3], [1, 4, 3], [1, 2, 4]]),
+        input_vertices: vec![vec![0, 1, 2], vec![3, 4]],
+        line_sets: vec![LineSet {
+            name: "bridges".into(),
+            group: String::new(),
+            lines: segments(&[[0, 3], [1, 3], [1, 4], [2, 4]]),
+        }],
+        statistics: "{}".into(),
+        pattern: Flat::OfBridges,
         ..Contents::default()
     }
 }
@@ -51,7 +72,7 @@ pub fn full() -> Archive {
     let fold = |x: f64, angle_deg: f64| Fold { ends: [DVec2::new(x, 0.0), DVec2::new(x, 100.0)], angle_deg };
     let rectangle =
         |width: f64| [[0.0, 0.0], [width, 0.0], [width, 100.0], [0.0, 100.0]].map(DVec2::from_array).to_vec();
-    contents.pattern = Some(Pattern {
+    contents.pattern = Flat::Kept(Pattern {
         pieces: vec![
             Piece {
                 name: "strip 1".into(),

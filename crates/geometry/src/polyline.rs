@@ -3,7 +3,7 @@
 use crate::DVec3;
 
 /// Coordinates beyond this could overflow where six lengths are multiplied, as in the square of an area times a length.
-pub(crate) const LARGEST_COORDINATE: f64 = 1e50;
+pub const LARGEST_COORDINATE: f64 = 1e50;
 
 /// A polyline without equal neighbours, and where each input point went.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 mod ruled;
 
 use plateau_geometry::ruled_surface::{
-    Caps, Direction, Objective, Options, RuledSurface, Sampling, Secondary, Weights, estimate, solve,
+    Caps, Direction, FlatPattern, Objective, Options, RuledSurface, Sampling, Secondary, Weights, estimate, solve,
 };
 use plateau_geometry::{DVec3, Error, Execution, Interruption, Signal};
 use proptest::prelude::*;
@@ -320,6 +320,31 @@ fn unrolling_keeps_lengths_and_sees_overlaps() {
                 assert!((flat(a).distance(flat(b)) - true_length).abs() <= 1e-12 * longest.max(true_length));
             }
         }
+    }
+}
+
+#[test]
+fn bridges_alone_give_the_same_flat_pattern() {
+    let mut random = Random(22);
+    let mut seen = 0;
+    for k in 0..120 {
+        let (one, other) = (
+            random_case(&mut random, STYLES[k % STYLES.len()], false, 30),
+            random_case(&mut random, STYLES[(k + 1) % STYLES.len()], false, 20),
+        );
+        let apex = vec![one.p[0] + DVec3::new(0.3, -2.0, 0.7)];
+        let stack = if k % 3 == 0 { vec![apex, one.p, one.q] } else { vec![one.p, one.q, other.q] };
+        let direction = if k % 2 == 0 { Direction::Auto } else { Direction::AsGiven };
+        let options = Options { direction, ..Options::default() };
+        let Ok(surface) = solve(&stack, &options, &Execution::default()) else { continue };
+        let again = FlatPattern::of_bridges(&surface.mesh.vertices, &surface.bridges, &Execution::default());
+        assert_eq!(again.as_ref(), Ok(surface.flat_pattern.as_ref().unwrap()));
+        seen += 1;
+    }
+    assert!(seen > 60, "{seen}");
+    let points = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::new(1.0, 1.0, 0.5)];
+    for bridges in [[[0, 2], [0, 2]], [[0, 2], [1, 4]], [[0, 2], [1, 3]]] {
+        assert!(matches!(FlatPattern::of_bridges(&points, &bridges, &Execution::default()), Err(Error::Input(_))));
     }
 }
 

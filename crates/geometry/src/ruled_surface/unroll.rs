@@ -1,7 +1,8 @@
 //! Isometric unrolling: a strip is a chain of triangles, so it flattens without changing an edge length.
 
+use super::prepare::triangles_of;
 use super::strip::Strip;
-use crate::error::Error;
+use crate::error::{Error, Place};
 use crate::execution::Execution;
 use crate::{DVec2, DVec3};
 
@@ -51,6 +52,36 @@ impl FlatPattern {
             height: strips.iter().map(|strip| strip.height).sum(),
             strips,
         }
+    }
+
+    /// The flat pattern of the open surface that these bridges span: pairs of `vertices`, first to last, one strip after
+    /// another, as [`solve`](super::solve) gives them, and the same pattern to the bit.
+    ///
+    /// # Errors
+    /// [`Error::Input`] at `bridges` if they are not those of strips, at `directrices` for what [`Strip::new`] refuses;
+    /// [`Error::Interrupted`].
+    pub fn of_bridges(vertices: &[DVec3], bridges: &[[u32; 2]], execution: &Execution<'_>) -> Result<Self, Error> {
+        let refuse = |detail: &str| Error::input(Place::field("bridges"), detail);
+        if bridges.iter().flatten().any(|&vertex| vertex as usize >= vertices.len()) {
+            return Err(refuse("must name vertices"));
+        }
+        let mut strips = Vec::new();
+        // Within a strip one end stays.
+        for bridges in bridges.chunk_by(|[p, q], [next, other]| p == next || q == other) {
+            let mut path = vec![[0, 0]];
+            let (mut p, mut q) = (vec![vertices[bridges[0][0] as usize]], vec![vertices[bridges[0][1] as usize]]);
+            for pair in bridges.windows(2) {
+                match (pair[0][0] == pair[1][0], pair[0][1] == pair[1][1]) {
+                    (false, true) => p.push(vertices[pair[1][0] as usize]),
+                    (true, false) => q.push(vertices[pair[1][1] as usize]),
+                    _ => return Err(refuse("must not repeat a bridge")),
+                }
+                path.push([(p.len() - 1) as u32, (q.len() - 1) as u32]);
+            }
+            let strip = Strip::new(p.as_slice().into(), q.as_slice().into(), false)?;
+            strips.push(unroll(&strip, &path, &triangles_of(&strip, &path), execution)?);
+        }
+        Ok(Self::of(strips))
     }
 }
 
