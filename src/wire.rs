@@ -6,6 +6,7 @@
 //! asked of the geometry's own checks. Nothing but this module knows both wire names and geometry types.
 
 pub mod batch;
+pub mod body;
 pub mod common;
 pub mod job;
 pub mod json;
@@ -16,6 +17,7 @@ pub mod schema;
 pub mod uniform_mesh;
 
 use crate::config::LimitsConfig;
+use body::{Body, PointList};
 use plateau_geometry::{Error as GeometryError, InputError};
 use serde_json::Value;
 
@@ -107,6 +109,16 @@ impl Kind {
         Self::ALL.into_iter().find(|kind| kind.name() == name)
     }
 
+    /// The fields of its requests that are lists of polylines.
+    #[must_use]
+    pub fn point_fields(self) -> &'static [&'static str] {
+        match self {
+            Self::RuledSurface => &["directrices", "normals", "tangents"],
+            Self::MinimalSurface => &["boundaries"],
+            Self::UniformMesh => &[],
+        }
+    }
+
     /// The path that takes requests of this kind.
     #[must_use]
     pub fn path(self) -> &'static str {
@@ -142,11 +154,17 @@ impl Request {
     ///
     /// # Errors
     /// The first stage that fails reports all it found, at most [`MAX_ERRORS`] and one more (so that a reader knows that some were left out).
-    pub fn read(kind: Kind, body: &[u8], limits: &LimitsConfig) -> Result<(Self, Value), Rejection> {
+    pub fn read(kind: Kind, body: &[u8], limits: &LimitsConfig) -> Result<(Self, Body), Rejection> {
         refuse_too_many_values(body, limits)?;
+        // The quick way takes what is right, and knows nothing of what is wrong.
+        if let Some(body) = Body::read(body, kind.point_fields())
+            && let Ok(request) = Self::of(kind, body.outline(), body.lists(), limits)
+        {
+            return Ok((request, body));
+        }
         let value = json::parse(body)?;
         let request = Self::from_value(kind, &value, limits)?;
-        Ok((request, value))
+        Ok((request, value.into()))
     }
 
     /// Reads a body that names its kind itself, as `plateau solve` takes it.
@@ -165,8 +183,14 @@ impl Request {
     /// # Errors
     /// As [`Request::read`].
     pub fn from_value(kind: Kind, value: &Value, limits: &LimitsConfig) -> Result<Self, Rejection> {
-        schema::validate(kind, value)?;
-        let request = Self::checked(kind, value, limits).map_err(|rejection| rejection.placed_in(value))?;
+        Self::of(kind, value, &[], limits)
+    }
+
+    /// A request from a body's outline and the lists beside it.
+    fn of(kind: Kind, outline: &Value, lists: &[PointList], limits: &LimitsConfig) -> Result<Self, Rejection> {
+        schema::validate(kind, outline)?;
+        let checked = Self::checked(kind, outline, lists, limits);
+        let request = checked.map_err(|rejection| rejection.placed_in(outline))?;
         if request.memory_bytes() > limits.memory_bytes {
             let (needed, most) = (request.memory_bytes() >> 20, limits.memory_bytes >> 20);
             let detail = format!("needs about {needed} MiB to solve, more than this server gives one job ({most} MiB)");
@@ -175,15 +199,17 @@ impl Request {
         Ok(request)
     }
 
-    fn checked(kind: Kind, value: &Value, limits: &LimitsConfig) -> Result<Self, Rejection> {
+    fn checked(kind: Kind, value: &Value, lists: &[PointList], limits: &LimitsConfig) -> Result<Self, Rejection> {
         match kind {
             Kind::RuledSurface => {
-                let request: ruled_surface::RuledSurfaceRequest = schema::deserialize(value)?;
+                let mut request: ruled_surface::RuledSurfaceRequest = schema::deserialize(value)?;
+                lists.iter().for_each(|list| request.take(list));
                 request.check(limits)?;
                 Ok(Self::RuledSurface(Box::new(request)))
             }
             Kind::MinimalSurface => {
-                let request: minimal_surface::MinimalSurfaceRequest = schema::deserialize(value)?;
+                let mut request: minimal_surface::MinimalSurfaceRequest = schema::deserialize(value)?;
+                lists.iter().for_each(|list| request.take(list));
                 request.check(limits)?;
                 Ok(Self::MinimalSurface(Box::new(request)))
             }

@@ -55,11 +55,11 @@ impl Jobs {
         let read = move || BatchRequest::read(&body, &limits).map_err(JobsError::Rejected);
         let BatchRequest { requests, callback_url, value } = self.off_runtime(read).await??;
         self.check_callback("", callback_url.as_deref())?;
-        let body_hash = super::queue::hash(&value);
+        let body_hash = super::queue::hash(&value.into());
         let mut jobs = Vec::with_capacity(requests.len());
         for (index, (request, value)) in requests.into_iter().enumerate() {
             self.check_callback(&format!("/requests/{index}"), request.callback_url())?;
-            jobs.push(super::queue::new_job(&request, value, owner.clone(), None).stored()?);
+            jobs.push(super::queue::new_job(&request, value.into(), owner.clone(), None).stored()?);
         }
         let id = ulid::Ulid::generate().to_string();
         match self.0.store.submit_batch(NewBatch { id, owner, idempotency_key, body_hash, callback_url, jobs }).await? {

@@ -3,8 +3,11 @@
 use super::{Jobs, JobsError};
 use crate::store::{NewJob, StoreError, Submitted as Stored};
 use crate::telemetry::metric;
-use crate::wire::common::Cache;
+use crate::wire::body::{Body, Field};
+use crate::wire::common::{Cache, Point};
+
 use crate::wire::job::Job;
+use crate::wire::json::integral;
 use crate::wire::{Kind, Request};
 use bytes::Bytes;
 use serde_json::Value;
@@ -55,8 +58,8 @@ impl Jobs {
         let limits = self.0.config.limits.clone();
         let inline = body.len() <= INLINE_BYTES;
         let read = move || {
-            let (request, value) = Request::read(kind, &body, &limits).map_err(JobsError::Rejected)?;
-            let submission = new_job(&request, value, owner, idempotency_key);
+            let (request, body) = Request::read(kind, &body, &limits).map_err(JobsError::Rejected)?;
+            let submission = new_job(&request, body, owner, idempotency_key);
             Ok::<_, JobsError>((submission, request))
         };
         let (submission, request) = if inline { read()? } else { self.off_runtime(read).await?? };
@@ -96,30 +99,65 @@ pub(super) fn label(outcome: Result<bool, &JobsError>) -> &'static str {
 #[derive(Debug)]
 pub(super) struct Submission {
     pub(super) job: NewJob,
-    value: Value,
+    body: Body,
 }
 
 impl Submission {
     /// With its request as the store keeps it, for a worker.
     pub(super) fn stored(mut self) -> Result<NewJob, JobsError> {
-        self.job.request = serde_json::to_vec(&self.value).map_err(|error| JobsError::Internal(error.to_string()))?;
+        self.job.request = serde_json::to_vec(&self.body).map_err(|error| JobsError::Internal(error.to_string()))?;
         Ok(self.job)
     }
 }
 
 /// What equality of bodies means: the order of keys does not count, and numbers are what they are in f64.
-pub(super) fn hash(value: &Value) -> [u8; 32] {
+pub(super) fn hash(body: &Body) -> [u8; 32] {
     let mut bytes = Vec::new();
-    write(value, &mut bytes);
+    match body.fields() {
+        None => write(body.outline(), &mut bytes),
+        Some(fields) => {
+            tagged(7, fields.len() as u64, &mut bytes);
+            for (name, field) in fields {
+                write_text(name, &mut bytes);
+                match field {
+                    Field::Value(value) => write(value, &mut bytes),
+                    Field::Points(polylines) => write_polylines(polylines, &mut bytes),
+                }
+            }
+        }
+    }
     Sha256::digest(bytes).into()
+}
+
+fn tagged(tag: u8, value: u64, out: &mut Vec<u8>) {
+    out.push(tag);
+    out.extend_from_slice(&value.to_le_bytes());
+}
+
+fn write_text(text: &str, out: &mut Vec<u8>) {
+    tagged(5, text.len() as u64, out);
+    out.extend_from_slice(text.as_bytes());
+}
+
+/// As the same arrays of arrays in a value.
+fn write_polylines(polylines: &[Vec<Point>], out: &mut Vec<u8>) {
+    tagged(6, polylines.len() as u64, out);
+    for polyline in polylines {
+        tagged(6, polyline.len() as u64, out);
+        for point in polyline {
+            tagged(6, point.len() as u64, out);
+            for &coordinate in point {
+                match integral(coordinate) {
+                    Some(integer) => tagged(2, integer as u64, out),
+                    None => tagged(4, coordinate.to_bits(), out),
+                }
+            }
+        }
+    }
 }
 
 /// One encoding for each value. Keys are sorted already, and integral numbers are integers (`json::parse`).
 fn write(value: &Value, out: &mut Vec<u8>) {
-    let number = |tag: u8, value: u64, out: &mut Vec<u8>| {
-        out.push(tag);
-        out.extend_from_slice(&value.to_le_bytes());
-    };
     match value {
         Value::Null => out.push(0),
         Value::Bool(value) => out.extend_from_slice(&[1, u8::from(*value)]),
@@ -129,54 +167,48 @@ fn write(value: &Value, out: &mut Vec<u8>) {
                 (None, Some(value)) => (3, value),
                 (None, None) => (4, value.as_f64().unwrap_or_default().to_bits()),
             };
-            number(tag, bits, out);
+            tagged(tag, bits, out);
         }
-        Value::String(text) => {
-            number(5, text.len() as u64, out);
-            out.extend_from_slice(text.as_bytes());
-        }
+        Value::String(text) => write_text(text, out),
         Value::Array(items) => {
-            number(6, items.len() as u64, out);
+            tagged(6, items.len() as u64, out);
             items.iter().for_each(|item| write(item, out));
         }
         Value::Object(fields) => {
-            number(7, fields.len() as u64, out);
+            tagged(7, fields.len() as u64, out);
             for (name, field) in fields {
-                number(5, name.len() as u64, out);
-                out.extend_from_slice(name.as_bytes());
+                write_text(name, out);
                 write(field, out);
             }
         }
     }
 }
 
-/// A request that was read from `value`, without what does not change the result.
+/// A request that was read from `body`, without what does not change the result.
 pub(super) fn new_job(
     request: &Request,
-    mut value: Value,
+    mut body: Body,
     owner: Option<String>,
     idempotency_key: Option<String>,
 ) -> Submission {
     // Without a key nothing is compared with it.
-    let body_hash = if idempotency_key.is_some() { hash(&value) } else { [0; 32] };
-    if let Some(fields) = value.as_object_mut() {
-        for name in ["kind", "cache", "callback_url"] {
-            fields.remove(name);
-        }
+    let body_hash = if idempotency_key.is_some() { hash(&body) } else { [0; 32] };
+    for name in ["kind", "cache", "callback_url"] {
+        body.remove(name);
     }
     let job = NewJob {
         id: ulid::Ulid::generate().to_string(),
         kind: request.kind().name().into(),
         owner,
         request: Vec::new(),
-        request_hash: hash(&value),
+        request_hash: hash(&body),
         body_hash,
         idempotency_key,
         warnings: "[]".into(),
         callback_url: request.callback_url().map(str::to_owned),
         reuse: request.cache() == Cache::Reuse,
     };
-    Submission { job, value }
+    Submission { job, body }
 }
 
 #[cfg(test)]
@@ -186,7 +218,7 @@ mod tests {
 
     #[test]
     fn equal_bodies_have_equal_hashes_and_others_do_not() {
-        let of = |text: &str| hash(&parse(text.as_bytes()).unwrap());
+        let of = |text: &str| hash(&parse(text.as_bytes()).unwrap().into());
         for (one, other) in [
             (r#"{"a":1,"b":[2,3]}"#, r#"{ "b": [2.0, 3e0], "a": 1.00 }"#),
             (r#"{"a":0.1}"#, r#"{"a":1e-1}"#),

@@ -75,9 +75,6 @@ impl UpAxis {
     }
 }
 
-/// Largest coordinate that is taken, in the client's unit: squares of squares of it stay finite.
-pub const MAX_COORDINATE: f64 = 1e15;
-
 /// Points of the wire as points of the geometry.
 #[must_use]
 pub fn points(polyline: &[Point]) -> Vec<DVec3> {

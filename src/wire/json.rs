@@ -28,6 +28,13 @@ pub fn parse(body: &[u8]) -> Result<Value, Rejection> {
     })
 }
 
+/// The integer that a number is, if it is one: exact below 2^53; -0.0 keeps its sign by staying a float.
+#[must_use]
+pub fn integral(value: f64) -> Option<i64> {
+    let is_integral = value.abs() < 9_007_199_254_740_992.0 && value as i64 as f64 == value;
+    (is_integral && !(value == 0.0 && value.is_sign_negative())).then_some(value as i64)
+}
+
 fn offset_of(body: &[u8], line: usize, column: usize) -> usize {
     let start: usize = body.split_inclusive(|&byte| byte == b'\n').take(line.saturating_sub(1)).map(<[u8]>::len).sum();
     (start + column).min(body.len())
@@ -78,7 +85,8 @@ fn pointer_at(body: &[u8], end: usize) -> String {
         .collect()
 }
 
-struct Strict;
+/// Reads any value as [`parse`] does.
+pub(super) struct Strict;
 
 impl<'de> DeserializeSeed<'de> for Strict {
     type Value = Value;
@@ -102,11 +110,7 @@ impl<'de> Visitor<'de> for Strict {
         Ok(Value::Number(value.into()))
     }
     fn visit_f64<E>(self, value: f64) -> Result<Value, E> {
-        // Exact below 2^53; -0.0 keeps its sign by staying a float.
-        let integral = value.fract() == 0.0
-            && value.abs() < 9_007_199_254_740_992.0
-            && !(value == 0.0 && value.is_sign_negative());
-        let number = if integral { Some(Number::from(value as i64)) } else { Number::from_f64(value) };
+        let number = integral(value).map(Number::from).or_else(|| Number::from_f64(value));
         Ok(number.map_or(Value::Null, Value::Number))
     }
     fn visit_str<E>(self, value: &str) -> Result<Value, E> {

@@ -4,6 +4,7 @@ mod statistics;
 
 pub use statistics::{AngleRange, MinimalStatistics, Spread};
 
+use super::body::PointList;
 use super::common::{self, Cache, Point, Units, UpAxis};
 use super::objectives::Objective as ObjectiveDoc;
 use super::{FieldError, Kind, Rejection};
@@ -260,6 +261,13 @@ pub enum Process {
 }
 
 impl MinimalSurfaceRequest {
+    /// Takes the points of a field that was read apart.
+    pub(super) fn take(&mut self, list: &PointList) {
+        if list.field == "boundaries" {
+            self.boundaries.clone_from(&list.polylines);
+        }
+    }
+
     /// What the schema cannot say.
     ///
     /// # Errors

@@ -1,5 +1,6 @@
 //! `POST /v1/ruled-surfaces`: the request, its statistics, and the way to the geometry and back.
 
+use super::body::PointList;
 use super::common::{self, Cache, Point, Units, UpAxis};
 use super::objectives::Objective as ObjectiveDoc;
 use super::{FieldError, Kind, Rejection};
@@ -182,6 +183,17 @@ pub enum Objective {
 }
 
 impl RuledSurfaceRequest {
+    /// Takes the points of a field that was read apart.
+    pub(super) fn take(&mut self, list: &PointList) {
+        let polylines = list.polylines.clone();
+        match list.field {
+            "directrices" => self.directrices = polylines,
+            "normals" => self.normals = Some(polylines),
+            "tangents" => self.tangents = Some(polylines),
+            _ => {}
+        }
+    }
+
     /// What the schema cannot say.
     ///
     /// # Errors

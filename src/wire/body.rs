@@ -1,0 +1,200 @@
+//! A request's body as it was read: a JSON value, and beside it its long lists of points. A value holds every point in a piece
+//! of memory of its own, which takes longer than all else in reading a strip.
+
+use super::common::Point;
+use super::json::Strict;
+use serde::de::{Deserializer as _, MapAccess, Visitor};
+use serde::{Serialize, Serializer, ser::SerializeMap};
+use serde_json::{Map, Value};
+use std::fmt;
+
+/// Points of each polyline that stay in the outline: as many as a schema asks for at least.
+const KEPT: usize = 3;
+
+/// A body: an object, most often.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Of the lists beside it, it has the first [`KEPT`] points of each polyline.
+    outline: Value,
+    lists: Vec<PointList>,
+}
+
+/// The polylines of one field of a body.
+#[derive(Clone, Debug)]
+pub struct PointList {
+    pub field: &'static str,
+    pub polylines: Vec<Vec<Point>>,
+}
+
+/// A field's value, wherever it is kept.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[serde(untagged)]
+pub enum Field<'a> {
+    Value(&'a Value),
+    Points(&'a [Vec<Point>]),
+}
+
+impl From<Value> for Body {
+    fn from(outline: Value) -> Self {
+        Self { outline, lists: Vec::new() }
+    }
+}
+
+impl Body {
+    /// Reads an object whose `fields`, where they are there, are lists of polylines. `None` if it is not, or not JSON:
+    /// [`super::json::parse`] says what is wrong, if anything is.
+    pub(super) fn read(body: &[u8], fields: &'static [&'static str]) -> Option<Self> {
+        let mut deserializer = serde_json::Deserializer::from_slice(body);
+        let read = deserializer.deserialize_map(Reader { fields }).ok()?;
+        deserializer.end().ok()?;
+        Some(read)
+    }
+
+    /// All of it but the points further on in [`lists`](Self::lists).
+    #[must_use]
+    pub fn outline(&self) -> &Value {
+        &self.outline
+    }
+
+    #[must_use]
+    pub fn lists(&self) -> &[PointList] {
+        &self.lists
+    }
+
+    /// Takes a field out that is no list of points.
+    pub fn remove(&mut self, field: &str) {
+        if let Some(fields) = self.outline.as_object_mut() {
+            fields.remove(field);
+        }
+    }
+
+    /// The fields of an object, in order of their names; `None` for other values.
+    #[must_use]
+    pub fn fields(&self) -> Option<impl ExactSizeIterator<Item = (&str, Field<'_>)>> {
+        Some(self.outline.as_object()?.iter().map(|(name, value)| {
+            let list = self.lists.iter().find(|list| list.field == name);
+            (name.as_str(), list.map_or(Field::Value(value), |list| Field::Points(&list.polylines)))
+        }))
+    }
+}
+
+impl Serialize for Body {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Some(fields) = self.fields() else { return self.outline.serialize(serializer) };
+        let mut map = serializer.serialize_map(Some(fields.len()))?;
+        for (name, field) in fields {
+            map.serialize_entry(name, &field)?;
+        }
+        map.end()
+    }
+}
+
+struct Reader {
+    fields: &'static [&'static str],
+}
+
+impl<'de> Visitor<'de> for Reader {
+    type Value = Body;
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a request")
+    }
+    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Body, A::Error> {
+        let (mut outline, mut lists) = (Map::new(), Vec::new());
+        while let Some(name) = entries.next_key::<String>()? {
+            if outline.contains_key(&name) {
+                return Err(serde::de::Error::custom("an object repeats a key"));
+            }
+            let value = match self.fields.iter().find(|&&field| field == name) {
+                None => entries.next_value_seed(Strict)?,
+                Some(field) => match entries.next_value::<Option<Vec<Vec<Point>>>>()? {
+                    None => Value::Null,
+                    Some(polylines) => {
+                        let kept = polylines.iter().map(|line| {
+                            line.iter().take(KEPT).map(|point| Value::from(point.to_vec())).collect::<Value>()
+                        });
+                        let kept = kept.collect();
+                        lists.push(PointList { field, polylines });
+                        kept
+                    }
+                },
+            };
+            outline.insert(name, value);
+        }
+        Ok(Body { outline: Value::Object(outline), lists })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wire::Kind;
+    use crate::wire::json;
+    use crate::wire::schema;
+
+    fn read(body: &str) -> Option<Body> {
+        Body::read(body.as_bytes(), &["rails", "normals"])
+    }
+
+    #[test]
+    fn a_body_is_written_as_it_was_read() {
+        for text in [
+            r#"{"rails": [[[0, 1.5, -2e3], [1, 2, 3], [4, 5, 6], [0.1, 0.2, 7]], [], [[1e-300, 0, 9]]], "b": {"c": [1, null]}, "a": "x"}"#,
+            r#"{"normals": null, "rails": []}"#,
+            r#"{"other": [[[1, 2, 3]]]}"#,
+            "{}",
+        ] {
+            let (body, value) = (read(text).expect(text), json::parse(text.as_bytes()).unwrap());
+            assert_eq!(json::parse(&serde_json::to_vec(&body).unwrap()).unwrap(), value);
+            let names: Vec<&str> = body.fields().unwrap().map(|(name, _)| name).collect();
+            assert_eq!(names, value.as_object().unwrap().keys().collect::<Vec<_>>());
+        }
+        let body = read(r#"{"rails": [[[0, 1, 2], [1, 2, 3], [4, 5, 6], [0, 2, 7]], [[0, 0, 0]]]}"#).unwrap();
+        assert_eq!(body.lists()[0].polylines[0][3], [0.0, 2.0, 7.0]);
+        assert_eq!(
+            body.outline()["rails"].as_array().unwrap().iter().map(|l| l.as_array().unwrap().len()).sum::<usize>(),
+            4
+        );
+    }
+
+    #[test]
+    fn what_is_unusual_is_left_to_the_strict_reader() {
+        for text in [
+            "",
+            "[]",
+            "3",
+            r#"{"rails": 3}"#,
+            r#"{"rails": [[[0, 1]]]}"#,
+            r#"{"rails": [[[0, 1, 2, 3]]]}"#,
+            r#"{"rails": [[[0, 1, "2"]]]}"#,
+            r#"{"rails": [[[0, 1, null]]]}"#,
+            r#"{"rails": [[[0, 1, 1e999]]]}"#,
+            r#"{"rails": [], "rails": []}"#,
+            r#"{"a": {"b": 1, "b": 2}}"#,
+            r#"{"rails": []} x"#,
+        ] {
+            assert!(read(text).is_none(), "{text}");
+        }
+    }
+
+    /// A schema sees the first points only, so it must not ask for more, nor anything of a coordinate but that it is a number.
+    #[test]
+    fn schemas_ask_no_more_of_points_than_the_outline_shows() {
+        let mut seen = 0;
+        for kind in Kind::ALL {
+            for field in kind.point_fields() {
+                let list = &schema::components()[schema::request_component(kind)]["properties"][field];
+                let line = &list["items"];
+                let point = &line["items"];
+                assert!(line["minItems"].as_u64().unwrap_or(0) <= KEPT as u64, "{field}");
+                assert_eq!((point["minItems"].as_u64(), point["maxItems"].as_u64()), (Some(3), Some(3)), "{field}");
+                let known = ["type", "items", "minItems", "description", "default"];
+                for part in [list, line] {
+                    assert!(part.as_object().unwrap().keys().all(|key| known.contains(&key.as_str())), "{part}");
+                }
+                assert_eq!(point["items"], serde_json::json!({ "type": "number", "format": "double" }), "{field}");
+                seen += 1;
+            }
+        }
+        assert_eq!(seen, 4);
+    }
+}
