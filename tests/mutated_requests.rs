@@ -6,9 +6,9 @@
 use plateau::config::LimitsConfig;
 use plateau::export::{Archive, MeshFormat};
 use plateau::jobs::solve::solve;
-use plateau::wire::{Rejection, Request};
+use plateau::wire::{Kind, Rejection, Request, json};
 use plateau_geometry::{Error, Execution, Signal};
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -44,13 +44,13 @@ fn examples() -> Vec<Value> {
     let read = |file| {
         let mut value: Value = serde_json::from_slice(&std::fs::read(file).unwrap()).unwrap();
         if value["kind"] == "minimal_surface" {
-            value["resolution"] = json!({ "triangles": 300 });
-            value["max_iterations"] = json!(40);
+            value["resolution"] = serde_json::json!({ "triangles": 300 });
+            value["max_iterations"] = serde_json::json!(40);
         }
         if value["kind"] == "uniform_mesh"
             && let Some(length) = value["length"].as_f64()
         {
-            value["length"] = json!(2.0 * length);
+            value["length"] = serde_json::json!(2.0 * length);
         }
         value
     };
@@ -86,7 +86,7 @@ fn each_coordinate(value: &mut Value, mut change: impl FnMut(usize, f64) -> f64)
     for polyline in polylines(value) {
         for point in polyline.iter_mut().filter_map(Value::as_array_mut) {
             for (axis, coordinate) in point.iter_mut().enumerate() {
-                *coordinate = json!(change(axis, coordinate.as_f64().unwrap_or(0.0)));
+                *coordinate = serde_json::json!(change(axis, coordinate.as_f64().unwrap_or(0.0)));
             }
         }
     }
@@ -104,10 +104,10 @@ fn mutate(request: &mut Value, others: &[Value], random: &mut Random) {
             let at = random.below(all.len());
             *all[at] = match random.below(6) {
                 0 => Value::Null,
-                1 => json!("minimal_area"),
-                2 => json!(true),
-                3 => json!([]),
-                _ => json!(number),
+                1 => serde_json::json!("minimal_area"),
+                2 => serde_json::json!(true),
+                3 => serde_json::json!([]),
+                _ => serde_json::json!(number),
             };
         }
         // A field of another example, or none.
@@ -140,7 +140,7 @@ fn mutate(request: &mut Value, others: &[Value], random: &mut Random) {
             let (a, b) = (random.below(line.len()), random.below(line.len()));
             match what {
                 10 => line.insert(a, line[b].clone()),
-                11 => line[a][axis] = json!(line[a][axis].as_f64().unwrap_or(0.0) + number),
+                11 => line[a][axis] = serde_json::json!(line[a][axis].as_f64().unwrap_or(0.0) + number),
                 12 => line.swap(a, b),
                 13 => {
                     line.remove(a);
@@ -156,8 +156,24 @@ fn mutate(request: &mut Value, others: &[Value], random: &mut Random) {
 const PATIENCE: u64 = 100;
 const HANGS: u64 = 10 * PATIENCE;
 
+/// A body that is read at once, as `POST` does, is what the strict reader and the schema make of it.
+fn both_ways_agree(body: &[u8], limits: &LimitsConfig) -> Result<(), String> {
+    let value = json::parse(body).map_err(|rejection| format!("{rejection:?}"))?;
+    let Some(kind) = value["kind"].as_str().and_then(Kind::from_name) else { return Ok(()) };
+    match (Request::read(kind, body, limits), Request::from_value(kind, &value, limits)) {
+        (Ok((one, read)), Ok(other)) => {
+            let written = serde_json::to_vec(&read).map_err(|error| error.to_string())?;
+            let same = format!("{one:?}") == format!("{other:?}") && json::parse(&written) == Ok(value);
+            if same { Ok(()) } else { Err("two ways of reading differ".into()) }
+        }
+        (Err(one), Err(other)) if one == other => Ok(()),
+        (one, other) => Err(format!("read as {:?}, strictly as {:?}", one.map(drop), other.map(drop))),
+    }
+}
+
 /// What became of a body; Err if it should not have.
 fn outcome(body: &[u8], limits: &LimitsConfig) -> Result<&'static str, String> {
+    both_ways_agree(body, limits)?;
     let request = match Request::read_with_kind(body, limits) {
         Ok((_, request)) => request,
         Err(Rejection::Malformed(detail)) => return Err(format!("called malformed: {detail}")),

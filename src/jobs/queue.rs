@@ -217,6 +217,22 @@ mod tests {
     use crate::wire::json::parse;
 
     #[test]
+    fn points_read_apart_hash_as_in_the_value() {
+        let body = br#"{"up": "y", "directrices": [[[0, 1.0, -0.0], [1.5, 2e3, 1e30], [1, 2, 3], [0.1, -7, 9007199254740991]],
+            [[0, 5, 0], [4, 5, 1], [4, 5, 2], [5, 5, 9]]], "normals": null, "cache": "bypass"}"#;
+        let limits = crate::config::LimitsConfig::default();
+        let (request, read) = Request::read(Kind::RuledSurface, body, &limits).unwrap();
+        assert_eq!(read.lists().len(), 1);
+        let whole = Body::from(parse(body).unwrap());
+        assert_eq!(hash(&read), hash(&whole));
+        let [apart, together] = [read, whole].map(|body| new_job(&request, body, None, None));
+        assert_eq!(apart.job.request_hash, together.job.request_hash);
+        let stored = [apart, together].map(|job| parse(&job.stored().unwrap().request).unwrap());
+        assert_eq!(stored[0], stored[1]);
+        assert!(stored[0].get("cache").is_none() && stored[0]["directrices"][0][3][1] == -7);
+    }
+
+    #[test]
     fn equal_bodies_have_equal_hashes_and_others_do_not() {
         let of = |text: &str| hash(&parse(text.as_bytes()).unwrap().into());
         for (one, other) in [
