@@ -176,8 +176,8 @@ struct Inner {
     options: StoreOptions,
     changes: Changes,
     files: Option<Files>,
-    /// When it was last seen that no job waits.
-    idle_at: Mutex<Option<Instant>>,
+    /// When it was last seen that no job waits, and how often work had been heard of then.
+    idle: Mutex<Option<(Instant, u64)>>,
 }
 
 impl Store {
@@ -187,7 +187,7 @@ impl Store {
         let files = options.results.as_deref().map(Files::open).transpose()?;
         let engine = Engine::open(url, &options).await?;
         let changes = Changes::new(&engine, options.poll_interval);
-        Ok(Self { inner: Arc::new(Inner { engine, options, changes, files, idle_at: Mutex::default() }) })
+        Ok(Self { inner: Arc::new(Inner { engine, options, changes, files, idle: Mutex::default() }) })
     }
 
     /// Waits for writes under way, then closes every connection. Later calls fail as `Unavailable`.

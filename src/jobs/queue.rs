@@ -218,7 +218,8 @@ mod tests {
 
     #[test]
     fn points_read_apart_hash_as_in_the_value() {
-        let body = br#"{"up": "y", "directrices": [[[0, 1.0, -0.0], [1.5, 2e3, 1e30], [1, 2, 3], [0.1, -7, 9007199254740991]],
+        let body =
+            br#"{"up": "y", "directrices": [[[0, 1.0, -0.0], [1.5, 2e3, 1e30], [1, 2, 3], [0.1, -7, 9007199254740991]],
             [[0, 5, 0], [4, 5, 1], [4, 5, 2], [5, 5, 9]]], "normals": null, "cache": "bypass"}"#;
         let limits = crate::config::LimitsConfig::default();
         let (request, read) = Request::read(Kind::RuledSurface, body, &limits).unwrap();

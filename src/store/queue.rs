@@ -19,8 +19,8 @@ use super::{Store, StoreError, StoreOptions, milliseconds};
 
 /// Tries to put a result where an equal one may come and go.
 const KEEP_TRIES: usize = 3;
-/// How long it is taken as known that no job waits: submissions that come together ask the disk once.
-const IDLE_KNOWN: Duration = Duration::from_millis(5);
+/// How long it is taken as known that no job waits, unless one is heard of.
+const IDLE_KNOWN: Duration = Duration::from_millis(25);
 
 /// A job to be.
 #[derive(Debug, Clone)]
@@ -143,27 +143,37 @@ impl Store {
 
     /// `QueueFull` if one more job of this owner would find no place; else whether no job waits at all, as known a moment ago.
     pub async fn check_room(&self, owner: Option<&str>) -> Result<bool> {
-        let idle_at = || self.inner.idle_at.lock().unwrap_or_else(PoisonError::into_inner);
-        let known = *idle_at();
-        if known.is_some_and(|at| at.elapsed() < IDLE_KNOWN) {
+        let idle = || self.inner.idle.lock().unwrap_or_else(PoisonError::into_inner);
+        let work = self.inner.changes.work_so_far();
+        // Where nothing waited lately, mostly nothing waits. One asks, and the others take its word of before meanwhile.
+        let asks = match &mut *idle() {
+            Some((at, known)) if *known == work => {
+                let asks = at.elapsed() >= IDLE_KNOWN;
+                if asks {
+                    *at = Instant::now();
+                }
+                Some(asks)
+            }
+            _ => None,
+        };
+        if asks == Some(false) {
             return Ok(true);
         }
-        // Where nothing waited lately, mostly nothing waits.
         let any = "SELECT 1 FROM jobs WHERE status = 'queued' LIMIT 1";
-        if known.is_some() && self.inner.engine.row(any, Vec::new()).await?.is_none() {
-            *idle_at() = Some(Instant::now());
+        if asks.is_some() && matches!(self.inner.engine.row(any, Vec::new()).await, Ok(None)) {
             return Ok(true);
         }
+        *idle() = None;
         let options = &self.inner.options;
         let (limit, owner_limit) = (bounded(options.queue_limit), bounded(options.owner_queue_limit));
         let text = format!("SELECT {ROOM}");
         let values = vec![owner.unwrap_or_default().into(), limit.into(), owner_limit.into()];
         let row = self.inner.engine.row(&text, values).await?;
         let Some(row) = row else { return Ok(false) };
-        let idle = row.int(0)? == 0;
-        *idle_at() = idle.then(Instant::now);
+        let nothing_waits = row.int(0)? == 0;
+        *idle() = nothing_waits.then(|| (Instant::now(), work));
         refuse_if_full(&row, limit, owner_limit)?;
-        Ok(idle)
+        Ok(nothing_waits)
     }
 
     /// True if submitting this job would give an earlier one, or a new one with a kept result.

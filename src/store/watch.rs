@@ -100,6 +100,11 @@ impl Changes {
         self.changed(WORK);
     }
 
+    /// How often work has been heard of: what [`work_signal`](Self::work_signal) says.
+    pub(super) fn work_so_far(&self) -> u64 {
+        *self.hub.work.borrow()
+    }
+
     pub(super) fn work_signal(&self) -> watch::Receiver<u64> {
         self.hub.work.subscribe()
     }

@@ -247,7 +247,8 @@ fn power_of_two_above(length: f64) -> f64 {
 
 fn unit(v: DVec3) -> DVec3 {
     let largest = v.abs().max_element();
-    if largest == 0.0 { DVec3::ZERO } else { (v / largest).normalize() }
+    // A power of two scales without rounding.
+    if largest == 0.0 { DVec3::ZERO } else { (v * power_of_two_above(largest).recip()).normalize() }
 }
 
 /// Unit tangents by eq. 13/14: the derivative at the middle of the quadratic through three neighbours, whose parameter is
