@@ -98,6 +98,7 @@ cases! {
     a_large_result_is_a_file_and_goes_with_its_job,
     a_file_without_a_job_is_swept,
     results_stay_within_their_bytes,
+    a_sweep_of_many_removes_them_all,
     watchers_see_every_status,
     a_watch_of_a_missing_job_says_so,
     another_instance_sees_changes_and_work,
@@ -616,6 +617,39 @@ async fn a_file_without_a_job_is_swept(database: Database) {
     assert_eq!(patient.sweep().await.unwrap().files, 0);
     assert_eq!(store.sweep().await.unwrap().files, 2);
     assert_eq!(store.artefact(&id, None).await.unwrap().unwrap().bytes, b"more than 8 bytes");
+}
+
+async fn a_sweep_of_many_removes_them_all(database: Database) {
+    // More than one step of everything that goes in steps.
+    const MANY: usize = 230;
+    const KEPT: usize = 10;
+    let store = database.open(StoreOptions { max_jobs: KEPT as u64, ..StoreOptions::default() }).await;
+    let mut ended = Vec::new();
+    for number in 0..MANY {
+        create(&store, job(number)).await;
+        ended.push(work_one(&store, &number.to_le_bytes()).await);
+    }
+    // One result that two have, the one before the oldest that stays.
+    let twin = create(&store, NewJob { id: job(MANY).id, ..job(MANY - KEPT) }).await.id;
+    let swept = store.sweep().await.unwrap();
+    assert_eq!((swept.expired, swept.artefacts), ((MANY + 1 - KEPT) as u64, 0), "young results stay");
+    let left: BTreeSet<String> =
+        store.list(&Filter::default(), 100, None).await.unwrap().0.into_iter().map(|job| job.id).collect();
+    assert_eq!(left, ended[MANY + 1 - KEPT..].iter().cloned().chain([twin.clone()]).collect());
+    assert_eq!(store.get(&ended[0], None).await.unwrap(), Lookup::Expired);
+
+    let hasty =
+        StoreOptions { orphan_age: Duration::ZERO, expired_retention: Duration::ZERO, ..StoreOptions::default() };
+    let store = database.open(hasty).await;
+    assert_eq!(store.sweep().await.unwrap().artefacts, (MANY - KEPT) as u64);
+    for id in &left {
+        assert!(store.artefact(id, None).await.unwrap().is_some());
+    }
+    assert_eq!(store.artefact(&twin, None).await.unwrap().unwrap().bytes, (MANY - KEPT).to_le_bytes());
+    store.sweep().await.unwrap();
+    for id in &ended[..MANY + 1 - KEPT] {
+        assert_eq!(store.get(id, None).await.unwrap(), Lookup::Missing);
+    }
 }
 
 async fn results_stay_within_their_bytes(database: Database) {

@@ -1,15 +1,20 @@
 //! Results, deletion and expiry.
 
 use std::collections::BTreeSet;
+use std::time::{Duration, Instant};
 
 use super::engine::Result;
-use super::sql::Value;
+use super::sql::{Connection, Value};
 use super::{Store, StoreError, milliseconds};
 
-/// Jobs that one transaction of the sweep removes, so that it never holds up other writes for long.
-const SWEEP_STEP: i64 = 200;
+/// Rows that one transaction of the sweep removes, so that it never holds up other writes for long. Afterwards it rests as long as
+/// that took.
+const SWEEP_STEP: usize = 50;
 /// Jobs that are expired at once to get below the byte budget.
-const EVICTION_STEP: i64 = 10;
+const EVICTION_STEP: usize = 10;
+/// Results without a job that are looked for at once.
+const ORPHANS_STEP: usize = 200;
+const LONGEST_REST: Duration = Duration::from_millis(100);
 
 /// A stored result.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -101,47 +106,25 @@ impl Store {
     /// that no job has, and recovers lost leases. Any number of instances may sweep at once.
     pub async fn sweep(&self) -> Result<Swept> {
         let mut swept = Swept { recovered: self.recover().await?, ..Swept::default() };
-        let expired = "SELECT id FROM jobs WHERE expires_at <= now_ms() ORDER BY expires_at LIMIT $1 /* skip locked */";
-        while let count @ 1.. = self.expire(expired, vec![SWEEP_STEP.into()]).await? {
-            swept.expired += count;
-        }
+        let due = "SELECT id, artefact FROM jobs WHERE expires_at <= now_ms() ORDER BY expires_at LIMIT $1 \
+                   /* skip locked */";
+        self.expire_all(due, Vec::new(), &mut swept).await?;
+        // The newest of those that are too many is looked for once, and without keeping a write waiting.
         let max_jobs = i64::try_from(self.inner.options.max_jobs).unwrap_or(i64::MAX);
-        let surplus = "SELECT id FROM jobs WHERE expires_at IS NOT NULL ORDER BY expires_at DESC LIMIT $1 OFFSET $2";
-        while let count @ 1.. = self.expire(surplus, vec![SWEEP_STEP.into(), max_jobs.into()]).await? {
-            swept.expired += count;
+        let newest = "SELECT expires_at, id FROM jobs WHERE expires_at IS NOT NULL ORDER BY expires_at DESC, id DESC \
+                      LIMIT 1 OFFSET $1";
+        if let Some(row) = self.inner.engine.row(newest, vec![max_jobs.into()]).await? {
+            let surplus = "SELECT id, artefact FROM jobs \
+                           WHERE expires_at <= $2 AND (expires_at < $2 OR id <= $3) ORDER BY expires_at, id LIMIT $1 \
+                           /* skip locked */";
+            self.expire_all(surplus, vec![row.int(0)?.into(), row.text(1)?.into()], &mut swept).await?;
         }
         self.sweep_batches().await?;
-        let forget = "DELETE FROM expired_jobs WHERE expired_at < now_ms() - $1";
-        self.change(forget, vec![milliseconds(self.inner.options.expired_retention).into()]).await?;
+        self.forget().await?;
         if let Some(max_bytes) = self.inner.options.max_bytes {
-            let max_bytes = i64::try_from(max_bytes / 10 * 8).unwrap_or(i64::MAX);
-            let oldest = "SELECT id FROM jobs WHERE artefact IS NOT NULL AND expires_at IS NOT NULL \
-                          ORDER BY expires_at, id LIMIT $1 /* skip locked */";
-            while self.result_bytes().await? > max_bytes {
-                let count = self.expire(oldest, vec![EVICTION_STEP.into()]).await?;
-                if count == 0 {
-                    break;
-                }
-                swept.expired += count;
-            }
+            self.evict(i64::try_from(max_bytes / 10 * 8).unwrap_or(i64::MAX), &mut swept).await?;
         }
-        let orphan_age = milliseconds(self.inner.options.orphan_age);
-        let orphans = "DELETE FROM artefacts WHERE hash IN (SELECT hash FROM artefacts \
-                       WHERE touched_at <= now_ms() - $1 \
-                       AND NOT EXISTS (SELECT 1 FROM jobs WHERE artefact = hash) LIMIT $2) \
-                       AND touched_at <= now_ms() - $1 RETURNING file";
-        loop {
-            let rows = self.returning(orphans, vec![orphan_age.into(), SWEEP_STEP.into()]).await?;
-            if rows.is_empty() {
-                break;
-            }
-            swept.artefacts += rows.len() as u64;
-            if let Some(files) = &self.inner.files {
-                for file in rows.into_iter().flatten() {
-                    files.remove(file).await;
-                }
-            }
-        }
+        self.remove_orphans(&mut swept).await?;
         if let Some(files) = &self.inner.files {
             let old = files.older_than(self.inner.options.orphan_age).await?;
             let rows = self.inner.engine.rows("SELECT file FROM artefacts WHERE file IS NOT NULL", Vec::new()).await?;
@@ -157,6 +140,91 @@ impl Store {
         Ok(swept)
     }
 
+    /// Forgets jobs that expired long ago.
+    async fn forget(&self) -> Result<()> {
+        let age = milliseconds(self.inner.options.expired_retention);
+        let oldest = "DELETE FROM expired_jobs WHERE id IN (SELECT id FROM expired_jobs \
+                      WHERE expired_at < now_ms() - $1 ORDER BY expired_at LIMIT $2)";
+        loop {
+            let begun = Instant::now();
+            let forgotten = self
+                .inner
+                .engine
+                .write(move |connection| {
+                    let values = vec![age.into(), step(SWEEP_STEP)];
+                    Box::pin(async move { connection.execute(oldest, values).await })
+                })
+                .await?;
+            if forgotten < SWEEP_STEP as u64 {
+                return Ok(());
+            }
+            rest(begun).await;
+        }
+    }
+
+    /// Expires the oldest jobs until the results of the others have no more than these bytes.
+    async fn evict(&self, max_bytes: i64, swept: &mut Swept) -> Result<()> {
+        let oldest = "SELECT id, artefact FROM jobs WHERE artefact IS NOT NULL AND expires_at IS NOT NULL \
+                      ORDER BY expires_at, id LIMIT $1 /* skip locked */";
+        loop {
+            // All results are looked through, so not after every step.
+            let mut surplus = self.result_bytes().await?.saturating_sub(max_bytes);
+            if surplus <= 0 {
+                return Ok(());
+            }
+            while surplus > 0 {
+                let begun = Instant::now();
+                let (count, bytes) = self.expire(oldest, vec![step(EVICTION_STEP)], swept).await?;
+                if count == 0 {
+                    return Ok(());
+                }
+                surplus -= bytes;
+                rest(begun).await;
+            }
+        }
+    }
+
+    /// Removes results that no job has: of jobs that were deleted, or that expired when the result was young.
+    async fn remove_orphans(&self, swept: &mut Swept) -> Result<()> {
+        // Indexes alone answer this: a result's row is long.
+        let some = "SELECT hash FROM artefacts WHERE hash > $1 AND NOT EXISTS (SELECT 1 FROM jobs WHERE artefact = hash) \
+                    ORDER BY hash LIMIT $2";
+        let mut last = Vec::new();
+        loop {
+            let rows = self.inner.engine.rows(some, vec![last.as_slice().into(), step(ORPHANS_STEP)]).await?;
+            let hashes = rows.iter().map(|row| row.bytes(0)).collect::<Result<Vec<_>>>()?;
+            for some in hashes.chunks(SWEEP_STEP) {
+                let (begun, some, age) = (Instant::now(), some.to_vec(), self.inner.options.orphan_age);
+                let write = self.inner.engine.write(move |connection| {
+                    let some = some.clone();
+                    Box::pin(async move {
+                        let mut removed = Vec::new();
+                        for hash in some {
+                            removed.extend(remove_result(connection, &hash, age).await?);
+                        }
+                        Ok(removed)
+                    })
+                });
+                self.removed(write.await?, swept).await;
+                rest(begun).await;
+            }
+            match hashes.last() {
+                Some(hash) if hashes.len() == ORPHANS_STEP => last.clone_from(hash),
+                _ => return Ok(()),
+            }
+        }
+    }
+
+    /// Counts removed results and removes their files.
+    async fn removed(&self, results: Vec<Option<String>>, swept: &mut Swept) {
+        swept.artefacts += results.len() as u64;
+        if let Some(files) = &self.inner.files {
+            for file in results.into_iter().flatten() {
+                files.remove(file).await;
+            }
+        }
+    }
+
     /// Bytes of the results that jobs have.
     async fn result_bytes(&self) -> Result<i64> {
         let text = "SELECT CAST(coalesce(sum(size), 0) AS BIGINT) FROM artefacts \
@@ -164,29 +232,31 @@ impl Store {
         Ok(self.inner.engine.row(text, Vec::new()).await?.map(|row| row.int(0)).transpose()?.unwrap_or(0))
     }
 
-    /// Runs a change and returns the first column, a text, of what it returns.
-    async fn returning(&self, text: &'static str, values: Vec<Value>) -> Result<Vec<Option<String>>> {
-        self.inner
-            .engine
-            .write(move |connection| {
-                let values = values.clone();
-                Box::pin(async move {
-                    let rows = connection.rows(text, values).await?;
-                    rows.iter().map(|row| row.optional_text(0)).collect()
-                })
-            })
-            .await
+    /// Expires every job that `select` names; `$1` is how many at once, `values` follow.
+    async fn expire_all(&self, select: &'static str, values: Vec<Value>, swept: &mut Swept) -> Result<()> {
+        let values = [vec![step(SWEEP_STEP)], values].concat();
+        loop {
+            let begun = Instant::now();
+            let (count, _) = self.expire(select, values.clone(), swept).await?;
+            // Fewer may only say that another instance has locked some.
+            if count == 0 {
+                return Ok(());
+            }
+            rest(begun).await;
+        }
     }
 
-    /// Moves the jobs that `select` names from the jobs to the expired ones.
-    async fn expire(&self, select: &'static str, values: Vec<Value>) -> Result<u64> {
-        let ids = self
+    /// Moves the jobs that `select` names, with their artefacts, from the jobs to the expired ones. Gives their number, and the
+    /// bytes of the results that no job has now.
+    async fn expire(&self, select: &'static str, values: Vec<Value>, swept: &mut Swept) -> Result<(usize, i64)> {
+        let age = self.inner.options.orphan_age;
+        let (ids, bytes, removed) = self
             .inner
             .engine
             .write(move |connection| {
                 let values = values.clone();
                 Box::pin(async move {
-                    let mut ids = Vec::new();
+                    let (mut ids, mut results) = (Vec::new(), BTreeSet::new());
                     for row in connection.rows(select, values).await? {
                         let id = row.text(0)?;
                         let remember = "INSERT INTO expired_jobs (id, owner, expired_at) \
@@ -194,24 +264,47 @@ impl Store {
                         connection.execute(remember, vec![id.as_str().into()]).await?;
                         connection.execute("DELETE FROM jobs WHERE id = $1", vec![id.as_str().into()]).await?;
                         ids.push(id);
+                        results.extend(row.optional_bytes(1)?);
                     }
-                    Ok(ids)
+                    let (mut bytes, mut removed) = (0, Vec::new());
+                    let size = "SELECT size FROM artefacts \
+                                WHERE hash = $1 AND NOT EXISTS (SELECT 1 FROM jobs WHERE artefact = $1)";
+                    for hash in results {
+                        if let Some(row) = connection.row(size, vec![hash.as_slice().into()]).await? {
+                            bytes += row.int(0)?;
+                            removed.extend(remove_result(connection, &hash, age).await?);
+                        }
+                    }
+                    Ok((ids, bytes, removed))
                 })
             })
             .await?;
         for id in &ids {
             self.inner.changes.changed(id);
         }
-        Ok(ids.len() as u64)
+        swept.expired += ids.len() as u64;
+        self.removed(removed, swept).await;
+        Ok((ids.len(), bytes))
     }
+}
 
-    async fn change(&self, text: &'static str, values: Vec<Value>) -> Result<u64> {
-        self.inner
-            .engine
-            .write(move |connection| {
-                let values = values.clone();
-                Box::pin(async move { connection.execute(text, values).await })
-            })
-            .await
-    }
+fn step(rows: usize) -> Value {
+    i64::try_from(rows).unwrap_or(i64::MAX).into()
+}
+
+/// Lets other writes through for as long as one took.
+async fn rest(begun: Instant) {
+    tokio::time::sleep(begun.elapsed().min(LONGEST_REST)).await;
+}
+
+/// Removes a result that no job has, unless one took it lately: that job may not be visible yet. Gives its file, if it had one.
+async fn remove_result(
+    connection: &mut Connection<'_>,
+    hash: &[u8],
+    orphan_age: Duration,
+) -> Result<Option<Option<String>>> {
+    let text = "DELETE FROM artefacts WHERE hash = $1 AND touched_at <= now_ms() - $2 \
+                AND NOT EXISTS (SELECT 1 FROM jobs WHERE artefact = $1) RETURNING file";
+    let row = connection.row(text, vec![hash.into(), milliseconds(orphan_age).into()]).await?;
+    row.map(|row| row.optional_text(0)).transpose()
 }
