@@ -18,7 +18,7 @@ use super::{StoreError, StoreOptions};
 pub(super) type Result<T> = std::result::Result<T, StoreError>;
 
 /// Pages that one `shrink` moves at most, so that it never holds up other writes for long.
-const SHRINK_PAGES: u32 = 1000;
+const SHRINK_PAGES: u32 = 50;
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
 /// Tries of a PostgreSQL transaction that loses a race (deadlock, or two equal idempotency keys at once).
 const TRIES: usize = 5;

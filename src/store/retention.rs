@@ -14,6 +14,8 @@ const SWEEP_STEP: usize = 50;
 const EVICTION_STEP: usize = 10;
 /// Results without a job that are looked for at once.
 const ORPHANS_STEP: usize = 200;
+/// How often a sweep that removed something gives some space back.
+const SHRINK_STEPS: usize = 20;
 const LONGEST_REST: Duration = Duration::from_millis(100);
 
 /// A stored result.
@@ -135,7 +137,11 @@ impl Store {
             }
         }
         if swept.expired > 0 || swept.artefacts > 0 {
-            self.inner.engine.shrink().await?;
+            for _ in 0..SHRINK_STEPS {
+                let begun = Instant::now();
+                self.inner.engine.shrink().await?;
+                rest(begun).await;
+            }
         }
         Ok(swept)
     }
