@@ -1,7 +1,8 @@
 //! Request and result types: Rust types -> JSON Schema -> OpenAPI, and between the wire and the geometry.
 //!
 //! One source of truth for a body: the schema derived from the Rust types is published in the OpenAPI document, and bodies are
-//! validated against that very schema (every error with its JSON Pointer) before serde reads them. What a schema cannot say
+//! validated against that very schema (every error with its JSON Pointer) before serde reads them; long lists of points alone are
+//! read first, and the schema sees how they begin ([`body`]). What a schema cannot say
 //! (too few distinct points, a directrix pair of two single points) is checked next, and what only the geometry knows is
 //! asked of the geometry's own checks. Nothing but this module knows both wire names and geometry types.
 

@@ -17,8 +17,8 @@
 //! end of a fold: a number: 0, then 2 f64 | 1 + the difference between the index of the outline's point that it is and that of
 //!          the fold before: upwards from the first point for the first end, downwards from the last for the second
 //! ```
-//! In version 2 a pattern was written out always. In version 1 counts and indices are u32, indices stand for themselves, and an end of a fold is 2 f64. The same contents always
-//! give the same bytes. A later version reads every earlier one.
+//! In version 2 a pattern was written out always. In version 1, moreover, counts and indices are u32, indices stand for
+//! themselves, and an end of a fold is 2 f64. The same contents always give the same bytes. A later version reads every earlier one.
 
 use plateau_geometry::polyline::LARGEST_COORDINATE;
 use plateau_geometry::{DVec2, DVec3, Mesh};

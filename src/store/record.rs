@@ -117,7 +117,7 @@ pub struct JobRow {
     pub statistics: Option<String>,
     pub warnings: String,
     pub error: Option<String>,
-    /// SHA-256 of the artefact's bytes.
+    /// Names the artefact's bytes: equal for equal bytes only.
     pub artefact: Option<Vec<u8>>,
     /// Every change of status so far, oldest first.
     pub history: Vec<StatusEvent>,

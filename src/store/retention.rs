@@ -21,7 +21,7 @@ const LONGEST_REST: Duration = Duration::from_millis(100);
 /// A stored result.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Artefact {
-    /// SHA-256 of `bytes`.
+    /// Names `bytes`: equal for equal bytes only.
     pub hash: Vec<u8>,
     pub bytes: Vec<u8>,
 }
