@@ -21,6 +21,7 @@
 //! themselves, and an end of a fold is 2 f64. The same contents always give the same bytes. A later version reads every earlier one.
 
 use plateau_geometry::polyline::LARGEST_COORDINATE;
+use plateau_geometry::ruled_surface::strips_of;
 use plateau_geometry::{DVec2, DVec3, Mesh};
 use sha2::{Digest, Sha256};
 
@@ -344,9 +345,9 @@ fn check(contents: &Contents) -> Result<(), &'static str> {
 fn unrolls(contents: &Contents) -> bool {
     let Some(bridges) = pattern::bridges(contents) else { return false };
     let steps = |strip: &[[u32; 2]]| strip.windows(2).all(|pair| pair[0] != pair[1]);
-    let triangles = pattern::strips(bridges).map(|strip| strip.len() - 1).sum::<usize>();
+    let triangles = strips_of(bridges).map(|strip| strip.len() - 1).sum::<usize>();
     triangles == contents.mesh.triangles.len()
-        && pattern::strips(bridges).all(|strip| strip.len() > 1 && steps(strip))
+        && strips_of(bridges).all(|strip| strip.len() > 1 && steps(strip))
         && contents.mesh.vertices.iter().all(|v| v.abs().max_element() <= LARGEST_COORDINATE)
 }
 

@@ -89,11 +89,6 @@ pub(super) fn bridges(contents: &Contents) -> Option<&[[u32; 2]]> {
     })
 }
 
-/// Strip by strip; within a strip one end stays from each bridge to the next.
-pub(super) fn strips(bridges: &[[u32; 2]]) -> impl Iterator<Item = &[[u32; 2]]> {
-    bridges.chunk_by(|[p, q], [next, other]| p == next || q == other)
-}
-
 impl Contents {
     /// The flat pattern, if there is one.
     #[must_use]

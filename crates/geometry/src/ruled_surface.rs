@@ -35,7 +35,7 @@ pub use objective::{Objective, Secondary, Weights};
 pub use sampling::Sampling;
 pub use statistics::{CoupledValues, Statistics};
 pub use strip::{Given, Strip};
-pub use unroll::{FlatPattern, FlatStrip};
+pub use unroll::{FlatPattern, FlatStrip, strips_of};
 
 use crate::error::{Error, Warning};
 use crate::execution::{Execution, Progress};

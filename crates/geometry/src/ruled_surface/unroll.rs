@@ -66,8 +66,7 @@ impl FlatPattern {
             return Err(refuse("must name vertices"));
         }
         let mut strips = Vec::new();
-        // Within a strip one end stays.
-        for bridges in bridges.chunk_by(|[p, q], [next, other]| p == next || q == other) {
+        for bridges in strips_of(bridges) {
             let mut path = vec![[0, 0]];
             let (mut p, mut q) = (vec![vertices[bridges[0][0] as usize]], vec![vertices[bridges[0][1] as usize]]);
             for pair in bridges.windows(2) {
@@ -83,6 +82,11 @@ impl FlatPattern {
         }
         Ok(Self::of(strips))
     }
+}
+
+/// The bridges of a stack of open strips, strip by strip: within a strip one end stays from each bridge to the next.
+pub fn strips_of(bridges: &[[u32; 2]]) -> impl Iterator<Item = &[[u32; 2]]> {
+    bridges.chunk_by(|[p, q], [next, other]| p == next || q == other)
 }
 
 /// Flattens an open strip along its bridges and looks for overlaps. O(bridges log bridges) for patterns that are not folded
