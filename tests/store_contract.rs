@@ -8,8 +8,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use plateau::store::{
-    Artefact, BatchLookup, BatchRow, EventId, Filter, JobRow, Lookup, NewBatch, NewJob, Outcome, Renewed, Status,
-    Store, StoreError, StoreOptions, Subject, Submitted, SubmittedBatch,
+    Artefact, BatchLookup, BatchRow, Begun, EventId, Filter, JobRow, Lookup, NewBatch, NewJob, Outcome, Renewed,
+    Status, Store, StoreError, StoreOptions, Subject, Submitted, SubmittedBatch,
 };
 use sha2::{Digest, Sha256};
 use tempfile::TempDir;
@@ -92,6 +92,7 @@ cases! {
     a_list_pages_through_every_job_once,
     equal_requests_share_a_result,
     a_result_is_not_shared_beyond_owner_version_or_wish,
+    a_result_that_is_not_to_be_shared_is_not,
     expired_jobs_are_remembered_as_expired_and_then_forgotten,
     only_as_many_ended_jobs_are_kept_as_allowed,
     a_shared_result_outlives_the_job_that_made_it,
@@ -132,6 +133,9 @@ fn job(number: usize) -> NewJob {
 fn job_of(owner: &str, number: usize) -> NewJob {
     NewJob { owner: Some(owner.into()), ..job(number) }
 }
+
+/// A result that is kept once, however often it is made.
+const MANY_BYTES: [u8; 40_000] = [7; 40_000];
 
 fn success(artefact: &[u8]) -> Outcome {
     Outcome::Succeeded {
@@ -467,11 +471,47 @@ async fn equal_requests_share_a_result(database: Database) {
     assert_eq!(statuses(&second), [Status::Queued, Status::Succeeded]);
     assert!(second.started_at_ms.is_some() && second.expires_at_ms.is_some());
     assert_eq!(store.artefact(&second.id, None).await.unwrap().unwrap().bytes, b"mesh");
-    // Equal bytes made apart are stored once as well.
-    create(&store, job(3)).await;
-    let third = work_one(&store, b"mesh").await;
-    assert_eq!(find(&store, &third).await.artefact, first_row.artefact);
+    // Many equal bytes made apart are stored once as well.
+    let mut made_apart = Vec::new();
+    for number in 3..5 {
+        create(&store, job(number)).await;
+        let id = work_one(&store, &MANY_BYTES).await;
+        made_apart.push(find(&store, &id).await.artefact);
+    }
+    assert_eq!(made_apart[0], made_apart[1]);
     assert_eq!(store.claim("worker", LEASE).await.unwrap(), None);
+}
+
+/// However a job comes onto the disk.
+async fn a_result_that_is_not_to_be_shared_is_not(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    let begun = Begun { submitted_ms: 2, started_ms: 1 };
+    for (reuse, status) in [(false, Status::Queued), (true, Status::Succeeded)] {
+        for way in 0..3 {
+            let number = 10 * way + usize::from(reuse);
+            let new = NewJob { reuse, ..job(number) };
+            let id = match way {
+                0 => {
+                    create(&store, new).await;
+                    work_one(&store, b"mesh").await
+                }
+                1 => {
+                    let id = new.id.clone();
+                    store.submit_begun(new, "worker", LEASE, begun).await.unwrap();
+                    assert!(store.finish(&id, 1, success(b"mesh")).await.unwrap());
+                    id
+                }
+                _ => match store.submit_ended(new, success(b"mesh"), begun).await.unwrap() {
+                    Submitted::Created(row) => row.id,
+                    other => panic!("{other:?}"),
+                },
+            };
+            assert_eq!(store.artefact(&id, None).await.unwrap().unwrap().bytes, b"mesh");
+            let later = create(&store, NewJob { id: job(100 + number).id, ..job(number) }).await;
+            assert_eq!(later.status, status, "way {way}");
+            store.delete(&later.id, None).await.unwrap();
+        }
+    }
 }
 
 async fn a_result_is_not_shared_beyond_owner_version_or_wish(database: Database) {
@@ -582,13 +622,13 @@ async fn a_large_result_is_a_file_and_goes_with_its_job(database: Database) {
     }
     let small = work_one(&store, b"8 bytes!").await;
     assert_eq!(file_count(&folder), 0);
-    let large = work_one(&store, b"more than 8 bytes").await;
+    let large = work_one(&store, &MANY_BYTES).await;
     assert_eq!(file_count(&folder), 1);
     // Equal bytes are kept once.
-    let twin = work_one(&store, b"more than 8 bytes").await;
+    let twin = work_one(&store, &MANY_BYTES).await;
     assert_eq!(file_count(&folder), 1);
     assert_eq!(store.artefact(&small, None).await.unwrap().unwrap().bytes, b"8 bytes!");
-    assert_eq!(store.artefact(&large, None).await.unwrap().unwrap().bytes, b"more than 8 bytes");
+    assert_eq!(store.artefact(&large, None).await.unwrap().unwrap().bytes, MANY_BYTES);
     assert_eq!(store.artefact(&twin, None).await.unwrap(), store.artefact(&large, None).await.unwrap());
 
     // A late worker leaves no file.

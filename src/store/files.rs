@@ -10,7 +10,7 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, SystemTime};
 
 use futures_util::TryStreamExt;
 use object_store::aws::AmazonS3Builder;
@@ -27,9 +27,15 @@ const BUCKET_SCHEME: &str = "s3://";
 const BUCKET_RETRIES: usize = 3;
 const BUCKET_PATIENCE: Duration = Duration::from_secs(10);
 
+/// Results of more bytes are named by their bytes alone, so that equal ones are kept once. The names of others begin with the
+/// time, so that they come in order: an index over names without order costs a page in a random place for each, which is more
+/// than a second copy of a small result now and then.
+const NAMED_BY_TIME_BYTES: usize = 32 << 10;
+
 /// A result that can be put into a row.
 #[derive(Debug)]
 pub(super) struct Prepared {
+    /// Its name in the database: the same for other bytes never.
     pub(super) hash: [u8; 32],
     /// The file that holds the bytes; without one they belong into the row.
     pub(super) file: Option<String>,
@@ -178,6 +184,16 @@ impl Files {
     }
 }
 
+/// A name that holds most of a hash, behind the milliseconds since 1970 by this process's clock, which only have to put names
+/// near to each other that come about at the same time.
+fn named_by_time(hash: [u8; 32]) -> [u8; 32] {
+    let since_1970 = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
+    let milliseconds = u64::try_from(since_1970.as_millis()).unwrap_or(u64::MAX).to_be_bytes();
+    let mut name = hash;
+    name[..6].copy_from_slice(&milliseconds[2..]);
+    name
+}
+
 fn write_synced(path: &std::path::Path, bytes: &[u8]) -> io::Result<()> {
     let mut file = File::create(path)?;
     file.write_all(bytes)?;
@@ -202,7 +218,7 @@ impl Store {
             }
             _ => None,
         };
-        Ok(Prepared { hash, file })
+        Ok(Prepared { hash: if bytes.len() > NAMED_BY_TIME_BYTES { hash } else { named_by_time(hash) }, file })
     }
 }
 

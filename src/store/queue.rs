@@ -19,6 +19,9 @@ use super::{Store, StoreError, StoreOptions, milliseconds};
 
 /// Tries to put a result where an equal one may come and go.
 const KEEP_TRIES: usize = 3;
+/// In the column `reusable`, of a job whose result no later one may take: not even the 1 that is added for a result that could be
+/// taken otherwise makes 1 of it.
+const NEVER_REUSABLE: i64 = -1;
 /// How long it is taken as known that no job waits, unless one is heard of.
 const IDLE_KNOWN: Duration = Duration::from_millis(25);
 
@@ -41,7 +44,8 @@ pub struct NewJob {
     pub warnings: String,
     /// Told once the job has ended.
     pub callback_url: Option<String>,
-    /// True if a kept result of the same owner, request and result version may be taken instead of solving again.
+    /// True if a kept result of the same owner, request and result version may be taken instead of solving again, and this
+    /// one's may be taken later.
     pub reuse: bool,
 }
 
@@ -94,7 +98,7 @@ pub enum Outcome {
         statistics: String,
         warnings: String,
         artefact: Vec<u8>,
-        /// Names the artefact: equal for equal bytes only.
+        /// Equal for equal bytes only.
         artefact_hash: [u8; 32],
         /// True if the same request always gives this result, so that later jobs may share it.
         reusable: bool,
@@ -209,11 +213,11 @@ impl Store {
                     let content = content_hash(&store.options().result_version, &job.kind, &job.request_hash);
                     let text = format!(
                         "INSERT INTO jobs (id, kind, owner, status, attempt, sequence, turn, {BEGUN_COLUMNS}, history, \
-                         worker, lease_until) VALUES ($1, $2, $3, 'running', 1, 2, 0, {BEGUN_VALUES}, {BEGUN_HISTORY}, \
-                         $11, now_ms() + $12) RETURNING {COLUMNS}"
+                         worker, lease_until, reusable) VALUES ($1, $2, $3, 'running', 1, 2, 0, {BEGUN_VALUES}, \
+                         {BEGUN_HISTORY}, $11, now_ms() + $12, $13) RETURNING {COLUMNS}"
                     );
                     let mut values = begun_values(&job, &content, begun);
-                    values.extend([worker.into(), milliseconds(lease).into()]);
+                    values.extend([worker.into(), milliseconds(lease).into(), not_yet_reusable(&job)]);
                     let row = inserted(connection.row(&text, values).await?)?;
                     let values = vec![job.id.as_str().into(), job.request.as_slice().into()];
                     connection.execute("INSERT INTO requests (job_id, body) VALUES ($1, $2)", values).await?;
@@ -540,9 +544,9 @@ async fn insert(
 ) -> Result<JobRow> {
     let text = format!(
         "INSERT INTO jobs (id, kind, owner, status, attempt, sequence, turn, created_at, idempotency_key, body_hash, \
-         content_hash, history, warnings, callback_url, batch, batch_index) \
+         content_hash, history, warnings, callback_url, batch, batch_index, reusable) \
          VALUES ($1, $2, $3, 'queued', 0, 1, $4, now_ms(), $5, $6, $7, '0 1 queued ' || now_ms() || '\n', $8, $9, $10, \
-         $11) \
+         $11, $12) \
          RETURNING {COLUMNS}"
     );
     let [batch, index] = place_values(place);
@@ -558,11 +562,17 @@ async fn insert(
         job.callback_url.clone().into(),
         batch,
         index,
+        not_yet_reusable(job),
     ];
     let row = inserted(connection.row(&text, values).await?)?;
     let values = vec![job.id.as_str().into(), job.request.as_slice().into()];
     connection.execute("INSERT INTO requests (job_id, body) VALUES ($1, $2)", values).await?;
     Ok(row)
+}
+
+/// The column `reusable` of a job without a result.
+fn not_yet_reusable(job: &NewJob) -> Value {
+    (if job.reuse { 0 } else { NEVER_REUSABLE }).into()
 }
 
 /// What a job that was begun before it was on disk is inserted with; the values are those of `begun_values`.
@@ -599,7 +609,7 @@ async fn submit_ended(
     }
     let content = content_hash(&options.result_version, &job.kind, &job.request_hash);
     let (status, reusable) = match outcome {
-        Outcome::Succeeded { reusable, .. } => (Status::Succeeded, *reusable),
+        Outcome::Succeeded { reusable, .. } => (Status::Succeeded, *reusable && job.reuse),
         Outcome::Failed { .. } => (Status::Failed, false),
         Outcome::Cancelled => (Status::Cancelled, false),
     };
@@ -761,7 +771,7 @@ async fn finish(
                 result.hash.as_slice().into(),
                 i64::from(*reusable).into(),
             ]);
-            (Status::Succeeded, ", statistics = $4, warnings = $5, artefact = $6, reusable = $7")
+            (Status::Succeeded, ", statistics = $4, warnings = $5, artefact = $6, reusable = reusable + $7")
         }
         (Outcome::Succeeded { .. }, None) => {
             return Err(StoreError::Internal("a success without a prepared result".into()));

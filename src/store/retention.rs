@@ -21,7 +21,7 @@ const LONGEST_REST: Duration = Duration::from_millis(100);
 /// A stored result.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Artefact {
-    /// Names `bytes`: equal for equal bytes only.
+    /// Names `bytes`: never the same for others.
     pub hash: Vec<u8>,
     pub bytes: Vec<u8>,
 }

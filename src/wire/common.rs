@@ -49,10 +49,10 @@ impl Units {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Cache {
-    /// Take a kept result if there is one.
+    /// Take a kept result if there is one, and keep this one for later requests.
     #[default]
     Reuse,
-    /// Solve again.
+    /// Solve again, and let no later request take the result.
     Bypass,
 }
 
