@@ -29,7 +29,7 @@ const WRITE_BACKLOG: usize = 1024;
 const WAL_KEPT_BYTES: u32 = 64 << 20;
 /// Pages that the write-ahead log has grown by when it is copied into the database, beside the writes: pages of indexes that
 /// many jobs change are then copied once.
-const COPIED_PAGES: u32 = 2048;
+const COPIED_PAGES: u32 = 1024;
 /// Pages in the write-ahead log at which the writer itself copies what is left. The log begins anew only where all of it has been
 /// copied, and while writes come without a pause that is never so otherwise.
 const MOST_PAGES: u32 = 16384;
