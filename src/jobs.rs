@@ -6,6 +6,7 @@
 
 pub mod batch;
 pub mod callbacks;
+pub mod converters;
 pub mod express;
 pub mod files;
 pub mod memory;
@@ -23,6 +24,7 @@ pub use crate::store::{EventId, Filter, JobRow, JobWatch, Status as StoredStatus
 use crate::webhook::Sender;
 use crate::wire::job::{Job, JobError, JobList, JobWarning, Links, Progress, Status};
 use crate::wire::{Kind, Rejection};
+use converters::Converters;
 use express::Waiting;
 use files::{File, Files};
 use memory::MemoryBudget;
@@ -32,7 +34,7 @@ use serde::de::DeserializeOwned;
 use serde_json::value::RawValue;
 use std::sync::Arc;
 use std::time::Duration;
-use tokio::sync::{OwnedSemaphorePermit, Semaphore, SemaphorePermit, watch};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 
 /// Why `jobs` did not do as asked.
 #[derive(Debug)]
@@ -99,8 +101,7 @@ struct Inner {
     running: Running,
     shutdown: watch::Sender<bool>,
     memory: MemoryBudget,
-    /// Bodies parsed and meshes converted at once, so that neither can take every core from the solvers and the server.
-    conversions: Semaphore,
+    converters: Converters,
     /// What conversions made lately.
     files: Files,
     /// One for each solver that may run in this process at once; whoever waits for one gets it in turn.
@@ -135,7 +136,7 @@ impl Jobs {
             process: ulid::Ulid::generate().to_string(),
             running: Running::default(),
             shutdown: watch::Sender::new(false),
-            conversions: Semaphore::new(cores.max(2)),
+            converters: Converters::new(cores.max(2)),
         }))
     }
 
@@ -287,33 +288,21 @@ impl Jobs {
         if let Some(file) = self.0.files.get(&key) {
             return Ok(file);
         }
-        let _slot = self.slot().await?;
+        let place = self.0.converters.place().await?;
         // Somebody else's conversion may have ended while this one waited.
         if let Some(file) = self.0.files.get(&key) {
             return Ok(file);
         }
         let artefact = self.0.store.artefact(id, owner).await?.ok_or(JobsError::NotFound)?;
-        let converted = blocking(move || convert(&Archive::from_bytes(&artefact.bytes)?).map(File::new)).await??;
+        let converted = place.run(move || convert(&Archive::from_bytes(&artefact.bytes)?).map(File::new)).await??;
         self.0.files.put(key, converted.clone());
         Ok(converted)
     }
 
     /// Runs something that computes for more than a moment where it stalls nobody.
     async fn off_runtime<T: Send + 'static>(&self, work: impl FnOnce() -> T + Send + 'static) -> Result<T, JobsError> {
-        let _slot = self.slot().await?;
-        blocking(work).await
+        self.0.converters.place().await?.run(work).await
     }
-
-    async fn slot(&self) -> Result<SemaphorePermit<'_>, JobsError> {
-        self.0.conversions.acquire().await.map_err(|error| JobsError::Internal(error.to_string()))
-    }
-}
-
-async fn blocking<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> Result<T, JobsError> {
-    tokio::task::spawn_blocking(work).await.map_err(|error| {
-        tracing::error!(%error, "a conversion panicked");
-        JobsError::Internal("a conversion ran into a defect of this server".into())
-    })
 }
 
 fn found(lookup: Lookup) -> Result<Box<JobRow>, JobsError> {

@@ -135,7 +135,7 @@ fn job_of(owner: &str, number: usize) -> NewJob {
 }
 
 /// A result that is kept once, however often it is made.
-const MANY_BYTES: [u8; 40_000] = [7; 40_000];
+static MANY_BYTES: [u8; 40_000] = [7; 40_000];
 
 fn success(artefact: &[u8]) -> Outcome {
     Outcome::Succeeded {
