@@ -9,6 +9,7 @@
 //!
 //! Solvers' slots are given out in turn, to workers as to these; where a job waits, submissions queue up behind it.
 
+use super::memory::Share;
 use super::queue::{Submission, Submitted};
 use super::worker::{Attempt, End, Work, outcome_of, solve_here, span, spawn_solver, supervise};
 use super::{Jobs, JobsError};
@@ -56,8 +57,7 @@ impl Jobs {
         Ok(slot.ok().and_then(Result::ok))
     }
 
-    /// Solves a job and puts it on disk: with its result, or as running if that takes longer than a moment. Goes on when the
-    /// caller goes away.
+    /// Solves a job and puts it on disk: with its result, or as running if that takes longer than a moment.
     pub(super) async fn solve_at_once(
         &self,
         submission: Submission,
@@ -65,14 +65,45 @@ impl Jobs {
         submitted_at: Instant,
         slot: OwnedSemaphorePermit,
     ) -> Result<Submitted, JobsError> {
+        let span = span(&submission.job.id, &submission.job.kind, 1);
+        // One that would have to wait for memory does so on a thread of its own.
+        let share = if request.is_quick() { self.0.memory.share(request.memory_bytes(), || false) } else { None };
+        if let Some(share) = share {
+            return self.solve_here(submission, &request, submitted_at, (slot, share)).instrument(span).await;
+        }
         let (answer, answered) = oneshot::channel();
         let jobs = self.clone();
-        let span = span(&submission.job.id, &submission.job.kind, 1);
         let work = async move { jobs.begin(submission, request, submitted_at, slot, answer).await };
+        // Goes on when the caller goes away.
         tokio::spawn(work.instrument(span));
         answered
             .await
             .unwrap_or_else(|_| Err(JobsError::Internal("a submission ran into a defect of this server".into())))
+    }
+
+    /// Solves a job on this thread. Where the caller goes away afterwards, all of it comes to the disk or nothing.
+    async fn solve_here(
+        &self,
+        submission: Submission,
+        request: &Request,
+        submitted_at: Instant,
+        room: (OwnedSemaphorePermit, Share<'_>),
+    ) -> Result<Submitted, JobsError> {
+        let (id, kind) = (submission.job.id.clone(), submission.job.kind.clone());
+        let started_at = Instant::now();
+        let attempt = Attempt::begin(self, &id, &kind, milliseconds(started_at - submitted_at));
+        let ended = solve_here(request, &attempt.line);
+        // The disk need not keep the next one from being solved.
+        drop(room);
+        // Nobody can have cancelled it.
+        let Some((status, outcome)) = ended else {
+            return Err(JobsError::Internal("a submission was cancelled before anybody knew it".into()));
+        };
+        let begun = begun(submitted_at, started_at);
+        let stored = self.0.store.submit_ended(submission.job, outcome, begun).await;
+        // Refused, or a repetition that came at the same time was first.
+        attempt.end(if matches!(stored, Ok(Stored::Created(_))) { End::Finished(status) } else { End::Dropped });
+        self.submitted(stored)
     }
 
     async fn begin(
@@ -86,26 +117,15 @@ impl Jobs {
         let (id, kind) = (submission.job.id.clone(), submission.job.kind.clone());
         let started_at = Instant::now();
         let attempt = Attempt::begin(self, &id, &kind, milliseconds(started_at - submitted_at));
-        let here = if request.is_quick() { solve_here(self, &request, &attempt.line) } else { None };
-        let (ended, solver) = match here {
-            Some(ended) => (Some(ended), None),
-            None => {
-                let mut solver = spawn_solver(self, Work::Read(Box::new(request)), attempt.line.clone());
-                let ended = tokio::time::timeout(MOMENT, &mut solver).await;
-                (ended.ok().map(outcome_of), Some(solver))
-            }
-        };
-        let begun = Begun {
-            submitted_ms: milliseconds(submitted_at.elapsed()),
-            started_ms: milliseconds(started_at.elapsed()),
-        };
+        let mut solver = spawn_solver(self, Work::Read(Box::new(request)), attempt.line.clone());
+        let ended = tokio::time::timeout(MOMENT, &mut solver).await;
+        let begun = begun(submitted_at, started_at);
         let lease = Duration::from_millis(self.0.config.jobs.lease_ms);
         let mut slot = Some(slot);
-        let (stored, ended) = match ended {
+        let (stored, ended) = match ended.ok().map(outcome_of) {
             Some(ended) => {
-                // The disk need not keep the next one from being solved.
                 slot.take();
-                // Nobody can have cancelled it; there would be nothing to keep.
+                // As above; there would be nothing to keep.
                 let Some((status, outcome)) = ended else { return };
                 (self.0.store.submit_ended(submission.job, outcome, begun).await, Some(End::Finished(status)))
             }
@@ -125,10 +145,9 @@ impl Jobs {
         let created = matches!(stored, Ok(Stored::Created(_)));
         // A client that went away does not need its answer.
         let _ = answer.send(self.submitted(stored));
-        let end = match (created, ended, slot.zip(solver)) {
+        let end = match (created, ended, slot) {
             (true, Some(end), _) => end,
-            (true, None, Some((slot, solver))) => supervise(self, &id, 1, &attempt.line, solver, slot).await,
-            // Refused, or a repetition that came at the same time was first.
+            (true, None, Some(slot)) => supervise(self, &id, 1, &attempt.line, solver, slot).await,
             _ => {
                 attempt.line.stop();
                 End::Dropped
@@ -136,6 +155,10 @@ impl Jobs {
         };
         attempt.end(end);
     }
+}
+
+fn begun(submitted_at: Instant, started_at: Instant) -> Begun {
+    Begun { submitted_ms: milliseconds(submitted_at.elapsed()), started_ms: milliseconds(started_at.elapsed()) }
 }
 
 fn milliseconds(duration: Duration) -> i64 {

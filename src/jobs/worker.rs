@@ -256,10 +256,9 @@ pub(super) fn spawn_solver(jobs: &Jobs, work: Work, line: Arc<Line>) -> Solver {
     receiver
 }
 
-/// Solves on this thread, unless memory would have to be waited for.
-pub(super) fn solve_here(jobs: &Jobs, request: &Request, line: &Line) -> Option<Option<(&'static str, Outcome)>> {
-    let _share = jobs.0.memory.share(request.memory_bytes(), || false)?;
-    Some(outcome(guarded(|| solve(request, line))))
+/// Solves on this thread. The caller has a share of the memory for it.
+pub(super) fn solve_here(request: &Request, line: &Line) -> Option<(&'static str, Outcome)> {
+    outcome(guarded(|| solve(request, line)))
 }
 
 fn solve(request: &Request, line: &Line) -> Ended {
