@@ -3,6 +3,7 @@
 //! allocator keeps for each thread what it once needed.
 
 use super::JobsError;
+use super::worker::STACK_BYTES;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -79,7 +80,7 @@ fn start(received: Arc<Mutex<Receiver<Work>>>) -> bool {
             work();
         }
     };
-    let started = std::thread::Builder::new().name("converter".into()).spawn(run);
+    let started = std::thread::Builder::new().name("converter".into()).stack_size(STACK_BYTES).spawn(run);
     started.inspect_err(|error| tracing::error!(%error, "starting a thread")).is_ok()
 }
 

@@ -14,8 +14,8 @@ use std::time::{Duration, Instant};
 use tokio::sync::{OwnedSemaphorePermit, oneshot};
 use tracing::Instrument;
 
-/// The stack of the runtime's threads, which solvers run on: they may recurse (sparse orderings, Delaunay walks), and address
-/// space is cheap.
+/// The stack of the runtime's threads, which solvers run on, and of the converters: they may recurse (sparse orderings, Delaunay
+/// walks), and address space is cheap.
 pub const STACK_BYTES: usize = 64 << 20;
 /// A worker that was told of no work looks for some this often.
 const IDLE_POLL: Duration = Duration::from_secs(1);
