@@ -91,22 +91,26 @@ fn gone() -> JobsError {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::time::Duration;
-    use tokio::time::timeout;
+    use futures_util::FutureExt;
 
     #[tokio::test]
     async fn work_keeps_its_place_when_its_caller_goes_away() {
-        let moment = Duration::from_millis(20);
         let converters = Converters::new(2);
         let (closed, gate) = channel::<()>();
         let gate = Arc::new(Mutex::new(gate));
         for _ in 0..2 {
+            let (begun, beginning) = oneshot::channel();
             let gate = gate.clone();
-            let place = converters.place().await.unwrap();
-            let impatient = timeout(moment, place.run(move || gate.lock().unwrap().recv())).await;
-            assert!(impatient.is_err());
+            let run = converters.place().await.unwrap().run(move || {
+                begun.send(()).unwrap();
+                gate.lock().unwrap().recv()
+            });
+            tokio::select! {
+                _ = run => panic!("the gate is closed"),
+                begun = beginning => begun.unwrap(),
+            }
         }
-        assert!(timeout(moment, converters.place()).await.is_err());
+        assert!(converters.place().now_or_never().is_none());
         drop(closed);
         assert_eq!(converters.place().await.unwrap().run(|| 7).await.unwrap(), 7);
     }
