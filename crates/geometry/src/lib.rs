@@ -16,11 +16,12 @@
 
 pub mod error;
 pub mod execution;
-pub mod linear;
 pub mod mesh;
 pub mod minimal_surface;
 pub mod polyline;
+mod remesh;
 pub mod ruled_surface;
+pub mod sparse;
 pub mod uniform_mesh;
 
 pub use error::{Error, InputError, Place};

@@ -2,8 +2,12 @@
 //! [`measure`] and [`check`] see both.
 
 pub mod check;
+pub(crate) mod crossing;
 pub mod edit;
+pub(crate) mod film;
 pub mod measure;
+#[cfg(test)]
+pub(crate) mod structured;
 pub mod topology;
 
 use crate::DVec3;

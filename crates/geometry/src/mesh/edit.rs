@@ -134,6 +134,15 @@ impl Topology {
     }
 }
 
+/// Turns all triangles over if they run against the boundary.
+pub(crate) fn orient_along(triangles: &mut [[u32; 3]], boundary: &[u32]) {
+    let edge = (boundary[0], boundary[1]);
+    let along = triangles.iter().any(|&[a, b, c]| [(a, b), (b, c), (c, a)].contains(&edge));
+    if !along {
+        triangles.iter_mut().for_each(|triangle| triangle.swap(0, 1));
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -19,7 +19,7 @@
 //! Laplacian's own size is all that a Newton step needs.
 
 use crate::DVec3;
-use crate::linear::SymmetricMatrix;
+use crate::sparse::SymmetricMatrix;
 
 /// "No unknown": the entry of a fixed vertex.
 pub(super) const FIXED: u32 = u32::MAX;

@@ -1,28 +1,29 @@
 //! The mesh that a solver starts from. It settles the topology of the result and, with several minimal surfaces on one
 //! boundary, which of them comes out.
 
+mod barycentres;
 mod domain;
 mod given;
 mod lattice;
-mod pins;
+pub(super) mod pins;
 mod plane_mesh;
+mod polygon_domain;
 mod rings;
 mod sampling;
 mod spanning;
 mod strip;
 
-use super::film::Film;
-use super::{
-    BoundarySampling, InitialMesh, Objective, Options, Resolution, Topology, estimate_triangles, mean_curvature_lm,
-};
+use super::estimate::estimate_triangles;
+use super::options::{BoundarySampling, InitialMesh, Objective, Options, Resolution, Topology};
 use crate::error::InputError;
+use crate::mesh::film::Film;
 use crate::{DVec3, Error, Execution, Place};
+use barycentres::candidate_mesh;
 use domain::{Frame, Shape};
 use pins::Pins;
 use plane_mesh::PlaneError;
 use spanning::Spanning;
 
-pub(super) use pins::bits;
 pub(super) use spanning::Start;
 
 /// Which initial mesh was built.
@@ -139,7 +140,7 @@ fn barycentres(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -
         // A disk of m boundary points and n others has m + 2 n - 2 triangles.
         _ => ((estimate_triangles(boundaries, options) + 2.0 - boundary.len() as f64) / 2.0).round() as usize,
     };
-    mean_curvature_lm::candidate_mesh(boundary, interior_vertices, options.seed, exec)
+    candidate_mesh(boundary, interior_vertices, options.seed, exec)
 }
 
 /// What [`build`] would refuse, as far as it shows without meshing: linear in the input.
@@ -221,14 +222,5 @@ fn refusal(boundaries: &[Vec<DVec3>], error: PlaneError, plane: bool) -> Error {
             "degenerate_boundary",
             "points of the boundary are so close together that they cannot be told apart",
         ),
-    }
-}
-
-/// Turns all triangles over if they run against the boundary.
-fn orient_along(triangles: &mut [[u32; 3]], boundary: &[u32]) {
-    let edge = (boundary[0], boundary[1]);
-    let along = triangles.iter().any(|&[a, b, c]| [(a, b), (b, c), (c, a)].contains(&edge));
-    if !along {
-        triangles.iter_mut().for_each(|triangle| triangle.swap(0, 1));
     }
 }

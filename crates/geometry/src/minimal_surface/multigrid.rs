@@ -11,7 +11,7 @@
 //!    factor L D Lᵀ. The cycle is symmetric and positive definite as long as the matrices are.
 //! 4. Conjugate gradients with that preconditioner: the residual falls by about ten an iteration, whatever the size.
 
-use crate::linear::{Symbolic, SymmetricMatrix};
+use crate::sparse::{Symbolic, SymmetricMatrix};
 use crate::{Execution, Interruption};
 
 use super::cotangent::FIXED;
@@ -182,11 +182,11 @@ pub(super) fn parents_of(coarse_unknown: &[u32], fine_vertices: &[u32], midpoint
 #[cfg(test)]
 mod tests {
     use super::super::cotangent::{Pattern, vertex_normals};
-    use super::super::film::Film;
-    use super::super::remesh::subdivide;
-    use super::super::structured::{catenoid, patch};
     use super::*;
     use crate::Signal;
+    use crate::mesh::film::Film;
+    use crate::mesh::structured::{catenoid, patch};
+    use crate::remesh::subdivision::subdivide;
     use std::cell::Cell;
 
     fn second_variation(film: &Film, pattern: &Pattern) -> SymmetricMatrix {

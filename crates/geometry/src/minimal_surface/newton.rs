@@ -14,9 +14,9 @@
 //! three to four digits a step.
 
 use super::cotangent::{FIXED, FirstVariation, Pattern, vertex_normals};
-use super::film::Film;
-use crate::linear::{LinearError, Symbolic, SymmetricMatrix};
+use crate::mesh::film::Film;
 use crate::mesh::measure;
+use crate::sparse::{LinearError, Symbolic, SymmetricMatrix};
 use crate::{DVec3, Execution, Interruption};
 
 /// A step shorter than this fraction of Newton's own ends the run.
@@ -234,9 +234,9 @@ pub(super) fn keeps_orientation(film: &Film, vertices: &[DVec3]) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::pinkall_polthier::Dirichlet;
-    use super::super::structured::{cylinder, helicoid, patch, relax};
+    use super::super::harmonic::Dirichlet;
     use super::*;
+    use crate::mesh::structured::{cylinder, helicoid, patch, relax};
 
     fn residuals(film: &mut Film) -> (Outcome, Vec<f64>) {
         let mut dirichlet = Dirichlet::new(film).unwrap();

@@ -11,9 +11,9 @@
 //! and the result depends on no random number.
 
 use super::cotangent::Pattern;
-use super::film::Film;
 use super::newton::State;
-use crate::linear::{LinearError, Symbolic, SymmetricMatrix};
+use crate::mesh::film::Film;
+use crate::sparse::{LinearError, Symbolic, SymmetricMatrix};
 use crate::{Execution, Interruption};
 
 /// Iterations end when the eigenvalue moves by less than this fraction of itself (or of 1/1000 of 1/R²).
@@ -239,9 +239,9 @@ fn lowest_of_three(mut a: [[f64; 3]; 3], size: usize) -> (f64, [f64; 3]) {
 #[cfg(test)]
 mod tests {
     use super::super::newton::{Aim, Direct, Outcome, Settings, iterate};
-    use super::super::structured::{catenoid, patch};
     use super::*;
     use crate::DVec3;
+    use crate::mesh::structured::{catenoid, patch};
     use std::f64::consts::PI;
 
     fn converged(mut film: Film, aim: Aim) -> SecondVariation {

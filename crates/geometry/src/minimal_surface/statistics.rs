@@ -1,108 +1,14 @@
 //! What is reported about a film: size, shape, curvature, residual, and how the solver got there.
 
-use super::extrapolation::ExtrapolatedArea;
-use super::film::{Film, Run};
-use super::spanning_topology::SpanningComparison;
+use super::curvature::Curvature;
+use super::initial_mesh::InitialMeshKind;
+use super::options::{Objective, Options, Solver};
+use super::run::{ExtrapolatedArea, HistoryRow, Run, SpanningComparison, Stability, StopReason};
 use super::triple_junction::JunctionStatistics;
-use super::{InitialMeshKind, Objective, Options, Solver};
-use crate::DVec3;
+use crate::mesh::film::Film;
 use crate::mesh::measure::{self, Spread};
 use crate::mesh::topology::Topology;
-
-/// Why a solver stopped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StopReason {
-    /// The residual fell to the tolerance.
-    Residual,
-    /// The area changed by less than its tolerance (the papers' own rule).
-    AreaChange,
-    /// A neck closed, and the run was asked to end there.
-    TopologyChange,
-    /// The one linear system of the objective is solved.
-    Solved,
-    /// There is no vertex to move.
-    NothingToMove,
-    /// The objective, its gradient or the step's length fell below Liu and Wang's criteria.
-    ObjectiveChange,
-    Gradient,
-    StepLength,
-    MaxIterations,
-    /// No step gains any more, although the residual is above the tolerance: a fold is in the way, or rounding is reached.
-    Stalled,
-    /// A part of the mesh has shrunk so far that its linear system has no trustworthy solution.
-    Collapsed,
-    Deadline,
-}
-
-impl StopReason {
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Residual => "residual",
-            Self::AreaChange => "area_change",
-            Self::TopologyChange => "topology_change",
-            Self::Solved => "solved",
-            Self::NothingToMove => "nothing_to_move",
-            Self::ObjectiveChange => "objective_change",
-            Self::Gradient => "gradient",
-            Self::StepLength => "step_length",
-            Self::MaxIterations => "max_iterations",
-            Self::Stalled => "stalled",
-            Self::Collapsed => "collapsed",
-            Self::Deadline => "deadline",
-        }
-    }
-}
-
-/// One iteration as it is remembered.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HistoryRow {
-    pub phase: &'static str,
-    pub iteration: u32,
-    pub area: f64,
-    pub residual: f64,
-}
-
-/// A change of topology: where a neck closed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pinch {
-    pub iteration: u32,
-    pub place: DVec3,
-    /// What happened there: `split` (a component became two), `handle_cut` (it stayed one), `closed_component_removed`.
-    pub what: &'static str,
-}
-
-/// The second variation of area under normal motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stability {
-    /// Whether the Morse index is 0: a true local minimum.
-    pub stable: bool,
-    /// Number of negative eigenvalues.
-    pub morse_index: usize,
-    /// Lowest eigenvalue against the lumped mass, in 1/unit².
-    pub lowest_eigenvalue: f64,
-    pub method: StabilityMethod,
-}
-
-/// Where a Morse index comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StabilityMethod {
-    /// The signs of the pivots of a factorisation: exact.
-    Inertia,
-    /// The lowest eigenvalue, by preconditioned iteration: on meshes too large to factorise in good time, and then only where
-    /// it is positive, so that the index is 0.
-    Eigenvalue,
-}
-
-impl StabilityMethod {
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Inertia => "inertia",
-            Self::Eigenvalue => "eigenvalue",
-        }
-    }
-}
+use crate::remesh::thin_triangles::Pinch;
 
 /// Mean curvature over the vertices that are free to move, in 1/unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -173,53 +79,6 @@ impl Statistics {
             reasons.push(format!("{} triangles are degenerate", self.degenerate_triangles));
         }
         format!("{}; it stopped for the reason {}", reasons.join(", "), self.stop_reason.name())
-    }
-}
-
-/// Mean curvature and residuals of a film, vertex by vertex.
-#[derive(Clone, Debug)]
-pub struct Curvature {
-    /// Per vertex |g| / (2 A_h), in 1/unit; 0 where the vertex is fixed.
-    pub mean_curvature: Vec<f64>,
-    pub residual: f64,
-    pub residual_full: f64,
-}
-
-impl Curvature {
-    /// One pass over the triangles and one over the vertices.
-    pub(super) fn of(film: &Film) -> Self {
-        let count = film.vertices.len();
-        let mut gradient = vec![DVec3::ZERO; count];
-        let mut normal = vec![DVec3::ZERO; count];
-        for &triangle in film.triangles() {
-            let [a, b, c] = film.corners(triangle);
-            let double_area = (b - a).cross(c - a);
-            let unit = double_area.normalize_or_zero();
-            // The area grows fastest when a corner moves away from the opposite edge, at half that edge's length.
-            let pull = [(c - b), (a - c), (b - a)].map(|edge| 0.5 * unit.cross(edge));
-            for (vertex, pull) in triangle.into_iter().zip(pull) {
-                gradient[vertex as usize] += pull;
-                normal[vertex as usize] += double_area;
-            }
-        }
-        let mut ring_area = vec![0.0; count];
-        for &triangle in film.triangles() {
-            let area = 0.5 * measure::double_area_vector(film.corners(triangle)).length();
-            triangle.into_iter().for_each(|vertex| ring_area[vertex as usize] += area);
-        }
-        let radius = film.radius();
-        let mut result = Self { mean_curvature: vec![0.0; count], residual: 0.0, residual_full: 0.0 };
-        for v in (0..count).filter(|&v| !film.fixed[v]) {
-            let double_share = 2.0 / 3.0 * ring_area[v];
-            // A vertex whose whole ring has no area is as far from converged as can be.
-            let over_share = |pull: f64| if double_share > 0.0 { pull / double_share } else { f64::MAX.sqrt() };
-            let full = over_share(gradient[v].length());
-            result.mean_curvature[v] = full;
-            result.residual_full = result.residual_full.max(full * radius);
-            let along_normal = gradient[v].dot(normal[v].normalize_or_zero()).abs();
-            result.residual = result.residual.max(over_share(along_normal) * radius);
-        }
-        result
     }
 }
 

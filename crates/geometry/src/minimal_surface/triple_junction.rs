@@ -19,11 +19,14 @@ mod variation;
 
 pub(super) use sheets::has_junctions;
 
-use super::statistics::{HistoryRow, Statistics, StopReason};
-use super::{ConstraintVertices, InitialMeshKind, MeanCurvature, MinimalSurface, Objective, Options, Solver, Topology};
+use super::initial_mesh::InitialMeshKind;
+use super::options::{Objective, Options, Solver, Topology};
+use super::outcome::{ConstraintVertices, MinimalSurface};
+use super::run::{HistoryRow, StopReason};
+use super::statistics::{MeanCurvature, Statistics};
 use crate::error::{InputError, Warning};
-use crate::linear::Symbolic;
 use crate::mesh::measure::{self, Spread};
+use crate::sparse::Symbolic;
 use crate::{DVec3, Error, Execution, Interruption, Mesh, Place, Progress, polyline};
 use sheets::{Kind, Sheets};
 use variation::{Directions, SecondVariation, dirichlet_step};

@@ -13,8 +13,8 @@
 use super::least_squares::{Normal, Outcome, Problem, Settings, minimise, step_before_flip};
 use crate::error::Error;
 use crate::execution::Execution;
-use crate::linear::{Symbolic, SymmetricMatrix};
 use crate::mesh::topology::{NONE, Topology};
+use crate::sparse::{Symbolic, SymmetricMatrix};
 use crate::{DVec2, DVec3, Mesh, mesh::measure};
 use std::f64::consts::TAU;
 

@@ -6,7 +6,7 @@
 
 use crate::DVec2;
 use crate::execution::{Execution, Interruption, Progress};
-use crate::linear::{Symbolic, SymmetricMatrix};
+use crate::sparse::{Symbolic, SymmetricMatrix};
 
 /// What is minimised over the positions of the nodes 0..n.
 pub(super) trait Problem {

@@ -1,8 +1,9 @@
 //! The client's own initial mesh: checked, and numbered as all others are.
 
-use super::super::film::Film;
 use super::pins::{Pin, Pins, bits};
 use crate::error::InputError;
+use crate::mesh::edit::orient_along;
+use crate::mesh::film::Film;
 use crate::mesh::measure::is_degenerate;
 use crate::mesh::topology::{NONE, Topology};
 use crate::{DVec3, Error, Mesh, Place};
@@ -72,7 +73,7 @@ pub(super) fn build(mesh: &Mesh, boundaries: &[Vec<DVec3>], pins: &Pins) -> Resu
         mesh.triangles.iter().map(|triangle| triangle.map(|v| number[v as usize])).collect();
     let loops: Vec<Vec<u32>> =
         matched.iter().map(|boundary| boundary.vertices.iter().map(|&v| number[v as usize]).collect()).collect();
-    super::orient_along(&mut triangles, &loops[0]);
+    orient_along(&mut triangles, &loops[0]);
     let mut film = Film::new(vertices, &triangles, loops).expect("renaming keeps a manifold");
     fix(&mut film, pins)?;
     Ok(film)

@@ -1,10 +1,10 @@
 //! Fixed points and curves inside a film: which mesh vertices they need, and where these stand in the plane domain.
 
-use super::super::film::Film;
-use super::super::{BoundarySampling, Constraints};
 use super::domain::Shape;
 use crate::DVec3;
+use crate::mesh::film::Film;
 use crate::mesh::measure::double_area_vector;
+use crate::minimal_surface::options::{BoundarySampling, Constraints};
 use glam::DVec2;
 use std::collections::BTreeMap;
 
@@ -84,7 +84,7 @@ impl Pins {
 }
 
 /// Coordinates as sortable bits; -0 and 0 are one.
-pub(in super::super) fn bits(point: DVec3) -> [u64; 3] {
+pub(crate) fn bits(point: DVec3) -> [u64; 3] {
     (point + DVec3::ZERO).to_array().map(f64::to_bits)
 }
 

@@ -1,9 +1,9 @@
 //! A graded triangulation of a plane domain between closed polygons: boundary, lattice points, constrained Delaunay.
 
-use super::super::film::Film;
-use super::super::remesh::{flip_to_delaunay, tangential_relaxation};
 use super::lattice::{SizeField, Source, inside};
+use crate::mesh::film::Film;
 use crate::mesh::topology::{NONE, Topology};
+use crate::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
 use crate::{DVec3, Execution, Interruption};
 use glam::DVec2;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};

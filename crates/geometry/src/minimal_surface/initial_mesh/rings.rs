@@ -10,10 +10,11 @@
 //! triangles to be split are spread evenly over the outer ring (theirs: any). With `refine` the boundary is first
 //! sampled as finely as the mesh is to be, and a count of the wrong parity is raised by one.
 
-use super::super::film::Film;
-use super::super::{BoundarySampling, LARGEST_COUNT, Options, Resolution};
 use super::sampling::{Sampled, numbers, sample};
 use super::strip::Matching;
+use crate::mesh::edit::orient_along;
+use crate::mesh::film::Film;
+use crate::minimal_surface::options::{BoundarySampling, LARGEST_COUNT, Options, Resolution};
 use crate::{DVec3, Error, Execution, Place, polyline};
 
 /// One or two boundaries; exactly the triangles asked for if the boundary is kept.
@@ -207,7 +208,7 @@ impl Skeleton {
         let splits = interior - self.least_interior() - rings * n;
         split_evenly(&mut vertices, &mut triangles, if rings > 0 { 2 * n } else { n }, splits);
         if self.outer != 0 {
-            super::orient_along(&mut triangles, &self.boundaries[0]);
+            orient_along(&mut triangles, &self.boundaries[0]);
         }
         Film::new(vertices, &triangles, self.boundaries.clone()).expect("rings are a manifold by construction")
     }

@@ -1,7 +1,7 @@
 //! Points on a boundary: the polygon's own, and with `refine` more on its long segments.
 
-use super::super::BoundarySampling;
 use crate::DVec3;
+use crate::minimal_surface::options::BoundarySampling;
 
 /// One closed boundary with the points that were added on it.
 #[derive(Clone, Debug)]

@@ -8,25 +8,28 @@
 //!    convex combination map, Tutte 1963, Floater 1997).
 //! 4. Fine meshes are asked for as a coarse one and a number of regular subdivisions.
 
-use super::super::cotangent::Pattern;
-use super::super::film::Film;
-use super::super::pinkall_polthier::Dirichlet;
-use super::super::remesh::{flip_to_delaunay, subdivide, tangential_relaxation};
-use super::super::resample::{RUNAWAY, Rim, resample};
-use super::super::{BoundarySampling, Constraints, LARGEST_COUNT, Options, Resolution, estimate_triangles};
 use super::domain::Shape;
 use super::pins::{Pin, Pins};
 use super::plane_mesh::{Domain, PlaneError, PlaneMesh};
 use super::sampling::{Sampled, numbers, sample};
-use crate::linear::{LinearError, Symbolic};
+use crate::mesh::edit::orient_along;
+use crate::mesh::film::Film;
 use crate::mesh::measure;
 use crate::mesh::topology::Topology;
+use crate::minimal_surface::cotangent::Pattern;
+use crate::minimal_surface::estimate::estimate_triangles;
+use crate::minimal_surface::harmonic::Dirichlet;
+use crate::minimal_surface::options::{BoundarySampling, Constraints, LARGEST_COUNT, Options, Resolution};
+use crate::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
+use crate::remesh::isotropic::{RUNAWAY, Rim, resample};
+use crate::remesh::subdivision::subdivide;
+use crate::sparse::{LinearError, Symbolic};
 use crate::{DVec3, Error, Execution, Place, polyline};
 use glam::DVec2;
 
 /// A film at a coarse resolution and how often it is to be subdivided.
 #[derive(Clone, Debug)]
-pub(in super::super) struct Start {
+pub(crate) struct Start {
     pub film: Film,
     pub subdivisions: u32,
 }
@@ -514,7 +517,7 @@ impl Spanning<'_> {
         locked.sort_unstable();
         locked.dedup();
         self.lift(&in_plane, &triangles, &fixed, &mut vertices)?;
-        super::orient_along(&mut triangles, &loops[0]);
+        orient_along(&mut triangles, &loops[0]);
         let topology = Topology::build(&triangles, vertices.len()).expect("renaming keeps a manifold");
         Ok((Film { vertices, topology, fixed, locked, boundaries: loops }, in_plane))
     }

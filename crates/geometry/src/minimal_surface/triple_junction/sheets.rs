@@ -1,10 +1,10 @@
 //! A film whose sheets meet three by three along curves: its edges, its sheets, and what may move how.
 
-use super::super::film::Film;
-use super::super::remesh::{flip_to_delaunay, tangential_relaxation};
 use crate::error::InputError;
+use crate::mesh::film::Film;
 use crate::mesh::measure;
 use crate::mesh::topology::Topology;
+use crate::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
 use crate::{DVec3, Error, Place};
 use std::collections::BTreeMap;
 

@@ -2,7 +2,7 @@
 
 use super::sheets::{Kind, Sheets};
 use crate::DVec3;
-use crate::linear::{Symbolic, SymmetricMatrix};
+use crate::sparse::{Symbolic, SymmetricMatrix};
 
 /// The directions in which the vertices move, one unknown each: a sheet's vertex along its normal, a junction's vertex in two
 /// directions across the curve, a point's vertex (and, for the Laplacian, every vertex) in three.

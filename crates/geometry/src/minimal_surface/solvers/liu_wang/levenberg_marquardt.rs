@@ -1,7 +1,7 @@
 //! Levenberg and Marquardt's damped Gauss-Newton steps for ½ Σ H², after Madsen, Nielsen and Tingleff (Liu-Wang, Fig. 5).
 
 use super::curvature::CurvatureRows;
-use crate::linear::{Symbolic, SymmetricMatrix};
+use crate::sparse::{Symbolic, SymmetricMatrix};
 use crate::{DVec3, Execution, Interruption};
 
 /// When to stop.

@@ -1,8 +1,5 @@
-//! What the solvers of minimal surfaces share: the mesh while it moves, what on it is fixed, and what a run reports.
+//! A mesh between its boundaries while a solver works on it: where its vertices are, and what on it is fixed.
 
-use super::extrapolation::ExtrapolatedArea;
-use super::spanning_topology::SpanningComparison;
-use super::statistics::{HistoryRow, Pinch, Stability, StopReason};
 use crate::mesh::measure;
 use crate::mesh::topology::Topology;
 use crate::{DVec3, Mesh};
@@ -11,7 +8,7 @@ use crate::{DVec3, Mesh};
 ///
 /// Vertices: the boundaries' input points first; where points added on the boundary stand is the initial mesh's choice.
 #[derive(Clone, Debug)]
-pub(super) struct Film {
+pub(crate) struct Film {
     pub vertices: Vec<DVec3>,
     pub topology: Topology,
     /// Vertices that never move: the boundary, and points that the caller fixed.
@@ -98,43 +95,5 @@ impl Film {
         let mut place = vec![0u32; count];
         order.enumerate().for_each(|(new, old)| place[old as usize] = new as u32);
         Some(place)
-    }
-}
-
-/// What a solver did to a film.
-#[derive(Clone, Debug)]
-pub(super) struct Run {
-    pub solver: super::Solver,
-    pub stop_reason: StopReason,
-    pub iterations: u32,
-    pub history: Vec<HistoryRow>,
-    pub edges_swapped: u64,
-    pub pinches: Vec<Pinch>,
-    pub stability: Option<Stability>,
-    /// Per vertex the lowest mode of an unstable film.
-    pub way_down: Option<Vec<DVec3>>,
-    pub extrapolated_area: Option<ExtrapolatedArea>,
-    /// Where the objective is not the area.
-    pub objective_value: Option<f64>,
-    /// What was compared, if topologies were.
-    pub spanning: Option<SpanningComparison>,
-}
-
-impl Run {
-    /// Nothing done yet.
-    pub fn new(solver: super::Solver) -> Self {
-        Self {
-            solver,
-            stop_reason: StopReason::NothingToMove,
-            iterations: 0,
-            history: Vec::new(),
-            edges_swapped: 0,
-            pinches: Vec::new(),
-            stability: None,
-            way_down: None,
-            extrapolated_area: None,
-            objective_value: None,
-            spanning: None,
-        }
     }
 }

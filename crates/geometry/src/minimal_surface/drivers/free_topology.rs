@@ -5,15 +5,14 @@
 //! 3. There is none near: the film only lingers where one almost exists. Go on shrinking, to a much smaller change of area,
 //!    and try again. A fold that a closed neck left is opened by averaging, and step 1 follows. If no neck closes after that either, what the default solver reached is the answer, not converged.
 
-use super::bento_cavalcanti::{Stop, Until, iterate};
-use super::descent;
-use super::film::{Film, Run};
-use super::record::Record;
-use super::remesh::flip_to_delaunay;
-use super::statistics::{HistoryRow, StopReason};
-use super::topology_change::{Necks, remove_degenerate_triangles};
-use super::{OnUnstable, Options, Solver, Topology};
+use crate::mesh::film::Film;
 use crate::mesh::measure;
+use crate::minimal_surface::options::{OnUnstable, Options, Solver, Topology};
+use crate::minimal_surface::run::{Record, Run, StopReason};
+use crate::minimal_surface::solvers::newton;
+use crate::minimal_surface::solvers::pinkall_polthier::{Stop, Until, iterate};
+use crate::remesh::delaunay::flip_to_delaunay;
+use crate::remesh::thin_triangles::{Necks, remove_degenerate_triangles};
 use crate::{DVec3, Error, Execution, Interruption};
 
 /// Solves of step 1 that a run may take if the caller does not say: a film past its last stable shape lingers.
@@ -31,7 +30,7 @@ const UNFOLDING_SWEEPS: u32 = 50;
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large to factorise.
-pub(super) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
+pub(crate) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
     let limit = options.max_iterations.unwrap_or(DEFAULT_SOLVES);
     let mut run = Run::new(Solver::Newton);
     let mut change = SETTLED;
@@ -60,7 +59,7 @@ pub(super) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Resul
             max_iterations: options.max_iterations.map(|_| limit.saturating_sub(run.iterations)),
             ..options.clone()
         };
-        let finish = exec.part([done + 0.5 * part, done + part], |exec| descent::run(&mut held, &fixed, exec))?;
+        let finish = exec.part([done + 0.5 * part, done + part], |exec| newton::run(&mut held, &fixed, exec))?;
         let converged = finish.stop_reason == StopReason::Residual;
         let stable = finish.stability.is_none_or(|stability| stability.stable);
         let interrupted = finish.stop_reason == StopReason::Deadline;
@@ -131,28 +130,11 @@ fn shrink(
     Ok(reason)
 }
 
-impl Run {
-    /// What came after this run on the same film, as one run.
-    pub(super) fn append(&mut self, later: Self) {
-        let before = self.iterations;
-        self.stop_reason = later.stop_reason;
-        self.iterations += later.iterations;
-        self.history
-            .extend(later.history.into_iter().map(|row| HistoryRow { iteration: row.iteration + before, ..row }));
-        self.edges_swapped += later.edges_swapped;
-        self.pinches.extend(later.pinches.into_iter().map(|mut pinch| {
-            pinch.iteration += before;
-            pinch
-        }));
-        self.stability = later.stability;
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::Resolution;
-    use super::super::structured::cylinder;
     use super::*;
+    use crate::mesh::structured::cylinder;
+    use crate::minimal_surface::options::Resolution;
 
     fn rings(height: f64) -> (Film, Run) {
         let mut film = cylinder(48, 8, height / 10.0);

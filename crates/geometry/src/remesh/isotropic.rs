@@ -4,8 +4,8 @@
 //! graded from the boundary's own spacing instead of one length; edges that are split or collapsed together are chosen
 //! so that they share no triangle (no neighbourhood), so that a pass is one rebuild of the triangle list.
 
-use super::film::Film;
-use super::remesh::{flip_to_delaunay, tangential_relaxation};
+use super::delaunay::{flip_to_delaunay, tangential_relaxation};
+use crate::mesh::film::Film;
 use crate::mesh::measure::double_area_vector;
 use crate::mesh::topology::{NONE, Topology};
 use crate::{DVec3, Execution, Interruption};
@@ -27,13 +27,13 @@ const ROOM: f64 = 0.7;
 /// A pass that changes the number of triangles by less than this shows where they settle.
 const SETTLED: f64 = 0.1;
 /// Splitting ends beyond this many times the wanted number.
-pub(super) const RUNAWAY: f64 = 4.0;
+pub(crate) const RUNAWAY: f64 = 4.0;
 /// How near the wanted number ends the passes.
 const CLOSE_ENOUGH: f64 = 0.03;
 
 /// What may happen to the boundary's own edges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Rim {
+pub(crate) enum Rim {
     /// Long ones are split; the new vertices are fixed and stand on the segments.
     Refined,
     Kept,
@@ -45,7 +45,7 @@ pub(super) enum Rim {
 ///
 /// # Errors
 /// The interruptions of `exec`; the film is valid then too.
-pub(super) fn resample(
+pub(crate) fn resample(
     film: &mut Film,
     count: f64,
     passes: u32,

@@ -1,6 +1,6 @@
 //! Whether two films pass through each other.
 
-use super::film::Film;
+use crate::mesh::film::Film;
 use crate::{DVec3, Execution, Interruption};
 
 /// Whether a triangle's edge of one film pierces the inside of a triangle of the other.
@@ -10,7 +10,7 @@ use crate::{DVec3, Execution, Interruption};
 ///
 /// # Errors
 /// The interruptions of `exec`.
-pub(super) fn films_cross(first: &Film, second: &Film, exec: &Execution) -> Result<bool, Interruption> {
+pub(crate) fn films_cross(first: &Film, second: &Film, exec: &Execution) -> Result<bool, Interruption> {
     let boxes = |film: &Film| {
         let mut boxes: Vec<(DVec3, DVec3, [DVec3; 3])> = film
             .triangles()
@@ -66,8 +66,8 @@ fn side(a: DVec3, b: DVec3, c: DVec3, d: DVec3) -> i32 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::structured::{cylinder, patch};
     use super::*;
+    use crate::mesh::structured::{cylinder, patch};
 
     fn cross(a: &Film, b: &Film) -> bool {
         films_cross(a, b, &Execution::default()).unwrap()

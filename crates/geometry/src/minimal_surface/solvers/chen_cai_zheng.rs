@@ -19,34 +19,14 @@
 //! - Fairing does not lower the area in every step and could go on for ever between two states: each stage has at most
 //!   its share of the iterations that are left.
 
-use super::film::{Film, Run};
-use super::statistics::{Curvature, HistoryRow, StopReason};
-use super::{Options, Solver};
+use crate::mesh::film::Film;
 use crate::mesh::measure::{double_area_vector, is_degenerate};
-use crate::mesh::topology::{next, previous};
+use crate::mesh::topology::{NONE, next, previous};
+use crate::minimal_surface::curvature::Curvature;
+use crate::minimal_surface::options::{Options, Process, Solver};
+use crate::minimal_surface::run::{HistoryRow, Run, StopReason};
 use crate::{DVec3, Error, Execution, Interruption, Progress};
 use glam::DMat3;
-
-/// One of the paper's three processes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Process {
-    LaplacianFairing,
-    AreaMinimising,
-    EdgeSwapping,
-}
-
-impl Process {
-    pub const ALL: [Self; 3] = [Self::LaplacianFairing, Self::AreaMinimising, Self::EdgeSwapping];
-
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::LaplacianFairing => "laplacian_fairing",
-            Self::AreaMinimising => "area_minimising",
-            Self::EdgeSwapping => "edge_swapping",
-        }
-    }
-}
 
 /// Sweeps that a run may take if the caller does not say.
 const DEFAULT_SWEEPS: u32 = 10_000;
@@ -58,7 +38,7 @@ const LOOK_EVERY: u64 = 20_000;
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel.
-pub(super) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
+pub(crate) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
     let paper = || {
         vec![
             vec![Process::LaplacianFairing, Process::EdgeSwapping],
@@ -159,7 +139,7 @@ impl Relaxation<'_> {
         }
     }
 
-    /// Keeps a history row and reports progress, thinned out as [`Statistics::history`](super::Statistics) says.
+    /// Keeps a history row and reports progress, thinned out as [`Statistics::history`](crate::minimal_surface::Statistics) says.
     fn remember(&mut self, phase: &'static str, area: f64, fraction: f64, last: bool) {
         let k = self.iterations;
         let kept = k <= 100 || k.is_multiple_of(100) || (k <= 1000 && k.is_multiple_of(10));
@@ -244,7 +224,7 @@ impl Relaxation<'_> {
 fn gains(film: &Film, h: u32) -> bool {
     let topology = &film.topology;
     let twin = topology.twin[h as usize];
-    if twin == crate::mesh::topology::NONE {
+    if twin == NONE {
         return false;
     }
     let (a, b, c, d) = (topology.from(h), topology.to(h), topology.opposite(h), topology.opposite(twin));

@@ -19,18 +19,26 @@
 
 mod surgery;
 
-use super::film::Film;
-use super::statistics::Pinch;
 use crate::DVec3;
+use crate::mesh::film::Film;
 use crate::mesh::measure;
 use crate::mesh::topology::Topology;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use surgery::Surgery;
 
+/// A change of topology: where a neck closed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pinch {
+    pub iteration: u32,
+    pub place: DVec3,
+    /// What happened there: `split` (a component became two), `handle_cut` (it stayed one), `closed_component_removed`.
+    pub what: &'static str,
+}
+
 /// What the rules did to a film.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Changes {
+pub(crate) struct Changes {
     /// Uses of rule (a).
     pub collapses: u64,
     /// Uses of rule (b).
@@ -50,7 +58,7 @@ impl Changes {
 
 /// Whether necks may be cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Necks {
+pub(crate) enum Necks {
     Keep,
     Cut,
 }
@@ -75,7 +83,7 @@ impl Ord for Angle {
 /// applies. The film stays an oriented manifold over the same boundary loops; interior vertices may vanish or be doubled.
 ///
 /// Free where no triangle is below the threshold; else O(triangles + changes · log).
-pub(super) fn remove_degenerate_triangles(film: &mut Film, degenerate_angle: f64, necks: Necks) -> Changes {
+pub(crate) fn remove_degenerate_triangles(film: &mut Film, degenerate_angle: f64, necks: Necks) -> Changes {
     let smallest = |t: [u32; 3]| smallest_angle(film.corners(t));
     if film.triangles().iter().all(|&t| smallest(t) >= degenerate_angle) {
         return Changes::default();
@@ -293,8 +301,8 @@ impl Rules<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::structured::{cylinder, patch};
     use super::*;
+    use crate::mesh::structured::{cylinder, patch};
     use proptest::prelude::*;
 
     const ONE_DEGREE: f64 = std::f64::consts::PI / 180.0;

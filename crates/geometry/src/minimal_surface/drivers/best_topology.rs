@@ -11,52 +11,25 @@
 //!
 //! The films of one partition are solved each by itself: they may pass through each other, which is reported.
 
-use super::crossing::films_cross;
-use super::descent;
-use super::film::{Film, Run};
-use super::initial_mesh::{self, InitialMeshKind};
-use super::statistics::{Stability, StabilityMethod, StopReason};
-use super::{OnUnstable, Options, Resolution, Solver, Topology};
 use crate::error::Warning;
+use crate::mesh::crossing::films_cross;
+use crate::mesh::film::Film;
 use crate::mesh::measure;
+use crate::minimal_surface::initial_mesh::{self, InitialMeshKind};
+use crate::minimal_surface::options::{OnUnstable, Options, Resolution, Solver, Topology};
+use crate::minimal_surface::run::{Run, SpanningComparison, SpanningTopology, Stability, StabilityMethod, StopReason};
+use crate::minimal_surface::solvers::newton;
 use crate::{DVec3, Error, Execution, Interruption, Place, polyline};
 
 /// Boundaries that [`Topology::Best`] compares at most: there are 2ⁿ - 1 films to solve and 203 partitions of six.
-pub(super) const MOST_BOUNDARIES: usize = 6;
+pub(crate) const MOST_BOUNDARIES: usize = 6;
 /// The fraction of the gap is found to within this.
 const GAP_RESOLUTION: f64 = 1e-3;
 /// The first gap tried is the full one halved, up to so often.
 const HALVINGS: u32 = 8;
 
-/// One way to span the boundaries.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SpanningTopology {
-    /// The sets of boundaries, by their numbers, that a connected film spans each; ascending.
-    pub films: Vec<Vec<usize>>,
-    /// The sum of the films' areas; `None` if one of them does not hold.
-    pub area: Option<f64>,
-    /// Of all films together.
-    pub stability: Option<Stability>,
-    /// Whether two of its films pass through each other, so that no soap film takes this shape.
-    pub films_cross: bool,
-    /// Whether this is the one that was returned.
-    pub chosen: bool,
-}
-
-/// What [`Topology::Best`] compared.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SpanningComparison {
-    /// By area, those without one last.
-    pub topologies: Vec<SpanningTopology>,
-    /// Whether a film that connects all boundaries holds.
-    pub connected_film_exists: bool,
-    /// Of two boundaries without a connected film: the largest fraction of their gap, along the line of their centroids, at
-    /// which one holds, to within 0.001. `None` if there is no gap or none was found.
-    pub largest_gap_fraction: Option<f64>,
-}
-
 impl SpanningComparison {
-    pub(super) fn warnings(&self) -> Vec<Warning> {
+    pub(crate) fn warnings(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();
         if !self.connected_film_exists {
             let mut detail = String::from("no film that connects all boundaries holds");
@@ -74,7 +47,7 @@ impl SpanningComparison {
 }
 
 /// What [`solve`] found: the least film, how the mesh of its first part was made, its initial area, the run with the comparison.
-pub(super) type Solved = (Film, InitialMeshKind, f64, Run);
+pub(crate) type Solved = (Film, InitialMeshKind, f64, Run);
 
 /// One connected film over a set of boundaries.
 #[derive(Clone, Debug)]
@@ -99,7 +72,7 @@ impl Part {
 ///
 /// # Errors
 /// [`Error::Input`] for more than [`MOST_BOUNDARIES`] boundaries, and what a single boundary's disc may fail with.
-pub(super) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<Solved, Error> {
+pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<Solved, Error> {
     let count = boundaries.len();
     if count > MOST_BOUNDARIES {
         let detail = format!("best compares the films over at most {MOST_BOUNDARIES} boundaries");
@@ -283,7 +256,7 @@ impl Search<'_> {
         let (start, kind) = initial_mesh::build(boundaries, &options, exec)?;
         let mut film = start.refined(exec)?;
         let initial_area = film.area();
-        let run = descent::run(&mut film, &options, exec)?;
+        let run = newton::run(&mut film, &options, exec)?;
         Ok(Part { film, kind, initial_area, run })
     }
 
@@ -317,7 +290,7 @@ impl Search<'_> {
         while step > 0.5 * GAP_RESOLUTION {
             let tried = f64::min(fraction + step, 1.0);
             let mut film = moved_apart(&part.film, gap * (tried - fraction));
-            let run = descent::run(&mut film, &options, exec)?;
+            let run = newton::run(&mut film, &options, exec)?;
             if run.stop_reason == StopReason::Deadline {
                 break;
             }

@@ -1,9 +1,9 @@
-//! Better triangles on the surface as it is: Delaunay flips, tangential relaxation, regular subdivision.
+//! Better triangles on the surface as it is: Delaunay flips and tangential relaxation.
 //!
-//! None of these moves a fixed vertex or removes a locked edge, and none turns a triangle over.
+//! Neither moves a fixed vertex or removes a locked edge, and neither turns a triangle over.
 
-use super::film::Film;
 use crate::DVec3;
+use crate::mesh::film::Film;
 use crate::mesh::measure::double_area_vector;
 use crate::mesh::topology::{NONE, next, previous};
 
@@ -14,7 +14,7 @@ const FLIPS_PER_EDGE: usize = 10;
 ///
 /// The two triangles must not fold by a right angle or more, before or after. In the plane the result is the (constrained)
 /// Delaunay triangulation. One pass over all edges and then only around what was flipped.
-pub(super) fn flip_to_delaunay(film: &mut Film) -> u64 {
+pub(crate) fn flip_to_delaunay(film: &mut Film) -> u64 {
     let count = film.topology.twin.len() as u32;
     let mut queue: Vec<u32> = (0..count).rev().filter(|&h| film.topology.twin[h as usize] > h).collect();
     let mut queued = vec![false; count as usize];
@@ -70,7 +70,7 @@ fn wants_flip(film: &Film, h: u32) -> bool {
 /// Moves each free vertex within its tangent plane towards the area-weighted centroid of its ring, `rounds` times.
 ///
 /// Vertex by vertex in index order; a move that would turn a triangle of the ring by a right angle is halved, twice, and then left out.
-pub(super) fn tangential_relaxation(film: &mut Film, rounds: u32) {
+pub(crate) fn tangential_relaxation(film: &mut Film, rounds: u32) {
     for _ in 0..rounds {
         for v in 0..film.vertices.len() as u32 {
             if !film.fixed[v as usize] {
@@ -118,87 +118,11 @@ fn ring_edge(film: &Film, h: u32) -> (DVec3, DVec3) {
     (film.vertices[film.topology.to(h) as usize], film.vertices[film.topology.opposite(h) as usize])
 }
 
-/// Splits every triangle into four. New vertices follow the old ones and stand in the middle of their edge; for each the
-/// ends of that edge are returned, so that values can be carried between the two meshes.
-///
-/// On the boundary, and on locked edges, the middle is a new fixed vertex.
-pub(super) fn subdivide(film: &Film) -> (Film, Vec<[u32; 2]>) {
-    let old = film.vertices.len();
-    let (topology, parents) = film.topology.subdivided();
-    let mut vertices = film.vertices.clone();
-    vertices.extend(parents.iter().map(|&[a, b]| {
-        let (p, q) = (film.vertices[a as usize], film.vertices[b as usize]);
-        p + 0.5 * (q - p)
-    }));
-    let mut fixed = film.fixed.clone();
-    let mut locked = Vec::with_capacity(2 * film.locked.len());
-    for (k, &[a, b]) in parents.iter().enumerate() {
-        let middle = (old + k) as u32;
-        let stays = film.is_locked(a, b);
-        if stays {
-            locked.extend([[a, middle], [b, middle]]);
-        }
-        fixed.push(stays || topology.is_boundary(middle));
-    }
-    locked.sort_unstable();
-    let boundaries = film.boundaries.iter().map(|boundary| halved(boundary, &topology, old as u32)).collect();
-    (Film { vertices, topology, fixed, locked, boundaries }, parents)
-}
-
-/// A boundary loop of the old mesh with the midpoints in between.
-fn halved(boundary: &[u32], topology: &crate::mesh::topology::Topology, old: u32) -> Vec<u32> {
-    let middle = |a: u32, b: u32| {
-        let ahead = topology.to(topology.outgoing[a as usize]);
-        // The loop may run against the triangles: then its next midpoint is the one that leads to a.
-        let along = topology.to(topology.outgoing[ahead as usize]) == b;
-        if along { ahead } else { topology.from(previous_on_boundary(topology, a)) }
-    };
-    let mut result = Vec::with_capacity(2 * boundary.len());
-    for (k, &a) in boundary.iter().enumerate() {
-        let between = middle(a, boundary[(k + 1) % boundary.len()]);
-        debug_assert!(between >= old);
-        result.extend([a, between]);
-    }
-    result
-}
-
-/// The boundary half-edge that leads to a boundary vertex: the last edge of its fan.
-fn previous_on_boundary(topology: &crate::mesh::topology::Topology, vertex: u32) -> u32 {
-    topology.outgoing_half_edges(vertex).last().map_or(NONE, previous)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::mesh::measure;
-
-    /// A k x k grid over the unit square, its inner vertices shaken, bent into a saddle of the given height.
-    fn shaken(k: usize, height: f64) -> Film {
-        let at = |i: usize, j: usize| (i * (k + 1) + j) as u32;
-        let mut state = 1u64;
-        let mut noise = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            (state >> 33) as f64 / 2f64.powi(31) - 0.5
-        };
-        let mut vertices = Vec::new();
-        for i in 0..=k {
-            for j in 0..=k {
-                let inner = i > 0 && j > 0 && i < k && j < k;
-                let shake = if inner { 0.8 / k as f64 } else { 0.0 };
-                let (x, y) = (i as f64 / k as f64 + shake * noise(), j as f64 / k as f64 + shake * noise());
-                vertices.push(DVec3::new(x, y, height * (x - 0.5) * (y - 0.5)));
-            }
-        }
-        let triangles: Vec<[u32; 3]> = (0..k)
-            .flat_map(|i| (0..k).map(move |j| (i, j)))
-            .flat_map(|(i, j)| [[at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)]])
-            .collect();
-        let mut boundary: Vec<u32> = (0..k).map(|i| at(i, 0)).collect();
-        boundary.extend((0..k).map(|j| at(k, j)));
-        boundary.extend((1..=k).rev().map(|i| at(i, k)));
-        boundary.extend((1..=k).rev().map(|j| at(0, j)));
-        Film::new(vertices, &triangles, vec![boundary]).unwrap()
-    }
+    use crate::mesh::structured::shaken;
 
     #[test]
     fn in_the_plane_the_flips_end_with_empty_circumcircles() {
@@ -251,29 +175,5 @@ mod tests {
         film.locked = vec![gone];
         flip_to_delaunay(&mut film);
         assert!(film.topology.are_adjacent(gone[0], gone[1]));
-    }
-
-    #[test]
-    fn subdivision_puts_boundary_points_on_the_segments_in_either_direction() {
-        for reversed in [false, true] {
-            let mut film = shaken(3, 0.5);
-            if reversed {
-                film.boundaries[0].reverse();
-            }
-            film.locked = vec![[5, 6]];
-            let (fine, parents) = subdivide(&film);
-            assert_eq!(fine.triangles().len(), 4 * film.triangles().len());
-            assert!((fine.area() - film.area()).abs() < 1e-14);
-            let boundary = &fine.boundaries[0];
-            assert_eq!(boundary.len(), 24);
-            for k in 0..24 {
-                assert!(fine.topology.are_adjacent(boundary[k], boundary[(k + 1) % 24]));
-                assert!(fine.fixed[boundary[k] as usize]);
-            }
-            assert_eq!(boundary.iter().step_by(2).copied().collect::<Vec<_>>(), film.boundaries[0]);
-            let middle = parents.iter().position(|&edge| edge == [5, 6] || edge == [6, 5]).unwrap() + 16;
-            assert_eq!(fine.locked, [[5, middle as u32], [6, middle as u32]]);
-            assert!(fine.fixed[middle]);
-        }
     }
 }

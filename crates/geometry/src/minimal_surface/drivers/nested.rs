@@ -1,29 +1,29 @@
 //! Large surfaces from small ones: solve on a coarse mesh, halve every edge, correct, and again.
 //!
 //! 1. Every 2^k-th point of each boundary (corners always) bounds a coarse mesh of a few thousand triangles, which is
-//!    solved by [`descent`](super::descent).
+//!    solved by [`newton`](crate::minimal_surface::solvers::newton).
 //! 2. Every edge is halved. A new boundary vertex is the input point in the middle of those that its edge skips, or the edge's
 //!    own middle where there is none (and points may be added). Every input point is reached in the end.
 //! 3. Newton's method in normal heights corrects the finer mesh, its systems solved by conjugate gradients over the nested levels
-//!    ([`multigrid`](super::multigrid)). The start is off by the sagitta of a coarse edge, so one or two steps do.
+//!    ([`multigrid`](crate::minimal_surface::multigrid)). The start is off by the sagitta of a coarse edge, so one or two steps do.
 //!
 //! Work and memory grow in proportion to the mesh. Where anything is out of the ordinary (corners too dense to skip points, a
 //! fold, a system that multigrid cannot solve) the caller falls back on the full mesh from the start.
 
-use super::cotangent::Pattern;
-use super::descent::{EXTRAPOLATED_TRIANGLES, Solve, Stop};
-use super::extrapolation::ExtrapolatedArea;
-use super::film::{Film, Run};
-use super::initial_mesh::{self, InitialMeshKind};
-use super::multigrid::{self, Failure, Hierarchy, Parents, parents_of};
-use super::newton::{Aim, Direct, Outcome, Settings, State, StepSolver, iterate};
-use super::record::geometric_part;
-use super::stability::{self, Unknown};
-use super::statistics::{Stability, StabilityMethod, StopReason};
-use super::{BoundarySampling, InitialMesh, Options, Resolution};
-use crate::linear::{LinearError, Symbolic, SymmetricMatrix};
+use crate::mesh::film::Film;
 use crate::mesh::measure;
-use crate::mesh::topology::{NONE, Topology, next, previous};
+use crate::minimal_surface::cotangent::Pattern;
+use crate::minimal_surface::estimate::{area_of_fans, estimate_triangles, triangles_of_length};
+use crate::minimal_surface::initial_mesh::{self, InitialMeshKind};
+use crate::minimal_surface::multigrid::{self, Hierarchy, parents_of};
+use crate::minimal_surface::newton::{Aim, Direct, Outcome, Settings, State, iterate};
+use crate::minimal_surface::options::{BoundarySampling, InitialMesh, Options, Resolution};
+use crate::minimal_surface::run::{ExtrapolatedArea, Run, Stability, StabilityMethod, StopReason, geometric_part};
+use crate::minimal_surface::solvers::newton::{EXTRAPOLATED_TRIANGLES, Solve, Stop};
+use crate::minimal_surface::stability::{self, Unknown};
+use crate::minimal_surface::v_cycle_steps::VCycleSteps;
+use crate::remesh::subdivision::subdivided_inside;
+use crate::sparse::Symbolic;
 use crate::{DVec3, Error, Execution, Interruption, polyline};
 
 /// The coarse mesh has at least this many triangles, so at most four times as many.
@@ -40,18 +40,14 @@ const INERTIA_TRIANGLES: usize = 250_000;
 const LONG_EDGE: f64 = 1.6;
 /// Newton steps on one level.
 const STEPS_PER_LEVEL: u32 = 12;
-/// Each step's linear system is solved to this fraction of the residual, until the residual is small enough for the rest in one go.
-const FORCING: f64 = 1e-3;
-const LAST_STEP_BELOW: f64 = 2e-2;
-
 /// What [`solve`] gives: a film in the promised vertex order, how its coarse mesh was made, that mesh's area, and the run.
-pub(super) type Solved = (Film, InitialMeshKind, f64, Run);
+pub(crate) type Solved = (Film, InitialMeshKind, f64, Run);
 
 /// Solves from the coarse to the fine. `None` if the request is too small for it, or does not lend itself to it.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel, and on a deadline before there is a mesh.
-pub(super) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<Option<Solved>, Error> {
+pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<Option<Solved>, Error> {
     // A polygon of fewer points may carry no film where the whole one does: then with more points.
     for plan in Plan::from_coarse(boundaries, options) {
         if let Some(solved) = follow(&plan, boundaries, options, exec)? {
@@ -130,10 +126,10 @@ fn climb(film: &mut Film, rim: &mut Rim, levels: u32, solve: &mut Solve) -> Resu
         let tolerance = if last { solve.tolerance } else { MIDDLE_TOLERANCE.max(solve.tolerance) };
         solve.radius = film.radius();
         let settings = Settings { aim: Aim::Minimum, tolerance, max_steps: STEPS_PER_LEVEL, radius: solve.radius };
-        let mut cascade = Cascade { hierarchy: &hierarchy, parents, matrix: pattern.matrix(), exec: solve.exec };
+        let mut steps = VCycleSteps { hierarchy: &hierarchy, parents, matrix: pattern.matrix(), exec: solve.exec };
         solve.record.share = share(level);
         let mut start = None;
-        let (outcome, state) = iterate(film, &pattern, &mut cascade, &settings, solve.exec, &mut |area, residual| {
+        let (outcome, state) = iterate(film, &pattern, &mut steps, &settings, solve.exec, &mut |area, residual| {
             let part = geometric_part(*start.get_or_insert(residual), residual, tolerance);
             solve.record.iteration("newton", area, residual, 0.9 * part);
         });
@@ -142,7 +138,7 @@ fn climb(film: &mut Film, rim: &mut Rim, levels: u32, solve: &mut Solve) -> Resu
             Outcome::Interrupted(interruption) => return Err(interruption.into()),
             Outcome::Stalled | Outcome::StepsUsed | Outcome::Refused(_) => return Ok(None),
         }
-        let Cascade { parents, mut matrix, .. } = cascade;
+        let VCycleSteps { parents, mut matrix, .. } = steps;
         if last {
             let fallen = film.triangles().iter().any(|&triangle| {
                 let around: DVec3 = triangle.iter().map(|&v| state.normals[v as usize]).sum();
@@ -190,39 +186,6 @@ fn climb(film: &mut Film, rim: &mut Rim, levels: u32, solve: &mut Solve) -> Resu
     Ok(None)
 }
 
-/// Newton's step by conjugate gradients over the nested levels.
-pub(super) struct Cascade<'a> {
-    pub hierarchy: &'a Hierarchy,
-    pub parents: Parents,
-    pub matrix: SymmetricMatrix,
-    pub exec: &'a Execution<'a>,
-}
-
-impl StepSolver for Cascade<'_> {
-    fn heights(
-        &mut self,
-        film: &Film,
-        pattern: &Pattern,
-        state: &State,
-        settings: &Settings,
-    ) -> Result<Vec<f64>, Outcome> {
-        pattern.second_variation(&film.vertices, film.triangles(), &state.normals, 0.0, &mut self.matrix);
-        let right_hand_side: Vec<f64> = state.first.gradient.iter().map(|pull| -pull).collect();
-        let rest = 0.2 * settings.tolerance;
-        let goal = if state.residual > LAST_STEP_BELOW { rest.max(FORCING * state.residual) } else { rest };
-        let is_small = |residual: &[f64]| {
-            let allowed = 2.0 * goal / settings.radius;
-            residual.iter().zip(&state.first.mass).all(|(pull, mass)| pull.abs() <= allowed * mass)
-        };
-        self.hierarchy.solve(&self.matrix, &self.parents, &right_hand_side, is_small, self.exec).map_err(|failure| {
-            match failure {
-                Failure::Interrupted(interruption) => Outcome::Interrupted(interruption),
-                Failure::Indefinite | Failure::Slow => Outcome::Refused(LinearError::Inaccurate),
-            }
-        })
-    }
-}
-
 /// Which input points bound the coarse mesh, how large it is, and how often it will be refined.
 #[derive(Debug)]
 struct Plan {
@@ -240,8 +203,8 @@ impl Plan {
             && options.constraints.is_empty();
         let target = match options.resolution {
             // As many as the area asks for: what the boundary's own points ask for beyond that is not halved.
-            Resolution::EdgeLength(length) => super::triangles_of_length(boundaries, length),
-            _ => super::estimate_triangles(boundaries, options),
+            Resolution::EdgeLength(length) => triangles_of_length(boundaries, length),
+            _ => estimate_triangles(boundaries, options),
         };
         let suits =
             suits && !(options.boundary_sampling == BoundarySampling::Keep && has_long_edges(boundaries, target));
@@ -276,7 +239,7 @@ impl Plan {
 fn has_long_edges(boundaries: &[Vec<DVec3>], triangles: f64) -> bool {
     let length: f64 = boundaries.iter().map(|points| polyline::length(points, true)).sum();
     let points: usize = boundaries.iter().map(Vec::len).sum();
-    let edge = (super::area_of_fans(boundaries) / (0.75f64.sqrt() / 2.0 * triangles)).sqrt();
+    let edge = (area_of_fans(boundaries) / (0.75f64.sqrt() / 2.0 * triangles)).sqrt();
     length / points as f64 > LONG_EDGE * edge
 }
 
@@ -465,72 +428,8 @@ fn point_at(polygon: &[DVec3], place: f64) -> DVec3 {
     }
 }
 
-/// As [`Topology::subdivided`], but boundary edges for which `splits` is false stay whole: the triangles behind them are cut in three or two.
-fn subdivided_inside(
-    topology: &Topology,
-    vertices: &[DVec3],
-    splits: impl Fn(u32, u32) -> bool,
-) -> (Topology, Vec<[u32; 2]>) {
-    let old = vertices.len() as u32;
-    let mut midpoints: Vec<[u32; 2]> = Vec::new();
-    let mut middle = vec![NONE; topology.twin.len()];
-    for h in 0..topology.twin.len() {
-        let (a, b, twin) = (topology.from(h as u32), topology.to(h as u32), topology.twin[h]);
-        if middle[h] == NONE && (twin != NONE || splits(a, b)) {
-            middle[h] = old + midpoints.len() as u32;
-            if twin != NONE {
-                middle[twin as usize] = middle[h];
-            }
-            midpoints.push([a, b]);
-        }
-    }
-    let at = |v: u32| match v.checked_sub(old) {
-        None => vertices[v as usize],
-        Some(new) => {
-            0.5 * (vertices[midpoints[new as usize][0] as usize] + vertices[midpoints[new as usize][1] as usize])
-        }
-    };
-    let mut triangles = Vec::with_capacity(4 * topology.triangles().len());
-    for t in 0..topology.triangles().len() {
-        // The outline with its midpoints; ears at the corners between two midpoints are cut off, the rest is cut by its shorter diagonals.
-        let h = 3 * t as u32;
-        let mut whole = [h, next(h), previous(h)].into_iter().filter(|&h| middle[h as usize] == NONE);
-        let first = whole.next();
-        let second = whole.next();
-        let corner = |h: u32| (topology.from(h), middle[h as usize]);
-        match (first, second) {
-            (None, _) => {
-                let [(a, ab), (b, bc), (c, ca)] = [corner(h), corner(next(h)), corner(previous(h))];
-                triangles.extend([[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]);
-            }
-            (Some(edge), None) => {
-                let [(a, _), (b, bc), (c, ca)] = [corner(edge), corner(next(edge)), corner(previous(edge))];
-                triangles.push([c, ca, bc]);
-                if at(a).distance_squared(at(bc)) <= at(b).distance_squared(at(ca)) {
-                    triangles.extend([[a, b, bc], [a, bc, ca]]);
-                } else {
-                    triangles.extend([[a, b, ca], [b, bc, ca]]);
-                }
-            }
-            (Some(_), Some(_)) => {
-                let halved = [h, next(h), previous(h)].into_iter().find(|&h| middle[h as usize] != NONE);
-                match halved {
-                    Some(edge) => {
-                        let [(a, ab), (b, _), (c, _)] = [corner(edge), corner(next(edge)), corner(previous(edge))];
-                        triangles.extend([[a, ab, c], [ab, b, c]]);
-                    }
-                    None => triangles.push(topology.triangles()[t]),
-                }
-            }
-        }
-    }
-    let topology = Topology::build(&triangles, (old as usize) + midpoints.len());
-    (topology.expect("cutting triangles along halved edges keeps a manifold one"), midpoints)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::structured::patch;
     use super::*;
 
     #[test]
@@ -549,21 +448,5 @@ mod tests {
         let circle: Vec<DVec3> =
             (0..24).map(|k| DVec3::new((k as f64 * 0.2618).cos(), (k as f64 * 0.2618).sin(), 0.0)).collect();
         assert!(kept_points(&circle, 16).len() >= 10);
-    }
-
-    #[test]
-    fn boundary_edges_that_stay_whole_leave_a_manifold_with_everything_else_halved() {
-        let film = patch(3, 4, |u, v| DVec3::new(u, v, u * v));
-        for pattern in [0u32, 1, 2, 5] {
-            let splits = |a: u32, b: u32| pattern.wrapping_mul(a + b) % 3 == 1;
-            let (topology, midpoints) = subdivided_inside(&film.topology, &film.vertices, splits);
-            assert_eq!(topology.euler_characteristic(), 1);
-            let rim = film.boundaries[0].len();
-            let whole = (0..rim).filter(|&k| !splits(film.boundaries[0][k], film.boundaries[0][(k + 1) % rim])).count();
-            assert_eq!(midpoints.len(), film.topology.edge_count() - whole);
-            assert_eq!(topology.triangles().len(), 4 * film.triangles().len() - whole);
-            let boundary = &topology.boundary_loops()[0];
-            assert_eq!(boundary.len(), 2 * rim - whole);
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! Liu and Wang, *Constructing Minimal Triangular Mesh Based on Discrete Mean Curvature*, CISME 1(7), 2011.
 //!
-//! 1. Candidate points inside the loop by barycentres, n of them by a seeded choice, Delaunay ([`candidate_mesh`]).
+//! 1. Candidate points inside the loop by barycentres, n of them by a seeded choice, Delaunay ([`barycentres`](crate::minimal_surface::initial_mesh::barycentres)).
 //! 2. F = ½ Σ H_i² over the vertices, H_i = (1/B_i) Σ_e β(e)|e|/2 ([`curvature`]), least by Levenberg and Marquardt
 //!    (their Fig. 5) over the interior vertices.
 //! 3. Delaunay again. Steps 2 and 3 repeat until the triangulation stays as it is.
@@ -14,17 +14,14 @@
 //!   needs no plane onto which the surface would have to project. It ends, as each flip lowers the Dirichlet energy.
 //! - A boundary without interior vertices, or a mesh of several loops, is taken as it is given.
 
-mod candidates;
 mod curvature;
 mod levenberg_marquardt;
-mod polygon_domain;
 
-pub(super) use candidates::candidate_mesh;
-
-use super::film::{Film, Run};
-use super::remesh::flip_to_delaunay;
-use super::statistics::{Curvature, HistoryRow, StopReason};
-use super::{Options, Solver};
+use crate::mesh::film::Film;
+use crate::minimal_surface::curvature::Curvature;
+use crate::minimal_surface::options::{Options, Solver};
+use crate::minimal_surface::run::{HistoryRow, Run, StopReason};
+use crate::remesh::delaunay::flip_to_delaunay;
 use crate::{DVec3, Error, Execution, Interruption, Progress};
 use curvature::CurvatureRows;
 use levenberg_marquardt::{Criteria, Stop, levenberg_marquardt};
@@ -43,7 +40,7 @@ const MAX_ROUNDS: usize = 50;
 ///
 /// # Errors
 /// [`Interruption::Cancelled`].
-pub(super) fn run(film: &mut Film, options: &Options, execution: &Execution) -> Result<Run, Error> {
+pub(crate) fn run(film: &mut Film, options: &Options, execution: &Execution) -> Result<Run, Error> {
     let mut run = Run::new(Solver::LevenbergMarquardt);
     let radius = film.radius();
     let given = film.vertices.clone();

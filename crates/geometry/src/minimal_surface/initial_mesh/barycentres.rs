@@ -1,8 +1,8 @@
 //! Liu and Wang's start: candidate points by barycentres from the centroid, a seeded choice of n, Delaunay.
 
 use super::polygon_domain::{Domain, domain_of, snapped};
+use crate::mesh::film::Film;
 use crate::mesh::topology::NONE;
-use crate::minimal_surface::film::Film;
 use crate::{DVec2, DVec3, Error, Execution, polyline};
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
@@ -51,7 +51,7 @@ impl Seeded {
 /// # Errors
 /// [`Error::NoResult`] with `no_room_for_interior_vertices` if ten levels of candidates do not hold enough, with
 /// `no_initial_mesh` if the loop cannot be triangulated in either plane. O((m + n) log(m + n) + m n) for m loop points.
-pub(in crate::minimal_surface) fn candidate_mesh(
+pub(crate) fn candidate_mesh(
     boundary: &[DVec3],
     interior_vertices: usize,
     seed: u64,

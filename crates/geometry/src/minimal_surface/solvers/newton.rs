@@ -1,23 +1,23 @@
 //! The default solver of minimal surfaces, from an initial mesh to a surface with its stability:
 //!
 //! 1. *Settle*: rounds of Delaunay flips, tangential relaxation and one to four Pinkall-Polthier solves
-//!    ([`pinkall_polthier`](super::pinkall_polthier)). Forgives any start, and leaves good triangles.
-//! 2. *Newton* in normal heights ([`newton`](super::newton)). Where it stalls, or the mesh is folded, back to 1.
-//! 3. *Stability* ([`stability`](super::stability)); an unstable surface is left along its lowest mode if that is asked for.
+//!    ([`harmonic`](crate::minimal_surface::harmonic)). Forgives any start, and leaves good triangles.
+//! 2. *Newton* in normal heights ([`newton`](crate::minimal_surface::newton)). Where it stalls, or the mesh is folded, back to 1.
+//! 3. *Stability* ([`stability`](crate::minimal_surface::stability)); an unstable surface is left along its lowest mode if that is asked for.
 
-use super::cotangent::{Pattern, vertex_normals};
-use super::extrapolation::ExtrapolatedArea;
-use super::film::{Film, Run};
-use super::multigrid::Hierarchy;
-use super::newton::{Aim, Direct, Outcome, Settings, State, iterate, keeps_orientation, moved};
-use super::pinkall_polthier::{Dirichlet, too_large};
-use super::record::{Record, geometric_part};
-use super::remesh::{flip_to_delaunay, tangential_relaxation};
-use super::stability::{self, SecondVariation, Unknown};
-use super::statistics::{Stability, StabilityMethod, StopReason};
-use super::{InitialMesh, OnUnstable, Options, Solver};
-use crate::linear::{Factorisation, LinearError};
+use crate::mesh::film::Film;
 use crate::mesh::measure;
+use crate::minimal_surface::cotangent::{Pattern, vertex_normals};
+use crate::minimal_surface::harmonic::{Dirichlet, too_large};
+use crate::minimal_surface::multigrid::Hierarchy;
+use crate::minimal_surface::newton::{Aim, Direct, Outcome, Settings, State, iterate, keeps_orientation, moved};
+use crate::minimal_surface::options::{InitialMesh, OnUnstable, Options, Solver};
+use crate::minimal_surface::run::{
+    ExtrapolatedArea, Record, Run, Stability, StabilityMethod, StopReason, geometric_part,
+};
+use crate::minimal_surface::stability::{self, SecondVariation, Unknown};
+use crate::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
+use crate::sparse::{Factorisation, LinearError};
 use crate::{DVec3, Error, Execution, Interruption};
 
 /// Linear solves that a run may take if the caller does not say.
@@ -32,7 +32,7 @@ const RELAXATIONS_PER_ROUND: u32 = 4;
 /// A round that changes the area by less than this fraction is the last.
 const SETTLED: f64 = 1e-3;
 /// Up to this many triangles the area is extrapolated with a mesh of four times as many.
-pub(super) const EXTRAPOLATED_TRIANGLES: usize = 10_000;
+pub(crate) const EXTRAPOLATED_TRIANGLES: usize = 10_000;
 /// The residual below which a caller's own mesh counts as lying beside a stationary surface.
 const NEARLY_STATIONARY: f64 = 1.0;
 /// How often a stalled Newton iteration goes back to more rounds.
@@ -44,7 +44,7 @@ const MAX_RETURNS: u32 = 2;
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large to factorise.
-pub(super) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
+pub(crate) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
     let mut solve = Solve::new(film, options, exec);
     let (stop_reason, stability) = match solve.film(film, options.on_unstable) {
         Ok(done) => done,
@@ -56,7 +56,7 @@ pub(super) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Resul
 }
 
 /// Why a solve was left half way.
-pub(super) enum Stop {
+pub(crate) enum Stop {
     Interrupted(Interruption),
     TooLarge,
 }
@@ -68,7 +68,7 @@ impl From<Interruption> for Stop {
 }
 
 /// What stays the same during one run, and what it remembers.
-pub(super) struct Solve<'a> {
+pub(crate) struct Solve<'a> {
     pub exec: &'a Execution<'a>,
     pub record: Record<'a>,
     pub limit: u32,
@@ -297,9 +297,9 @@ fn leave(film: &mut Film, pattern: &Pattern, state: &State, mode: &[f64]) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Resolution;
-    use super::super::structured::cylinder;
     use super::*;
+    use crate::mesh::structured::cylinder;
+    use crate::minimal_surface::options::Resolution;
 
     #[test]
     fn beyond_the_critical_gap_nothing_is_called_converged() {

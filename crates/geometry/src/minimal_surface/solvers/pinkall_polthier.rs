@@ -1,7 +1,7 @@
 //! Bento and Cavalcanti, *Computação de Superfícies Mínimas Discretas*: Pinkall and Polthier's iteration with rules that
 //! keep its triangles sound, so that necks may close.
 //!
-//! 1. Remove degenerate triangles ([`topology_change`](super::topology_change)); log what it did to the topology.
+//! 1. Remove degenerate triangles ([`thin_triangles`](crate::remesh::thin_triangles)); log what it did to the topology.
 //! 2. One solve of Pinkall and Polthier: by conjugate gradients from the present positions, by elimination where these
 //!    do not converge; or by elimination alone.
 //! 3. Repeat until the area changes by less than the area tolerance, and the rules changed nothing.
@@ -10,12 +10,12 @@
 //! change of area is relative; a solve that fails on a collapsed mesh is tried again after the rules have run with
 //! a wider threshold.
 
-use super::film::{Film, Run};
-use super::pinkall_polthier::{Dirichlet, Elimination, too_large};
-use super::record::{Record, geometric_part};
-use super::statistics::{Curvature, Pinch, StopReason};
-use super::topology_change::{Necks, remove_degenerate_triangles};
-use super::{LinearSolver, Options, Solver, Topology};
+use crate::mesh::film::Film;
+use crate::minimal_surface::curvature::Curvature;
+use crate::minimal_surface::harmonic::{Dirichlet, Elimination, too_large};
+use crate::minimal_surface::options::{LinearSolver, Options, Solver, Topology};
+use crate::minimal_surface::run::{Record, Run, StopReason, geometric_part};
+use crate::remesh::thin_triangles::{Changes, Necks, Pinch, remove_degenerate_triangles};
 use crate::{Error, Execution, Interruption};
 
 /// Linear solves that a run may take if the caller does not say.
@@ -31,7 +31,7 @@ const WIDER: f64 = 4.0;
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large to factorise.
-pub(super) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
+pub(crate) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
     let limit = options.max_iterations.unwrap_or(DEFAULT_SOLVES);
     let mut record = Record::new(exec);
     let mut run = Run::new(Solver::PinkallPolthier);
@@ -48,7 +48,7 @@ pub(super) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Resul
 
 /// Why the iteration was left half way.
 #[derive(Debug)]
-pub(super) enum Stop {
+pub(crate) enum Stop {
     Interrupted(Interruption),
     TooLarge(Error),
 }
@@ -61,7 +61,7 @@ impl From<Interruption> for Stop {
 
 /// Where [`iterate`] ends if nothing else stops it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Until {
+pub(crate) enum Until {
     /// The area changes no more.
     Settled,
     /// As `Settled`, or after the solve that follows a change of topology ([`StopReason::TopologyChange`]).
@@ -72,7 +72,7 @@ pub(super) enum Until {
 ///
 /// # Errors
 /// See [`Stop`].
-pub(super) fn iterate(
+pub(crate) fn iterate(
     film: &mut Film,
     options: &Options,
     limit: u32,
@@ -94,7 +94,7 @@ pub(super) fn iterate(
         let angle = options.degenerate_angle.map(|angle| if mended { WIDER * angle } else { angle });
         let changes = match angle {
             Some(angle) => remove_degenerate_triangles(film, angle, necks),
-            None => super::topology_change::Changes::default(),
+            None => Changes::default(),
         };
         let changed = changes.any();
         run.edges_swapped += changes.flips;
@@ -143,11 +143,11 @@ pub(super) fn iterate(
 
 #[cfg(test)]
 mod tests {
-    use super::super::Resolution;
-    use super::super::structured::cylinder;
     use super::*;
     use crate::DVec3;
     use crate::mesh::measure;
+    use crate::mesh::structured::cylinder;
+    use crate::minimal_surface::options::Resolution;
 
     #[test]
     fn the_area_falls_at_every_solve_to_the_catenoid() {
@@ -186,7 +186,7 @@ mod tests {
 
     /// A cylinder of radius 10 cut along a line, opened by `opening` radians: one loop.
     fn cut_cylinder(n: usize, strips: usize, height: f64, opening: f64) -> Film {
-        super::super::structured::patch(n, strips, |u, v| {
+        crate::mesh::structured::patch(n, strips, |u, v| {
             let angle = 0.5 * opening + u * (std::f64::consts::TAU - opening);
             DVec3::new(10.0 * angle.cos(), 10.0 * angle.sin(), height * (v - 0.5))
         })

@@ -1,0 +1,5 @@
+//! Drivers that call a solver several times: other topologies, other resolutions.
+
+pub(super) mod best_topology;
+pub(super) mod free_topology;
+pub(super) mod nested;

@@ -1,0 +1,164 @@
+//! A solved surface: mesh, statistics and warnings, where the caller's boundaries are.
+
+use super::curvature::Curvature;
+use super::initial_mesh::InitialMeshKind;
+use super::initial_mesh::pins::bits;
+use super::options::{Constraints, InitialMesh, Options, Resolution};
+use super::request::Input;
+use super::run::Run;
+use super::statistics::{self, Statistics};
+use crate::error::Warning;
+use crate::mesh::film::Film;
+use crate::{DVec3, Error, Mesh};
+
+/// How far a resolution may be missed without a warning.
+const RESOLUTION_TOLERANCE: f64 = 0.1;
+
+/// The mesh vertices of [`Constraints`], in their order; points added on curves are not listed.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ConstraintVertices {
+    pub points: Vec<u32>,
+    pub polylines: Vec<Vec<u32>>,
+}
+
+/// A mesh that spans the boundaries, and what is known about it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MinimalSurface {
+    /// Vertices: the input's points in input order, boundary by boundary, equal neighbours once, at exactly the given
+    /// coordinates; then points added on the boundaries; then the interior.
+    pub mesh: Mesh,
+    /// Each boundary as a loop of mesh vertices, in the input's direction, added points included.
+    pub boundaries: Vec<Vec<u32>>,
+    /// For each input point its vertex.
+    pub input_vertices: Vec<Vec<u32>>,
+    /// For each fixed point, and each fixed curve's point, its vertex.
+    pub constraints: ConstraintVertices,
+    /// Per vertex |area gradient| / (2/3 of the ring's area), in 1/unit; 0 where the vertex is fixed.
+    pub mean_curvature: Vec<f64>,
+    /// For an unstable surface the direction in which to leave it: per vertex the lowest mode of its second variation, along the
+    /// normal, the largest of length 1. Either sign lowers the area.
+    pub way_down: Option<Vec<DVec3>>,
+    pub statistics: Statistics,
+    pub warnings: Vec<Warning>,
+}
+
+/// A warning where the edges are not as long as was asked for.
+fn missed_edge_length(statistics: &Statistics, options: &Options) -> Option<Warning> {
+    let Resolution::EdgeLength(length) = options.resolution else { return None };
+    let mean = statistics.edge_lengths.mean;
+    let missed =
+        (mean / length - 1.0).abs() > RESOLUTION_TOLERANCE && !matches!(options.initial_mesh, InitialMesh::Given(_));
+    missed.then(|| {
+        let why = if mean < length {
+            "the boundary's own points are closer, or the film shrank on the way"
+        } else {
+            "the boundary's own segments are longer and must be kept, or the film grew on the way"
+        };
+        let detail = format!(
+            "the mean edge is {mean:.4e} long, not {length:.4e}: {why}; ask for a number of triangles to be sure of it"
+        );
+        Warning::new("edge_length_missed", detail)
+    })
+}
+
+/// The fixed vertices by the bits of their (centred) coordinates.
+fn fixed_places(film: &Film) -> Vec<([u64; 3], u32)> {
+    let mut places: Vec<([u64; 3], u32)> = (0..film.vertices.len() as u32)
+        .filter(|&v| film.fixed[v as usize])
+        .map(|v| (bits(film.vertices[v as usize]), v))
+        .collect();
+    places.sort_unstable();
+    places
+}
+
+/// Gives the constraints' vertices exactly the given coordinates, and says which they are.
+fn restore(mesh: &mut Mesh, fixed: &[([u64; 3], u32)], constraints: &Constraints, centre: DVec3) -> ConstraintVertices {
+    let mut vertex = |&point: &DVec3| {
+        let key = bits(point - centre);
+        let found = fixed.get(fixed.partition_point(|&(bits, _)| bits < key)).filter(|&&(bits, _)| bits == key);
+        let &(_, vertex) = found?;
+        mesh.vertices[vertex as usize] = point;
+        Some(vertex)
+    };
+    ConstraintVertices {
+        points: constraints.points.iter().filter_map(&mut vertex).collect(),
+        polylines: constraints
+            .polylines
+            .iter()
+            .map(|polyline| polyline.iter().filter_map(&mut vertex).collect())
+            .collect(),
+    }
+}
+
+/// Puts the mesh back where the caller's is, in the promised vertex order, and measures it.
+pub(super) fn finish(
+    input: Input,
+    film: Film,
+    kind: InitialMeshKind,
+    initial_area: f64,
+    mut run: Run,
+    options: &Options,
+) -> Result<MinimalSurface, Error> {
+    run.pinches.iter_mut().for_each(|pinch| pinch.place += input.centre);
+    let mut way_down = run.way_down.take();
+    let film = match film.boundary_first(input.point_count()) {
+        None => film,
+        Some(place) => {
+            way_down = way_down.map(|direction| {
+                let mut moved = vec![DVec3::ZERO; direction.len()];
+                direction.iter().zip(&place).for_each(|(&direction, &v)| moved[v as usize] = direction);
+                moved
+            });
+            film.renumbered(&place)
+        }
+    };
+    let topology = film.mesh().check().map_err(|defect| {
+        Error::no_result("invalid_mesh", format!("the solver left a mesh that is no oriented manifold ({defect})"))
+    })?;
+    let measured = Curvature::of(&film);
+    let statistics =
+        statistics::collect(&film, &topology, &measured, statistics::Origin { kind, initial_area, run }, options);
+    let mut warnings = Vec::new();
+    warnings.extend(input.merged_points());
+    if !statistics.pinches.is_empty() {
+        let detail = format!(
+            "the film came apart at {} places; its topology is not the initial mesh's",
+            statistics.pinches.len()
+        );
+        warnings.push(Warning::new("topology_changed", detail));
+    }
+    if let Some(spanning) = &statistics.spanning {
+        warnings.extend(spanning.warnings());
+    }
+    warnings.extend(missed_edge_length(&statistics, options));
+    if !statistics.converged {
+        warnings.push(Warning::new("not_converged", statistics.shortfall(options.tolerance)));
+    }
+    if let Some(stability) = statistics.stability.filter(|stability| !stability.stable) {
+        let detail = format!(
+            "the surface is stationary but no minimum (Morse index {}): ask for on_unstable descend to leave it",
+            stability.morse_index
+        );
+        warnings.push(Warning::new("unstable", detail));
+    }
+    let boundaries = film.boundaries.clone();
+    let fixed = fixed_places(&film);
+    let mut mesh = film.into_mesh();
+    for vertex in &mut mesh.vertices {
+        *vertex += input.centre;
+    }
+    for (vertex, &point) in mesh.vertices.iter_mut().zip(input.given.iter().flatten()) {
+        *vertex = point;
+    }
+    let constraints = restore(&mut mesh, &fixed, &options.constraints, input.centre);
+    Ok(MinimalSurface {
+        mesh,
+        boundaries,
+        input_vertices: input.vertices,
+        constraints,
+        mean_curvature: measured.mean_curvature,
+        way_down,
+        statistics,
+        warnings,
+    })
+}

@@ -1,0 +1,88 @@
+//! The boundaries and options as they were given, checked and centred.
+
+use super::options::Options;
+use crate::error::{InputError, Warning};
+use crate::polyline::{LARGEST_COORDINATE, merge_equal_neighbours};
+use crate::{DVec3, Error, Place};
+
+/// The boundaries without equal neighbours, and around the origin, so that an offset of 1e7 costs no digits.
+#[derive(Debug)]
+pub(super) struct Input {
+    pub centre: DVec3,
+    pub given: Vec<Vec<DVec3>>,
+    pub centred: Vec<Vec<DVec3>>,
+    /// For each input point its vertex.
+    pub vertices: Vec<Vec<u32>>,
+    dropped: usize,
+}
+
+/// Between neighbours on a boundary: products of six lengths must not vanish.
+const SMALLEST_DISTANCE: f64 = 1e-50;
+
+impl Input {
+    pub fn read(boundaries: &[Vec<DVec3>], options: &Options) -> Result<Self, Error> {
+        let mut errors = options.check();
+        let place = || Place::field("boundaries");
+        if boundaries.is_empty() {
+            errors.push(InputError::new(place(), "needs at least one closed polygon"));
+        }
+        let mut given = Vec::with_capacity(boundaries.len());
+        let mut vertices = Vec::with_capacity(boundaries.len());
+        let (mut first, mut dropped) = (0u32, 0);
+        for (k, boundary) in boundaries.iter().enumerate() {
+            for (i, point) in boundary.iter().enumerate() {
+                if !(point.is_finite() && point.abs().max_element() <= LARGEST_COORDINATE) {
+                    let detail = "every coordinate must be a finite number of magnitude at most 1e50";
+                    errors.push(InputError::new(place().at(k).at(i), detail));
+                }
+            }
+            let merged = merge_equal_neighbours(boundary, true);
+            let next = |i: usize| merged.points[(i + 1) % merged.points.len()];
+            if let Some(i) = (0..merged.points.len()).find(|&i| merged.points[i].distance(next(i)) < SMALLEST_DISTANCE)
+                && merged.points.len() > 1
+            {
+                let detail = "lies nearer than 1e-50 to its neighbour, too near to compute with";
+                errors.push(InputError::new(place().at(k).at(merged.source[i]), detail));
+            }
+            let mut distinct: Vec<[f64; 3]> = merged.points.iter().map(|p| (*p + DVec3::ZERO).to_array()).collect();
+            distinct.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+            distinct.dedup();
+            if distinct.len() < 3 {
+                errors.push(InputError::new(place().at(k), "needs at least three distinct points"));
+            }
+            vertices.push(merged.vertex_of.iter().map(|&v| first + v as u32).collect());
+            first += merged.points.len() as u32;
+            dropped += merged.dropped();
+            given.push(merged.points);
+        }
+        // The film between a loop and its double has no area: no size of triangle suits it.
+        let mut seen = std::collections::BTreeMap::new();
+        for (k, points) in given.iter().enumerate() {
+            let mut keys: Vec<[u64; 3]> =
+                points.iter().map(|p| (*p + DVec3::ZERO).to_array().map(f64::to_bits)).collect();
+            keys.sort_unstable();
+            if let Some(first) = seen.get(&keys) {
+                let detail = format!("runs through the same points as boundary {first}");
+                errors.push(InputError::new(place().at(k), detail));
+            } else {
+                seen.insert(keys, k);
+            }
+        }
+        if !errors.is_empty() {
+            return Err(Error::Input(errors));
+        }
+        let all: Vec<DVec3> = given.iter().flatten().copied().collect();
+        let centre = crate::polyline::mean(&all);
+        let centred = given.iter().map(|points| points.iter().map(|&p| p - centre).collect()).collect();
+        Ok(Self { centre, given, centred, vertices, dropped })
+    }
+
+    pub fn merged_points(&self) -> Option<Warning> {
+        let detail = format!("{} points equal to their neighbour were merged with it", self.dropped);
+        (self.dropped > 0).then(|| Warning::new("merged_points", detail))
+    }
+
+    pub fn point_count(&self) -> usize {
+        self.given.iter().map(Vec::len).sum()
+    }
+}

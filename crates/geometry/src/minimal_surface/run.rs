@@ -1,0 +1,225 @@
+//! What a run remembers and reports: why it stopped, its iterations, the stability of what it reached.
+
+use super::options::Solver;
+use crate::remesh::thin_triangles::Pinch;
+use crate::{DVec3, Execution, Progress};
+
+/// Why a solver stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StopReason {
+    /// The residual fell to the tolerance.
+    Residual,
+    /// The area changed by less than its tolerance (the papers' own rule).
+    AreaChange,
+    /// A neck closed, and the run was asked to end there.
+    TopologyChange,
+    /// The one linear system of the objective is solved.
+    Solved,
+    /// There is no vertex to move.
+    NothingToMove,
+    /// The objective, its gradient or the step's length fell below Liu and Wang's criteria.
+    ObjectiveChange,
+    Gradient,
+    StepLength,
+    MaxIterations,
+    /// No step gains any more, although the residual is above the tolerance: a fold is in the way, or rounding is reached.
+    Stalled,
+    /// A part of the mesh has shrunk so far that its linear system has no trustworthy solution.
+    Collapsed,
+    Deadline,
+}
+
+impl StopReason {
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Residual => "residual",
+            Self::AreaChange => "area_change",
+            Self::TopologyChange => "topology_change",
+            Self::Solved => "solved",
+            Self::NothingToMove => "nothing_to_move",
+            Self::ObjectiveChange => "objective_change",
+            Self::Gradient => "gradient",
+            Self::StepLength => "step_length",
+            Self::MaxIterations => "max_iterations",
+            Self::Stalled => "stalled",
+            Self::Collapsed => "collapsed",
+            Self::Deadline => "deadline",
+        }
+    }
+}
+
+/// One iteration as it is remembered.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HistoryRow {
+    pub phase: &'static str,
+    pub iteration: u32,
+    pub area: f64,
+    pub residual: f64,
+}
+
+/// The second variation of area under normal motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stability {
+    /// Whether the Morse index is 0: a true local minimum.
+    pub stable: bool,
+    /// Number of negative eigenvalues.
+    pub morse_index: usize,
+    /// Lowest eigenvalue against the lumped mass, in 1/unit².
+    pub lowest_eigenvalue: f64,
+    pub method: StabilityMethod,
+}
+
+/// Where a Morse index comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StabilityMethod {
+    /// The signs of the pivots of a factorisation: exact.
+    Inertia,
+    /// The lowest eigenvalue, by preconditioned iteration: on meshes too large to factorise in good time, and then only where
+    /// it is positive, so that the index is 0.
+    Eigenvalue,
+}
+
+impl StabilityMethod {
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Inertia => "inertia",
+            Self::Eigenvalue => "eigenvalue",
+        }
+    }
+}
+
+/// An area extrapolated to edges of length zero, in u².
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ExtrapolatedArea {
+    pub area: f64,
+    /// How far that may be off: its distance from the finer of the two areas it comes from.
+    pub error_estimate: f64,
+}
+
+impl ExtrapolatedArea {
+    /// From the areas of two minimal meshes on one boundary polygon, the finer with every edge halved.
+    pub(crate) fn new(coarse: f64, fine: f64) -> Self {
+        let correction = (coarse - fine) / 3.0;
+        Self { area: fine - correction, error_estimate: correction.abs() }
+    }
+}
+
+/// One way to span the boundaries.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpanningTopology {
+    /// The sets of boundaries, by their numbers, that a connected film spans each; ascending.
+    pub films: Vec<Vec<usize>>,
+    /// The sum of the films' areas; `None` if one of them does not hold.
+    pub area: Option<f64>,
+    /// Of all films together.
+    pub stability: Option<Stability>,
+    /// Whether two of its films pass through each other, so that no soap film takes this shape.
+    pub films_cross: bool,
+    /// Whether this is the one that was returned.
+    pub chosen: bool,
+}
+
+/// What [`Topology::Best`] compared.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpanningComparison {
+    /// By area, those without one last.
+    pub topologies: Vec<SpanningTopology>,
+    /// Whether a film that connects all boundaries holds.
+    pub connected_film_exists: bool,
+    /// Of two boundaries without a connected film: the largest fraction of their gap, along the line of their centroids, at
+    /// which one holds, to within 0.001. `None` if there is no gap or none was found.
+    pub largest_gap_fraction: Option<f64>,
+}
+
+/// What a solver did to a film.
+#[derive(Clone, Debug)]
+pub(crate) struct Run {
+    pub solver: Solver,
+    pub stop_reason: StopReason,
+    pub iterations: u32,
+    pub history: Vec<HistoryRow>,
+    pub edges_swapped: u64,
+    pub pinches: Vec<Pinch>,
+    pub stability: Option<Stability>,
+    /// Per vertex the lowest mode of an unstable film.
+    pub way_down: Option<Vec<DVec3>>,
+    pub extrapolated_area: Option<ExtrapolatedArea>,
+    /// Where the objective is not the area.
+    pub objective_value: Option<f64>,
+    /// What was compared, if topologies were.
+    pub spanning: Option<SpanningComparison>,
+}
+
+impl Run {
+    /// Nothing done yet.
+    pub fn new(solver: Solver) -> Self {
+        Self {
+            solver,
+            stop_reason: StopReason::NothingToMove,
+            iterations: 0,
+            history: Vec::new(),
+            edges_swapped: 0,
+            pinches: Vec::new(),
+            stability: None,
+            way_down: None,
+            extrapolated_area: None,
+            objective_value: None,
+            spanning: None,
+        }
+    }
+
+    /// What came after this run on the same film, as one run.
+    pub(crate) fn append(&mut self, later: Self) {
+        let before = self.iterations;
+        self.stop_reason = later.stop_reason;
+        self.iterations += later.iterations;
+        self.history
+            .extend(later.history.into_iter().map(|row| HistoryRow { iteration: row.iteration + before, ..row }));
+        self.edges_swapped += later.edges_swapped;
+        self.pinches.extend(later.pinches.into_iter().map(|mut pinch| {
+            pinch.iteration += before;
+            pinch
+        }));
+        self.stability = later.stability;
+    }
+}
+
+/// History and progress of one run. The fraction never falls, whatever the phases say.
+#[derive(Debug)]
+pub(crate) struct Record<'a> {
+    exec: &'a Execution<'a>,
+    pub history: Vec<HistoryRow>,
+    pub iterations: u32,
+    fraction: f64,
+    /// The share of the whole run that the iterations now belong to.
+    pub share: [f64; 2],
+}
+
+impl<'a> Record<'a> {
+    pub fn new(exec: &'a Execution<'a>) -> Self {
+        Self { exec, history: Vec::new(), iterations: 0, fraction: 0.0, share: [0.0, 1.0] }
+    }
+
+    /// One more iteration (a linear solve); `fraction` of the present share is done after it.
+    pub fn iteration(&mut self, phase: &'static str, area: f64, residual: f64, fraction: f64) {
+        self.iterations += 1;
+        self.history.push(HistoryRow { phase, iteration: self.iterations, area, residual });
+        let [from, to] = self.share;
+        self.fraction = self.fraction.max(from + (to - from) * fraction.clamp(0.0, 1.0));
+        self.exec.report(Progress {
+            fraction: self.fraction,
+            phase,
+            iteration: u64::from(self.iterations),
+            objective_value: Some(area),
+            residual: Some(residual),
+        });
+    }
+}
+
+/// How far `value` has come from `start` down to `goal` when it falls geometrically: 0 to 1.
+pub(crate) fn geometric_part(start: f64, value: f64, goal: f64) -> f64 {
+    let part = (start / value).ln() / (start / goal.max(1e-16)).ln();
+    if part.is_nan() { 1.0 } else { part.clamp(0.0, 1.0) }
+}

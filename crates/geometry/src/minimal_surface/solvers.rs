@@ -1,0 +1,7 @@
+//! Solvers of a film of the full size, each with its paper.
+
+pub(super) mod chen_cai_zheng;
+pub(super) mod dirichlet;
+pub(super) mod liu_wang;
+pub(super) mod newton;
+pub(super) mod pinkall_polthier;
