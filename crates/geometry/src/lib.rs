@@ -14,6 +14,8 @@
 //! No HTTP, no serde, no async, no clock, no thread pool, no file. A solver takes slices, options and an
 //! [`Execution`](execution::Execution) (progress out, cancel in) and returns a mesh with a report.
 
+mod energy;
+mod equilibrium;
 pub mod error;
 pub mod execution;
 pub mod mesh;

@@ -6,24 +6,19 @@
 //! Sources: Chen, Cai, Zheng, *Constructing Triangular Meshes of Minimal Area* (2008); Pinkall, Polthier, *Computing
 //! Discrete Minimal Surfaces and Their Conjugates* (1993).
 
-mod cotangent;
 mod curvature;
 mod drivers;
 mod estimate;
 mod extrapolation;
-mod harmonic;
+pub(crate) mod harmonic;
 mod initial_mesh;
-mod multigrid;
-mod newton;
 mod options;
 mod outcome;
 mod request;
 mod run;
 mod solvers;
-mod stability;
 mod statistics;
 mod triple_junction;
-mod v_cycle_steps;
 
 pub use crate::remesh::thin_triangles::Pinch;
 pub use curvature::Curvature;

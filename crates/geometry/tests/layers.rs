@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Files and folders of `src`, earliest layer first. A file belongs to the longest entry that its path starts with.
-const LAYERS: [&str; 32] = [
+const LAYERS: [&str; 27] = [
     "execution",
     "error",
     "polyline",
@@ -24,12 +24,7 @@ const LAYERS: [&str; 32] = [
     "minimal_surface/estimate",
     "minimal_surface/request",
     "minimal_surface/run",
-    "minimal_surface/cotangent",
     "minimal_surface/curvature",
-    "minimal_surface/newton",
-    "minimal_surface/stability",
-    "minimal_surface/multigrid",
-    "minimal_surface/v_cycle_steps",
     "minimal_surface/extrapolation",
     "minimal_surface/harmonic",
     "minimal_surface/initial_mesh",

@@ -5,13 +5,13 @@
 //! A_fine - (A_coarse - A_fine) / 3. At a corner of the polygon whose angle is above 180 degrees the order is lower and the limit
 //! a little above the true one; the error estimate, the whole correction of the finer area, covers that.
 
-use super::cotangent::Pattern;
-use super::multigrid::{Hierarchy, parents_of};
-use super::newton::{Aim, Outcome, Settings, iterate};
 use super::run::ExtrapolatedArea;
-use super::v_cycle_steps::VCycleSteps;
+use crate::energy::area::Pattern;
+use crate::equilibrium::newton::{Aim, Outcome, Settings, iterate};
+use crate::equilibrium::v_cycle_steps::VCycleSteps;
 use crate::mesh::film::Film;
 use crate::remesh::subdivision::subdivide;
+use crate::sparse::multigrid::{Hierarchy, parents_of};
 use crate::{Execution, Interruption};
 
 /// The residual to which the finer mesh is brought: the error of its area is about the square of that.

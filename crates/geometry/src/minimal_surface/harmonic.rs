@@ -5,12 +5,12 @@
 //! 3. The image is the next domain. Repeat.
 //!
 //! The area never rises, since area(image) <= energy(image) <= energy(identity) = area(domain). The iteration converges linearly:
-//! a few rounds take a poor mesh to a good one, many are needed for a small residual ([`newton`](super::newton) for that).
+//! a few rounds take a poor mesh to a good one, many are needed for a small residual ([`newton`](crate::equilibrium::newton) for that).
 //!
-//! Departures: the weight of a triangle whose area vanishes is bounded ([`cotangent`](super::cotangent)), so that a collapsing
+//! Departures: the weight of a triangle whose area vanishes is bounded ([`area`](crate::energy::area)), so that a collapsing
 //! neck is reported by the linear solver and not by an infinite entry.
 
-use super::cotangent::Pattern;
+use crate::energy::area::Pattern;
 use crate::mesh::film::Film;
 use crate::sparse::{LinearError, Symbolic, SymmetricMatrix, conjugate_gradients};
 use crate::{DVec3, Error};

@@ -5,25 +5,25 @@
 //! 2. Every edge is halved. A new boundary vertex is the input point in the middle of those that its edge skips, or the edge's
 //!    own middle where there is none (and points may be added). Every input point is reached in the end.
 //! 3. Newton's method in normal heights corrects the finer mesh, its systems solved by conjugate gradients over the nested levels
-//!    ([`multigrid`](crate::minimal_surface::multigrid)). The start is off by the sagitta of a coarse edge, so one or two steps do.
+//!    ([`multigrid`](crate::sparse::multigrid)). The start is off by the sagitta of a coarse edge, so one or two steps do.
 //!
 //! Work and memory grow in proportion to the mesh. Where anything is out of the ordinary (corners too dense to skip points, a
 //! fold, a system that multigrid cannot solve) the caller falls back on the full mesh from the start.
 
+use crate::energy::area::Pattern;
+use crate::equilibrium::newton::{Aim, Direct, Outcome, Settings, State, iterate};
+use crate::equilibrium::stability::{self, Unknown};
+use crate::equilibrium::v_cycle_steps::VCycleSteps;
 use crate::mesh::film::Film;
 use crate::mesh::measure;
-use crate::minimal_surface::cotangent::Pattern;
 use crate::minimal_surface::estimate::{area_of_fans, estimate_triangles, triangles_of_length};
 use crate::minimal_surface::initial_mesh::{self, InitialMeshKind};
-use crate::minimal_surface::multigrid::{self, Hierarchy, parents_of};
-use crate::minimal_surface::newton::{Aim, Direct, Outcome, Settings, State, iterate};
 use crate::minimal_surface::options::{BoundarySampling, InitialMesh, Options, Resolution};
 use crate::minimal_surface::run::{ExtrapolatedArea, Run, Stability, StabilityMethod, StopReason, geometric_part};
 use crate::minimal_surface::solvers::newton::{EXTRAPOLATED_TRIANGLES, Solve, Stop};
-use crate::minimal_surface::stability::{self, Unknown};
-use crate::minimal_surface::v_cycle_steps::VCycleSteps;
 use crate::remesh::subdivision::subdivided_inside;
 use crate::sparse::Symbolic;
+use crate::sparse::multigrid::{self, Hierarchy, parents_of};
 use crate::{DVec3, Error, Execution, Interruption, polyline};
 
 /// The coarse mesh has at least this many triangles, so at most four times as many.

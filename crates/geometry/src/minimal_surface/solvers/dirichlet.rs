@@ -1,7 +1,7 @@
 //! The least Dirichlet energy: one harmonic map from the initial mesh (Pinkall, Polthier 1993, section 2).
 
+use crate::energy::area::dirichlet_energy;
 use crate::mesh::film::Film;
-use crate::minimal_surface::cotangent::dirichlet_energy;
 use crate::minimal_surface::curvature::Curvature;
 use crate::minimal_surface::harmonic::{Dirichlet, too_large};
 use crate::minimal_surface::options::Solver;

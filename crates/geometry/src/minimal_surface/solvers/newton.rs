@@ -2,21 +2,21 @@
 //!
 //! 1. *Settle*: rounds of Delaunay flips, tangential relaxation and one to four Pinkall-Polthier solves
 //!    ([`harmonic`](crate::minimal_surface::harmonic)). Forgives any start, and leaves good triangles.
-//! 2. *Newton* in normal heights ([`newton`](crate::minimal_surface::newton)). Where it stalls, or the mesh is folded, back to 1.
-//! 3. *Stability* ([`stability`](crate::minimal_surface::stability)); an unstable surface is left along its lowest mode if that is asked for.
+//! 2. *Newton* in normal heights ([`newton`](crate::equilibrium::newton)). Where it stalls, or the mesh is folded, back to 1.
+//! 3. *Stability* ([`stability`](crate::equilibrium::stability)); an unstable surface is left along its lowest mode if that is asked for.
 
+use crate::energy::area::{Pattern, vertex_normals};
+use crate::equilibrium::newton::{Aim, Direct, Outcome, Settings, State, iterate, keeps_orientation, moved};
+use crate::equilibrium::stability::{self, SecondVariation, Unknown};
 use crate::mesh::film::Film;
 use crate::mesh::measure;
-use crate::minimal_surface::cotangent::{Pattern, vertex_normals};
 use crate::minimal_surface::harmonic::{Dirichlet, too_large};
-use crate::minimal_surface::multigrid::Hierarchy;
-use crate::minimal_surface::newton::{Aim, Direct, Outcome, Settings, State, iterate, keeps_orientation, moved};
 use crate::minimal_surface::options::{InitialMesh, OnUnstable, Options, Solver};
 use crate::minimal_surface::run::{
     ExtrapolatedArea, Record, Run, Stability, StabilityMethod, StopReason, geometric_part,
 };
-use crate::minimal_surface::stability::{self, SecondVariation, Unknown};
 use crate::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
+use crate::sparse::multigrid::Hierarchy;
 use crate::sparse::{Factorisation, LinearError};
 use crate::{DVec3, Error, Execution, Interruption};
 

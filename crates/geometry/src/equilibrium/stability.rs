@@ -1,6 +1,6 @@
 //! Whether a minimal surface is a true local minimum: the second variation of area under normal motion.
 //!
-//! K is the matrix of [`newton`](super::newton) at the final positions, M the lumped mass (a third of each ring's area).
+//! K is the matrix of [`newton`](crate::equilibrium::newton) at the final positions, M the lumped mass (a third of each ring's area).
 //! - The Morse index is the number of negative eigenvalues of K. By Sylvester's law it is the number of negative pivots
 //!   in K = L D Lᵀ, whatever the mass; no eigenvalue needs to be computed for it.
 //! - The lowest eigenvalue of K x = λ M x and its vector: locally optimal preconditioned conjugate gradients (Knyazev, *Toward
@@ -10,8 +10,8 @@
 //! The start is the constant height. The lowest eigenfunction of a connected surface has one sign, so the two are never orthogonal,
 //! and the result depends on no random number.
 
-use super::cotangent::Pattern;
 use super::newton::State;
+use crate::energy::area::Pattern;
 use crate::mesh::film::Film;
 use crate::sparse::{LinearError, Symbolic, SymmetricMatrix};
 use crate::{Execution, Interruption};
@@ -24,21 +24,21 @@ const MAX_SHIFTS: usize = 24;
 
 /// An eigenvalue with its vector (unit in the lumped mass).
 #[derive(Clone, Debug)]
-pub(super) struct Mode {
+pub(crate) struct Mode {
     pub eigenvalue: f64,
     pub heights: Vec<f64>,
 }
 
 /// The second variation at one position, analysed.
 #[derive(Clone, Debug)]
-pub(super) struct SecondVariation {
+pub(crate) struct SecondVariation {
     pub morse_index: usize,
     pub lowest: Mode,
 }
 
 /// Why the stability is not known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Unknown {
+pub(crate) enum Unknown {
     /// No factorisation is possible: a degenerate mesh.
     Refused(LinearError),
     Interrupted(Interruption),
@@ -60,7 +60,7 @@ impl From<Interruption> for Unknown {
 ///
 /// # Errors
 /// See [`Unknown`].
-pub(super) fn analyse(
+pub(crate) fn analyse(
     film: &Film,
     pattern: &Pattern,
     symbolic: &Symbolic,
@@ -120,7 +120,7 @@ fn shifted(matrix: &SymmetricMatrix, mass: &[f64], shift: f64) -> SymmetricMatri
 ///
 /// # Errors
 /// The interruption.
-pub(super) fn lowest_mode(
+pub(crate) fn lowest_mode(
     matrix: &SymmetricMatrix,
     mass: &[f64],
     unit: f64,
@@ -238,9 +238,9 @@ fn lowest_of_three(mut a: [[f64; 3]; 3], size: usize) -> (f64, [f64; 3]) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::newton::{Aim, Direct, Outcome, Settings, iterate};
     use super::*;
     use crate::DVec3;
+    use crate::equilibrium::newton::{Aim, Direct, Outcome, Settings, iterate};
     use crate::mesh::structured::{catenoid, patch};
     use std::f64::consts::PI;
 

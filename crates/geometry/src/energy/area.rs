@@ -22,14 +22,14 @@ use crate::DVec3;
 use crate::sparse::SymmetricMatrix;
 
 /// "No unknown": the entry of a fixed vertex.
-pub(super) const FIXED: u32 = u32::MAX;
+pub(crate) const FIXED: u32 = u32::MAX;
 
 /// A double area below this fraction of the longest edge squared is raised to it, so that no weight is infinite.
 const LEAST_DOUBLE_AREA: f64 = 1e-12;
 
 /// The sparsity of every operator on the free vertices of one connectivity, and where each triangle's terms go.
 #[derive(Clone, Debug)]
-pub(super) struct Pattern {
+pub(crate) struct Pattern {
     /// Per vertex its row, or [`FIXED`].
     pub unknown: Vec<u32>,
     /// Per row its vertex.
@@ -199,7 +199,7 @@ impl Pattern {
 }
 
 /// ¼ Σ (cot α + cot β) |a'|² over the edges: the Dirichlet energy of the map from `domain` to `image`, two positions of one mesh.
-pub(super) fn dirichlet_energy(domain: &[DVec3], image: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
+pub(crate) fn dirichlet_energy(domain: &[DVec3], image: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
     let energy = |triangle: &[u32; 3]| {
         let corner = Corner::of(domain, triangle);
         let [a, b, c] = triangle.map(|v| image[v as usize]);
@@ -213,7 +213,7 @@ pub(super) fn dirichlet_energy(domain: &[DVec3], image: &[DVec3], triangles: &[[
 
 /// What a descent along the normals needs to know about a mesh.
 #[derive(Clone, Debug)]
-pub(super) struct FirstVariation {
+pub(crate) struct FirstVariation {
     pub area: f64,
     /// g_h · n_h per free vertex.
     pub gradient: Vec<f64>,
@@ -253,7 +253,7 @@ impl Corner {
 }
 
 /// Area-weighted unit normals of all vertices; zero where the ring has no area.
-pub(super) fn vertex_normals(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Vec<DVec3> {
+pub(crate) fn vertex_normals(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Vec<DVec3> {
     let mut normals = vec![DVec3::ZERO; vertices.len()];
     for triangle in triangles {
         let [a, b, c] = triangle.map(|v| vertices[v as usize]);

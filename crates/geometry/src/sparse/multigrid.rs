@@ -11,17 +11,18 @@
 //!    factor L D Lᵀ. The cycle is symmetric and positive definite as long as the matrices are.
 //! 4. Conjugate gradients with that preconditioner: the residual falls by about ten an iteration, whatever the size.
 
-use crate::sparse::{Symbolic, SymmetricMatrix};
+use super::{Symbolic, SymmetricMatrix};
 use crate::{Execution, Interruption};
 
-use super::cotangent::FIXED;
+/// "No unknown": the parent of a value that is zero.
+pub(crate) const FIXED: u32 = u32::MAX;
 
 /// Iterations after which the hierarchy is not worth its name.
 const MAX_ITERATIONS: usize = 60;
 
 /// Why conjugate gradients did not reach their goal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Failure {
+pub(crate) enum Failure {
     /// A direction of negative curvature turned up: the matrix, or the preconditioner, is not positive definite.
     Indefinite,
     /// The iterations are used up.
@@ -31,11 +32,11 @@ pub(super) enum Failure {
 
 /// How the unknowns of a level stand to those of the next coarser one: each is the mean of two, of which one or both may be [`FIXED`] (zero).
 /// An unknown of both levels is its own parent twice.
-pub(super) type Parents = Vec<[u32; 2]>;
+pub(crate) type Parents = Vec<[u32; 2]>;
 
 /// The levels below the one that is being solved.
 #[derive(Debug)]
-pub(super) struct Hierarchy {
+pub(crate) struct Hierarchy {
     symbolic: Symbolic,
     factor: Vec<f64>,
     /// From coarse to fine; the coarsest is in `factor` only.
@@ -162,13 +163,13 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// Heights of a coarser mesh, carried to the finer one.
-pub(super) fn prolong(coarse: &[f64], parents: &[[u32; 2]]) -> Vec<f64> {
+pub(crate) fn prolong(coarse: &[f64], parents: &[[u32; 2]]) -> Vec<f64> {
     let height = |row: u32| coarse.get(row as usize).copied().unwrap_or(0.0);
     parents.iter().map(|&[first, second]| 0.5 * (height(first) + height(second))).collect()
 }
 
 /// The parents of a finer mesh's unknowns, from those of its new vertices (which follow the old ones).
-pub(super) fn parents_of(coarse_unknown: &[u32], fine_vertices: &[u32], midpoints: &[[u32; 2]]) -> Parents {
+pub(crate) fn parents_of(coarse_unknown: &[u32], fine_vertices: &[u32], midpoints: &[[u32; 2]]) -> Parents {
     let old = coarse_unknown.len();
     let unknown = |vertex: u32| coarse_unknown[vertex as usize];
     let parents = fine_vertices.iter().map(|&vertex| match (vertex as usize).checked_sub(old) {
@@ -181,9 +182,9 @@ pub(super) fn parents_of(coarse_unknown: &[u32], fine_vertices: &[u32], midpoint
 
 #[cfg(test)]
 mod tests {
-    use super::super::cotangent::{Pattern, vertex_normals};
     use super::*;
     use crate::Signal;
+    use crate::energy::area::{Pattern, vertex_normals};
     use crate::mesh::film::Film;
     use crate::mesh::structured::{catenoid, patch};
     use crate::remesh::subdivision::subdivide;

@@ -1,7 +1,7 @@
 //! Newton's method on the mesh area with one unknown per free vertex: its height along the present vertex normal.
 //!
 //! 1. Vertex normals (area-weighted), the area gradient along them, the residual. Stop at the tolerance.
-//! 2. The second variation of area in normal directions ([`cotangent`](super::cotangent)): one sparse symmetric matrix the size
+//! 2. The second variation of area in normal directions ([`area`](crate::energy::area)): one sparse symmetric matrix the size
 //!    of the cotangent Laplacian, factorised as L D Lᵀ. Its inertia is the mesh's Morse index at that moment.
 //! 3. If it is indefinite, add the Laplacian part once more, and more, until it is positive definite: the step then
 //!    goes down in area. (When a stationary surface is followed whatever its index, take the step as it is.)
@@ -13,7 +13,7 @@
 //! Since the normals turn with the surface the iteration is Newton's only in the limit of a fine mesh; the rate observed is
 //! three to four digits a step.
 
-use super::cotangent::{FIXED, FirstVariation, Pattern, vertex_normals};
+use crate::energy::area::{FIXED, FirstVariation, Pattern, vertex_normals};
 use crate::mesh::film::Film;
 use crate::mesh::measure;
 use crate::sparse::{LinearError, Symbolic, SymmetricMatrix};
@@ -32,7 +32,7 @@ const AREA_ROUNDING: f64 = 1e-12;
 
 /// Where the iteration is to go.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Aim {
+pub(crate) enum Aim {
     /// Down in area, to a surface of Morse index 0 or to none.
     Minimum,
     /// To the nearest stationary surface, whatever its index.
@@ -40,7 +40,7 @@ pub(super) enum Aim {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Settings {
+pub(crate) struct Settings {
     pub aim: Aim,
     pub tolerance: f64,
     pub max_steps: u32,
@@ -50,7 +50,7 @@ pub(super) struct Settings {
 
 /// How a run of Newton steps ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Outcome {
+pub(crate) enum Outcome {
     /// The residual is at most the tolerance.
     Converged,
     /// No step gains any more: a fold or a collapse is in the way, or rounding is reached.
@@ -64,7 +64,7 @@ pub(super) enum Outcome {
 
 /// The first variation at one position of the mesh.
 #[derive(Clone, Debug)]
-pub(super) struct State {
+pub(crate) struct State {
     pub normals: Vec<DVec3>,
     pub first: FirstVariation,
     pub residual: f64,
@@ -80,7 +80,7 @@ impl State {
 }
 
 /// What solves for Newton's step: a factorisation, or multigrid.
-pub(super) trait StepSolver {
+pub(crate) trait StepSolver {
     /// Steps 2 and 3: the heights by which Newton moves the free vertices. `state` is where the film stands.
     ///
     /// # Errors
@@ -97,7 +97,7 @@ pub(super) trait StepSolver {
 /// Takes Newton steps until the residual is small or nothing gains any more; `record` is told every step (area, residual).
 ///
 /// The film keeps the best position reached, and no step folds its mesh. Also returns where it stands.
-pub(super) fn iterate(
+pub(crate) fn iterate(
     film: &mut Film,
     pattern: &Pattern,
     solver: &mut dyn StepSolver,
@@ -132,7 +132,7 @@ pub(super) fn iterate(
 
 /// Newton's step by factorisation: the symbolic part is made once for a connectivity.
 #[derive(Debug)]
-pub(super) struct Direct {
+pub(crate) struct Direct {
     pub symbolic: Symbolic,
     pub matrix: SymmetricMatrix,
     /// The last factor made, for the next one to be made in, or to be kept.
@@ -215,7 +215,7 @@ fn search(
 }
 
 /// All vertices, the free ones moved by a fraction of `step` along their normals.
-pub(super) fn moved(pattern: &Pattern, film: &Film, normals: &[DVec3], step: &[f64], fraction: f64) -> Vec<DVec3> {
+pub(crate) fn moved(pattern: &Pattern, film: &Film, normals: &[DVec3], step: &[f64], fraction: f64) -> Vec<DVec3> {
     let move_one = |((&vertex, &normal), &row): ((&DVec3, &DVec3), &u32)| match row {
         FIXED => vertex,
         row => vertex + fraction * step[row as usize] * normal,
@@ -224,7 +224,7 @@ pub(super) fn moved(pattern: &Pattern, film: &Film, normals: &[DVec3], step: &[f
 }
 
 /// Whether no triangle turns over (by more than a right angle) or vanishes on the way to `vertices`.
-pub(super) fn keeps_orientation(film: &Film, vertices: &[DVec3]) -> bool {
+pub(crate) fn keeps_orientation(film: &Film, vertices: &[DVec3]) -> bool {
     film.triangles().iter().all(|&triangle| {
         let before = measure::double_area_vector(film.corners(triangle));
         let after = measure::double_area_vector(triangle.map(|v| vertices[v as usize]));
@@ -234,9 +234,9 @@ pub(super) fn keeps_orientation(film: &Film, vertices: &[DVec3]) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::harmonic::Dirichlet;
     use super::*;
     use crate::mesh::structured::{cylinder, helicoid, patch, relax};
+    use crate::minimal_surface::harmonic::Dirichlet;
 
     fn residuals(film: &mut Film) -> (Outcome, Vec<f64>) {
         let mut dirichlet = Dirichlet::new(film).unwrap();

@@ -1,10 +1,10 @@
 //! Newton's step for meshes too large to factorise: conjugate gradients over nested levels.
 
-use super::cotangent::Pattern;
-use super::multigrid::{Failure, Hierarchy, Parents};
 use super::newton::{Outcome, Settings, State, StepSolver};
 use crate::Execution;
+use crate::energy::area::Pattern;
 use crate::mesh::film::Film;
+use crate::sparse::multigrid::{Failure, Hierarchy, Parents};
 use crate::sparse::{LinearError, SymmetricMatrix};
 
 /// Each step's linear system is solved to this fraction of the residual, until the residual is small enough for the rest in one go.
