@@ -19,6 +19,7 @@ pub mod uniform_mesh;
 
 use crate::config::LimitsConfig;
 use body::{Body, PointList};
+use plateau_geometry::error::Step;
 use plateau_geometry::{Error as GeometryError, InputError};
 use serde_json::Value;
 
@@ -40,9 +41,20 @@ impl FieldError {
     }
 }
 
+/// Options of the geometry whose field of the request has another name: there angles are in degrees.
+const RENAMED: [(&str, &str); 2] =
+    [("convexity_tolerance", "convexity_tolerance_deg"), ("degenerate_angle", "degenerate_angle_deg")];
+
 impl From<&InputError> for FieldError {
     fn from(error: &InputError) -> Self {
-        Self::new(error.place.to_string(), error.detail.clone())
+        let step = |step: &Step| match *step {
+            Step::Field(field) => {
+                let name = RENAMED.iter().find(|(option, _)| *option == field).map_or(field, |(_, name)| name);
+                format!("/{name}")
+            }
+            Step::Index(index) => format!("/{index}"),
+        };
+        Self::new(error.place.0.iter().map(step).collect::<String>(), error.detail.clone())
     }
 }
 

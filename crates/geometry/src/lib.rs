@@ -21,6 +21,7 @@ pub mod execution;
 pub mod mesh;
 pub mod minimal_surface;
 pub mod polyline;
+pub mod random;
 mod remesh;
 pub mod ruled_surface;
 pub mod sparse;

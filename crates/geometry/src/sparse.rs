@@ -6,7 +6,7 @@
 mod conjugate_gradients;
 pub(crate) mod multigrid;
 
-pub use conjugate_gradients::conjugate_gradients;
+pub use conjugate_gradients::{CgFailure, conjugate_gradients};
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::ldlt::factor::LdltRegularization;

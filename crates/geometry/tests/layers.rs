@@ -10,10 +10,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Files and folders of `src`, earliest layer first. A file belongs to the longest entry that its path starts with.
-const LAYERS: [&str; 27] = [
+const LAYERS: [&str; 28] = [
     "execution",
     "error",
     "polyline",
+    "random",
     "mesh",
     "sparse",
     "plane",

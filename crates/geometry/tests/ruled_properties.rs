@@ -515,7 +515,7 @@ fn wrong_values_are_named() {
     let secondary = Options { secondary: Some(Secondary::BendingEnergy), ..Options::default() };
     assert_eq!(place(&[good.clone(), good.clone()], &secondary), "/secondary_objective");
     let tolerance = Options { convexity_tolerance: -1.0, ..Options::default() };
-    assert_eq!(place(&[good.clone(), good.clone()], &tolerance), "/convexity_tolerance_deg");
+    assert_eq!(place(&[good.clone(), good.clone()], &tolerance), "/convexity_tolerance");
     let weights = Weights { area: -1.0, ..Weights::default() };
     let weighted = Options { objective: Objective::Weighted(weights), ..Options::default() };
     assert_eq!(place(&[good.clone(), good.clone()], &weighted), "/objective/weights/minimal_area");

@@ -195,7 +195,8 @@ pub struct MinimalStatistics {
     pub boundary_loops: usize,
     pub components: usize,
     pub euler_characteristic: i64,
-    pub genus: i64,
+    /// Null for films with junctions, for which it is not defined.
+    pub genus: Option<i64>,
     pub area: f64,
     /// Area of the initial mesh.
     pub initial_area: f64,

@@ -4,8 +4,8 @@ use super::newton::{Outcome, Settings, State, StepSolver};
 use crate::Execution;
 use crate::energy::area::Pattern;
 use crate::mesh::film::Film;
-use crate::sparse::multigrid::{Failure, Hierarchy, Parents};
-use crate::sparse::{LinearError, SymmetricMatrix};
+use crate::sparse::multigrid::{Hierarchy, Parents};
+use crate::sparse::{CgFailure, LinearError, SymmetricMatrix};
 
 /// Each step's linear system is solved to this fraction of the residual, until the residual is small enough for the rest in one go.
 const FORCING: f64 = 1e-3;
@@ -37,8 +37,8 @@ impl StepSolver for VCycleSteps<'_> {
         };
         self.hierarchy.solve(&self.matrix, &self.parents, &right_hand_side, is_small, self.exec).map_err(|failure| {
             match failure {
-                Failure::Interrupted(interruption) => Outcome::Interrupted(interruption),
-                Failure::Indefinite | Failure::Slow => Outcome::Refused(LinearError::Inaccurate),
+                CgFailure::Interrupted(interruption) => Outcome::Interrupted(interruption),
+                CgFailure::Indefinite | CgFailure::Slow => Outcome::Refused(LinearError::Inaccurate),
             }
         })
     }

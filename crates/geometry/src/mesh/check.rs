@@ -9,14 +9,14 @@ impl Mesh {
     /// Says nothing about shape: degenerate or flipped triangles are counted by [`measure`](crate::mesh::measure).
     ///
     /// # Errors
-    /// What is wrong, in words.
-    pub fn check(&self) -> Result<Topology, String> {
+    /// The first [`Defect`] found.
+    pub fn check(&self) -> Result<Topology, Defect> {
         if let Some(vertex) = self.vertices.iter().position(|v| !v.is_finite()) {
-            return Err(format!("vertex {vertex} is not finite"));
+            return Err(Defect::NotFinite { vertex: vertex as u32 });
         }
-        let topology = Topology::build(&self.triangles, self.vertices.len()).map_err(|defect| format!("{defect:?}"))?;
+        let topology = Topology::build(&self.triangles, self.vertices.len())?;
         match topology.outgoing.iter().position(|&h| h == NONE) {
-            Some(vertex) => Err(format!("{:?}", Defect::IsolatedVertex { vertex: vertex as u32 })),
+            Some(vertex) => Err(Defect::IsolatedVertex { vertex: vertex as u32 }),
             None => Ok(topology),
         }
     }
@@ -33,8 +33,8 @@ mod tests {
         let mut mesh = Mesh::new(vec![corner(0.0, 0.0), corner(1.0, 0.0), corner(0.0, 1.0)], vec![[0, 1, 2]]);
         assert!(mesh.check().is_ok());
         mesh.vertices.push(corner(5.0, 5.0));
-        assert!(mesh.check().unwrap_err().contains("IsolatedVertex"));
+        assert_eq!(mesh.check().unwrap_err(), Defect::IsolatedVertex { vertex: 3 });
         mesh.vertices[3].x = f64::NAN;
-        assert!(mesh.check().unwrap_err().contains("not finite"));
+        assert_eq!(mesh.check().unwrap_err().to_string(), "vertex 3 has a coordinate that is not finite");
     }
 }

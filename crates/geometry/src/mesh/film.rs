@@ -42,6 +42,12 @@ impl Film {
         self.triangles().iter().map(|&t| 0.5 * measure::double_area_vector(self.corners(t)).length()).sum()
     }
 
+    /// Number of triangles whose normal points against the sum of their vertex normals.
+    pub fn flipped_triangles(&self) -> usize {
+        let normals = measure::normals(&self.vertices, self.triangles());
+        measure::count_flipped(&self.vertices, self.triangles(), &normals)
+    }
+
     /// R: the largest distance of a boundary vertex from the mean of the boundary vertices.
     pub fn radius(&self) -> f64 {
         let points: Vec<DVec3> = self.boundaries.iter().flatten().map(|&v| self.vertices[v as usize]).collect();

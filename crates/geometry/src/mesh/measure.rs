@@ -47,9 +47,15 @@ pub fn area(mesh: &Mesh) -> f64 {
 /// Area-weighted unit normals; zero where a vertex belongs to no triangle of positive area.
 #[must_use]
 pub fn vertex_normals(mesh: &Mesh) -> Vec<DVec3> {
-    let mut normals = vec![DVec3::ZERO; mesh.vertices.len()];
-    for &triangle in &mesh.triangles {
-        let normal = double_area_vector(mesh.corners(triangle));
+    normals(&mesh.vertices, &mesh.triangles)
+}
+
+/// As [`vertex_normals`], for vertices and triangles that are kept apart.
+#[must_use]
+pub fn normals(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Vec<DVec3> {
+    let mut normals = vec![DVec3::ZERO; vertices.len()];
+    for &triangle in triangles {
+        let normal = double_area_vector(triangle.map(|v| vertices[v as usize]));
         for vertex in triangle {
             normals[vertex as usize] += normal;
         }
@@ -104,15 +110,18 @@ pub fn degenerate_triangles(mesh: &Mesh) -> usize {
     mesh.triangles.iter().filter(|&&t| is_degenerate(mesh.corners(t))).count()
 }
 
-/// Number of triangles whose normal points against the sum of their three vertex normals.
+/// Number of flipped triangles: their normal points against the sum of their three vertex normals.
 #[must_use]
 pub fn flipped_triangles(mesh: &Mesh) -> usize {
-    let normals = vertex_normals(mesh);
-    mesh.triangles
-        .iter()
-        .filter(|&&t| {
-            let around: DVec3 = t.iter().map(|&v| normals[v as usize]).sum();
-            double_area_vector(mesh.corners(t)).dot(around) < 0.0
-        })
-        .count()
+    count_flipped(&mesh.vertices, &mesh.triangles, &vertex_normals(mesh))
+}
+
+/// As [`flipped_triangles`], for vertices and triangles that are kept apart and with normals that are known already.
+#[must_use]
+pub fn count_flipped(vertices: &[DVec3], triangles: &[[u32; 3]], normals: &[DVec3]) -> usize {
+    let is_flipped = |triangle: &&[u32; 3]| {
+        let around: DVec3 = triangle.iter().map(|&v| normals[v as usize]).sum();
+        double_area_vector(triangle.map(|v| vertices[v as usize])).dot(around) < 0.0
+    };
+    triangles.iter().filter(is_flipped).count()
 }

@@ -1,22 +1,67 @@
 //! Connectivity of a triangle list: half-edge twins, boundary loops, components, Euler characteristic. No positions.
 
+use std::fmt;
+
 /// "No half-edge": the twin of a half-edge on the boundary.
 pub const NONE: u32 = u32::MAX;
 
-/// Why a triangle list is not an oriented manifold.
+/// Why a mesh is not a sound one: see [`Topology::build`] and [`Mesh::check`](crate::Mesh::check).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Defect {
     /// A triangle names a vertex that does not exist.
-    VertexOutOfRange { triangle: usize },
+    VertexOutOfRange {
+        /// The number of the triangle.
+        triangle: usize,
+    },
     /// A triangle names a vertex twice.
-    RepeatedVertex { triangle: usize },
+    RepeatedVertex {
+        /// The number of the triangle.
+        triangle: usize,
+    },
     /// Three or more triangles share an edge, or two neighbours run along it in the same direction.
-    NonManifoldEdge { from: u32, to: u32 },
+    NonManifoldEdge {
+        /// One end of the edge.
+        from: u32,
+        /// The other end.
+        to: u32,
+    },
     /// The triangles around a vertex form more than one fan.
-    NonManifoldVertex { vertex: u32 },
+    NonManifoldVertex {
+        /// The number of the vertex.
+        vertex: u32,
+    },
     /// A vertex belongs to no triangle.
-    IsolatedVertex { vertex: u32 },
+    IsolatedVertex {
+        /// The number of the vertex.
+        vertex: u32,
+    },
+    /// A coordinate is infinite or not a number.
+    NotFinite {
+        /// The number of the vertex.
+        vertex: u32,
+    },
 }
+
+impl fmt::Display for Defect {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::VertexOutOfRange { triangle } => write!(f, "triangle {triangle} names a vertex that does not exist"),
+            Self::RepeatedVertex { triangle } => write!(f, "triangle {triangle} names a vertex twice"),
+            Self::NonManifoldEdge { from, to } => write!(
+                f,
+                "the edge between the vertices {from} and {to} has three or more triangles, or two that run along it in the \
+                 same direction"
+            ),
+            Self::NonManifoldVertex { vertex } => {
+                write!(f, "the triangles around vertex {vertex} form more than one fan")
+            }
+            Self::IsolatedVertex { vertex } => write!(f, "vertex {vertex} belongs to no triangle"),
+            Self::NotFinite { vertex } => write!(f, "vertex {vertex} has a coordinate that is not finite"),
+        }
+    }
+}
+
+impl std::error::Error for Defect {}
 
 /// Half-edge connectivity. Half-edge `3 t + k` runs from corner `k` to corner `(k + 1) % 3` of triangle `t`.
 #[derive(Clone, Debug)]

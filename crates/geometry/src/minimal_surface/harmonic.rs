@@ -12,8 +12,8 @@
 
 use crate::energy::area::Pattern;
 use crate::mesh::film::Film;
-use crate::sparse::{LinearError, Symbolic, SymmetricMatrix, conjugate_gradients};
-use crate::{DVec3, Error};
+use crate::sparse::{CgFailure, LinearError, Symbolic, SymmetricMatrix, conjugate_gradients};
+use crate::{DVec3, Error, Execution, Interruption};
 
 /// Residual at which conjugate gradients stop, relative to that of the present positions.
 const ITERATIVE_TOLERANCE: f64 = 1e-10;
@@ -67,25 +67,43 @@ impl Dirichlet {
     }
 
     /// As [`step`](Self::step), by conjugate gradients from the present positions; by elimination where one of the three
-    /// coordinates does not converge. Says which it was.
+    /// coordinates does not converge. Says which it was, or why elimination failed. Leaves the film as it was on an error.
     ///
     /// # Errors
-    /// As [`step`](Self::step).
-    pub fn step_by_conjugate_gradients(&mut self, film: &mut Film) -> Result<Elimination, LinearError> {
+    /// The interruptions of `exec`.
+    pub fn step_by_conjugate_gradients(
+        &mut self,
+        film: &mut Film,
+        exec: &Execution,
+    ) -> Result<Result<Elimination, LinearError>, Interruption> {
         self.pattern.laplacian(&film.vertices, film.triangles(), &mut self.matrix, &mut self.right_hand_side);
         let n = self.pattern.vertex.len();
         let mut image = vec![DVec3::ZERO; n];
         for (axis, b) in self.right_hand_side.chunks_exact(n).enumerate() {
             let mut x: Vec<f64> = self.pattern.vertex.iter().map(|&v| film.vertices[v as usize][axis]).collect();
-            if conjugate_gradients(&self.matrix, b, &mut x, ITERATIVE_TOLERANCE).is_none() {
-                return self.step(film).map(|()| Elimination::Used);
+            match self.solve_from(&mut x, b, exec) {
+                Ok(_) => {}
+                Err(CgFailure::Interrupted(interruption)) => return Err(interruption),
+                Err(CgFailure::Indefinite | CgFailure::Slow) => return Ok(self.step(film).map(|()| Elimination::Used)),
             }
             image.iter_mut().zip(x).for_each(|(point, x)| point[axis] = x);
         }
         for (&vertex, point) in self.pattern.vertex.iter().zip(image) {
             film.vertices[vertex as usize] = point;
         }
-        Ok(Elimination::Spared)
+        Ok(Ok(Elimination::Spared))
+    }
+
+    /// Conjugate gradients from `x` until the residual has fallen to [`ITERATIVE_TOLERANCE`] of what it is there. In exact
+    /// arithmetic the order of the matrix bounds their number.
+    fn solve_from(&self, x: &mut [f64], b: &[f64], exec: &Execution) -> Result<usize, CgFailure> {
+        let square = |residual: &[f64]| residual.iter().map(|r| r * r).sum::<f64>();
+        let mut first = vec![0.0; b.len()];
+        self.matrix.multiply(x, &mut first);
+        first.iter_mut().zip(b).for_each(|(first, b)| *first = b - *first);
+        let goal = ITERATIVE_TOLERANCE * ITERATIVE_TOLERANCE * square(&first);
+        let is_small = |residual: &[f64]| square(residual) <= goal;
+        conjugate_gradients(&self.matrix, b, x, |r, z| z.copy_from_slice(r), is_small, b.len() + 1, exec)
     }
 }
 

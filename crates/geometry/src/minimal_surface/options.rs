@@ -364,8 +364,7 @@ impl Options {
             errors.push(InputError::new(Place::field("topology"), detail));
         }
         if self.degenerate_angle.is_some_and(|angle| !(angle > 0.0 && angle <= LARGEST_DEGENERATE_ANGLE)) {
-            errors
-                .push(InputError::new(Place::field("degenerate_angle_deg"), "must be above 0 and at most 20 degrees"));
+            errors.push(InputError::new(Place::field("degenerate_angle"), "must be above 0 and at most 20 degrees"));
         }
         self.constraints.check(&mut errors);
         if self.topology == Topology::Best && self.initial_mesh != InitialMesh::Auto {

@@ -32,7 +32,8 @@ pub struct Statistics {
     pub boundary_loops: usize,
     pub components: usize,
     pub euler_characteristic: i64,
-    pub genus: i64,
+    /// Total genus of the components; `None` for films with junctions, which are no manifolds.
+    pub genus: Option<i64>,
     pub area: f64,
     pub initial_area: f64,
     /// The area of the smooth surface on the same polygon, from this mesh and one of twice or half its edges. For stable surfaces of the
@@ -115,7 +116,7 @@ pub(super) fn collect(
         boundary_loops: topology.boundary_loops().len(),
         components: topology.components(),
         euler_characteristic: topology.euler_characteristic(),
-        genus: topology.genus(),
+        genus: Some(topology.genus()),
         area,
         initial_area,
         extrapolated_area: run.extrapolated_area,

@@ -633,7 +633,7 @@ fn collect(
         components: film.components(),
         euler_characteristic: film.euler_characteristic(),
         // Of a film that is no surface: not defined, and the sheets of a film with junctions are discs as a rule.
-        genus: 0,
+        genus: None,
         area,
         initial_area,
         extrapolated_area: None,

@@ -428,7 +428,7 @@ mod tests {
             }
             let boundary: Vec<DVec3> = film.boundaries[0].iter().map(|&v| film.vertices[v as usize]).collect();
             let changes = remove_degenerate_triangles(&mut film, angle.to_radians(), Necks::Keep);
-            let topology = film.mesh().check().map_err(TestCaseError::fail)?;
+            let topology = film.mesh().check().map_err(|defect| TestCaseError::fail(defect.to_string()))?;
             prop_assert_eq!((topology.euler_characteristic(), topology.components()), (1, 1));
             prop_assert!(changes.pinches.is_empty());
             let after: Vec<DVec3> = film.boundaries[0].iter().map(|&v| film.vertices[v as usize]).collect();
@@ -449,7 +449,7 @@ mod tests {
                 }
             }
             remove_degenerate_triangles(&mut film, angle.to_radians(), Necks::Cut);
-            let topology = film.mesh().check().map_err(TestCaseError::fail)?;
+            let topology = film.mesh().check().map_err(|defect| TestCaseError::fail(defect.to_string()))?;
             let components = topology.components() as i64;
             prop_assert!(components == 1 || components == 2);
             prop_assert_eq!(topology.euler_characteristic(), 2 * components - 2);

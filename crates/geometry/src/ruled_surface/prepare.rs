@@ -149,7 +149,7 @@ pub(super) fn goal_errors(
     let mut errors = Vec::new();
     let mut refuse = |place: Place, detail: &str| errors.push(InputError::new(place, detail));
     if !(0.0..=LARGEST_TOLERANCE).contains(&convexity_tolerance) {
-        refuse(Place::field("convexity_tolerance_deg"), "must lie between 0 and 45 degrees");
+        refuse(Place::field("convexity_tolerance"), "must lie between 0 and 45 degrees");
     }
     if secondary.is_some() && objective != Objective::MaximalConvexity {
         refuse(Place::field("secondary_objective"), "goes with the objective maximal_convexity only");

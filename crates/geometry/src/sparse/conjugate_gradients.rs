@@ -1,48 +1,85 @@
-//! The method of conjugate gradients (Hestenes and Stiefel) for symmetric positive definite systems, without a
-//! preconditioner, as the papers on minimal surfaces use it.
+//! The method of conjugate gradients (Hestenes and Stiefel 1952) for symmetric positive definite systems.
 
 use super::SymmetricMatrix;
+use crate::{Execution, Interruption};
 
-/// Improves `x` until ‖b - A x‖ <= `tolerance` ‖b - A x₀‖ (Euclidean), x₀ the given `x`. Returns the number of steps.
+/// Why conjugate gradients did not reach their goal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CgFailure {
+    /// A direction of negative or vanishing curvature turned up, or a number that is not finite: the matrix or the
+    /// preconditioner is not positive definite.
+    Indefinite,
+    /// The iterations are used up.
+    Slow,
+    /// The caller asked to stop.
+    Interrupted(Interruption),
+}
+
+/// Improves `x` until `is_small` accepts the residual b - A x; returns the number of iterations.
 ///
-/// In exact arithmetic the order of the matrix bounds the steps; `None` if that many do not suffice, if a direction of
-/// negative or vanishing curvature shows up (the matrix is not positive definite) or a number is not finite; `x` is then
-/// the last iterate. One product with the matrix a step.
-pub fn conjugate_gradients(matrix: &SymmetricMatrix, b: &[f64], x: &mut [f64], tolerance: f64) -> Option<usize> {
+/// `precondition` writes an approximation of A⁻¹ r, symmetric and positive definite in r, into its second argument; copying r
+/// there is the method without preconditioner. One product with the matrix and one look at `exec` an iteration.
+///
+/// # Errors
+/// See [`CgFailure`]; `x` is then the last iterate.
+pub fn conjugate_gradients(
+    matrix: &SymmetricMatrix,
+    b: &[f64],
+    x: &mut [f64],
+    mut precondition: impl FnMut(&[f64], &mut [f64]),
+    is_small: impl Fn(&[f64]) -> bool,
+    max_iterations: usize,
+    exec: &Execution,
+) -> Result<usize, CgFailure> {
     let n = matrix.order();
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let mut product = vec![0.0; n];
-    matrix.multiply(x, &mut product);
-    let mut residual: Vec<f64> = b.iter().zip(&product).map(|(b, ax)| b - ax).collect();
-    let mut direction = residual.clone();
-    let mut square = dot(&residual, &residual);
-    let goal = tolerance * tolerance * square;
-    for step in 0..=n {
-        if square <= goal {
-            return Some(step);
+    let mut residual = b.to_vec();
+    if x.iter().any(|&x| x != 0.0) {
+        matrix.multiply(x, &mut product);
+        residual.iter_mut().zip(&product).for_each(|(residual, ax)| *residual -= ax);
+    }
+    let mut preconditioned = vec![0.0; n];
+    let mut direction = vec![0.0; n];
+    let mut last_energy = 0.0;
+    for iteration in 0..max_iterations {
+        if is_small(&residual) {
+            return Ok(iteration);
+        }
+        exec.look(n as u64).map_err(CgFailure::Interrupted)?;
+        precondition(&residual, &mut preconditioned);
+        let energy = dot(&residual, &preconditioned);
+        let ratio = if iteration == 0 { 0.0 } else { energy / last_energy };
+        last_energy = energy;
+        for (direction, z) in direction.iter_mut().zip(&preconditioned) {
+            *direction = z + ratio * *direction;
         }
         matrix.multiply(&direction, &mut product);
         let curvature = dot(&direction, &product);
-        if !(curvature > 0.0 && curvature.is_finite()) {
-            return None;
+        // Not `<=`, so that NaN ends here too.
+        if !(energy > 0.0 && curvature > 0.0 && curvature.is_finite()) {
+            return Err(CgFailure::Indefinite);
         }
-        let length = square / curvature;
-        for k in 0..n {
-            x[k] += length * direction[k];
-            residual[k] -= length * product[k];
+        let length = energy / curvature;
+        for (x, direction) in x.iter_mut().zip(&direction) {
+            *x += length * direction;
         }
-        let before = std::mem::replace(&mut square, dot(&residual, &residual));
-        let ratio = square / before;
-        for k in 0..n {
-            direction[k] = residual[k] + ratio * direction[k];
+        for (residual, product) in residual.iter_mut().zip(&product) {
+            *residual -= length * product;
         }
     }
-    None
+    if is_small(&residual) { Ok(max_iterations) } else { Err(CgFailure::Slow) }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Signal;
+    use crate::sparse::Symbolic;
+    use std::cell::Cell;
 
     /// The path graph's Laplacian with both ends held, `shift` subtracted from its diagonal.
     fn path(n: usize, shift: f64) -> SymmetricMatrix {
@@ -60,11 +97,45 @@ mod tests {
         matrix
     }
 
+    /// Without preconditioner, to an absolute residual.
+    fn solve(matrix: &SymmetricMatrix, x: &mut [f64], exec: &Execution) -> Result<usize, CgFailure> {
+        let n = x.len();
+        let small = |residual: &[f64]| residual.iter().all(|r| r.abs() < 1e-11);
+        conjugate_gradients(matrix, &vec![1.0; n], x, |r, z| z.copy_from_slice(r), small, n + 1, exec)
+    }
+
+    #[test]
+    fn a_cancel_is_seen_at_the_next_iteration() {
+        let looks = Cell::new(0);
+        let signal = || {
+            looks.set(looks.get() + 1);
+            if looks.get() == 5 { Signal::Cancel } else { Signal::Continue }
+        };
+        let mut x = vec![0.0; 40];
+        let ended = solve(&path(40, 0.0), &mut x, &Execution::new(&signal, &|_| {}));
+        assert_eq!((ended, looks.get()), (Err(CgFailure::Interrupted(Interruption::Cancelled)), 5));
+    }
+
+    #[test]
+    fn the_exact_inverse_as_preconditioner_needs_one_iteration() {
+        let matrix = path(40, 0.0);
+        let symbolic = Symbolic::analyse(&matrix, None).unwrap();
+        let factors = symbolic.factorise(&matrix).unwrap();
+        let exact = |r: &[f64], z: &mut [f64]| {
+            z.copy_from_slice(r);
+            factors.solve_unchecked(z);
+        };
+        let small = |residual: &[f64]| residual.iter().all(|r| r.abs() < 1e-9);
+        let mut x = vec![0.0; 40];
+        let steps = conjugate_gradients(&matrix, &[1.0; 40], &mut x, exact, small, 10, &Execution::default());
+        assert_eq!(steps, Ok(1));
+    }
+
     #[test]
     fn the_solution_of_a_path_is_the_parabola() {
         let n = 40;
         let mut x = vec![0.0; n];
-        let steps = conjugate_gradients(&path(n, 0.0), &vec![1.0; n], &mut x, 1e-12).unwrap();
+        let steps = solve(&path(n, 0.0), &mut x, &Execution::default()).unwrap();
         assert!(steps <= n);
         for (k, x) in x.iter().enumerate() {
             let exact = 0.5 * (k + 1) as f64 * (n - k) as f64;
@@ -75,7 +146,8 @@ mod tests {
     #[test]
     fn an_indefinite_system_is_given_up() {
         let mut x = vec![0.0; 40];
-        assert_eq!(conjugate_gradients(&path(40, 3.0), &[1.0; 40], &mut x, 1e-12), None);
-        assert_eq!(conjugate_gradients(&path(40, f64::NAN), &[1.0; 40], &mut x, 1e-12), None);
+        assert_eq!(solve(&path(40, 3.0), &mut x, &Execution::default()), Err(CgFailure::Indefinite));
+        x.fill(0.0);
+        assert_eq!(solve(&path(40, f64::NAN), &mut x, &Execution::default()), Err(CgFailure::Indefinite));
     }
 }

@@ -11,24 +11,14 @@
 //!    factor L D Lᵀ. The cycle is symmetric and positive definite as long as the matrices are.
 //! 4. Conjugate gradients with that preconditioner: the residual falls by about ten an iteration, whatever the size.
 
-use super::{Symbolic, SymmetricMatrix};
-use crate::{Execution, Interruption};
+use super::{CgFailure, Symbolic, SymmetricMatrix, conjugate_gradients};
+use crate::Execution;
 
 /// "No unknown": the parent of a value that is zero.
 pub(crate) const FIXED: u32 = u32::MAX;
 
 /// Iterations after which the hierarchy is not worth its name.
 const MAX_ITERATIONS: usize = 60;
-
-/// Why conjugate gradients did not reach their goal.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Failure {
-    /// A direction of negative curvature turned up: the matrix, or the preconditioner, is not positive definite.
-    Indefinite,
-    /// The iterations are used up.
-    Slow,
-    Interrupted(Interruption),
-}
 
 /// How the unknowns of a level stand to those of the next coarser one: each is the mean of two, of which one or both may be [`FIXED`] (zero).
 /// An unknown of both levels is its own parent twice.
@@ -105,7 +95,7 @@ impl Hierarchy {
     /// Solves `matrix` x = `right_hand_side` until `is_small` is content with the residual; `work` is what one iteration costs.
     ///
     /// # Errors
-    /// See [`Failure`].
+    /// See [`CgFailure`].
     pub fn solve(
         &self,
         matrix: &SymmetricMatrix,
@@ -113,40 +103,12 @@ impl Hierarchy {
         right_hand_side: &[f64],
         is_small: impl Fn(&[f64]) -> bool,
         exec: &Execution,
-    ) -> Result<Vec<f64>, Failure> {
-        let n = right_hand_side.len();
-        let mut x = vec![0.0; n];
-        let mut residual = right_hand_side.to_vec();
-        let mut direction = vec![0.0; n];
-        let mut product = vec![0.0; n];
-        let mut last_energy = 0.0;
-        for iteration in 0..MAX_ITERATIONS {
-            if is_small(&residual) {
-                return Ok(x);
-            }
-            exec.look(n as u64).map_err(Failure::Interrupted)?;
-            let preconditioned = self.precondition(matrix, parents, &residual);
-            let energy = dot(&residual, &preconditioned);
-            let ratio = if iteration == 0 { 0.0 } else { energy / last_energy };
-            last_energy = energy;
-            for (direction, z) in direction.iter_mut().zip(&preconditioned) {
-                *direction = z + ratio * *direction;
-            }
-            matrix.multiply(&direction, &mut product);
-            let curvature = dot(&direction, &product);
-            // Not `<=`, so that NaN ends here too.
-            if !(energy > 0.0 && curvature > 0.0) {
-                return Err(Failure::Indefinite);
-            }
-            let length = energy / curvature;
-            for (x, direction) in x.iter_mut().zip(&direction) {
-                *x += length * direction;
-            }
-            for (residual, product) in residual.iter_mut().zip(&product) {
-                *residual -= length * product;
-            }
-        }
-        if is_small(&residual) { Ok(x) } else { Err(Failure::Slow) }
+    ) -> Result<Vec<f64>, CgFailure> {
+        let mut x = vec![0.0; right_hand_side.len()];
+        let precondition =
+            |residual: &[f64], out: &mut [f64]| out.copy_from_slice(&self.precondition(matrix, parents, residual));
+        conjugate_gradients(matrix, right_hand_side, &mut x, precondition, is_small, MAX_ITERATIONS, exec)?;
+        Ok(x)
     }
 }
 
@@ -156,10 +118,6 @@ fn relax(matrix: &SymmetricMatrix, right_hand_side: &[f64], x: &mut [f64], row: 
     let (columns, values) = matrix.row(row);
     let others: f64 = columns[1..].iter().zip(&values[1..]).map(|(&column, &a)| a * x[column as usize]).sum();
     x[row] = (right_hand_side[row] - others) / values[0];
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// Heights of a coarser mesh, carried to the finer one.
@@ -251,6 +209,6 @@ mod tests {
         let right = vec![1.0; matrix.order()];
         let solved =
             hierarchy.solve(&matrix, &parents, &right, |r| r.iter().all(|r| r.abs() < 1e-9), &Execution::default());
-        assert!(matches!(solved, Err(Failure::Indefinite | Failure::Slow)));
+        assert!(matches!(solved, Err(CgFailure::Indefinite | CgFailure::Slow)));
     }
 }

@@ -14,7 +14,6 @@
 use crate::error::Warning;
 use crate::mesh::crossing::films_cross;
 use crate::mesh::film::Film;
-use crate::mesh::measure;
 use crate::minimal_surface::initial_mesh::{self, InitialMeshKind};
 use crate::minimal_surface::options::{OnUnstable, Options, Resolution, Solver, Topology};
 use crate::minimal_surface::run::{Run, SpanningComparison, SpanningTopology, Stability, StabilityMethod, StopReason};
@@ -61,9 +60,7 @@ struct Part {
 impl Part {
     fn holds(&self) -> bool {
         let converged = matches!(self.run.stop_reason, StopReason::Residual | StopReason::NothingToMove);
-        converged
-            && self.run.stability.is_none_or(|stability| stability.stable)
-            && measure::flipped_triangles(&self.film.mesh()) == 0
+        converged && self.run.stability.is_none_or(|stability| stability.stable) && self.film.flipped_triangles() == 0
     }
 }
 

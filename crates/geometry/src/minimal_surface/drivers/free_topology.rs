@@ -6,7 +6,6 @@
 //!    and try again. A fold that a closed neck left is opened by averaging, and step 1 follows. If no neck closes after that either, what the default solver reached is the answer, not converged.
 
 use crate::mesh::film::Film;
-use crate::mesh::measure;
 use crate::minimal_surface::options::{OnUnstable, Options, Solver, Topology};
 use crate::minimal_surface::run::{Record, Run, StopReason};
 use crate::minimal_surface::solvers::newton;
@@ -65,7 +64,7 @@ pub(crate) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Resul
         let interrupted = finish.stop_reason == StopReason::Deadline;
         run.append(finish);
         done += part;
-        let folds = measure::flipped_triangles(&held.mesh());
+        let folds = held.flipped_triangles();
         if converged && stable && folds > 0 && unfolded < MOST_UNFOLDINGS {
             unfolded += 1;
             *film = held;
@@ -142,7 +141,7 @@ mod tests {
         let options = Options { topology: Topology::Free, ..Options::new(Resolution::Triangles(1)) };
         let run = run(&mut film, &options, &Execution::default()).unwrap();
         film.mesh().check().unwrap();
-        assert_eq!((run.stop_reason, measure::flipped_triangles(&film.mesh())), (StopReason::Residual, 0));
+        assert_eq!((run.stop_reason, film.flipped_triangles()), (StopReason::Residual, 0));
         assert!(run.stability.is_some_and(|stability| stability.stable));
         assert!(run.history.windows(2).all(|pair| pair[1].iteration == pair[0].iteration + 1));
         assert_eq!(run.history.len(), run.iterations as usize);

@@ -140,11 +140,7 @@ fn climb(film: &mut Film, rim: &mut Rim, levels: u32, solve: &mut Solve) -> Resu
         }
         let VCycleSteps { parents, mut matrix, .. } = steps;
         if last {
-            let fallen = film.triangles().iter().any(|&triangle| {
-                let around: DVec3 = triangle.iter().map(|&v| state.normals[v as usize]).sum();
-                measure::double_area_vector(film.corners(triangle)).dot(around) < 0.0
-            });
-            if fallen {
+            if measure::count_flipped(&film.vertices, film.triangles(), &state.normals) > 0 {
                 return Ok(None);
             }
             solve.exec.look(film.triangles().len() as u64)?;

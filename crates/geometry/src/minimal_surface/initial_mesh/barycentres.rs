@@ -3,6 +3,7 @@
 use super::polygon_domain::{Domain, domain_of, snapped};
 use crate::mesh::film::Film;
 use crate::mesh::topology::NONE;
+use crate::random::SplitMix64;
 use crate::{DVec2, DVec3, Error, Execution, polyline};
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
@@ -16,25 +17,6 @@ struct Candidate {
 impl Candidate {
     fn barycentre([a, b, c]: [Self; 3]) -> Self {
         Self { space: (a.space + b.space + c.space) / 3.0, plane: snapped((a.plane + b.plane + c.plane) / 3.0) }
-    }
-}
-
-/// A small generator of its own (splitmix64), so that a seed means the same on every machine and in every build.
-#[derive(Clone, Debug)]
-struct Seeded(u64);
-
-impl Seeded {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    /// Uniform in `0..bound` (to 2⁻⁶⁴ · bound).
-    fn below(&mut self, bound: usize) -> usize {
-        ((u128::from(self.next()) * bound as u128) >> 64) as usize
     }
 }
 
@@ -181,7 +163,7 @@ fn drop_repeated(found: &mut Vec<Candidate>) {
 
 /// A choice of `count`, each subset equally likely over the seeds, in the candidates' order.
 fn choose(candidates: Vec<Candidate>, count: usize, seed: u64) -> Vec<Candidate> {
-    let mut seeded = Seeded(seed);
+    let mut seeded = SplitMix64::new(seed);
     let mut order: Vec<usize> = (0..candidates.len()).collect();
     for k in 0..count {
         order.swap(k, k + seeded.below(candidates.len() - k));

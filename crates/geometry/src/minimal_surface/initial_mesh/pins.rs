@@ -1,10 +1,10 @@
 //! Fixed points and curves inside a film: which mesh vertices they need, and where these stand in the plane domain.
 
 use super::domain::Shape;
-use crate::DVec3;
 use crate::mesh::film::Film;
 use crate::mesh::measure::double_area_vector;
 use crate::minimal_surface::options::{BoundarySampling, Constraints};
+use crate::{DVec3, Execution, Interruption};
 use glam::DVec2;
 use std::collections::BTreeMap;
 
@@ -73,11 +73,23 @@ impl Pins {
     }
 
     /// Where the inner vertices stand in the plane: projected, or at the nearest point of a film that was mapped from there.
-    pub fn in_plane(&self, shape: &Shape, mapped: Option<&(Film, Vec<DVec2>)>) -> Vec<DVec2> {
+    /// The nearest point is looked for in all triangles, with a look for each point.
+    ///
+    /// # Errors
+    /// The interruptions of `exec`.
+    pub fn in_plane(
+        &self,
+        shape: &Shape,
+        mapped: Option<&(Film, Vec<DVec2>)>,
+        exec: &Execution,
+    ) -> Result<Vec<DVec2>, Interruption> {
         let place = |&point: &DVec3| match (shape, mapped) {
-            (Shape::Plane(frame), _) => frame.project(point),
-            (Shape::Disc { .. }, Some((film, flat))) => nearest(film, flat, point),
-            (Shape::Disc { .. }, None) => DVec2::ZERO,
+            (Shape::Plane(frame), _) => Ok(frame.project(point)),
+            (Shape::Disc { .. }, Some((film, flat))) => {
+                exec.look(film.triangles().len() as u64)?;
+                Ok(nearest(film, flat, point))
+            }
+            (Shape::Disc { .. }, None) => Ok(DVec2::ZERO),
         };
         self.points.iter().map(place).collect()
     }

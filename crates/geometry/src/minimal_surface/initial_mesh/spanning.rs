@@ -264,7 +264,7 @@ impl Spanning<'_> {
         };
         self.check_lengths(size)?;
         let pins = Pins::new(self.constraints, self.boundaries, size, self.options.boundary_sampling);
-        let places = pins.in_plane(&self.shape, mapped.as_ref());
+        let places = pins.in_plane(&self.shape, mapped.as_ref(), self.exec).map_err(Error::from)?;
         Ok(Pinned { pins, places })
     }
 

@@ -21,7 +21,7 @@
 
 use crate::mesh::film::Film;
 use crate::mesh::measure::{double_area_vector, is_degenerate};
-use crate::mesh::topology::{NONE, next, previous};
+use crate::mesh::topology::NONE;
 use crate::minimal_surface::curvature::Curvature;
 use crate::minimal_surface::options::{Options, Process, Solver};
 use crate::minimal_surface::run::{HistoryRow, Run, StopReason};
@@ -243,8 +243,7 @@ fn eq5_step(film: &Film, v: u32) -> (DVec3, u64) {
     let (mut matrix, mut pull, mut ring) = (DMat3::ZERO, DVec3::ZERO, 0);
     for h in topology.outgoing_half_edges(v) {
         let j = at(topology.to(h));
-        let edge = at(topology.from(previous(h))) - j;
-        debug_assert_eq!(next(next(h)), previous(h));
+        let edge = at(topology.opposite(h)) - j;
         let to_j = j - here;
         let length_squared = edge.length_squared();
         // Twice the triangle's area; bounded below, so that a vertex on the opposite edge's line is not stuck there.

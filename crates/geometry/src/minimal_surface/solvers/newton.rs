@@ -5,11 +5,10 @@
 //! 2. *Newton* in normal heights ([`newton`](crate::equilibrium::newton)). Where it stalls, or the mesh is folded, back to 1.
 //! 3. *Stability* ([`stability`](crate::equilibrium::stability)); an unstable surface is left along its lowest mode if that is asked for.
 
-use crate::energy::area::{Pattern, vertex_normals};
+use crate::energy::area::Pattern;
 use crate::equilibrium::newton::{Aim, Direct, Outcome, Settings, State, iterate, keeps_orientation, moved};
 use crate::equilibrium::stability::{self, SecondVariation, Unknown};
 use crate::mesh::film::Film;
-use crate::mesh::measure;
 use crate::minimal_surface::harmonic::{Dirichlet, too_large};
 use crate::minimal_surface::options::{InitialMesh, OnUnstable, Options, Solver};
 use crate::minimal_surface::run::{
@@ -143,7 +142,7 @@ impl<'a> Solve<'a> {
             let pattern = Pattern::new(film.triangles(), &film.fixed);
             let mut direct = Direct::new(&pattern).map_err(|_| Stop::TooLarge)?;
             reason = match self.newton(film, &pattern, &mut direct, Aim::Minimum)? {
-                StopReason::Residual if folds(film) == 0 || attempt == MAX_RETURNS => {
+                StopReason::Residual if film.flipped_triangles() == 0 || attempt == MAX_RETURNS => {
                     return Ok((StopReason::Residual, Some((pattern, direct))));
                 }
                 StopReason::MaxIterations => return Ok((StopReason::MaxIterations, None)),
@@ -164,7 +163,7 @@ impl<'a> Solve<'a> {
         let mut direct = Direct::new(&pattern).map_err(|_| Stop::TooLarge)?;
         let start = film.vertices.clone();
         let reason = self.newton(film, &pattern, &mut direct, Aim::Stationary)?;
-        if reason == StopReason::Residual && folds(film) == 0 {
+        if reason == StopReason::Residual && film.flipped_triangles() == 0 {
             return Ok(Some((pattern, direct)));
         }
         film.vertices = start;
@@ -220,7 +219,7 @@ impl<'a> Solve<'a> {
                 }
             }
             let settled = (before_round - area).abs() <= SETTLED * area;
-            if settled && folds(film) == 0 {
+            if settled && film.flipped_triangles() == 0 {
                 break;
             }
         }
@@ -268,16 +267,6 @@ impl<'a> Solve<'a> {
         });
         Ok(Some((stability, variation, state)))
     }
-}
-
-/// Number of triangles whose normal points against the sum of their vertex normals.
-fn folds(film: &Film) -> usize {
-    let normals = vertex_normals(&film.vertices, film.triangles());
-    let turned = |triangle: &&[u32; 3]| {
-        let around: DVec3 = triangle.iter().map(|&v| normals[v as usize]).sum();
-        measure::double_area_vector(film.corners(**triangle)).dot(around) < 0.0
-    };
-    film.triangles().iter().filter(turned).count()
 }
 
 /// Moves an unstable film along its lowest mode, to the side and as far (of a few lengths) as lowers the area most.

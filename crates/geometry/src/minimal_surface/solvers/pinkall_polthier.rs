@@ -109,7 +109,7 @@ pub(crate) fn iterate(
         }
         let solved = match options.linear_solver {
             LinearSolver::Direct => dirichlet.step(film).map(|()| Elimination::Used),
-            LinearSolver::ConjugateGradients => dirichlet.step_by_conjugate_gradients(film),
+            LinearSolver::ConjugateGradients => dirichlet.step_by_conjugate_gradients(film, exec)?,
         };
         let phase = match solved {
             Ok(Elimination::Used) => "pinkall_polthier",

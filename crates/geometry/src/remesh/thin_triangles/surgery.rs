@@ -347,13 +347,12 @@ mod tests {
 
     #[test]
     fn a_cut_that_touches_the_boundary_leaves_the_boundary_on_one_side() {
-        // Between the rings 0 (boundary) and 1 of a tube of three: 0, 4 and 5 are joined in pairs, across the tube.
+        // A tube of three: the ring 3-4-5 beside the boundary ring 0-1-2. When vertex 3 has collapsed into the boundary vertex 0,
+        // the vertices 0, 4 and 5 are joined in pairs across the tube.
         let mut surgery = tube(3, 4);
-        let path = [3u32, 4, 5];
-        // Collapse ring 1's vertex 3 into the boundary vertex 0, so that the ring 0-4-5 runs through a boundary vertex.
         let place = surgery.vertices[0];
         assert!(surgery.collapse(0, 3, place));
-        assert!(path.contains(&4));
+        assert_eq!(surgery.third_of_empty_triangle(4, 5), Some(0));
         surgery.cut(0, 4, 5).unwrap();
         let topology = topology(surgery);
         assert_eq!(
