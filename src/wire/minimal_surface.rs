@@ -298,6 +298,10 @@ impl MinimalSurfaceRequest {
             let detail = format!("is more than this server runs ({}); see GET /v1/limits", limits.iterations);
             return too_many("/max_iterations", detail);
         }
+        let errors = self.combinations();
+        if !errors.is_empty() {
+            return Err(Rejection::Invalid(errors));
+        }
         let (boundaries, options) = self.to_geometry();
         geometry::check(&boundaries, &options)?;
         let estimate = geometry::estimate_triangles(&boundaries, &options);
@@ -334,17 +338,7 @@ impl MinimalSurfaceRequest {
             }
         };
         let options = geometry::Options {
-            objective: match self.objective {
-                Objective::MinimalArea => geometry::Objective::MinimalArea,
-                Objective::MinimalDirichletEnergy => geometry::Objective::MinimalDirichletEnergy,
-                Objective::MinimalMeanCurvature => geometry::Objective::MinimalMeanCurvature,
-            },
-            solver: match self.solver {
-                Solver::Auto => geometry::Solver::Auto,
-                Solver::VertexRelaxation => geometry::Solver::VertexRelaxation,
-                Solver::PinkallPolthier => geometry::Solver::PinkallPolthier,
-                Solver::Newton => geometry::Solver::Newton,
-            },
+            method: self.method(),
             boundary_sampling: match self.boundary_sampling {
                 BoundarySampling::Refine => geometry::BoundarySampling::Refine,
                 BoundarySampling::Keep => geometry::BoundarySampling::Keep,
@@ -354,7 +348,9 @@ impl MinimalSurfaceRequest {
                 InitialMesh::Made(MadeMesh::Planar) => geometry::InitialMesh::Planar,
                 InitialMesh::Made(MadeMesh::Disk) => geometry::InitialMesh::Disk,
                 InitialMesh::Made(MadeMesh::Rings) => geometry::InitialMesh::Rings,
-                InitialMesh::Made(MadeMesh::Barycentres) => geometry::InitialMesh::Barycentres,
+                InitialMesh::Made(MadeMesh::Barycentres) => {
+                    geometry::InitialMesh::Barycentres { seed: u64::from(self.seed) }
+                }
                 InitialMesh::Given(mesh) => geometry::InitialMesh::Given(plateau_geometry::Mesh::new(
                     common::points(&mesh.vertices),
                     mesh.triangles.clone(),
@@ -364,37 +360,87 @@ impl MinimalSurfaceRequest {
                 points: common::points(&self.constraints.points),
                 polylines: common::polylines(&self.constraints.polylines),
             },
-            topology: match self.topology {
-                Topology::Fixed => geometry::Topology::Fixed,
-                Topology::Free => geometry::Topology::Free,
-                Topology::Best => geometry::Topology::Best,
-            },
-            on_unstable: match self.on_unstable {
-                OnUnstable::Report => geometry::OnUnstable::Report,
-                OnUnstable::Descend => geometry::OnUnstable::Descend,
-            },
-            linear_solver: match self.linear_solver {
-                LinearSolver::Direct => geometry::LinearSolver::Direct,
-                LinearSolver::ConjugateGradients => geometry::LinearSolver::ConjugateGradients,
-            },
             tolerance: self.tolerance,
-            area_tolerance: self.area_tolerance,
-            fairing_tolerance: self.fairing_tolerance,
-            processes: self.processes.as_ref().map(|stages| {
+            max_iterations: self.max_iterations,
+            ..geometry::Options::new(resolution)
+        };
+        (common::polylines(&self.boundaries), options)
+    }
+
+    /// What is minimised and how, where [`combinations`](Self::combinations) finds no fault.
+    fn method(&self) -> geometry::Method {
+        let linear_solver = match self.linear_solver {
+            LinearSolver::Direct => geometry::LinearSolver::Direct,
+            LinearSolver::ConjugateGradients => geometry::LinearSolver::ConjugateGradients,
+        };
+        let degenerate_angle = (self.degenerate_angle_deg > 0.0).then(|| self.degenerate_angle_deg.to_radians());
+        let area_tolerance = self.area_tolerance;
+        match (self.objective, self.solver) {
+            (Objective::MinimalMeanCurvature, _) => geometry::Method::LiuWang(geometry::LiuWang {
+                tolerance: area_tolerance,
+                boundary_curvature: self.boundary_curvature,
+                seed: u64::from(self.seed),
+            }),
+            (Objective::MinimalDirichletEnergy, _) => geometry::Method::Harmonic,
+            (Objective::MinimalArea, Solver::VertexRelaxation) => {
                 let process = |process: &Process| match process {
                     Process::LaplacianFairing => geometry::Process::LaplacianFairing,
                     Process::AreaMinimising => geometry::Process::AreaMinimising,
                     Process::EdgeSwapping => geometry::Process::EdgeSwapping,
                 };
-                stages.iter().map(|stage| stage.iter().map(process).collect()).collect()
+                let stages = self.processes.as_ref();
+                geometry::Method::VertexRelaxation(geometry::VertexRelaxation {
+                    area_tolerance,
+                    fairing_tolerance: self.fairing_tolerance,
+                    processes: stages.map(|all| all.iter().map(|stage| stage.iter().map(process).collect()).collect()),
+                })
+            }
+            (Objective::MinimalArea, Solver::PinkallPolthier) => {
+                geometry::Method::PinkallPolthier(geometry::PinkallPolthier {
+                    area_tolerance,
+                    linear_solver,
+                    degenerate_angle,
+                    cut_necks: matches!(self.topology, Topology::Free),
+                })
+            }
+            (Objective::MinimalArea, Solver::Auto | Solver::Newton) => geometry::Method::Newton(geometry::Newton {
+                topology: match self.topology {
+                    Topology::Fixed => geometry::TopologyRule::Fixed,
+                    Topology::Free => {
+                        geometry::TopologyRule::Free(geometry::FreeTopology { degenerate_angle, linear_solver })
+                    }
+                    Topology::Best => geometry::TopologyRule::Best,
+                },
+                on_unstable: match self.on_unstable {
+                    OnUnstable::Report => geometry::OnUnstable::Report,
+                    OnUnstable::Descend => geometry::OnUnstable::Descend,
+                },
             }),
-            max_iterations: self.max_iterations,
-            degenerate_angle: (self.degenerate_angle_deg > 0.0).then(|| self.degenerate_angle_deg.to_radians()),
-            seed: u64::from(self.seed),
-            boundary_curvature: self.boundary_curvature,
-            ..geometry::Options::new(resolution)
+        }
+    }
+
+    /// Fields whose values do not go together.
+    fn combinations(&self) -> Vec<FieldError> {
+        let mut errors = Vec::new();
+        let solves = match self.objective {
+            Objective::MinimalArea => true,
+            Objective::MinimalDirichletEnergy => matches!(self.solver, Solver::Auto | Solver::PinkallPolthier),
+            Objective::MinimalMeanCurvature => matches!(self.solver, Solver::Auto),
         };
-        (common::polylines(&self.boundaries), options)
+        if !solves {
+            errors.push(FieldError::new("/solver", "does not solve this objective: auto does"));
+        }
+        let area = matches!(self.objective, Objective::MinimalArea);
+        let takes_topology = match self.topology {
+            Topology::Fixed => true,
+            Topology::Free => area && !matches!(self.solver, Solver::VertexRelaxation),
+            Topology::Best => area && matches!(self.solver, Solver::Auto | Solver::Newton),
+        };
+        if !takes_topology {
+            let detail = "is for the minimal area, under auto, newton and (free alone) pinkall_polthier";
+            errors.push(FieldError::new("/topology", detail));
+        }
+        errors
     }
 }
 

@@ -6,17 +6,20 @@ use std::fmt;
 /// One step on the way to an offending value: a field's name or an index into a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
+    /// A field of this name.
     Field(&'static str),
+    /// The entry of this number, from 0.
     Index(usize),
 }
 
 /// Where in a solver's input a value stands, for example `boundaries`, 0, 17.
 ///
-/// Fields are named as in the service's requests, so that a caller can turn a place into a pointer of its own.
+/// Fields are named as the arguments and options of this crate are; a caller turns a place into a pointer of its own.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Place(pub Vec<Step>);
 
 impl Place {
+    /// The field of this name.
     #[must_use]
     pub fn field(name: &'static str) -> Self {
         Self(vec![Step::Field(name)])
@@ -50,11 +53,14 @@ impl fmt::Display for Place {
 /// One value that the solver cannot work with, and why. The value itself is never echoed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputError {
+    /// Where the value stands.
     pub place: Place,
+    /// What is wrong with it, for a person.
     pub detail: String,
 }
 
 impl InputError {
+    /// An error of the value at a place.
     pub fn new(place: Place, detail: impl Into<String>) -> Self {
         Self { place, detail: detail.into() }
     }
@@ -79,9 +85,11 @@ pub enum Error {
 }
 
 impl Error {
+    /// [`Error::Input`] with one value.
     pub fn input(place: Place, detail: impl Into<String>) -> Self {
         Self::Input(vec![InputError::new(place, detail)])
     }
+    /// [`Error::NoResult`] without places.
     pub fn no_result(reason: &'static str, detail: impl Into<String>) -> Self {
         Self::NoResult { reason, detail: detail.into(), places: Vec::new() }
     }
@@ -117,10 +125,12 @@ impl std::error::Error for Error {}
 pub struct Warning {
     /// Stable, snake case: `folds`, `merged_points`, `not_converged`.
     pub code: &'static str,
+    /// What it is about, for a person.
     pub detail: String,
 }
 
 impl Warning {
+    /// A warning of this code.
     pub fn new(code: &'static str, detail: impl Into<String>) -> Self {
         Self { code, detail: detail.into() }
     }

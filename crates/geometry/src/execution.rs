@@ -6,6 +6,7 @@ use std::fmt;
 /// What the caller wants of a running solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Signal {
+    /// Go on.
     Continue,
     /// Stop and return nothing.
     Cancel,
@@ -16,7 +17,9 @@ pub enum Signal {
 /// Why a solver stopped early.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Interruption {
+    /// The caller wants no result.
     Cancelled,
+    /// The caller's time is used up.
     DeadlinePassed,
 }
 
@@ -27,8 +30,11 @@ pub struct Progress {
     pub fraction: f64,
     /// What it is doing: `initial_mesh`, `newton`, `strip`.
     pub phase: &'static str,
+    /// Number of iterations so far, as the phase counts them.
     pub iteration: u64,
+    /// The value of what is minimised, where it is known.
     pub objective_value: Option<f64>,
+    /// The residual, where it is known.
     pub residual: Option<f64>,
 }
 
@@ -52,11 +58,13 @@ impl fmt::Debug for Execution<'_> {
 }
 
 impl<'a> Execution<'a> {
+    /// Asks `signal` at every look, and hands progress to `report`.
     pub fn new(signal: &'a dyn Fn() -> Signal, report: &'a dyn Fn(Progress)) -> Self {
         Self { signal, report, work: Cell::new(0), largest_work: Cell::new(0), looks: Cell::new(0) }
     }
 
-    /// Asks whether to go on. `work` is the number of elementary operations (cells, triangles visited) since the last look.
+    /// Asks whether to go on. `work` is the number of elementary operations (cells, triangles visited) since the last
+    /// look.
     ///
     /// # Errors
     /// The interruption, if the caller wants the solver to stop.
@@ -71,11 +79,13 @@ impl<'a> Execution<'a> {
         }
     }
 
+    /// Tells the caller how far the solver has come.
     pub fn report(&self, progress: Progress) {
         (self.report)(progress);
     }
 
-    /// Runs a part of a solve, whose own progress from 0 to 1 is reported as going from `from` to `to`. Its looks count here.
+    /// Runs a part of a solve, whose own progress from 0 to 1 is reported as going from `from` to `to`. Its looks count
+    /// here.
     pub fn part<R>(&self, [from, to]: [f64; 2], work: impl FnOnce(&Execution) -> R) -> R {
         let report = |progress: Progress| {
             self.report(Progress { fraction: from + (to - from) * progress.fraction, ..progress });
@@ -93,10 +103,12 @@ impl<'a> Execution<'a> {
         self.work.get()
     }
 
+    /// Number of looks so far.
     pub fn looks(&self) -> u64 {
         self.looks.get()
     }
 
+    /// The most work that was done between two looks.
     pub fn largest_work_between_looks(&self) -> u64 {
         self.largest_work.get()
     }

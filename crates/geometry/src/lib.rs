@@ -1,18 +1,48 @@
 //! Minimal surfaces, optimal ruled strips and uniform meshes.
 //!
-//! # Vocabulary
+//! Each kind of surface has a module with a front door `solve`: it takes slices and options, and an [`Execution`]
+//! through which progress goes out and a cancel comes in. It returns a mesh with statistics and warnings.
+//!
+//! ```
+//! use plateau_geometry::minimal_surface::{Options, Resolution, solve};
+//! use plateau_geometry::{DVec3, Execution};
+//!
+//! // A skew quadrilateral: the corners of a square, two of them raised.
+//! let corners = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.5), (1.0, 1.0, 0.0), (0.0, 1.0, 0.5)];
+//! let boundary: Vec<DVec3> = corners.into_iter().map(DVec3::from).collect();
+//! let surface = solve(&[boundary], &Options::new(Resolution::Triangles(500)), &Execution::default())?;
+//! assert!(surface.statistics.converged);
+//! assert_eq!(surface.mesh.triangles.len(), surface.statistics.triangles);
+//! # Ok::<(), plateau_geometry::Error>(())
+//! ```
+//!
+//! # Glossary
 //! - *Polyline*: points in order, `&[DVec3]`; a closed one does not repeat its first point.
-//! - *Directrix*: a polyline that bounds a ruled strip. *Bridge*: a segment between two directrices.
 //! - *Boundary loop*: a closed polyline that bounds a surface. Boundary vertices never move.
-//! - *Mesh*: an indexed triangle mesh ([`mesh::Mesh`]), oriented, f64.
+//! - *Mesh*: an indexed, oriented triangle mesh ([`mesh::Mesh`]) in double precision.
+//! - *Half-edge*: one side of an edge, in one triangle and with its direction ([`mesh::topology`]).
+//! - *Flipped triangle*: its normal points against those of its vertices. *Degenerate*: its least altitude vanishes
+//!   beside its longest edge.
+//! - *Film*: a mesh between boundary loops while a solver works on it. *Sheet*: a part of a film between junctions.
+//!   *Junction*: a curve along which three sheets meet.
+//! - *Residual*: the largest mean curvature times the radius of the boundary, from the gradient of the area.
+//!   Dimensionless.
+//! - *Stationary*: the gradient of the energy vanishes. *Morse index*: the number of independent directions in which
+//!   the energy of a stationary surface falls. *Stable*: the index is 0. *Unstable mode*: one of these directions.
+//! - *Pinch*: a change of topology where a neck closes.
+//! - *Directrix*: a polyline that bounds a ruled strip. *Bridge*: a segment between two directrices.
+//! - *Lattice*: the points of the plane with coordinates i a + j b for whole i and j; a uniform mesh carries one.
 //!
 //! # Units and conventions
-//! Lengths are in the caller's unit, angles in radians, curvatures in 1/unit. Nothing here assumes metres or an up axis.
-//! Every result is deterministic to the byte and depends on no clock, thread pool, file, or random source.
+//! Lengths are in the caller's unit, angles in radians, curvatures in 1/unit. Nothing here assumes metres or an up
+//! axis. Every result is deterministic to the byte and depends on no clock, thread pool, file, or random source.
 //!
-//! # What is absent
-//! No HTTP, no serde, no async, no clock, no thread pool, no file. A solver takes slices, options and an
-//! [`Execution`](execution::Execution) (progress out, cancel in) and returns a mesh with a report.
+//! # Layers
+//! Each module knows only those above it: `mesh`, `sparse` (linear systems), `plane`, `remesh`, `energy`,
+//! `equilibrium`, [`minimal_surface`], [`uniform_mesh`], [`ruled_surface`]. The crate knows no HTTP, no serde, no
+//! async, no clock, no thread pool and no file.
+
+#![warn(missing_docs)]
 
 mod energy;
 mod equilibrium;
@@ -23,8 +53,10 @@ pub mod minimal_surface;
 pub mod polyline;
 pub mod random;
 mod remesh;
+#[allow(missing_docs, reason = "until its items are documented")]
 pub mod ruled_surface;
-pub mod sparse;
+mod sparse;
+#[allow(missing_docs, reason = "until its items are documented")]
 pub mod uniform_mesh;
 
 pub use error::{Error, InputError, Place};

@@ -15,11 +15,14 @@ use crate::DVec3;
 /// Triangles over vertices; counter-clockwise seen from the side that the normals point to.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
+    /// Positions.
     pub vertices: Vec<DVec3>,
+    /// For each triangle the numbers of its vertices.
     pub triangles: Vec<[u32; 3]>,
 }
 
 impl Mesh {
+    /// A mesh of these; nothing is checked ([`check`](Self::check) does).
     #[must_use]
     pub fn new(vertices: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Self {
         Self { vertices, triangles }

@@ -3,6 +3,31 @@
 //! [`solve`] is the front door: boundary polygons and a resolution in; a mesh, its measurements and the reason why the
 //! solver stopped out. The boundary never moves; everything else is the solver's to place.
 //!
+//! ```
+//! use plateau_geometry::minimal_surface::{Method, Options, PinkallPolthier, Resolution, solve};
+//! use plateau_geometry::{DVec3, Execution};
+//!
+//! // Two circles of radius 1, half a unit apart: a catenoid.
+//! let circle = |height: f64| -> Vec<DVec3> {
+//!     let angles = (0..40).map(|k| std::f64::consts::TAU * f64::from(k) / 40.0);
+//!     angles.map(|angle| DVec3::new(angle.cos(), angle.sin(), height)).collect()
+//! };
+//! let rings = [circle(0.0), circle(0.5)];
+//! let options = Options::new(Resolution::Triangles(800));
+//! let surface = solve(&rings, &options, &Execution::default())?;
+//! assert!(surface.statistics.converged);
+//! assert_eq!(surface.statistics.genus, Some(0));
+//! assert_eq!(surface.statistics.stability.map(|stability| stability.morse_index), Some(0));
+//! // Between the cylinder's area, π, and a little less.
+//! assert!((3.0..std::f64::consts::PI).contains(&surface.statistics.area));
+//!
+//! // Another solver has options of its own.
+//! let method = Method::PinkallPolthier(PinkallPolthier { area_tolerance: 1e-4, ..PinkallPolthier::default() });
+//! let slower = solve(&rings, &Options { method, ..options }, &Execution::default())?;
+//! assert!((slower.statistics.area / surface.statistics.area - 1.0).abs() < 1e-3);
+//! # Ok::<(), plateau_geometry::Error>(())
+//! ```
+//!
 //! Sources: Chen, Cai, Zheng, *Constructing Triangular Meshes of Minimal Area* (2008); Pinkall, Polthier, *Computing
 //! Discrete Minimal Surfaces and Their Conjugates* (1993).
 
@@ -25,8 +50,9 @@ pub use curvature::Curvature;
 pub use estimate::estimate_triangles;
 pub use initial_mesh::InitialMeshKind;
 pub use options::{
-    BoundarySampling, Constraints, Description, InitialMesh, LARGEST_COUNT, LinearSolver, Objective, OnUnstable,
-    Options, Process, Resolution, Solver, Topology,
+    BoundarySampling, Constraints, Description, FreeTopology, InitialMesh, LARGEST_COUNT, LinearSolver, LiuWang,
+    Method, Newton, Objective, OnUnstable, Options, PinkallPolthier, Process, Resolution, Solver, TopologyRule,
+    VertexRelaxation,
 };
 pub use outcome::{ConstraintVertices, MinimalSurface};
 pub use run::{
@@ -43,7 +69,8 @@ use request::Input;
 use run::Run;
 use solvers::{chen_cai_zheng, dirichlet, liu_wang, newton as default_solver, pinkall_polthier};
 
-/// Spans the boundaries (closed polygons that do not repeat their first point) with a mesh that makes the objective least.
+/// Spans the boundaries (closed polygons that do not repeat their first point) with a mesh that makes the objective
+/// least.
 ///
 /// The result is an oriented manifold whose boundary loops are exactly the given ones. It depends on nothing but the
 /// arguments, to the byte, and turns, moves and scales with them up to rounding. Exactly equal neighbouring points are
@@ -53,8 +80,9 @@ use solvers::{chen_cai_zheng, dirichlet, liu_wang, newton as default_solver, pin
 ///
 /// # Errors
 /// [`Error::Input`] for what the arguments themselves show (a coordinate that is not finite or beyond 1e50, neighbours
-/// nearer than 1e-50 and not equal, fewer than three distinct points on a boundary, an impossible resolution); [`Error::NoResult`] if no valid mesh came out;
-/// [`Error::Interrupted`] on cancel, and on a deadline that passes before there is a mesh.
+/// nearer than 1e-50 and not equal, fewer than three distinct points on a boundary, an impossible resolution);
+/// [`Error::NoResult`] if no valid mesh came out; [`Error::Interrupted`] on cancel, and on a deadline that passes
+/// before there is a mesh.
 pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<MinimalSurface, Error> {
     let input = Input::read(boundaries, options)?;
     exec.look(input.point_count() as u64)?;
@@ -67,10 +95,13 @@ pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> 
     }
     let given = options;
     let options = &options.centred(input.centre);
-    let newton = matches!(options.solver, Solver::Auto | Solver::Newton) && options.objective == Objective::MinimalArea;
-    let solved = match options.topology {
-        Topology::Best => Some(best_topology::solve(&input.centred, options, exec)?),
-        Topology::Fixed if newton => nested::solve(&input.centred, options, exec)?,
+    let solved = match &options.method {
+        Method::Newton(Newton { topology: TopologyRule::Best, .. }) => {
+            Some(best_topology::solve(&input.centred, options, exec)?)
+        }
+        Method::Newton(Newton { topology: TopologyRule::Fixed, on_unstable }) => {
+            nested::solve(&input.centred, options, *on_unstable, exec)?
+        }
         _ => None,
     };
     let (film, kind, initial_area, run) = match solved {
@@ -88,15 +119,19 @@ pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> 
 
 /// Runs the solver that is asked for from an initial mesh of the full size.
 fn relax(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
-    match (options.objective, options.solver) {
-        (Objective::MinimalMeanCurvature, _) | (_, Solver::LevenbergMarquardt) => liu_wang::run(film, options, exec),
-        (Objective::MinimalDirichletEnergy, _) => dirichlet::run_once(film, exec),
-        (_, Solver::VertexRelaxation) => chen_cai_zheng::run(film, options, exec),
-        (_, Solver::PinkallPolthier) => pinkall_polthier::run(film, options, exec),
-        (_, Solver::Auto | Solver::Newton) if options.topology == Topology::Free => {
-            free_topology::run(film, options, exec)
+    let limits = options.limits();
+    let given = matches!(options.initial_mesh, InitialMesh::Given(_));
+    match &options.method {
+        Method::LiuWang(method) => liu_wang::run(film, method, limits, exec),
+        Method::Harmonic => dirichlet::run_once(film, exec),
+        Method::VertexRelaxation(method) => chen_cai_zheng::run(film, method, limits, exec),
+        Method::PinkallPolthier(method) => pinkall_polthier::run(film, method, limits, exec),
+        Method::Newton(Newton { topology: TopologyRule::Free(free), .. }) => {
+            free_topology::run(film, free, limits, given, exec)
         }
-        (_, Solver::Auto | Solver::Newton) => default_solver::run(film, options, exec),
+        Method::Newton(Newton { on_unstable, .. }) => {
+            default_solver::run(film, default_solver::Task { limits, on_unstable: *on_unstable, given }, exec)
+        }
     }
 }
 

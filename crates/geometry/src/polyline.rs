@@ -8,6 +8,7 @@ pub const LARGEST_COORDINATE: f64 = 1e50;
 /// A polyline without equal neighbours, and where each input point went.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Merged {
+    /// The points that are left, in order.
     pub points: Vec<DVec3>,
     /// `vertex_of[k]` is the index in `points` of input point `k`.
     pub vertex_of: Vec<usize>,
@@ -16,6 +17,7 @@ pub struct Merged {
 }
 
 impl Merged {
+    /// Number of points that were merged away.
     #[must_use]
     pub fn dropped(&self) -> usize {
         self.vertex_of.len() - self.points.len()

@@ -102,7 +102,8 @@ pub struct Symbolic {
 }
 
 impl Symbolic {
-    /// Analyses a pattern. With `order` (the old index at each new position, a permutation) given it is used, else approximate minimum degree is.
+    /// Analyses a pattern. With `order` (the old index at each new position, a permutation) given it is used, else
+    /// approximate minimum degree is.
     ///
     /// # Errors
     /// [`LinearError::TooLarge`].
@@ -140,7 +141,8 @@ impl Symbolic {
 
     /// Factorises a matrix of the analysed pattern as L D Lᵀ without pivoting, indefinite ones included.
     ///
-    /// Without pivoting the factor of an indefinite matrix may lose digits; [`Factorisation::solve`] then refines or refuses.
+    /// Without pivoting the factor of an indefinite matrix may lose digits; [`Factorisation::solve`] then refines or
+    /// refuses.
     ///
     /// # Errors
     /// [`LinearError::NotFinite`], [`LinearError::Singular`] or [`LinearError::TooLarge`].
@@ -180,7 +182,8 @@ impl Symbolic {
         Ok(Factorisation { symbolic: self, matrix, values, inertia })
     }
 
-    /// Applies the inverse of the matrix whose factor is `values` ([`Factorisation::into_storage`]), without the check: for preconditioners.
+    /// Applies the inverse of the matrix whose factor is `values` ([`Factorisation::into_storage`]), without the check:
+    /// for preconditioners.
     pub fn apply(&self, values: &[f64], right_hand_sides: &mut [f64]) {
         let n = self.inner.nrows();
         if n == 0 {
@@ -250,7 +253,8 @@ impl Factorisation<'_> {
         self.values
     }
 
-    /// Overwrites `right_hand_sides` (column after column) with the solutions and checks each of them; refines once where needed.
+    /// Overwrites `right_hand_sides` (column after column) with the solutions and checks each of them; refines once
+    /// where needed.
     ///
     /// # Errors
     /// [`LinearError::Inaccurate`] if a solution is not finite or does not satisfy its system;

@@ -6,7 +6,8 @@ mod boundaries;
 use boundaries::{circle, helicoid, rings, sides};
 use plateau_geometry::mesh::measure;
 use plateau_geometry::minimal_surface::{
-    BoundarySampling, Constraints, InitialMesh, MinimalSurface, OnUnstable, Options, Resolution, Solver, solve,
+    BoundarySampling, Constraints, InitialMesh, Method, MinimalSurface, Newton, OnUnstable, Options, Resolution,
+    VertexRelaxation, solve,
 };
 use plateau_geometry::{DVec3, Error, Execution, Interruption, Mesh, Signal};
 use std::cell::Cell;
@@ -102,7 +103,8 @@ fn plane_polygons_have_their_exact_area_and_no_flipped_triangle() {
     ];
     for (loops, area) in cases {
         let tilted: Vec<Vec<DVec3>> = loops.iter().map(|points| moved(points, at(0.1, -0.2, 0.3))).collect();
-        for options in [options(700), keep(700), Options { solver: Solver::VertexRelaxation, ..options(700) }] {
+        let relaxation = Method::VertexRelaxation(VertexRelaxation::default());
+        for options in [options(700), keep(700), Options { method: relaxation, ..options(700) }] {
             let surface = solved(&tilted, &options);
             let statistics = &surface.statistics;
             assert!((statistics.area / area - 1.0).abs() < 1e-12, "{} for {area}", statistics.area);
@@ -456,16 +458,16 @@ fn the_clients_own_mesh_is_the_start_and_the_unstable_catenoid_is_reported() {
     assert!((statistics.area - 58.98).abs() < 0.1, "{}", statistics.area);
     assert!(surface.warnings.iter().any(|warning| warning.code == "unstable"));
     // Either way down the lowest mode lowers the area; followed, it ends at the stable surface.
-    let way_down = surface.way_down.as_ref().unwrap();
-    assert!(surface.boundaries[0].iter().all(|&v| way_down[v as usize] == DVec3::ZERO));
+    let unstable_mode = surface.unstable_mode.as_ref().unwrap();
+    assert!(surface.boundaries[0].iter().all(|&v| unstable_mode[v as usize] == DVec3::ZERO));
     for step in [0.05, -0.05] {
         let mut moved = surface.mesh.clone();
-        moved.vertices.iter_mut().zip(way_down).for_each(|(vertex, &direction)| *vertex += step * direction);
+        moved.vertices.iter_mut().zip(unstable_mode).for_each(|(vertex, &direction)| *vertex += step * direction);
         assert!(measure::area(&moved) < statistics.area);
     }
-    let left =
-        solved(std::slice::from_ref(&boundary), &Options { on_unstable: OnUnstable::Descend, ..from_catenoid.clone() });
-    assert!(left.statistics.converged && left.statistics.stability.unwrap().stable && left.way_down.is_none());
+    let descending = Method::Newton(Newton { on_unstable: OnUnstable::Descend, ..Newton::default() });
+    let left = solved(std::slice::from_ref(&boundary), &Options { method: descending, ..from_catenoid.clone() });
+    assert!(left.statistics.converged && left.statistics.stability.unwrap().stable && left.unstable_mode.is_none());
     assert!((left.statistics.area - 58.16).abs() < 0.2, "{}", left.statistics.area);
     // Left to choose, the solver finds the stable one; and a result can be posted again.
     let stable = solved(std::slice::from_ref(&boundary), &keep(2040));

@@ -1,6 +1,8 @@
 //! Liu and Wang's examples (their Figs. 6 to 9), with their error formulas and the ranges that we chose: they print none.
 
-use plateau_geometry::minimal_surface::{InitialMesh, MinimalSurface, Objective, Options, Resolution, Solver, solve};
+use plateau_geometry::minimal_surface::{
+    InitialMesh, LiuWang, Method, MinimalSurface, Options, Resolution, Solver, VertexRelaxation, solve,
+};
 use plateau_geometry::{DVec3, Error, Execution, Interruption, Signal};
 use std::cell::Cell;
 use std::f64::consts::PI;
@@ -65,14 +67,17 @@ fn membrane() -> Vec<DVec3> {
 }
 
 fn options(interior_vertices: usize, seed: u64) -> Options {
-    let objective = Objective::MinimalMeanCurvature;
-    Options { objective, seed, ..Options::new(Resolution::InteriorVertices(interior_vertices)) }
+    with(LiuWang { seed, ..LiuWang::default() }, interior_vertices)
+}
+
+fn with(method: LiuWang, interior_vertices: usize) -> Options {
+    Options { method: Method::LiuWang(method), ..Options::new(Resolution::InteriorVertices(interior_vertices)) }
 }
 
 /// Their objective, and the same without the boundary's vertices.
 fn liu_wang(boundary: &[DVec3], interior_vertices: usize, seed: u64) -> [MinimalSurface; 2] {
     [true, false].map(|boundary_curvature| {
-        let options = Options { boundary_curvature, ..options(interior_vertices, seed) };
+        let options = with(LiuWang { boundary_curvature, seed, ..LiuWang::default() }, interior_vertices);
         let surface = solve(&[boundary.to_vec()], &options, &Execution::default()).unwrap();
         assert_eq!(surface.mesh.vertices[..boundary.len()], *boundary);
         assert_eq!(surface.mesh.vertices.len(), boundary.len() + interior_vertices);
@@ -108,9 +113,8 @@ fn the_catenoid_of_24_boundary_and_25_interior_points() {
     assert!(mean_error(&interior, 24, &error) < 7e-3);
     // Their comparison: Chen, Cai, Zheng's relaxation of the same triangles has the larger error.
     let relaxation = Options {
-        objective: Objective::MinimalArea,
-        solver: Solver::VertexRelaxation,
-        initial_mesh: InitialMesh::Barycentres,
+        method: Method::VertexRelaxation(VertexRelaxation::default()),
+        initial_mesh: InitialMesh::Barycentres { seed: 1 },
         ..options(25, 1)
     };
     let relaxed = solve(&[boundary], &relaxation, &Execution::default()).unwrap();
@@ -195,17 +199,4 @@ fn a_deadline_leaves_a_valid_mesh_and_a_cancel_none() {
     let asked = || cancel(&looks);
     let cancelled = solve(&[boundary], &options(40, 1), &Execution::new(&asked, &|_| {}));
     assert_eq!(cancelled.unwrap_err(), Error::Interrupted(Interruption::Cancelled));
-}
-
-#[test]
-fn the_area_solvers_are_refused_for_the_curvature_and_the_other_way_round() {
-    let (boundary, _) = catenoid();
-    let wrong = [
-        Options { solver: Solver::VertexRelaxation, ..options(25, 1) },
-        Options { objective: Objective::MinimalArea, solver: Solver::LevenbergMarquardt, ..options(25, 1) },
-    ];
-    for options in wrong {
-        let refused = solve(std::slice::from_ref(&boundary), &options, &Execution::default());
-        assert!(matches!(refused, Err(Error::Input(errors)) if errors[0].place.to_string() == "/solver"));
-    }
 }

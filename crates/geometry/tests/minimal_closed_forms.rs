@@ -5,7 +5,7 @@ mod boundaries;
 
 use boundaries::{circle, patch, rings, skew_quadrilateral};
 use plateau_geometry::minimal_surface::{
-    BoundarySampling, MinimalSurface, Objective, Options, Resolution, StopReason, solve,
+    BoundarySampling, Method, MinimalSurface, Options, Resolution, StopReason, solve,
 };
 use plateau_geometry::{DVec3, Error, Execution, Interruption, Progress, Signal};
 use std::cell::Cell;
@@ -226,7 +226,7 @@ fn the_number_of_solves_does_not_grow_with_the_mesh() {
 
 #[test]
 fn the_harmonic_map_of_a_plane_boundary_has_its_area_for_energy() {
-    let options = Options { objective: Objective::MinimalDirichletEnergy, ..options(2000) };
+    let options = Options { method: Method::Harmonic, ..options(2000) };
     let square = boundaries::sides(&[DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::Y], 4);
     let surface = solve(&[square], &options, &Execution::default()).unwrap();
     let statistics = &surface.statistics;

@@ -1,8 +1,8 @@
 //! Films that change their topology: `free` lets necks close, `best` compares every way to span the boundaries.
 
 use plateau_geometry::minimal_surface::{
-    BoundarySampling, InitialMesh, LinearSolver, MinimalSurface, Options, Resolution, Solver, SpanningComparison,
-    StopReason, Topology, solve,
+    BoundarySampling, FreeTopology, InitialMesh, LinearSolver, Method, MinimalSurface, Newton, Options,
+    PinkallPolthier, Resolution, SpanningComparison, StopReason, TopologyRule, solve,
 };
 use plateau_geometry::{DVec3, Error, Execution, Progress, Signal};
 use std::cell::Cell;
@@ -17,8 +17,17 @@ fn rings(heights: &[f64]) -> Vec<Vec<DVec3>> {
     heights.iter().map(|&z| circle(48, 10.0, DVec3::new(3.0, -4.0, z), DVec3::Z)).collect()
 }
 
-fn spanned(boundaries: &[Vec<DVec3>], topology: Topology, triangles: usize) -> MinimalSurface {
-    let options = Options { topology, ..Options::new(Resolution::Triangles(triangles)) };
+fn by_topology(topology: TopologyRule, triangles: usize) -> Options {
+    let method = Method::Newton(Newton { topology, ..Newton::default() });
+    Options { method, ..Options::new(Resolution::Triangles(triangles)) }
+}
+
+fn free() -> TopologyRule {
+    TopologyRule::Free(FreeTopology::default())
+}
+
+fn spanned(boundaries: &[Vec<DVec3>], topology: TopologyRule, triangles: usize) -> MinimalSurface {
+    let options = by_topology(topology, triangles);
     let surface = solve(boundaries, &options, &Execution::default()).unwrap();
     surface.mesh.check().unwrap();
     for (points, input) in boundaries.iter().zip(&surface.input_vertices) {
@@ -53,14 +62,14 @@ const TWO_DISCS: f64 = 626.525_722_656_247_7;
 
 #[test]
 fn rings_of_radius_10_at_height_12_carry_a_catenoid_that_two_discs_undercut() {
-    for topology in [Topology::Fixed, Topology::Free] {
+    for topology in [TopologyRule::Fixed, free()] {
         let surface = spanned(&rings(&[0.0, 12.0]), topology, 1500);
         assert_eq!(surface.statistics.components, 1);
         assert!(surface.statistics.converged && surface.statistics.pinches.is_empty());
         assert!((surface.statistics.area - 699.5).abs() < 0.5);
     }
     // The catenoid is stable, and not the least: beyond 0.5277 of the diameter two discs have less area (Goldschmidt).
-    let surface = spanned(&rings(&[0.0, 12.0]), Topology::Best, 1500);
+    let surface = spanned(&rings(&[0.0, 12.0]), TopologyRule::Best, 1500);
     let comparison = comparison(&surface);
     assert!(comparison.connected_film_exists && surface.warnings.is_empty());
     assert!((surface.statistics.area - TWO_DISCS).abs() < 1e-9);
@@ -71,14 +80,14 @@ fn rings_of_radius_10_at_height_12_carry_a_catenoid_that_two_discs_undercut() {
 #[test]
 fn the_least_film_changes_where_goldschmidts_discs_do() {
     for (height, components) in [(10.4, 1), (10.7, 2)] {
-        let surface = spanned(&rings(&[0.0, height]), Topology::Best, 1500);
+        let surface = spanned(&rings(&[0.0, height]), TopologyRule::Best, 1500);
         assert_eq!(comparison(&surface).topologies[0].films.len(), components, "{height}");
     }
 }
 
 #[test]
 fn rings_of_radius_10_at_height_14_become_two_discs() {
-    let surface = spanned(&rings(&[0.0, 14.0]), Topology::Free, 1500);
+    let surface = spanned(&rings(&[0.0, 14.0]), free(), 1500);
     assert_eq!(surface.statistics.components, 2);
     assert!(surface.statistics.converged && (surface.statistics.area - TWO_DISCS).abs() < 1e-9);
     let [pinch] = surface.statistics.pinches[..] else { panic!("{:?}", surface.statistics.pinches) };
@@ -87,7 +96,7 @@ fn rings_of_radius_10_at_height_14_become_two_discs() {
     assert!(pinch.place.distance(DVec3::new(3.0, -4.0, 7.0)) < 1.5, "{pinch:?}");
     assert!(surface.warnings.iter().any(|warning| warning.code == "topology_changed"));
 
-    let surface = spanned(&rings(&[0.0, 14.0]), Topology::Best, 1500);
+    let surface = spanned(&rings(&[0.0, 14.0]), TopologyRule::Best, 1500);
     let comparison = comparison(&surface);
     assert_eq!(comparison.topologies[0].films, [[0], [1]]);
     assert_eq!(area_of(comparison, &[&[0, 1]]), None);
@@ -108,9 +117,11 @@ fn a_film_that_mending_leaves_without_a_free_vertex_has_nothing_to_move() {
     };
     for linear_solver in [LinearSolver::Direct, LinearSolver::ConjugateGradients] {
         let options = Options {
-            linear_solver,
-            solver: Solver::PinkallPolthier,
-            topology: Topology::Free,
+            method: Method::PinkallPolthier(PinkallPolthier {
+                linear_solver,
+                cut_necks: true,
+                ..PinkallPolthier::default()
+            }),
             initial_mesh: InitialMesh::Rings,
             boundary_sampling: BoundarySampling::Keep,
             tolerance: 0.0,
@@ -125,7 +136,7 @@ fn a_film_that_mending_leaves_without_a_free_vertex_has_nothing_to_move() {
 #[test]
 fn folds_that_a_closing_neck_leaves_are_opened() {
     for height in [20.0, 40.0] {
-        let surface = spanned(&rings(&[0.0, height]), Topology::Free, 1500);
+        let surface = spanned(&rings(&[0.0, height]), free(), 1500);
         assert!(surface.statistics.converged, "{height}: {:?}", surface.warnings);
         assert_eq!((surface.statistics.components, surface.statistics.flipped_triangles), (2, 0));
         assert!((surface.statistics.area - TWO_DISCS).abs() < 1e-9);
@@ -134,7 +145,7 @@ fn folds_that_a_closing_neck_leaves_are_opened() {
 
 #[test]
 fn three_loops_in_a_row() {
-    let surface = spanned(&rings(&[0.0, 6.0, 12.0]), Topology::Best, 1800);
+    let surface = spanned(&rings(&[0.0, 6.0, 12.0]), TopologyRule::Best, 1800);
     let comparison = comparison(&surface);
     assert_eq!(comparison.topologies.len(), 5);
     let pair = area_of(comparison, &[&[0], &[1, 2]]).unwrap();
@@ -153,7 +164,7 @@ fn four_loops_on_the_faces_of_a_tetrahedron() {
         .map(|&(x, y, z)| DVec3::new(x, y, z).normalize())
         .map(|normal| circle(36, 0.6, 0.5 * normal, normal))
         .collect();
-    let surface = spanned(&faces, Topology::Best, 1600);
+    let surface = spanned(&faces, TopologyRule::Best, 1600);
     let comparison = comparison(&surface);
     assert_eq!(comparison.topologies.len(), 15);
     assert_eq!(comparison.topologies[0].films, [[0, 1, 2, 3]]);
@@ -174,7 +185,7 @@ fn four_loops_on_the_faces_of_a_tetrahedron() {
 #[test]
 fn a_loop_inside_another_in_the_plane() {
     let inner = circle(24, 0.7, DVec3::new(0.4, 0.1, 0.0), DVec3::Z);
-    let surface = spanned(&[circle(48, 2.0, DVec3::ZERO, DVec3::Z), inner], Topology::Best, 1000);
+    let surface = spanned(&[circle(48, 2.0, DVec3::ZERO, DVec3::Z), inner], TopologyRule::Best, 1000);
     let polygon = |n: f64, radius: f64| 0.5 * n * radius * radius * (TAU / n).sin();
     let (outer, inner) = (polygon(48.0, 2.0), polygon(24.0, 0.7));
     let comparison = comparison(&surface);
@@ -186,7 +197,7 @@ fn a_loop_inside_another_in_the_plane() {
 #[test]
 fn seven_boundaries_are_too_many_to_compare() {
     let heights: Vec<f64> = (0..7).map(f64::from).collect();
-    let options = Options { topology: Topology::Best, ..Options::new(Resolution::Triangles(3000)) };
+    let options = by_topology(TopologyRule::Best, 3000);
     let refused = solve(&rings(&heights), &options, &Execution::default()).unwrap_err();
     assert!(matches!(refused, Error::Input(errors) if errors[0].place.to_string() == "/topology"));
 }
@@ -197,7 +208,7 @@ fn a_deadline_in_the_middle_gives_the_discs() {
     let late = Cell::new(false);
     let signal = || if late.get() { Signal::Deadline } else { Signal::Continue };
     let report = |progress: Progress| late.set(late.get() || progress.fraction > 0.61);
-    let options = Options { topology: Topology::Best, ..Options::new(Resolution::Triangles(1200)) };
+    let options = by_topology(TopologyRule::Best, 1200);
     let surface = solve(&rings(&[0.0, 14.0]), &options, &Execution::new(&signal, &report)).unwrap();
     assert_eq!(surface.statistics.stop_reason.name(), "deadline");
     assert!((surface.statistics.area - TWO_DISCS).abs() < 1e-9);

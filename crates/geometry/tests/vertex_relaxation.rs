@@ -3,13 +3,17 @@
 mod boundaries;
 
 use plateau_geometry::minimal_surface::{
-    BoundarySampling, InitialMesh, MinimalSurface, Options, Process, Resolution, Solver, solve,
+    BoundarySampling, InitialMesh, Method, MinimalSurface, Options, Process, Resolution, VertexRelaxation, solve,
 };
 use plateau_geometry::{DVec3, Execution};
 
 fn relax(triangles: usize) -> Options {
+    relax_with(VertexRelaxation::default(), triangles)
+}
+
+fn relax_with(method: VertexRelaxation, triangles: usize) -> Options {
     Options {
-        solver: Solver::VertexRelaxation,
+        method: Method::VertexRelaxation(method),
         initial_mesh: InitialMesh::Rings,
         boundary_sampling: BoundarySampling::Keep,
         ..Options::new(Resolution::Triangles(triangles))
@@ -67,8 +71,9 @@ fn the_catenoid_with_156_points_and_2040_triangles_is_the_other_surface() {
 #[test]
 fn the_two_tolerances_end_their_own_stages() {
     let iterations = |fairing: f64, area: f64| {
-        let options = Options { fairing_tolerance: Some(fairing), area_tolerance: area, ..relax(800) };
-        let history = solved(&[boundaries::scherk()], &options).statistics.history;
+        let method =
+            VertexRelaxation { fairing_tolerance: Some(fairing), area_tolerance: area, ..VertexRelaxation::default() };
+        let history = solved(&[boundaries::scherk()], &relax_with(method, 800)).statistics.history;
         let last =
             |phase: &str| history.iter().filter(|row| row.phase == phase).map(|row| row.iteration).max().unwrap();
         (last("laplacian_fairing"), last("area_minimising") - last("laplacian_fairing"))
@@ -81,7 +86,8 @@ fn the_two_tolerances_end_their_own_stages() {
 #[test]
 fn the_caller_may_name_another_order_of_the_processes() {
     let processes = Some(vec![vec![Process::AreaMinimising], vec![Process::LaplacianFairing, Process::EdgeSwapping]]);
-    let statistics = solved(&[boundaries::scherk()], &Options { processes, ..relax(800) }).statistics;
+    let method = VertexRelaxation { processes, ..VertexRelaxation::default() };
+    let statistics = solved(&[boundaries::scherk()], &relax_with(method, 800)).statistics;
     let mut phases: Vec<&str> = statistics.history.iter().map(|row| row.phase).collect();
     phases.dedup();
     assert_eq!(phases, ["area_minimising", "laplacian_fairing"]);
@@ -98,8 +104,9 @@ fn two_contours_are_joined_as_in_their_ninth_figure() {
 fn more_triangles_lower_the_area_as_in_their_tables() {
     for (boundary, limit) in [(boundaries::scherk(), 11.6147), (boundaries::skew_quadrilateral(16), 0.639_630_8)] {
         let level = |triangles| {
-            let options = Options { area_tolerance: 1e-8, fairing_tolerance: Some(1e-4), ..relax(triangles) };
-            solved(std::slice::from_ref(&boundary), &options).statistics
+            let method =
+                VertexRelaxation { area_tolerance: 1e-8, fairing_tolerance: Some(1e-4), ..VertexRelaxation::default() };
+            solved(std::slice::from_ref(&boundary), &relax_with(method, triangles)).statistics
         };
         let (coarse, fine) = (level(400), level(1600));
         assert!(coarse.area > fine.area && fine.area > limit, "{} {} {limit}", coarse.area, fine.area);
@@ -118,7 +125,8 @@ fn a_start_that_crosses_itself_is_undone_as_in_their_fourth_figure() {
             DVec3::new(radius * angle.sin(), radius * angle.cos(), 0.4 * (2.0 * t).cos())
         })
         .collect();
-    let surface = solved(std::slice::from_ref(&boundary), &Options { area_tolerance: 1e-8, ..relax(1500) });
+    let method = VertexRelaxation { area_tolerance: 1e-8, ..VertexRelaxation::default() };
+    let surface = solved(std::slice::from_ref(&boundary), &relax_with(method, 1500));
     let expected = solve(&[boundary], &Options::new(Resolution::Triangles(1500)), &Execution::default()).unwrap();
     let statistics = &surface.statistics;
     assert!(statistics.initial_area > 1.3 * statistics.area);

@@ -2,7 +2,7 @@
 
 use super::{Save, rings, run};
 use crate::picture::Picture;
-use plateau_geometry::minimal_surface::{InitialMesh, LinearSolver, Options, Resolution, Solver, Topology};
+use plateau_geometry::minimal_surface::{InitialMesh, LinearSolver, Method, Options, PinkallPolthier, Resolution};
 use plateau_geometry::{DVec3, Mesh};
 use std::f64::consts::TAU;
 
@@ -17,13 +17,14 @@ pub fn run_all(save: Save) {
         ("bento_cavalcanti_8", 14.0, None, [8, 16, 20, 200]),
     ] {
         let options = |linear_solver, steps| Options {
-            solver: Solver::PinkallPolthier,
-            topology: Topology::Free,
+            method: Method::PinkallPolthier(PinkallPolthier {
+                area_tolerance: if degenerate_angle.is_none() { 0.0 } else { 1e-6 },
+                linear_solver,
+                degenerate_angle,
+                cut_necks: true,
+            }),
             initial_mesh: InitialMesh::Rings,
-            degenerate_angle,
-            linear_solver,
             tolerance: 0.0,
-            area_tolerance: if degenerate_angle.is_none() { 0.0 } else { 1e-6 },
             max_iterations: Some(steps),
             ..Options::new(Resolution::Triangles(576))
         };
@@ -61,8 +62,7 @@ pub fn run_all(save: Save) {
     let (boundary, mesh) = cut_cylinder(36, 6, 20.0, 0.2);
     for steps in [1, 8, 16, 200] {
         let options = Options {
-            solver: Solver::PinkallPolthier,
-            topology: Topology::Free,
+            method: Method::PinkallPolthier(PinkallPolthier { cut_necks: true, ..PinkallPolthier::default() }),
             initial_mesh: InitialMesh::Given(mesh.clone()),
             max_iterations: Some(steps),
             ..Options::new(Resolution::Triangles(1))

@@ -4,13 +4,13 @@ use super::{Save, boundaries, run};
 use crate::picture::Picture;
 use plateau_geometry::DVec3;
 use plateau_geometry::minimal_surface::{
-    BoundarySampling, InitialMesh, MinimalSurface, Options, Process, Resolution, Solver, Statistics,
+    BoundarySampling, InitialMesh, Method, MinimalSurface, Options, Process, Resolution, Statistics, VertexRelaxation,
 };
 use std::f64::consts::TAU;
 
-fn relax(triangles: usize) -> Options {
+fn relax(triangles: usize, method: VertexRelaxation) -> Options {
     Options {
-        solver: Solver::VertexRelaxation,
+        method: Method::VertexRelaxation(method),
         initial_mesh: InitialMesh::Rings,
         boundary_sampling: BoundarySampling::Keep,
         ..Options::new(Resolution::Triangles(triangles))
@@ -18,12 +18,14 @@ fn relax(triangles: usize) -> Options {
 }
 
 /// The mesh after step 1 (with its edges swapped), after step 2 and after step 3.
-fn steps(boundaries: &[Vec<DVec3>], options: &Options) -> [MinimalSurface; 3] {
+fn steps(boundaries: &[Vec<DVec3>], triangles: usize, area_tolerance: f64) -> [MinimalSurface; 3] {
     let fairing = vec![vec![Process::LaplacianFairing, Process::EdgeSwapping]];
+    let method = VertexRelaxation { area_tolerance, ..VertexRelaxation::default() };
+    let options = relax(triangles, method.clone());
     [
         Options { max_iterations: Some(0), ..options.clone() },
-        Options { processes: Some(fairing), ..options.clone() },
-        options.clone(),
+        relax(triangles, VertexRelaxation { processes: Some(fairing), ..method }),
+        options,
     ]
     .map(|options| run(boundaries, &options))
 }
@@ -57,9 +59,8 @@ pub fn run_all(save: Save) {
     ] {
         // Their 0.01 is an area, our tolerances are parts of the area.
         for (tolerance, shown) in [(0.01 / limit, "0.01"), (1e-6, "1e-6 of the area"), (1e-9, "1e-9 of the area")] {
-            let options = Options { area_tolerance: tolerance, ..relax(triangles) };
             let boundary = std::slice::from_ref(&boundary);
-            let [first, second, third] = steps(boundary, &options);
+            let [first, second, third] = steps(boundary, triangles, tolerance);
             let row = |surface: &MinimalSurface, phase: &str| {
                 format!(
                     "{:.3}, {}, {:.1e}",
@@ -114,7 +115,7 @@ fn levels(save: Save) {
         ("97 points", loop_of(97, 18.0, 2.0, 5.0), [485, 1455]),
     ] {
         let films = counts.map(|count| {
-            let options = Options { area_tolerance: 1e-9, ..relax(count) };
+            let options = relax(count, VertexRelaxation { area_tolerance: 1e-9, ..VertexRelaxation::default() });
             let surface = run(std::slice::from_ref(&boundary), &options);
             println!(
                 "| {name} | {} | {:.4} | {:.1e} | {:.1e} |",
@@ -147,7 +148,8 @@ fn orders() {
         ),
         ("fairing, area, swapping in one stage", Some(vec![vec![LaplacianFairing, AreaMinimising, EdgeSwapping]])),
     ] {
-        let surface = run(&[boundaries::scherk()], &Options { processes: stages, ..relax(800) });
+        let method = VertexRelaxation { processes: stages, ..VertexRelaxation::default() };
+        let surface = run(&[boundaries::scherk()], &relax(800, method));
         println!(
             "| {name} | {} | {:.4} | {:.1e} |",
             surface.statistics.iterations,
@@ -173,7 +175,7 @@ fn starts(save: Save) {
         ("crossing", vec![banana], 960),
         ("two_contours", vec![super::circle(72, 1.2, DVec3::ZERO, DVec3::Z), upper], 1152),
     ] {
-        let [first, _, film] = steps(&contours, &Options { area_tolerance: 1e-8, ..relax(triangles) });
+        let [first, _, film] = steps(&contours, triangles, 1e-8);
         println!("| {name} | {:.3} | {:.3} |", first.statistics.initial_area, film.statistics.area);
         save(
             &format!("chen_cai_zheng_{name}"),

@@ -3,7 +3,9 @@
 use super::{Save, run};
 use crate::picture::Picture;
 use plateau_geometry::DVec3;
-use plateau_geometry::minimal_surface::{InitialMesh, MinimalSurface, Objective, Options, Resolution, Solver};
+use plateau_geometry::minimal_surface::{
+    InitialMesh, LiuWang, Method, MinimalSurface, Options, Resolution, VertexRelaxation,
+};
 use std::f64::consts::{PI, TAU};
 
 fn rim(r: impl Fn(f64, f64) -> DVec3, [u0, u1]: [f64; 2], [v0, v1]: [f64; 2], [nu, nv]: [u32; 2]) -> Vec<DVec3> {
@@ -75,16 +77,17 @@ pub fn run_all(save: Save) {
             interior.iter().map(|&p| (case.error)(p)).sum::<f64>() / interior.len() as f64
         };
         let options = |seed: u64| Options {
-            seed,
-            initial_mesh: InitialMesh::Barycentres,
+            initial_mesh: InitialMesh::Barycentres { seed },
             ..Options::new(Resolution::InteriorVertices(case.interior))
         };
         let least_squares = |seed: u64, boundary_curvature: bool| Options {
-            objective: Objective::MinimalMeanCurvature,
-            boundary_curvature,
+            method: Method::LiuWang(LiuWang { boundary_curvature, ..LiuWang::default() }),
             ..options(seed)
         };
-        let relaxation = |seed| Options { solver: Solver::VertexRelaxation, ..options(seed) };
+        let relaxation = |seed, area_tolerance| Options {
+            method: Method::VertexRelaxation(VertexRelaxation { area_tolerance, ..VertexRelaxation::default() }),
+            ..options(seed)
+        };
         // Chen, Cai, Zheng's own 0.01 is an area.
         let loose = 0.01 / run(std::slice::from_ref(&case.boundary), &options(1)).statistics.area;
         // The initial points influence the solution: the middle one of nine choices.
@@ -99,12 +102,13 @@ pub fn run_all(save: Save) {
             case.name,
             middle(&|seed| least_squares(seed, true)),
             middle(&|seed| least_squares(seed, false)),
-            middle(&|seed| Options { area_tolerance: loose, ..relaxation(seed) }),
-            middle(&relaxation),
-            middle(&|seed| Options { solver: Solver::Newton, ..options(seed) }),
+            middle(&|seed| relaxation(seed, loose)),
+            middle(&|seed| relaxation(seed, 1e-6)),
+            middle(&options),
         );
         if ["helicoid", "catenoid"].contains(&case.name.as_str()) {
-            let start = Options { max_iterations: Some(1), area_tolerance: 1.0, ..least_squares(5, false) };
+            let once = LiuWang { tolerance: 1.0, boundary_curvature: false, ..LiuWang::default() };
+            let start = Options { method: Method::LiuWang(once), max_iterations: Some(1), ..options(5) };
             let start = run(std::slice::from_ref(&case.boundary), &start).mesh;
             let theirs = run(std::slice::from_ref(&case.boundary), &least_squares(5, true)).mesh;
             let interior = run(std::slice::from_ref(&case.boundary), &least_squares(5, false)).mesh;
@@ -126,8 +130,7 @@ pub fn run_all(save: Save) {
         })
         .collect();
     let options = |boundary_curvature| Options {
-        objective: Objective::MinimalMeanCurvature,
-        boundary_curvature,
+        method: Method::LiuWang(LiuWang { boundary_curvature, ..LiuWang::default() }),
         ..Options::new(Resolution::InteriorVertices(4))
     };
     let [theirs, interior] = [true, false].map(|all| run(std::slice::from_ref(&membrane), &options(all)));

@@ -3,7 +3,12 @@
 use super::{Save, circle, rings, run};
 use crate::picture::Picture;
 use plateau_geometry::DVec3;
-use plateau_geometry::minimal_surface::{Options, Resolution, Topology};
+use plateau_geometry::minimal_surface::{FreeTopology, Method, Newton, Options, Resolution, TopologyRule};
+
+fn spanning(topology: TopologyRule, triangles: usize) -> Options {
+    let method = Method::Newton(Newton { topology, ..Newton::default() });
+    Options { method, ..Options::new(Resolution::Triangles(triangles)) }
+}
 
 pub fn run_all(save: Save) {
     let tetrahedron: Vec<Vec<DVec3>> = [(1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0, 1.0)]
@@ -22,8 +27,7 @@ pub fn run_all(save: Save) {
     println!("\n| boundaries | films over | area | stable | cross |\n| --- | --- | --- | --- | --- |");
     let mut least = Vec::new();
     for (title, _, boundaries) in &cases {
-        let options = Options { topology: Topology::Best, ..Options::new(Resolution::Triangles(1500)) };
-        let surface = run(boundaries, &options);
+        let surface = run(boundaries, &spanning(TopologyRule::Best, 1500));
         if let Some(comparison) = &surface.statistics.spanning {
             for topology in &comparison.topologies {
                 let area = topology.area.map_or(String::from("does not hold"), |area| format!("{area:.4}"));
@@ -37,10 +41,9 @@ pub fn run_all(save: Save) {
             }
         }
         // Coarser, for a small file.
-        let options = Options { topology: Topology::Best, ..Options::new(Resolution::Triangles(500)) };
-        least.push(run(boundaries, &options).mesh);
+        least.push(run(boundaries, &spanning(TopologyRule::Best, 500)).mesh);
     }
-    let near = Options { topology: Topology::Free, ..Options::new(Resolution::Triangles(500)) };
+    let near = spanning(TopologyRule::Free(FreeTopology::default()), 500);
     let catenoid = run(&rings(&[0.0, 12.0]), &near).mesh;
     let mut pictures = vec![Picture::shaded("height 12, free", &catenoid)];
     pictures.extend(cases.iter().zip(&least).map(|(case, mesh)| Picture::shaded(case.1, mesh)));

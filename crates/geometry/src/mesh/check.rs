@@ -4,7 +4,8 @@ use crate::Mesh;
 use crate::mesh::topology::{Defect, NONE, Topology};
 
 impl Mesh {
-    /// Checks that the mesh is an oriented manifold (with or without boundary) with finite coordinates and without isolated vertices.
+    /// Checks that the mesh is an oriented manifold (with or without boundary) with finite coordinates and without
+    /// isolated vertices.
     ///
     /// Says nothing about shape: degenerate or flipped triangles are counted by [`measure`](crate::mesh::measure).
     ///

@@ -5,8 +5,8 @@ use crate::{DVec3, Execution, Interruption};
 
 /// Whether a triangle's edge of one film pierces the inside of a triangle of the other.
 ///
-/// Touching, and lying in one plane, do not count: two discs in a plane, one inside the other, do not cross. Decided with
-/// exact predicates. Sweeps along x: O(n log n) and the pairs whose boxes meet. Looks every few thousand pairs.
+/// Touching, and lying in one plane, do not count: two discs in a plane, one inside the other, do not cross. Decided
+/// with exact predicates. Sweeps along x: O(n log n) and the pairs whose boxes meet. Looks every few thousand pairs.
 ///
 /// # Errors
 /// The interruptions of `exec`.

@@ -1,7 +1,83 @@
-//! Changes of connectivity that keep a mesh an oriented manifold: flipping the diagonal of two triangles, and regular
-//! subdivision.
+//! Changes of connectivity that keep a mesh an oriented manifold: when an edge may be flipped or collapsed, flipping
+//! the diagonal of two triangles, and regular subdivision.
 
 use crate::mesh::topology::{NONE, Topology, next, previous};
+
+/// What the rules for flips and collapses ask of a representation of an oriented manifold.
+pub(crate) trait Adjacency {
+    /// The corners opposite to the edge in its triangles: on the left of a to b, and on the right.
+    fn opposite_corners(&self, a: u32, b: u32) -> [Option<u32>; 2];
+    /// Whether an edge joins the two vertices.
+    fn joined(&self, a: u32, b: u32) -> bool;
+    /// Whether a neighbour of the vertex fulfils a condition.
+    fn any_neighbour(&self, vertex: u32, condition: impl FnMut(u32) -> bool) -> bool;
+    /// Number of triangles around the vertex.
+    fn degree(&self, vertex: u32) -> usize;
+    /// Whether the vertex lies on the boundary.
+    fn on_boundary(&self, vertex: u32) -> bool;
+}
+
+/// Whether the edge between a and b may be replaced by the other diagonal of its two triangles: it has two, and no edge
+/// joins their far corners yet. Says nothing about shape.
+pub(crate) fn may_flip(mesh: &impl Adjacency, a: u32, b: u32) -> bool {
+    match mesh.opposite_corners(a, b) {
+        [Some(c), Some(d)] => c != d && !mesh.joined(c, d),
+        _ => false,
+    }
+}
+
+/// The link condition (Dey, Edelsbrunner, Guha, Nekhayev, *Topology preserving edge contraction*, 1999): whether the
+/// edge between a and b may become a point, so that the mesh stays a manifold of the same topology.
+///
+/// 1. The edge has a triangle. An edge of two triangles does not join two boundary vertices.
+/// 2. The ends have no common neighbour but the corners opposite to the edge.
+/// 3. The mesh is not the surface of a tetrahedron, nor two triangles back to back.
+/// 4. No corner opposite to the edge is left without a triangle.
+pub(crate) fn may_collapse(mesh: &impl Adjacency, a: u32, b: u32) -> bool {
+    let corners = mesh.opposite_corners(a, b);
+    let keeps_form = match corners {
+        [None, None] => false,
+        [Some(c), Some(d)] => {
+            let tetrahedron = mesh.degree(c) == 3
+                && mesh.degree(d) == 3
+                && !mesh.on_boundary(c)
+                && !mesh.on_boundary(d)
+                && mesh.joined(c, d);
+            c != d && !tetrahedron && !(mesh.on_boundary(a) && mesh.on_boundary(b))
+        }
+        _ => true,
+    };
+    keeps_form
+        && corners.into_iter().flatten().all(|corner| mesh.degree(corner) > 1)
+        && !mesh.any_neighbour(a, |v| v != b && !corners.contains(&Some(v)) && mesh.joined(v, b))
+}
+
+impl Adjacency for Topology {
+    fn opposite_corners(&self, a: u32, b: u32) -> [Option<u32>; 2] {
+        [(a, b), (b, a)]
+            .map(|(from, to)| self.outgoing_half_edges(from).find(|&h| self.to(h) == to).map(|h| self.opposite(h)))
+    }
+
+    fn joined(&self, a: u32, b: u32) -> bool {
+        self.are_adjacent(a, b)
+    }
+
+    fn any_neighbour(&self, vertex: u32, mut condition: impl FnMut(u32) -> bool) -> bool {
+        // A vertex of the boundary reaches its last neighbour only as an opposite corner.
+        self.outgoing_half_edges(vertex).any(|h| {
+            let corner = self.opposite(h);
+            condition(self.to(h)) || (self.twin[previous(h) as usize] == NONE && condition(corner))
+        })
+    }
+
+    fn degree(&self, vertex: u32) -> usize {
+        self.outgoing_half_edges(vertex).count()
+    }
+
+    fn on_boundary(&self, vertex: u32) -> bool {
+        self.is_boundary(vertex)
+    }
+}
 
 impl Topology {
     /// The triangles as they are now.
@@ -22,8 +98,8 @@ impl Topology {
         self.from(previous(half_edge))
     }
 
-    /// Whether the edge has two triangles and its two opposite vertices are not joined yet, so that [`flip`](Self::flip)
-    /// keeps the mesh a manifold. Says nothing about shape.
+    /// Whether the edge has two triangles and its two opposite vertices are not joined yet, so that
+    /// [`flip`](Self::flip) keeps the mesh a manifold. Says nothing about shape.
     #[must_use]
     pub fn can_flip(&self, half_edge: u32) -> bool {
         let twin = self.twin[half_edge as usize];
@@ -64,8 +140,8 @@ impl Topology {
     /// Splits every triangle into four at its edges' midpoints: the new topology, and for each new vertex the ends of
     /// the edge that it halves.
     ///
-    /// Old vertices keep their numbers, new ones follow. Triangle `t` becomes `4 t + k` at its corner `k` and `4 t + 3` in the
-    /// middle. O(n), without pairing half-edges afresh.
+    /// Old vertices keep their numbers, new ones follow. Triangle `t` becomes `4 t + k` at its corner `k` and `4 t + 3`
+    /// in the middle. O(n), without pairing half-edges afresh.
     #[must_use]
     pub fn subdivided(&self) -> (Self, Vec<[u32; 2]>) {
         let old = self.outgoing.len() as u32;
@@ -146,6 +222,7 @@ pub(crate) fn orient_along(triangles: &mut [[u32; 3]], boundary: &[u32]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::SplitMix64;
     use proptest::prelude::*;
 
     /// A triangulated k x k grid.
@@ -196,6 +273,59 @@ mod tests {
         for (k, &[a, b]) in parents.iter().enumerate() {
             assert!(fine.are_adjacent(a, 16 + k as u32) && fine.are_adjacent(b, 16 + k as u32));
         }
+    }
+
+    /// Input: the corner 0 and the vertex 4 have the neighbour 3 in common, and two vertices stand in the triangle
+    /// between. When this collapse was allowed, two triangles stood on one another.
+    #[test]
+    fn an_edge_whose_ends_share_a_neighbour_around_a_corner_stays() {
+        let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [0, 4, 5], [0, 5, 3], [5, 4, 6], [4, 3, 6], [5, 6, 3]];
+        let topology = Topology::build(&triangles, 7).unwrap();
+        assert!(!may_collapse(&topology, 4, 0) && !may_collapse(&topology, 0, 4));
+        assert!(may_collapse(&topology, 6, 4) && may_collapse(&topology, 4, 6));
+    }
+
+    #[test]
+    fn collapses_that_would_change_the_topology_are_refused() {
+        let may = |triangles: &[[u32; 3]], count, a, b| may_collapse(&Topology::build(triangles, count).unwrap(), a, b);
+        let tetrahedron = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+        assert!(!may(&tetrahedron, 4, 0, 1), "the surface of a tetrahedron");
+        assert!(!may(&[[0, 1, 2]], 3, 0, 1), "one triangle alone");
+        assert!(!may(&[[0, 1, 2], [0, 2, 3]], 4, 0, 2), "the diagonal of a square joins two boundary vertices");
+        assert!(may(&[[0, 1, 2], [0, 2, 3]], 4, 0, 1), "a side of a square");
+        let fan = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
+        assert!(may(&fan, 5, 4, 0) && may(&fan, 5, 0, 1), "a spoke and a side of a fan");
+    }
+
+    /// On random triangulations every collapse that the condition allows leaves a manifold of the same Euler
+    /// characteristic and number of boundary loops, and every one that it refuses does not.
+    #[test]
+    fn the_link_condition_is_what_rebuilding_says() {
+        let mut topology = grid(4);
+        let mut random = SplitMix64::new(5);
+        for _ in 0..300 {
+            let h = random.below(topology.twin.len()) as u32;
+            if topology.can_flip(h) {
+                topology.flip(h);
+            }
+        }
+        let mut seen = [0; 2];
+        for h in 0..topology.twin.len() as u32 {
+            let (a, b) = (topology.from(h), topology.to(h));
+            let merged: Vec<[u32; 3]> = topology
+                .triangles()
+                .iter()
+                .map(|triangle| triangle.map(|v| if v == a { b } else { v }))
+                .filter(|[a, b, c]| a != b && b != c && c != a)
+                .collect();
+            let sound = Topology::build(&merged, 25).is_ok_and(|rebuilt| {
+                let isolated = rebuilt.outgoing.iter().filter(|&&h| h == NONE).count();
+                rebuilt.euler_characteristic() == 1 && rebuilt.boundary_loops().len() == 1 && isolated == 1
+            });
+            assert_eq!(may_collapse(&topology, a, b), sound, "{a} {b}");
+            seen[usize::from(sound)] += 1;
+        }
+        assert!(seen[0] > 5 && seen[1] > 5, "{seen:?}");
     }
 
     #[test]

@@ -20,7 +20,8 @@ pub(crate) struct Film {
 }
 
 impl Film {
-    /// A film without constraints: the boundary loops are fixed, everything else moves. `None` if the triangles are no manifold.
+    /// A film without constraints: the boundary loops are fixed, everything else moves. `None` if the triangles are no
+    /// manifold.
     pub fn new(vertices: Vec<DVec3>, triangles: &[[u32; 3]], boundaries: Vec<Vec<u32>>) -> Option<Self> {
         let topology = Topology::build(triangles, vertices.len()).ok()?;
         let mut fixed = vec![false; vertices.len()];

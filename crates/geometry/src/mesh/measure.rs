@@ -9,15 +9,20 @@ pub const DEGENERATE_ALTITUDE: f64 = 1e-10;
 /// Minimum, mean, maximum and standard deviation (of the whole population) of a list of values.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spread {
+    /// Number of values.
     pub count: usize,
+    /// The least value.
     pub min: f64,
+    /// The mean.
     pub mean: f64,
+    /// The largest value.
     pub max: f64,
+    /// Standard deviation of the whole population.
     pub std_dev: f64,
 }
 
 impl Spread {
-    /// All zero for no values.
+    /// The spread of these values; all zero for none.
     pub fn of(values: impl Iterator<Item = f64> + Clone) -> Self {
         let (count, sum, min, max) =
             values.clone().fold((0usize, 0.0, f64::INFINITY, f64::NEG_INFINITY), |(n, sum, min, max), value| {

@@ -68,7 +68,8 @@ impl std::error::Error for Defect {}
 pub struct Topology {
     /// The opposite half-edge, or [`NONE`] on the boundary.
     pub twin: Vec<u32>,
-    /// One outgoing half-edge per vertex; for a boundary vertex the outgoing *boundary* half-edge. [`NONE`] if isolated.
+    /// One outgoing half-edge per vertex; for a boundary vertex the outgoing *boundary* half-edge. [`NONE`] if
+    /// isolated.
     pub outgoing: Vec<u32>,
     pub(super) triangles: Vec<[u32; 3]>,
 }
@@ -160,18 +161,21 @@ impl Topology {
         Ok(topology)
     }
 
+    /// The vertex at which a half-edge starts.
     #[must_use]
     pub fn from(&self, half_edge: u32) -> u32 {
         self.triangles[half_edge as usize / 3][half_edge as usize % 3]
     }
 
+    /// The vertex at which a half-edge ends.
     #[must_use]
     pub fn to(&self, half_edge: u32) -> u32 {
         self.from(next(half_edge))
     }
 
     /// Outgoing half-edges of a vertex, clockwise for a boundary vertex starting at its boundary half-edge
-    /// (so that each edge of the fan but its last appears once; the fan's last edge is the incoming boundary half-edge).
+    /// (so that each edge of the fan but its last appears once; the fan's last edge is the incoming boundary
+    /// half-edge).
     pub fn outgoing_half_edges(&self, vertex: u32) -> impl Iterator<Item = u32> + '_ {
         let first = self.outgoing[vertex as usize];
         let mut current = first;
@@ -187,6 +191,7 @@ impl Topology {
         })
     }
 
+    /// Whether a vertex lies on the boundary.
     #[must_use]
     pub fn is_boundary(&self, vertex: u32) -> bool {
         let h = self.outgoing[vertex as usize];

@@ -9,7 +9,9 @@ use crate::mesh::measure;
 pub struct Curvature {
     /// Per vertex |g| / (2 A_h), in 1/unit; 0 where the vertex is fixed.
     pub mean_curvature: Vec<f64>,
+    /// See [`Statistics::residual`](super::statistics::Statistics::residual).
     pub residual: f64,
+    /// See [`Statistics::residual_full`](super::statistics::Statistics::residual_full).
     pub residual_full: f64,
 }
 

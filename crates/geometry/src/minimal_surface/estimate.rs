@@ -8,8 +8,9 @@ const TRIANGLES_PER_POINT: f64 = 12.0;
 
 /// About how many triangles a request asks for, so that a service can price it before the work.
 ///
-/// Exact where a count is asked for; for an edge length the area of the boundaries' fans about their means is divided by
-/// that of an equilateral triangle (but the boundary's own points ask for some each), which is right within a small factor unless the boundaries are far apart.
+/// Exact where a count is asked for; for an edge length the area of the boundaries' fans about their means is divided
+/// by that of an equilateral triangle (but the boundary's own points ask for some each), which is right within a small
+/// factor unless the boundaries are far apart.
 #[must_use]
 pub fn estimate_triangles(boundaries: &[Vec<DVec3>], options: &Options) -> f64 {
     let points: usize = boundaries.iter().map(Vec::len).sum();

@@ -2,8 +2,8 @@
 //!
 //! The area of a mesh of good triangles, minimal among its kind, is above the surface's by a multiple of h² as long as
 //! the surface is smooth up to the boundary. With every edge halved the excess is a quarter: the limit is
-//! A_fine - (A_coarse - A_fine) / 3. At a corner of the polygon whose angle is above 180 degrees the order is lower and the limit
-//! a little above the true one; the error estimate, the whole correction of the finer area, covers that.
+//! A_fine - (A_coarse - A_fine) / 3. At a corner of the polygon whose angle is above 180 degrees the order is lower and
+//! the limit a little above the true one; the error estimate, the whole correction of the finer area, covers that.
 
 use super::run::ExtrapolatedArea;
 use crate::energy::area::Pattern;
@@ -19,8 +19,9 @@ const TOLERANCE: f64 = 1e-3;
 const MAX_STEPS: u32 = 6;
 
 impl ExtrapolatedArea {
-    /// For a converged stable film: halves its edges, corrects that mesh, and extrapolates. The top level of `hierarchy` is the
-    /// second variation where the film stands. `None` where the finer mesh cannot be corrected in a few steps.
+    /// For a converged stable film: halves its edges, corrects that mesh, and extrapolates. The top level of
+    /// `hierarchy` is the second variation where the film stands. `None` where the finer mesh cannot be corrected in a
+    /// few steps.
     ///
     /// # Errors
     /// The interruption.

@@ -4,11 +4,12 @@
 //! 2. Minimise that energy with the boundary fixed: one sparse positive definite system, three right-hand sides.
 //! 3. The image is the next domain. Repeat.
 //!
-//! The area never rises, since area(image) <= energy(image) <= energy(identity) = area(domain). The iteration converges linearly:
-//! a few rounds take a poor mesh to a good one, many are needed for a small residual ([`newton`](crate::equilibrium::newton) for that).
+//! The area never rises, since area(image) <= energy(image) <= energy(identity) = area(domain). The iteration converges
+//! linearly: a few rounds take a poor mesh to a good one, many are needed for a small residual
+//! ([`newton`](crate::equilibrium::newton) for that).
 //!
-//! Departures: the weight of a triangle whose area vanishes is bounded ([`area`](crate::energy::area)), so that a collapsing
-//! neck is reported by the linear solver and not by an infinite entry.
+//! Departures: the weight of a triangle whose area vanishes is bounded ([`area`](crate::energy::area)), so that a
+//! collapsing neck is reported by the linear solver and not by an infinite entry.
 
 use crate::energy::area::Pattern;
 use crate::mesh::film::Film;
@@ -66,8 +67,9 @@ impl Dirichlet {
         Ok(())
     }
 
-    /// As [`step`](Self::step), by conjugate gradients from the present positions; by elimination where one of the three
-    /// coordinates does not converge. Says which it was, or why elimination failed. Leaves the film as it was on an error.
+    /// As [`step`](Self::step), by conjugate gradients from the present positions; by elimination where one of the
+    /// three coordinates does not converge. Says which it was, or why elimination failed. Leaves the film as it was on
+    /// an error.
     ///
     /// # Errors
     /// The interruptions of `exec`.
@@ -94,8 +96,8 @@ impl Dirichlet {
         Ok(Ok(Elimination::Spared))
     }
 
-    /// Conjugate gradients from `x` until the residual has fallen to [`ITERATIVE_TOLERANCE`] of what it is there. In exact
-    /// arithmetic the order of the matrix bounds their number.
+    /// Conjugate gradients from `x` until the residual has fallen to [`ITERATIVE_TOLERANCE`] of what it is there. In
+    /// exact arithmetic the order of the matrix bounds their number.
     fn solve_from(&self, x: &mut [f64], b: &[f64], exec: &Execution) -> Result<usize, CgFailure> {
         let square = |residual: &[f64]| residual.iter().map(|r| r * r).sum::<f64>();
         let mut first = vec![0.0; b.len()];

@@ -14,7 +14,7 @@ mod spanning;
 mod strip;
 
 use super::estimate::estimate_triangles;
-use super::options::{BoundarySampling, InitialMesh, Objective, Options, Resolution, Topology};
+use super::options::{BoundarySampling, InitialMesh, Options, Resolution};
 use crate::error::InputError;
 use crate::mesh::film::Film;
 use crate::{DVec3, Error, Execution, Place};
@@ -46,6 +46,7 @@ pub enum InitialMeshKind {
 }
 
 impl InitialMeshKind {
+    /// A stable name in snake case.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -78,16 +79,13 @@ pub(super) fn build(
         let film = given::build(mesh, boundaries, &pins)?;
         return Ok((Start { film, subdivisions: 0 }, InitialMeshKind::Given));
     }
-    if !constraints.is_empty() && matches!(options.initial_mesh, InitialMesh::Rings | InitialMesh::Barycentres) {
+    if !constraints.is_empty() && matches!(options.initial_mesh, InitialMesh::Rings | InitialMesh::Barycentres { .. }) {
         let detail = "rings and barycentres take no constraints; auto, planar and disk do";
         return Err(Error::input(Place::field("constraints"), detail));
     }
     let whole = |film| Start { film, subdivisions: 0 };
-    let least_squares = options.objective == Objective::MinimalMeanCurvature && boundaries.len() == 1;
-    if options.initial_mesh == InitialMesh::Barycentres
-        || (options.initial_mesh == InitialMesh::Auto && least_squares && constraints.is_empty())
-    {
-        return Ok((whole(barycentres(boundaries, options, exec)?), InitialMeshKind::Barycentres));
+    if let Some(seed) = options.barycentres(boundaries.len()) {
+        return Ok((whole(barycentres(boundaries, options, seed, exec)?), InitialMeshKind::Barycentres));
     }
     let Some(frame) = Frame::best(boundaries) else {
         return Err(Error::input(Place::field("boundaries"), "all points lie on one line"));
@@ -109,7 +107,7 @@ pub(super) fn build(
             Ok((start, InitialMeshKind::Planar))
         }
         InitialMesh::Disk => curved(),
-        InitialMesh::Auto | InitialMesh::Barycentres | InitialMesh::Given(_) => {
+        InitialMesh::Auto | InitialMesh::Barycentres { .. } | InitialMesh::Given(_) => {
             let flat = frame.largest_height(boundaries) <= FLAT * extent(boundaries);
             if flat || is_gentle(boundaries, &frame) {
                 match attempt(Shape::Plane(frame))? {
@@ -131,7 +129,7 @@ pub(super) fn build(
     }
 }
 
-fn barycentres(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<Film, Error> {
+fn barycentres(boundaries: &[Vec<DVec3>], options: &Options, seed: u64, exec: &Execution) -> Result<Film, Error> {
     let [boundary] = boundaries else {
         return Err(Error::input(Place::field("initial_mesh"), "barycentres need exactly one boundary"));
     };
@@ -140,7 +138,7 @@ fn barycentres(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -
         // A disk of m boundary points and n others has m + 2 n - 2 triangles.
         _ => ((estimate_triangles(boundaries, options) + 2.0 - boundary.len() as f64) / 2.0).round() as usize,
     };
-    candidate_mesh(boundary, interior_vertices, options.seed, exec)
+    candidate_mesh(boundary, interior_vertices, seed, exec)
 }
 
 /// What [`build`] would refuse, as far as it shows without meshing: linear in the input.
@@ -162,7 +160,7 @@ pub(super) fn check(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), 
     // Euler: F = 2 (interior) + (boundary) - 2 χ, and one part with k boundaries has χ = 2 - k.
     let least = points as f64 + 2.0 * boundaries.len() as f64 - 4.0;
     match options.resolution {
-        Resolution::Triangles(count) if options.topology == Topology::Fixed && (count as f64) < 0.9 * least => {
+        Resolution::Triangles(count) if options.keeps_topology() && (count as f64) < 0.9 * least => {
             let detail = format!("the boundaries' own points already make {least} triangles");
             Err(Error::input(Place::field("resolution").then("triangles"), detail))
         }

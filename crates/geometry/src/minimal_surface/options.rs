@@ -4,6 +4,10 @@ use crate::error::InputError;
 use crate::polyline::LARGEST_COORDINATE;
 use crate::{DVec3, Mesh, Place};
 
+/// Default of every tolerance on the relative change of the area.
+const AREA_TOLERANCE: f64 = 1e-6;
+/// Default angle (radians) below which triangles are removed: one degree.
+const DEGENERATE_ANGLE: f64 = std::f64::consts::PI / 180.0;
 /// A third of an equilateral triangle's angle: rules against thinner ones leave good triangles alone.
 const LARGEST_DEGENERATE_ANGLE: f64 = std::f64::consts::PI / 9.0;
 
@@ -22,20 +26,27 @@ pub enum Objective {
 /// One objective, for people and for catalogues.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Description {
+    /// A stable name in snake case.
     pub name: &'static str,
+    /// What is made least.
     pub minimises: &'static str,
+    /// Its unit, where u is the caller's unit of length.
     pub unit: &'static str,
+    /// Where the formula stands in the literature.
     pub source: &'static str,
 }
 
 impl Objective {
+    /// All objectives.
     pub const ALL: [Self; 3] = [Self::MinimalArea, Self::MinimalDirichletEnergy, Self::MinimalMeanCurvature];
 
+    /// A stable name in snake case.
     #[must_use]
     pub fn name(self) -> &'static str {
         self.describe().name
     }
 
+    /// Name, formula, unit and source.
     #[must_use]
     pub fn describe(self) -> Description {
         match self {
@@ -65,14 +76,19 @@ impl Objective {
 /// One of the paper's three processes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Process {
+    /// Every interior vertex at once to the area-weighted mean of its neighbours.
     LaplacianFairing,
+    /// One vertex at a time towards the least area of its ring.
     AreaMinimising,
+    /// Edges are flipped where that lowers the area.
     EdgeSwapping,
 }
 
 impl Process {
+    /// All processes.
     pub const ALL: [Self; 3] = [Self::LaplacianFairing, Self::AreaMinimising, Self::EdgeSwapping];
 
+    /// A stable name in snake case.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -83,30 +99,27 @@ impl Process {
     }
 }
 
-/// How the area is minimised.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A solver of this crate, as the statistics name it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Solver {
-    /// The best of the others for the request at hand; the statistics say which one ran.
-    #[default]
-    Auto,
     /// Chen, Cai, Zheng: Laplacian fairing, area minimising vertex by vertex, edge swapping.
     VertexRelaxation,
-    /// Pinkall, Polthier: the harmonic map from the current mesh, again and again.
+    /// Pinkall, Polthier: the harmonic map from the current mesh.
     PinkallPolthier,
     /// A few Pinkall-Polthier solves, then Newton's method in normal heights.
     Newton,
-    /// Liu, Wang: Levenberg and Marquardt on the mean curvatures. For [`Objective::MinimalMeanCurvature`] alone.
+    /// Liu, Wang: Levenberg and Marquardt on the mean curvatures.
     LevenbergMarquardt,
 }
 
 impl Solver {
-    pub const ALL: [Self; 5] =
-        [Self::Auto, Self::VertexRelaxation, Self::PinkallPolthier, Self::Newton, Self::LevenbergMarquardt];
+    /// All solvers.
+    pub const ALL: [Self; 4] = [Self::VertexRelaxation, Self::PinkallPolthier, Self::Newton, Self::LevenbergMarquardt];
 
+    /// A stable name in snake case.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            Self::Auto => "auto",
             Self::VertexRelaxation => "vertex_relaxation",
             Self::PinkallPolthier => "pinkall_polthier",
             Self::Newton => "newton",
@@ -115,32 +128,135 @@ impl Solver {
     }
 }
 
+/// What is minimised and how: one variant for each solver, with that solver's own options.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Method {
+    /// Least area by Newton's method. The fastest, with a Morse index, and the default.
+    Newton(Newton),
+    /// Least area by Chen, Cai and Zheng's relaxation of one vertex at a time.
+    VertexRelaxation(VertexRelaxation),
+    /// Least area by Pinkall and Polthier's iteration with Bento and Cavalcanti's rules against thin triangles.
+    PinkallPolthier(PinkallPolthier),
+    /// Least Dirichlet energy: one harmonic map from the initial mesh.
+    Harmonic,
+    /// Least sum of squared mean curvatures, after Liu and Wang.
+    LiuWang(LiuWang),
+}
+
+impl Default for Method {
+    fn default() -> Self {
+        Self::Newton(Newton::default())
+    }
+}
+
+impl Method {
+    /// What the method minimises.
+    #[must_use]
+    pub fn objective(&self) -> Objective {
+        match self {
+            Self::Newton(_) | Self::VertexRelaxation(_) | Self::PinkallPolthier(_) => Objective::MinimalArea,
+            Self::Harmonic => Objective::MinimalDirichletEnergy,
+            Self::LiuWang(_) => Objective::MinimalMeanCurvature,
+        }
+    }
+}
+
+/// Options of [`Method::Newton`].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Newton {
+    /// Whether the film keeps the topology of the initial mesh.
+    pub topology: TopologyRule,
+    /// What to do with an unstable surface. Under [`TopologyRule::Free`] and [`TopologyRule::Best`] it is always left.
+    pub on_unstable: OnUnstable,
+}
+
 /// Whether the film keeps the topology of the initial mesh.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Topology {
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum TopologyRule {
+    /// It does.
     #[default]
     Fixed,
     /// Necks may close, so that a film falls apart where no connected one is stable (Bento, Cavalcanti).
-    Free,
+    Free(FreeTopology),
     /// The least of all films that span the boundaries: connected ones, separate discs, and everything between. The
     /// statistics list the others.
     Best,
 }
 
-impl Topology {
-    pub const ALL: [Self; 3] = [Self::Fixed, Self::Free, Self::Best];
+/// Options of [`TopologyRule::Free`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct FreeTopology {
+    /// Triangles with an angle below this (radians) are removed while the film shrinks; `None`: none is.
+    pub degenerate_angle: Option<f64>,
+    /// How the linear systems are solved while the film shrinks.
+    pub linear_solver: LinearSolver,
+}
 
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Fixed => "fixed",
-            Self::Free => "free",
-            Self::Best => "best",
+impl Default for FreeTopology {
+    fn default() -> Self {
+        Self { degenerate_angle: Some(DEGENERATE_ANGLE), linear_solver: LinearSolver::Direct }
+    }
+}
+
+/// Options of [`Method::VertexRelaxation`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct VertexRelaxation {
+    /// Relative change of area per iteration at which the area minimising ends (ε₂).
+    pub area_tolerance: f64,
+    /// The same for the Laplacian fairing (ε₁); `None`: as `area_tolerance`.
+    pub fairing_tolerance: Option<f64>,
+    /// Stages in the caller's own order, each repeated until its tolerance; `None`: the paper's.
+    pub processes: Option<Vec<Vec<Process>>>,
+}
+
+impl Default for VertexRelaxation {
+    fn default() -> Self {
+        Self { area_tolerance: AREA_TOLERANCE, fairing_tolerance: None, processes: None }
+    }
+}
+
+/// Options of [`Method::PinkallPolthier`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct PinkallPolthier {
+    /// Relative change of area per solve at which the run ends.
+    pub area_tolerance: f64,
+    /// How the linear systems are solved.
+    pub linear_solver: LinearSolver,
+    /// Triangles with an angle below this (radians) are removed; `None`: none is.
+    pub degenerate_angle: Option<f64>,
+    /// Whether necks of three edges are cut, so that the topology may change.
+    pub cut_necks: bool,
+}
+
+impl Default for PinkallPolthier {
+    fn default() -> Self {
+        Self {
+            area_tolerance: AREA_TOLERANCE,
+            linear_solver: LinearSolver::Direct,
+            degenerate_angle: Some(DEGENERATE_ANGLE),
+            cut_necks: false,
         }
     }
 }
 
-/// How [`Solver::PinkallPolthier`] solves its linear systems.
+/// Options of [`Method::LiuWang`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct LiuWang {
+    /// ε of the paper's stopping criteria, in lengths divided by the boundary's radius.
+    pub tolerance: f64,
+    /// Whether the boundary's vertices count (with their interior edges), as in the paper.
+    pub boundary_curvature: bool,
+    /// Which candidate points the initial mesh takes where [`InitialMesh::Auto`] means [`InitialMesh::Barycentres`].
+    pub seed: u64,
+}
+
+impl Default for LiuWang {
+    fn default() -> Self {
+        Self { tolerance: AREA_TOLERANCE, boundary_curvature: true, seed: 1 }
+    }
+}
+
+/// How Pinkall and Polthier's linear systems are solved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LinearSolver {
     /// Elimination (L D Lᵀ) every time.
@@ -151,8 +267,10 @@ pub enum LinearSolver {
 }
 
 impl LinearSolver {
+    /// All linear solvers.
     pub const ALL: [Self; 2] = [Self::Direct, Self::ConjugateGradients];
 
+    /// A stable name in snake case.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -193,28 +311,36 @@ pub enum InitialMesh {
     Planar,
     /// Delaunay triangles in a round disc (with a round hole for every further boundary), mapped harmonically.
     Disk,
-    /// Chen, Cai, Zheng 3.4: rings towards the mean of the boundary; between two boundaries, rings from one to the other.
+    /// Chen, Cai, Zheng 3.4: rings towards the mean of the boundary; between two boundaries, rings from one to the
+    /// other.
     Rings,
-    /// Liu, Wang: points at barycentres inside one boundary, chosen by [`Options::seed`], in a Delaunay triangulation.
-    /// What [`InitialMesh::Auto`] is for one boundary under [`Objective::MinimalMeanCurvature`].
-    Barycentres,
+    /// Liu, Wang: points at barycentres inside one boundary in a Delaunay triangulation. [`InitialMesh::Auto`] means
+    /// this for one boundary under [`Method::LiuWang`].
+    Barycentres {
+        /// Which of the candidate points are taken.
+        seed: u64,
+    },
     /// The caller's own: an oriented manifold whose boundary loops are the boundaries, exactly, with or without further
-    /// vertices on their segments. The resolution then means nothing. A mesh with edges of three triangles is a film with
-    /// junctions: the sheets meet there at 120° in the result, and the boundaries together must be its edges of one triangle.
+    /// vertices on their segments. The resolution then means nothing. A mesh with edges of three triangles is a film
+    /// with junctions: the sheets meet there at 120° in the result, and the boundaries together must be its edges of
+    /// one triangle.
     Given(Mesh),
 }
 
 /// Points and curves inside the surface that stay where they are: mesh vertices and edges at exactly these places.
 ///
-/// A point that equals a boundary's point, or another of these, is one vertex with it. Curves may share points, but not cross.
-/// With [`BoundarySampling::Refine`] points are added on long segments.
+/// A point that equals a boundary's point, or another of these, is one vertex with it. Curves may share points, but not
+/// cross. With [`BoundarySampling::Refine`] points are added on long segments.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Constraints {
+    /// Fixed points.
     pub points: Vec<DVec3>,
+    /// Fixed curves.
     pub polylines: Vec<Vec<DVec3>>,
 }
 
 impl Constraints {
+    /// Whether nothing is constrained.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.points.is_empty() && self.polylines.is_empty()
@@ -259,59 +385,69 @@ pub const LARGEST_COUNT: usize = 100_000_000;
 /// What a solve is asked for. [`Options::new`] gives the defaults; only the resolution has none.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    pub objective: Objective,
-    pub solver: Solver,
+    /// What is minimised, by which solver.
+    pub method: Method,
+    /// How fine the mesh is to be.
     pub resolution: Resolution,
+    /// Whether points may be added on the boundary.
     pub boundary_sampling: BoundarySampling,
+    /// The mesh that the solver starts from.
     pub initial_mesh: InitialMesh,
+    /// Points and curves inside the surface that stay where they are.
     pub constraints: Constraints,
-    /// The residual (dimensionless, see [`Statistics::residual`]) at which a surface counts as converged.
+    /// The residual (dimensionless, see [`Statistics::residual`](super::Statistics::residual)) at which a surface
+    /// counts as converged.
     pub tolerance: f64,
-    /// Relative change of area per iteration at which [`Solver::VertexRelaxation`] ends its area minimising (ε₂);
-    /// Liu and Wang's ε for [`Solver::LevenbergMarquardt`].
-    pub area_tolerance: f64,
-    /// The same for its Laplacian fairing (ε₁); `None`: as `area_tolerance`.
-    pub fairing_tolerance: Option<f64>,
-    /// Stages of [`Solver::VertexRelaxation`] in the caller's own order, each repeated until its tolerance; `None`: the paper's.
-    pub processes: Option<Vec<Vec<Process>>>,
-    pub on_unstable: OnUnstable,
     /// `None`: the solver's own default (10,000 sweeps of vertex relaxation, 200 linear solves, 500 steps of Levenberg
     /// and Marquardt).
     pub max_iterations: Option<u32>,
-    pub topology: Topology,
-    /// How [`Solver::PinkallPolthier`] solves its systems.
-    pub linear_solver: LinearSolver,
-    /// Triangles with an angle below this (radians) are removed by [`Solver::PinkallPolthier`] and under
-    /// [`Topology::Free`]; `None`: none is.
-    pub degenerate_angle: Option<f64>,
-    /// Which of the candidate points [`InitialMesh::Barycentres`] takes.
-    pub seed: u64,
-    /// Whether the boundary's vertices count in [`Objective::MinimalMeanCurvature`] (with their interior edges), as
-    /// Liu and Wang's do.
-    pub boundary_curvature: bool,
+}
+
+/// When every solver ends.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limits {
+    /// The residual at which the surface counts as converged.
+    pub tolerance: f64,
+    /// `None`: the solver's own default.
+    pub max_iterations: Option<u32>,
 }
 
 impl Options {
+    /// The default options at a resolution: least area by Newton's method, with the topology of the initial mesh.
     #[must_use]
     pub fn new(resolution: Resolution) -> Self {
         Self {
-            objective: Objective::default(),
-            solver: Solver::default(),
+            method: Method::default(),
             resolution,
             boundary_sampling: BoundarySampling::default(),
             initial_mesh: InitialMesh::default(),
             constraints: Constraints::default(),
             tolerance: 1e-6,
-            area_tolerance: 1e-6,
-            fairing_tolerance: None,
-            processes: None,
-            on_unstable: OnUnstable::default(),
             max_iterations: None,
-            topology: Topology::default(),
-            linear_solver: LinearSolver::default(),
-            degenerate_angle: Some(1f64.to_radians()),
-            seed: 1,
-            boundary_curvature: true,
+        }
+    }
+
+    pub(crate) fn limits(&self) -> Limits {
+        Limits { tolerance: self.tolerance, max_iterations: self.max_iterations }
+    }
+
+    /// Whether the result has the topology of the initial mesh.
+    pub(crate) fn keeps_topology(&self) -> bool {
+        match &self.method {
+            Method::Newton(newton) => newton.topology == TopologyRule::Fixed,
+            Method::PinkallPolthier(options) => !options.cut_necks,
+            Method::VertexRelaxation(_) | Method::Harmonic | Method::LiuWang(_) => true,
+        }
+    }
+
+    /// The barycentres' seed, if the initial mesh of so many boundaries is made of these.
+    pub(crate) fn barycentres(&self, boundaries: usize) -> Option<u64> {
+        match (&self.initial_mesh, &self.method) {
+            (InitialMesh::Barycentres { seed }, _) => Some(*seed),
+            (InitialMesh::Auto, Method::LiuWang(options)) if boundaries == 1 && self.constraints.is_empty() => {
+                Some(options.seed)
+            }
+            _ => None,
         }
     }
 
@@ -328,10 +464,17 @@ impl Options {
 
     pub(crate) fn check(&self) -> Vec<InputError> {
         let mut errors = Vec::new();
+        let (area_tolerance, fairing_tolerance, degenerate_angle) = match &self.method {
+            Method::Newton(Newton { topology: TopologyRule::Free(free), .. }) => (None, None, free.degenerate_angle),
+            Method::Newton(_) | Method::Harmonic => (None, None, None),
+            Method::VertexRelaxation(options) => (Some(options.area_tolerance), options.fairing_tolerance, None),
+            Method::PinkallPolthier(options) => (Some(options.area_tolerance), None, options.degenerate_angle),
+            Method::LiuWang(options) => (Some(options.tolerance), None, None),
+        };
         let positive = [
             ("tolerance", Some(self.tolerance)),
-            ("area_tolerance", Some(self.area_tolerance)),
-            ("fairing_tolerance", self.fairing_tolerance),
+            ("area_tolerance", area_tolerance),
+            ("fairing_tolerance", fairing_tolerance),
         ];
         for (name, value) in positive {
             if value.is_some_and(|value| !(value.is_finite() && value >= 0.0)) {
@@ -344,34 +487,16 @@ impl Options {
             let place = Place::field("resolution").then("edge_length");
             errors.push(InputError::new(place, "must be a finite number above 0"));
         }
-        let least_squares = self.objective == Objective::MinimalMeanCurvature;
-        if self.solver != Solver::Auto && (self.solver == Solver::LevenbergMarquardt) != least_squares {
-            let detail = format!("{} does not solve {}", self.solver.name(), self.objective.name());
-            errors.push(InputError::new(Place::field("solver"), detail));
-        }
-        let dirichlet = self.objective == Objective::MinimalDirichletEnergy;
-        if dirichlet && !matches!(self.solver, Solver::Auto | Solver::PinkallPolthier) {
-            let detail = format!("{} does not solve {}", self.solver.name(), self.objective.name());
-            errors.push(InputError::new(Place::field("solver"), detail));
-        }
-        if self.topology != Topology::Fixed
-            && (least_squares
-                || dirichlet
-                || matches!(self.solver, Solver::VertexRelaxation | Solver::LevenbergMarquardt)
-                || (self.solver == Solver::PinkallPolthier && self.topology == Topology::Best))
-        {
-            let detail = "is for the minimal area, under auto, newton and (free alone) pinkall_polthier";
-            errors.push(InputError::new(Place::field("topology"), detail));
-        }
-        if self.degenerate_angle.is_some_and(|angle| !(angle > 0.0 && angle <= LARGEST_DEGENERATE_ANGLE)) {
+        if degenerate_angle.is_some_and(|angle| !(angle > 0.0 && angle <= LARGEST_DEGENERATE_ANGLE)) {
             errors.push(InputError::new(Place::field("degenerate_angle"), "must be above 0 and at most 20 degrees"));
         }
         self.constraints.check(&mut errors);
-        if self.topology == Topology::Best && self.initial_mesh != InitialMesh::Auto {
+        let best = matches!(&self.method, Method::Newton(newton) if newton.topology == TopologyRule::Best);
+        if best && self.initial_mesh != InitialMesh::Auto {
             let detail = "best spans every set of boundaries by itself and takes auto alone";
             errors.push(InputError::new(Place::field("initial_mesh"), detail));
         }
-        if !self.constraints.is_empty() && self.topology != Topology::Fixed {
+        if !self.constraints.is_empty() && !self.keeps_topology() {
             let detail = "a film with fixed points or curves keeps its topology";
             errors.push(InputError::new(Place::field("topology"), detail));
         }
@@ -384,7 +509,7 @@ impl Options {
             let detail = format!("must be at most {LARGEST_COUNT}");
             errors.push(InputError::new(Place::field("resolution").then(name), detail));
         }
-        if let Some(stages) = &self.processes {
+        if let Method::VertexRelaxation(VertexRelaxation { processes: Some(stages), .. }) = &self.method {
             for (k, stage) in stages.iter().enumerate() {
                 if stage.iter().all(|process| *process == Process::EdgeSwapping) {
                     let place = Place::field("processes").at(k);

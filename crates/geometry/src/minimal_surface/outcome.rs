@@ -17,7 +17,9 @@ const RESOLUTION_TOLERANCE: f64 = 0.1;
 /// The mesh vertices of [`Constraints`], in their order; points added on curves are not listed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ConstraintVertices {
+    /// For each fixed point its vertex.
     pub points: Vec<u32>,
+    /// For each point of each fixed curve its vertex.
     pub polylines: Vec<Vec<u32>>,
 }
 
@@ -35,10 +37,12 @@ pub struct MinimalSurface {
     pub constraints: ConstraintVertices,
     /// Per vertex |area gradient| / (2/3 of the ring's area), in 1/unit; 0 where the vertex is fixed.
     pub mean_curvature: Vec<f64>,
-    /// For an unstable surface the direction in which to leave it: per vertex the lowest mode of its second variation, along the
-    /// normal, the largest of length 1. Either sign lowers the area.
-    pub way_down: Option<Vec<DVec3>>,
+    /// For an unstable surface the direction in which to leave it: per vertex the lowest mode of its second variation,
+    /// along the normal, the largest of length 1. Either sign lowers the area.
+    pub unstable_mode: Option<Vec<DVec3>>,
+    /// What is known about the surface.
     pub statistics: Statistics,
+    /// What the caller should know besides.
     pub warnings: Vec<Warning>,
 }
 
@@ -100,11 +104,11 @@ pub(super) fn finish(
     options: &Options,
 ) -> Result<MinimalSurface, Error> {
     run.pinches.iter_mut().for_each(|pinch| pinch.place += input.centre);
-    let mut way_down = run.way_down.take();
+    let mut unstable_mode = run.unstable_mode.take();
     let film = match film.boundary_first(input.point_count()) {
         None => film,
         Some(place) => {
-            way_down = way_down.map(|direction| {
+            unstable_mode = unstable_mode.map(|direction| {
                 let mut moved = vec![DVec3::ZERO; direction.len()];
                 direction.iter().zip(&place).for_each(|(&direction, &v)| moved[v as usize] = direction);
                 moved
@@ -157,7 +161,7 @@ pub(super) fn finish(
         input_vertices: input.vertices,
         constraints,
         mean_curvature: measured.mean_curvature,
-        way_down,
+        unstable_mode,
         statistics,
         warnings,
     })

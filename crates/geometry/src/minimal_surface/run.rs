@@ -19,17 +19,23 @@ pub enum StopReason {
     NothingToMove,
     /// The objective, its gradient or the step's length fell below Liu and Wang's criteria.
     ObjectiveChange,
+    /// The same for the gradient.
     Gradient,
+    /// The same for the length of the step.
     StepLength,
+    /// The allowed iterations are used up.
     MaxIterations,
-    /// No step gains any more, although the residual is above the tolerance: a fold is in the way, or rounding is reached.
+    /// No step gains any more, although the residual is above the tolerance: a fold is in the way, or rounding is
+    /// reached.
     Stalled,
     /// A part of the mesh has shrunk so far that its linear system has no trustworthy solution.
     Collapsed,
+    /// The caller's deadline passed.
     Deadline,
 }
 
 impl StopReason {
+    /// A stable name in snake case.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -52,9 +58,13 @@ impl StopReason {
 /// One iteration as it is remembered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HistoryRow {
+    /// What the solver was doing.
     pub phase: &'static str,
+    /// The number of the iteration, from 1.
     pub iteration: u32,
+    /// Area after it, in u².
     pub area: f64,
+    /// Residual after it.
     pub residual: f64,
 }
 
@@ -67,6 +77,7 @@ pub struct Stability {
     pub morse_index: usize,
     /// Lowest eigenvalue against the lumped mass, in 1/unit².
     pub lowest_eigenvalue: f64,
+    /// Where the index comes from.
     pub method: StabilityMethod,
 }
 
@@ -75,12 +86,13 @@ pub struct Stability {
 pub enum StabilityMethod {
     /// The signs of the pivots of a factorisation: exact.
     Inertia,
-    /// The lowest eigenvalue, by preconditioned iteration: on meshes too large to factorise in good time, and then only where
-    /// it is positive, so that the index is 0.
+    /// The lowest eigenvalue, by preconditioned iteration: on meshes too large to factorise in good time, and then only
+    /// where it is positive, so that the index is 0.
     Eigenvalue,
 }
 
 impl StabilityMethod {
+    /// A stable name in snake case.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -93,6 +105,7 @@ impl StabilityMethod {
 /// An area extrapolated to edges of length zero, in u².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExtrapolatedArea {
+    /// The limit, in u².
     pub area: f64,
     /// How far that may be off: its distance from the finer of the two areas it comes from.
     pub error_estimate: f64,
@@ -128,8 +141,8 @@ pub struct SpanningComparison {
     pub topologies: Vec<SpanningTopology>,
     /// Whether a film that connects all boundaries holds.
     pub connected_film_exists: bool,
-    /// Of two boundaries without a connected film: the largest fraction of their gap, along the line of their centroids, at
-    /// which one holds, to within 0.001. `None` if there is no gap or none was found.
+    /// Of two boundaries without a connected film: the largest fraction of their gap, along the line of their
+    /// centroids, at which one holds, to within 0.001. `None` if there is no gap or none was found.
     pub largest_gap_fraction: Option<f64>,
 }
 
@@ -144,7 +157,7 @@ pub(crate) struct Run {
     pub pinches: Vec<Pinch>,
     pub stability: Option<Stability>,
     /// Per vertex the lowest mode of an unstable film.
-    pub way_down: Option<Vec<DVec3>>,
+    pub unstable_mode: Option<Vec<DVec3>>,
     pub extrapolated_area: Option<ExtrapolatedArea>,
     /// Where the objective is not the area.
     pub objective_value: Option<f64>,
@@ -163,7 +176,7 @@ impl Run {
             edges_swapped: 0,
             pinches: Vec::new(),
             stability: None,
-            way_down: None,
+            unstable_mode: None,
             extrapolated_area: None,
             objective_value: None,
             spanning: None,

@@ -13,53 +13,78 @@ use crate::remesh::thin_triangles::Pinch;
 /// Mean curvature over the vertices that are free to move, in 1/unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MeanCurvature {
+    /// The largest.
     pub max: f64,
+    /// The mean.
     pub mean: f64,
+    /// The root of the mean square.
     pub rms: f64,
 }
 
 /// Everything that is reported about a minimal surface. Lengths in the caller's unit u, areas in u², angles in radians.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statistics {
+    /// What was minimised.
     pub objective: Objective,
+    /// Its value, in the objective's unit.
     pub objective_value: f64,
-    /// The solver that ran (never [`Solver::Auto`]).
+    /// The solver that ran.
     pub solver: Solver,
     /// The initial mesh that was built (never "auto").
     pub initial_mesh: InitialMeshKind,
+    /// Number of vertices.
     pub vertices: usize,
+    /// Number of triangles.
     pub triangles: usize,
+    /// Number of boundary loops.
     pub boundary_loops: usize,
+    /// Number of connected components.
     pub components: usize,
+    /// Vertices minus edges plus triangles.
     pub euler_characteristic: i64,
     /// Total genus of the components; `None` for films with junctions, which are no manifolds.
     pub genus: Option<i64>,
+    /// Area of the mesh, in u².
     pub area: f64,
+    /// Area of the initial mesh, in u².
     pub initial_area: f64,
-    /// The area of the smooth surface on the same polygon, from this mesh and one of twice or half its edges. For stable surfaces of the
-    /// default solver: up to 10,000 triangles always, above where the boundary's points leave room for a coarser mesh.
+    /// The area of the smooth surface on the same polygon, from this mesh and one of twice or half its edges. For
+    /// stable surfaces of the default solver: up to 10,000 triangles always, above where the boundary's points leave
+    /// room for a coarser mesh.
     pub extrapolated_area: Option<ExtrapolatedArea>,
+    /// Mean curvature over the vertices that are free to move.
     pub mean_curvature: MeanCurvature,
-    /// max over the free vertices of H⊥ R: H⊥ = |g·n| / (2 A_h), g the area gradient, n the vertex normal, A_h a third of
-    /// the ring's area, R the largest distance of a boundary vertex from their mean. Dimensionless.
+    /// max over the free vertices of H⊥ R: H⊥ = |g·n| / (2 A_h), g the area gradient, n the vertex normal, A_h a third
+    /// of the ring's area, R the largest distance of a boundary vertex from their mean. Dimensionless.
     pub residual: f64,
     /// The same with the whole gradient, tangential part included.
     pub residual_full: f64,
     /// residual <= tolerance, and no triangle flipped or degenerate.
     pub converged: bool,
+    /// Why the solver stopped.
     pub stop_reason: StopReason,
+    /// Number of iterations.
     pub iterations: u32,
-    /// One row per iteration; of long runs every iteration to 100, every 10th to 1000, every 100th beyond, and the last.
+    /// One row per iteration; of long runs every iteration to 100, every 10th to 1000, every 100th beyond, and the
+    /// last.
     pub history: Vec<HistoryRow>,
+    /// The second variation of area; `None` where it was not computed.
     pub stability: Option<Stability>,
+    /// Lengths of all edges.
     pub edge_lengths: Spread,
+    /// Smallest inner angle of a triangle, radians.
     pub smallest_angle: f64,
+    /// Largest inner angle of a triangle, radians.
     pub largest_angle: f64,
+    /// Number of edges that were flipped on the way.
     pub edges_swapped: u64,
+    /// Number of triangles whose normal points against those of their vertices.
     pub flipped_triangles: usize,
+    /// Number of triangles whose least altitude vanishes beside their longest edge.
     pub degenerate_triangles: usize,
+    /// Changes of topology, in order.
     pub pinches: Vec<Pinch>,
-    /// Under [`Topology::Best`](super::Topology::Best): the films over the boundaries that were compared.
+    /// Under [`TopologyRule::Best`](super::TopologyRule::Best): the films over the boundaries that were compared.
     pub spanning: Option<SpanningComparison>,
     /// Of a film with junctions: sheets that meet three by three along curves.
     pub junctions: Option<JunctionStatistics>,
@@ -107,7 +132,7 @@ pub(super) fn collect(
     let degenerate_triangles = measure::degenerate_triangles(&mesh);
     let Origin { kind, initial_area, run } = origin;
     Statistics {
-        objective: options.objective,
+        objective: options.method.objective(),
         objective_value: run.objective_value.unwrap_or(area),
         solver: run.solver,
         initial_mesh: kind,

@@ -20,7 +20,7 @@ mod variation;
 pub(super) use sheets::has_junctions;
 
 use super::initial_mesh::InitialMeshKind;
-use super::options::{Objective, Options, Solver, Topology};
+use super::options::{Method, Objective, Options, Solver};
 use super::outcome::{ConstraintVertices, MinimalSurface};
 use super::run::{HistoryRow, StopReason};
 use super::statistics::{MeanCurvature, Statistics};
@@ -121,7 +121,7 @@ pub(super) fn solve(
         boundaries: wires.loops,
         constraints: ConstraintVertices::default(),
         mean_curvature: pulls.mean_curvature,
-        way_down: None,
+        unstable_mode: None,
         statistics,
         warnings,
     })
@@ -166,10 +166,11 @@ fn check_options(options: &Options) -> Result<(), Error> {
     let mut refuse = |refused: bool, field: &'static str, detail: &str| {
         errors.extend(refused.then(|| InputError::new(Place::field(field), detail)));
     };
-    let solver = !matches!(options.solver, Solver::Auto | Solver::Newton);
+    let objective = options.method.objective();
+    let solver = objective == Objective::MinimalArea && !matches!(options.method, Method::Newton(_));
     refuse(solver, "solver", "a film with junctions is solved by newton");
-    refuse(options.objective != Objective::MinimalArea, "objective", "a film with junctions takes minimal_area");
-    refuse(options.topology != Topology::Fixed, "topology", "a film with junctions keeps its topology");
+    refuse(objective != Objective::MinimalArea, "objective", "a film with junctions takes minimal_area");
+    refuse(!options.keeps_topology(), "topology", "a film with junctions keeps its topology");
     refuse(!options.constraints.is_empty(), "constraints", "a film with junctions takes no fixed points or curves");
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
 }
@@ -623,7 +624,7 @@ fn collect(
     let degenerate_triangles = measure::degenerate_triangles(&mesh);
     let balanced = pulls.residual <= options.tolerance && junctions.residual <= options.tolerance;
     Statistics {
-        objective: options.objective,
+        objective: options.method.objective(),
         objective_value: area,
         solver: Solver::Newton,
         initial_mesh: InitialMeshKind::Given,

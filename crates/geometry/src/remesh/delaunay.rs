@@ -12,8 +12,8 @@ const FLIPS_PER_EDGE: usize = 10;
 
 /// Flips every edge whose opposite angles sum to more than π, as long as there are any; the number of flips.
 ///
-/// The two triangles must not fold by a right angle or more, before or after. In the plane the result is the (constrained)
-/// Delaunay triangulation. One pass over all edges and then only around what was flipped.
+/// The two triangles must not fold by a right angle or more, before or after. In the plane the result is the
+/// (constrained) Delaunay triangulation. One pass over all edges and then only around what was flipped.
 pub(crate) fn flip_to_delaunay(film: &mut Film) -> u64 {
     let count = film.topology.twin.len() as u32;
     let mut queue: Vec<u32> = (0..count).rev().filter(|&h| film.topology.twin[h as usize] > h).collect();
@@ -69,7 +69,8 @@ fn wants_flip(film: &Film, h: u32) -> bool {
 
 /// Moves each free vertex within its tangent plane towards the area-weighted centroid of its ring, `rounds` times.
 ///
-/// Vertex by vertex in index order; a move that would turn a triangle of the ring by a right angle is halved, twice, and then left out.
+/// Vertex by vertex in index order; a move that would turn a triangle of the ring by a right angle is halved, twice,
+/// and then left out.
 pub(crate) fn tangential_relaxation(film: &mut Film, rounds: u32) {
     for _ in 0..rounds {
         for v in 0..film.vertices.len() as u32 {

@@ -5,20 +5,22 @@
 //! so that they share no triangle (no neighbourhood), so that a pass is one rebuild of the triangle list.
 
 use super::delaunay::{flip_to_delaunay, tangential_relaxation};
+use crate::mesh::edit::may_collapse;
 use crate::mesh::film::Film;
 use crate::mesh::measure::double_area_vector;
 use crate::mesh::topology::{NONE, Topology};
 use crate::{DVec3, Execution, Interruption};
 
-/// Edges longer than this times the size at their ends are split: at √2 both halves are as far below it as the whole was above.
+/// Edges longer than this times the size at their ends are split: at √2 both halves are as far below it as the whole
+/// was above.
 const LONG: f64 = std::f64::consts::SQRT_2;
 /// Edges shorter than this times the size are collapsed.
 const SHORT: f64 = 0.7;
 /// Sizes grow by this per length, or faster where the boundary's spacing would make too many triangles.
 const GRADING: f64 = 0.3;
 const STEEPEST_GRADING: f64 = 5.0;
-/// An edge that cannot be split keeps the sizes beside it at this share of its length at least, falling by so much per length
-/// (or faster, where too few triangles would be left for the rest): no fan of needles starts there.
+/// An edge that cannot be split keeps the sizes beside it at this share of its length at least, falling by so much per
+/// length (or faster, where too few triangles would be left for the rest): no fan of needles starts there.
 const FLOOR: f64 = 0.8;
 const FALL: f64 = 0.5;
 const STEEPEST_FALL: f64 = 4.0;
@@ -33,15 +35,15 @@ const CLOSE_ENOUGH: f64 = 0.03;
 
 /// What may happen to the boundary's own edges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Rim {
+pub(crate) enum BoundaryEdges {
     /// Long ones are split; the new vertices are fixed and stand on the segments.
     Refined,
     Kept,
 }
 
 /// Brings the film's triangles to about `count`, of even size away from the boundary. Fixed vertices and
-/// locked edges stay, and the boundary as `rim` says. Vertices that are not fixed are numbered afresh. Each of at most `passes` passes splits, collapses, flips
-/// and relaxes once.
+/// locked edges stay, and the boundary as `boundary_edges` says. Vertices that are not fixed are numbered afresh. Each
+/// of at most `passes` passes splits, collapses, flips and relaxes once.
 ///
 /// # Errors
 /// The interruptions of `exec`; the film is valid then too.
@@ -49,14 +51,14 @@ pub(crate) fn resample(
     film: &mut Film,
     count: f64,
     passes: u32,
-    rim: Rim,
+    boundary_edges: BoundaryEdges,
     exec: &Execution,
 ) -> Result<(), Interruption> {
     let (mut aim, mut before) = (count, film.triangles().len() as f64);
     let most = RUNAWAY * count.max(before);
     for _ in 0..passes {
         let size = sizes(film, aim);
-        split_long(film, &size, rim);
+        split_long(film, &size, boundary_edges);
         let size = sizes(film, aim);
         collapse_short(film, &size);
         for _ in 0..2 {
@@ -187,7 +189,8 @@ fn graded_floor(film: &Film, fall: f64) -> Vec<f64> {
     floor
 }
 
-/// Offers every edge, in both directions, until nothing changes any more: a few sweeps to and fro, as sizes need not travel far.
+/// Offers every edge, in both directions, until nothing changes any more: a few sweeps to and fro, as sizes need not
+/// travel far.
 fn spread(film: &Film, mut offer: impl FnMut(usize, usize, f64) -> bool) {
     let topology = &film.topology;
     for sweep in 0..50 {
@@ -225,10 +228,13 @@ fn graded_spacing(film: &Film, grading: f64) -> Vec<f64> {
 }
 
 /// Half-edges (one per edge) sorted by a key, largest first, where it is above 1.
-fn ranked(film: &Film, rim: Rim, key: impl Fn(u32) -> f64) -> Vec<u32> {
+fn ranked(film: &Film, boundary_edges: BoundaryEdges, key: impl Fn(u32) -> f64) -> Vec<u32> {
     let topology = &film.topology;
     let mut ranked: Vec<(f64, u32)> = (0..topology.twin.len() as u32)
-        .filter(|&h| topology.twin[h as usize] > h && (rim == Rim::Refined || topology.twin[h as usize] != NONE))
+        .filter(|&h| {
+            topology.twin[h as usize] > h
+                && (boundary_edges == BoundaryEdges::Refined || topology.twin[h as usize] != NONE)
+        })
         .map(|h| (key(h), h))
         .filter(|&(key, _)| key > 1.0)
         .collect();
@@ -245,11 +251,11 @@ fn size_at(film: &Film, size: &[f64], h: u32) -> f64 {
 }
 
 /// Splits edges that are too long, longest (for its size) first, no two of one triangle.
-fn split_long(film: &mut Film, size: &[f64], rim: Rim) {
-    let edges = ranked(film, rim, |h| length(film, h) / (LONG * size_at(film, size, h)));
+fn split_long(film: &mut Film, size: &[f64], boundary_edges: BoundaryEdges) {
+    let edges = ranked(film, boundary_edges, |h| length(film, h) / (LONG * size_at(film, size, h)));
     let mut taken = vec![false; film.triangles().len()];
     let mut triangles = film.triangles().to_vec();
-    let mut on_rim: Vec<([u32; 2], u32)> = Vec::new();
+    let mut on_boundary: Vec<([u32; 2], u32)> = Vec::new();
     for h in edges {
         let twin = film.topology.twin[h as usize];
         let (a, b) = (film.topology.from(h), film.topology.to(h));
@@ -261,7 +267,7 @@ fn split_long(film: &mut Film, size: &[f64], rim: Rim) {
         film.vertices.push(0.5 * (film.vertices[a as usize] + film.vertices[b as usize]));
         film.fixed.push(twin == NONE);
         if twin == NONE {
-            on_rim.push(([a.min(b), a.max(b)], middle));
+            on_boundary.push(([a.min(b), a.max(b)], middle));
         }
         for (half, from, to) in [(h, a, b), (twin, b, a)] {
             if half != NONE {
@@ -272,15 +278,15 @@ fn split_long(film: &mut Film, size: &[f64], rim: Rim) {
             }
         }
     }
-    on_rim.sort_unstable();
-    if !on_rim.is_empty() {
+    on_boundary.sort_unstable();
+    if !on_boundary.is_empty() {
         for boundary in &mut film.boundaries {
             let mut longer = Vec::with_capacity(2 * boundary.len());
             for (k, &a) in boundary.iter().enumerate() {
                 let b = boundary[(k + 1) % boundary.len()];
                 longer.push(a);
-                if let Ok(found) = on_rim.binary_search_by_key(&[a.min(b), a.max(b)], |(ends, _)| *ends) {
-                    longer.push(on_rim[found].1);
+                if let Ok(found) = on_boundary.binary_search_by_key(&[a.min(b), a.max(b)], |(ends, _)| *ends) {
+                    longer.push(on_boundary[found].1);
                 }
             }
             *boundary = longer;
@@ -291,7 +297,8 @@ fn split_long(film: &mut Film, size: &[f64], rim: Rim) {
 
 /// Collapses edges that are too short, shortest first, in places that do not touch.
 fn collapse_short(film: &mut Film, size: &[f64]) {
-    let edges = ranked(film, Rim::Kept, |h| SHORT * size_at(film, size, h) / length(film, h).max(f64::MIN_POSITIVE));
+    let edges =
+        ranked(film, BoundaryEdges::Kept, |h| SHORT * size_at(film, size, h) / length(film, h).max(f64::MIN_POSITIVE));
     let mut touched = vec![false; film.vertices.len()];
     let mut gone: Vec<Option<u32>> = vec![None; film.vertices.len()];
     for h in edges {
@@ -310,7 +317,7 @@ fn collapse_short(film: &mut Film, size: &[f64]) {
         let near = || ring(a).chain(ring(b)).chain([a, b]);
         if film.fixed[leaves as usize]
             || near().any(|v| touched[v as usize])
-            || !can_collapse(film, leaves, stays, h)
+            || !may_collapse(&film.topology, leaves, stays)
             || ![(leaves, stays), (stays, leaves)].iter().all(|&(v, other)| keeps_shape(film, size, v, other, meeting))
         {
             continue;
@@ -348,18 +355,6 @@ fn collapse_short(film: &mut Film, size: &[f64]) {
     film.topology = Topology::build(&triangles, kept as usize).expect("the link condition keeps a manifold");
 }
 
-/// The link condition: the ends have no common neighbour but the two opposite vertices, and an inner edge does not join
-/// two boundary vertices. `from` is free, hence inside, so that its outgoing half-edges reach all its neighbours.
-fn can_collapse(film: &Film, from: u32, to: u32, h: u32) -> bool {
-    let topology = &film.topology;
-    let opposite = [topology.opposite(h), topology.opposite(topology.twin[h as usize])];
-    let mut common =
-        topology.outgoing_half_edges(from).map(|e| topology.to(e)).filter(|&v| v != to && topology.are_adjacent(v, to));
-    opposite[0] != opposite[1]
-        && common.all(|v| opposite.contains(&v))
-        && opposite.iter().all(|&v| topology.outgoing_half_edges(v).count() > 3 || topology.is_boundary(v))
-}
-
 /// Whether the triangles of `v` without `other` stay upright, and their edges short enough, when `v` moves to `place`.
 fn keeps_shape(film: &Film, size: &[f64], v: u32, other: u32, place: DVec3) -> bool {
     let topology = &film.topology;
@@ -382,24 +377,6 @@ fn keeps_shape(film: &Film, size: &[f64], v: u32, other: u32, place: DVec3) -> b
 mod tests {
     use super::*;
     use crate::mesh::measure;
-
-    /// Once such an edge was taken away, and two triangles stood on one another.
-    #[test]
-    fn an_edge_whose_ends_share_a_neighbour_around_a_corner_stays() {
-        let at = |x: f64, y: f64| DVec3::new(x, y, 0.0);
-        let (corners, inner) =
-            ([at(0.0, 0.0), at(4.0, 0.0), at(4.0, 4.0), at(0.0, 4.0)], [at(2.0, 1.5), at(0.5, 1.2), at(0.8, 2.0)]);
-        // The corner 0 and the vertex 4 have the neighbour 3 in common, and two vertices in the triangle between.
-        let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [0, 4, 5], [0, 5, 3], [5, 4, 6], [4, 3, 6], [5, 6, 3]];
-        let film = Film::new([&corners[..], &inner].concat(), &triangles, Vec::new()).unwrap();
-        let topology = &film.topology;
-        for [from, to] in [[0, 4], [4, 0]] {
-            let h = topology.outgoing_half_edges(from).find(|&h| topology.to(h) == to).unwrap();
-            assert!(!can_collapse(&film, 4, 0, h));
-        }
-        let h = topology.outgoing_half_edges(4).find(|&h| topology.to(h) == 6).unwrap();
-        assert!(can_collapse(&film, 6, 4, h));
-    }
 
     /// A flat strip, ten times as long as it is wide, its inner vertices crowded towards one side.
     fn strip() -> Film {
@@ -430,7 +407,7 @@ mod tests {
         let start = strip();
         for count in [320.0, 900.0] {
             let mut film = start.clone();
-            resample(&mut film, count, 12, Rim::Kept, &Execution::default()).unwrap();
+            resample(&mut film, count, 12, BoundaryEdges::Kept, &Execution::default()).unwrap();
             let mesh = film.mesh();
             mesh.check().unwrap();
             assert_eq!(measure::flipped_triangles(&mesh), 0);
@@ -453,18 +430,20 @@ mod tests {
 
     #[test]
     fn a_coarse_boundary_is_split_where_it_may_be_and_has_larger_triangles_where_not() {
-        for (rim, count, least_angle) in [(Rim::Refined, 600.0, 25.0), (Rim::Kept, 60.0, 7.0)] {
+        for (boundary_edges, count, least_angle) in
+            [(BoundaryEdges::Refined, 600.0, 25.0), (BoundaryEdges::Kept, 60.0, 7.0)]
+        {
             let mut film = coarse_square();
-            resample(&mut film, count, 20, rim, &Execution::default()).unwrap();
+            resample(&mut film, count, 20, boundary_edges, &Execution::default()).unwrap();
             let mesh = film.mesh();
             mesh.check().unwrap();
             assert!((film.area() - 1.0).abs() < 1e-12 && measure::flipped_triangles(&mesh) == 0);
             let reached = film.triangles().len() as f64;
-            assert!((reached / count - 1.0).abs() < 0.1, "{rim:?}: {reached}");
+            assert!((reached / count - 1.0).abs() < 0.1, "{boundary_edges:?}: {reached}");
             let smallest = measure::angle_range(&mesh).0.to_degrees();
-            assert!(smallest > least_angle, "{rim:?}: {smallest}");
+            assert!(smallest > least_angle, "{boundary_edges:?}: {smallest}");
             let boundary = &film.boundaries[0];
-            assert_eq!(boundary.len() == 4, rim == Rim::Kept);
+            assert_eq!(boundary.len() == 4, boundary_edges == BoundaryEdges::Kept);
             for (k, &a) in boundary.iter().enumerate() {
                 assert!(film.fixed[a as usize] && film.topology.is_boundary(a));
                 assert!(film.topology.are_adjacent(a, boundary[(k + 1) % boundary.len()]));

@@ -4,8 +4,8 @@ use crate::DVec3;
 use crate::mesh::film::Film;
 use crate::mesh::topology::{NONE, Topology, next, previous};
 
-/// Splits every triangle into four. New vertices follow the old ones and stand in the middle of their edge; for each the
-/// ends of that edge are returned, so that values can be carried between the two meshes.
+/// Splits every triangle into four. New vertices follow the old ones and stand in the middle of their edge; for each
+/// the ends of that edge are returned, so that values can be carried between the two meshes.
 ///
 /// On the boundary, and on locked edges, the middle is a new fixed vertex.
 pub(crate) fn subdivide(film: &Film) -> (Film, Vec<[u32; 2]>) {
@@ -53,7 +53,8 @@ fn previous_on_boundary(topology: &Topology, vertex: u32) -> u32 {
     topology.outgoing_half_edges(vertex).last().map_or(NONE, previous)
 }
 
-/// As [`Topology::subdivided`], but boundary edges for which `splits` is false stay whole: the triangles behind them are cut in three or two.
+/// As [`Topology::subdivided`], but boundary edges for which `splits` is false stay whole: the triangles behind them
+/// are cut in three or two.
 pub(crate) fn subdivided_inside(
     topology: &Topology,
     vertices: &[DVec3],
@@ -80,7 +81,8 @@ pub(crate) fn subdivided_inside(
     };
     let mut triangles = Vec::with_capacity(4 * topology.triangles().len());
     for t in 0..topology.triangles().len() {
-        // The outline with its midpoints; ears at the corners between two midpoints are cut off, the rest is cut by its shorter diagonals.
+        // The outline with its midpoints; ears at the corners between two midpoints are cut off, the rest is cut by its
+        // shorter diagonals.
         let h = 3 * t as u32;
         let mut whole = [h, next(h), previous(h)].into_iter().filter(|&h| middle[h as usize] == NONE);
         let first = whole.next();

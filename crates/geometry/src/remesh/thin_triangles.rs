@@ -10,9 +10,9 @@
 //! either side closed with a triangle, which (a) then removes. A component without a boundary is removed.
 //!
 //! Our departures, each so that the rules end:
-//! - Thinnest triangle first; a flip must make the smallest angle of its two triangles larger. Their Fig. 4 is the order
-//!   in which unguarded flips undo each other for ever. Now every step either lowers the number of triangles, or raises
-//!   the angles, or cuts; and a surface over k loops can be cut only so often.
+//! - Thinnest triangle first; a flip must make the smallest angle of its two triangles larger. Their Fig. 4 is the
+//!   order in which unguarded flips undo each other for ever. Now every step either lowers the number of triangles, or
+//!   raises the angles, or cuts; and a surface over k loops can be cut only so often.
 //! - An angle near 180° opposite an edge that cannot be flipped (a boundary edge, or the other diagonal exists):
 //!   its vertex moves into the nearer end of that edge.
 //! - Fixed vertices stay; of two, none moves.
@@ -30,7 +30,9 @@ use surgery::Surgery;
 /// A change of topology: where a neck closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pinch {
+    /// The iteration in which it happened, from 1.
     pub iteration: u32,
+    /// Where it happened.
     pub place: DVec3,
     /// What happened there: `split` (a component became two), `handle_cut` (it stayed one), `closed_component_removed`.
     pub what: &'static str,
@@ -80,7 +82,8 @@ impl Ord for Angle {
 }
 
 /// Applies the rules to every triangle with an angle below `degenerate_angle` (radians) until none is left to which one
-/// applies. The film stays an oriented manifold over the same boundary loops; interior vertices may vanish or be doubled.
+/// applies. The film stays an oriented manifold over the same boundary loops; interior vertices may vanish or be
+/// doubled.
 ///
 /// Free where no triangle is below the threshold; else O(triangles + changes · log).
 pub(crate) fn remove_degenerate_triangles(film: &mut Film, degenerate_angle: f64, necks: Necks) -> Changes {
@@ -226,7 +229,8 @@ impl Rules<'_> {
         done
     }
 
-    /// Where the vertex goes that a and b become: a fixed a stays; else the middle, or the end that turns fewer triangles over.
+    /// Where the vertex goes that a and b become: a fixed a stays; else the middle, or the end that turns fewer
+    /// triangles over.
     fn place_for(&self, a: u32, b: u32) -> DVec3 {
         let (from, to) = (self.surgery.vertices[a as usize], self.surgery.vertices[b as usize]);
         if self.surgery.fixed[a as usize] {

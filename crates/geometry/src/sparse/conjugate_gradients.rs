@@ -17,8 +17,9 @@ pub enum CgFailure {
 
 /// Improves `x` until `is_small` accepts the residual b - A x; returns the number of iterations.
 ///
-/// `precondition` writes an approximation of A⁻¹ r, symmetric and positive definite in r, into its second argument; copying r
-/// there is the method without preconditioner. One product with the matrix and one look at `exec` an iteration.
+/// `precondition` writes an approximation of A⁻¹ r, symmetric and positive definite in r, into its second argument;
+/// copying r there is the method without preconditioner. One product with the matrix and one look at `exec` an
+/// iteration.
 ///
 /// # Errors
 /// See [`CgFailure`]; `x` is then the last iterate.

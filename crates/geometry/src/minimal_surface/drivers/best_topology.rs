@@ -1,12 +1,13 @@
 //! Which film over several boundaries has the least area? Every way to span them is solved, and the areas compared.
 //!
-//! 1. Each non-empty set of boundaries is spanned by one connected film (a disc, an annulus, a sphere with holes) and solved by the
-//!    default solver, descending where it is unstable. It *holds* if it converged to a stable film without a fold.
-//! 2. A spanning topology is a partition of the boundaries: one connected film for each of its sets. Its area is the sum;
-//!    its Morse index too. Partitions with a set that does not hold are listed without an area.
+//! 1. Each non-empty set of boundaries is spanned by one connected film (a disc, an annulus, a sphere with holes) and
+//!    solved by the default solver, descending where it is unstable. It *holds* if it converged to a stable film
+//!    without a fold.
+//! 2. A spanning topology is a partition of the boundaries: one connected film for each of its sets. Its area is the
+//!    sum; its Morse index too. Partitions with a set that does not hold are listed without an area.
 //! 3. The least area is returned, the others are listed.
-//! 4. Two boundaries whose connected film does not hold are moved together along the line of their centroids until it does,
-//!    and apart again from film to film in ever shorter steps: the largest fraction of the gap at which one holds
+//! 4. Two boundaries whose connected film does not hold are moved together along the line of their centroids until it
+//!    does, and apart again from film to film in ever shorter steps: the largest fraction of the gap at which one holds
 //!    (or, if the way leads back to the full gap, that film).
 //!
 //! The films of one partition are solved each by itself: they may pass through each other, which is reported.
@@ -15,12 +16,12 @@ use crate::error::Warning;
 use crate::mesh::crossing::films_cross;
 use crate::mesh::film::Film;
 use crate::minimal_surface::initial_mesh::{self, InitialMeshKind};
-use crate::minimal_surface::options::{OnUnstable, Options, Resolution, Solver, Topology};
+use crate::minimal_surface::options::{Method, Newton, OnUnstable, Options, Resolution, Solver, TopologyRule};
 use crate::minimal_surface::run::{Run, SpanningComparison, SpanningTopology, Stability, StabilityMethod, StopReason};
 use crate::minimal_surface::solvers::newton;
 use crate::{DVec3, Error, Execution, Interruption, Place, polyline};
 
-/// Boundaries that [`Topology::Best`] compares at most: there are 2ⁿ - 1 films to solve and 203 partitions of six.
+/// Boundaries that [`TopologyRule::Best`] compares at most: there are 2ⁿ - 1 films to solve and 203 partitions of six.
 pub(crate) const MOST_BOUNDARIES: usize = 6;
 /// The fraction of the gap is found to within this.
 const GAP_RESOLUTION: f64 = 1e-3;
@@ -45,7 +46,8 @@ impl SpanningComparison {
     }
 }
 
-/// What [`solve`] found: the least film, how the mesh of its first part was made, its initial area, the run with the comparison.
+/// What [`solve`] found: the least film, how the mesh of its first part was made, its initial area, the run with the
+/// comparison.
 pub(crate) type Solved = (Film, InitialMeshKind, f64, Run);
 
 /// One connected film over a set of boundaries.
@@ -64,8 +66,8 @@ impl Part {
     }
 }
 
-/// Steps 1 to 4 for centred boundaries. Discs that do not hold (a knotted boundary, a deadline) are kept as what they are, so that
-/// there is always an answer; connected films are not.
+/// Steps 1 to 4 for centred boundaries. Discs that do not hold (a knotted boundary, a deadline) are kept as what they
+/// are, so that there is always an answer; connected films are not.
 ///
 /// # Errors
 /// [`Error::Input`] for more than [`MOST_BOUNDARIES`] boundaries, and what a single boundary's disc may fail with.
@@ -92,7 +94,8 @@ pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
             }
             Err(Error::Interrupted(Interruption::DeadlinePassed)) if set.count_ones() > 1 => interrupted = true,
             Err(error @ Error::NoResult { .. }) if set.count_ones() == 1 => return Err(error),
-            // Several boundaries that no initial mesh connects (touching ones, too coarse a resolution) have no such film.
+            // Several boundaries that no initial mesh connects (touching ones, too coarse a resolution) have no such
+            // film.
             Err(Error::NoResult { .. } | Error::Input(_)) if set.count_ones() > 1 => {}
             Err(error) => return Err(error),
         }
@@ -239,7 +242,12 @@ impl Search<'_> {
             Resolution::InteriorVertices(count) => Resolution::InteriorVertices(share(count)),
             length @ Resolution::EdgeLength(_) => length,
         };
-        Options { resolution, topology: Topology::Fixed, on_unstable: OnUnstable::Descend, ..self.options.clone() }
+        let method = Method::Newton(Newton { topology: TopologyRule::Fixed, on_unstable: OnUnstable::Descend });
+        Options { resolution, method, ..self.options.clone() }
+    }
+
+    fn task(&self) -> newton::Task {
+        newton::Task { limits: self.options.limits(), on_unstable: OnUnstable::Descend, given: false }
     }
 
     /// Step 1 for one set.
@@ -253,7 +261,7 @@ impl Search<'_> {
         let (start, kind) = initial_mesh::build(boundaries, &options, exec)?;
         let mut film = start.refined(exec)?;
         let initial_area = film.area();
-        let run = newton::run(&mut film, &options, exec)?;
+        let run = newton::run(&mut film, self.task(), exec)?;
         Ok(Part { film, kind, initial_area, run })
     }
 
@@ -282,12 +290,11 @@ impl Search<'_> {
             }
         }
         let Some((mut fraction, mut part)) = held else { return Ok(Widest::NotFound) };
-        let options = self.options_for(self.boundaries);
         let mut step = 0.5 * (1.0 - fraction);
         while step > 0.5 * GAP_RESOLUTION {
             let tried = f64::min(fraction + step, 1.0);
             let mut film = moved_apart(&part.film, gap * (tried - fraction));
-            let run = newton::run(&mut film, &options, exec)?;
+            let run = newton::run(&mut film, self.task(), exec)?;
             if run.stop_reason == StopReason::Deadline {
                 break;
             }

@@ -2,11 +2,12 @@
 //!
 //! 1. Pinkall and Polthier with the rules until a neck closes (then again from here) or the area changes little.
 //! 2. The default solver on a copy, descending where it is unstable. A stable film of small residual is the answer.
-//! 3. There is none near: the film only lingers where one almost exists. Go on shrinking, to a much smaller change of area,
-//!    and try again. A fold that a closed neck left is opened by averaging, and step 1 follows. If no neck closes after that either, what the default solver reached is the answer, not converged.
+//! 3. There is none near: the film only lingers where one almost exists. Go on shrinking, to a much smaller change of
+//!    area, and try again. A fold that a closed neck left is opened by averaging, and step 1 follows. If no neck closes
+//!    after that either, what the default solver reached is the answer, not converged.
 
 use crate::mesh::film::Film;
-use crate::minimal_surface::options::{OnUnstable, Options, Solver, Topology};
+use crate::minimal_surface::options::{FreeTopology, Limits, OnUnstable, PinkallPolthier, Solver};
 use crate::minimal_surface::run::{Record, Run, StopReason};
 use crate::minimal_surface::solvers::newton;
 use crate::minimal_surface::solvers::pinkall_polthier::{Stop, Until, iterate};
@@ -29,8 +30,15 @@ const UNFOLDING_SWEEPS: u32 = 50;
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large to factorise.
-pub(crate) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
-    let limit = options.max_iterations.unwrap_or(DEFAULT_SOLVES);
+pub(crate) fn run(
+    film: &mut Film,
+    options: &FreeTopology,
+    limits: Limits,
+    given: bool,
+    exec: &Execution,
+) -> Result<Run, Error> {
+    let limit = limits.max_iterations.unwrap_or(DEFAULT_SOLVES);
+    let FreeTopology { degenerate_angle, linear_solver } = *options;
     let mut run = Run::new(Solver::Newton);
     let mut change = SETTLED;
     // Each neck that closes leaves one component or one handle more or less, so there are few rounds.
@@ -38,7 +46,9 @@ pub(crate) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Resul
     let mut unfolded = 0;
     loop {
         let part = 0.5 * (1.0 - done);
-        let reached = shrink(film, options, change, limit, &mut run, exec, [done, done + 0.5 * part])?;
+        let rules = PinkallPolthier { area_tolerance: change, linear_solver, degenerate_angle, cut_necks: true };
+        let left = Limits { max_iterations: Some(limit.saturating_sub(run.iterations)), ..limits };
+        let reached = shrink(film, &rules, left, &mut run, exec, [done, done + 0.5 * part])?;
         match reached {
             StopReason::Deadline | StopReason::MaxIterations | StopReason::NothingToMove => {
                 run.stop_reason = reached;
@@ -52,13 +62,10 @@ pub(crate) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Resul
             _ => {}
         }
         let mut held = film.clone();
-        let fixed = Options {
-            on_unstable: OnUnstable::Descend,
-            topology: Topology::Fixed,
-            max_iterations: options.max_iterations.map(|_| limit.saturating_sub(run.iterations)),
-            ..options.clone()
-        };
-        let finish = exec.part([done + 0.5 * part, done + part], |exec| newton::run(&mut held, &fixed, exec))?;
+        let left = limits.max_iterations.map(|_| limit.saturating_sub(run.iterations));
+        let limits = Limits { max_iterations: left, ..limits };
+        let task = newton::Task { limits, on_unstable: OnUnstable::Descend, given };
+        let finish = exec.part([done + 0.5 * part, done + part], |exec| newton::run(&mut held, task, exec))?;
         let converged = finish.stop_reason == StopReason::Residual;
         let stable = finish.stability.is_none_or(|stability| stability.stable);
         let interrupted = finish.stop_reason == StopReason::Deadline;
@@ -102,19 +109,16 @@ fn unfold(film: &mut Film) {
 /// Step 1: adds its solves and pinches to `run`; [`StopReason::TopologyChange`] after a neck has closed.
 fn shrink(
     film: &mut Film,
-    options: &Options,
-    change: f64,
-    limit: u32,
+    options: &PinkallPolthier,
+    limits: Limits,
     run: &mut Run,
     exec: &Execution,
     share: [f64; 2],
 ) -> Result<StopReason, Error> {
-    let options = Options { area_tolerance: change, ..options.clone() };
     let mut part = Run::new(Solver::Newton);
-    let remaining = limit.saturating_sub(run.iterations);
     let ended = exec.part(share, |exec| {
         let mut record = Record::new(exec);
-        let ended = iterate(film, &options, remaining, &mut record, &mut part, Until::Pinched, exec);
+        let ended = iterate(film, options, limits, &mut record, &mut part, Until::Pinched, exec);
         (part.iterations, part.history) = (record.iterations, record.history);
         ended
     });
@@ -133,13 +137,12 @@ fn shrink(
 mod tests {
     use super::*;
     use crate::mesh::structured::cylinder;
-    use crate::minimal_surface::options::Resolution;
 
     fn rings(height: f64) -> (Film, Run) {
         let mut film = cylinder(48, 8, height / 10.0);
         film.vertices.iter_mut().for_each(|vertex| *vertex *= 10.0);
-        let options = Options { topology: Topology::Free, ..Options::new(Resolution::Triangles(1)) };
-        let run = run(&mut film, &options, &Execution::default()).unwrap();
+        let limits = Limits { tolerance: 1e-6, max_iterations: None };
+        let run = run(&mut film, &FreeTopology::default(), limits, false, &Execution::default()).unwrap();
         film.mesh().check().unwrap();
         assert_eq!((run.stop_reason, film.flipped_triangles()), (StopReason::Residual, 0));
         assert!(run.stability.is_some_and(|stability| stability.stable));

@@ -2,13 +2,14 @@
 //!
 //! 1. Every 2^k-th point of each boundary (corners always) bounds a coarse mesh of a few thousand triangles, which is
 //!    solved by [`newton`](crate::minimal_surface::solvers::newton).
-//! 2. Every edge is halved. A new boundary vertex is the input point in the middle of those that its edge skips, or the edge's
-//!    own middle where there is none (and points may be added). Every input point is reached in the end.
-//! 3. Newton's method in normal heights corrects the finer mesh, its systems solved by conjugate gradients over the nested levels
-//!    ([`multigrid`](crate::sparse::multigrid)). The start is off by the sagitta of a coarse edge, so one or two steps do.
+//! 2. Every edge is halved. A new boundary vertex is the input point in the middle of those that its edge skips, or the
+//!    edge's own middle where there is none (and points may be added). Every input point is reached in the end.
+//! 3. Newton's method in normal heights corrects the finer mesh, its systems solved by conjugate gradients over the
+//!    nested levels ([`multigrid`](crate::sparse::multigrid)). The start is off by the sagitta of a coarse edge, so one
+//!    or two steps do.
 //!
-//! Work and memory grow in proportion to the mesh. Where anything is out of the ordinary (corners too dense to skip points, a
-//! fold, a system that multigrid cannot solve) the caller falls back on the full mesh from the start.
+//! Work and memory grow in proportion to the mesh. Where anything is out of the ordinary (corners too dense to skip
+//! points, a fold, a system that multigrid cannot solve) the caller falls back on the full mesh from the start.
 
 use crate::energy::area::Pattern;
 use crate::equilibrium::newton::{Aim, Direct, Outcome, Settings, State, iterate};
@@ -18,9 +19,9 @@ use crate::mesh::film::Film;
 use crate::mesh::measure;
 use crate::minimal_surface::estimate::{area_of_fans, estimate_triangles, triangles_of_length};
 use crate::minimal_surface::initial_mesh::{self, InitialMeshKind};
-use crate::minimal_surface::options::{BoundarySampling, InitialMesh, Options, Resolution};
+use crate::minimal_surface::options::{BoundarySampling, InitialMesh, OnUnstable, Options, Resolution};
 use crate::minimal_surface::run::{ExtrapolatedArea, Run, Stability, StabilityMethod, StopReason, geometric_part};
-use crate::minimal_surface::solvers::newton::{EXTRAPOLATED_TRIANGLES, Solve, Stop};
+use crate::minimal_surface::solvers::newton::{EXTRAPOLATED_TRIANGLES, Solve, Stop, Task};
 use crate::remesh::subdivision::subdivided_inside;
 use crate::sparse::Symbolic;
 use crate::sparse::multigrid::{self, Hierarchy, parents_of};
@@ -29,7 +30,7 @@ use crate::{DVec3, Error, Execution, Interruption, polyline};
 /// The coarse mesh has at least this many triangles, so at most four times as many.
 const LEAST_COARSE_TRIANGLES: f64 = 1000.0;
 /// And at least this many for each boundary vertex.
-const COARSE_TRIANGLES_PER_RIM_VERTEX: f64 = 3.0;
+const COARSE_TRIANGLES_PER_BOUNDARY_VERTEX: f64 = 3.0;
 /// A boundary vertex that turns by more is a corner, and no coarse edge may turn by more in all (radians).
 const CORNER: f64 = 0.6;
 /// The residual to which the levels between the coarsest and the finest are brought.
@@ -40,17 +41,23 @@ const INERTIA_TRIANGLES: usize = 250_000;
 const LONG_EDGE: f64 = 1.6;
 /// Newton steps on one level.
 const STEPS_PER_LEVEL: u32 = 12;
-/// What [`solve`] gives: a film in the promised vertex order, how its coarse mesh was made, that mesh's area, and the run.
+/// What [`solve`] gives: a film in the promised vertex order, how its coarse mesh was made, that mesh's area, and the
+/// run.
 pub(crate) type Solved = (Film, InitialMeshKind, f64, Run);
 
 /// Solves from the coarse to the fine. `None` if the request is too small for it, or does not lend itself to it.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel, and on a deadline before there is a mesh.
-pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<Option<Solved>, Error> {
+pub(crate) fn solve(
+    boundaries: &[Vec<DVec3>],
+    options: &Options,
+    on_unstable: OnUnstable,
+    exec: &Execution,
+) -> Result<Option<Solved>, Error> {
     // A polygon of fewer points may carry no film where the whole one does: then with more points.
     for plan in Plan::from_coarse(boundaries, options) {
-        if let Some(solved) = follow(&plan, boundaries, options, exec)? {
+        if let Some(solved) = follow(&plan, boundaries, options, on_unstable, exec)? {
             return Ok(Some(solved));
         }
     }
@@ -61,6 +68,7 @@ fn follow(
     plan: &Plan,
     boundaries: &[Vec<DVec3>],
     options: &Options,
+    on_unstable: OnUnstable,
     exec: &Execution,
 ) -> Result<Option<Solved>, Error> {
     let coarse_options = Options { resolution: plan.resolution, ..options.clone() };
@@ -71,24 +79,30 @@ fn follow(
         Err(_) => return Ok(None),
     };
     let may_add = options.boundary_sampling != BoundarySampling::Keep;
-    let Some(mut rim) = Rim::new(&mut film, plan, boundaries, may_add) else { return Ok(None) };
+    let Some(mut places) = BoundaryPlaces::new(&mut film, plan, boundaries, may_add) else { return Ok(None) };
     let initial_area = film.area();
-    let mut solve = Solve::new(&film, options, exec);
-    let (stop_reason, stability) = match climb(&mut film, &mut rim, plan.levels, &mut solve) {
+    let mut solve = Solve::new(&film, Task { limits: options.limits(), on_unstable, given: false }, exec);
+    let (stop_reason, stability) = match climb(&mut film, &mut places, plan.levels, &mut solve) {
         Ok(Some(stability)) => (StopReason::Residual, Some(stability)),
         Ok(None) | Err(Stop::TooLarge) => return Ok(None),
         Err(Stop::Interrupted(Interruption::DeadlinePassed)) => (StopReason::Deadline, None),
         Err(Stop::Interrupted(Interruption::Cancelled)) => return Err(Interruption::Cancelled.into()),
     };
-    while rim.level < plan.levels {
+    while places.level < plan.levels {
         // A deadline passed on the way up: the rest of the boundary is still owed.
-        (film, _) = rim.refine(&film);
+        (film, _) = places.refine(&film);
     }
-    Ok(Some((rim.input_points_first(film), kind, initial_area, solve.into_run(stop_reason, stability))))
+    Ok(Some((places.input_points_first(film), kind, initial_area, solve.into_run(stop_reason, stability))))
 }
 
-/// Solves the coarse film and corrects it level by level. `None` where the method is at its end; then the film is no use.
-fn climb(film: &mut Film, rim: &mut Rim, levels: u32, solve: &mut Solve) -> Result<Option<Stability>, Stop> {
+/// Solves the coarse film and corrects it level by level. `None` where the method is at its end; then the film is no
+/// use.
+fn climb(
+    film: &mut Film,
+    places: &mut BoundaryPlaces,
+    levels: u32,
+    solve: &mut Solve,
+) -> Result<Option<Stability>, Stop> {
     // Each level costs four times the last; the coarsest, with its many solves, about as much as the next.
     let share = |level: u32| {
         let part = |level: u32| 4f64.powi(level as i32 - levels as i32);
@@ -114,7 +128,7 @@ fn climb(film: &mut Film, rim: &mut Rim, levels: u32, solve: &mut Solve) -> Resu
     let mut hierarchy = Hierarchy::new(direct.symbolic, factor);
     for level in 1..=levels {
         let work = 4 * film.triangles().len() as u64;
-        let (fine, midpoints) = rim.refine(film);
+        let (fine, midpoints) = places.refine(film);
         *film = fine;
         solve.exec.look(work)?;
         let finer = Pattern::new(film.triangles(), &film.fixed);
@@ -166,7 +180,7 @@ fn climb(film: &mut Film, rim: &mut Rim, levels: u32, solve: &mut Solve) -> Resu
             if (morse_index > 0) != (lowest.eigenvalue < 0.0) || morse_index > 0 {
                 return Ok(None);
             }
-            if rim.same_polygon {
+            if places.same_polygon {
                 solve.extrapolated_area = Some(ExtrapolatedArea::new(coarse_area, state.first.area));
             } else if film.triangles().len() <= EXTRAPOLATED_TRIANGLES {
                 hierarchy.push(matrix, parents);
@@ -207,11 +221,11 @@ impl Plan {
         let most = if suits { (target / LEAST_COARSE_TRIANGLES).log(4.0).floor().clamp(0.0, 12.0) as u32 } else { 0 };
         (1..=most).rev().filter_map(move |levels| {
             let kept: Vec<Vec<u32>> = boundaries.iter().map(|points| kept_points(points, 1 << levels)).collect();
-            let rim: usize = kept.iter().map(Vec::len).sum();
+            let boundary_vertices: usize = kept.iter().map(Vec::len).sum();
             // Where a boundary edge has no point left to be halved at, the triangle behind it gives three and not four.
             let points: usize = boundaries.iter().map(Vec::len).sum();
             let lost = match options.boundary_sampling {
-                BoundarySampling::Keep => ((rim << levels) as f64 - points as f64).max(0.0),
+                BoundarySampling::Keep => ((boundary_vertices << levels) as f64 - points as f64).max(0.0),
                 BoundarySampling::Refine => 0.0,
             };
             let triangles = (target + lost) / f64::from(4u32.pow(levels));
@@ -220,7 +234,11 @@ impl Plan {
                 Resolution::EdgeLength(length) => Resolution::EdgeLength(length * f64::from(1u32 << levels)),
                 Resolution::InteriorVertices(_) => return None,
             };
-            (triangles >= COARSE_TRIANGLES_PER_RIM_VERTEX * rim as f64).then_some(Self { levels, resolution, kept })
+            (triangles >= COARSE_TRIANGLES_PER_BOUNDARY_VERTEX * boundary_vertices as f64).then_some(Self {
+                levels,
+                resolution,
+                kept,
+            })
         })
     }
 
@@ -230,8 +248,8 @@ impl Plan {
     }
 }
 
-/// Whether boundary edges are on average much longer than those of so many triangles: where they must be kept, the triangles
-/// beside them have to be graded, and halving all others would not leave them so.
+/// Whether boundary edges are on average much longer than those of so many triangles: where they must be kept, the
+/// triangles beside them have to be graded, and halving all others would not leave them so.
 fn has_long_edges(boundaries: &[Vec<DVec3>], triangles: f64) -> bool {
     let length: f64 = boundaries.iter().map(|points| polyline::length(points, true)).sum();
     let points: usize = boundaries.iter().map(Vec::len).sum();
@@ -239,7 +257,8 @@ fn has_long_edges(boundaries: &[Vec<DVec3>], triangles: f64) -> bool {
     length / points as f64 > LONG_EDGE * edge
 }
 
-/// Indices of points at most `stride` apart that keep the corners of a closed polygon, and let no edge turn by more than one.
+/// Indices of points at most `stride` apart that keep the corners of a closed polygon, and let no edge turn by more
+/// than one.
 fn kept_points(points: &[DVec3], stride: usize) -> Vec<u32> {
     let n = points.len();
     let direction = |k: usize| (points[(k + 1) % n] - points[k % n]).normalize_or_zero();
@@ -266,7 +285,7 @@ fn kept_points(points: &[DVec3], stride: usize) -> Vec<u32> {
 
 /// Where the film's boundary vertices stand on the input polygons.
 #[derive(Debug)]
-struct Rim<'a> {
+struct BoundaryPlaces<'a> {
     polygons: &'a [Vec<DVec3>],
     may_add: bool,
     /// Refinements so far.
@@ -277,9 +296,9 @@ struct Rim<'a> {
     places: Vec<Vec<f64>>,
 }
 
-impl<'a> Rim<'a> {
-    /// Finds the places of a coarse film's boundary vertices; those added on an edge that skips input points are moved to one of these.
-    /// `None` if there are too few of them.
+impl<'a> BoundaryPlaces<'a> {
+    /// Finds the places of a coarse film's boundary vertices; those added on an edge that skips input points are moved
+    /// to one of these. `None` if there are too few of them.
     fn new(film: &mut Film, plan: &Plan, polygons: &'a [Vec<DVec3>], may_add: bool) -> Option<Self> {
         let mut places = Vec::with_capacity(polygons.len());
         let mut first = 0u32;
@@ -381,7 +400,8 @@ impl<'a> Rim<'a> {
         (Film { vertices, topology, fixed, locked: Vec::new(), boundaries }, midpoints)
     }
 
-    /// Where an edge between two places is halved: at the middle one of the input points in between, else in the middle if points may be added.
+    /// Where an edge between two places is halved: at the middle one of the input points in between, else in the middle
+    /// if points may be added.
     fn middle(&self, start: f64, end: f64) -> Option<f64> {
         let (lowest, highest) = (start.floor() + 1.0, end.ceil() - 1.0);
         if lowest <= highest {

@@ -17,7 +17,8 @@ pub(super) struct Frame {
 
 impl Frame {
     /// Through the points' mean, its normal along the largest of the boundaries' area vectors (the plane in which it
-    /// encloses most); if that vanishes, across the two directions in which the points spread most. `None` if they lie on one line.
+    /// encloses most); if that vanishes, across the two directions in which the points spread most. `None` if they lie
+    /// on one line.
     pub fn best(boundaries: &[Vec<DVec3>]) -> Option<Self> {
         let all: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
         let origin = polyline::mean(&all);
@@ -47,7 +48,8 @@ impl Frame {
             }
         }
         let normal = normal.normalize();
-        // The first boundary's first segment that is not along the normal fixes the turn, so that it follows the input's.
+        // The first boundary's first segment that is not along the normal fixes the turn, so that it follows the
+        // input's.
         let first = &boundaries[0];
         let x = (0..first.len())
             .map(|k| (first[(k + 1) % first.len()] - first[k]).reject_from_normalized(normal))
@@ -81,7 +83,8 @@ impl Frame {
 pub(super) enum Shape {
     /// Projected onto a plane.
     Plane(Frame),
-    /// The first boundary on the unit circle, every other one on a smaller circle inside; arc length is kept loop by loop.
+    /// The first boundary on the unit circle, every other one on a smaller circle inside; arc length is kept loop by
+    /// loop.
     Disc { outer: usize, holes: Vec<Hole> },
 }
 

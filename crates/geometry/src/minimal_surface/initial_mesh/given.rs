@@ -12,8 +12,8 @@ use crate::{DVec3, Error, Mesh, Place};
 const ON_SEGMENT: f64 = 1e-9;
 
 /// A film from the client's mesh: an oriented manifold whose boundary loops are the boundaries, each point exactly, in
-/// either direction, with or without further vertices on their segments; every part has a boundary; constraints are its vertices
-/// and edges.
+/// either direction, with or without further vertices on their segments; every part has a boundary; constraints are its
+/// vertices and edges.
 ///
 /// # Errors
 /// [`Error::Input`] under `initial_mesh`, naming the vertices or triangles.

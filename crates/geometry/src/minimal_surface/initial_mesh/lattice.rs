@@ -58,7 +58,8 @@ struct Cell {
 /// Some milliseconds' worth.
 const CELLS_BETWEEN_LOOKS: u64 = 1 << 15;
 
-/// A lattice point, row before column, that may stand too near to a source; and the number of a list of the sources near it.
+/// A lattice point, row before column, that may stand too near to a source; and the number of a list of the sources
+/// near it.
 type Corner = (u64, u32);
 
 impl SizeField<'_> {
@@ -75,8 +76,8 @@ impl SizeField<'_> {
         (size, clearance)
     }
 
-    /// Lattice points in the rectangle, not too near to any source, sorted by y, then x. `None` if there would be more than `limit`.
-    /// Looks every [`CELLS_BETWEEN_LOOKS`] cells.
+    /// Lattice points in the rectangle, not too near to any source, sorted by y, then x. `None` if there would be more
+    /// than `limit`. Looks every [`CELLS_BETWEEN_LOOKS`] cells.
     ///
     /// `spacing` is the lattice's own spacing where nothing else asks for less, at most the cap's largest value.
     pub fn lattice(

@@ -29,8 +29,8 @@ pub(super) struct Pins {
 }
 
 impl Pins {
-    /// Points that equal one of the boundary's, or each other, are one vertex. With `refine`, curves are cut into pieces of
-    /// about `size`.
+    /// Points that equal one of the boundary's, or each other, are one vertex. With `refine`, curves are cut into
+    /// pieces of about `size`.
     pub fn new(constraints: &Constraints, boundaries: &[Vec<DVec3>], size: f64, sampling: BoundarySampling) -> Self {
         let mut known = Known::new();
         for (k, &point) in boundaries.iter().flatten().enumerate() {
@@ -72,8 +72,8 @@ impl Pins {
         })
     }
 
-    /// Where the inner vertices stand in the plane: projected, or at the nearest point of a film that was mapped from there.
-    /// The nearest point is looked for in all triangles, with a look for each point.
+    /// Where the inner vertices stand in the plane: projected, or at the nearest point of a film that was mapped from
+    /// there. The nearest point is looked for in all triangles, with a look for each point.
     ///
     /// # Errors
     /// The interruptions of `exec`.

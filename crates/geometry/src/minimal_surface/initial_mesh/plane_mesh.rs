@@ -71,8 +71,8 @@ impl Domain {
         self.boundary_edges().into_iter().chain(self.segments.iter().copied()).collect()
     }
 
-    /// Where a mesh's vertices are to stand: the fixed ones, then a lattice's. Sizes from the lengths of the boundary's edges
-    /// and of the fixed ones, growing with `grading` to the cap.
+    /// Where a mesh's vertices are to stand: the fixed ones, then a lattice's. Sizes from the lengths of the boundary's
+    /// edges and of the fixed ones, growing with `grading` to the cap.
     ///
     /// # Errors
     /// See [`PlaneError`]; a boundary that crosses itself shows only in [`mesh`](Self::mesh).

@@ -59,8 +59,8 @@ pub(super) fn domain_of(boundary: &[DVec3]) -> Vec<Domain> {
     domains
 }
 
-/// The nearest point of a fine grid. Symmetric loops put four points on one circle; the choice of diagonal must not hang on
-/// the last bits, which a change of scale or a motion alters.
+/// The nearest point of a fine grid. Symmetric loops put four points on one circle; the choice of diagonal must not
+/// hang on the last bits, which a change of scale or a motion alters.
 pub(super) fn snapped(point: DVec2) -> DVec2 {
     const GRID: f64 = (1u64 << 32) as f64;
     (point * GRID).round() / GRID

@@ -1,12 +1,12 @@
-//! Chen, Cai, Zheng, *Constructing Triangular Meshes of Minimal Area*, section 3.4: an initial mesh with an exact number
-//! of triangles.
+//! Chen, Cai, Zheng, *Constructing Triangular Meshes of Minimal Area*, section 3.4: an initial mesh with an exact
+//! number of triangles.
 //!
 //! 1. One boundary of n points: s = floor((m - n) / 2n) rings of n points on the segments from the boundary points to
 //!    their mean, and the mean itself: (2 s + 1) n triangles.
 //! 2. The rest, an even number, by splitting triangles of the outer ring into three at their centre.
 //!
-//! Departures. Two boundaries (their Fig. 9 shows the result, the text leaves the mesh open): rings of as many points as
-//! the longer list has, on the bridges of a strip between the two, so that m = n₁ + n₂ + 2 × interior vertices. The
+//! Departures. Two boundaries (their Fig. 9 shows the result, the text leaves the mesh open): rings of as many points
+//! as the longer list has, on the bridges of a strip between the two, so that m = n₁ + n₂ + 2 × interior vertices. The
 //! triangles to be split are spread evenly over the outer ring (theirs: any). With `refine` the boundary is first
 //! sampled as finely as the mesh is to be, and a count of the wrong parity is raised by one.
 

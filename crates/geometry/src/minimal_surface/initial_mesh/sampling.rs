@@ -25,7 +25,8 @@ pub(super) fn numbers(boundaries: &[Sampled]) -> Vec<u32> {
 }
 
 /// Samples a closed polygon so that no piece is much longer than `size`, and pieces next to short segments grow with
-/// `grading` times the distance along the boundary. Added points lie on the segments; a segment that is short enough stays whole.
+/// `grading` times the distance along the boundary. Added points lie on the segments; a segment that is short enough
+/// stays whole.
 pub(super) fn sample(polygon: &[DVec3], size: f64, grading: f64, sampling: BoundarySampling) -> Sampled {
     if sampling == BoundarySampling::Keep {
         return Sampled { points: polygon.to_vec(), own: vec![true; polygon.len()] };
@@ -57,7 +58,8 @@ pub(super) fn sample(polygon: &[DVec3], size: f64, grading: f64, sampling: Bound
 /// A segment is cut into at most so many pieces.
 const MOST_PIECES: f64 = 1e5;
 
-/// Shares of a segment at which it is cut: sizes `from` and `to` at its ends, growing inwards with `grading`, at most `size`.
+/// Shares of a segment at which it is cut: sizes `from` and `to` at its ends, growing inwards with `grading`, at most
+/// `size`.
 fn parts(length: f64, from: f64, to: f64, size: f64, grading: f64) -> Vec<f64> {
     let meeting = ((to - from + grading * length) / (2.0 * grading)).clamp(0.0, length);
     let (up, down) = if from + grading * meeting <= size {

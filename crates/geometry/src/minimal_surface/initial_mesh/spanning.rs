@@ -1,8 +1,8 @@
 //! Initial meshes of good triangles at a wanted resolution: a plane domain is meshed, and its mesh carried into space.
 //!
 //! 1. The boundaries become polygons in the plane: projected where that is simple, else circles of the same arc length.
-//! 2. The domain is meshed with sizes graded to the boundary's spacing ([`plane_mesh`](super::plane_mesh)), the size adjusted until the
-//!    resolution is met.
+//! 2. The domain is meshed with sizes graded to the boundary's spacing ([`plane_mesh`](super::plane_mesh)), the size
+//!    adjusted until the resolution is met.
 //! 3. The mesh is carried into space: exactly for a plane boundary, by the heights' harmonic extension for a projected
 //!    one, by the harmonic map of all coordinates from circles (with Delaunay triangles its weights are positive: a
 //!    convex combination map, Tutte 1963, Floater 1997).
@@ -21,7 +21,7 @@ use crate::minimal_surface::estimate::estimate_triangles;
 use crate::minimal_surface::harmonic::Dirichlet;
 use crate::minimal_surface::options::{BoundarySampling, Constraints, LARGEST_COUNT, Options, Resolution};
 use crate::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
-use crate::remesh::isotropic::{RUNAWAY, Rim, resample};
+use crate::remesh::isotropic::{BoundaryEdges, RUNAWAY, resample};
 use crate::remesh::subdivision::subdivide;
 use crate::sparse::{LinearError, Symbolic};
 use crate::{DVec3, Error, Execution, Place, polyline};
@@ -67,7 +67,8 @@ const SETTLED: f64 = 0.998;
 const GOOD_ANGLE: f64 = 0.44;
 /// Meshes with more triangles than this are only relaxed.
 const LARGEST_RESAMPLED: f64 = 20_000.0;
-/// Where the boundary is kept a mapped mesh has at most so many triangles, or eight per boundary point, before its edges are split.
+/// Where the boundary is kept a mapped mesh has at most so many triangles, or eight per boundary point, before its
+/// edges are split.
 const FINEST_MAPPED: usize = 2_000;
 /// Passes of resampling from there to the wanted number.
 const FINE_PASSES: u32 = 12;
@@ -147,8 +148,8 @@ struct Pinned {
     places: Vec<DVec2>,
 }
 
-/// One attempt at the sizes: boundaries as sampled, and where vertices stand between them. It is triangulated only when it
-/// is the one, since the number of triangles does not depend on how.
+/// One attempt at the sizes: boundaries as sampled, and where vertices stand between them. It is triangulated only when
+/// it is the one, since the number of triangles does not depend on how.
 struct Layout {
     boundaries: Vec<Sampled>,
     domain: Domain,
@@ -204,7 +205,7 @@ impl Spanning<'_> {
         self.even_out(&mut film)?;
         if self.resolution() != self.options.resolution {
             let count = self.goal().triangles(&film);
-            resample(&mut film, count, FINE_PASSES, self.rim(), self.exec).map_err(Error::from)?;
+            resample(&mut film, count, FINE_PASSES, self.boundary_edges(), self.exec).map_err(Error::from)?;
         }
         Ok(Start { film, subdivisions })
     }
@@ -286,10 +287,10 @@ impl Spanning<'_> {
         Ok(())
     }
 
-    fn rim(&self) -> Rim {
+    fn boundary_edges(&self) -> BoundaryEdges {
         match self.options.boundary_sampling {
-            BoundarySampling::Refine => Rim::Refined,
-            BoundarySampling::Keep => Rim::Kept,
+            BoundarySampling::Refine => BoundaryEdges::Refined,
+            BoundarySampling::Keep => BoundaryEdges::Kept,
         }
     }
 
@@ -297,8 +298,9 @@ impl Spanning<'_> {
         self.boundaries.iter().flatten().map(|p| p.length()).fold(0.0, f64::max)
     }
 
-    /// Lattice points after which a layout is given up. Many may lie in the rectangle around the boundary and outside of it (a
-    /// thin strip across), so that they may be more than those asked for, but not without bound (a spike, a million long).
+    /// Lattice points after which a layout is given up. Many may lie in the rectangle around the boundary and outside
+    /// of it (a thin strip across), so that they may be more than those asked for, but not without bound (a spike, a
+    /// million long).
     fn largest_lattice(&self) -> usize {
         let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
         let asked = estimate_triangles(self.boundaries, self.options) + boundary as f64;
@@ -309,8 +311,8 @@ impl Spanning<'_> {
         Goal { resolution: self.options.resolution, euler: 2 - self.boundaries.len() as i64 }
     }
 
-    /// The resolution that the plane is meshed at. A mesh whose boundary must be kept cannot be subdivided: a fine one is
-    /// made from one that is coarse enough to be evened out, by splitting edges.
+    /// The resolution that the plane is meshed at. A mesh whose boundary must be kept cannot be subdivided: a fine one
+    /// is made from one that is coarse enough to be evened out, by splitting edges.
     fn resolution(&self) -> Resolution {
         let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
         let coarse = FINEST_MAPPED.max(8 * boundary);
@@ -383,8 +385,8 @@ impl Spanning<'_> {
         Ok((Meshed { boundaries, domain, plane }, subdivisions))
     }
 
-    /// Adjusts the size until the resolution is met, and says how nearly it is (wanted over reached). `coarsest` is the grading
-    /// and what is met with the largest size.
+    /// Adjusts the size until the resolution is met, and says how nearly it is (wanted over reached). `coarsest` is the
+    /// grading and what is met with the largest size.
     fn tune(
         &self,
         goal: &Goal,
@@ -523,7 +525,8 @@ impl Spanning<'_> {
     }
 
     /// Evens out a film whose map from the plane has stretched its triangles: solves towards the minimal surface, where
-    /// the triangles will have to be good, with an even distribution of the vertices before each, until the area settles.
+    /// the triangles will have to be good, with an even distribution of the vertices before each, until the area
+    /// settles.
     fn even_out(&self, film: &mut Film) -> Result<(), Error> {
         let flat = self.is_plane();
         for _ in 0..if flat { 0 } else { 2 } {
@@ -540,7 +543,7 @@ impl Spanning<'_> {
         let relaxed = film.clone();
         let mut area = f64::INFINITY;
         for _ in 0..ROUNDS {
-            resample(film, count, 3, self.rim(), self.exec)?;
+            resample(film, count, 3, self.boundary_edges(), self.exec)?;
             if film.triangles().len() as f64 > RUNAWAY * count {
                 *film = relaxed;
                 return Ok(());
@@ -560,7 +563,7 @@ impl Spanning<'_> {
             }
             flip_to_delaunay(film);
         }
-        resample(film, count, 5, self.rim(), self.exec)?;
+        resample(film, count, 5, self.boundary_edges(), self.exec)?;
         // Right beside a boundary that asks for more triangles than are wanted, collapsing does not get far enough.
         // In the plane both are what they will be, and the better one is seen.
         let worse = || flat && measure::angle_range(&film.mesh()).0 < measure::angle_range(&relaxed.mesh()).0;

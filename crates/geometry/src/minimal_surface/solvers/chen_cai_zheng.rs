@@ -23,7 +23,7 @@ use crate::mesh::film::Film;
 use crate::mesh::measure::{double_area_vector, is_degenerate};
 use crate::mesh::topology::NONE;
 use crate::minimal_surface::curvature::Curvature;
-use crate::minimal_surface::options::{Options, Process, Solver};
+use crate::minimal_surface::options::{Limits, Process, Solver, VertexRelaxation};
 use crate::minimal_surface::run::{HistoryRow, Run, StopReason};
 use crate::{DVec3, Error, Execution, Interruption, Progress};
 use glam::DMat3;
@@ -38,7 +38,7 @@ const LOOK_EVERY: u64 = 20_000;
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel.
-pub(crate) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
+pub(crate) fn run(film: &mut Film, options: &VertexRelaxation, limits: Limits, exec: &Execution) -> Result<Run, Error> {
     let paper = || {
         vec![
             vec![Process::LaplacianFairing, Process::EdgeSwapping],
@@ -49,7 +49,7 @@ pub(crate) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Resul
     let mut relaxation = Relaxation {
         film,
         exec,
-        limit: options.max_iterations.unwrap_or(DEFAULT_SWEEPS),
+        limit: limits.max_iterations.unwrap_or(DEFAULT_SWEEPS),
         iterations: 0,
         history: Vec::new(),
         swapped: 0,
@@ -78,7 +78,7 @@ struct Relaxation<'a> {
 }
 
 impl Relaxation<'_> {
-    fn stages(&mut self, stages: &[Vec<Process>], options: &Options) -> Result<StopReason, Interruption> {
+    fn stages(&mut self, stages: &[Vec<Process>], options: &VertexRelaxation) -> Result<StopReason, Interruption> {
         if self.film.fixed.iter().all(|&fixed| fixed) {
             return Ok(StopReason::NothingToMove);
         }
@@ -139,7 +139,8 @@ impl Relaxation<'_> {
         }
     }
 
-    /// Keeps a history row and reports progress, thinned out as [`Statistics::history`](crate::minimal_surface::Statistics) says.
+    /// Keeps a history row and reports progress, thinned out as
+    /// [`Statistics::history`](crate::minimal_surface::Statistics) says.
     fn remember(&mut self, phase: &'static str, area: f64, fraction: f64, last: bool) {
         let k = self.iterations;
         let kept = k <= 100 || k.is_multiple_of(100) || (k <= 1000 && k.is_multiple_of(10));

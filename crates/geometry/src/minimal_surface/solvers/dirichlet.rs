@@ -10,7 +10,8 @@ use crate::remesh::delaunay::flip_to_delaunay;
 use crate::{Error, Execution, Interruption};
 
 /// One solve of steps 1 and 2 for [`Objective::MinimalDirichletEnergy`](super::Objective): the harmonic map from the
-/// initial mesh, made Delaunay so that its weights are positive. The energy, ¼ Σ (cot α + cot β) |a'|² over the edges, is the objective value.
+/// initial mesh, made Delaunay so that its weights are positive. The energy, ¼ Σ (cot α + cot β) |a'|² over the edges,
+/// is the objective value.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large or too degenerate to factorise.

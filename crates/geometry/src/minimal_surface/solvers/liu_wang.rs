@@ -1,6 +1,7 @@
 //! Liu and Wang, *Constructing Minimal Triangular Mesh Based on Discrete Mean Curvature*, CISME 1(7), 2011.
 //!
-//! 1. Candidate points inside the loop by barycentres, n of them by a seeded choice, Delaunay ([`barycentres`](crate::minimal_surface::initial_mesh::barycentres)).
+//! 1. Candidate points inside the loop by barycentres, n of them by a seeded choice, Delaunay
+//!    ([`barycentres`](crate::minimal_surface::initial_mesh::barycentres)).
 //! 2. F = ½ Σ H_i² over the vertices, H_i = (1/B_i) Σ_e β(e)|e|/2 ([`curvature`]), least by Levenberg and Marquardt
 //!    (their Fig. 5) over the interior vertices.
 //! 3. Delaunay again. Steps 2 and 3 repeat until the triangulation stays as it is.
@@ -19,7 +20,7 @@ mod levenberg_marquardt;
 
 use crate::mesh::film::Film;
 use crate::minimal_surface::curvature::Curvature;
-use crate::minimal_surface::options::{Options, Solver};
+use crate::minimal_surface::options::{Limits, LiuWang, Solver};
 use crate::minimal_surface::run::{HistoryRow, Run, StopReason};
 use crate::remesh::delaunay::flip_to_delaunay;
 use crate::{DVec3, Error, Execution, Interruption, Progress};
@@ -33,19 +34,19 @@ const MAX_ROUNDS: usize = 50;
 
 /// Steps 2 and 3 on a film: lowers F = ½ Σ H² until the triangulation stays as it is.
 ///
-/// `options.area_tolerance` is their ε, in lengths divided by R: |ΔF| < ε(1 + F), ‖∇F‖∞ < ∛ε(1 + F),
+/// `options.tolerance` is their ε, in lengths divided by R: |ΔF| < ε(1 + F), ‖∇F‖∞ < ∛ε(1 + F),
 /// ‖δ‖∞ < √ε(1 + ‖δ‖∞), or `max_iterations` steps. A vanishing F is a surface whose *normal cycle* curvature vanishes,
 /// near a minimal one and not the least of its area: judge it by its residual. Looks after every sweep over the
 /// triangles and every factorisation; at a deadline the film holds the best so far.
 ///
 /// # Errors
 /// [`Interruption::Cancelled`].
-pub(crate) fn run(film: &mut Film, options: &Options, execution: &Execution) -> Result<Run, Error> {
+pub(crate) fn run(film: &mut Film, options: &LiuWang, limits: Limits, execution: &Execution) -> Result<Run, Error> {
     let mut run = Run::new(Solver::LevenbergMarquardt);
     let radius = film.radius();
     let given = film.vertices.clone();
     film.vertices.iter_mut().for_each(|vertex| *vertex /= radius);
-    let outcome = rounds(film, options, radius, &mut run, execution);
+    let outcome = rounds(film, options, limits, radius, &mut run, execution);
     for (vertex, (given, fixed)) in film.vertices.iter_mut().zip(given.into_iter().zip(&film.fixed)) {
         *vertex = if *fixed { given } else { *vertex * radius };
     }
@@ -59,12 +60,13 @@ pub(crate) fn run(film: &mut Film, options: &Options, execution: &Execution) -> 
 
 fn rounds(
     film: &mut Film,
-    options: &Options,
+    options: &LiuWang,
+    limits: Limits,
     radius: f64,
     run: &mut Run,
     execution: &Execution,
 ) -> Result<StopReason, Interruption> {
-    let max_iterations = options.max_iterations.unwrap_or(MAX_ITERATIONS);
+    let max_iterations = limits.max_iterations.unwrap_or(MAX_ITERATIONS);
     run.edges_swapped += flip_to_delaunay(film);
     execution.look(film.triangles().len() as u64)?;
     let mut stop_reason = StopReason::NothingToMove;
@@ -72,7 +74,7 @@ fn rounds(
         let moves: Vec<bool> = film.fixed.iter().map(|fixed| !fixed).collect();
         let mut rows = CurvatureRows::new(&film.topology, &moves, options.boundary_curvature);
         let criteria = Criteria {
-            tolerance: options.area_tolerance,
+            tolerance: options.tolerance,
             max_iterations: u64::from(max_iterations.saturating_sub(run.iterations)),
         };
         let mut vertices = film.vertices.clone();

@@ -2,15 +2,17 @@
 //!
 //! 1. *Settle*: rounds of Delaunay flips, tangential relaxation and one to four Pinkall-Polthier solves
 //!    ([`harmonic`](crate::minimal_surface::harmonic)). Forgives any start, and leaves good triangles.
-//! 2. *Newton* in normal heights ([`newton`](crate::equilibrium::newton)). Where it stalls, or the mesh is folded, back to 1.
-//! 3. *Stability* ([`stability`](crate::equilibrium::stability)); an unstable surface is left along its lowest mode if that is asked for.
+//! 2. *Newton* in normal heights ([`newton`](crate::equilibrium::newton)). Where it stalls, or the mesh is folded, back
+//!    to 1.
+//! 3. *Stability* ([`stability`](crate::equilibrium::stability)); an unstable surface is left along its lowest mode if
+//!    that is asked for.
 
 use crate::energy::area::Pattern;
 use crate::equilibrium::newton::{Aim, Direct, Outcome, Settings, State, iterate, keeps_orientation, moved};
 use crate::equilibrium::stability::{self, SecondVariation, Unknown};
 use crate::mesh::film::Film;
 use crate::minimal_surface::harmonic::{Dirichlet, too_large};
-use crate::minimal_surface::options::{InitialMesh, OnUnstable, Options, Solver};
+use crate::minimal_surface::options::{Limits, OnUnstable, Solver};
 use crate::minimal_surface::run::{
     ExtrapolatedArea, Record, Run, Stability, StabilityMethod, StopReason, geometric_part,
 };
@@ -37,15 +39,26 @@ const NEARLY_STATIONARY: f64 = 1.0;
 /// How often a stalled Newton iteration goes back to more rounds.
 const MAX_RETURNS: u32 = 2;
 
+/// What a run is to do.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Task {
+    /// When it ends.
+    pub limits: Limits,
+    /// Whether an unstable surface is left.
+    pub on_unstable: OnUnstable,
+    /// Whether the initial mesh is the caller's own, which may lie beside a stationary surface.
+    pub given: bool,
+}
+
 /// Rounds of Pinkall-Polthier, then Newton's method, then the stability of what came out.
 ///
 /// Ends with the best mesh reached, folded never: the stop reason says why where it is not converged.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large to factorise.
-pub(crate) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
-    let mut solve = Solve::new(film, options, exec);
-    let (stop_reason, stability) = match solve.film(film, options.on_unstable) {
+pub(crate) fn run(film: &mut Film, task: Task, exec: &Execution) -> Result<Run, Error> {
+    let mut solve = Solve::new(film, task, exec);
+    let (stop_reason, stability) = match solve.film(film, task.on_unstable) {
         Ok(done) => done,
         Err(Stop::Interrupted(Interruption::DeadlinePassed)) => (StopReason::Deadline, None),
         Err(Stop::Interrupted(Interruption::Cancelled)) => return Err(Interruption::Cancelled.into()),
@@ -74,31 +87,33 @@ pub(crate) struct Solve<'a> {
     pub tolerance: f64,
     pub radius: f64,
     edges_swapped: u64,
-    way_down: Option<Vec<DVec3>>,
+    unstable_mode: Option<Vec<DVec3>>,
     pub extrapolated_area: Option<ExtrapolatedArea>,
     /// The initial mesh is the caller's own and has not been left yet.
     given: bool,
 }
 
 impl<'a> Solve<'a> {
-    pub fn new(film: &Film, options: &Options, exec: &'a Execution<'a>) -> Self {
+    pub fn new(film: &Film, task: Task, exec: &'a Execution<'a>) -> Self {
         Self {
             exec,
             record: Record::new(exec),
-            limit: options.max_iterations.unwrap_or(DEFAULT_SOLVES),
-            tolerance: options.tolerance,
+            limit: task.limits.max_iterations.unwrap_or(DEFAULT_SOLVES),
+            tolerance: task.limits.tolerance,
             radius: film.radius(),
             edges_swapped: 0,
-            way_down: None,
+            unstable_mode: None,
             extrapolated_area: None,
-            given: matches!(options.initial_mesh, InitialMesh::Given(_)),
+            given: task.given,
         }
     }
 
     pub fn into_run(self, stop_reason: StopReason, stability: Option<Stability>) -> Run {
-        let Self { record: Record { history, iterations, .. }, edges_swapped, way_down, extrapolated_area, .. } = self;
+        let Self {
+            record: Record { history, iterations, .. }, edges_swapped, unstable_mode, extrapolated_area, ..
+        } = self;
         let done = Run { stop_reason, iterations, history, edges_swapped, stability, ..Run::new(Solver::Newton) };
-        Run { way_down, extrapolated_area, ..done }
+        Run { unstable_mode, extrapolated_area, ..done }
     }
 
     fn film(&mut self, film: &mut Film, on_unstable: OnUnstable) -> Result<(StopReason, Option<Stability>), Stop> {
@@ -126,7 +141,8 @@ impl<'a> Solve<'a> {
         }
     }
 
-    /// Settles, then Newton, then from the start where Newton stalls. With the connectivity's pattern and factorisation if it converged.
+    /// Settles, then Newton, then from the start where Newton stalls. With the connectivity's pattern and factorisation
+    /// if it converged.
     pub fn converge(&mut self, film: &mut Film) -> Result<(StopReason, Option<(Pattern, Direct)>), Stop> {
         if film.fixed.iter().all(|&fixed| fixed) {
             return Ok((StopReason::NothingToMove, None));
@@ -153,8 +169,8 @@ impl<'a> Solve<'a> {
         Ok((reason, None))
     }
 
-    /// A caller's own mesh may lie beside a stationary surface that is no minimum: solves would leave it, Newton's method
-    /// alone does not. `None`, and the film as it was, if there is no such surface near.
+    /// A caller's own mesh may lie beside a stationary surface that is no minimum: solves would leave it, Newton's
+    /// method alone does not. `None`, and the film as it was, if there is no such surface near.
     fn stay(&mut self, film: &mut Film) -> Result<Option<(Pattern, Direct)>, Stop> {
         let pattern = Pattern::new(film.triangles(), &film.fixed);
         if State::of(&pattern, &film.vertices, film.triangles(), self.radius).residual > NEARLY_STATIONARY {
@@ -193,8 +209,8 @@ impl<'a> Solve<'a> {
         })
     }
 
-    /// Rounds of Delaunay flips, tangential relaxation and Pinkall-Polthier solves until the area settles on a mesh without folds;
-    /// true if a linear system was refused on the way.
+    /// Rounds of Delaunay flips, tangential relaxation and Pinkall-Polthier solves until the area settles on a mesh
+    /// without folds; true if a linear system was refused on the way.
     fn settle(&mut self, film: &mut Film) -> Result<bool, Stop> {
         let mut area = film.area();
         for round in 0..MAX_ROUNDS {
@@ -256,7 +272,7 @@ impl<'a> Solve<'a> {
             lowest_eigenvalue: variation.lowest.eigenvalue,
             method: StabilityMethod::Inertia,
         };
-        self.way_down = (!stability.stable).then(|| {
+        self.unstable_mode = (!stability.stable).then(|| {
             let heights = &variation.lowest.heights;
             let largest = heights.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
             let mut direction = vec![DVec3::ZERO; film.vertices.len()];
@@ -288,12 +304,13 @@ fn leave(film: &mut Film, pattern: &Pattern, state: &State, mode: &[f64]) {
 mod tests {
     use super::*;
     use crate::mesh::structured::cylinder;
-    use crate::minimal_surface::options::Resolution;
 
     #[test]
     fn beyond_the_critical_gap_nothing_is_called_converged() {
         let mut film = cylinder(48, 16, 1.5);
-        let run = run(&mut film, &Options::new(Resolution::Triangles(1)), &Execution::default()).unwrap();
+        let limits = Limits { tolerance: 1e-6, max_iterations: None };
+        let task = Task { limits, on_unstable: OnUnstable::Report, given: false };
+        let run = run(&mut film, task, &Execution::default()).unwrap();
         assert_ne!(run.stop_reason, StopReason::Residual);
         assert!(film.vertices.iter().all(|vertex| vertex.is_finite()));
     }

@@ -1,5 +1,5 @@
-//! Bento and Cavalcanti, *Computação de Superfícies Mínimas Discretas*: Pinkall and Polthier's iteration with rules that
-//! keep its triangles sound, so that necks may close.
+//! Bento and Cavalcanti, *Computação de Superfícies Mínimas Discretas*: Pinkall and Polthier's iteration with rules
+//! that keep its triangles sound, so that necks may close.
 //!
 //! 1. Remove degenerate triangles ([`thin_triangles`](crate::remesh::thin_triangles)); log what it did to the topology.
 //! 2. One solve of Pinkall and Polthier: by conjugate gradients from the present positions, by elimination where these
@@ -13,7 +13,7 @@
 use crate::mesh::film::Film;
 use crate::minimal_surface::curvature::Curvature;
 use crate::minimal_surface::harmonic::{Dirichlet, Elimination, too_large};
-use crate::minimal_surface::options::{LinearSolver, Options, Solver, Topology};
+use crate::minimal_surface::options::{Limits, LinearSolver, PinkallPolthier, Solver};
 use crate::minimal_surface::run::{Record, Run, StopReason, geometric_part};
 use crate::remesh::thin_triangles::{Changes, Necks, Pinch, remove_degenerate_triangles};
 use crate::{Error, Execution, Interruption};
@@ -25,17 +25,17 @@ const WIDER: f64 = 4.0;
 
 /// Steps 1 to 3 on a film.
 ///
-/// [`Options::degenerate_angle`] `None` leaves step 1 out; [`Topology::Fixed`] keeps necks. Ends with
+/// Without [`PinkallPolthier::degenerate_angle`] step 1 is left out. Ends with
 /// [`StopReason::AreaChange`], with [`StopReason::Residual`] if that falls below its tolerance first, or with
 /// [`StopReason::Collapsed`] where the mesh has no solution that the rules can mend. Looks once a solve.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large to factorise.
-pub(crate) fn run(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
-    let limit = options.max_iterations.unwrap_or(DEFAULT_SOLVES);
+pub(crate) fn run(film: &mut Film, options: &PinkallPolthier, limits: Limits, exec: &Execution) -> Result<Run, Error> {
+    let limits = Limits { max_iterations: limits.max_iterations.or(Some(DEFAULT_SOLVES)), ..limits };
     let mut record = Record::new(exec);
     let mut run = Run::new(Solver::PinkallPolthier);
-    match iterate(film, options, limit, &mut record, &mut run, Until::Settled, exec) {
+    match iterate(film, options, limits, &mut record, &mut run, Until::Settled, exec) {
         Ok(reason) => run.stop_reason = reason,
         Err(Stop::Interrupted(Interruption::DeadlinePassed)) => run.stop_reason = StopReason::Deadline,
         Err(Stop::Interrupted(interruption)) => return Err(interruption.into()),
@@ -74,20 +74,20 @@ pub(crate) enum Until {
 /// See [`Stop`].
 pub(crate) fn iterate(
     film: &mut Film,
-    options: &Options,
-    limit: u32,
+    options: &PinkallPolthier,
+    limits: Limits,
     record: &mut Record,
     run: &mut Run,
     until: Until,
     exec: &Execution,
 ) -> Result<StopReason, Stop> {
-    let necks = if options.topology == Topology::Fixed { Necks::Keep } else { Necks::Cut };
+    let necks = if options.cut_necks { Necks::Cut } else { Necks::Keep };
     let mut dirichlet = Dirichlet::new(film).map_err(|error| Stop::TooLarge(too_large(error)))?;
     let mut area = film.area();
     let mut first_change = None;
     let (pinches_before, mut mended) = (run.pinches.len(), false);
     loop {
-        if record.iterations >= limit {
+        if limits.max_iterations.is_some_and(|limit| record.iterations >= limit) {
             return Ok(StopReason::MaxIterations);
         }
         exec.look(film.triangles().len() as u64)?;
@@ -132,7 +132,7 @@ pub(crate) fn iterate(
             }
             continue;
         }
-        if residual <= options.tolerance {
+        if residual <= limits.tolerance {
             return Ok(StopReason::Residual);
         }
         if change <= options.area_tolerance || change.is_nan() {
@@ -147,14 +147,12 @@ mod tests {
     use crate::DVec3;
     use crate::mesh::measure;
     use crate::mesh::structured::cylinder;
-    use crate::minimal_surface::options::Resolution;
 
     #[test]
     fn the_area_falls_at_every_solve_to_the_catenoid() {
         let mut film = cylinder(48, 12, 1.0);
-        let mut options = Options::new(Resolution::Triangles(1));
-        (options.area_tolerance, options.tolerance) = (0.0, 1e-4);
-        let run = run(&mut film, &options, &Execution::default()).unwrap();
+        let options = PinkallPolthier { area_tolerance: 0.0, ..PinkallPolthier::default() };
+        let run = run(&mut film, &options, limits(1e-4, None), &Execution::default()).unwrap();
         assert_eq!(run.stop_reason, StopReason::Residual);
         assert!(run.history.windows(2).all(|pair| pair[1].area <= pair[0].area * (1.0 + 1e-14)));
         // Between the polygons the area is a little below the smooth catenoid's 5.991797 between circles.
@@ -163,25 +161,29 @@ mod tests {
 
     #[test]
     fn the_area_tolerance_and_the_limit_end_a_run() {
-        let mut options = Options::new(Resolution::Triangles(1));
-        let solve = |options: &Options| run(&mut cylinder(24, 6, 1.0), options, &Execution::default()).unwrap();
-        (options.area_tolerance, options.tolerance) = (1e-4, 0.0);
-        assert_eq!(solve(&options).stop_reason, StopReason::AreaChange);
-        (options.area_tolerance, options.max_iterations) = (0.0, Some(3));
-        let run = solve(&options);
+        let solve = |area_tolerance, limits| {
+            let options = PinkallPolthier { area_tolerance, ..PinkallPolthier::default() };
+            run(&mut cylinder(24, 6, 1.0), &options, limits, &Execution::default()).unwrap()
+        };
+        assert_eq!(solve(1e-4, limits(0.0, None)).stop_reason, StopReason::AreaChange);
+        let run = solve(0.0, limits(0.0, Some(3)));
         assert_eq!((run.stop_reason, run.iterations), (StopReason::MaxIterations, 3));
     }
 
-    fn rings(n: usize, strips: usize, height: f64, options: &Options) -> (Film, Run) {
+    fn limits(tolerance: f64, max_iterations: Option<u32>) -> Limits {
+        Limits { tolerance, max_iterations }
+    }
+
+    fn rings(n: usize, strips: usize, height: f64, options: &PinkallPolthier, max: Option<u32>) -> (Film, Run) {
         let mut film = cylinder(n, strips, height / 10.0);
         film.vertices.iter_mut().for_each(|vertex| *vertex *= 10.0);
-        let run = run(&mut film, options, &Execution::default()).unwrap();
+        let run = run(&mut film, options, limits(0.0, max), &Execution::default()).unwrap();
         film.mesh().check().unwrap();
         (film, run)
     }
 
-    fn free() -> Options {
-        Options { topology: Topology::Free, tolerance: 0.0, ..Options::new(Resolution::Triangles(1)) }
+    fn free() -> PinkallPolthier {
+        PinkallPolthier { cut_necks: true, ..PinkallPolthier::default() }
     }
 
     /// A cylinder of radius 10 cut along a line, opened by `opening` radians: one loop.
@@ -198,7 +200,8 @@ mod tests {
 
     #[test]
     fn figure_6_near_rings_keep_their_catenoid() {
-        // r = c cosh(h / (2c)) has c = 7.3966 at r = 10, h = 12 (the larger root): area π c² (sinh(h/c) + h/c) = 700.0...
+        // r = c cosh(h / (2c)) has c = 7.3966 at r = 10, h = 12 (the larger root): area π c² (sinh(h/c) + h/c) =
+        // 700.0...
         let waist: (f64, f64) = (0..60).fold((8.3, 12.0 / 2.4), |(high, low), _| {
             let middle: f64 = 0.5 * (high + low);
             if middle * (6.0 / middle).cosh() > 10.0 { (middle, low) } else { (high, middle) }
@@ -207,8 +210,8 @@ mod tests {
         let smooth = std::f64::consts::PI * c * c * ((12.0 / c).sinh() + 12.0 / c);
         let mut errors = Vec::new();
         for n in [24, 48, 96] {
-            let options = Options { area_tolerance: 1e-9, ..free() };
-            let (film, run) = rings(n, n / 6, 12.0, &options);
+            let options = PinkallPolthier { area_tolerance: 1e-9, ..free() };
+            let (film, run) = rings(n, n / 6, 12.0, &options, None);
             assert!(run.pinches.is_empty() && film.triangles().len() == 2 * n * (n / 6));
             assert!(run.history.windows(2).all(|pair| pair[1].area <= pair[0].area * (1.0 + 1e-14)));
             errors.push((film.area() - smooth).abs());
@@ -222,8 +225,8 @@ mod tests {
     fn figure_7_far_rings_become_two_discs_by_either_linear_solver() {
         for linear_solver in LinearSolver::ALL {
             for n in [24, 48] {
-                let options = Options { linear_solver, ..free() };
-                let (film, run) = rings(n, n / 6, 14.0, &options);
+                let options = PinkallPolthier { linear_solver, ..free() };
+                let (film, run) = rings(n, n / 6, 14.0, &options, None);
                 let topology = film.mesh().check().unwrap();
                 assert_eq!((topology.components(), topology.euler_characteristic()), (2, 2));
                 assert!((film.area() - 2.0 * disc_area(n)).abs() < 1e-9 * film.area());
@@ -236,10 +239,9 @@ mod tests {
 
     #[test]
     fn figure_7_has_no_degenerate_triangle_at_any_step() {
-        let (whole, whole_run) = rings(24, 4, 14.0, &free());
+        let (whole, whole_run) = rings(24, 4, 14.0, &free(), None);
         for step in 1..=whole_run.iterations {
-            let options = Options { max_iterations: Some(step), ..free() };
-            let (film, run) = rings(24, 4, 14.0, &options);
+            let (film, run) = rings(24, 4, 14.0, &free(), Some(step));
             assert_eq!(measure::degenerate_triangles(&film.mesh()), 0, "step {step}");
             assert_eq!(film.boundaries.iter().map(Vec::len).sum::<usize>(), 48);
             assert_eq!(run.history[..], whole_run.history[..step as usize]);
@@ -250,8 +252,8 @@ mod tests {
     #[test]
     fn figure_8_without_the_rules_the_far_rings_end_in_degenerate_triangles() {
         for linear_solver in LinearSolver::ALL {
-            let options = Options { degenerate_angle: None, area_tolerance: 0.0, linear_solver, ..free() };
-            let (film, run) = rings(24, 4, 14.0, &options);
+            let options = PinkallPolthier { degenerate_angle: None, area_tolerance: 0.0, linear_solver, ..free() };
+            let (film, run) = rings(24, 4, 14.0, &options, None);
             assert_eq!(run.stop_reason, StopReason::Collapsed);
             assert_eq!(film.topology.components(), 1);
             assert!(measure::degenerate_triangles(&film.mesh()) > 20);
@@ -269,7 +271,7 @@ mod tests {
         for (n, height, opening) in [(24, 14.0, 0.2), (24, 20.0, 0.2), (24, 40.0, 0.2), (24, 20.0, 0.0)] {
             let mut film = cut_cylinder(n, n / 6, height, opening);
             let before = film.clone();
-            let run = run(&mut film, &free(), &Execution::default()).unwrap();
+            let run = run(&mut film, &free(), limits(0.0, None), &Execution::default()).unwrap();
             let topology = film.mesh().check().unwrap();
             assert_eq!((topology.components(), topology.euler_characteristic()), (1, 1));
             assert!(run.pinches.is_empty());
@@ -283,8 +285,7 @@ mod tests {
 
     #[test]
     fn necks_stay_where_the_topology_is_fixed() {
-        let options = Options { topology: Topology::Fixed, ..free() };
-        let (film, run) = rings(24, 4, 14.0, &options);
+        let (film, run) = rings(24, 4, 14.0, &PinkallPolthier::default(), None);
         assert_eq!((film.topology.components(), run.pinches.len()), (1, 0));
     }
 }

@@ -1,6 +1,6 @@
 //! Half-circles from pole to pole of one sphere, and films between them.
 
-use super::super::{InitialMesh, Resolution};
+use super::super::options::{FreeTopology, InitialMesh, Newton, Resolution, TopologyRule};
 use super::*;
 
 /// Sheets from the polar axis (bent by `bend`, as a part of the radius) to half-circles at the given azimuths (degrees), `m`
@@ -271,7 +271,10 @@ fn what_is_no_such_film_is_refused() {
     // A fourth sheet on the same junction.
     let (four, mesh) = half_discs(&[0.0, 90.0, 180.0, 270.0], 6, 2, 1.0, DVec3::ZERO);
     assert!(told(&four, &mesh).contains("4 triangles share the edge"));
-    let options = Options { topology: Topology::Free, ..Options::new(Resolution::Triangles(1)) };
+    let options = Options {
+        method: Method::Newton(Newton { topology: TopologyRule::Free(FreeTopology::default()), ..Newton::default() }),
+        ..Options::new(Resolution::Triangles(1))
+    };
     let refused = solve(&loops, &[], &mesh, &options, &Execution::default());
     assert!(matches!(refused, Err(Error::Input(errors)) if errors[0].place.to_string() == "/topology"));
 }

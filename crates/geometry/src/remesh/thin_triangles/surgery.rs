@@ -1,10 +1,13 @@
-//! Local changes of a triangle list under the knife: collapse an edge, remove a vertex, flip an edge, cut along three edges.
+//! Local changes of a triangle list under the knife: collapse an edge, remove a vertex, flip an edge, cut along three
+//! edges.
 
 use crate::DVec3;
+use crate::mesh::edit::{Adjacency, may_collapse, may_flip};
 
 /// A triangle list with, for each vertex, the triangles around it. Triangles and vertices that were removed leave gaps.
 ///
-/// Every operation keeps it an oriented manifold if it was one, and refuses to work (`false` or `None`) where it could not.
+/// Every operation keeps it an oriented manifold if it was one, and refuses to work (`false` or `None`) where it could
+/// not.
 #[derive(Debug)]
 pub(super) struct Surgery {
     pub vertices: Vec<DVec3>,
@@ -66,10 +69,6 @@ impl Surgery {
         ring
     }
 
-    fn are_adjacent(&self, a: u32, b: u32) -> bool {
-        self.left_of(a, b).is_some() || self.left_of(b, a).is_some()
-    }
-
     fn is_boundary_edge(&self, a: u32, b: u32) -> bool {
         self.left_of(a, b).is_some() != self.left_of(b, a).is_some()
     }
@@ -104,16 +103,10 @@ impl Surgery {
     /// Makes b one with a, at `place`; removes the triangles at their edge. Refuses where two edges would come to join
     /// the same vertices, where a boundary would close, and where b is fixed.
     pub fn collapse(&mut self, a: u32, b: u32, place: DVec3) -> bool {
-        let faces = [self.left_of(a, b), self.left_of(b, a)];
-        let interior = faces.iter().all(Option::is_some);
-        if self.fixed[b as usize]
-            || faces.iter().all(Option::is_none)
-            || self.third_of_empty_triangle(a, b).is_some()
-            || (interior && self.is_boundary(a) && self.is_boundary(b))
-            || self.is_lone(faces)
-        {
+        if self.fixed[b as usize] || !may_collapse(self, a, b) {
             return false;
         }
+        let faces = [self.left_of(a, b), self.left_of(b, a)];
         for (t, _) in faces.into_iter().flatten() {
             self.remove(t);
         }
@@ -128,21 +121,6 @@ impl Surgery {
             self.vertices[a as usize] = place;
         }
         true
-    }
-
-    /// Whether a collapse of the faces' edge would leave nothing, two triangles back to back, or a corner without a triangle.
-    fn is_lone(&self, faces: [Option<(u32, u32)>; 2]) -> bool {
-        let corners = faces.map(|face| face.map(|(_, corner)| corner));
-        let closes = match corners {
-            [Some(c), Some(d)] => {
-                c == d || {
-                    // A closed tetrahedron: c and d are joined by triangles with a and with b only.
-                    self.around[c as usize].len() == 3 && self.around[d as usize].len() == 3 && self.are_adjacent(c, d)
-                }
-            }
-            _ => false,
-        };
-        closes || corners.into_iter().flatten().any(|c| self.around[c as usize].len() == 1)
     }
 
     /// Replaces the three triangles around an interior vertex by one; its number. Refuses other vertices.
@@ -169,12 +147,13 @@ impl Surgery {
         (c != d).then_some([a, b, c, d])
     }
 
-    /// Replaces the edge a-b by the other diagonal of its two triangles; their numbers. Refuses where that diagonal exists.
+    /// Replaces the edge a-b by the other diagonal of its two triangles; their numbers. Refuses where that diagonal
+    /// exists.
     pub fn flip(&mut self, a: u32, b: u32) -> Option<[u32; 2]> {
-        let [_, _, c, d] = self.quad(a, b)?;
-        if self.are_adjacent(c, d) {
+        if !may_flip(self, a, b) {
             return None;
         }
+        let [_, _, c, d] = self.quad(a, b)?;
         let (left, right) = (self.left_of(a, b)?.0, self.left_of(b, a)?.0);
         self.remove(left);
         self.remove(right);
@@ -303,6 +282,28 @@ impl Surgery {
     }
 }
 
+impl Adjacency for Surgery {
+    fn opposite_corners(&self, a: u32, b: u32) -> [Option<u32>; 2] {
+        [self.left_of(a, b), self.left_of(b, a)].map(|face| face.map(|(_, corner)| corner))
+    }
+
+    fn joined(&self, a: u32, b: u32) -> bool {
+        self.left_of(a, b).is_some() || self.left_of(b, a).is_some()
+    }
+
+    fn any_neighbour(&self, vertex: u32, condition: impl FnMut(u32) -> bool) -> bool {
+        self.neighbours(vertex).into_iter().any(condition)
+    }
+
+    fn degree(&self, vertex: u32) -> usize {
+        self.around[vertex as usize].len()
+    }
+
+    fn on_boundary(&self, vertex: u32) -> bool {
+        self.is_boundary(vertex)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -347,8 +348,8 @@ mod tests {
 
     #[test]
     fn a_cut_that_touches_the_boundary_leaves_the_boundary_on_one_side() {
-        // A tube of three: the ring 3-4-5 beside the boundary ring 0-1-2. When vertex 3 has collapsed into the boundary vertex 0,
-        // the vertices 0, 4 and 5 are joined in pairs across the tube.
+        // A tube of three: the ring 3-4-5 beside the boundary ring 0-1-2. When vertex 3 has collapsed into the boundary
+        // vertex 0, the vertices 0, 4 and 5 are joined in pairs across the tube.
         let mut surgery = tube(3, 4);
         let place = surgery.vertices[0];
         assert!(surgery.collapse(0, 3, place));

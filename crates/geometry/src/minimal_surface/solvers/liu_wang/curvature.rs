@@ -44,8 +44,9 @@ pub(super) fn dihedral_angle_gradient(p: DVec3, q: DVec3, r: DVec3, s: DVec3) ->
 /// An edge with two triangles: its ends p, q and the opposite corners r (left) and s (right).
 type Hinge = [u32; 4];
 
-/// H_i = (1/B_i) Σ β(e) |e| / 2 over the interior edges at vertex i, B_i a third of the area of the triangles around it,
-/// and its derivatives with respect to the unknown vertices, as sparse rows of one `DVec3` per vertex of the closed ring.
+/// H_i = (1/B_i) Σ β(e) |e| / 2 over the interior edges at vertex i, B_i a third of the area of the triangles around
+/// it, and its derivatives with respect to the unknown vertices, as sparse rows of one `DVec3` per vertex of the closed
+/// ring.
 #[derive(Debug)]
 pub(super) struct CurvatureRows {
     hinges: Vec<Hinge>,
@@ -126,7 +127,8 @@ impl CurvatureRows {
         (self.unknown[vertex] != FIXED).then_some(self.unknown[vertex] as usize)
     }
 
-    /// Elementary operations of one evaluation and assembly, as [`Execution::look`](crate::Execution::look) counts them.
+    /// Elementary operations of one evaluation and assembly, as [`Execution::look`](crate::Execution::look) counts
+    /// them.
     #[must_use]
     pub fn work(&self) -> u64 {
         (8 * self.columns.len() + self.hinges.len()) as u64

@@ -1,4 +1,5 @@
-//! Levenberg and Marquardt's damped Gauss-Newton steps for ½ Σ H², after Madsen, Nielsen and Tingleff (Liu-Wang, Fig. 5).
+//! Levenberg and Marquardt's damped Gauss-Newton steps for ½ Σ H², after Madsen, Nielsen and Tingleff (Liu-Wang, Fig.
+//! 5).
 
 use super::curvature::CurvatureRows;
 use crate::sparse::{Symbolic, SymmetricMatrix};
@@ -25,8 +26,8 @@ pub(super) enum Stop {
 
 /// Moves the unknown vertices until a criterion holds; returns which, and F.
 ///
-/// `observe` is shown the vertices and F after every step, rejected ones included. The vertices are the best so far at every
-/// look, so an interruption leaves them valid.
+/// `observe` is shown the vertices and F after every step, rejected ones included. The vertices are the best so far at
+/// every look, so an interruption leaves them valid.
 pub(super) fn levenberg_marquardt(
     vertices: &mut [DVec3],
     rows: &mut CurvatureRows,
