@@ -1,9 +1,9 @@
-//! What can go wrong, and where in the input.
+//! Errors, and where in the input their causes stand.
 
 use crate::execution::Interruption;
 use std::fmt;
 
-/// One step on the way to an offending value: a field's name or an index into a list.
+/// A step on the way to an offending value: a field's name or an index into a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
     /// A field of this name.
@@ -50,12 +50,12 @@ impl fmt::Display for Place {
     }
 }
 
-/// One value that the solver cannot work with, and why. The value itself is never echoed.
+/// A value that the solver cannot work with, and why. The value itself is never echoed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputError {
     /// Where the value stands.
     pub place: Place,
-    /// What is wrong with it, for a person.
+    /// The fault, for a person.
     pub detail: String,
 }
 
@@ -75,7 +75,7 @@ pub enum Error {
     NoResult {
         /// A short name of the reason, stable, in snake case: `self_intersecting_boundary`.
         reason: &'static str,
-        /// What was wrong with the geometry and what to try, for a person.
+        /// The fault of the geometry and what to try, for a person.
         detail: String,
         /// The values that caused it, where they are known.
         places: Vec<InputError>,
@@ -125,7 +125,7 @@ impl std::error::Error for Error {}
 pub struct Warning {
     /// Stable, snake case: `folds`, `merged_points`, `not_converged`.
     pub code: &'static str,
-    /// What it is about, for a person.
+    /// The fact, for a person.
     pub detail: String,
 }
 

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::fmt;
 
-/// What the caller wants of a running solver.
+/// The caller's wish to a running solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Signal {
     /// Go on.
@@ -28,7 +28,7 @@ pub enum Interruption {
 pub struct Progress {
     /// 0 to 1, never falling within one solve.
     pub fraction: f64,
-    /// What it is doing: `initial_mesh`, `newton`, `strip`.
+    /// The solver's phase: `initial_mesh`, `newton`, `strip`.
     pub phase: &'static str,
     /// Number of iterations so far, as the phase counts them.
     pub iteration: u64,

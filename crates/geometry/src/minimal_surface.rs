@@ -135,7 +135,7 @@ fn relax(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Er
     }
 }
 
-/// What [`solve`] would say of its arguments before any work: linear in the number of points.
+/// Checks the arguments of [`solve`] before any work: linear in the number of points.
 ///
 /// # Errors
 /// The [`Error::Input`] that [`solve`] would begin with. Arguments that pass may still turn out to have no valid mesh.

@@ -150,7 +150,7 @@ impl Symbolic {
         self.factorise_into(matrix, Vec::new())
     }
 
-    /// As [`factorise`](Self::factorise), in the storage of an earlier factorisation ([`Factorisation::into_storage`]).
+    /// The same as [`factorise`](Self::factorise) in the storage of an earlier factorisation ([`Factorisation::into_storage`]).
     ///
     /// # Errors
     /// As [`factorise`](Self::factorise).
@@ -290,7 +290,7 @@ impl Factorisation<'_> {
         Ok(())
     }
 
-    /// One application of the factor, without the check: for preconditioners, whose errors the outer iteration sees.
+    /// Applies the factor once, without the check: for preconditioners, whose errors the outer iteration sees.
     pub fn solve_unchecked(&self, right_hand_sides: &mut [f64]) {
         self.symbolic.apply(&self.values, right_hand_sides);
     }

@@ -275,7 +275,11 @@ impl Modules {
         let tests: Vec<Vec<String>> = files
             .iter()
             .flat_map(|(path, contents)| {
-                contents.test_children.iter().map(|child| [&path[..], &[child.clone()]].concat()).collect::<Vec<_>>()
+                contents
+                    .test_children
+                    .iter()
+                    .map(|child| [&path[..], std::slice::from_ref(child)].concat())
+                    .collect::<Vec<_>>()
             })
             .collect();
         files.retain(|path, _| !tests.iter().any(|test| path.starts_with(test)));
@@ -302,7 +306,7 @@ impl Modules {
             _ => return None,
         }
         while let Some(segment) = rest.first() {
-            let child = [&module[..], &[segment.clone()]].concat();
+            let child = [&module[..], std::slice::from_ref(segment)].concat();
             if self.files.contains_key(&child) {
                 module = child;
                 rest = &rest[1..];
@@ -424,9 +428,9 @@ fn no_file_uses_a_later_layer_and_no_files_form_a_circle() {
     let arrows = arrows(&sources());
     let faults_now = faults(&arrows, &KNOWN);
     assert!(faults_now.is_empty(), "{}", faults_now.join("\n"));
-    for k in 0..KNOWN.len() {
-        let others: Vec<(&str, &str)> = (0..KNOWN.len()).filter(|&other| other != k).map(|k| KNOWN[k]).collect();
-        assert!(!faults(&arrows, &others).is_empty(), "{:?} is known for nothing: take it off the list", KNOWN[k]);
+    for entry in KNOWN {
+        let others: Vec<(&str, &str)> = KNOWN.into_iter().filter(|other| *other != entry).collect();
+        assert!(!faults(&arrows, &others).is_empty(), "{entry:?} is known for nothing: take it off the list");
     }
 }
 

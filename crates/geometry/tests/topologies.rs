@@ -108,7 +108,8 @@ fn rings_of_radius_10_at_height_14_become_two_discs() {
     assert!(told.detail.contains("0.94"), "{}", told.detail);
 }
 
-/// Once conjugate gradients were asked for the places of no vertices, and died of it.
+/// Input: two rings that project to lines, so that mending removes every free vertex. Conjugate gradients must not be asked
+/// for the positions of no vertices.
 #[test]
 fn a_film_that_mending_leaves_without_a_free_vertex_has_nothing_to_move() {
     let edgewise = |z: f64| {

@@ -26,7 +26,7 @@ fn solved(boundaries: &[Vec<DVec3>], options: &Options) -> MinimalSurface {
     surface
 }
 
-/// What every answer keeps: a manifold, the boundary exactly as given and in its order, sound figures.
+/// Checks every answer: a manifold, the boundary exactly as given and in its order, sound figures.
 fn check(given: &[Vec<DVec3>], surface: &MinimalSurface) {
     let topology = surface.mesh.check().unwrap();
     assert_eq!(topology.boundary_loops().len(), given.len());

@@ -3,7 +3,7 @@
 
 use crate::mesh::topology::{NONE, Topology, next, previous};
 
-/// What the rules for flips and collapses ask of a representation of an oriented manifold.
+/// Questions that the rules for flips and collapses ask of a representation of an oriented manifold.
 pub(crate) trait Adjacency {
     /// The corners opposite to the edge in its triangles: on the left of a to b, and on the right.
     fn opposite_corners(&self, a: u32, b: u32) -> [Option<u32>; 2];

@@ -55,7 +55,7 @@ pub fn vertex_normals(mesh: &Mesh) -> Vec<DVec3> {
     normals(&mesh.vertices, &mesh.triangles)
 }
 
-/// As [`vertex_normals`], for vertices and triangles that are kept apart.
+/// The normals of [`vertex_normals`], for vertices and triangles that are kept apart.
 #[must_use]
 pub fn normals(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Vec<DVec3> {
     let mut normals = vec![DVec3::ZERO; vertices.len()];
@@ -121,7 +121,7 @@ pub fn flipped_triangles(mesh: &Mesh) -> usize {
     count_flipped(&mesh.vertices, &mesh.triangles, &vertex_normals(mesh))
 }
 
-/// As [`flipped_triangles`], for vertices and triangles that are kept apart and with normals that are known already.
+/// The number of [`flipped_triangles`], for vertices and triangles that are kept apart and with normals that are known already.
 #[must_use]
 pub fn count_flipped(vertices: &[DVec3], triangles: &[[u32; 3]], normals: &[DVec3]) -> usize {
     let is_flipped = |triangle: &&[u32; 3]| {

@@ -20,7 +20,7 @@ pub enum Defect {
     },
     /// Three or more triangles share an edge, or two neighbours run along it in the same direction.
     NonManifoldEdge {
-        /// One end of the edge.
+        /// An end of the edge.
         from: u32,
         /// The other end.
         to: u32,

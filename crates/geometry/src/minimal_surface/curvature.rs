@@ -16,7 +16,7 @@ pub struct Curvature {
 }
 
 impl Curvature {
-    /// One pass over the triangles and one over the vertices.
+    /// Measures a film in two passes over its triangles and one over its vertices.
     pub(crate) fn of(film: &Film) -> Self {
         let count = film.vertices.len();
         let mut gradient = vec![DVec3::ZERO; count];

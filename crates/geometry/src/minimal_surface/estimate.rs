@@ -3,7 +3,7 @@
 use super::options::{InitialMesh, Options, Resolution};
 use crate::DVec3;
 
-/// About how many triangles a boundary of points much closer than the edge length has for each, graded.
+/// Number of triangles, roughly, for each boundary point where the points are much closer than the edge length.
 const TRIANGLES_PER_POINT: f64 = 12.0;
 
 /// About how many triangles a request asks for, so that a service can price it before the work.

@@ -14,8 +14,9 @@ use crate::remesh::subdivision::subdivide;
 use crate::sparse::multigrid::{Hierarchy, parents_of};
 use crate::{Execution, Interruption};
 
-/// The residual to which the finer mesh is brought: the error of its area is about the square of that.
+/// Residual to which the finer mesh is solved. The error of its area is about the square of that.
 const TOLERANCE: f64 = 1e-3;
+/// Largest number of Newton steps on the finer mesh.
 const MAX_STEPS: u32 = 6;
 
 impl ExtrapolatedArea {

@@ -26,7 +26,7 @@ pub(crate) enum Elimination {
     Spared,
 }
 
-/// One connectivity's Dirichlet problems: the symbolic factorisation is made once.
+/// Dirichlet problems on one connectivity: the symbolic factorisation is made once.
 #[derive(Debug)]
 pub(crate) struct Dirichlet {
     pub pattern: Pattern,
@@ -67,7 +67,7 @@ impl Dirichlet {
         Ok(())
     }
 
-    /// As [`step`](Self::step), by conjugate gradients from the present positions; by elimination where one of the
+    /// The same as [`step`](Self::step) by conjugate gradients from the present positions; by elimination where one of the
     /// three coordinates does not converge. Says which it was, or why elimination failed. Leaves the film as it was on
     /// an error.
     ///

@@ -141,7 +141,7 @@ fn barycentres(boundaries: &[Vec<DVec3>], options: &Options, seed: u64, exec: &E
     candidate_mesh(boundary, interior_vertices, seed, exec)
 }
 
-/// What [`build`] would refuse, as far as it shows without meshing: linear in the input.
+/// Refuses what [`build`] would refuse, as far as it shows without meshing: linear in the input.
 ///
 /// # Errors
 /// [`Error::Input`].
@@ -168,10 +168,10 @@ pub(super) fn check(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), 
     }
 }
 
-/// Heights below this fraction of the extent make a boundary a plane one.
+/// A boundary counts as plane if its heights are below this fraction of its extent.
 const FLAT: f64 = 1e-9;
 
-/// Segments whose projection keeps less than this of their length make a projection too steep.
+/// A projection counts as too steep if a segment keeps less than this fraction of its length.
 const STEEP: f64 = 0.25;
 
 fn extent(boundaries: &[Vec<DVec3>]) -> f64 {
@@ -188,7 +188,7 @@ fn is_gentle(boundaries: &[Vec<DVec3>], frame: &Frame) -> bool {
     })
 }
 
-/// What to tell the caller of a domain that has no mesh.
+/// The error for a domain that has no mesh.
 fn refusal(boundaries: &[Vec<DVec3>], error: PlaneError, plane: bool) -> Error {
     match error {
         PlaneError::Interrupted(interruption) => interruption.into(),

@@ -1,4 +1,4 @@
-//! What a solve is asked for.
+//! Options of a solve: objective, solver with its own options, resolution, initial mesh, constraints.
 
 use crate::error::InputError;
 use crate::polyline::LARGEST_COORDINATE;
@@ -11,7 +11,7 @@ const DEGENERATE_ANGLE: f64 = std::f64::consts::PI / 180.0;
 /// A third of an equilateral triangle's angle: rules against thinner ones leave good triangles alone.
 const LARGEST_DEGENERATE_ANGLE: f64 = std::f64::consts::PI / 9.0;
 
-/// What is made least.
+/// A quantity that is minimised.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Objective {
     /// The sum of the triangles' areas.
@@ -23,12 +23,12 @@ pub enum Objective {
     MinimalMeanCurvature,
 }
 
-/// One objective, for people and for catalogues.
+/// An objective, for people and for catalogues.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Description {
     /// A stable name in snake case.
     pub name: &'static str,
-    /// What is made least.
+    /// The quantity that is minimised.
     pub minimises: &'static str,
     /// Its unit, where u is the caller's unit of length.
     pub unit: &'static str,
@@ -73,12 +73,12 @@ impl Objective {
     }
 }
 
-/// One of the paper's three processes.
+/// A process of Chen, Cai and Zheng's relaxation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Process {
     /// Every interior vertex at once to the area-weighted mean of its neighbours.
     LaplacianFairing,
-    /// One vertex at a time towards the least area of its ring.
+    /// Vertex after vertex towards the least area of its ring.
     AreaMinimising,
     /// Edges are flipped where that lowers the area.
     EdgeSwapping,
@@ -128,7 +128,7 @@ impl Solver {
     }
 }
 
-/// What is minimised and how: one variant for each solver, with that solver's own options.
+/// Objective and solver: a variant for each solver, with that solver's own options.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Method {
     /// Least area by Newton's method. The fastest, with a Morse index, and the default.
@@ -150,7 +150,7 @@ impl Default for Method {
 }
 
 impl Method {
-    /// What the method minimises.
+    /// The objective of the method.
     #[must_use]
     pub fn objective(&self) -> Objective {
         match self {
@@ -166,7 +166,7 @@ impl Method {
 pub struct Newton {
     /// Whether the film keeps the topology of the initial mesh.
     pub topology: TopologyRule,
-    /// What to do with an unstable surface. Under [`TopologyRule::Free`] and [`TopologyRule::Best`] it is always left.
+    /// Treatment of an unstable surface. Under [`TopologyRule::Free`] and [`TopologyRule::Best`] it is always left.
     pub on_unstable: OnUnstable,
 }
 
@@ -369,7 +369,7 @@ impl Constraints {
     }
 }
 
-/// What to do with a stationary surface that is no local minimum.
+/// Treatment of a stationary surface that is no local minimum.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum OnUnstable {
     /// Return it, and say so.
@@ -382,10 +382,10 @@ pub enum OnUnstable {
 /// Meshes larger than this are refused: half-edges are numbered with 32 bits.
 pub const LARGEST_COUNT: usize = 100_000_000;
 
-/// What a solve is asked for. [`Options::new`] gives the defaults; only the resolution has none.
+/// Options of a solve. [`Options::new`] gives the defaults; only the resolution has none.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// What is minimised, by which solver.
+    /// Objective and solver.
     pub method: Method,
     /// How fine the mesh is to be.
     pub resolution: Resolution,

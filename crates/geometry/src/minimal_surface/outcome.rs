@@ -11,7 +11,7 @@ use crate::error::Warning;
 use crate::mesh::film::Film;
 use crate::{DVec3, Error, Mesh};
 
-/// How far a resolution may be missed without a warning.
+/// Largest fraction by which a resolution is missed without a warning.
 const RESOLUTION_TOLERANCE: f64 = 0.1;
 
 /// The mesh vertices of [`Constraints`], in their order; points added on curves are not listed.
@@ -40,9 +40,9 @@ pub struct MinimalSurface {
     /// For an unstable surface the direction in which to leave it: per vertex the lowest mode of its second variation,
     /// along the normal, the largest of length 1. Either sign lowers the area.
     pub unstable_mode: Option<Vec<DVec3>>,
-    /// What is known about the surface.
+    /// Figures of the surface and of the run.
     pub statistics: Statistics,
-    /// What the caller should know besides.
+    /// Facts that the caller should know although the solve went through.
     pub warnings: Vec<Warning>,
 }
 

@@ -16,7 +16,7 @@ pub(super) struct Input {
     dropped: usize,
 }
 
-/// Between neighbours on a boundary: products of six lengths must not vanish.
+/// Smallest distance between neighbours on a boundary: products of six lengths must not vanish.
 const SMALLEST_DISTANCE: f64 = 1e-50;
 
 impl Input {

@@ -1,4 +1,4 @@
-//! What a run remembers and reports: why it stopped, its iterations, the stability of what it reached.
+//! The record and the report of a run: why it stopped, its iterations, the stability of what it reached.
 
 use super::options::Solver;
 use crate::remesh::thin_triangles::Pinch;
@@ -55,10 +55,10 @@ impl StopReason {
     }
 }
 
-/// One iteration as it is remembered.
+/// The record of an iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HistoryRow {
-    /// What the solver was doing.
+    /// The solver's phase.
     pub phase: &'static str,
     /// The number of the iteration, from 1.
     pub iteration: u32,
@@ -119,7 +119,7 @@ impl ExtrapolatedArea {
     }
 }
 
-/// One way to span the boundaries.
+/// A way to span the boundaries.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpanningTopology {
     /// The sets of boundaries, by their numbers, that a connected film spans each; ascending.
@@ -134,7 +134,7 @@ pub struct SpanningTopology {
     pub chosen: bool,
 }
 
-/// What [`Topology::Best`] compared.
+/// The films that [`TopologyRule::Best`](super::options::TopologyRule::Best) compared.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpanningComparison {
     /// By area, those without one last.
@@ -146,7 +146,7 @@ pub struct SpanningComparison {
     pub largest_gap_fraction: Option<f64>,
 }
 
-/// What a solver did to a film.
+/// Report of a solver's run on a film.
 #[derive(Clone, Debug)]
 pub(crate) struct Run {
     pub solver: Solver,
@@ -161,7 +161,7 @@ pub(crate) struct Run {
     pub extrapolated_area: Option<ExtrapolatedArea>,
     /// Where the objective is not the area.
     pub objective_value: Option<f64>,
-    /// What was compared, if topologies were.
+    /// The comparison of topologies, if there was one.
     pub spanning: Option<SpanningComparison>,
 }
 
@@ -183,7 +183,7 @@ impl Run {
         }
     }
 
-    /// What came after this run on the same film, as one run.
+    /// Appends a later run on the same film.
     pub(crate) fn append(&mut self, later: Self) {
         let before = self.iterations;
         self.stop_reason = later.stop_reason;
@@ -215,7 +215,7 @@ impl<'a> Record<'a> {
         Self { exec, history: Vec::new(), iterations: 0, fraction: 0.0, share: [0.0, 1.0] }
     }
 
-    /// One more iteration (a linear solve); `fraction` of the present share is done after it.
+    /// Records an iteration (a linear solve); `fraction` of the present share is done after it.
     pub fn iteration(&mut self, phase: &'static str, area: f64, residual: f64, fraction: f64) {
         self.iterations += 1;
         self.history.push(HistoryRow { phase, iteration: self.iterations, area, residual });

@@ -1,4 +1,4 @@
-//! What is reported about a film: size, shape, curvature, residual, and how the solver got there.
+//! The report about a film: size, shape, curvature, residual, and how the solver got there.
 
 use super::curvature::Curvature;
 use super::initial_mesh::InitialMeshKind;
@@ -24,7 +24,7 @@ pub struct MeanCurvature {
 /// Everything that is reported about a minimal surface. Lengths in the caller's unit u, areas in u², angles in radians.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statistics {
-    /// What was minimised.
+    /// The objective that was minimised.
     pub objective: Objective,
     /// Its value, in the objective's unit.
     pub objective_value: f64,
@@ -65,7 +65,7 @@ pub struct Statistics {
     pub stop_reason: StopReason,
     /// Number of iterations.
     pub iterations: u32,
-    /// One row per iteration; of long runs every iteration to 100, every 10th to 1000, every 100th beyond, and the
+    /// A row for each iteration; of long runs every iteration to 100, every 10th to 1000, every 100th beyond, and the
     /// last.
     pub history: Vec<HistoryRow>,
     /// The second variation of area; `None` where it was not computed.
@@ -108,7 +108,7 @@ impl Statistics {
     }
 }
 
-/// What [`collect`] cannot see on the film itself.
+/// Facts that [`collect`] cannot see on the film itself.
 pub(super) struct Origin {
     pub kind: InitialMeshKind,
     pub initial_area: f64,

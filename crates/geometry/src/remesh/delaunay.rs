@@ -7,7 +7,7 @@ use crate::mesh::film::Film;
 use crate::mesh::measure::double_area_vector;
 use crate::mesh::topology::{NONE, next, previous};
 
-/// Flips of one call may not exceed this many times the edges: on a curved surface flipping need not end by itself.
+/// Largest number of flips of one call, per edge of the mesh. On a curved surface flips need not end by themselves.
 const FLIPS_PER_EDGE: usize = 10;
 
 /// Flips every edge whose opposite angles sum to more than π, as long as there are any; the number of flips.

@@ -11,29 +11,36 @@ use crate::mesh::measure::double_area_vector;
 use crate::mesh::topology::{NONE, Topology};
 use crate::{DVec3, Execution, Interruption};
 
-/// Edges longer than this times the size at their ends are split: at √2 both halves are as far below it as the whole
-/// was above.
+// Tunables. The figures in docs/VALIDATION.md were obtained with these values.
+
+/// An edge is split if it exceeds this multiple of the target size at its ends. √2: both halves are then as far below the size as
+/// the whole was above it. Larger: longer edges stay.
 const LONG: f64 = std::f64::consts::SQRT_2;
-/// Edges shorter than this times the size are collapsed.
+/// An edge is collapsed if it is shorter than this multiple of the target size. Larger: fewer, more even edges, and more passes;
+/// above √2 / 2 halves of a split edge would collapse again.
 const SHORT: f64 = 0.7;
-/// Sizes grow by this per length, or faster where the boundary's spacing would make too many triangles.
+/// Growth of the target size per length away from a fine boundary. Larger: fewer triangles, less even ones.
 const GRADING: f64 = 0.3;
+/// Largest growth that is tried where [`GRADING`] would give more triangles than are wanted.
 const STEEPEST_GRADING: f64 = 5.0;
-/// An edge that cannot be split keeps the sizes beside it at this share of its length at least, falling by so much per
-/// length (or faster, where too few triangles would be left for the rest): no fan of needles starts there.
+/// Lower bound of the target size beside an edge that keeps its length, as a fraction of that length. Larger: larger triangles
+/// there. Without it a fan of needles starts at the edge.
 const FLOOR: f64 = 0.8;
+/// Decrease of that lower bound per length away from the edge. Larger: it reaches less far.
 const FALL: f64 = 0.5;
+/// Largest decrease that is tried where too few triangles would be left for the rest.
 const STEEPEST_FALL: f64 = 4.0;
-/// The floors are given up one by one until the cap is at least this share of what it would be without them.
+/// The lower bounds may reduce the largest target size to this fraction of its value without them. Larger: the bounds are given
+/// up sooner.
 const ROOM: f64 = 0.7;
-/// A pass that changes the number of triangles by less than this shows where they settle.
-const SETTLED: f64 = 0.1;
-/// Splitting ends beyond this many times the wanted number.
+/// A pass that changes the number of triangles by less than this fraction shows the number at which they settle.
+const SETTLED_COUNT: f64 = 0.1;
+/// Passes end when there are more than this multiple of the wanted number of triangles: the film has no area.
 pub(crate) const RUNAWAY: f64 = 4.0;
-/// How near the wanted number ends the passes.
+/// Passes end when the number of triangles is within this fraction of the wanted one.
 const CLOSE_ENOUGH: f64 = 0.03;
 
-/// What may happen to the boundary's own edges.
+/// Treatment of the boundary's own edges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BoundaryEdges {
     /// Long ones are split; the new vertices are fixed and stand on the segments.
@@ -72,7 +79,7 @@ pub(crate) fn resample(
             // A film without area: however often its edges are split, the triangles stay too flat for their sizes.
             break;
         }
-        let settled = (reached / before - 1.0).abs() < SETTLED;
+        let settled = (reached / before - 1.0).abs() < SETTLED_COUNT;
         before = reached;
         if settled && (reached / count - 1.0).abs() < CLOSE_ENOUGH {
             break;

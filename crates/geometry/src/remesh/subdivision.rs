@@ -53,7 +53,7 @@ fn previous_on_boundary(topology: &Topology, vertex: u32) -> u32 {
     topology.outgoing_half_edges(vertex).last().map_or(NONE, previous)
 }
 
-/// As [`Topology::subdivided`], but boundary edges for which `splits` is false stay whole: the triangles behind them
+/// Regular subdivision like [`Topology::subdivided`], but boundary edges for which `splits` is false stay whole: the triangles behind them
 /// are cut in three or two.
 pub(crate) fn subdivided_inside(
     topology: &Topology,

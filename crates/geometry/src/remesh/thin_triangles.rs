@@ -12,7 +12,7 @@
 //! Our departures, each so that the rules end:
 //! - Thinnest triangle first; a flip must make the smallest angle of its two triangles larger. Their Fig. 4 is the
 //!   order in which unguarded flips undo each other for ever. Now every step either lowers the number of triangles, or
-//!   raises the angles, or cuts; and a surface over k loops can be cut only so often.
+//!   raises the angles, or cuts; and a surface over k loops can be cut a bounded number of times only.
 //! - An angle near 180° opposite an edge that cannot be flipped (a boundary edge, or the other diagonal exists):
 //!   its vertex moves into the nearer end of that edge.
 //! - Fixed vertices stay; of two, none moves.
@@ -34,11 +34,11 @@ pub struct Pinch {
     pub iteration: u32,
     /// Where it happened.
     pub place: DVec3,
-    /// What happened there: `split` (a component became two), `handle_cut` (it stayed one), `closed_component_removed`.
+    /// The kind of change: `split` (a component became two), `handle_cut` (it stayed one), `closed_component_removed`.
     pub what: &'static str,
 }
 
-/// What the rules did to a film.
+/// Changes that the rules made to a film.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Changes {
     /// Uses of rule (a).

@@ -21,11 +21,14 @@ use crate::minimal_surface::run::{Run, SpanningComparison, SpanningTopology, Sta
 use crate::minimal_surface::solvers::newton;
 use crate::{DVec3, Error, Execution, Interruption, Place, polyline};
 
-/// Boundaries that [`TopologyRule::Best`] compares at most: there are 2ⁿ - 1 films to solve and 203 partitions of six.
+// Tunables. The figures in docs/VALIDATION.md were obtained with these values.
+
+/// Largest number of boundaries that [`TopologyRule::Best`] compares: of n there are 2ⁿ - 1 films to solve, and of six 203
+/// partitions.
 pub(crate) const MOST_BOUNDARIES: usize = 6;
-/// The fraction of the gap is found to within this.
+/// Accuracy of the largest fraction of a gap at which a connected film holds.
 const GAP_RESOLUTION: f64 = 1e-3;
-/// The first gap tried is the full one halved, up to so often.
+/// Largest number of times that the gap is halved to find a first film.
 const HALVINGS: u32 = 8;
 
 impl SpanningComparison {
@@ -46,11 +49,11 @@ impl SpanningComparison {
     }
 }
 
-/// What [`solve`] found: the least film, how the mesh of its first part was made, its initial area, the run with the
+/// The result of [`solve`]: the least film, how the mesh of its first part was made, its initial area, the run with the
 /// comparison.
 pub(crate) type Solved = (Film, InitialMeshKind, f64, Run);
 
-/// One connected film over a set of boundaries.
+/// A connected film over a set of boundaries.
 #[derive(Clone, Debug)]
 struct Part {
     film: Film,
@@ -339,7 +342,7 @@ fn moved_apart(film: &Film, shift: DVec3) -> Film {
     moved
 }
 
-/// One film of several: the boundaries' input points first, in input order, then everything else, film by film.
+/// Several films as one: the boundaries' input points first, in input order, then everything else, film by film.
 fn together(boundaries: &[Vec<DVec3>], films: &[(&[usize], &Part)]) -> Option<Film> {
     let mut first = Vec::with_capacity(boundaries.len());
     let mut count = 0u32;

@@ -15,15 +15,19 @@ use crate::remesh::delaunay::flip_to_delaunay;
 use crate::remesh::thin_triangles::{Necks, remove_degenerate_triangles};
 use crate::{DVec3, Error, Execution, Interruption};
 
-/// Solves of step 1 that a run may take if the caller does not say: a film past its last stable shape lingers.
+// Tunables. The figures in docs/VALIDATION.md were obtained with these values.
+
+/// Largest number of solves of step 1 where the caller gives none: a film past its last stable shape shrinks slowly.
 const DEFAULT_SOLVES: u32 = 2000;
-/// Change of area that ends step 1, first and after step 2 has failed.
-const SETTLED: f64 = 1e-4;
+/// Relative change of area per solve that ends step 1 at first. Larger: step 2 is tried earlier.
+const SETTLED_AREA: f64 = 1e-4;
+/// The same after step 2 has failed.
 const AT_REST: f64 = 1e-9;
-/// Folds that a closing neck leaves are opened up to so often.
+/// Largest number of rounds that remove flipped triangles after a neck has closed.
 const MOST_UNFOLDINGS: u32 = 3;
-/// Angle (radians) of the needles that are taken out then, and sweeps over the vertices.
+/// Triangles with an angle below this (radians) are removed in such a round.
 const NEEDLE: f64 = 0.15;
+/// Number of times that every free vertex is averaged in such a round.
 const UNFOLDING_SWEEPS: u32 = 50;
 
 /// Steps 1 to 3 on a film. The report counts the solves of both steps.
@@ -40,7 +44,7 @@ pub(crate) fn run(
     let limit = limits.max_iterations.unwrap_or(DEFAULT_SOLVES);
     let FreeTopology { degenerate_angle, linear_solver } = *options;
     let mut run = Run::new(Solver::Newton);
-    let mut change = SETTLED;
+    let mut change = SETTLED_AREA;
     // Each neck that closes leaves one component or one handle more or less, so there are few rounds.
     let mut done = 0.0;
     let mut unfolded = 0;
@@ -55,7 +59,7 @@ pub(crate) fn run(
                 return Ok(run);
             }
             StopReason::TopologyChange => {
-                change = SETTLED;
+                change = SETTLED_AREA;
                 done += 0.5 * part;
                 continue;
             }
@@ -77,7 +81,7 @@ pub(crate) fn run(
             *film = held;
             exec.look(film.triangles().len() as u64)?;
             unfold(film);
-            change = SETTLED;
+            change = SETTLED_AREA;
         } else if (converged && stable) || change == AT_REST || interrupted {
             *film = held;
             return Ok(run);

@@ -27,21 +27,25 @@ use crate::sparse::Symbolic;
 use crate::sparse::multigrid::{self, Hierarchy, parents_of};
 use crate::{DVec3, Error, Execution, Interruption, polyline};
 
-/// The coarse mesh has at least this many triangles, so at most four times as many.
+// Tunables. The figures in docs/VALIDATION.md were obtained with these values.
+
+/// Smallest number of triangles of the coarse mesh; it has at most four times as many. Larger: fewer levels, more work on the
+/// coarse mesh.
 const LEAST_COARSE_TRIANGLES: f64 = 1000.0;
-/// And at least this many for each boundary vertex.
+/// Smallest number of triangles of the coarse mesh per boundary vertex.
 const COARSE_TRIANGLES_PER_BOUNDARY_VERTEX: f64 = 3.0;
-/// A boundary vertex that turns by more is a corner, and no coarse edge may turn by more in all (radians).
+/// A boundary vertex that turns by more than this (radians) is a corner; a coarse edge replaces at most this much turning.
 const CORNER: f64 = 0.6;
-/// The residual to which the levels between the coarsest and the finest are brought.
+/// Residual to which the levels between the coarsest and the finest are solved.
 const MIDDLE_TOLERANCE: f64 = 1e-3;
-/// Up to this many triangles the Morse index comes from a factorisation, beyond it from the lowest eigenvalue.
+/// Largest number of triangles for which the Morse index comes from a factorisation; beyond it the lowest eigenvalue decides.
 const INERTIA_TRIANGLES: usize = 250_000;
-/// Boundary edges longer than so many of the mesh's own are long.
+/// A boundary edge counts as long if it exceeds this multiple of the mean edge length of the mesh.
 const LONG_EDGE: f64 = 1.6;
-/// Newton steps on one level.
+/// Largest number of Newton steps on one level.
 const STEPS_PER_LEVEL: u32 = 12;
-/// What [`solve`] gives: a film in the promised vertex order, how its coarse mesh was made, that mesh's area, and the
+
+/// The result of [`solve`]: a film in the promised vertex order, how its coarse mesh was made, that mesh's area, and the
 /// run.
 pub(crate) type Solved = (Film, InitialMeshKind, f64, Run);
 

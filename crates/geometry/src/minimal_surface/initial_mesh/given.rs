@@ -8,7 +8,7 @@ use crate::mesh::measure::is_degenerate;
 use crate::mesh::topology::{NONE, Topology};
 use crate::{DVec3, Error, Mesh, Place};
 
-/// How far beside a segment, for its length, a further boundary vertex may stand.
+/// Largest distance of a further boundary vertex from its segment, as a fraction of the segment's length.
 const ON_SEGMENT: f64 = 1e-9;
 
 /// A film from the client's mesh: an oriented manifold whose boundary loops are the boundaries, each point exactly, in

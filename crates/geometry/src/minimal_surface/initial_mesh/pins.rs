@@ -11,9 +11,9 @@ use std::collections::BTreeMap;
 /// A vertex of a fixed curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Pin {
-    /// One of the boundaries' own points, counted through all boundaries.
+    /// A point of the boundaries, counted through all boundaries.
     Boundary(u32),
-    /// One of [`Pins::points`].
+    /// An entry of [`Pins::points`].
     Inner(u32),
 }
 

@@ -8,7 +8,7 @@ use crate::{DVec3, Execution, Interruption};
 use glam::DVec2;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
-/// What is to be meshed, at any scale near 1.
+/// A domain to be meshed, at any scale near 1.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Domain {
     /// Closed polygons; inside is what an odd number of them encloses.

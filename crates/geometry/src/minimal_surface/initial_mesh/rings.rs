@@ -17,7 +17,7 @@ use crate::mesh::film::Film;
 use crate::minimal_surface::options::{BoundarySampling, LARGEST_COUNT, Options, Resolution};
 use crate::{DVec3, Error, Execution, Place, polyline};
 
-/// One or two boundaries; exactly the triangles asked for if the boundary is kept.
+/// Rings over one or two boundaries, with exactly the triangles asked for if the boundary is kept.
 ///
 /// # Errors
 /// [`Error::Input`] naming the resolution if these boundaries cannot have it.
@@ -71,7 +71,7 @@ fn renumbered(film: &Film, numbers: &[u32]) -> Film {
     Film::new(vertices, &triangles, boundaries).expect("renaming keeps a manifold")
 }
 
-/// What the rings run along: from each point of the outer loop to its partner further in.
+/// Paths that the rings run along: from each point of the outer loop to its partner further in.
 struct Skeleton {
     /// All boundary points, boundary by boundary.
     points: Vec<DVec3>,
@@ -82,7 +82,7 @@ struct Skeleton {
 }
 
 enum Inner {
-    /// One boundary: its mean.
+    /// For one boundary: its mean.
     Centre(DVec3),
     /// Two: the other one.
     Loop { index: usize, matching: Matching },

@@ -3,7 +3,7 @@
 use crate::DVec3;
 use crate::minimal_surface::options::BoundarySampling;
 
-/// One closed boundary with the points that were added on it.
+/// A closed boundary with the points that were added on it.
 #[derive(Clone, Debug)]
 pub(super) struct Sampled {
     pub points: Vec<DVec3>,
@@ -55,7 +55,7 @@ pub(super) fn sample(polygon: &[DVec3], size: f64, grading: f64, sampling: Bound
     result
 }
 
-/// A segment is cut into at most so many pieces.
+/// Largest number of pieces into which a segment is cut.
 const MOST_PIECES: f64 = 1e5;
 
 /// Shares of a segment at which it is cut: sizes `from` and `to` at its ends, growing inwards with `grading`, at most

@@ -49,36 +49,39 @@ impl Start {
     }
 }
 
-/// Sizes grow by at most this per distance.
+// Tunables. The figures in docs/VALIDATION.md were obtained with these values.
+
+/// Growth of the edge length per distance away from the boundary. Larger: fewer triangles, less even ones.
 const GRADING: f64 = 0.3;
-/// The coarse mesh of a subdivided one has at least about so many triangles.
-const COARSE_TRIANGLES: f64 = 450.0;
-/// Where the boundary's spacing asks for more triangles than are wanted, sizes may grow up to so fast.
+/// Largest growth that is tried where the boundary's spacing asks for more triangles than are wanted.
 const STEEPEST_GRADING: f64 = 20.0;
-/// How near the resolution must come before the size is left alone.
+/// Smallest number of triangles, roughly, of a mesh that is then subdivided.
+const COARSE_TRIANGLES: f64 = 450.0;
+/// A size is kept if it meets the resolution to within this fraction.
 const CLOSE_ENOUGH: f64 = 0.02;
-/// How far the resolution may be missed.
+/// Largest fraction by which the resolution may be missed.
 const TOLERATED: f64 = 0.1;
-/// Rounds of solving and resampling that even out a mesh that was mapped into space.
+/// Largest number of rounds of solving and isotropic remeshing that even out a mesh that was mapped into space.
 const ROUNDS: u32 = 8;
-/// The area after a round, over that before, at which it has settled.
-const SETTLED: f64 = 0.998;
-/// A projected mesh with no smaller angle (radians) is left as it is.
+/// The area has settled if a round leaves more than this fraction of it.
+const SETTLED_AREA: f64 = 0.998;
+/// A projected mesh whose smallest angle (radians) is at least this is left as it is.
 const GOOD_ANGLE: f64 = 0.44;
-/// Meshes with more triangles than this are only relaxed.
+/// Largest number of triangles that are remeshed; larger meshes are only relaxed.
 const LARGEST_RESAMPLED: f64 = 20_000.0;
-/// Where the boundary is kept a mapped mesh has at most so many triangles, or eight per boundary point, before its
-/// edges are split.
+/// Where the boundary is kept, a mapped mesh has at most this many triangles, or eight per boundary point, before its edges are
+/// split.
 const FINEST_MAPPED: usize = 2_000;
-/// Passes of resampling from there to the wanted number.
+/// Passes of isotropic remeshing from there to the wanted number.
 const FINE_PASSES: u32 = 12;
-/// Sizes tried, and how many before something less near is near enough.
+/// Largest number of sizes that are tried.
 const TRIALS: u32 = 10;
+/// Number of trials after which twice [`CLOSE_ENOUGH`] suffices.
 const PATIENCE: u32 = 3;
-/// Rounds of adding vertices where no size gave enough.
+/// Largest number of rounds that add vertices where no size gave enough.
 const DENSIFICATIONS: u32 = 4;
 
-/// What a resolution counts, for a surface of known Euler characteristic.
+/// A resolution, and how it is counted on a surface of known Euler characteristic.
 #[derive(Clone, Copy, Debug)]
 struct Goal {
     resolution: Resolution,
@@ -136,7 +139,7 @@ impl From<Error> for Failure {
     }
 }
 
-/// Edges of all fixed curves together, where they are cut: each end is looked for in the whole film.
+/// Largest number of edges into which all fixed curves together are cut. Each end is looked for in the whole film.
 const MOST_PINS: f64 = 2e4;
 
 static NO_CONSTRAINTS: Constraints = Constraints { points: Vec::new(), polylines: Vec::new() };
@@ -148,7 +151,7 @@ struct Pinned {
     places: Vec<DVec2>,
 }
 
-/// One attempt at the sizes: boundaries as sampled, and where vertices stand between them. It is triangulated only when
+/// An attempt at the sizes: boundaries as sampled, and where vertices stand between them. It is triangulated only when
 /// it is the one, since the number of triangles does not depend on how.
 struct Layout {
     boundaries: Vec<Sampled>,
@@ -444,7 +447,7 @@ impl Spanning<'_> {
         self.boundaries.iter().map(|points| polyline::length(points, true)).sum()
     }
 
-    /// What a size gives, before any triangulation.
+    /// The layout that a size gives, before any triangulation.
     fn layout(&self, size: f64, grading: f64, pinned: &Pinned) -> Result<Layout, PlaneError> {
         let sampling = self.options.boundary_sampling;
         let boundaries: Vec<Sampled> =
@@ -548,7 +551,7 @@ impl Spanning<'_> {
                 *film = relaxed;
                 return Ok(());
             }
-            let settled = film.area() > SETTLED * area;
+            let settled = film.area() > SETTLED_AREA * area;
             area = film.area();
             if settled || flat {
                 break;

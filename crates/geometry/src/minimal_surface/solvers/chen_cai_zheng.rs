@@ -28,10 +28,10 @@ use crate::minimal_surface::run::{HistoryRow, Run, StopReason};
 use crate::{DVec3, Error, Execution, Interruption, Progress};
 use glam::DMat3;
 
-/// Sweeps that a run may take if the caller does not say.
+/// Largest number of sweeps where the caller gives none.
 const DEFAULT_SWEEPS: u32 = 10_000;
 
-/// Triangles visited between two looks: under a millisecond of work.
+/// Number of triangles visited between two looks: less than a millisecond of work.
 const LOOK_EVERY: u64 = 20_000;
 
 /// Relaxes the film stage by stage. Its mesh is valid at every moment; a deadline ends the run with what was reached.

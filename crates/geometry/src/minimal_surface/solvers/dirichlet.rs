@@ -9,7 +9,7 @@ use crate::minimal_surface::run::{Record, Run, StopReason};
 use crate::remesh::delaunay::flip_to_delaunay;
 use crate::{Error, Execution, Interruption};
 
-/// One solve of steps 1 and 2 for [`Objective::MinimalDirichletEnergy`](super::Objective): the harmonic map from the
+/// A single solve of steps 1 and 2 of [`harmonic`](crate::minimal_surface::harmonic) for [`Objective::MinimalDirichletEnergy`](crate::minimal_surface::options::Objective): the harmonic map from the
 /// initial mesh, made Delaunay so that its weights are positive. The energy, ¼ Σ (cot α + cot β) |a'|² over the edges,
 /// is the objective value.
 ///

@@ -27,9 +27,9 @@ use crate::{DVec3, Error, Execution, Interruption, Progress};
 use curvature::CurvatureRows;
 use levenberg_marquardt::{Criteria, Stop, levenberg_marquardt};
 
-/// Their k_max where the caller gives none, over all rounds together.
+/// Largest number of steps over all rounds where the caller gives none (k_max in the paper).
 const MAX_ITERATIONS: u32 = 500;
-/// How often steps 2 and 3 may repeat. Flips and solves could undo each other for ever.
+/// Largest number of rounds of steps 2 and 3: flips and solves could undo each other without end.
 const MAX_ROUNDS: usize = 50;
 
 /// Steps 2 and 3 on a film: lowers F = ½ Σ H² until the triangulation stays as it is.

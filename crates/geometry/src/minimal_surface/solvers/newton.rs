@@ -21,25 +21,29 @@ use crate::sparse::multigrid::Hierarchy;
 use crate::sparse::{Factorisation, LinearError};
 use crate::{DVec3, Error, Execution, Interruption};
 
-/// Linear solves that a run may take if the caller does not say.
+// Tunables. The figures in docs/VALIDATION.md were obtained with these values.
+
+/// Largest number of linear solves where the caller gives none.
 const DEFAULT_SOLVES: u32 = 200;
-/// Rounds of Pinkall-Polthier solves before Newton takes over, and solves in each.
+/// Largest number of rounds of Pinkall-Polthier solves before Newton's method takes over.
 const MAX_ROUNDS: u32 = 16;
-/// The first rounds have one solve each: a poor start needs new triangles first.
+/// Number of first rounds with a single solve each: a poor start needs new triangles first.
 const SINGLE_ROUNDS: u32 = 3;
+/// Largest number of solves in each later round. Larger: fewer remeshings.
 const SOLVES_PER_ROUND: u32 = 4;
 /// Tangential relaxations after each round's solves.
 const RELAXATIONS_PER_ROUND: u32 = 4;
-/// A round that changes the area by less than this fraction is the last.
-const SETTLED: f64 = 1e-3;
-/// Up to this many triangles the area is extrapolated with a mesh of four times as many.
+/// A round that changes the area by less than this fraction is the last. Larger: Newton's method starts further off.
+const SETTLED_AREA: f64 = 1e-3;
+/// Largest number of triangles for which the area is extrapolated with a mesh of four times as many.
 pub(crate) const EXTRAPOLATED_TRIANGLES: usize = 10_000;
-/// The residual below which a caller's own mesh counts as lying beside a stationary surface.
+/// Residual below which a caller's own mesh counts as lying beside a stationary surface. Larger: more meshes are taken to
+/// their nearest stationary surface, whatever its Morse index.
 const NEARLY_STATIONARY: f64 = 1.0;
-/// How often a stalled Newton iteration goes back to more rounds.
+/// Largest number of times that a stalled Newton iteration goes back to more rounds.
 const MAX_RETURNS: u32 = 2;
 
-/// What a run is to do.
+/// Instructions for a run.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Task {
     /// When it ends.
@@ -79,7 +83,7 @@ impl From<Interruption> for Stop {
     }
 }
 
-/// What stays the same during one run, and what it remembers.
+/// State of a run: its settings, and the record that it keeps.
 pub(crate) struct Solve<'a> {
     pub exec: &'a Execution<'a>,
     pub record: Record<'a>,
@@ -230,11 +234,11 @@ impl<'a> Solve<'a> {
                 let residual = State::of(&dirichlet.pattern, &film.vertices, film.triangles(), self.radius).residual;
                 let fraction = 0.5 * f64::from(round + 1) / f64::from(MAX_ROUNDS);
                 self.record.iteration("pinkall_polthier", area, residual, fraction);
-                if (before - area).abs() <= SETTLED * area {
+                if (before - area).abs() <= SETTLED_AREA * area {
                     break;
                 }
             }
-            let settled = (before_round - area).abs() <= SETTLED * area;
+            let settled = (before_round - area).abs() <= SETTLED_AREA * area;
             if settled && film.flipped_triangles() == 0 {
                 break;
             }

@@ -18,9 +18,9 @@ use crate::minimal_surface::run::{Record, Run, StopReason, geometric_part};
 use crate::remesh::thin_triangles::{Changes, Necks, Pinch, remove_degenerate_triangles};
 use crate::{Error, Execution, Interruption};
 
-/// Linear solves that a run may take if the caller does not say.
+/// Largest number of linear solves where the caller gives none.
 const DEFAULT_SOLVES: u32 = 200;
-/// Where a mesh is too bad to solve, triangles up to this many times the threshold go too.
+/// Factor on the threshold angle after a linear system was refused: wider triangles are then removed too.
 const WIDER: f64 = 4.0;
 
 /// Steps 1 to 3 on a film.
@@ -64,7 +64,7 @@ impl From<Interruption> for Stop {
 pub(crate) enum Until {
     /// The area changes no more.
     Settled,
-    /// As `Settled`, or after the solve that follows a change of topology ([`StopReason::TopologyChange`]).
+    /// The same as `Settled`, or after the solve that follows a change of topology ([`StopReason::TopologyChange`]).
     Pinched,
 }
 
