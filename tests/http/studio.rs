@@ -1,4 +1,4 @@
-//! The studio's files as the server gives them out; `scripts/studio.test.mjs` drives the page itself.
+//! The studio's files as the server gives them out; `scripts/studio` drives the page itself.
 
 use crate::app::{TestApp, problem};
 use reqwest::{Method, header};
@@ -18,30 +18,52 @@ async fn the_page_finds_every_file_that_it_names() {
             "js" => "text/javascript; charset=utf-8",
             "css" => "text/css; charset=utf-8",
             "svg" => "image/svg+xml",
+            "woff2" => "font/woff2",
+            "webp" => "image/webp",
+            "txt" => "text/plain; charset=utf-8",
             _ => "text/html; charset=utf-8",
         };
         assert_eq!(response.headers()[header::CONTENT_TYPE], expected, "{path}");
         assert!(
             response.headers()[header::CONTENT_SECURITY_POLICY].to_str().unwrap().starts_with("default-src 'self'")
         );
-        let text = response.text().await.unwrap();
-        let named = text.split(['"', '\'']).filter_map(|word| {
-            let file = word.strip_prefix("studio/").or_else(|| word.strip_prefix("./"))?;
-            file.contains('.').then(|| format!("/studio/{file}"))
-        });
-        wanted.extend(named);
+        assert_eq!(response.headers()[header::X_CONTENT_TYPE_OPTIONS], "nosniff");
+        let is_text = expected.starts_with("text/html") || expected.starts_with("text/css");
+        let bytes = response.bytes().await.unwrap();
+        if is_text {
+            let text = std::str::from_utf8(&bytes).unwrap();
+            let named = text.split(['"', '\'', '(', ')']).filter_map(|word| {
+                let file = word.strip_prefix("studio/").unwrap_or(word);
+                let ending = file.rsplit_once('.')?.1;
+                let is_file = ["js", "css", "svg", "woff2", "webp", "txt"].contains(&ending) && !file.contains(['/', ' ']);
+                is_file.then(|| format!("/studio/{file}"))
+            });
+            wanted.extend(named);
+        }
         seen.push(path);
     }
-    assert!(seen.len() > 10, "{seen:?}");
+    assert!(seen.len() >= 7, "{seen:?}");
 }
 
 #[tokio::test]
 async fn a_file_that_has_not_changed_is_not_sent_again() {
     let app = TestApp::start().await;
-    let tag = app.get("/studio/main.js").await.headers()[header::ETAG].clone();
-    let again = app.request(Method::GET, "/studio/main.js").header(header::IF_NONE_MATCH, &tag).send().await.unwrap();
+    let tag = app.get("/studio/studio.js").await.headers()[header::ETAG].clone();
+    let again = app.request(Method::GET, "/studio/studio.js").header(header::IF_NONE_MATCH, &tag).send().await.unwrap();
     assert_eq!((again.status().as_u16(), again.headers()[header::ETAG].clone()), (304, tag));
     assert!(again.bytes().await.unwrap().is_empty());
+}
+
+/// The page that is made to be embedded may be framed by any site, the one that edits by none.
+#[tokio::test]
+async fn only_the_embedded_view_may_be_framed() {
+    let app = TestApp::start().await;
+    let policy = async |path: &str| {
+        let response = app.get(path).await;
+        response.headers()[header::CONTENT_SECURITY_POLICY].to_str().unwrap().to_owned()
+    };
+    assert!(policy("/").await.ends_with("frame-ancestors 'none'"));
+    assert!(policy("/studio/embed.html").await.ends_with("frame-ancestors *"));
 }
 
 #[tokio::test]

@@ -1,0 +1,155 @@
+// Drives the studio in Chromium as a person would, against the real service: CHROMIUM names the browser, PLATEAU_BIN the
+// server, which is started on a free port with a folder of its own; or PLATEAU_URL a server that runs already.
+
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { mkdtemp, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { createInterface } from 'node:readline';
+import { after, afterEach, before, beforeEach } from 'node:test';
+import { chromium } from 'playwright-core';
+
+// WebGL in software: the tests need no graphics card.
+const FLAGS = [
+  '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+  '--disable-background-networking', '--disable-component-update', '--disable-sync',
+];
+/** Nothing here is measured; a machine that is busy with other tests is given time. */
+const PATIENCE_MS = 120_000;
+
+/** A server of its own on a free port: { url, stop }. */
+export async function startServer(environment = {}) {
+  const folder = await mkdtemp(join(tmpdir(), 'plateau-studio-'));
+  const options = { stdio: ['ignore', 'pipe', 'ignore'], env: { ...process.env, ...environment } };
+  const server = spawn(process.env.PLATEAU_BIN, ['serve', '--listen', '127.0.0.1:0', '--data', folder], options);
+  const stop = async () => {
+    server.kill();
+    await rm(folder, { recursive: true, force: true, maxRetries: 5 });
+  };
+  for await (const line of createInterface({ input: server.stdout })) {
+    const [, address] = /^listening on (\S+)/.exec(line) ?? [];
+    assert.ok(address, 'the server said where it listens');
+    return { url: address, stop };
+  }
+  await stop();
+  throw new Error('the server did not start');
+}
+
+export const launch = () => chromium.launch({ executablePath: process.env.CHROMIUM, args: FLAGS });
+
+/**
+ * A studio for the tests of one file: `url`, and for each test a fresh `page` whose console, errors and requests are watched.
+ * Every test fails if the page logged an error, broke its policy or asked another host for anything.
+ */
+export function useStudio({ viewport = { width: 1280, height: 720 }, colorScheme = 'light' } = {}) {
+  const studio = { url: '', page: null, context: null, browser: null, faults: [], requests: [], allowed: [] };
+  let own = null;
+
+  before(async () => {
+    own = process.env.PLATEAU_URL ? null : await startServer();
+    studio.url = own?.url ?? process.env.PLATEAU_URL;
+    studio.browser = await launch();
+  });
+  after(async () => {
+    await studio.browser?.close();
+    await own?.stop();
+  });
+  beforeEach(async () => {
+    studio.faults = [];
+    studio.requests = [];
+    studio.allowed = [studio.url];
+    studio.context = await studio.browser.newContext({ viewport, colorScheme, reducedMotion: 'reduce' });
+    studio.page = await studio.newPage();
+  });
+  afterEach(async () => {
+    const foreign = studio.requests.filter((address) => !/^(blob|data):/.test(address) && !studio.allowed.some((url) => address.startsWith(url)));
+    await studio.context.close();
+    assert.deepEqual(studio.faults, [], 'no error in the page');
+    assert.deepEqual(foreign, [], 'nothing is fetched from another host');
+  });
+
+  studio.newPage = async (context = studio.context) => {
+    const page = await context.newPage();
+    page.setDefaultTimeout(PATIENCE_MS);
+    page.on('pageerror', (error) => studio.faults.push(error.message));
+    // Chromium logs every answer of 400 and above as an error; those are part of what is tested.
+    page.on('console', (message) => message.type() === 'error' && !message.text().startsWith('Failed to load resource') && studio.faults.push(message.text()));
+    page.on('request', (request) => studio.requests.push(request.url()));
+    return page;
+  };
+
+  /** Opens an example, solved; or what the address says otherwise. */
+  studio.open = async (example, page = studio.page) => {
+    await page.goto(`${studio.url}/${example ? `?example=${example}` : ''}`);
+    await solved(page);
+  };
+  return studio;
+}
+
+/** Waits until what is drawn is solved and shown. */
+export const solved = (page) => page.waitForFunction(() => {
+  const shown = window.studio?.shown();
+  return shown && !shown.stale && document.body.getAttribute('aria-busy') === 'false' && document.querySelector('#status').textContent.startsWith('Solved');
+}, null, { timeout: PATIENCE_MS });
+
+export const request = (page) => page.evaluate(() => window.studio.request());
+export const points = (page) => page.evaluate(() => window.studio.points());
+
+/** A place of the model's canvas in the page's coordinates. */
+export async function onStage(page, { x, y }) {
+  const box = await page.locator('#view').boundingBox();
+  return [box.x + x, box.y + y];
+}
+
+/** Replaces the request by hand, as JSON. */
+export async function apply(page, value) {
+  await showPanel(page, 'setup');
+  if (!await page.locator('#request-box').evaluate((box) => box.open)) await page.click('#request-box summary');
+  await page.fill('#request', typeof value === 'string' ? value : JSON.stringify(value));
+  await page.click('#apply-request');
+}
+
+/** Brings one of the two panels to the front where there is room for one only. */
+export async function showPanel(page, name) {
+  const tab = page.locator(`#tabs [data-panel="${name}"]`);
+  if (await tab.isVisible()) await tab.click();
+}
+
+/** Drags from one place of the stage to another. */
+export async function drag(page, from, to, { steps = 8, button = 'left', keys = [] } = {}) {
+  await page.mouse.move(...await onStage(page, from));
+  for (const key of keys) await page.keyboard.down(key);
+  await page.mouse.down({ button });
+  const [a, b] = [await onStage(page, from), await onStage(page, to)];
+  for (let step = 1; step <= steps; step += 1) await page.mouse.move(a[0] + ((b[0] - a[0]) * step) / steps, a[1] + ((b[1] - a[1]) * step) / steps);
+  await page.mouse.up({ button });
+  for (const key of keys) await page.keyboard.up(key);
+}
+
+/** How much of the stage the model covers, from 0 to 1: pixels that are not see-through. */
+export const covered = (page) => page.evaluate(() => {
+  // The picture is there until the browser composes the next frame: draw and look in one turn.
+  window.studio.draw();
+  const copy = Object.assign(document.createElement('canvas'), { width: 400, height: 300 });
+  const context = copy.getContext('2d', { willReadFrequently: true });
+  context.drawImage(document.querySelector('#view'), 0, 0, 400, 300);
+  const { data } = context.getImageData(0, 0, 400, 300);
+  let filled = 0;
+  for (let i = 3; i < data.length; i += 4) filled += data[i] > 235 ? 1 : 0;
+  return filled / (data.length / 4);
+});
+
+/** The model's pixels: `[r, g, b]` of each that is not see-through. */
+export const pixels = (page) => page.evaluate(() => {
+  window.studio.draw();
+  const view = document.querySelector('#view');
+  const copy = Object.assign(document.createElement('canvas'), { width: 300, height: 200 });
+  const context = copy.getContext('2d', { willReadFrequently: true });
+  context.imageSmoothingEnabled = false;
+  context.drawImage(view, 0, 0, 300, 200);
+  const { data } = context.getImageData(0, 0, 300, 200);
+  const found = [];
+  for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 250) found.push([data[i], data[i + 1], data[i + 2]]);
+  return found;
+});

@@ -1,0 +1,52 @@
+// Every objective that the service offers can be chosen.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { request, solved, useStudio } from './harness.mjs';
+
+const studio = useStudio();
+const FIRST = { minimal_surface: 'tent', ruled_surface: 'wang-tang-v', uniform_mesh: 'floor-fewest-nodes' };
+
+test('the control offers each objective of each kind, and sets the request', async () => {
+  const { page } = studio;
+  const { objectives } = await (await fetch(`${studio.url}/v1/objectives`)).json();
+  for (const kind of new Set(objectives.map((each) => each.kind))) {
+    await studio.open(FIRST[kind]);
+    await page.uncheck('#live');
+    const names = objectives.filter((each) => each.kind === kind).map(({ name }) => name);
+    for (const name of [...names.slice(1), names[0]]) {
+      await page.selectOption('#options [name="objective"]', name);
+      assert.equal((await request(page)).objective, name);
+      const { minimises } = objectives.find((each) => each.kind === kind && each.name === name);
+      assert.match((await page.textContent('#options .choice:has([name="objective"]) .help')).toLowerCase(), new RegExp(minimises.slice(0, 20).toLowerCase().replace(/[.*+?^${}()|[\]\\]/g, '\\$&')));
+    }
+  }
+});
+
+test('a weighted sum of objectives is set by its weights, and solved', async () => {
+  const { page } = studio;
+  await studio.open('wavy-strip');
+  await page.selectOption('#options [name="objective"]', { label: 'Weighted sum' });
+  await page.fill('#options [name="objective.weights.minimal_twist"]', '0.5');
+  await page.keyboard.press('Tab');
+  const { objective } = await request(page);
+  assert.deepEqual(objective, { weights: { minimal_area: 1, minimal_twist: 0.5 } });
+  await solved(page);
+  assert.match(await page.textContent('#statistics'), /weighted/);
+});
+
+test('nested options are set and taken back', async () => {
+  const { page } = studio;
+  await studio.open('tent');
+  await page.uncheck('#live');
+  await page.fill('#options [name="resolution.value"]', '500');
+  await page.keyboard.press('Tab');
+  assert.deepEqual((await request(page)).resolution, { triangles: 500 });
+  await page.click('#options summary');
+  await page.selectOption('#options [name="solver"]', 'newton');
+  assert.equal((await request(page)).solver, 'newton');
+  await page.click('#undo');
+  await page.click('#undo');
+  assert.notDeepEqual((await request(page)).resolution, { triangles: 500 });
+  assert.equal((await request(page)).solver, undefined);
+});

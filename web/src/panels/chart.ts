@@ -1,0 +1,60 @@
+// Two small charts with axes: the objective on a linear scale, the residual on a logarithmic one.
+
+import { el, svg } from '../dom';
+import { humanise, number } from '../text';
+
+export interface Sample { iteration: number; phase: string; value: number | null; residual: number | null }
+
+const WIDTH = 300, HEIGHT = 118, LEFT = 46, RIGHT = 8, TOP = 8, BOTTOM = 22;
+
+/** The charts of a run that is under way or over; none for fewer than three samples. */
+export function charts(samples: Sample[], valueLabel: string, tolerance: number | null): HTMLElement[] {
+  const found: HTMLElement[] = [];
+  const values = samples.filter((each) => each.value !== null && Number.isFinite(each.value)).map((each, i) => ({ x: i, y: each.value! }));
+  const residuals = samples.filter((each) => each.residual !== null && each.residual > 0).map((each, i) => ({ x: i, y: each.residual! }));
+  if (values.length >= 3) found.push(chart(valueLabel, values, false, null));
+  if (residuals.length >= 3) found.push(chart('Residual', residuals, true, tolerance));
+  return found;
+}
+
+function chart(label: string, points: { x: number; y: number }[], logarithmic: boolean, floor: number | null): HTMLElement {
+  const scale = (y: number): number => (logarithmic ? Math.log10(y) : y);
+  const all = points.map(({ y }) => scale(y));
+  if (floor !== null && floor > 0) all.push(scale(floor));
+  let low = Math.min(...all), high = Math.max(...all);
+  if (logarithmic) [low, high] = [Math.floor(low), Math.ceil(high)];
+  if (high - low < 1e-12 * Math.max(Math.abs(high), 1e-300)) [low, high] = [low - Math.abs(low || 1) * 0.01, high + Math.abs(high || 1) * 0.01];
+  const lastX = points.at(-1)!.x || 1;
+  const x = (value: number): number => LEFT + ((WIDTH - LEFT - RIGHT) * value) / lastX;
+  const y = (value: number): number => HEIGHT - BOTTOM - ((HEIGHT - TOP - BOTTOM) * (value - low)) / (high - low);
+  const picture = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'chart', role: 'img', 'aria-label': `${label} over ${points.length} steps, from ${number(points[0]!.y, 4)} to ${number(points.at(-1)!.y, 4)}` });
+  for (const tick of ticks(low, high, logarithmic)) {
+    picture.append(
+      svg('line', { class: 'rule', x1: LEFT, x2: WIDTH - RIGHT, y1: y(tick).toFixed(1), y2: y(tick).toFixed(1) }),
+      svg('text', { x: LEFT - 6, y: (y(tick) + 3.5).toFixed(1), 'text-anchor': 'end' }, number(logarithmic ? 10 ** tick : tick, 4)),
+    );
+  }
+  picture.append(
+    svg('text', { x: LEFT, y: HEIGHT - 6 }, '0'),
+    svg('text', { x: WIDTH - RIGHT, y: HEIGHT - 6, 'text-anchor': 'end' }, `${number(points.length - 1)} steps`),
+  );
+  if (floor !== null && floor > 0) picture.append(svg('path', { class: 'floor', d: `M${LEFT},${y(scale(floor)).toFixed(1)}H${WIDTH - RIGHT}` }));
+  picture.append(svg('path', { class: 'curve', d: points.map((point, i) => `${i ? 'L' : 'M'}${x(point.x).toFixed(1)},${y(scale(point.y)).toFixed(1)}`).join('') }));
+  return el('figure', { className: 'chart-box' }, el('figcaption', {}, label), picture);
+}
+
+function ticks(low: number, high: number, logarithmic: boolean): number[] {
+  if (logarithmic) {
+    const step = Math.max(1, Math.ceil((high - low) / 3));
+    return Array.from({ length: Math.floor((high - low) / step) + 1 }, (_, i) => low + i * step);
+  }
+  const raw = (high - low) / 3;
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const step = [1, 2, 5, 10].map((k) => k * power).find((each) => each >= raw) ?? raw;
+  const first = Math.ceil(low / step) * step;
+  const found: number[] = [];
+  for (let tick = first; tick <= high + 1e-9 * step; tick += step) found.push(Math.abs(tick) < 1e-9 * step ? 0 : tick);
+  return found.length > 1 ? found : [low, high];
+}
+
+export const phaseName = (phase: string): string => humanise(phase);

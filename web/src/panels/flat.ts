@@ -1,0 +1,81 @@
+// The flat pattern over the whole stage: drag to move, wheel to zoom about the pointer.
+
+import * as api from '../api/client';
+import { $ } from '../dom';
+
+export class Flat {
+  private url = '';
+  private x = 0;
+  private y = 0;
+  private scale = 1;
+  private readonly box = $('flat');
+  private readonly image = $<HTMLImageElement>('flat-image');
+
+  constructor() {
+    this.box.addEventListener('wheel', (event) => {
+      event.preventDefault();
+      const { left, top } = this.box.getBoundingClientRect();
+      this.zoom(event.clientX - left, event.clientY - top, Math.exp(-event.deltaY * 0.0015));
+    }, { passive: false });
+    this.box.addEventListener('pointerdown', (event) => {
+      const from = { x: event.clientX - this.x, y: event.clientY - this.y };
+      this.box.setPointerCapture(event.pointerId);
+      const move = (next: PointerEvent): void => {
+        [this.x, this.y] = [next.clientX - from.x, next.clientY - from.y];
+        this.place();
+      };
+      const up = (): void => {
+        this.box.removeEventListener('pointermove', move);
+        this.box.removeEventListener('pointerup', up);
+      };
+      this.box.addEventListener('pointermove', move);
+      this.box.addEventListener('pointerup', up);
+    });
+    this.box.addEventListener('keydown', (event) => {
+      const { clientWidth, clientHeight } = this.box;
+      if (event.key === '+' || event.key === '=') this.zoom(clientWidth / 2, clientHeight / 2, 1.2);
+      else if (event.key === '-') this.zoom(clientWidth / 2, clientHeight / 2, 1 / 1.2);
+      else if (event.key === '0') this.fit();
+    });
+    new ResizeObserver(() => { if (!this.box.hidden) this.fit(); }).observe(this.box);
+  }
+
+  async show(job: api.Job): Promise<void> {
+    const blob = await api.getBlob(`${job.links.pattern}?format=svg`);
+    URL.revokeObjectURL(this.url);
+    this.url = URL.createObjectURL(blob);
+    this.box.hidden = false;
+    this.image.src = this.url;
+    await this.image.decode();
+    this.fit();
+  }
+
+  hide(): void {
+    this.box.hidden = true;
+  }
+
+  private fit(): void {
+    const { clientWidth, clientHeight } = this.box;
+    const { naturalWidth, naturalHeight } = this.image;
+    if (naturalWidth === 0) return;
+    this.scale = 0.9 * Math.min((clientWidth - 24) / naturalWidth, (clientHeight - 150) / naturalHeight);
+    this.x = (clientWidth - naturalWidth * this.scale) / 2;
+    this.y = (clientHeight - naturalHeight * this.scale) / 2 + 24;
+    this.place();
+  }
+
+  private zoom(x: number, y: number, factor: number): void {
+    this.scale *= factor;
+    this.x = x + (this.x - x) * factor;
+    this.y = y + (this.y - y) * factor;
+    this.place();
+  }
+
+  private place(): void {
+    const { style } = this.image;
+    // A width instead of a transform: the drawing stays sharp at every size.
+    style.width = `${this.image.naturalWidth * this.scale}px`;
+    style.left = `${this.x}px`;
+    style.top = `${this.y}px`;
+  }
+}

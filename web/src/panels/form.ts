@@ -1,0 +1,250 @@
+// Controls for a request's options, made from the schema that the server publishes: what it does not offer cannot be chosen,
+// and what it learns to offer appears by itself.
+
+import { el } from '../dom';
+import type { Request } from '../model/request';
+import { humanise } from '../text';
+
+export interface Schema {
+  $ref?: string; type?: string | string[]; description?: string; default?: unknown; enum?: unknown[]; const?: unknown; properties?: Record<string, Schema>;
+  allOf?: Schema[]; anyOf?: Schema[]; oneOf?: Schema[]; items?: Schema; minimum?: number; maximum?: number; exclusiveMinimum?: number; maxProperties?: number;
+  minItems?: number; maxItems?: number; required?: string[]; nullable?: boolean;
+}
+export interface OpenApi { paths?: Record<string, { post?: { requestBody?: { content?: Record<string, { schema?: Schema }> } } }>; info?: unknown }
+
+/** The request schema of a path, with its first references resolved. */
+export function schemaOf(openapi: OpenApi, path: string): Schema | null {
+  const body = openapi.paths?.[path]?.post?.requestBody?.content?.['application/json']?.schema;
+  return body ? resolve(openapi, body) : null;
+}
+
+const isNull = (schema: Schema): boolean => schema.type === 'null';
+
+function resolve(openapi: OpenApi, schema: Schema): Schema {
+  let found = schema;
+  const outer: Schema = {};
+  for (let depth = 0; depth < 8; depth += 1) {
+    if (found.description !== undefined) outer.description ??= found.description;
+    if (found.default !== undefined) outer.default ??= found.default;
+    const union: Schema[] = found.anyOf ?? found.oneOf ?? [];
+    if (union.some(isNull)) outer.nullable = true;
+    const others: Schema[] = union.filter((each) => !isNull(each));
+    const only: Schema | undefined = union.some(isNull) && others.length === 1 ? others[0] : undefined;
+    const next: Schema | undefined = found.$ref ? { $ref: found.$ref } : found.allOf?.[0] ?? only;
+    if (!next) break;
+    found = next.$ref ? at(openapi, next.$ref) : next;
+  }
+  return { ...found, ...outer };
+}
+
+const at = (openapi: OpenApi, ref: string): Schema =>
+  (ref.slice(2).split('/').reduce<unknown>((value, step) => (value as Record<string, unknown> | undefined)?.[step], openapi) ?? {}) as Schema;
+
+type Control =
+  | { type: 'choice'; names: string[]; help: Record<string, string | undefined>; other: Schema | null }
+  | { type: 'flag' } | { type: 'number'; whole: boolean } | { type: 'text' } | { type: 'one_of' } | { type: 'group' } | { type: 'numbers'; count: number; item: Schema };
+
+/** What kind of control a resolved schema calls for; null if none does it justice (lists of points). */
+export function controlOf(openapi: OpenApi, schema: Schema): Control | null {
+  const variants = (schema.oneOf ?? schema.anyOf ?? [schema]).filter((each) => !isNull(each)).map((each) => resolve(openapi, each));
+  const named = variants.flatMap((each) => each.oneOf ?? each.anyOf ?? [each]).filter((each) => each.enum ?? each.const !== undefined);
+  const names = named.flatMap((each) => each.enum ?? [each.const]);
+  if (names.length > 0 && names.every((name) => typeof name === 'string')) {
+    const help = Object.fromEntries(named.flatMap((each) => (each.enum ?? [each.const]).map((name) => [String(name), each.description === schema.description ? undefined : each.description])));
+    // A union of names and one object: the object is one more choice, with controls of its own.
+    return { type: 'choice', names: names as string[], help, other: variants.find((each) => each.properties) ?? null };
+  }
+  const types = [schema.type].flat();
+  if (types.includes('boolean')) return { type: 'flag' };
+  if (types.includes('integer') || types.includes('number')) return { type: 'number', whole: types.includes('integer') };
+  if (types.includes('string')) return { type: 'text' };
+  if (types.includes('object') && schema.maxProperties === 1) return { type: 'one_of' };
+  if (types.includes('object') && schema.properties && Object.values(schema.properties).every((each) => controlOf(openapi, resolve(openapi, each)))) return { type: 'group' };
+  if (types.includes('array') && schema.items && schema.minItems === schema.maxItems && (schema.maxItems ?? 9) <= 3) {
+    const item = resolve(openapi, schema.items);
+    if ([item.type].flat().some((type) => type === 'integer' || type === 'number')) return { type: 'numbers', count: schema.maxItems!, item };
+  }
+  return null;
+}
+
+const SHOWN_FIRST = ['objective', 'secondary_objective', 'resolution', 'edge_length', 'closed', 'optimise', 'max_distinct_lengths', 'topology', 'units', 'up'];
+/** Titles where a field's name says too little. */
+const TITLES: Record<string, string> = { closed: 'Closed rails', units: 'Unit', up: 'Up axis', all_objectives: 'Compare all objectives', optimise: 'Optimise' };
+const rank = (name: string): number => SHOWN_FIRST.indexOf(name) + 1 || SHOWN_FIRST.length + 1;
+const titleOf = (name: string): string => TITLES[name] ?? humanise(name);
+
+export interface FormHost {
+  openapi: OpenApi;
+  /** Sets a field, or removes it if the value is undefined; one step of undo. */
+  set(name: string, value: unknown): void;
+  /** Text below a choice: what it does. */
+  describe(name: string, value: string): string | undefined;
+}
+
+/** Fills the form for a request. */
+export function build(form: HTMLFormElement, schema: Schema, request: Request, host: FormHost): void {
+  const open = form.querySelector('details')?.open ?? false;
+  form.replaceChildren();
+  const rest = el('div', { className: 'fields' });
+  const names = Object.keys(schema.properties ?? {}).filter((name) => name !== 'kind');
+  names.sort((a, b) => rank(a) - rank(b));
+  for (const name of names) {
+    const field = resolve(host.openapi, schema.properties![name]!);
+    const control = controlOf(host.openapi, field);
+    // A choice of one is no choice.
+    if (!control || (control.type === 'choice' && control.names.length < 2 && !control.other)) continue;
+    const made = make(host, name, field, control, request[name], (value) => host.set(name, value), [name]);
+    (SHOWN_FIRST.includes(name) ? form : rest).append(made);
+  }
+  if (rest.childElementCount > 0) form.append(el('details', { className: 'more', open }, el('summary', {}, 'More options'), rest));
+}
+
+type Set = (value: unknown) => void;
+
+function make(host: FormHost, name: string, field: Schema, control: Control, given: unknown, set: Set, path: string[]): HTMLElement {
+  const value = given ?? field.default;
+  const title = field.description ?? '';
+  const id = `option-${path.join('-')}`;
+  if (control.type === 'flag') {
+    const box = el('input', { type: 'checkbox', name: path.join('.'), id, checked: value === true });
+    box.addEventListener('change', () => set(box.checked));
+    return el('label', { className: 'check field', title }, box, titleOf(name));
+  }
+  if (control.type === 'choice') return choice(host, name, field, control, given, set, path);
+  if (control.type === 'number') {
+    const input = numberInput(path.join('.'), id, field, control.whole, value);
+    input.addEventListener('change', () => { if (input.checkValidity()) set(input.value === '' ? undefined : input.valueAsNumber); else input.reportValidity(); });
+    return el('label', { className: 'field', title, htmlFor: id }, el('span', {}, titleOf(name)), input);
+  }
+  if (control.type === 'text') {
+    const input = el('input', { type: 'text', name: path.join('.'), id, value: (value as string | null) ?? '', placeholder: 'none', autocomplete: 'off' });
+    input.addEventListener('change', () => set(input.value === '' ? undefined : input.value));
+    return el('label', { className: 'field', title, htmlFor: id }, el('span', {}, titleOf(name)), input);
+  }
+  if (control.type === 'numbers') {
+    const list = Array.isArray(value) ? value as number[] : [];
+    const inputs = Array.from({ length: control.count }, (_, i) => numberInput(`${path.join('.')}.${i}`, `${id}-${i}`, control.item, true, list[i]));
+    inputs.forEach((input, i) => {
+      input.setAttribute('aria-label', `${titleOf(name)}, ${i + 1}`);
+      input.addEventListener('change', () => set(inputs.map((each) => each.valueAsNumber || control.item.minimum || 0)));
+    });
+    return el('div', { className: 'field', title }, el('span', {}, titleOf(name)), el('span', { className: 'pair even' }, ...inputs));
+  }
+  if (control.type === 'group') return group(host, name, field, given, set, path);
+  return oneOf(host, name, field, value, set, path);
+}
+
+/** Names, the null of a nullable field, and where the schema has one an object with fields of its own. */
+function choice(host: FormHost, name: string, field: Schema, control: Control & { type: 'choice' }, given: unknown, set: Set, path: string[]): HTMLElement {
+  const id = `option-${path.join('-')}`;
+  let value = given ?? field.default;
+  const put = (next: unknown): void => {
+    value = next ?? field.default;
+    set(next);
+  };
+  const OTHER = '(object)';
+  const options = control.names.map((each) => el('option', { value: each, title: control.help[each] ?? '' }, humanise(each)));
+  if (field.nullable || field.default === undefined) options.unshift(el('option', { value: '' }, field.nullable ? 'None' : 'Default'));
+  const isObject = (): boolean => value !== null && typeof value === 'object';
+  const other = control.other && isForm(host.openapi, control.other) ? control.other : null;
+  if (other) options.push(el('option', { value: OTHER }, 'Weighted sum'));
+  else if (isObject()) options.push(el('option', { value: OTHER }, 'As in the request'));
+  const select = el('select', { name: path.join('.'), id }, ...options);
+  select.value = isObject() ? OTHER : String(value ?? '');
+  const help = el('p', { className: 'help' });
+  const below = el('div', { className: 'fields nested' });
+  const show = (): void => {
+    help.textContent = host.describe(name, select.value) ?? control.help[select.value] ?? '';
+    help.hidden = help.textContent === '';
+    below.replaceChildren();
+    below.hidden = select.value !== OTHER || !other;
+    if (below.hidden || !other) return;
+    const held = (): Record<string, unknown> => (isObject() ? value as Record<string, unknown> : {});
+    for (const [inner, schema] of Object.entries(other.properties ?? {})) {
+      const found = resolve(host.openapi, schema);
+      const made = controlOf(host.openapi, found);
+      if (made) below.append(make(host, inner, found, made, held()[inner], (next) => put(without({ ...held(), [inner]: next })), [...path, inner]));
+    }
+  };
+  select.addEventListener('change', () => {
+    if (select.value === OTHER) { if (other) put(firstOf(host.openapi, other)); } else put(select.value === '' ? undefined : select.value);
+    show();
+  });
+  show();
+  return el('div', { className: 'field choice' }, el('label', { htmlFor: id, title: field.description ?? '' }, titleOf(name)), select, help, below);
+}
+
+/** Whether an object can be filled in by controls: every field that it needs has one. */
+const isForm = (openapi: OpenApi, schema: Schema): boolean =>
+  Object.values(schema.properties ?? {}).length > 0 && (schema.required ?? []).every((name) => controlOf(openapi, resolve(openapi, schema.properties![name]!)));
+
+/** A sound value to start from: what is required, with the first number of a group of weights set to 1. */
+function firstOf(openapi: OpenApi, schema: Schema): Record<string, unknown> {
+  return Object.fromEntries((schema.required ?? []).map((name) => {
+    const field = resolve(openapi, schema.properties![name]!);
+    const [first] = Object.keys(field.properties ?? {});
+    return [name, first ? { [first]: 1 } : field.default ?? (field.enum ?? field.oneOf?.map((each) => each.const))?.[0] ?? 1];
+  }));
+}
+
+const without = (object: Record<string, unknown>): Record<string, unknown> => Object.fromEntries(Object.entries(object).filter(([, value]) => value !== undefined));
+
+function group(host: FormHost, name: string, field: Schema, given: unknown, set: Set, path: string[]): HTMLElement {
+  let held = (given ?? null) as Record<string, unknown> | null;
+  const inner = el('div', { className: 'fields nested' });
+  const optional = field.nullable === true;
+  const fill = (): void => {
+    inner.replaceChildren(...Object.entries(field.properties ?? {}).map(([each, schema]) => {
+      const found = resolve(host.openapi, schema);
+      return make(host, each, found, controlOf(host.openapi, found)!, held?.[each], (next) => {
+        held = without({ ...held, [each]: next });
+        set(held);
+      }, [...path, each]);
+    }));
+  };
+  if (!optional) {
+    fill();
+    return el('fieldset', { className: 'field group', title: field.description ?? '' }, el('legend', {}, titleOf(name)), inner);
+  }
+  const box = el('input', { type: 'checkbox', name: path.join('.'), id: `option-${path.join('-')}`, checked: held !== null });
+  const show = (): void => {
+    inner.hidden = held === null;
+    inner.replaceChildren();
+    if (held) fill();
+  };
+  box.addEventListener('change', () => {
+    held = box.checked ? firstOf(host.openapi, field) : null;
+    set(held ?? undefined);
+    show();
+  });
+  show();
+  return el('div', { className: 'field group' }, el('label', { className: 'check', title: field.description ?? '' }, box, titleOf(name)), inner);
+}
+
+function numberInput(name: string, id: string, field: Schema, whole: boolean, value: unknown): HTMLInputElement {
+  const least = field.minimum ?? (field.exclusiveMinimum !== undefined ? field.exclusiveMinimum : undefined);
+  return el('input', {
+    type: 'number', name, id, step: whole ? '1' : 'any', value: (value as number | null | undefined) ?? '', placeholder: 'auto', inputMode: 'decimal',
+    ...(least !== undefined && { min: String(least) }), ...(field.maximum !== undefined && { max: String(field.maximum) }),
+  });
+}
+
+/** An object of which exactly one number is given, such as the resolution. */
+function oneOf(host: FormHost, name: string, field: Schema, value: unknown, set: Set, path: string[]): HTMLElement {
+  const held = (value ?? {}) as Record<string, number | null>;
+  const choices = Object.keys(field.properties ?? {});
+  const chosen = choices.find((each) => held[each] !== undefined && held[each] !== null) ?? choices[0]!;
+  const select = el('select', { 'aria-label': titleOf(name), name: path.join('.') }, ...choices.map((each) => el('option', { value: each }, humanise(each))));
+  select.value = chosen;
+  const schema = (each: string): Schema => resolve(host.openapi, field.properties![each]!);
+  const whole = (each: string): boolean => [schema(each).type].flat().includes('integer');
+  const input = numberInput(`${path.join('.')}.value`, `option-${path.join('-')}`, schema(chosen), whole(chosen), held[chosen]);
+  input.setAttribute('aria-label', `${titleOf(name)}, value`);
+  select.addEventListener('change', () => {
+    input.value = '';
+    input.step = whole(select.value) ? '1' : 'any';
+    input.focus();
+  });
+  input.addEventListener('change', () => { if (input.checkValidity()) set(input.value === '' ? undefined : { [select.value]: input.valueAsNumber }); else input.reportValidity(); });
+  return el('div', { className: 'field', title: field.description ?? '' }, el('span', {}, titleOf(name)), el('span', { className: 'pair' }, select, input));
+}

@@ -1,0 +1,255 @@
+// The result on the stage: the surface, its lines, and the colours of the quantity that is looked at.
+
+import {
+  BufferAttribute, BufferGeometry, Color, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshStandardMaterial, Raycaster, Vector2, Vector3,
+} from 'three';
+import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
+import { acceleratedRaycast, MeshBVH } from 'three-mesh-bvh';
+import type { Frame } from '../model/frame';
+import type { Vec3 } from '../model/request';
+import { colour } from './colours';
+import { edgesOf, type ResultMesh } from './mesh';
+import { fraction, type Quantity } from './quantities';
+import type { Stage } from './stage';
+
+/** More segments than this are drawn one pixel wide. */
+const MOST_WIDE = 20_000;
+
+export interface Look { membrane: string; ink: string; accent: string }
+
+type WithTree = BufferGeometry & { boundsTree?: MeshBVH };
+
+export type Lines = LineSegments2 | LineSegments<BufferGeometry, LineBasicMaterial>;
+
+/** Wide lines in one colour, or in a colour for each end. */
+export function wideLines(segments: Float32Array, width: number, color: string, colours?: Float32Array, opacity = 1): Lines {
+  if (segments.length / 6 > MOST_WIDE) {
+    const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(segments, 3));
+    if (colours) geometry.setAttribute('color', new BufferAttribute(colours, 3));
+    const material = new LineBasicMaterial({ color: colours ? '#ffffff' : color, vertexColors: Boolean(colours), transparent: opacity < 1, opacity, toneMapped: false });
+    return new LineSegments(geometry, material);
+  }
+  const geometry = new LineSegmentsGeometry().setPositions(segments);
+  if (colours) geometry.setColors(colours);
+  const material = new LineMaterial({ color: colours ? 0xffffff : new Color(color).getHex(), linewidth: width, vertexColors: Boolean(colours), transparent: opacity < 1, opacity, toneMapped: false });
+  return new LineSegments2(geometry, material);
+}
+
+export class Surface {
+  readonly group = new Group();
+  private mesh: Mesh<BufferGeometry, MeshStandardMaterial> | null = null;
+  private result: ResultMesh | null = null;
+  private kind = '';
+  private quantity: Quantity | null = null;
+  private lines: Lines[] = [];
+  layers = { surface: true, edges: false, lines: true };
+  /** Whether the drawing shows the boundaries already. */
+  drawn = true;
+  private stale = false;
+
+  constructor(private readonly look: Look) {}
+
+  get shown(): boolean { return this.mesh !== null; }
+  get current(): ResultMesh | null { return this.result; }
+
+  /** `frame` is where the request's own coordinates lie on the stage; the mesh is put into it in f64. */
+  show(result: ResultMesh | null, kind: string, frame: Frame): void {
+    this.clear();
+    this.result = result;
+    this.kind = kind;
+    this.quantity = null;
+    this.stale = false;
+    if (!result) return;
+    this.putInto(frame);
+    this.make();
+  }
+
+  putInto(frame: Frame): void {
+    if (!this.result) return;
+    const origin = frame.up === 2 ? [frame.origin[0], frame.origin[2], -frame.origin[1]] : frame.origin;
+    const [x, y, z] = this.result.translation.map((value, axis) => value - origin[axis]! * frame.metres) as Vec3;
+    this.group.position.set(x, y, z);
+  }
+
+  colourBy(quantity: Quantity | null): void {
+    this.quantity = quantity;
+    this.make();
+  }
+
+  setLayers(layers: Partial<typeof this.layers>): void {
+    Object.assign(this.layers, layers);
+    this.make();
+  }
+
+  /** A result that no longer belongs to the drawing is a ghost. */
+  setStale(stale: boolean): void {
+    if (stale === this.stale) return;
+    this.stale = stale;
+    if (!this.mesh) return;
+    this.mesh.material.transparent = stale;
+    this.mesh.material.opacity = stale ? 0.32 : 1;
+    this.mesh.material.depthWrite = !stale;
+    this.mesh.material.needsUpdate = true;
+    for (const line of this.lines) {
+      line.material.transparent = true;
+      line.material.opacity = stale ? 0.2 : ((line.userData.opacity as number | undefined) ?? 1);
+    }
+  }
+
+  restyle(): void {
+    this.make();
+  }
+
+  private clear(): void {
+    this.mesh?.geometry.dispose();
+    this.mesh?.material.dispose();
+    this.mesh = null;
+    this.lines.forEach((line) => { line.geometry.dispose(); line.material.dispose(); });
+    this.lines = [];
+    this.group.clear();
+  }
+
+  private make(): void {
+    const { result, quantity, stale } = this;
+    this.clear();
+    if (!result) return;
+    const facets = this.kind !== 'minimal_surface';
+    const geometry = new BufferGeometry();
+    geometry.setIndex(result.geometry.index);
+    geometry.setAttribute('position', result.geometry.attributes.position!);
+    geometry.setAttribute('normal', result.geometry.attributes.normal!);
+    const coloured = quantity?.at === 'vertex';
+    if (quantity && coloured) geometry.setAttribute('color', new BufferAttribute(vertexColours(quantity), 3));
+    const material = new MeshStandardMaterial({
+      color: coloured ? '#ffffff' : this.look.membrane, vertexColors: coloured, side: DoubleSide, roughness: 0.62, metalness: 0, flatShading: facets,
+      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+    });
+    this.mesh = new Mesh(geometry, material);
+    this.mesh.raycast = acceleratedRaycast;
+    this.mesh.userData.castsShadow = true;
+    this.mesh.visible = this.layers.surface;
+    this.group.add(this.mesh);
+
+    const add = (segments: Float32Array, width: number, color: string, opacity = 1, colours?: Float32Array): void => {
+      if (segments.length === 0) return;
+      const line = wideLines(segments, width, color, colours, opacity);
+      line.userData.opacity = opacity;
+      line.userData.isLine = true;
+      this.lines.push(line);
+      this.group.add(line);
+    };
+    const along = quantity?.at === 'segment' ? quantity : null;
+    if (along) add(along.segments!, 3, this.look.ink, 1, segmentColours(along));
+    if (this.layers.edges && along?.id !== 'edge_length') add(edgeSegments(result), 1, this.look.ink, 0.3);
+    if (this.layers.lines) {
+      for (const { name, segments } of result.lines) {
+        if (along && (name.startsWith('members') || name === 'bridges')) continue;
+        if (name === 'boundaries' || name === 'directrices') { if (!this.drawn) add(segments, 2, this.look.ink, 0.85); }
+        else if (name.startsWith('members')) add(segments, name.includes('rim') ? 1.4 : 2, this.look.ink, name.includes('rim') ? 0.5 : 0.8);
+        else if (name === 'bridges') add(segments, 1, this.look.ink, 0.35);
+        else add(segments, 2.4, this.look.accent);
+      }
+    }
+    if (stale) {
+      this.stale = false;
+      this.setStale(true);
+    }
+  }
+
+  private tree(): WithTree | null {
+    const geometry = this.mesh?.geometry as WithTree | undefined;
+    if (!geometry) return null;
+    geometry.boundsTree ??= new MeshBVH(geometry, { indirect: true });
+    return geometry;
+  }
+
+  /** The nearest point of the surface under a pixel. */
+  pick(stage: Stage, x: number, y: number): { point: Vector3; distance: number; face: number } | null {
+    if (!this.mesh || !this.layers.surface || !this.tree()) return null;
+    const raycaster = new Raycaster();
+    raycaster.setFromCamera(new Vector2((x / stage.width) * 2 - 1, 1 - (y / stage.height) * 2), stage.camera);
+    raycaster.firstHitOnly = true;
+    this.group.updateMatrixWorld();
+    const [hit] = raycaster.intersectObject(this.mesh, false);
+    return hit ? { point: hit.point, distance: hit.distance, face: hit.faceIndex ?? 0 } : null;
+  }
+
+  /** The value of the quantity that is shown, at a point that `pick` found. */
+  valueAt(point: Vector3, face: number): number | null {
+    const { quantity, mesh } = this;
+    if (!quantity || !mesh) return null;
+    const local = mesh.worldToLocal(point.clone());
+    if (quantity.at === 'segment') return nearestSegment(quantity, local);
+    const index = mesh.geometry.index!.array;
+    const { position } = mesh.geometry.attributes;
+    const corner = [0, 1, 2].map((k) => index[3 * face + k]!);
+    const [a, b, c] = corner.map((i) => new Vector3().fromBufferAttribute(position!, i)) as [Vector3, Vector3, Vector3];
+    const area = (p: Vector3, q: Vector3, r: Vector3): number => q.clone().sub(p).cross(r.clone().sub(p)).length();
+    const weights = [area(local, b, c), area(a, local, c), area(a, b, local)];
+    const sum = weights.reduce((x, y) => x + y, 0);
+    return sum > 0 ? corner.reduce((value, i, k) => value + (weights[k]! / sum) * quantity.values[i]!, 0) : quantity.values[corner[0]!]!;
+  }
+
+  /** Points that show how far the surface reaches, in the scene's coordinates: enough for a camera, not all of them. */
+  outline(): Vec3[] {
+    const position = this.result?.geometry.attributes.position;
+    if (!position) return [];
+    const step = Math.max(1, Math.floor(position.count / 3000));
+    const { x, y, z } = this.group.position;
+    const points: Vec3[] = [];
+    for (let i = 0; i < position.count; i += step) points.push([position.getX(i) + x, position.getY(i) + y, position.getZ(i) + z]);
+    const box = this.result!.geometry.boundingBox ?? (this.result!.geometry.computeBoundingBox(), this.result!.geometry.boundingBox!);
+    // The box's extremes, one vertex each, may fall between the steps.
+    for (let i = 0; i < position.count; i += 1) {
+      const at: Vec3 = [position.getX(i), position.getY(i), position.getZ(i)];
+      if (at.some((value, axis) => value === box.min.getComponent(axis) || value === box.max.getComponent(axis))) points.push([at[0] + x, at[1] + y, at[2] + z]);
+      if (points.length > 4000) break;
+    }
+    return points;
+  }
+}
+
+function vertexColours(q: Quantity): Float32Array {
+  const out = new Float32Array(3 * q.values.length);
+  q.values.forEach((value, i) => out.set(colour(q.scale, fraction(q, value)), 3 * i));
+  return out;
+}
+
+function segmentColours(q: Quantity): Float32Array {
+  const out = new Float32Array(6 * q.values.length);
+  q.values.forEach((value, i) => {
+    const rgb = colour(q.scale, fraction(q, value));
+    out.set(rgb, 6 * i);
+    out.set(rgb, 6 * i + 3);
+  });
+  return out;
+}
+
+const edgeCache = new WeakMap<ResultMesh, Float32Array>();
+
+export function edgeSegments(result: ResultMesh): Float32Array {
+  const known = edgeCache.get(result);
+  if (known) return known;
+  const position = result.geometry.attributes.position!.array as Float32Array;
+  const { ends } = edgesOf(result.geometry);
+  const segments = new Float32Array(3 * ends.length);
+  ends.forEach((vertex, i) => segments.set(position.subarray(3 * vertex, 3 * vertex + 3), 3 * i));
+  edgeCache.set(result, segments);
+  return segments;
+}
+
+function nearestSegment({ segments, values }: Quantity, point: Vector3): number | null {
+  let best = Infinity, found: number | null = null;
+  const a = new Vector3(), along = new Vector3(), to = new Vector3();
+  for (let i = 0; i < values.length; i += 1) {
+    a.fromArray(segments!, 6 * i);
+    along.fromArray(segments!, 6 * i + 3).sub(a);
+    to.copy(point).sub(a);
+    const t = Math.min(1, Math.max(0, to.dot(along) / along.lengthSq()));
+    const distance = to.addScaledVector(along, -t).lengthSq();
+    if (distance < best) [best, found] = [distance, values[i]!];
+  }
+  return found;
+}

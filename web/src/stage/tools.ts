@@ -1,0 +1,764 @@
+// Pointer and keyboard on the stage: selecting, moving, lifting, inserting and drawing points. What is left over orbits.
+
+import { Vector3 } from 'three';
+import type { Frame } from '../model/frame';
+import type { History } from '../model/history';
+import { at, coordinates, isLoose, KINDS, type Line, type Request, unitOf, type Vec3 } from '../model/request';
+import { number } from '../text';
+import { type PointRef, same, type Sketch } from './sketch';
+import type { Stage } from './stage';
+import type { Surface } from './surface';
+
+/** Pixels within which the pointer takes hold of a point, of an edge, and snaps while drawing. */
+const GRIP = { point: 11, touch: 24, edge: 8, snap: 12, align: 7 };
+/** Pixels that a press may travel and still be a click. */
+const STILL = 4;
+/** Pixels that the arrow which lifts a point is long. */
+const ARROW = 46;
+
+export interface Host {
+  readonly history: History;
+  readonly stage: Stage;
+  readonly sketch: Sketch;
+  readonly surface: Surface;
+  lines: Line[];
+  frame: Frame;
+  faulty: Set<string>;
+  /** The drawing changed; `dragging` while the pointer is still down. */
+  changed(dragging: boolean): void;
+  /** The selection, or what the pointer would do, changed. */
+  selectionChanged(): void;
+  /** A line of text beside a pixel, or none. */
+  label(text: string | null, x?: number, y?: number): void;
+  /** The surface was clicked. */
+  read(point: Vector3, face: number, x: number, y: number): void;
+  announce(text: string): void;
+  /** The model is only looked at. */
+  readonly fixed: boolean;
+}
+
+type Mode = 'ground' | 'height';
+interface Snap { point: Vec3; how: string; close: boolean }
+
+export class Tools {
+  selection: PointRef[] = [];
+  mode: Mode = 'ground';
+  snapping = true;
+  /** The height, in the request's coordinates, at which points are drawn. */
+  level = 0;
+  /** Where the next point of the drawing would be. */
+  private next: Snap | null = null;
+  private hover: PointRef | null = null;
+  private ghost: { line: number; after: number; point: Vec3 } | null = null;
+  private busy = false;
+  private marquee: HTMLElement;
+
+  constructor(private readonly host: Host) {
+    const { canvas } = host.stage;
+    this.marquee = document.createElement('div');
+    this.marquee.className = 'marquee';
+    this.marquee.hidden = true;
+    canvas.parentElement!.append(this.marquee);
+    canvas.addEventListener('pointerdown', (event) => this.press(event), { capture: true });
+    canvas.addEventListener('pointermove', (event) => this.glide(event));
+    canvas.addEventListener('pointerleave', () => {
+      if (this.busy) return;
+      this.hover = null;
+      this.ghost = null;
+      this.next = null;
+      if (this.drawing) host.label(null);
+      this.refresh();
+    });
+    canvas.addEventListener('contextmenu', (event) => event.preventDefault());
+    canvas.addEventListener('keydown', (event) => this.key(event));
+    host.stage.beforeDraw = () => this.hints();
+  }
+
+  get drawing(): boolean { return this.host.history.document.draft !== null; }
+  get only(): PointRef | null { return this.selection.length === 1 ? this.selection[0]! : null; }
+
+  // ---- Selection ----
+
+  select(refs: PointRef[]): void {
+    this.selection = refs;
+    this.refresh();
+    this.host.selectionChanged();
+    const { only } = this;
+    const line = only && this.host.lines[only.line];
+    if (line) this.host.announce(`${line.name}, point ${only.point + 1} of ${line.points.length}: ${(coordinates(line.points[only.point]) ?? []).map((value) => number(value, 6)).join(', ')}`);
+  }
+
+  /** After the lines were made anew: forgets what is no longer there. */
+  prune(): void {
+    const { lines } = this.host;
+    this.selection = this.selection.filter(({ line, point }) => point < (lines[line]?.points.length ?? 0));
+    this.hover = null;
+    this.ghost = null;
+  }
+
+  refresh(): void {
+    const { sketch, stage, faulty } = this.host;
+    sketch.mark((ref) => {
+      if (ref.line < 0) return 4;
+      if (this.selection.some((each) => same(each, ref))) return 2;
+      if (faulty.has(`${ref.line}/${ref.point}`)) return 3;
+      return same(this.hover, ref) ? 1 : 0;
+    });
+    stage.invalidate();
+  }
+
+  step(by: number): void {
+    const { lines } = this.host;
+    const all = lines.flatMap((line, l) => line.points.map((_, p) => ({ line: l, point: p })));
+    if (all.length === 0) return;
+    const now = all.findIndex((ref) => same(ref, this.selection.at(-1) ?? null));
+    this.select([all[now < 0 ? (by > 0 ? 0 : all.length - 1) : (now + by + all.length) % all.length]!]);
+  }
+
+  // ---- Finding what is under the pointer ----
+
+  private nearestPoint(x: number, y: number, reach: number): PointRef | null {
+    const { stage, sketch, surface } = this.host;
+    let best: { ref: PointRef; distance: number; place: Vec3 } | null = null;
+    sketch.places.forEach((place, i) => {
+      if (sketch.refs[i]!.line < 0) return;
+      const seen = stage.project(place);
+      const distance = Math.hypot(seen.x - x, seen.y - y);
+      if (seen.visible && distance <= reach && (!best || distance < best.distance)) best = { ref: sketch.refs[i]!, distance, place };
+    });
+    if (!best) return null;
+    // A point behind the surface is not there to be gripped, unless it is selected already.
+    const { ref, place } = best as { ref: PointRef; place: Vec3 };
+    if (this.selection.some((each) => same(each, ref))) return ref;
+    const spot = new Vector3(...place);
+    const hit = surface.pick(stage, stage.project(place).x, stage.project(place).y);
+    const hidden = hit && hit.distance < stage.camera.position.distanceTo(spot) - 14 * stage.pixelAt(spot);
+    return hidden ? null : ref;
+  }
+
+  private nearestEdge(x: number, y: number): typeof this.ghost {
+    const { stage, lines, frame } = this.host;
+    let best: { line: number; after: number; point: Vec3; distance: number } | null = null;
+    lines.forEach((line, l) => {
+      if (isLoose(line) || line.name.startsWith('control')) return;
+      const points = line.points.map(coordinates);
+      const last = line.closed && points.length > 2 ? points.length : points.length - 1;
+      for (let i = 0; i < last; i += 1) {
+        const a = points[i], b = points[(i + 1) % points.length];
+        if (!a || !b) continue;
+        const p = stage.project(frame.toScene(a)), q = stage.project(frame.toScene(b));
+        const length = (q.x - p.x) ** 2 + (q.y - p.y) ** 2;
+        if (!p.visible || !q.visible || length < 900) continue;
+        const t = ((x - p.x) * (q.x - p.x) + (y - p.y) * (q.y - p.y)) / length;
+        const distance = Math.hypot(p.x + t * (q.x - p.x) - x, p.y + t * (q.y - p.y) - y);
+        if (t < 0.08 || t > 0.92 || distance > GRIP.edge || (best && distance >= best.distance)) continue;
+        // The fraction on the screen is not the fraction in space: the point on the edge nearest to the pointer's ray is.
+        const s = this.alongEdge(a, b, x, y);
+        best = { line: l, after: i, distance, point: a.map((value, axis) => value + s * (b[axis]! - value)) as Vec3 };
+      }
+    });
+    return best;
+  }
+
+  private alongEdge(a: Vec3, b: Vec3, x: number, y: number): number {
+    const { stage, frame } = this.host;
+    const from = new Vector3(...frame.toScene(a)), along = new Vector3(...frame.toScene(b)).sub(from);
+    const { origin, direction } = stage.ray(x, y);
+    const w = from.clone().sub(origin);
+    const uu = along.dot(along), uv = along.dot(direction), uw = along.dot(w), vw = direction.dot(w);
+    const determinant = uu - uv * uv;
+    return determinant > 1e-12 * uu ? Math.min(0.98, Math.max(0.02, (uv * vw - uw) / determinant)) : 0.5;
+  }
+
+  private arrow(): { from: Vector3; to: Vector3 } | null {
+    const { only } = this;
+    const { stage, frame, lines } = this.host;
+    const point = only && coordinates(lines[only.line]?.points[only.point]);
+    if (!point || this.drawing) return null;
+    const from = new Vector3(...frame.toScene(point));
+    const length = ARROW * stage.pixelAt(from);
+    return { from, to: from.clone().addScaledVector(this.liftAxis(), length) };
+  }
+
+  /** Up; or up on the screen where the view looks straight down. */
+  private liftAxis(): Vector3 {
+    const { camera } = this.host.stage;
+    const forward = camera.getWorldDirection(new Vector3());
+    return Math.abs(forward.y) > 0.94 ? new Vector3(0, 1, 0).applyQuaternion(camera.quaternion) : new Vector3(0, 1, 0);
+  }
+
+  private onArrow(x: number, y: number): boolean {
+    const arrow = this.arrow();
+    if (!arrow) return false;
+    const a = this.host.stage.project(arrow.from.toArray()), b = this.host.stage.project(arrow.to.toArray());
+    const length = Math.hypot(b.x - a.x, b.y - a.y);
+    if (length < 12) return false;
+    const t = ((x - a.x) * (b.x - a.x) + (y - a.y) * (b.y - a.y)) / (length * length);
+    const off = Math.abs((x - a.x) * (b.y - a.y) - (y - a.y) * (b.x - a.x)) / length;
+    return t > 0.4 && t < 1.2 && off < 8;
+  }
+
+  // ---- Pointer ----
+
+  private glide(event: PointerEvent): void {
+    if (this.busy || event.buttons !== 0 || this.host.fixed) return;
+    const { stage, host } = { stage: this.host.stage, host: this.host };
+    const { x, y } = stage.local(event);
+    if (this.drawing) {
+      this.next = this.snap(x, y, event.altKey);
+      this.showNext(x, y);
+      stage.canvas.style.cursor = 'crosshair';
+      stage.invalidate();
+      return;
+    }
+    const onArrow = this.onArrow(x, y);
+    const hover = onArrow ? null : this.nearestPoint(x, y, GRIP.point);
+    const ghost = onArrow || hover ? null : this.nearestEdge(x, y);
+    const changed = !same(hover, this.hover) || JSON.stringify(ghost) !== JSON.stringify(this.ghost);
+    this.hover = hover;
+    this.ghost = ghost;
+    stage.canvas.style.cursor = onArrow ? 'ns-resize' : hover ? 'grab' : ghost ? 'copy' : '';
+    if (changed) {
+      this.refresh();
+      host.selectionChanged();
+    }
+  }
+
+  private press(event: PointerEvent): void {
+    const { stage, host } = { stage: this.host.stage, host: this.host };
+    stage.canvas.focus({ preventScroll: true });
+    if (event.button !== 0 || this.busy || this.host.fixed) return;
+    const start = stage.local(event);
+    const touch = event.pointerType === 'touch';
+    if (this.drawing) {
+      this.onRelease(event, (x, y, travelled, last) => {
+        if (travelled <= STILL) this.place(this.snap(x, y, last.altKey));
+      });
+      return;
+    }
+    if (this.onArrow(start.x, start.y)) {
+      this.drag(event, this.only!, 'height');
+      return;
+    }
+    const ref = this.nearestPoint(start.x, start.y, touch ? GRIP.touch : GRIP.point);
+    if (ref) {
+      this.drag(event, ref, this.mode);
+      return;
+    }
+    const ghost = touch ? null : this.nearestEdge(start.x, start.y);
+    if (ghost && !event.shiftKey) {
+      host.history.begin();
+      this.insertAt(ghost.line, ghost.after, this.tidy(ghost.point));
+      host.changed(true);
+      this.drag(event, { line: ghost.line, point: ghost.after + 1 }, this.mode);
+      return;
+    }
+    if (event.shiftKey) {
+      this.selectBox(event);
+      return;
+    }
+    this.onRelease(event, (x, y, travelled) => {
+      if (travelled > STILL) return;
+      const hit = host.surface.pick(stage, x, y);
+      if (hit) host.read(hit.point, hit.face, x, y);
+      else {
+        host.label(null);
+        if (this.selection.length > 0) this.select([]);
+      }
+    });
+  }
+
+  /** Calls back when this pointer is released on the stage; the camera keeps the pointer meanwhile. */
+  private onRelease(event: PointerEvent, done: (x: number, y: number, travelled: number, event: PointerEvent) => void): void {
+    const { stage } = this.host;
+    const from = stage.local(event);
+    let travelled = 0;
+    const move = (next: PointerEvent): void => {
+      const { x, y } = stage.local(next);
+      travelled = Math.max(travelled, Math.hypot(x - from.x, y - from.y));
+    };
+    const up = (last: PointerEvent): void => {
+      if (last.pointerId !== event.pointerId) return;
+      document.removeEventListener('pointermove', move);
+      document.removeEventListener('pointerup', up);
+      document.removeEventListener('pointercancel', up);
+      const { x, y } = stage.local(last);
+      if (last.type === 'pointerup') done(x, y, travelled, last);
+    };
+    document.addEventListener('pointermove', move);
+    document.addEventListener('pointerup', up);
+    document.addEventListener('pointercancel', up);
+  }
+
+  /** Takes the pointer from the camera until it is released. */
+  private seize(event: PointerEvent, move: (event: PointerEvent) => void, done: (event: PointerEvent) => void): void {
+    const { stage } = this.host;
+    this.busy = true;
+    stage.controls.enabled = false;
+    event.preventDefault();
+    try {
+      stage.canvas.setPointerCapture(event.pointerId);
+    } catch {
+      // A pointer that is gone already is released below.
+    }
+    const moving = (next: PointerEvent): void => { if (next.pointerId === event.pointerId) move(next); };
+    const up = (last: PointerEvent): void => {
+      if (last.pointerId !== event.pointerId) return;
+      document.removeEventListener('pointermove', moving);
+      document.removeEventListener('pointerup', up);
+      document.removeEventListener('pointercancel', up);
+      this.busy = false;
+      stage.controls.enabled = true;
+      done(last);
+    };
+    document.addEventListener('pointermove', moving);
+    document.addEventListener('pointerup', up);
+    document.addEventListener('pointercancel', up);
+  }
+
+  private drag(event: PointerEvent, ref: PointRef, mode: Mode): void {
+    const { host } = this;
+    const { stage, history, frame } = host;
+    const held = host.lines[ref.line]!.points[ref.point];
+    const start = coordinates(held);
+    if (!start) return;
+    const chosen = this.selection.some((each) => same(each, ref));
+    if (!chosen) this.select(event.shiftKey ? [...this.selection, ref] : [ref]);
+    const group = this.selection.map((each) => ({ ref: each, from: coordinates(host.lines[each.line]!.points[each.point]) ?? start }));
+    const place = new Vector3(...frame.toScene(start));
+    const seen = stage.project(place.toArray());
+    const from = stage.local(event);
+    const grip = { x: from.x - seen.x, y: from.y - seen.y };
+    let moved = false;
+    history.begin();
+    this.seize(event, (next) => {
+      const { x, y } = stage.local(next);
+      if (!moved && Math.hypot(x - from.x, y - from.y) < 2) return;
+      moved = true;
+      const vertical = (mode === 'height') !== (next.shiftKey && !event.shiftKey);
+      const target = vertical ? this.raised(place, y - from.y) : this.grounded(place, x - grip.x, y - grip.y);
+      if (!target) return;
+      let aim = this.rounded(target, start);
+      if (!vertical && this.snapping && !next.altKey) aim = this.onto(x, y, group.map((each) => each.ref)) ?? aim;
+      for (const { ref: each, from: was } of group) this.write(each, was.map((value, axis) => settle(value + aim[axis]! - start[axis]!)) as Vec3);
+      const spot = stage.project(frame.toScene(aim));
+      const unit = unitOf(history.document.request);
+      host.label(vertical ? `${'xyz'[frame.up]} ${number(aim[frame.up]!, 6)} ${unit}` : aim.map((value, axis) => `${'xyz'[axis]} ${number(value, 6)}`).join('  '), spot.x, spot.y);
+      this.lifting = vertical;
+      host.changed(true);
+    }, (last) => {
+      this.lifting = false;
+      host.label(null);
+      if (!moved && last.type === 'pointerup') {
+        if (event.shiftKey && chosen) this.select(this.selection.filter((each) => !same(each, ref)));
+        else if (!event.shiftKey) this.select([ref]);
+      }
+      if (history.commit()) host.changed(false);
+    });
+  }
+
+  private lifting = false;
+
+  private selectBox(event: PointerEvent): void {
+    const { stage, sketch } = this.host;
+    const from = stage.local(event);
+    const before = this.selection;
+    const { style } = this.marquee;
+    this.seize(event, (next) => {
+      const { x, y } = stage.local(next);
+      const [left, top, right, bottom] = [Math.min(x, from.x), Math.min(y, from.y), Math.max(x, from.x), Math.max(y, from.y)];
+      this.marquee.hidden = false;
+      Object.assign(style, { left: `${left}px`, top: `${top}px`, width: `${right - left}px`, height: `${bottom - top}px` });
+      const inside = sketch.refs.filter((ref, i) => {
+        const seen = stage.project(sketch.places[i]!);
+        return ref.line >= 0 && seen.visible && seen.x >= left && seen.x <= right && seen.y >= top && seen.y <= bottom;
+      });
+      this.selection = [...before, ...inside.filter((ref) => !before.some((each) => same(each, ref)))];
+      this.refresh();
+    }, () => {
+      this.marquee.hidden = true;
+      this.select(this.selection);
+    });
+  }
+
+  /** Along the level plane through the start; along the screen if that plane is seen edge-on. */
+  private grounded(start: Vector3, x: number, y: number): Vector3 | null {
+    const { stage } = this.host;
+    const forward = stage.camera.getWorldDirection(new Vector3());
+    return stage.onPlane(x, y, start, Math.abs(forward.y) > 0.08 ? new Vector3(0, 1, 0) : forward);
+  }
+
+  /** Up and down by as much as the pointer moved up and down, corrected for the angle of view. */
+  private raised(start: Vector3, dy: number): Vector3 {
+    const { stage } = this.host;
+    const steep = new Vector3(0, 1, 0).applyQuaternion(stage.camera.quaternion).y;
+    return start.clone().add(new Vector3(0, (-dy * stage.pixelAt(start)) / Math.max(steep, 0.35), 0));
+  }
+
+  /** Coordinates no finer than a pixel deserves; those that did not move keep every digit. */
+  private rounded(target: Vector3, start: Vec3): Vec3 {
+    const { stage, frame } = this.host;
+    const step = 10 ** Math.floor(Math.log10(frame.length(stage.pixelAt(target)) * 1.5));
+    const found = frame.fromScene(target.toArray());
+    const still = 1e-9 * frame.length(stage.radius) + 1e-12 * Math.max(...start.map(Math.abs));
+    return found.map((value, axis) => (Math.abs(value - start[axis]!) <= still ? start[axis]! : settle(Math.round(value / step) * step))) as Vec3;
+  }
+
+  private tidy(point: Vec3): Vec3 {
+    const { frame } = this.host;
+    return this.rounded(new Vector3(...frame.toScene(point)), [NaN, NaN, NaN]);
+  }
+
+  /** Another line's point under the pointer. */
+  private onto(x: number, y: number, moving: PointRef[]): Vec3 | null {
+    const { stage, sketch, lines } = this.host;
+    const index = sketch.refs.findIndex((ref, i) => {
+      if (ref.line < 0 || moving.some((each) => each.line === ref.line)) return false;
+      const seen = stage.project(sketch.places[i]!);
+      return seen.visible && Math.hypot(seen.x - x, seen.y - y) < GRIP.snap;
+    });
+    const ref = sketch.refs[index];
+    return ref ? coordinates(lines[ref.line]!.points[ref.point]) : null;
+  }
+
+  // ---- Changing points ----
+
+  private write({ line, point }: PointRef, to: Vec3): void {
+    const { points } = this.host.lines[line]!;
+    const target = points[point];
+    if (Array.isArray(target)) target.splice(0, Math.max(3, target.length), ...to);
+    else points[point] = to;
+  }
+
+  /** Moves the selected points by as much, as one step. */
+  moveBy(delta: Vec3): void {
+    const { history } = this.host;
+    const done = history.edit(() => {
+      for (const ref of this.selection) {
+        const was = coordinates(this.host.lines[ref.line]!.points[ref.point]);
+        if (was) this.write(ref, was.map((value, axis) => settle(value + delta[axis]!)) as Vec3);
+      }
+    });
+    if (done) this.host.changed(false);
+  }
+
+  /** Sets one coordinate of the selected points. */
+  setAxis(axis: number, value: number): void {
+    const done = this.host.history.edit(() => {
+      for (const ref of this.selection) {
+        const was: Vec3 = coordinates(this.host.lines[ref.line]!.points[ref.point]) ?? [0, 0, 0];
+        was[axis] = value;
+        this.write(ref, was);
+      }
+    });
+    if (done) this.host.changed(false);
+  }
+
+  /** The length of the edge before the selected point, which moves along that edge. */
+  edgeBefore(): { length: number; previous: Vec3; point: Vec3 } | null {
+    const { only } = this;
+    const line = only && this.host.lines[only.line];
+    if (!line || isLoose(line) || line.points.length < 2) return null;
+    const index = only.point > 0 ? only.point - 1 : line.closed ? line.points.length - 1 : -1;
+    const point = coordinates(line.points[only.point]), previous = coordinates(line.points[index]);
+    return point && previous ? { length: Math.hypot(...point.map((value, axis) => value - previous[axis]!)), previous, point } : null;
+  }
+
+  setEdgeBefore(length: number): void {
+    const edge = this.edgeBefore();
+    const { only } = this;
+    if (!edge || !only || !(length > 0) || edge.length === 0) return;
+    const to = edge.previous.map((value, axis) => settle(value + ((edge.point[axis]! - value) * length) / edge.length)) as Vec3;
+    if (this.host.history.edit(() => this.write(only, to))) this.host.changed(false);
+  }
+
+  /** Normals and tangents that a request gives for the points of a line: they come and go with the points. */
+  private companions(line: number): unknown[][] {
+    const { request } = this.host.history.document;
+    const { points, path } = this.host.lines[line]!;
+    if (path[0] !== 'directrices') return [];
+    return ['normals', 'tangents'].flatMap((name) => {
+      const vectors = (request[name] as unknown[][] | undefined | null)?.[path[1] as number];
+      return Array.isArray(vectors) && vectors.length === points.length ? [vectors] : [];
+    });
+  }
+
+  private insertAt(line: number, after: number, point: Vec3): void {
+    this.companions(line).forEach((vectors) => vectors.splice(after + 1, 0, structuredClone(vectors[after])));
+    this.host.lines[line]!.points.splice(after + 1, 0, point);
+    this.selection = [{ line, point: after + 1 }];
+  }
+
+  /** A new point after the selected one: in the middle of its edge, or beyond an open line's end. */
+  insert(): void {
+    const { only } = this;
+    const line = only && this.host.lines[only.line];
+    if (!line) return;
+    const here = coordinates(line.points[only.point]);
+    const follows = coordinates(line.points[only.point + 1]) ?? (line.closed ? coordinates(line.points[0]) : null);
+    if (!here) return;
+    const before = coordinates(line.points[only.point - 1]) ?? here.map((value, axis) => value - (axis === 0 ? 1 : 0)) as Vec3;
+    const point = here.map((value, axis) => settle(follows ? (value + follows[axis]!) / 2 : 2 * value - before[axis]!)) as Vec3;
+    if (this.host.history.edit(() => this.insertAt(only.line, only.point, point))) this.host.changed(false);
+    this.select(this.selection);
+  }
+
+  /** Removes the selected points, and lines that have none left. */
+  remove(): void {
+    const { host } = this;
+    if (this.selection.length === 0) return;
+    const [first] = this.selection;
+    host.history.edit(() => {
+      const gone = [...this.selection].sort((a, b) => b.line - a.line || b.point - a.point);
+      for (const { line, point } of gone) {
+        this.companions(line).forEach((vectors) => vectors.splice(point, 1));
+        host.lines[line]!.points.splice(point, 1);
+      }
+      for (let line = host.lines.length - 1; line >= 0; line -= 1) if (host.lines[line]!.points.length === 0) this.dropLine(line);
+    });
+    this.selection = [];
+    host.changed(false);
+    const left = host.lines[first!.line]?.points.length ?? 0;
+    this.select(left > 0 && left > 1 ? [{ line: first!.line, point: Math.min(first!.point, left - 1) }] : []);
+  }
+
+  removeLine(): void {
+    const { host } = this;
+    const lines = [...new Set(this.selection.map((ref) => ref.line))].sort((a, b) => b - a);
+    if (lines.length === 0) return;
+    host.history.edit(() => lines.forEach((line) => this.dropLine(line)));
+    this.selection = [];
+    host.changed(false);
+    this.select([]);
+  }
+
+  private dropLine(line: number): void {
+    const { request } = this.host.history.document;
+    const { path } = this.host.lines[line]!;
+    const parent = at(request, path.slice(0, -1)) as Record<string, unknown> | unknown[];
+    const last = path.at(-1)!;
+    if (Array.isArray(parent)) parent.splice(Number(last), 1);
+    else delete parent[last];
+    if (path[0] === 'directrices') for (const name of ['normals', 'tangents']) if (Array.isArray(request[name])) (request[name] as unknown[]).splice(Number(last), 1);
+  }
+
+  // ---- Drawing a new line ----
+
+  startDrawing(): void {
+    const { history, stage, lines, frame } = this.host;
+    if (this.drawing) return;
+    history.edit((document) => { document.draft = []; });
+    this.select([]);
+    const heights = lines.flatMap((line) => line.points.map((point) => coordinates(point)?.[frame.up] ?? Infinity));
+    this.level = heights.length > 0 ? Math.min(...heights) : frame.origin[frame.up];
+    this.next = null;
+    const forward = stage.camera.getWorldDirection(new Vector3());
+    if (Math.abs(forward.y) < 0.3) stage.look([0.25, 1.2, 0.6]);
+    this.host.changed(false);
+    stage.canvas.focus({ preventScroll: true });
+  }
+
+  /** Gives up the line that is being drawn. */
+  stopDrawing(): void {
+    if (!this.drawing) return;
+    this.host.history.edit((document) => { document.draft = null; });
+    this.next = null;
+    this.host.label(null);
+    this.host.stage.canvas.style.cursor = '';
+    this.host.changed(false);
+  }
+
+  get least(): number { return KINDS[this.host.history.document.kind].least; }
+
+  /** Adds a point to the line that is being drawn; a snap to its first point ends the line. */
+  place(snap: Snap | null): void {
+    if (!snap) return;
+    if (snap.close) {
+      this.finishDrawing();
+      return;
+    }
+    this.host.history.edit((document) => { document.draft!.push(snap.point); });
+    this.host.changed(false);
+  }
+
+  finishDrawing(): boolean {
+    const { host } = this;
+    const { history } = host;
+    const points = history.document.draft;
+    if (!points || points.length < this.least) return false;
+    history.edit((document) => {
+      const { kind, request } = document;
+      const { lines } = KINDS[kind];
+      document.draft = null;
+      if (kind === 'uniform_mesh') {
+        const domain = (request.domain ??= {}) as Record<string, unknown>;
+        if (!domain.polygon && !domain.boundaries && !domain.bezier && !domain.nurbs) domain.polygon = points;
+        else ((domain.polygon ? (domain.holes ??= []) : (domain.boundaries ??= [])) as unknown[]).push(points);
+      } else ((request[lines[0]!] ??= []) as unknown[]).push(points);
+    });
+    this.next = null;
+    host.label(null);
+    host.stage.canvas.style.cursor = '';
+    host.changed(false);
+    return true;
+  }
+
+  /** A length along the present direction, `x, y, z`, or `@dx, dy, dz` from the last point. */
+  enter(text: string): string | null {
+    const draft = this.host.history.document.draft;
+    if (!draft) return null;
+    const last = draft.at(-1) ?? null;
+    const values = text.replace(/^@/, '').trim().split(/[\s,;]+/).map(Number);
+    if (values.length > 3 || values.some((value) => !Number.isFinite(value)) || text.trim() === '') return 'Type a length, or x, y, z.';
+    const { up } = this.host.frame;
+    const [a, b] = up === 2 ? [0, 1] : [0, 2];
+    if (values.length === 1) {
+      if (!last) return 'The first point needs x, y, z.';
+      const toward = this.next?.point ?? null;
+      const along = toward ? toward.map((value, axis) => value - last[axis]!) : [1, 0, 0];
+      const size = Math.hypot(...along);
+      if (size === 0) return 'Point into a direction first.';
+      this.place({ point: last.map((value, axis) => settle(value + (along[axis]! / size) * values[0]!)) as Vec3, how: '', close: false });
+      return null;
+    }
+    const point: Vec3 = [0, 0, 0];
+    const base: Vec3 = text.trim().startsWith('@') ? last ?? [0, 0, 0] : [0, 0, 0];
+    point[a!] = base[a!]! + values[0]!;
+    point[b!] = base[b!]! + values[1]!;
+    point[up] = values.length === 3 ? base[up] + values[2]! : text.trim().startsWith('@') ? base[up] : this.level;
+    if (up === 1 && values.length === 3) point.splice(0, 3, ...base.map((value, axis) => value + values[axis]!));
+    this.place({ point, how: '', close: false });
+    return null;
+  }
+
+  private snap(x: number, y: number, free: boolean): Snap | null {
+    const { stage, sketch, lines, frame, history } = this.host;
+    const draft = history.document.draft ?? [];
+    const closing = draft.length >= this.least && KINDS[history.document.kind].line !== 'rail' ? draft[0] : null;
+    if (closing) {
+      const first = stage.project(frame.toScene(closing));
+      if (Math.hypot(first.x - x, first.y - y) < GRIP.snap) return { point: closing, how: 'closes the loop', close: true };
+    }
+    if (!free && this.snapping) {
+      const index = sketch.refs.findIndex((ref, i) => {
+        const seen = stage.project(sketch.places[i]!);
+        return ref.line >= 0 && seen.visible && Math.hypot(seen.x - x, seen.y - y) < GRIP.snap;
+      });
+      const ref = sketch.refs[index];
+      const point = ref && coordinates(lines[ref.line]!.points[ref.point]);
+      if (point) return { point, how: 'on a point', close: false };
+    }
+    const level: Vec3 = [...frame.origin];
+    level[frame.up] = this.level;
+    const hit = stage.onPlane(x, y, new Vector3(...frame.toScene(level)), new Vector3(0, 1, 0));
+    if (!hit) return null;
+    const point = frame.fromScene(hit.toArray());
+    point[frame.up] = this.level;
+    const pixel = frame.length(stage.pixelAt(hit));
+    const ground = frame.up === 2 ? [0, 1] : [0, 2];
+    const fine = 10 ** Math.floor(Math.log10(pixel * 1.5));
+    const coarse = [1, 2, 5, 10, 20, 50].map((k) => k * fine).find((step) => step >= 9 * pixel) ?? fine;
+    let how = '';
+    for (const axis of ground) {
+      const value = point[axis]!;
+      // Straight above or beside the last or the first point.
+      const aligned = free || !this.snapping ? undefined : [draft.at(-1), draft[0]].find((other) => other && Math.abs(other[axis]! - value) < GRIP.align * pixel);
+      if (aligned) {
+        point[axis] = aligned[axis]!;
+        how = 'in line';
+      } else {
+        const step = free || !this.snapping ? fine : coarse;
+        point[axis] = settle(Math.round(value / step) * step);
+      }
+    }
+    return { point, how, close: false };
+  }
+
+  private showNext(x: number, y: number): void {
+    const { host } = this;
+    const { next } = this;
+    const { draft, request } = host.history.document;
+    if (!next || !draft) {
+      host.label(null);
+      return;
+    }
+    const last = draft.at(-1);
+    const where = next.point.map((value) => number(value, 6)).join(', ');
+    const length = last ? Math.hypot(...next.point.map((value, axis) => value - last[axis]!)) : 0;
+    host.label([last ? `${number(length, 4)} ${unitOf(request)}` : where, next.how].filter(Boolean).join(' · '), x, y);
+  }
+
+  /** The rubber band, the place to insert, the arrow that lifts and the drop line below a point. */
+  private hints(): void {
+    const { sketch, stage, frame, history, lines } = this.host;
+    const half = Math.tan((stage.camera.fov * Math.PI) / 360);
+    sketch.setPixel((2 * half) / stage.height, stage.renderer?.getPixelRatio() ?? 1);
+    const segments: Vec3[] = [], faint: Vec3[] = [];
+    let ghost: Vec3 | null = null;
+    const { draft } = history.document;
+    if (draft && this.next) {
+      const to = frame.toScene(this.next.point);
+      ghost = to;
+      if (draft.length > 0) segments.push(frame.toScene(draft.at(-1)!), to);
+      if (draft.length > 1 && KINDS[history.document.kind].line !== 'rail') faint.push(to, frame.toScene(draft[0]!));
+    } else if (this.ghost && !this.busy) ghost = frame.toScene(this.ghost.point);
+    const arrow = this.arrow();
+    if (arrow) {
+      const tip = arrow.to.toArray();
+      const side = new Vector3(1, 0, 0).applyQuaternion(stage.camera.quaternion);
+      const size = arrow.from.distanceTo(arrow.to);
+      const base = arrow.to.clone().addScaledVector(arrow.to.clone().sub(arrow.from), -0.24);
+      segments.push(arrow.from.toArray(), tip);
+      for (const sign of [-1, 1]) segments.push(base.clone().addScaledVector(side, sign * 0.14 * size).toArray(), tip);
+      const { only } = this;
+      const point = coordinates(lines[only!.line]!.points[only!.point])!;
+      const foot: Vec3 = [...frame.toScene(point)];
+      foot[1] = stage.grid.mesh.position.y;
+      if (this.lifting || Math.abs(foot[1] - arrow.from.y) > size * 0.3) faint.push(arrow.from.toArray(), foot);
+    }
+    sketch.hint({ segments, faint, ghost });
+  }
+
+  // ---- Keyboard ----
+
+  private key(event: KeyboardEvent): void {
+    const { stage, frame, lines } = this.host;
+    if (event.ctrlKey || event.metaKey) {
+      if (event.key !== 'a') return;
+      this.select(lines.flatMap((line, l) => line.points.map((_, p) => ({ line: l, point: p }))));
+      event.preventDefault();
+      return;
+    }
+    const chosen = this.selection.length > 0 && !this.drawing;
+    const ground = frame.up === 2 ? [0, 1] : [0, 2];
+    const away = frame.up === 2 ? 1 : -1;
+    const moves: Record<string, [number, number]> = {
+      ArrowLeft: [ground[0]!, -1], ArrowRight: [ground[0]!, 1], ArrowUp: [ground[1]!, away], ArrowDown: [ground[1]!, -away], PageUp: [frame.up, 1], PageDown: [frame.up, -1],
+    };
+    const turns: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+    const move = moves[event.key];
+    if (chosen && move) {
+      const step = 10 ** Math.round(Math.log10(frame.length(stage.pixelAt(stage.centre)) * 10)) * (event.shiftKey ? 10 : 1);
+      const delta: Vec3 = [0, 0, 0];
+      delta[move[0]] = move[1] * step;
+      this.moveBy(delta);
+    } else if (turns[event.key]) {
+      const [x, y] = turns[event.key]!;
+      if (event.shiftKey) stage.pan(-24 * x, -24 * y);
+      else stage.orbit(0.12 * x, 0.12 * y);
+    } else if (chosen && (event.key === 'Delete' || event.key === 'Backspace')) this.remove();
+    else if (chosen && (event.key === 'Insert' || event.key === 'Enter')) this.insert();
+    else if (event.key === ']') this.step(1);
+    else if (event.key === '[') this.step(-1);
+    else if (event.key === '+' || event.key === '=') stage.zoom(stage.width / 2, stage.height / 2, 0.85);
+    else if (event.key === '-' && !this.drawing) stage.zoom(stage.width / 2, stage.height / 2, 1 / 0.85);
+    else if (event.key === 'Escape' && chosen) this.select([]);
+    else return;
+    event.preventDefault();
+  }
+}
+
+/** Without the digits that only binary fractions have. */
+const settle = (value: number): number => Number(value.toPrecision(14));
+
+export type { Request };

@@ -1,0 +1,61 @@
+// Words and numbers as people read them.
+
+/** `mean_curvature` -> `Mean curvature`; units at the end of a name become units. */
+export function humanise(name: string): string {
+  const [, stem = name, unit] = /^(.*?)(_deg|_ms|_s)?$/.exec(name) ?? [];
+  const words = stem.replaceAll('_', ' ');
+  // Units and axes stay as they are: mm is not Mm.
+  if (words.length <= 2) return words;
+  const suffix = { _deg: ' (°)', _ms: ' (ms)', _s: ' (s)' }[unit ?? ''] ?? '';
+  return words.charAt(0).toUpperCase() + words.slice(1) + suffix;
+}
+
+const SUPERSCRIPT: Record<string, string> = { '-': '⁻', ...Object.fromEntries([...'⁰¹²³⁴⁵⁶⁷⁸⁹'].map((digit, i) => [String(i), digit])) };
+
+/** A number for reading: `digits` significant ones, whole numbers whole, very large and small ones as powers of ten. */
+export function number(value: number, digits = 5): string {
+  if (Number.isInteger(value) && Math.abs(value) < 1e15) return value.toLocaleString('en').replace('-', '−');
+  const size = Math.abs(value);
+  if (size !== 0 && (size < 1e-4 || size >= 1e9)) {
+    const [mantissa = '', power = ''] = value.toExponential(Math.min(digits, 3) - 1).split('e');
+    const short = mantissa.includes('.') ? mantissa.replace(/\.?0+$/, '') : mantissa;
+    return `${short.replace('-', '−')}×10${[...power.replace('+', '')].map((c) => SUPERSCRIPT[c]).join('')}`;
+  }
+  return String(Number(value.toPrecision(digits))).replace('-', '−');
+}
+
+export const count = (n: number, one: string, many = `${one}s`): string => `${number(n)} ${n === 1 ? one : many}`;
+
+/** Seconds as `0.02 s`, `12 s`, `2 min 5 s`. */
+export function duration(seconds: number): string {
+  if (seconds < 10) return `${number(Number(seconds.toPrecision(2)))} s`;
+  if (seconds < 90) return `${Math.round(seconds)} s`;
+  return `${Math.floor(seconds / 60)} min ${Math.round(seconds % 60)} s`;
+}
+
+const NUMBERED = /\b(boundary|boundaries|directrix|directrices|strips?|holes?|loops?|polygons?|polylines?|rows?|points?)((?: \d+(?![.\d%°])(?:,| and| or)?)+)/g;
+
+/**
+ * A sentence of the service as the studio says it. The service counts from 0, as its JSON does; people and the studio count
+ * from 1. Programs print `1 places` and `3.400e0`.
+ */
+export function sentence(text: string): string {
+  return text
+    .replace(NUMBERED, (_, noun: string, numbers: string) => noun + numbers.replace(/\d+/g, (digits) => String(Number(digits) + 1)))
+    .replace(/(-?\d+(?:\.\d+)?e[+-]?\d+)\b/g, (digits) => number(Number(digits)))
+    .replace(/(?<![\d.,])1 (places|points|triangles|edges|vertices|strips|boundaries|directrices|loops|members|nodes|rows)\b/g, (_, noun: string) => `1 ${singular(noun)}`);
+}
+
+const singular = (noun: string): string => ({ vertices: 'vertex', boundaries: 'boundary', directrices: 'directrix' })[noun] ?? noun.slice(0, -1);
+
+const MESSAGES: [RegExp, string][] = [
+  [/^it is not of type "number"$/, 'must be a number'],
+  [/^it is not of types? .*"(number|integer)".*$/, 'must be a number'],
+  [/^it is not of type "array"$/, 'must be a list such as [x, y, z]'],
+];
+
+/** The detail of one field's error. */
+export function fieldSentence(detail: string): string {
+  const known = MESSAGES.find(([pattern]) => pattern.test(detail));
+  return known ? known[1] : sentence(detail);
+}
