@@ -29,14 +29,13 @@ test('the point under the cursor stays there while zooming', async () => {
 test('wheel and right-drag work over a point', async () => {
   const { page } = studio;
   await studio.open('tent');
-  const [from] = await points(page);
+  const [from, second] = await points(page);
   const before = await request(page);
   await page.mouse.move(...await onStage(page, from));
   await page.mouse.wheel(0, -120);
   await page.waitForTimeout(200);
-  const zoomed = await points(page);
-  assert.ok(Math.hypot(zoomed[1].x - zoomed[0].x, zoomed[1].y - zoomed[0].y) > 1.05 * Math.hypot((await points(page))[1].x - from.x, 0) * 0, 'zoomed');
-  const [grip] = await points(page);
+  const [grip, next] = await points(page);
+  assert.ok(Math.hypot(next.x - grip.x, next.y - grip.y) > 1.05 * Math.hypot(second.x - from.x, second.y - from.y), 'zoomed');
   await drag(page, grip, { x: grip.x + 60, y: grip.y + 20 }, { button: 'right' });
   await page.waitForTimeout(300);
   const [moved] = await points(page);
@@ -49,9 +48,11 @@ test('whatever the size of the window, all points are seen', async () => {
   await studio.open('three-rings');
   for (const [width, height] of [[1280, 720], [820, 1180], [390, 844], [1920, 1080], [1024, 768]]) {
     await page.setViewportSize({ width, height });
-    await page.waitForTimeout(250);
-    const box = await page.locator('#view').boundingBox();
-    for (const { x, y } of await points(page)) assert.ok(x >= 0 && y >= 0 && x <= box.width && y <= box.height, `${width} × ${height}: ${x}, ${y}`);
+    await page.waitForFunction(([wide, high]) => {
+      const { clientWidth, clientHeight } = document.querySelector('#view');
+      const inside = window.studio.points().every(({ x, y }) => x >= 0 && y >= 0 && x <= clientWidth && y <= clientHeight);
+      return innerWidth === wide && innerHeight === high && inside;
+    }, [width, height], { timeout: 30_000 });
   }
 });
 
@@ -108,10 +109,6 @@ test('plain shading is the default, and every quantity has a range and a reading
 test('points behind the surface are hidden and cannot be gripped', async () => {
   const { page } = studio;
   await studio.open('tent');
-  // A closed box of film is not at hand: a point far below the tent's film, seen through it from above.
-  const edited = await request(page);
-  await apply(page, { ...edited, boundaries: [[[0, 0, 6], [10, 0, 6], [10, 10, 6], [0, 10, 6]]], constraints: undefined });
-  await solved(page);
   await apply(page, { boundaries: [[[0, 0, 6], [10, 0, 6], [10, 10, 6], [0, 10, 6]], [[4, 4, 0], [6, 4, 0], [6, 6, 0], [4, 6, 0]]], topology: 'best', resolution: { triangles: 800 } });
   await solved(page);
   await page.click('[data-view="top"]');

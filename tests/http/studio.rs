@@ -35,7 +35,8 @@ async fn the_page_finds_every_file_that_it_names() {
             let named = text.split(['"', '\'', '(', ')']).filter_map(|word| {
                 let file = word.strip_prefix("studio/").unwrap_or(word);
                 let ending = file.rsplit_once('.')?.1;
-                let is_file = ["js", "css", "svg", "woff2", "webp", "txt"].contains(&ending) && !file.contains(['/', ' ']);
+                let is_file =
+                    ["js", "css", "svg", "woff2", "webp", "txt"].contains(&ending) && !file.contains(['/', ' ']);
                 is_file.then(|| format!("/studio/{file}"))
             });
             wanted.extend(named);

@@ -711,7 +711,7 @@ function applyRequest(): void {
       fault('A request is an object, { … }.');
       return;
     }
-    takeRequest(kindOf(request) ? request : { ...request, kind: doc().kind }, doc().title);
+    takeRequest(request.kind !== undefined || kindOf(request) ? request : { ...request, kind: doc().kind }, doc().title);
   } catch (error) {
     fault(error instanceof Error ? error.message : String(error));
   }

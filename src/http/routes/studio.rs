@@ -13,8 +13,7 @@ use axum::response::{IntoResponse, Response};
 const HTML: &str = "text/html; charset=utf-8";
 
 /// Only this service's own files and data; images may come from downloads that the page holds in memory.
-const POLICY: &str =
-    "default-src 'self'; img-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors ";
+const POLICY: &str = "default-src 'self'; img-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors ";
 
 /// The page that other sites may show in a frame. It only shows: nothing on it changes anything.
 const EMBEDDED: &str = "embed.html";

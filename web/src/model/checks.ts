@@ -39,7 +39,10 @@ function geometry(line: Line, index: number): Finding[] {
   if (line.closed && extent > 0 && collinear(known, extent)) {
     return [...found, { line: index, points: known.map((_, i) => i), text: `${line.name}: all points lie on one line` }];
   }
-  if (line.closed && known.length <= MOST_SEGMENTS) found.push(...crossings(line, index, known, extent));
+  // Equal neighbours meet everything that each other meets; they are said already.
+  const repeated = new Set(found.map(({ points: [, second] }) => second));
+  const kept = known.map((_, i) => i).filter((i) => !repeated.has(i));
+  if (line.closed && kept.length <= MOST_SEGMENTS) found.push(...crossings(line, index, kept.map((i) => known[i]!), kept, extent));
   return found;
 }
 
@@ -50,8 +53,8 @@ function collinear(points: Vec3[], extent: number): boolean {
   return points.every((point) => size(cross(along, sub(point, first))) <= 1e-9 * extent * extent);
 }
 
-/** Segments of one loop that meet although they are no neighbours. */
-function crossings(line: Line, index: number, points: Vec3[], extent: number): Finding[] {
+/** Segments of one loop that meet although they are no neighbours; `numbers` are the points' indices in the line. */
+function crossings(line: Line, index: number, points: Vec3[], numbers: number[], extent: number): Finding[] {
   const found: Finding[] = [];
   const n = points.length;
   for (let i = 0; i < n && found.length < 4; i += 1) {
@@ -59,10 +62,9 @@ function crossings(line: Line, index: number, points: Vec3[], extent: number): F
       if (i === 0 && j === n - 1) continue;
       const [a, b, c, d] = [points[i]!, points[(i + 1) % n]!, points[j]!, points[(j + 1) % n]!];
       if (distance(a, b, c, d) > SAME * extent) continue;
-      found.push({
-        line: index, points: [i, (i + 1) % n, j, (j + 1) % n],
-        text: `${line.name}: the edge from point ${i + 1} to ${(i + 1) % n + 1} meets the edge from ${j + 1} to ${(j + 1) % n + 1}`,
-      });
+      const ends = [i, (i + 1) % n, j, (j + 1) % n].map((k) => numbers[k]!);
+      const [p, q, r, s] = ends.map((k) => k + 1);
+      found.push({ line: index, points: ends, text: `${line.name}: the edge from point ${p} to ${q} meets the edge from ${r} to ${s}` });
     }
   }
   return found;

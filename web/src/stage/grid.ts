@@ -50,7 +50,8 @@ export class Grid {
     // The middle lies on a line, so that the shader's 32 bits count from a line too.
     const coarse = this.step * 10;
     const [x, z] = [Math.round(centre.x / coarse) * coarse, Math.round(centre.z / coarse) * coarse];
-    this.mesh.position.set(x, level, z);
+    // A little below what lies on the ground, so that a flat model hides it.
+    this.mesh.position.set(x, level - 0.004 * radius, z);
     this.mesh.scale.setScalar(2 * reach);
     Object.assign(uniforms.middle!, { value: [0, 0] });
     uniforms.size!.value = 2 * reach;

@@ -1,7 +1,7 @@
 // The result on the stage: the surface, its lines, and the colours of the quantity that is looked at.
 
 import {
-  BufferAttribute, BufferGeometry, Color, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshStandardMaterial, Raycaster, Vector2, Vector3,
+  BufferAttribute, BufferGeometry, Color, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, MeshStandardMaterial, Raycaster, Vector2, Vector3,
 } from 'three';
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
@@ -39,7 +39,7 @@ export function wideLines(segments: Float32Array, width: number, color: string, 
 
 export class Surface {
   readonly group = new Group();
-  private mesh: Mesh<BufferGeometry, MeshStandardMaterial> | null = null;
+  private mesh: Mesh<BufferGeometry, MeshStandardMaterial | MeshLambertMaterial> | null = null;
   private result: ResultMesh | null = null;
   private kind = '';
   private quantity: Quantity | null = null;
@@ -122,10 +122,11 @@ export class Surface {
     geometry.setAttribute('normal', result.geometry.attributes.normal!);
     const coloured = quantity?.at === 'vertex';
     if (quantity && coloured) geometry.setAttribute('color', new BufferAttribute(vertexColours(quantity), 3));
-    const material = new MeshStandardMaterial({
-      color: coloured ? '#ffffff' : this.look.membrane, vertexColors: coloured, side: DoubleSide, roughness: 0.62, metalness: 0, flatShading: facets,
-      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
-    });
+    const common = { side: DoubleSide, flatShading: facets, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+    // Values are read from colours: a highlight would change them.
+    const material = coloured
+      ? new MeshLambertMaterial({ ...common, vertexColors: true })
+      : new MeshStandardMaterial({ ...common, color: this.look.membrane, roughness: 0.62, metalness: 0 });
     this.mesh = new Mesh(geometry, material);
     this.mesh.raycast = acceleratedRaycast;
     this.mesh.userData.castsShadow = true;

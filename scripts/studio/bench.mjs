@@ -1,0 +1,84 @@
+// Two figures of the studio, as lines for benches/results.jsonl on standard output: how often a live drag is answered, and what
+// an orbit costs in script. CHROMIUM=… PLATEAU_BIN=… node scripts/studio/bench.mjs >> benches/results.jsonl, on a quiet machine.
+
+import { execSync } from 'node:child_process';
+import { cpus, loadavg } from 'node:os';
+import { apply, launch, onStage, points, request, solved, startServer } from './harness.mjs';
+
+const server = await startServer();
+const browser = await launch();
+const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
+page.setDefaultTimeout(300_000);
+const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
+const common = {
+  date: new Date().toISOString().slice(0, 10), commit: execSync('git rev-parse --short HEAD').toString().trim(), machine: `${cpus().length} cores x86_64`, renderer: 'SwiftShader', load_before: Number(loadavg()[0].toFixed(2)),
+};
+const say = (line) => console.log(JSON.stringify({ ...common, ...line }));
+
+/** 2,000 triangles: updates a second while a point is dragged for four seconds, and the time from its release to the final film. */
+async function live() {
+  await page.goto(`${server.url}/?example=tent`);
+  await solved(page);
+  await apply(page, { ...await request(page), resolution: { triangles: 2000 } });
+  await solved(page);
+  await page.evaluate(() => {
+    window.seen = [];
+    let last = '';
+    const look = () => {
+      const { job } = window.studio.shown();
+      if (job !== last) window.seen.push([performance.now(), job]);
+      last = job;
+      requestAnimationFrame(look);
+    };
+    look();
+  });
+  const [, from] = await points(page);
+  const [x, y] = await onStage(page, from);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  const started = await page.evaluate(() => performance.now());
+  for (let step = 1; step <= 240; step += 1) {
+    await page.mouse.move(x - 60 * Math.sin(step / 20), y - 30 * Math.sin(step / 13));
+    await page.waitForTimeout(16);
+  }
+  const released = await page.evaluate(() => performance.now());
+  await page.mouse.up();
+  await solved(page);
+  const seen = await page.evaluate(() => window.seen);
+  const during = seen.filter(([time]) => time > started && time < released).length;
+  say({ bench: 'studio_live_drag', triangles: 2000, updates_per_second: Number((during / ((released - started) / 1000)).toFixed(1)), after_release_ms: Math.round(seen.at(-1)[0] - released) });
+}
+
+/** 100,000 triangles and 500 points: milliseconds of script for each step of an orbit. */
+async function orbit() {
+  const boundary = Array.from({ length: 500 }, (_, i) => {
+    const angle = (2 * Math.PI * i) / 500;
+    return [10 * Math.cos(angle), 10 * Math.sin(angle), 2 * Math.cos(2 * angle)];
+  });
+  await apply(page, { boundaries: [boundary], resolution: { triangles: 100_000 } });
+  await solved(page);
+  const costs = await page.evaluate(async () => {
+    const canvas = document.querySelector('#view');
+    const box = canvas.getBoundingClientRect();
+    const event = (type, x, y, buttons) => new PointerEvent(type, { clientX: box.left + x, clientY: box.top + y, buttons, button: type === 'pointermove' ? -1 : 0, pointerId: 1, pointerType: 'mouse', bubbles: true, cancelable: true });
+    const found = [];
+    canvas.dispatchEvent(event('pointerdown', 40, 100, 1));
+    for (let step = 0; step < 60; step += 1) {
+      const before = performance.now();
+      canvas.dispatchEvent(event('pointermove', 40 + 3 * step, 100 + step, 1));
+      const handled = performance.now() - before;
+      const drawn = performance.now();
+      window.studio.draw();
+      found.push(handled + performance.now() - drawn);
+      await new Promise((resolve) => { requestAnimationFrame(resolve); });
+    }
+    document.dispatchEvent(event('pointerup', 220, 160, 0));
+    return found;
+  });
+  say({ bench: 'studio_orbit', triangles: 100_000, points: 500, script_ms_median: Number(median(costs).toFixed(2)), script_ms_max: Number(Math.max(...costs).toFixed(2)) });
+}
+
+await live();
+await orbit();
+await browser.close();
+await server.stop();

@@ -1,0 +1,89 @@
+// A link holds request and camera; copied programs run.
+
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { covered, drag, request, solved, useStudio } from './harness.mjs';
+
+const studio = useStudio();
+const { transformSync } = createRequire(fileURLToPath(new URL('../../web/package.json', import.meta.url)))('esbuild');
+
+async function copied(page, form) {
+  await page.click('#open-share');
+  await page.click(`#share-forms button:text-is("${form}")`);
+  await page.waitForFunction((each) => document.querySelector(`#share-forms [aria-pressed="true"]`).textContent === each && document.querySelector('#share-text').value !== '', form);
+  const text = await page.inputValue('#share-text');
+  await page.click('#share [data-close]');
+  return text;
+}
+
+test('a link restores the request and the camera in another browser', async () => {
+  const { page } = studio;
+  await studio.open('catenoid');
+  await page.selectOption('#quantity', 'mean_curvature');
+  await drag(page, { x: 60, y: 420 }, { x: 210, y: 370 });
+  const box = await page.locator('#view').boundingBox();
+  await page.mouse.move(box.x + 300, box.y + 300);
+  await page.mouse.wheel(0, -240);
+  await page.waitForTimeout(800);
+  const corner = (await request(page)).boundaries[0].filter((_, i) => i % 30 === 0);
+  const places = (of) => of.evaluate((list) => list.map((point) => window.studio.project(point)), corner);
+  const before = await places(page);
+  const link = await copied(page, 'Link');
+
+  const context = await studio.browser.newContext({ viewport: { width: 1280, height: 720 }, reducedMotion: 'reduce' });
+  const other = await studio.newPage(context);
+  await other.goto(link);
+  await solved(other);
+  await other.waitForTimeout(300);
+  assert.deepEqual(await request(other), await request(page));
+  assert.equal(await other.inputValue('#quantity'), 'mean_curvature');
+  const after = await places(other);
+  before.forEach(({ x, y }, i) => assert.ok(Math.hypot(after[i].x - x, after[i].y - y) < 1, `${x}, ${y} is now at ${after[i].x}, ${after[i].y}`));
+  await context.close();
+});
+
+test('a damaged link says so and opens the page all the same', async () => {
+  const { page } = studio;
+  await page.goto(`${studio.url}/#s=abcdefg`);
+  await solved(page);
+  assert.match(await page.textContent('#toast'), /damaged/);
+});
+
+test('the embedded view shows the model in a frame of another page, without the studio around it', async () => {
+  const { page } = studio;
+  await studio.open('tent');
+  const [, source] = /src="([^"]+)"/.exec(await copied(page, 'Embed'));
+  const other = 'http://another.site/';
+  studio.allowed.push(other);
+  await page.route(other, (route) => route.fulfill({ contentType: 'text/html', body: `<iframe src="${source}" width="700" height="400"></iframe>` }));
+  await page.goto(other);
+  const frame = page.frames()[1];
+  await frame.waitForFunction(() => window.studio?.shown());
+  assert.equal(await frame.locator('#setup').isVisible(), false);
+  assert.ok(await covered(frame) > 0.05);
+});
+
+const STARTERS = { curl: ['bash', 'run.sh'], Python: ['python3', 'run.py'], TypeScript: ['node', 'run.mjs'] };
+for (const [form, [program, file]] of Object.entries(STARTERS)) {
+  test(`the request copied as ${form} runs and saves a GLB`, async () => {
+    const { page } = studio;
+    await studio.open('tent');
+    const text = await copied(page, form);
+    const folder = await mkdtemp(join(tmpdir(), 'plateau-copied-'));
+    try {
+      await writeFile(join(folder, file), form === 'TypeScript' ? transformSync(text, { loader: 'ts', format: 'esm' }).code : text);
+      const { status, stderr } = spawnSync(program, [file], { cwd: folder, encoding: 'utf8', timeout: 60_000 });
+      assert.equal(status, 0, stderr);
+      const bytes = await readFile(join(folder, 'surface.glb'));
+      assert.equal(bytes.subarray(0, 4).toString('latin1'), 'glTF');
+    } finally {
+      await rm(folder, { recursive: true });
+    }
+  });
+}

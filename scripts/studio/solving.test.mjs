@@ -1,0 +1,206 @@
+// From the request to the result: live, long, cancelled, found again, compared.
+
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { apply, covered, onStage, points, request, showPanel, solved, startServer, useStudio } from './harness.mjs';
+
+const studio = useStudio();
+
+test('every kind is solved and shown with its own figures', async () => {
+  const { page } = studio;
+  for (const name of ['catenoid', 'wavy-strip', 'vault']) {
+    await studio.open(name);
+    const { job: id } = await page.evaluate(() => window.studio.shown());
+    const job = await (await fetch(`${studio.url}/v1/jobs/${id}`)).json();
+    assert.equal(job.status, 'succeeded');
+    assert.ok((await page.textContent('#statistics')).includes(`Triangles${job.statistics.triangles.toLocaleString('en')}`), name);
+    assert.ok(await covered(page) > 0.03, `${name}: the mesh is seen`);
+  }
+});
+
+test('a live drag never shows an older film after a newer one, and ends with that of the last points', async () => {
+  const { page } = studio;
+  await studio.open('tent');
+  const area = (boundaries) => JSON.stringify(boundaries);
+  await page.evaluate(() => {
+    window.order = [];
+    const known = new Set();
+    const look = () => {
+      const shown = window.studio.shown();
+      if (shown && !known.has(shown.job)) {
+        known.add(shown.job);
+        window.order.push(JSON.parse(shown.solved).boundaries);
+      }
+      requestAnimationFrame(look);
+    };
+    look();
+  });
+  const [, from] = await points(page);
+  const [x, y] = await onStage(page, from);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  const wanted = [];
+  for (let step = 1; step <= 24; step += 1) {
+    await page.mouse.move(x - 3 * step, y - step);
+    wanted.push(area((await request(page)).boundaries));
+    await page.waitForTimeout(30);
+  }
+  await page.mouse.up();
+  await solved(page);
+  const final = await request(page);
+  const order = (await page.evaluate(() => window.order)).map(area);
+  const places = order.map((each) => wanted.lastIndexOf(each)).filter((place) => place >= 0);
+  assert.ok(places.length >= 2, `${places.length} films were seen`);
+  assert.deepEqual(places, [...places].sort((a, b) => a - b), 'in the order of the drag');
+  assert.equal(order.at(-1), area(final.boundaries), 'the last film is of the last points');
+});
+
+test('after an edit the figures and downloads are out of date until it is solved again', async () => {
+  const { page } = studio;
+  await studio.open('tent');
+  await showPanel(page, 'setup');
+  await page.uncheck('#live');
+  await page.locator('#view').focus();
+  await page.keyboard.press(']');
+  await page.keyboard.press('PageUp');
+  await showPanel(page, 'results');
+  assert.equal(await page.isVisible('#stale'), true);
+  assert.equal(await page.locator('#result').evaluate((box) => box.classList.contains('stale')), true);
+  assert.equal(await page.isDisabled('#downloads button >> nth=0'), true);
+  assert.ok(await covered(page) < 0.02, 'the film is a ghost');
+  await page.click('#undo');
+  assert.equal(await page.isVisible('#stale'), false, 'undo brings back the drawing that the result belongs to');
+  assert.equal(await page.isDisabled('#downloads button >> nth=0'), false);
+  await page.click('#redo');
+  await showPanel(page, 'setup');
+  await page.click('#solve');
+  await solved(page);
+  await showPanel(page, 'results');
+  assert.equal(await page.isDisabled('#downloads button >> nth=0'), false);
+});
+
+/** A request that takes minutes, and its example. */
+const endless = (example) => ({
+  ...example, solver: 'vertex_relaxation', resolution: { triangles: 60_000 }, boundary_sampling: 'refine', area_tolerance: 0, fairing_tolerance: 0, max_iterations: 100_000,
+});
+
+test('a long job shows charts, time and stage, is found again after a reload, and cancelled', async () => {
+  const { page } = studio;
+  await studio.open('helicoid');
+  await apply(page, endless(await request(page)));
+  await page.waitForFunction(() => /%.*\d+ (s|min)/.test(document.querySelector('#status').textContent));
+  await page.waitForFunction(() => document.querySelector('#running-charts .chart .curve'));
+  assert.ok(await page.locator('#running-charts .chart text').count() >= 4, 'the chart has axes');
+  const newest = async () => (await (await fetch(`${studio.url}/v1/jobs?limit=1`)).json()).jobs[0];
+  const { id } = await newest();
+  await page.waitForTimeout(400);
+  await page.goto(`${studio.url}/`);
+  await page.waitForFunction(() => /iteration/.test(document.querySelector('#status').textContent));
+  assert.equal((await newest()).id, id, 'the same job, not another');
+  await page.click('#cancel');
+  await page.waitForFunction(() => document.querySelector('#status').textContent === 'Cancelled.');
+  assert.equal((await (await fetch(`${studio.url}/v1/jobs/${id}`)).json()).status, 'cancelled');
+  assert.equal(await page.isVisible('#cancel'), false);
+});
+
+test('a recent job opens with its drawing', async () => {
+  const { page } = studio;
+  await studio.open('wavy-strip');
+  const strip = await request(page);
+  await page.click('#open-gallery');
+  await page.click('#gallery [data-example="tent"]');
+  await solved(page);
+  await page.click('#open-recent');
+  await page.locator('#recent-list tr:has-text("wave") button').first().click();
+  await solved(page);
+  assert.deepEqual(await request(page), strip);
+});
+
+test('each objective of a strip is a tile with its own picture, and one is taken', async () => {
+  const { page } = studio;
+  await studio.open('wang-tang-v');
+  const { objectives } = await (await fetch(`${studio.url}/v1/objectives`)).json();
+  const names = objectives.filter(({ kind }) => kind === 'ruled_surface').map(({ name }) => name);
+  await page.click('[data-mode="compare"]');
+  await page.waitForFunction((count) => document.querySelectorAll('.tile dl').length === count, names.length);
+  assert.deepEqual(await page.locator('.tile').evaluateAll((tiles) => tiles.map((tile) => tile.dataset.objective)), names);
+  for (const label of ['Area', 'Twist', 'Bending']) {
+    const rows = await page.locator(`.tile dl:has(dt:text-is("${label}"))`).evaluateAll((lists, each) => lists.map((list) => {
+      const value = [...list.querySelectorAll('dt')].find((dt) => dt.textContent === each).nextElementSibling;
+      return [parseFloat(value.textContent.replaceAll(',', '')), value.className];
+    }), label);
+    const least = Math.min(...rows.map(([value]) => value));
+    assert.ok(rows.some(([value, name]) => name === 'best' && value === least), `${label}: the least is bold`);
+  }
+  assert.ok(await covered(page) > 0.05, 'the tiles have pictures');
+  await page.click('.tile[data-objective="minimal_twist"] button');
+  assert.equal((await request(page)).objective, 'minimal_twist');
+  await solved(page);
+  assert.match(await page.textContent('#statistics'), /Objectiveminimal twist/);
+});
+
+test('the flat pattern fills the stage and is zoomed about the pointer', async () => {
+  const { page } = studio;
+  await studio.open('wavy-strip');
+  await page.click('[data-mode="flat"]');
+  await page.waitForFunction(() => document.querySelector('#flat-image').naturalWidth > 0 && document.querySelector('#flat-image').offsetWidth > 0);
+  const stage = await page.locator('#stage').boundingBox();
+  const before = await page.locator('#flat-image').boundingBox();
+  assert.ok(before.width > 0.7 * stage.width || before.height > 0.6 * stage.height, `${before.width} × ${before.height}`);
+  await page.mouse.move(before.x, before.y);
+  await page.mouse.wheel(0, -300);
+  await page.waitForFunction((width) => document.querySelector('#flat-image').offsetWidth > 1.3 * width, before.width);
+  const after = await page.locator('#flat-image').boundingBox();
+  assert.ok(Math.hypot(after.x - before.x, after.y - before.y) < 5);
+});
+
+test('every format is downloaded, the flat pattern too', async () => {
+  const { page } = studio;
+  await studio.open('wavy-strip');
+  await showPanel(page, 'results');
+  const starts = { GLB: 'glTF', GLTF: '{', OBJ: '# plateau', PLY: 'ply\n', STL: 'binary STL', SVG: '<svg ', DXF: '999\n' };
+  assert.equal(await page.locator('#downloads button, #pattern-downloads button').count(), Object.keys(starts).length);
+  for (const [format, start] of Object.entries(starts)) {
+    const waiting = page.waitForEvent('download');
+    await page.click(`#results button:text-is("${format}")`);
+    const download = await waiting;
+    assert.match(download.suggestedFilename(), new RegExp(`^ruled-surface-\\w+\\.${format.toLowerCase()}$`));
+    const bytes = await readFile(await download.path());
+    assert.equal(bytes.subarray(0, start.length).toString('latin1'), start);
+  }
+});
+
+test('a server with keys is used with a key', { skip: process.env.PLATEAU_URL && 'needs a server of its own' }, async () => {
+  const { page } = studio;
+  const made = spawnSync(process.env.PLATEAU_BIN, ['key', 'new', 'tester'], { encoding: 'utf8' }).stdout;
+  const [key, line] = made.trim().split('\n').map((each) => each.replace(/^.*?: */, ''));
+  const folder = await mkdtemp(join(tmpdir(), 'plateau-keys-'));
+  await writeFile(join(folder, 'keys'), `${line}\n`);
+  const locked = await startServer({ PLATEAU_AUTH__KEYS_FILE: join(folder, 'keys') });
+  studio.allowed.push(locked.url);
+  try {
+    await page.goto(locked.url);
+    await page.locator('#settings[open]').waitFor();
+    await page.fill('#api-key', key);
+    await page.keyboard.press('Enter');
+    await solved(page);
+    await showPanel(page, 'results');
+    const waiting = page.waitForEvent('download');
+    await page.click('#downloads button:text-is("OBJ")');
+    assert.ok(await (await waiting).path());
+    await page.reload();
+    await solved(page);
+    await page.click('#open-share');
+    await page.click('#share-forms button:text-is("Python")');
+    const text = await page.inputValue('#share-text');
+    assert.ok(text.includes('PLATEAU_KEY') && !text.includes(key), 'a copied program names the key and does not hold it');
+  } finally {
+    await page.goto('about:blank');
+    await locked.stop();
+    await rm(folder, { recursive: true });
+  }
+});
