@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
+import { createServer } from 'node:http';
 import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
@@ -59,14 +60,23 @@ test('the embedded view shows the model in a frame of another page, without the 
   const { page } = studio;
   await studio.open('tent');
   const [, source] = /src="([^"]+)"/.exec(await copied(page, 'Embed'));
-  const other = 'http://another.site/';
+  const site = createServer((_, response) => {
+    response.setHeader('content-type', 'text/html');
+    response.end(`<iframe src="${source}" width="700" height="400"></iframe>`);
+  });
+  await new Promise((resolve) => { site.listen(0, '127.0.0.1', resolve); });
+  const other = `http://127.0.0.1:${site.address().port}/`;
   studio.allowed.push(other);
-  await page.route(other, (route) => route.fulfill({ contentType: 'text/html', body: `<iframe src="${source}" width="700" height="400"></iframe>` }));
-  await page.goto(other);
-  const frame = page.frames()[1];
-  await frame.waitForFunction(() => window.studio?.shown());
-  assert.equal(await frame.locator('#setup').isVisible(), false);
-  assert.ok(await covered(frame) > 0.05);
+  try {
+    await page.goto(other);
+    const frame = await (await page.locator('iframe').elementHandle()).contentFrame();
+    await frame.waitForFunction(() => window.studio?.shown(), null, { polling: 200 });
+    assert.equal(await frame.locator('#setup').isVisible(), false);
+    assert.ok(await covered(frame) > 0.05);
+  } finally {
+    site.close();
+    site.closeAllConnections();
+  }
 });
 
 const STARTERS = { curl: ['bash', 'run.sh'], Python: ['python3', 'run.py'], TypeScript: ['node', 'run.mjs'] };
