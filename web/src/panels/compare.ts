@@ -34,10 +34,10 @@ export class Compare {
     const names = objectives.filter((name) => normals || name !== 'minimal_normal_variation');
     this.tiles = names.map((name) => {
       const button = el('button', { type: 'button', onclick: () => this.use(name) }, 'Use this');
-      button.setAttribute('aria-label', `Use ${humanise(name)}`);
+      button.setAttribute('aria-label', `Use this: ${humanise(name)}`);
       const facts = el('div', {}, el('p', { className: 'wait' }, 'Solving…'));
       const picture = el('div', { className: 'picture' });
-      const box = el('article', { className: 'tile' }, picture, el('div', { className: 'facts' }, el('header', {}, el('h4', {}, humanise(name)), button), facts));
+      const box = el('article', { className: 'tile' }, picture, el('div', { className: 'facts' }, el('header', {}, el('h2', {}, humanise(name)), button), facts));
       box.dataset.objective = name;
       return { name, box, facts, picture, surface: new Surface(this.look), statistics: null };
     });
