@@ -4,8 +4,8 @@
 //!
 //! 1. Directrices are cleaned (equal neighbours merged, resampled if asked) and every neighbouring pair becomes a strip.
 //! 2. A triangulation of a strip is a path through the grid of its bridges (section 2); each objective is a graph of
-//!    one, two or four nodes a bridge (sections 4 and 5, `layered_graph`) whose weights are in `weight`.
-//! 3. One sweep finds the shortest path (`shortest_path`), within a `corridor` where least area allows one; closed strips
+//!    one, two or four nodes a bridge (sections 4 and 5, `graph::layers`) whose weights are in `graph::weight`.
+//! 3. One sweep finds the shortest path (`graph::sweep`), within a `corridor` where least area allows one; closed strips
 //!    are optimal over all starts too (`closed`).
 //! 4. The path gives the triangles, every figure of Table 1 (`statistics`) and the flat pattern (`unroll`).
 //!
@@ -13,137 +13,36 @@
 //! full fold (as printed a fold-back is free); couplings are lexicographic shortest paths, exact where the paper rescales
 //! weights; a plain sweep replaces Dijkstra's algorithm, since the graphs are acyclic grids.
 
-mod caps;
-mod closed;
-mod convexity;
-mod corridor;
-mod lanes;
-mod layered_graph;
-mod objective;
-mod overlap;
-mod prepare;
-mod sampling;
-mod shortest_path;
-mod solve_strip;
-mod statistics;
+mod graph;
+mod pattern;
+mod stack;
 mod strip;
-mod unroll;
-mod warnings;
-mod weight;
 
-pub use objective::{Objective, Secondary, Weights};
-pub use sampling::Sampling;
-pub use statistics::{CoupledValues, Statistics};
-pub use strip::{Given, Strip};
-pub use unroll::{FlatPattern, FlatStrip, strips_of};
+pub use graph::rails::Given;
+pub use pattern::flat_strip::FlatStrip;
+pub use pattern::{FlatPattern, strips_of};
+pub use stack::cost::Cost;
+pub use stack::options::{Caps, DEFAULT_CONVEXITY_TOLERANCE, Direction, Options};
+pub use stack::sampling::Sampling;
+pub use stack::surface::{Comparison, RuledSurface};
+pub use strip::Strip;
+pub use strip::objective::{Objective, Secondary, Weights};
+pub use strip::statistics::{CoupledValues, Statistics};
 
-use crate::error::{Error, Warning};
+use crate::DVec3;
+use crate::error::Error;
 use crate::execution::{Execution, Progress};
-use crate::{DVec3, Mesh};
-use convexity::Test;
-use lanes::Widest;
-use shortest_path::Pulse;
-use solve_strip::{Goal, Solved};
-
-/// Default of [`Options::convexity_tolerance`]: 1e-6 degrees.
-pub const DEFAULT_CONVEXITY_TOLERANCE: f64 = 1e-6 * std::f64::consts::PI / 180.0;
-
-/// What to solve. The default: open strips of minimal area, as given.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Options {
-    /// Directrices are closed polygons; the optimum is over every starting bridge too.
-    pub closed: bool,
-    pub objective: Objective,
-    /// With [`Objective::MaximalConvexity`] only.
-    pub secondary: Option<Secondary>,
-    /// How far, in radians, a direction may reach beyond the half-plane of a locally convex bridge; 0 is the exact answer.
-    pub convexity_tolerance: f64,
-    pub direction: Direction,
-    pub caps: Caps,
-    /// Surface normals along the directrices, in their shape; needed for [`Objective::MinimalNormalVariation`].
-    pub normals: Option<Vec<Vec<DVec3>>>,
-    /// Tangents along the directrices, in their shape; fitted if not given (eq. 13 and 14).
-    pub tangents: Option<Vec<Vec<DVec3>>>,
-    /// Solve for every objective and fill [`RuledSurface::comparison`].
-    pub all_objectives: bool,
-    pub sampling: Option<Sampling>,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            closed: false,
-            objective: Objective::MinimalArea,
-            secondary: None,
-            convexity_tolerance: DEFAULT_CONVEXITY_TOLERANCE,
-            direction: Direction::AsGiven,
-            caps: Caps::None,
-            normals: None,
-            tangents: None,
-            all_objectives: false,
-            sampling: None,
-        }
-    }
-}
-
-/// Whether a directrix may be run through backwards.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Direction {
-    #[default]
-    AsGiven,
-    /// Each directrix but the first is reversed where that gives the better optimum.
-    Auto,
-}
-
-/// What closes the ends of a closed stack.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Caps {
-    #[default]
-    None,
-    /// Constrained Delaunay triangulations of the planar end contours: a closed body, oriented outwards.
-    Flat,
-}
-
-/// A triangulated stack of strips.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RuledSurface {
-    /// Vertices: the directrices' points, directrix by directrix. Triangles: strip by strip along the path, then caps.
-    pub mesh: Mesh,
-    /// Vertex pairs, strip by strip, from the first bridge to the last.
-    pub bridges: Vec<[u32; 2]>,
-    /// The vertices of each directrix, in the direction in which its strips run through it.
-    pub directrices: Vec<Vec<u32>>,
-    /// For each input point its vertex: merged points share one, resampled ones name the nearest along the directrix.
-    pub input_vertices: Vec<Vec<u32>>,
-    /// Which directrices [`Direction::Auto`] reversed.
-    pub reversed: Vec<bool>,
-    /// Figures of the whole stack, caps not counted.
-    pub statistics: Statistics,
-    /// Figures of each strip.
-    pub strips: Vec<Statistics>,
-    /// Table 1: the figures of every objective's own optimum, if asked for.
-    pub comparison: Option<Vec<Comparison>>,
-    /// Open surfaces only.
-    pub flat_pattern: Option<FlatPattern>,
-    pub warnings: Vec<Warning>,
-}
-
-/// A row of Table 1.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Comparison {
-    pub objective: Objective,
-    pub secondary: Option<Secondary>,
-    pub statistics: Statistics,
-}
-
-/// What a solve will take, to price it before the work.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Cost {
-    /// Grid cells visited, about; open strips visit exactly these, closed ones may need fewer or somewhat more.
-    pub cells: u64,
-    /// Working memory above input and result, at most, for the largest strip.
-    pub bytes: u64,
-}
+use graph::convexity::Test;
+use graph::lanes::Widest;
+use graph::pulse::Pulse;
+use graph::rails::Rails;
+use stack::assemble::assemble;
+use stack::cost::cost;
+use stack::direction::choose_directions;
+use stack::prepare::prepare;
+use stack::{caps, sampling, warnings};
+use strip::objective::Goal;
+use strip::search::{Solved, solve_all};
 
 /// Solves every strip of a stack for its global optimum and welds them into one mesh.
 ///
@@ -172,25 +71,25 @@ fn solve_with(
     execution: &Execution<'_>,
     lanes: Widest,
 ) -> Result<RuledSurface, Error> {
-    let mut prepared = prepare::prepare(directrices, options, options.sampling, execution)?;
+    let mut prepared = prepare(directrices, options, options.sampling, execution)?;
     let test = Test::new(options.convexity_tolerance);
-    let mut pulse = Pulse::new(execution, prepare::cost(&prepared.lengths(), options).cells);
+    let mut pulse = Pulse::new(execution, cost(&prepared.lengths(), options).cells);
     let goal = Goal { objective: options.objective, secondary: options.secondary };
     if options.direction == Direction::Auto {
-        prepare::choose_directions(&mut prepared, goal, test, lanes, &mut pulse)?;
+        choose_directions(&mut prepared, goal, test, lanes, &mut pulse)?;
     }
-    let strips: Vec<Strip> = prepared.strips();
+    let strips: Vec<Rails> = prepared.strips();
     let Solved { paths, statistics: strip_statistics, flipped } =
-        solve_strip::solve_all(&strips, goal, test, lanes, &mut pulse, &mut prepared.warnings)?;
+        solve_all(&strips, goal, test, lanes, &mut pulse, &mut prepared.warnings)?;
     pulse.phase("statistics");
     let mut comparison = None;
     if options.all_objectives {
         let mut rows = Vec::new();
-        for other in Goal::all(strips.iter().all(Strip::has_normals)) {
+        for other in Goal::all(strips.iter().all(Rails::has_normals)) {
             let statistics = if other == goal {
                 strip_statistics.clone()
             } else {
-                solve_strip::solve_all(&strips, other, test, lanes, &mut pulse, &mut Vec::new())?.statistics
+                solve_all(&strips, other, test, lanes, &mut pulse, &mut Vec::new())?.statistics
             };
             rows.push(Comparison {
                 objective: other.objective,
@@ -200,7 +99,7 @@ fn solve_with(
         }
         comparison = Some(rows);
     }
-    let mut surface = prepare::assemble(&prepared, &strips, &paths, options, execution)?;
+    let mut surface = assemble(&prepared, &strips, &paths, options, execution)?;
     if options.caps == Caps::Flat {
         caps::close(&mut surface.mesh, &surface.directrices, execution)?;
     } else if flipped {
@@ -233,14 +132,14 @@ fn solve_with(
 /// # Errors
 /// The [`Error::Input`] that [`solve`] would begin with.
 pub fn check(directrices: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
-    prepare::prepare(directrices, options, None, &Execution::default()).map(drop)
+    prepare(directrices, options, None, &Execution::default()).map(drop)
 }
 
 /// What [`solve`] will take for directrices of so many points; `options.sampling` is applied to them. O(directrices).
 #[must_use]
 pub fn estimate(points: &[usize], options: &Options) -> Cost {
     let sampled: Vec<usize> = points.iter().map(|&count| sampling::count(count, options.sampling)).collect();
-    prepare::cost(&sampled, options)
+    cost(&sampled, options)
 }
 
 #[cfg(test)]
@@ -294,7 +193,7 @@ mod tests {
                         };
                         let solve = |lanes| solve_with(&rails, &options, &Execution::default(), lanes).unwrap();
                         let plain = solve(Widest::Plain);
-                        for &wide in &Widest::all()[1..] {
+                        for wide in Widest::all().split_off(1) {
                             assert_eq!(plain, solve(wide), "{objective:?} {m} {n} {wide:?}");
                         }
                     }

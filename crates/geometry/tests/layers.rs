@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Files and folders of `src`, earliest layer first. A file belongs to the longest entry that its path starts with.
-const LAYERS: [&str; 28] = [
+const LAYERS: [&str; 32] = [
     "execution",
     "error",
     "polyline",
@@ -37,17 +37,18 @@ const LAYERS: [&str; 28] = [
     "minimal_surface",
     "lower_bound",
     "uniform_mesh",
+    "ruled_surface/graph",
+    "ruled_surface/strip",
+    "ruled_surface/pattern",
+    "ruled_surface/stack",
     "ruled_surface",
     "lib",
 ];
 
 /// Arrows (from a file or folder to another) that still run back or close a circle. The list only shrinks: an entry that
 /// nothing needs any more fails the test.
-const KNOWN: [(&str, &str); 3] = [
-    ("minimal_surface/statistics", "minimal_surface/triple_junction"),
-    ("ruled_surface", "ruled_surface"),
-    ("uniform_mesh", "uniform_mesh"),
-];
+const KNOWN: [(&str, &str); 2] =
+    [("minimal_surface/statistics", "minimal_surface/triple_junction"), ("uniform_mesh", "uniform_mesh")];
 
 /// One file of the crate: its path below `src` without `.rs`, and its text.
 struct Source {

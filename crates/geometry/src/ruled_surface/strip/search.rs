@@ -1,81 +1,25 @@
 //! From a strip and an objective to a path: which graph, which kernel, how wide.
 
-use super::closed::{self, Found, Search, Searcher};
-use super::convexity::{self, Test};
-use super::corridor::corridor;
-use super::lanes::{Lanes, Widest, with_lanes};
-use super::layered_graph::{
-    Area, Concave, DualLayer, Factors, Lattice, Lexicographic, NormalVariation, QuadrupleLayer, SingleLayer, Twist,
-    Value,
-};
-use super::objective::{Objective, Secondary, Weights};
-use super::shortest_path::{Pulse, Region, cost_within};
+use super::objective::{Goal, Objective, Secondary, Weights};
 use super::statistics::{Evaluation, Statistics, evaluate};
-use super::strip::Strip;
 use crate::error::{Error, Warning};
 use crate::execution::Interruption;
+use crate::ruled_surface::graph::closed::{self, Found, Search, Searcher};
+use crate::ruled_surface::graph::convexity::{self, Test};
+use crate::ruled_surface::graph::corridor::corridor;
+use crate::ruled_surface::graph::lanes::{Lanes, Widest, with_lanes};
+use crate::ruled_surface::graph::lattice::Lattice;
+use crate::ruled_surface::graph::layers::{
+    Area, Concave, DualLayer, Factors, Lexicographic, NormalVariation, QuadrupleLayer, SingleLayer, Twist, Value,
+};
+use crate::ruled_surface::graph::pulse::Pulse;
+use crate::ruled_surface::graph::rails::Rails;
+use crate::ruled_surface::graph::sweep::{Region, cost_within};
 use std::marker::PhantomData;
-
-/// An objective, with its secondary.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Goal {
-    pub(super) objective: Objective,
-    pub(super) secondary: Option<Secondary>,
-}
-
-impl Goal {
-    pub(super) fn single(objective: Objective) -> Self {
-        Self { objective, secondary: None }
-    }
-
-    /// The rows of Table 1: every named objective (the normal variation needs normals), then the couplings.
-    pub(super) fn all(normals: bool) -> impl Iterator<Item = Self> {
-        let named = Objective::NAMED.into_iter().filter(move |&o| normals || o != Objective::MinimalNormalVariation);
-        let coupled =
-            Secondary::ALL.map(|secondary| Self { objective: Objective::MaximalConvexity, secondary: Some(secondary) });
-        named.map(Self::single).chain(coupled)
-    }
-
-    /// Nodes a bridge in the goal's graph.
-    pub(super) fn layers(&self) -> u64 {
-        match (self.objective, self.secondary) {
-            (Objective::Weighted(_) | Objective::MinimalMeanCurvatureVariation, _)
-            | (_, Some(Secondary::MeanCurvatureVariation)) => 4,
-            (Objective::MinimalBendingEnergy, _) | (_, Some(Secondary::BendingEnergy)) => 2,
-            _ => 1,
-        }
-    }
-
-    pub(super) fn windings(&self) -> u64 {
-        if self.winding_matters() { 2 } else { 1 }
-    }
-
-    pub(super) fn needs_normals(&self) -> bool {
-        self.winding_matters()
-    }
-
-    /// Whether the graph's weights look at tangents.
-    fn needs_tangents(&self) -> bool {
-        match self.objective {
-            Objective::MinimalTwist | Objective::MinimalNormalVariation => true,
-            Objective::Weighted(weights) => weights.twist > 0.0 || weights.normal_variation > 0.0,
-            _ => false,
-        }
-    }
-
-    /// Whether the value depends on which way round the triangles are wound.
-    fn winding_matters(&self) -> bool {
-        match self.objective {
-            Objective::MinimalNormalVariation => true,
-            Objective::Weighted(weights) => weights.normal_variation > 0.0,
-            _ => false,
-        }
-    }
-}
 
 /// What a search is asked for on one strip.
 #[derive(Clone, Copy)]
-pub(super) struct Asked<'a> {
+pub(crate) struct Asked<'a> {
     goal: Goal,
     /// A weighted sum's.
     factors: Option<&'a Factors>,
@@ -93,16 +37,16 @@ impl Asked<'_> {
 
 /// A path on every strip of a stack, and its figures.
 #[derive(Clone, Debug)]
-pub(super) struct Solved {
-    pub(super) paths: Vec<Vec<[u32; 2]>>,
-    pub(super) statistics: Vec<Statistics>,
+pub(crate) struct Solved {
+    pub(crate) paths: Vec<Vec<[u32; 2]>>,
+    pub(crate) statistics: Vec<Statistics>,
     /// The faces agree with the given normals only when wound the other way round.
-    pub(super) flipped: bool,
+    pub(crate) flipped: bool,
 }
 
 /// Solves every strip. The winding, where it matters, is one for the whole stack: the one with the smaller total.
-pub(super) fn solve_all(
-    strips: &[Strip],
+pub(crate) fn solve_all(
+    strips: &[Rails],
     goal: Goal,
     test: Test,
     lanes: Widest,
@@ -143,8 +87,8 @@ pub(super) fn solve_all(
 }
 
 /// The optimal path of a strip on its own.
-pub(super) fn path_of(
-    strip: &Strip,
+pub(crate) fn path_of(
+    strip: &Rails,
     goal: Goal,
     test: Test,
     lanes: Widest,
@@ -194,7 +138,7 @@ const VANISHING: f64 = 1e-12;
 
 /// A weighted sum's factors on one strip, in the strip's own unit.
 fn normalised(
-    strip: &Strip,
+    strip: &Rails,
     weights: Weights,
     test: Test,
     lanes: Widest,
@@ -229,8 +173,8 @@ fn normalised(
 }
 
 /// The optimal path of one strip, bridges in order; on closed strips the indices are reduced to the polygons'.
-pub(super) fn optimal_path(
-    strip: &Strip,
+pub(crate) fn optimal_path(
+    strip: &Rails,
     asked: Asked<'_>,
     lanes: Widest,
     pulse: &mut Pulse<'_, '_>,
@@ -246,8 +190,8 @@ pub(super) fn optimal_path(
 
 /// The least area, in the caller's unit, or bending energy of a strip without an apex: the optimum's cost, without its other
 /// figures.
-pub(super) fn least(
-    strip: &Strip,
+pub(crate) fn least(
+    strip: &Rails,
     objective: Objective,
     lanes: Widest,
     pulse: &mut Pulse<'_, '_>,
@@ -257,8 +201,8 @@ pub(super) fn least(
 }
 
 /// The least bending energy of a strip without an apex, if it is at most `bound`.
-pub(super) fn least_bending_within(
-    strip: &Strip,
+pub(crate) fn least_bending_within(
+    strip: &Rails,
     bound: f64,
     lanes: Widest,
     pulse: &mut Pulse<'_, '_>,
@@ -266,31 +210,37 @@ pub(super) fn least_bending_within(
     if strip.closed {
         return Ok(Some(least(strip, Objective::MinimalBendingEnergy, lanes, pulse)?).filter(|&least| least <= bound));
     }
-    with_lanes!(lanes, V => bending_within::<V>(strip, bound, pulse))
+    with_lanes!(lanes, V, simd => bending_within::<V>(simd, strip, bound, pulse))
 }
 
-fn bending_within<V: Lanes>(strip: &Strip, bound: f64, pulse: &mut Pulse<'_, '_>) -> Result<Option<f64>, Interruption> {
+fn bending_within<V: Lanes>(
+    simd: V::Simd,
+    strip: &Rails,
+    bound: f64,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<Option<f64>, Interruption> {
     let lattice = &Lattice::new(strip, false);
-    let kernel = DualLayer { lattice, concave: None, cost: PhantomData::<Value<V>> };
+    let kernel = DualLayer { simd, lattice, concave: None, cost: PhantomData::<Value<V>> };
     cost_within::<V, _>(&kernel, (lattice.rows, lattice.columns), bound, pulse)
 }
 
-fn found(strip: &Strip, asked: Asked<'_>, lanes: Widest, pulse: &mut Pulse<'_, '_>) -> Result<Found, Interruption> {
-    with_lanes!(lanes, V => search::<V>(strip, asked, pulse))
+fn found(strip: &Rails, asked: Asked<'_>, lanes: Widest, pulse: &mut Pulse<'_, '_>) -> Result<Found, Interruption> {
+    with_lanes!(lanes, V, simd => search::<V>(simd, strip, asked, pulse))
 }
 
 /// Cells that are visited faster than a corridor through them is found.
 const SMALL: usize = 16384;
 
 fn search<V: Lanes>(
-    strip: &Strip,
+    simd: V::Simd,
+    strip: &Rails,
     Asked { goal, factors, sign, test }: Asked<'_>,
     pulse: &mut Pulse<'_, '_>,
 ) -> Result<Found, Interruption> {
     let lattice = &Lattice::new(strip, goal.needs_tangents());
     let (rows, columns) = (lattice.rows, lattice.columns);
     let table = match goal.objective {
-        Objective::MaximalConvexity => Some(convexity::concave_bridges::<V>(strip, lattice, test, pulse)?),
+        Objective::MaximalConvexity => Some(convexity::concave_bridges::<V>(strip, (lattice, simd), test, pulse)?),
         _ => None,
     };
     let concave = table.as_ref();
@@ -306,24 +256,24 @@ fn search<V: Lanes>(
     }
     match (goal.objective, goal.secondary, concave) {
         (Objective::MaximalConvexity, Some(Secondary::BendingEnergy), _) => {
-            run!(DualLayer { lattice, concave, cost: PhantomData::<Lexicographic<V>> })
+            run!(DualLayer { simd, lattice, concave, cost: PhantomData::<Lexicographic<V>> })
         }
         (Objective::MaximalConvexity, Some(Secondary::MeanCurvatureVariation), _) => {
-            run!(QuadrupleLayer { lattice, concave, factors: None, cost: PhantomData::<Lexicographic<V>> })
+            run!(QuadrupleLayer { simd, lattice, concave, factors: None, cost: PhantomData::<Lexicographic<V>> })
         }
-        (Objective::MaximalConvexity, None, Some(table)) => run!(SingleLayer(Concave(table))),
-        (Objective::MinimalArea | Objective::MaximalConvexity, ..) => run!(SingleLayer(Area(lattice))),
-        (Objective::MinimalTwist, ..) => run!(SingleLayer(Twist(lattice))),
-        (Objective::MinimalNormalVariation, ..) => run!(SingleLayer(NormalVariation { lattice, sign })),
+        (Objective::MaximalConvexity, None, Some(table)) => run!(SingleLayer(Concave { simd, table })),
+        (Objective::MinimalArea | Objective::MaximalConvexity, ..) => run!(SingleLayer(Area { simd, lattice })),
+        (Objective::MinimalTwist, ..) => run!(SingleLayer(Twist { simd, lattice })),
+        (Objective::MinimalNormalVariation, ..) => run!(SingleLayer(NormalVariation { simd, lattice, sign })),
         (Objective::MinimalBendingEnergy, ..) => {
-            run!(DualLayer { lattice, concave: None, cost: PhantomData::<Value<V>> })
+            run!(DualLayer { simd, lattice, concave: None, cost: PhantomData::<Value<V>> })
         }
         (Objective::MinimalMeanCurvatureVariation, ..) => {
-            run!(QuadrupleLayer { lattice, concave: None, factors: None, cost: PhantomData::<Value<V>> })
+            run!(QuadrupleLayer { simd, lattice, concave: None, factors: None, cost: PhantomData::<Value<V>> })
         }
         (Objective::Weighted(_), ..) => {
             let factors = factors.map(|factors| Factors { sign, ..*factors });
-            run!(QuadrupleLayer { lattice, concave: None, factors, cost: PhantomData::<Value<V>> })
+            run!(QuadrupleLayer { simd, lattice, concave: None, factors, cost: PhantomData::<Value<V>> })
         }
     }
 }
@@ -342,7 +292,7 @@ mod tests {
     use super::*;
     use crate::{DVec3, Execution};
 
-    fn strip(m: usize, n: usize, wave: f64) -> Strip {
+    fn strip(m: usize, n: usize, wave: f64) -> Rails {
         let rail = |count: usize, y: f64, phase: f64| -> Vec<DVec3> {
             let point = |k: usize| {
                 let u = k as f64 / (count - 1) as f64;
@@ -351,7 +301,7 @@ mod tests {
             (0..count).map(point).collect()
         };
         let (p, q) = (rail(m, 0.0, 0.0), rail(n, 3.0, 1.0));
-        Strip::of_checked(p.as_slice().into(), q.as_slice().into(), false)
+        Rails::new(p.as_slice().into(), q.as_slice().into(), false)
     }
 
     #[test]
@@ -360,7 +310,7 @@ mod tests {
         for (m, n) in [(2, 2), (2, 9), (3, 7), (5, 4), (8, 8), (66, 41), (41, 66), (131, 203), (400, 90)] {
             for wave in [0.0, 0.3, 1.0, 2.0] {
                 let strip = strip(m, n, wave);
-                for &lanes in Widest::all() {
+                for lanes in Widest::all() {
                     let mut pulse = Pulse::new(&execution, 1);
                     let least = least(&strip, Objective::MinimalBendingEnergy, lanes, &mut pulse).unwrap();
                     for factor in [0.0, 0.5, 1.0 - 1e-9, 1.0, 1.0 + 1e-9, 2.0, 1e3, f64::INFINITY] {

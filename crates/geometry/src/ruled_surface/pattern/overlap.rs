@@ -1,13 +1,13 @@
 //! Do two triangles of a flat strip overlap? Not where both directrices run one way and one above the other; else a tree of bounding octagons over the chain of triangles finds the pairs that may,
 //! separating axes decide.
 
-use super::unroll::FlatStrip;
+use super::flat_strip::FlatStrip;
 use crate::DVec2;
 use crate::error::Error;
 use crate::execution::Execution;
 
 /// Overlaps up to this fraction of the pattern's size are rounding.
-const TOLERANCE: f64 = 1e-9;
+pub(crate) const TOLERANCE: f64 = 1e-9;
 /// Triangles in a leaf of the tree.
 const LEAF: usize = 4;
 /// Directions of the bounding slabs, every 22.5°: long thin triangles at any angle stay apart.
@@ -44,12 +44,12 @@ impl Slabs {
 }
 
 /// Whether the interiors of any two triangles overlap by more than [`TOLERANCE`] of the pattern's size.
-pub(super) fn overlaps(flat: &FlatStrip, execution: &Execution<'_>) -> Result<bool, Error> {
+pub(crate) fn overlaps(flat: &FlatStrip, execution: &Execution<'_>) -> Result<bool, Error> {
     let tolerance = TOLERANCE * flat.width.max(flat.height);
     if runs_along_x(flat, tolerance) { Ok(false) } else { some_pair_overlaps(flat, tolerance, execution) }
 }
 
-fn some_pair_overlaps(flat: &FlatStrip, tolerance: f64, execution: &Execution<'_>) -> Result<bool, Error> {
+pub(crate) fn some_pair_overlaps(flat: &FlatStrip, tolerance: f64, execution: &Execution<'_>) -> Result<bool, Error> {
     let corner = |v: u32| {
         let v = v as usize;
         if v < flat.p.len() { flat.p[v] } else { flat.q[v - flat.p.len()] }
@@ -116,7 +116,7 @@ fn some_pair_overlaps(flat: &FlatStrip, tolerance: f64, execution: &Execution<'_
 
 /// Whether the outline is plainly simple: both directrices run towards greater x, Q above P all the way. All triangles face up,
 /// so each point that the outline winds round once is covered once, and nothing overlaps. O(points), and true of most strips.
-fn runs_along_x(flat: &FlatStrip, tolerance: f64) -> bool {
+pub(crate) fn runs_along_x(flat: &FlatStrip, tolerance: f64) -> bool {
     let ([p_first, .., p_last], [q_first, .., q_last]) = (flat.p.as_slice(), flat.q.as_slice()) else { return false };
     // Where one directrix reaches further, the bridge there continues the other, up to a point that both share.
     let continued = |own: &[DVec2], [first, last]: [DVec2; 2]| -> Vec<DVec2> {
@@ -169,43 +169,4 @@ fn overlap(one: &[DVec2; 3], other: &[DVec2; 3], tolerance: f64) -> bool {
         }
     }
     true
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::DVec3;
-    use crate::ruled_surface::{Options, solve};
-
-    #[test]
-    fn a_strip_that_runs_along_x_has_no_pair_that_overlaps() {
-        let rail = |count: usize, radius: f64, turns: f64, wave: f64| -> Vec<DVec3> {
-            let point = |k: usize| {
-                let u = k as f64 / (count - 1) as f64;
-                let (sine, cosine) = (turns * std::f64::consts::TAU * u).sin_cos();
-                let radius = radius + wave * (9.0 * u).sin();
-                DVec3::new(radius * cosine, radius * sine, wave * (7.0 * u + radius).cos())
-            };
-            (0..count).map(point).collect()
-        };
-        let execution = Execution::default();
-        let (mut plain, mut unclear, mut overlapping) = (0, 0, 0);
-        for case in 0..300 {
-            let (turns, wave) = (0.005 * f64::from(case + 5), 0.04 * f64::from(case % 7));
-            let rails = [rail(23 + case as usize % 5, 2.0, turns, wave), rail(31, 1.5, turns, wave)];
-            let surface = solve(&rails, &Options::default(), &execution).unwrap();
-            let flat = &surface.flat_pattern.unwrap().strips[0];
-            let tolerance = TOLERANCE * flat.width.max(flat.height);
-            let overlaps = some_pair_overlaps(flat, tolerance, &execution).unwrap();
-            if runs_along_x(flat, tolerance) {
-                assert!(!overlaps, "case {case}");
-                plain += 1;
-            } else if overlaps {
-                overlapping += 1;
-            } else {
-                unclear += 1;
-            }
-        }
-        assert!(plain > 30 && overlapping > 30 && unclear > 0, "{plain} {unclear} {overlapping}");
-    }
 }

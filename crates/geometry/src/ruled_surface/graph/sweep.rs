@@ -5,25 +5,23 @@
 //! costs of its last row to the next band. Back pointers are bits, one a node: the table is all that grows with m n.
 
 use super::lanes::{Lanes, MOST_LANES, Task};
-use crate::execution::{Execution, Interruption, Progress};
+use super::pulse::{CELLS_BETWEEN_LOOKS, Pulse};
+use crate::execution::Interruption;
 use std::cmp::Ordering;
-
-/// Cells between two looks at the execution: some milliseconds of the slowest kernel.
-const CELLS_BETWEEN_LOOKS: u64 = 1 << 16;
 
 /// What a path costs: concave bridges (or 0 where they do not count), then the value.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Score {
-    pub(super) count: f64,
-    pub(super) value: f64,
+pub(crate) struct Score {
+    pub(crate) count: f64,
+    pub(crate) value: f64,
 }
 
 impl Score {
-    pub(super) const WORST: Self = Self { count: f64::INFINITY, value: f64::INFINITY };
-    pub(super) fn order(&self, other: &Self) -> Ordering {
+    pub(crate) const WORST: Self = Self { count: f64::INFINITY, value: f64::INFINITY };
+    pub(crate) fn order(&self, other: &Self) -> Ordering {
         self.count.total_cmp(&other.count).then(self.value.total_cmp(&other.value))
     }
-    pub(super) fn better_than(&self, other: &Self) -> bool {
+    pub(crate) fn better_than(&self, other: &Self) -> bool {
         self.order(other) == Ordering::Less
     }
 }
@@ -31,7 +29,7 @@ impl Score {
 /// How the bridge before a path's first was arrived at; the first itself is always arrived at by a P-step. Only the
 /// quadruple-layer graph looks back that far.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Seed {
+pub(crate) enum Seed {
     /// There is none: an open strip's natural end.
     Open,
     /// Either way, whichever is cheaper: a relaxation on a closed strip.
@@ -42,12 +40,13 @@ pub(super) enum Seed {
 
 /// One objective on one graph. A *node* of a bridge is numbered as its graph says; `top` is what a column of the row above
 /// hands down: `CARRY` numbers.
-pub(super) trait Kernel<V: Lanes> {
+pub(crate) trait Kernel<V: Lanes> {
     const LAYERS: usize;
     const CARRY: usize;
     type Band: Copy;
     /// What a row of lanes remembers of the column before.
     type State: Copy;
+    fn simd(&self) -> V::Simd;
     fn band(&self, band: usize) -> Self::Band;
     /// Nothing reached yet.
     fn blank(&self) -> Self::State;
@@ -64,7 +63,7 @@ pub(super) trait Kernel<V: Lanes> {
 }
 
 /// A kernel whose costs only grow along a path, so that what exceeds a bound need not be followed.
-pub(super) trait Bounded<V: Lanes>: Kernel<V> {
+pub(crate) trait Bounded<V: Lanes>: Kernel<V> {
     /// Whether a lane remembers a cost up to `bound`.
     fn is_alive(&self, state: &Self::State, bound: f64) -> bool;
     /// Whether a column hands one down.
@@ -74,23 +73,23 @@ pub(super) trait Bounded<V: Lanes>: Kernel<V> {
 /// The columns that a search may visit, inclusive, for each row; both ends never fall from one row to the next. So what lies
 /// right of a band's end was never written and still says `unreached` to the next band.
 #[derive(Clone, Debug)]
-pub(super) struct Region {
-    pub(super) first: Vec<u32>,
-    pub(super) last: Vec<u32>,
+pub(crate) struct Region {
+    pub(crate) first: Vec<u32>,
+    pub(crate) last: Vec<u32>,
 }
 
 impl Region {
-    pub(super) fn full(rows: usize, first: usize, last: usize) -> Self {
+    pub(crate) fn full(rows: usize, first: usize, last: usize) -> Self {
         Self { first: vec![first as u32; rows], last: vec![last as u32; rows] }
     }
-    pub(super) fn cells(&self) -> u64 {
+    pub(crate) fn cells(&self) -> u64 {
         self.first.iter().zip(&self.last).map(|(&first, &last)| u64::from(last - first) + 1).sum()
     }
 }
 
 /// One bit (or `layers` bits) for every bridge of a region, in the order in which a sweep visits them.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Table {
+pub(crate) struct Table {
     layers: usize,
     width: usize,
     bands: Vec<BandOf>,
@@ -106,7 +105,7 @@ struct BandOf {
 }
 
 impl Table {
-    pub(super) fn lay_out(&mut self, region: &Region, layers: usize, width: usize) {
+    pub(crate) fn lay_out(&mut self, region: &Region, layers: usize, width: usize) {
         self.layers = layers;
         self.width = width;
         self.bands.clear();
@@ -129,7 +128,7 @@ impl Table {
     }
 
     /// The bit of a bridge's node. The bridge lies in the table's region.
-    pub(super) fn bit(&self, [i, j]: [usize; 2], layer: usize) -> bool {
+    pub(crate) fn bit(&self, [i, j]: [usize; 2], layer: usize) -> bool {
         let (band, lane) = (self.bands[i / self.width], i % self.width);
         let step = j + lane - band.begin;
         let per_word = self.steps_per_word();
@@ -138,7 +137,7 @@ impl Table {
     }
 
     /// Sets the bit of a bridge, one layer.
-    pub(super) fn set(&mut self, [i, j]: [usize; 2]) {
+    pub(crate) fn set(&mut self, [i, j]: [usize; 2]) {
         let (band, lane) = (self.bands[i / self.width], i % self.width);
         let (step, per_word) = (j + lane - band.begin, 64 / self.width);
         self.words[band.word + step / per_word] |= 1 << (step % per_word * self.width + lane);
@@ -146,7 +145,7 @@ impl Table {
 
     /// The lanes of step `t`, one layer: bit r belongs to row `band * width + r`. Zero outside the table.
     #[inline(always)]
-    pub(super) fn lanes(&self, band: usize, t: usize) -> u32 {
+    pub(crate) fn lanes(&self, band: usize, t: usize) -> u32 {
         let BandOf { word, begin, end } = self.bands[band];
         if t < begin || t >= end {
             return 0;
@@ -159,8 +158,8 @@ impl Table {
 
 /// A sweep's working memory, kept from one search to the next.
 #[derive(Debug, Default)]
-pub(super) struct Workspace {
-    pub(super) table: Table,
+pub(crate) struct Workspace {
+    pub(crate) table: Table,
     /// `CARRY` numbers a column for the row above, `LEFT` columns further left.
     top: Vec<f64>,
 }
@@ -170,7 +169,7 @@ const LEFT: usize = MOST_LANES;
 
 /// Sweeps the region from the source columns; afterwards [`Workspace::table`] has the back pointers and
 /// [`Workspace::end`] the costs along the last row.
-pub(super) fn sweep<V: Lanes, K: Kernel<V>>(
+pub(crate) fn sweep<V: Lanes, K: Kernel<V>>(
     kernel: &K,
     columns: usize,
     region: &Region,
@@ -199,8 +198,10 @@ pub(super) fn sweep<V: Lanes, K: Kernel<V>>(
     let mut position = Position { band: 0, step: bands[0].begin, state: kernel.blank() };
     let mut failure = None;
     while position.band < bands.len() {
-        let visited =
-            V::run(Stretch { kernel, bands: &bands, rows, top, words: &mut table.words, position: &mut position });
+        let visited = V::run(
+            kernel.simd(),
+            Stretch { kernel, bands: &bands, rows, top, words: &mut table.words, position: &mut position },
+        );
         if let Err(interruption) = pulse.beat(visited) {
             failure = Some(interruption);
             break;
@@ -212,7 +213,7 @@ pub(super) fn sweep<V: Lanes, K: Kernel<V>>(
 
 impl Workspace {
     /// The cost of ending in this column of the last row.
-    pub(super) fn end<V: Lanes, K: Kernel<V>>(&self, kernel: &K, column: usize, arrived_by: usize) -> Score {
+    pub(crate) fn end<V: Lanes, K: Kernel<V>>(&self, kernel: &K, column: usize, arrived_by: usize) -> Score {
         let at = (LEFT + column) * K::CARRY;
         kernel.end(&self.top[at..at + K::CARRY], arrived_by)
     }
@@ -306,7 +307,7 @@ fn steps<V: Lanes, K: Kernel<V>, const LAST_LANE: bool>(
 
 /// The cost of the shortest path of an open strip if it is at most `bound`; no path is kept. Visits little more than the cells
 /// that some path within the bound passes.
-pub(super) fn cost_within<V: Lanes, K: Bounded<V>>(
+pub(crate) fn cost_within<V: Lanes, K: Bounded<V>>(
     kernel: &K,
     (rows, columns): (usize, usize),
     bound: f64,
@@ -325,7 +326,7 @@ pub(super) fn cost_within<V: Lanes, K: Bounded<V>>(
     {
         let task = Pruned { kernel, rows, columns, bound, top: &mut top, words: &mut words, band, columns_written };
         let visited;
-        (band, written, visited) = V::run(task);
+        (band, written, visited) = V::run(kernel.simd(), task);
         pulse.beat(visited)?;
     }
     let end = kernel.end(&top[(LEFT + columns - 1) * K::CARRY..], 0).value;
@@ -393,7 +394,7 @@ impl<V: Lanes, K: Bounded<V>> Task<V> for Pruned<'_, K> {
 
 /// Walks the back pointers from the bridge (rows - 1, `column`), left by the closing P-step and, on four layers, arrived at by
 /// `arrived_by`. Returns the bridges from the first on, and how the bridge before the first was arrived at.
-pub(super) fn walk_back(table: &Table, rows: usize, column: usize, arrived_by: usize) -> (Vec<[u32; 2]>, usize) {
+pub(crate) fn walk_back(table: &Table, rows: usize, column: usize, arrived_by: usize) -> (Vec<[u32; 2]>, usize) {
     let (mut i, mut j) = (rows - 1, column);
     let mut path = Vec::with_capacity(rows + column);
     // The step that leaves the bridge, and (four layers) the one that led to it.
@@ -418,73 +419,5 @@ pub(super) fn walk_back(table: &Table, rows: usize, column: usize, arrived_by: u
             j -= 1;
         }
         (leaving, arriving) = (arriving, before);
-    }
-}
-
-/// Progress and cancel of one solve, by cells visited.
-#[derive(Debug)]
-pub(super) struct Pulse<'a, 'e> {
-    execution: &'a Execution<'e>,
-    phase: &'static str,
-    expected: u64,
-    done: u64,
-    since_look: u64,
-    fraction: f64,
-    reported: f64,
-}
-
-impl<'a, 'e> Pulse<'a, 'e> {
-    pub(super) fn new(execution: &'a Execution<'e>, expected: u64) -> Self {
-        Self {
-            execution,
-            phase: "strip",
-            expected: expected.max(1),
-            done: 0,
-            since_look: 0,
-            fraction: 0.0,
-            reported: -1.0,
-        }
-    }
-    pub(super) fn phase(&mut self, phase: &'static str) {
-        self.phase = phase;
-    }
-    /// Cells that need no visit after all: progress only.
-    pub(super) fn leave_out(&mut self, cells: u64) {
-        self.done += cells;
-    }
-    /// Counts cells, looks when enough have gathered and reports every half per cent.
-    pub(super) fn beat(&mut self, cells: u64) -> Result<(), Interruption> {
-        self.done += cells;
-        self.since_look += cells;
-        if self.since_look < CELLS_BETWEEN_LOOKS {
-            return Ok(());
-        }
-        self.last_look()?;
-        // More work than expected (closed strips search until the bounds meet) creeps towards 1.
-        let ratio = self.done as f64 / self.expected as f64;
-        let fraction = if ratio <= 0.9 { ratio } else { 1.0 - 0.09 / ratio };
-        self.fraction = self.fraction.max(fraction.min(0.999));
-        if self.fraction >= self.reported + 0.005 {
-            self.report(self.fraction, None);
-        }
-        Ok(())
-    }
-    /// Looks with what has gathered since.
-    pub(super) fn last_look(&mut self) -> Result<(), Interruption> {
-        self.execution.look(std::mem::take(&mut self.since_look))
-    }
-    pub(super) fn report(&mut self, fraction: f64, objective_value: Option<f64>) {
-        self.fraction = self.fraction.max(fraction);
-        self.reported = self.fraction;
-        self.execution.report(Progress {
-            fraction: self.fraction,
-            phase: self.phase,
-            iteration: self.done,
-            objective_value,
-            residual: None,
-        });
-    }
-    pub(super) fn execution(&self) -> &'a Execution<'e> {
-        self.execution
     }
 }

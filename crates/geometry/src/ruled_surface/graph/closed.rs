@@ -11,17 +11,18 @@
 //!   bound is not below the best closed path are dropped, others split between the path's start and its end.
 
 use super::lanes::Lanes;
-use super::shortest_path::{Kernel, Pulse, Region, Score, Seed, Workspace, sweep, walk_back};
+use super::pulse::Pulse;
+use super::sweep::{Kernel, Region, Score, Seed, Workspace, sweep, walk_back};
 use crate::execution::Interruption;
 use std::collections::BinaryHeap;
 use std::marker::PhantomData;
 
 /// A path and its cost.
 #[derive(Clone, Debug)]
-pub(super) struct Found {
-    pub(super) score: Score,
+pub(crate) struct Found {
+    pub(crate) score: Score,
     /// Bridges in order; on closed strips the column runs on beyond n.
-    pub(super) path: Vec<[u32; 2]>,
+    pub(crate) path: Vec<[u32; 2]>,
     /// How the bridge before the first was arrived at, as the search assumed it.
     seed: usize,
     /// How the last bridge was arrived at (four layers; 0 otherwise).
@@ -38,7 +39,7 @@ impl Found {
 }
 
 /// One objective's searches on one strip.
-pub(super) trait Search {
+pub(crate) trait Search {
     fn layers(&self) -> usize;
     fn rows(&self) -> usize;
     fn columns(&self) -> usize;
@@ -54,7 +55,7 @@ pub(super) trait Search {
 
 /// A kernel with its grid and working memory.
 #[derive(Debug)]
-pub(super) struct Searcher<V, K> {
+pub(crate) struct Searcher<V, K> {
     kernel: K,
     rows: usize,
     columns: usize,
@@ -63,7 +64,7 @@ pub(super) struct Searcher<V, K> {
 }
 
 impl<V: Lanes, K: Kernel<V>> Searcher<V, K> {
-    pub(super) fn new(kernel: K, rows: usize, columns: usize) -> Self {
+    pub(crate) fn new(kernel: K, rows: usize, columns: usize) -> Self {
         Self { kernel, rows, columns, workspace: Workspace::default(), lanes: PhantomData }
     }
 }
@@ -107,13 +108,13 @@ impl<V: Lanes, K: Kernel<V>> Search for Searcher<V, K> {
 }
 
 /// The shortest path of an open strip, known to lie within the region.
-pub(super) fn open(search: &mut dyn Search, region: &Region, pulse: &mut Pulse<'_, '_>) -> Result<Found, Interruption> {
+pub(crate) fn open(search: &mut dyn Search, region: &Region, pulse: &mut Pulse<'_, '_>) -> Result<Found, Interruption> {
     let last = search.columns() - 1;
     search.find(region, (0, 0, Seed::Open), (last, last), pulse)
 }
 
 /// The shortest closed path over all starts.
-pub(super) fn closed(search: &mut dyn Search, pulse: &mut Pulse<'_, '_>) -> Result<Found, Interruption> {
+pub(crate) fn closed(search: &mut dyn Search, pulse: &mut Pulse<'_, '_>) -> Result<Found, Interruption> {
     if search.layers() == 1 { divide_and_conquer(search, pulse) } else { branch_and_bound(search, pulse) }
 }
 

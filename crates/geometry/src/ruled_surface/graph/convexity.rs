@@ -6,9 +6,10 @@
 //! it; with tolerance 0 the answer is exact (adaptive predicates on the input's own coordinates).
 
 use super::lanes::{Lanes, Vector};
-use super::layered_graph::{BandRows, Lattice};
-use super::shortest_path::{Kernel, Pulse, Region, Score, Seed, Table, Workspace, sweep};
-use super::strip::{Directrix, Strip};
+use super::lattice::{BandRows, Lattice};
+use super::pulse::Pulse;
+use super::rails::{Rail, Rails};
+use super::sweep::{Kernel, Region, Score, Seed, Table, Workspace, sweep};
 use super::weight::Wing;
 use crate::DVec3;
 use crate::execution::Interruption;
@@ -16,7 +17,7 @@ use robust::{Coord, Coord3D, orient2d, orient3d};
 
 /// How convexity is judged.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Test {
+pub(crate) enum Test {
     Exact,
     /// The sine of the angle that a direction may reach beyond the half-plane.
     Within(f64),
@@ -24,32 +25,32 @@ pub(super) enum Test {
 
 impl Test {
     /// `tolerance` in radians.
-    pub(super) fn new(tolerance: f64) -> Self {
+    pub(crate) fn new(tolerance: f64) -> Self {
         if tolerance == 0.0 { Self::Exact } else { Self::Within(tolerance.sin()) }
     }
 }
 
 /// Whether a bridge is locally convex; indices are cyclic on closed strips.
-pub(super) fn is_convex(strip: &Strip, [i, j]: [usize; 2], test: Test) -> bool {
-    let (i, j) = (i % strip.m(), j % strip.n());
+pub(crate) fn is_convex(rails: &Rails, [i, j]: [usize; 2], test: Test) -> bool {
+    let (i, j) = (i % rails.m(), j % rails.n());
     match test {
-        Test::Exact => is_convex_exactly(strip, i, j),
-        Test::Within(sine) => is_convex_within(strip, i, j, sine),
+        Test::Exact => is_convex_exactly(rails, i, j),
+        Test::Within(sine) => is_convex_within(rails, i, j, sine),
     }
 }
 
-fn neighbours(strip: &Strip, i: usize, j: usize) -> [Option<(bool, usize)>; 4] {
-    let of_p = |before| strip.p.neighbour(i, before, strip.closed).map(|k| (true, k));
-    let of_q = |before| strip.q.neighbour(j, before, strip.closed).map(|k| (false, k));
+fn neighbours(rails: &Rails, i: usize, j: usize) -> [Option<(bool, usize)>; 4] {
+    let of_p = |before| rails.p.neighbour(i, before, rails.closed).map(|k| (true, k));
+    let of_q = |before| rails.q.neighbour(j, before, rails.closed).map(|k| (false, k));
     [of_p(true), of_p(false), of_q(true), of_q(false)]
 }
 
-fn is_convex_exactly(strip: &Strip, i: usize, j: usize) -> bool {
-    let (p, q) = (strip.p.raw[i], strip.q.raw[j]);
+fn is_convex_exactly(rails: &Rails, i: usize, j: usize) -> bool {
+    let (p, q) = (rails.p.raw[i], rails.q.raw[j]);
     let mut near = [DVec3::ZERO; 4];
     let mut count = 0;
-    for (on_p, k) in neighbours(strip, i, j).into_iter().flatten() {
-        let point = if on_p { strip.p.raw[k] } else { strip.q.raw[k] };
+    for (on_p, k) in neighbours(rails, i, j).into_iter().flatten() {
+        let point = if on_p { rails.p.raw[k] } else { rails.q.raw[k] };
         if !collinear(p, q, point) || (p == q && point != p) {
             near[count] = point;
             count += 1;
@@ -96,17 +97,17 @@ fn collinear(p: DVec3, q: DVec3, a: DVec3) -> bool {
     flat(0, 1) && flat(1, 2) && flat(2, 0)
 }
 
-fn is_convex_within(strip: &Strip, i: usize, j: usize, sine: f64) -> bool {
-    let (bridge, rounding) = (Vector::<f64>::from(strip.bridge([i, j])), strip.rounding);
+fn is_convex_within(rails: &Rails, i: usize, j: usize, sine: f64) -> bool {
+    let (bridge, rounding) = (Vector::<f64>::from(rails.bridge([i, j])), rails.rounding);
     let squared = bridge.dot(bridge);
     if squared.sqrt() <= rounding {
-        return is_convex_exactly(strip, i, j);
+        return is_convex_exactly(rails, i, j);
     }
-    let wing = |side: &Directrix, index: usize, step: usize| {
-        let bank = side.bank(index, step, strip.closed);
+    let wing = |side: &Rail, index: usize, step: usize| {
+        let bank = side.bank(index, step, rails.closed);
         Wing::new(Vector::<f64>::from(bank), bank.length_squared(), bridge, squared)
     };
-    let wings = [wing(&strip.p, i, 0), wing(&strip.q, j, 0), wing(&strip.p, i, 1), wing(&strip.q, j, 1)];
+    let wings = [wing(&rails.p, i, 0), wing(&rails.q, j, 0), wing(&rails.p, i, 1), wing(&rails.q, j, 1)];
     fits_within(squared.sqrt(), &wings, sine, rounding)
 }
 
@@ -114,9 +115,9 @@ fn is_convex_within(strip: &Strip, i: usize, j: usize, sine: f64) -> bool {
 /// with tolerance. Directions no further from the bridge's line than rounding are ignored, missing ones (zero) among them.
 #[inline(always)]
 fn fits_within<V: Lanes>(length: V, wings: &[Wing<V>; 4], sine: f64, rounding: f64) -> V::Mask {
-    let (rounding, zero) = (V::splat(rounding), V::splat(0.0));
+    let (rounding, zero) = (length.constant(rounding), length.constant(0.0));
     let nearest = rounding * length;
-    let per_length = V::splat(2.0 * sine) / length;
+    let per_length = length.constant(2.0 * sine) / length;
     let far = [
         nearest.less(wings[0].length),
         nearest.less(wings[1].length),
@@ -165,8 +166,8 @@ fn fits_within<V: Lanes>(length: V, wings: &[Wing<V>; 4], sine: f64, rounding: f
 /// Which bridges of a path are locally convex, the first in bit 0: a bridge on every lane, their `length`s and wings
 /// (arriving by P, by Q, leaving by P, by Q).
 #[inline(always)]
-pub(super) fn are_convex<V: Lanes>(
-    strip: &Strip,
+pub(crate) fn are_convex<V: Lanes>(
+    rails: &Rails,
     bridges: &[[u32; 2]],
     test: Test,
     length: V,
@@ -175,36 +176,36 @@ pub(super) fn are_convex<V: Lanes>(
     let (convex, exact) = match test {
         Test::Exact => (0, (1 << bridges.len()) - 1),
         Test::Within(sine) => (
-            V::bits(fits_within(length, wings, sine, strip.rounding)),
-            V::bits(length.at_most(V::splat(strip.rounding))),
+            V::bits(fits_within(length, wings, sine, rails.rounding)),
+            V::bits(length.at_most(length.constant(rails.rounding))),
         ),
     };
-    if exact == 0 { convex } else { exactly(strip, bridges, convex, exact) }
+    if exact == 0 { convex } else { exactly(rails, bridges, convex, exact) }
 }
 
 /// Judges the bridges that `exact` names exactly.
 #[cold]
-fn exactly(strip: &Strip, bridges: &[[u32; 2]], mut convex: u32, exact: u32) -> u32 {
+fn exactly(rails: &Rails, bridges: &[[u32; 2]], mut convex: u32, exact: u32) -> u32 {
     for (lane, &[i, j]) in bridges.iter().enumerate() {
         if exact >> lane & 1 == 1 {
-            convex = convex & !(1 << lane) | u32::from(is_convex_exactly(strip, i as usize, j as usize)) << lane;
+            convex = convex & !(1 << lane) | u32::from(is_convex_exactly(rails, i as usize, j as usize)) << lane;
         }
     }
     convex
 }
 
 /// Marks every bridge that is not locally convex, in a table that a sweep can read.
-pub(super) fn concave_bridges<V: Lanes>(
-    strip: &Strip,
-    lattice: &Lattice,
+pub(crate) fn concave_bridges<V: Lanes>(
+    rails: &Rails,
+    (lattice, simd): (&Lattice, V::Simd),
     test: Test,
     pulse: &mut Pulse<'_, '_>,
 ) -> Result<Table, Interruption> {
-    let (m, n, columns) = (strip.m(), strip.n(), lattice.columns);
+    let (m, n, columns) = (rails.m(), rails.n(), lattice.columns);
     let region = Region::full(m, 0, columns - 1);
     if let Test::Within(sine) = test {
         let mut workspace = Workspace::default();
-        let map = ConcavityMap { strip, lattice, sine };
+        let map = ConcavityMap { simd, rails, lattice, sine };
         sweep::<V, _>(&map, columns, &region, (0, 0, Seed::Open), &mut workspace, pulse)?;
         return Ok(workspace.table);
     }
@@ -214,7 +215,7 @@ pub(super) fn concave_bridges<V: Lanes>(
         for block in (0..n).step_by(4096) {
             let end = n.min(block + 4096);
             for j in block..end {
-                if !is_convex_exactly(strip, i, j) {
+                if !is_convex_exactly(rails, i, j) {
                     table.set([i, j]);
                     if columns > n {
                         table.set([i, j + n]);
@@ -229,20 +230,25 @@ pub(super) fn concave_bridges<V: Lanes>(
 }
 
 /// Not a graph but its nodes' colours: a sweep that writes whether each bridge is concave where others write back pointers.
-struct ConcavityMap<'a> {
-    strip: &'a Strip,
+struct ConcavityMap<'a, S> {
+    simd: S,
+    rails: &'a Rails,
     lattice: &'a Lattice,
     sine: f64,
 }
 
-impl<V: Lanes> Kernel<V> for ConcavityMap<'_> {
+impl<V: Lanes> Kernel<V> for ConcavityMap<'_, V::Simd> {
     const LAYERS: usize = 1;
     const CARRY: usize = 1;
     type Band = (usize, BandRows<V>);
     type State = ();
     #[inline(always)]
+    fn simd(&self) -> V::Simd {
+        self.simd
+    }
+    #[inline(always)]
     fn band(&self, band: usize) -> Self::Band {
-        (band, self.lattice.band_rows(band))
+        (band, self.lattice.band_rows(self.simd, band))
     }
     #[inline(always)]
     fn blank(&self) {}
@@ -251,8 +257,8 @@ impl<V: Lanes> Kernel<V> for ConcavityMap<'_> {
         let (_, squared, wings) = self.lattice.wings(rows, t);
         let length = squared.sqrt();
         let all = (1 << V::WIDTH) - 1;
-        let concave = all & !V::bits(fits_within(length, &wings, self.sine, self.strip.rounding));
-        let vanishing = V::bits(length.at_most(V::splat(self.strip.rounding)));
+        let concave = all & !V::bits(fits_within(length, &wings, self.sine, self.rails.rounding));
+        let vanishing = V::bits(length.at_most(length.constant(self.rails.rounding)));
         if vanishing == 0 { concave } else { self.without_length(band * V::WIDTH, t, concave, vanishing) }
     }
     #[inline(always)]
@@ -264,15 +270,15 @@ impl<V: Lanes> Kernel<V> for ConcavityMap<'_> {
     }
 }
 
-impl ConcavityMap<'_> {
+impl<S> ConcavityMap<'_, S> {
     /// Bridges without length have no line to look along: they are judged exactly.
     #[cold]
     fn without_length(&self, first_row: usize, t: usize, mut concave: u32, vanishing: u32) -> u32 {
-        let (m, n) = (self.strip.m(), self.strip.n());
+        let (m, n) = (self.rails.m(), self.rails.n());
         for lane in (0..32).filter(|lane| vanishing >> lane & 1 == 1) {
             // Lanes beyond the grid hold nothing that is read.
             if first_row + lane < m && t >= lane {
-                let bit = u32::from(!is_convex_exactly(self.strip, first_row + lane, (t - lane) % n));
+                let bit = u32::from(!is_convex_exactly(self.rails, first_row + lane, (t - lane) % n));
                 concave = concave & !(1 << lane) | bit << lane;
             }
         }

@@ -3,7 +3,7 @@
 //! Everything is said in terms of a bridge e = q_j - p_i and of the bank edges that meet it. The four triangles that a
 //! bridge can belong to each have one bank edge b and the (doubled) area vector b × e: arriving by a P-step
 //! (b = p_i - p_{i-1}), leaving by a P-step (p_{i+1} - p_i), arriving and leaving by a Q-step (q_j - q_{j-1},
-//! q_{j+1} - q_j). Coordinates are those of [`Strip`](super::strip::Strip): centred, the largest about 1.
+//! q_{j+1} - q_j). Coordinates are those of [`Rails`](super::rails::Rails): centred, the largest about 1.
 
 use super::lanes::{Lanes, Vector};
 
@@ -14,41 +14,41 @@ const TINY: f64 = 1e-140;
 
 /// One of the triangles at a bridge.
 #[derive(Clone, Copy)]
-pub(super) struct Wing<V: Lanes> {
-    pub(super) bank: Vector<V>,
+pub(crate) struct Wing<V: Lanes> {
+    pub(crate) bank: Vector<V>,
     /// b × e: along the triangle's normal, twice its area long.
-    pub(super) normal: Vector<V>,
-    pub(super) squared: V,
-    pub(super) length: V,
+    pub(crate) normal: Vector<V>,
+    pub(crate) squared: V,
+    pub(crate) length: V,
     /// The triangle is not degenerate.
-    pub(super) sound: V::Mask,
+    pub(crate) sound: V::Mask,
 }
 
 impl<V: Lanes> Wing<V> {
     #[inline(always)]
-    pub(super) fn new(bank: Vector<V>, bank_squared: V, bridge: Vector<V>, bridge_squared: V) -> Self {
+    pub(crate) fn new(bank: Vector<V>, bank_squared: V, bridge: Vector<V>, bridge_squared: V) -> Self {
         let normal = bank.cross(bridge);
         let squared = normal.dot(normal);
-        let bound = V::splat(DEGENERATE_SQUARED) * bank_squared * bridge_squared + V::splat(TINY);
+        let bound = squared.constant(DEGENERATE_SQUARED) * bank_squared * bridge_squared + squared.constant(TINY);
         Self { bank, normal, squared, length: squared.sqrt(), sound: bound.less(squared) }
     }
 
     #[inline(always)]
-    pub(super) fn select(mask: V::Mask, yes: &Self, no: &Self) -> Self {
+    pub(crate) fn select(mask: V::Mask, yes: &Self, no: &Self) -> Self {
         let taken = V::bits(mask);
         Self {
             bank: Vector::select(mask, yes.bank, no.bank),
             normal: Vector::select(mask, yes.normal, no.normal),
             squared: V::select(mask, yes.squared, no.squared),
             length: V::select(mask, yes.length, no.length),
-            sound: V::from_bits(taken & V::bits(yes.sound) | !taken & V::bits(no.sound)),
+            sound: V::from_bits(yes.length.simd(), taken & V::bits(yes.sound) | !taken & V::bits(no.sound)),
         }
     }
 }
 
 /// `minimal_area` (section 3.1): twice the area of the triangle of a bank edge and a bridge that share a point.
 #[inline(always)]
-pub(super) fn double_area<V: Lanes>(bank: Vector<V>, bridge: Vector<V>) -> V {
+pub(crate) fn double_area<V: Lanes>(bank: Vector<V>, bridge: Vector<V>) -> V {
     let normal = bank.cross(bridge);
     normal.dot(normal).sqrt()
 }
@@ -56,19 +56,21 @@ pub(super) fn double_area<V: Lanes>(bank: Vector<V>, bridge: Vector<V>) -> V {
 /// `minimal_twist` (definition 5): 1 - n_p·n_q with n_p = unit(e × t_p), n_q = unit(e × t_q) (eq. 4), t unit or zero.
 /// 1 where a cross product vanishes.
 #[inline(always)]
-pub(super) fn twist<V: Lanes>(bridge: Vector<V>, tangent_p: Vector<V>, tangent_q: Vector<V>) -> V {
-    let bound = V::splat(DEGENERATE_SQUARED) * bridge.dot(bridge) + V::splat(TINY);
+pub(crate) fn twist<V: Lanes>(bridge: Vector<V>, tangent_p: Vector<V>, tangent_q: Vector<V>) -> V {
+    let squared = bridge.dot(bridge);
+    let bound = squared.constant(DEGENERATE_SQUARED) * squared + squared.constant(TINY);
     let (a, b) = (bridge.cross(tangent_p), bridge.cross(tangent_q));
     let (aa, bb) = (a.dot(a), b.dot(b));
-    let one = V::splat(1.0);
+    let one = aa.constant(1.0);
     V::select(bound.less(aa) & bound.less(bb), one - a.dot(b) / (aa * bb).sqrt(), one)
 }
 
 /// `minimal_normal_variation` (eq. 11): (1 - n_p·n̄_p) + (1 - n_q·n̄_q), n_p = unit(t_p × e) as the triangles of a strip
 /// are wound. A half whose cross product vanishes counts 1.
 #[inline(always)]
-pub(super) fn normal_variation<V: Lanes>(bridge: Vector<V>, tangents: [Vector<V>; 2], normals: [Vector<V>; 2]) -> V {
-    let bound = V::splat(DEGENERATE_SQUARED) * bridge.dot(bridge) + V::splat(TINY);
+pub(crate) fn normal_variation<V: Lanes>(bridge: Vector<V>, tangents: [Vector<V>; 2], normals: [Vector<V>; 2]) -> V {
+    let squared = bridge.dot(bridge);
+    let bound = squared.constant(DEGENERATE_SQUARED) * squared + squared.constant(TINY);
     half_variation(bridge, bound, tangents[0], normals[0]) + half_variation(bridge, bound, tangents[1], normals[1])
 }
 
@@ -76,7 +78,7 @@ pub(super) fn normal_variation<V: Lanes>(bridge: Vector<V>, tangents: [Vector<V>
 fn half_variation<V: Lanes>(bridge: Vector<V>, bound: V, tangent: Vector<V>, given: Vector<V>) -> V {
     let normal = tangent.cross(bridge);
     let squared = normal.dot(normal);
-    let one = V::splat(1.0);
+    let one = squared.constant(1.0);
     V::select(bound.less(squared), one - normal.dot(given) / squared.sqrt(), one)
 }
 
@@ -84,33 +86,33 @@ fn half_variation<V: Lanes>(bridge: Vector<V>, bound: V, tangent: Vector<V>, giv
 /// |e|² s / (4A). s = sin²θ up to 90° and 2 - sin²θ beyond; |N_l × N_r| = |e| |N_l·b_r| gives sin²θ without an angle.
 /// 0 where a triangle is degenerate.
 #[inline(always)]
-pub(super) fn bending<V: Lanes>(bridge_squared: V, left: &Wing<V>, right: &Wing<V>) -> V {
-    let zero = V::splat(0.0);
+pub(crate) fn bending<V: Lanes>(bridge_squared: V, left: &Wing<V>, right: &Wing<V>) -> V {
+    let (zero, two) = (bridge_squared.constant(0.0), bridge_squared.constant(2.0));
     let height = left.normal.dot(right.bank);
     let both = left.squared * right.squared;
     let sine = bridge_squared * (height * height);
     let obtuse = left.normal.dot(right.normal).less(zero);
-    let share = V::select(obtuse, V::splat(2.0) * both - sine, sine);
-    let energy = bridge_squared * share / (both * (V::splat(2.0) * (left.length + right.length)));
+    let share = V::select(obtuse, two * both - sine, sine);
+    let energy = bridge_squared * share / (both * (two * (left.length + right.length)));
     V::select(left.sound & right.sound, energy, zero)
 }
 
 /// A wing's part of the mean curvature vector: e × n, n the triangle's unit normal.
 #[inline(always)]
-pub(super) fn curvature_part<V: Lanes>(bridge: Vector<V>, wing: &Wing<V>) -> Vector<V> {
-    bridge.cross(wing.normal).times(V::splat(1.0) / wing.length)
+pub(crate) fn curvature_part<V: Lanes>(bridge: Vector<V>, wing: &Wing<V>) -> Vector<V> {
+    bridge.cross(wing.normal).times(wing.length.constant(1.0) / wing.length)
 }
 
 /// The mean curvature vector (eq. 8): H_e = 2|e| sin(φ/2) n_e = e × (n_left - n_right), from the two wings' parts.
 /// 0 where a triangle is degenerate.
 #[inline(always)]
-pub(super) fn mean_curvature<V: Lanes>(left: (Vector<V>, V::Mask), right: (Vector<V>, V::Mask)) -> Vector<V> {
-    Vector::select(left.1 & right.1, left.0.minus(right.0), Vector::zero())
+pub(crate) fn mean_curvature<V: Lanes>(left: (Vector<V>, V::Mask), right: (Vector<V>, V::Mask)) -> Vector<V> {
+    Vector::select(left.1 & right.1, left.0.minus(right.0), Vector::zero(left.0.x.simd()))
 }
 
 /// `minimal_mean_curvature_variation` (eq. 9): ‖H_k - H_{k+1}‖.
 #[inline(always)]
-pub(super) fn curvature_step<V: Lanes>(from: Vector<V>, to: Vector<V>) -> V {
+pub(crate) fn curvature_step<V: Lanes>(from: Vector<V>, to: Vector<V>) -> V {
     let jump = from.minus(to);
     jump.dot(jump).sqrt()
 }

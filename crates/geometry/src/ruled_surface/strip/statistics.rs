@@ -1,12 +1,12 @@
 //! Every quantity of Wang and Tang's Table 1 (and a few more) of one given triangulation of a strip.
 
-use super::convexity::{self, Test};
-use super::lanes::{Lanes, MOST_LANES, Task, Vector, Widest, with_lanes};
-use super::strip::Strip;
-use super::weight::{self, Wing};
 use crate::DVec3;
 use crate::error::Error;
 use crate::execution::Execution;
+use crate::ruled_surface::graph::convexity::{self, Test};
+use crate::ruled_surface::graph::lanes::{Lanes, MOST_LANES, Task, Vector, Widest, with_lanes};
+use crate::ruled_surface::graph::rails::Rails;
+use crate::ruled_surface::graph::weight::{self, Wing};
 
 /// The figures of one strip or of a whole stack. Lengths in the caller's unit, angles in radians.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -75,13 +75,13 @@ pub struct CoupledValues {
 
 /// A path's figures, and what the couplings add.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Evaluation {
-    pub(super) statistics: Statistics,
+pub(crate) struct Evaluation {
+    pub(crate) statistics: Statistics,
     /// Normal variation with the triangles wound as they come, and the other way round.
-    pub(super) normal_variation: Option<[f64; 2]>,
+    pub(crate) normal_variation: Option<[f64; 2]>,
     /// Bending energy and curvature variation over the bridges that are not convex.
-    pub(super) concave_bending: f64,
-    pub(super) concave_curvature: f64,
+    pub(crate) concave_bending: f64,
+    pub(crate) concave_curvature: f64,
 }
 
 /// An angle from 0 to 180°, its sine and cosine times any positive number. Angles compare without being computed.
@@ -106,8 +106,8 @@ impl Angle {
 const BRIDGES_BETWEEN_LOOKS: usize = 4096;
 
 /// Evaluates a path: bridges in order, indices cyclic on closed strips (without repeating the first). O(bridges).
-pub(super) fn evaluate(
-    strip: &Strip,
+pub(crate) fn evaluate(
+    strip: &Rails,
     path: &[[u32; 2]],
     test: Test,
     lanes: Widest,
@@ -116,7 +116,9 @@ pub(super) fn evaluate(
     let mut sums = Sums::new(path.len());
     for first in (0..path.len()).step_by(BRIDGES_BETWEEN_LOOKS) {
         let bridges = first..path.len().min(first + BRIDGES_BETWEEN_LOOKS);
-        with_lanes!(lanes, V => V::run(Part { strip, path, test, bridges: bridges.clone(), sums: &mut sums }));
+        with_lanes!(lanes, V, simd => {
+            V::run(simd, Part { simd, strip, path, test, bridges: bridges.clone(), sums: &mut sums });
+        });
         if bridges.end < path.len() {
             execution.look(16 * bridges.len() as u64)?;
         }
@@ -157,7 +159,7 @@ impl Sums {
             largest_fold: Angle::ZERO,
             largest_concave_fold: Angle::ZERO,
             first: None,
-            last_curvature: Vector::zero(),
+            last_curvature: Vector::zero(()),
         }
     }
 
@@ -196,7 +198,7 @@ impl Sums {
         self.evaluation.concave_curvature += if convex { 0.0 } else { step };
     }
 
-    fn evaluation(mut self, strip: &Strip) -> Evaluation {
+    fn evaluation(mut self, strip: &Rails) -> Evaluation {
         if let Some((curvature, convex)) = self.first.filter(|_| strip.closed) {
             self.step(curvature, convex);
         }
@@ -217,8 +219,9 @@ impl Sums {
 }
 
 /// Some bridges of a path.
-struct Part<'a> {
-    strip: &'a Strip,
+struct Part<'a, S> {
+    simd: S,
+    strip: &'a Rails,
     path: &'a [[u32; 2]],
     test: Test,
     bridges: std::ops::Range<usize>,
@@ -238,28 +241,22 @@ fn put(rows: &mut Rows, lane: usize, vector: DVec3) {
 }
 
 #[inline(always)]
-fn number<V: Lanes>(row: &Row) -> V {
-    // SAFETY: a row has room for the widest lanes.
-    unsafe { V::load(row, 0) }
-}
-
-#[inline(always)]
-fn vector<V: Lanes>(rows: &Rows) -> Vector<V> {
-    Vector::new(number(&rows[0]), number(&rows[1]), number(&rows[2]))
+fn vector<V: Lanes>(simd: V::Simd, rows: &Rows) -> Vector<V> {
+    Vector::new(V::load(simd, &rows[0]), V::load(simd, &rows[1]), V::load(simd, &rows[2]))
 }
 
 #[inline(always)]
 fn wing<V: Lanes>(bank: &Rows, bridge: Vector<V>, bridge_squared: V) -> Wing<V> {
-    let bank = vector::<V>(bank);
+    let bank = vector(bridge_squared.simd(), bank);
     Wing::new(bank, bank.dot(bank), bridge, bridge_squared)
 }
 
 /// No closures over lanes here: the compiler does not take the instructions that [`Lanes::run`] enables into them.
-impl<V: Lanes> Task<V> for Part<'_> {
+impl<V: Lanes> Task<V> for Part<'_, V::Simd> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        let Part { strip, path, test, bridges, sums } = self;
+        let Part { simd, strip, path, test, bridges, sums } = self;
         let (m, n, count) = (strip.m(), strip.n(), path.len());
         let (tangents_p, tangents_q) = (strip.p.tangents(strip.closed), strip.q.tangents(strip.closed));
         // A step by P changes the first index (by one, or back to 0); round an apex all steps are by Q or all by P.
@@ -289,7 +286,7 @@ impl<V: Lanes> Task<V> for Part<'_> {
                 arrived_by_p |= u32::from(by_p((k + count - 1) % count, k)) << lane;
                 leaves_by_p |= u32::from(by_p(k, (k + 1) % count)) << lane;
             }
-            let bridge = vector::<V>(&rows[0]);
+            let bridge = vector::<V>(simd, &rows[0]);
             let squared = bridge.dot(bridge);
             let length = squared.sqrt();
             let wings = [
@@ -299,14 +296,14 @@ impl<V: Lanes> Task<V> for Part<'_> {
                 wing(&banks[3], bridge, squared),
             ];
             let convex = convexity::are_convex(strip, &path[start..start + lanes], test, length, &wings);
-            let left = Wing::select(V::from_bits(arrived_by_p), &wings[0], &wings[1]);
-            let right = Wing::select(V::from_bits(leaves_by_p), &wings[2], &wings[3]);
-            let tangents = [vector::<V>(&rows[1]), vector(&rows[2])];
+            let left = Wing::select(V::from_bits(simd, arrived_by_p), &wings[0], &wings[1]);
+            let right = Wing::select(V::from_bits(simd, leaves_by_p), &wings[2], &wings[3]);
+            let tangents = [vector::<V>(simd, &rows[1]), vector(simd, &rows[2])];
             let twist = weight::twist(bridge, tangents[0], tangents[1]);
-            let zero = V::splat(0.0);
+            let zero = V::splat(simd, 0.0);
             let mut variation = [zero; 2];
             if strip.has_normals() {
-                let (normals, back) = ([vector::<V>(&rows[3]), vector(&rows[4])], V::splat(-1.0));
+                let (normals, back) = ([vector::<V>(simd, &rows[3]), vector(simd, &rows[4])], V::splat(simd, -1.0));
                 variation[0] = weight::normal_variation(bridge, tangents, normals);
                 variation[1] =
                     weight::normal_variation(bridge, tangents, [normals[0].times(back), normals[1].times(back)]);

@@ -1,30 +1,30 @@
 //! What a caller should know about a result that is optimal all the same.
 
-use super::lanes::Widest;
-use super::objective::Objective;
-use super::shortest_path::Pulse;
-use super::solve_strip::{Goal, least, least_bending_within};
-use super::statistics::Statistics;
-use super::strip::{Given, Strip};
 use crate::DVec3;
 use crate::error::{Error, Warning};
+use crate::ruled_surface::graph::lanes::Widest;
+use crate::ruled_surface::graph::pulse::Pulse;
+use crate::ruled_surface::graph::rails::{Given, Rails};
+use crate::ruled_surface::strip::objective::{Goal, Objective};
+use crate::ruled_surface::strip::search::{least, least_bending_within};
+use crate::ruled_surface::strip::statistics::Statistics;
 
 /// Area above that of the minimal one from which on a strip is reported.
 const LARGE: f64 = 1.25;
 /// Bending energy above the least one from which on a strip is reported: minimal area alone costs a factor of 10 to 20.
 const BENT: f64 = 50.0;
 /// Strips of up to so many cells are also searched for a path that bends so much less.
-pub(super) const BENDING_CHECKED_UP_TO: usize = 1 << 18;
+pub(crate) const BENDING_CHECKED_UP_TO: usize = 1 << 18;
 /// The same on closed strips, which take a few dozen searches.
-pub(super) const CLOSED_BENDING_CHECKED_UP_TO: usize = 1 << 14;
+pub(crate) const CLOSED_BENDING_CHECKED_UP_TO: usize = 1 << 14;
 /// Reversing must help by so much, in area, to be mentioned.
 const OPPOSITE: f64 = 0.9;
 /// Directrices are thinned to so many points to find out.
 const THINNED: usize = 48;
 /// Warnings about strip `k` of a stack, solved as `path` with these figures. `as_given`: nobody chose its directions.
-pub(super) fn of_strip(
+pub(crate) fn of_strip(
     k: usize,
-    strip: &Strip,
+    strip: &Rails,
     path: &[[u32; 2]],
     statistics: &Statistics,
     (goal, as_given): (Goal, bool),
@@ -86,7 +86,7 @@ pub(super) fn of_strip(
 }
 
 /// A strip of the same shape with at most [`THINNED`] points a side, its second directrix run through backwards if asked.
-fn thinned(strip: &Strip, reversed: bool) -> Strip {
+fn thinned(strip: &Rails, reversed: bool) -> Rails {
     let thin = |points: &[DVec3]| -> Vec<DVec3> {
         let count = points.len().min(THINNED);
         (0..count).map(|k| points[k * (points.len() - 1) / (count - 1)]).collect()
@@ -95,7 +95,7 @@ fn thinned(strip: &Strip, reversed: bool) -> Strip {
     if reversed {
         q.reverse();
     }
-    Strip::of_checked(Given::from(p.as_slice()), Given::from(q.as_slice()), strip.closed)
+    Rails::new(Given::from(p.as_slice()), Given::from(q.as_slice()), strip.closed)
 }
 
 fn repeats_a_bridge(path: &[[u32; 2]]) -> bool {

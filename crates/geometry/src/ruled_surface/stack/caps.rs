@@ -12,7 +12,7 @@ const PLANARITY: f64 = 1e-9;
 ///
 /// # Errors
 /// [`Error::Input`] at `directrices`, k if an end contour is not planar or crosses itself.
-pub(super) fn close(mesh: &mut Mesh, directrices: &[Vec<u32>], execution: &Execution<'_>) -> Result<(), Error> {
+pub(crate) fn close(mesh: &mut Mesh, directrices: &[Vec<u32>], execution: &Execution<'_>) -> Result<(), Error> {
     let last = directrices.len() - 1;
     for k in [0, last] {
         if directrices[k].len() > 1 {

@@ -6,136 +6,15 @@
 //! a closed one, where every path takes exactly one step from p_{m-1} to p_0. That names a closed path's start without
 //! ambiguity.
 
-use super::lanes::{Lanes, MOST_LANES, Vector};
-use super::shortest_path::{Bounded, Kernel, Score, Seed, Table};
-use super::strip::{Directrix, Strip};
+use super::lanes::{Lanes, Vector};
+use super::lattice::{BANK, BandRows, Lattice, NORMAL, POINT, TANGENT};
+use super::sweep::{Bounded, Kernel, Score, Seed, Table};
 use super::weight::{self, Wing};
-use crate::DVec3;
-
-/// The strip as arrays of numbers for the sweep. Columns are stored backwards, so that the lanes of a skewed band (row r one
-/// column behind row r - 1) lie side by side; `MARGIN` entries beyond both ends repeat the last ones and are never used.
-#[derive(Debug)]
-pub(super) struct Lattice {
-    pub(super) rows: usize,
-    /// n, or 2n on a closed strip: a path that starts in column j ends in column j + n.
-    pub(super) columns: usize,
-    row: Side,
-    column: Side,
-}
-
-const MARGIN: usize = MOST_LANES;
-
-/// What is known along one directrix, each number in a row of its own, `stride` long: one piece of memory.
-#[derive(Debug)]
-struct Side {
-    stride: usize,
-    numbers: Vec<f64>,
-}
-
-/// First rows of a [`Side`].
-const POINT: usize = 0;
-/// The bank edge that ends at the point; zero where there is none.
-const BANK: usize = 3;
-const BANK_SQUARED: usize = 6;
-const TANGENT: usize = 7;
-const NORMAL: usize = 10;
-
-impl Side {
-    /// The points that `order` names: an index, and whether a bank edge ends there.
-    fn new(
-        directrix: &Directrix,
-        order: impl ExactSizeIterator<Item = (usize, bool)> + Clone,
-        closed: bool,
-        with_tangents: bool,
-    ) -> Self {
-        let (stride, points, normals) = (order.len(), &directrix.points, &directrix.normals);
-        let rows = match (with_tangents, normals.is_empty()) {
-            (_, false) => NORMAL + 3,
-            (true, true) => NORMAL,
-            (false, true) => TANGENT,
-        };
-        let mut numbers = vec![0.0; rows * stride];
-        let mut put = |row: usize, of: &mut dyn Iterator<Item = DVec3>| {
-            let (x, rest) = numbers[row * stride..].split_at_mut(stride);
-            let (y, rest) = rest.split_at_mut(stride);
-            for (((x, y), z), v) in x.iter_mut().zip(y).zip(rest).zip(of) {
-                [*x, *y, *z] = v.to_array();
-            }
-        };
-        put(POINT, &mut order.clone().map(|(at, _)| points[at]));
-        let bank = |(at, exists): (usize, bool)| match (exists, at) {
-            (false, _) => DVec3::ZERO,
-            (true, 0) => directrix.bank(0, 0, closed),
-            (true, _) => points[at] - points[at - 1],
-        };
-        put(BANK, &mut order.clone().map(bank));
-        if with_tangents {
-            let tangents = directrix.tangents(closed);
-            put(TANGENT, &mut order.clone().map(|(at, _)| tangents[at]));
-        }
-        if !normals.is_empty() {
-            put(NORMAL, &mut order.clone().map(|(at, _)| normals[at]));
-        }
-        let (banks, squared) = numbers.split_at_mut(BANK_SQUARED * stride);
-        for (k, squared) in squared[..stride].iter_mut().enumerate() {
-            let component = |axis: usize| banks[(BANK + axis) * stride + k];
-            *squared = DVec3::new(component(0), component(1), component(2)).length_squared();
-        }
-        Self { stride, numbers }
-    }
-
-    #[inline(always)]
-    fn vector<V: Lanes>(&self, row: usize, at: usize) -> Vector<V> {
-        Vector::new(self.number(row, at), self.number(row + 1, at), self.number(row + 2, at))
-    }
-
-    #[inline(always)]
-    fn number<V: Lanes>(&self, row: usize, at: usize) -> V {
-        // SAFETY: rows reach `MARGIN` beyond every point that a sweep visits (asserted in `sweep`). Tangents and normals are
-        // there for the kernels that read them.
-        unsafe { V::load(&self.numbers, row * self.stride + at) }
-    }
-}
-
-impl Lattice {
-    /// `with_tangents` for the objectives that look at them.
-    pub(super) fn new(strip: &Strip, with_tangents: bool) -> Self {
-        let (rows, n, closed) = (strip.m(), strip.n(), strip.closed);
-        let columns = if closed { 2 * n } else { n };
-        // Row `rows` holds the edge that leaves the last row; beyond, anything finite.
-        let down = (0..rows + 2 * MARGIN).map(|k| {
-            let index = if closed { k % rows } else { k.min(rows - 1) };
-            (index, closed || (k > 0 && k < rows))
-        });
-        let back = (0..columns + 2 * MARGIN).rev().map(|k| {
-            let c = k as isize - MARGIN as isize;
-            let exists = closed || (c > 0 && c < columns as isize);
-            let index = if closed {
-                (c + (MARGIN * n) as isize) as usize % n
-            } else {
-                c.clamp(0, columns as isize - 1) as usize
-            };
-            (index, exists)
-        });
-        Self {
-            rows,
-            columns,
-            row: Side::new(&strip.p, down, closed, with_tangents),
-            column: Side::new(&strip.q, back, closed, with_tangents),
-        }
-    }
-
-    /// Where the lanes of step `t` start in a column array: lane r holds column t - r.
-    #[inline(always)]
-    fn at(&self, t: usize) -> usize {
-        self.columns + MARGIN - 1 - t
-    }
-}
 
 /// What a path has cost so far on every lane: one number, or a count of concave bridges and a number.
-pub(super) trait Cost<V: Lanes>: Copy {
+pub(crate) trait Cost<V: Lanes>: Copy {
     const FIELDS: usize;
-    fn of(count: f64, value: f64) -> Self;
+    fn of(simd: V::Simd, count: f64, value: f64) -> Self;
     fn plus(self, value: V) -> Self;
     /// Enters a bridge that is `concave` or not.
     fn enter(self, concave: V::Mask) -> Self;
@@ -147,13 +26,13 @@ pub(super) trait Cost<V: Lanes>: Copy {
 }
 
 #[derive(Clone, Copy)]
-pub(super) struct Value<V>(V);
+pub(crate) struct Value<V>(V);
 
 impl<V: Lanes> Cost<V> for Value<V> {
     const FIELDS: usize = 1;
     #[inline(always)]
-    fn of(_: f64, value: f64) -> Self {
-        Self(V::splat(value))
+    fn of(simd: V::Simd, _: f64, value: f64) -> Self {
+        Self(V::splat(simd, value))
     }
     #[inline(always)]
     fn plus(self, value: V) -> Self {
@@ -186,7 +65,7 @@ impl<V: Lanes> Cost<V> for Value<V> {
 
 /// Ordered by the count, then by the value. Counts are whole numbers far below 2^53.
 #[derive(Clone, Copy)]
-pub(super) struct Lexicographic<V> {
+pub(crate) struct Lexicographic<V> {
     count: V,
     value: V,
 }
@@ -194,8 +73,8 @@ pub(super) struct Lexicographic<V> {
 impl<V: Lanes> Cost<V> for Lexicographic<V> {
     const FIELDS: usize = 2;
     #[inline(always)]
-    fn of(count: f64, value: f64) -> Self {
-        Self { count: V::splat(count), value: V::splat(value) }
+    fn of(simd: V::Simd, count: f64, value: f64) -> Self {
+        Self { count: V::splat(simd, count), value: V::splat(simd, value) }
     }
     #[inline(always)]
     fn plus(self, value: V) -> Self {
@@ -203,7 +82,10 @@ impl<V: Lanes> Cost<V> for Lexicographic<V> {
     }
     #[inline(always)]
     fn enter(self, concave: V::Mask) -> Self {
-        Self { count: self.count + V::select(concave, V::splat(1.0), V::splat(0.0)), value: self.value }
+        Self {
+            count: self.count + V::select(concave, self.count.constant(1.0), self.count.constant(0.0)),
+            value: self.value,
+        }
     }
     #[inline(always)]
     fn less(self, other: Self) -> V::Mask {
@@ -234,9 +116,10 @@ fn keep<V: Lanes>(value: V, lane: usize) -> f64 {
 }
 
 /// The weights of a single-layer graph.
-pub(super) trait Weights<V: Lanes> {
+pub(crate) trait Weights<V: Lanes> {
     /// What is the same along a band.
     type Band: Copy;
+    fn simd(&self) -> V::Simd;
     fn band(&self, band: usize) -> Self::Band;
     /// What arriving by a P-step and by a Q-step costs.
     fn steps(&self, band: &Self::Band, t: usize) -> [V; 2];
@@ -246,20 +129,27 @@ pub(super) trait Weights<V: Lanes> {
 
 /// Triangle areas, doubled.
 #[derive(Debug)]
-pub(super) struct Area<'a>(pub(super) &'a Lattice);
+pub(crate) struct Area<'a, S> {
+    pub(crate) simd: S,
+    pub(crate) lattice: &'a Lattice,
+}
 
-impl<V: Lanes> Weights<V> for Area<'_> {
+impl<V: Lanes> Weights<V> for Area<'_, V::Simd> {
     type Band = [Vector<V>; 2];
     #[inline(always)]
+    fn simd(&self) -> V::Simd {
+        self.simd
+    }
+    #[inline(always)]
     fn band(&self, band: usize) -> Self::Band {
-        let row = &self.0.row;
-        [row.vector(POINT, band * V::WIDTH), row.vector(BANK, band * V::WIDTH)]
+        let row = &self.lattice.row;
+        [row.vector(self.simd, POINT, band * V::WIDTH), row.vector(self.simd, BANK, band * V::WIDTH)]
     }
     #[inline(always)]
     fn steps(&self, [p, bank]: &Self::Band, t: usize) -> [V; 2] {
-        let (column, at) = (&self.0.column, self.0.at(t));
-        let bridge = column.vector::<V>(POINT, at).minus(*p);
-        [weight::double_area(*bank, bridge), weight::double_area(column.vector(BANK, at), bridge)]
+        let (column, at) = (&self.lattice.column, self.lattice.at(t));
+        let bridge = column.vector::<V>(self.simd, POINT, at).minus(*p);
+        [weight::double_area(*bank, bridge), weight::double_area(column.vector(self.simd, BANK, at), bridge)]
     }
     #[inline(always)]
     fn bridge(&self, _: &Self::Band, _: usize, value: V) -> V {
@@ -269,77 +159,105 @@ impl<V: Lanes> Weights<V> for Area<'_> {
 
 /// Normal twist of every bridge.
 #[derive(Debug)]
-pub(super) struct Twist<'a>(pub(super) &'a Lattice);
+pub(crate) struct Twist<'a, S> {
+    pub(crate) simd: S,
+    pub(crate) lattice: &'a Lattice,
+}
 
-impl<V: Lanes> Weights<V> for Twist<'_> {
+impl<V: Lanes> Weights<V> for Twist<'_, V::Simd> {
     type Band = [Vector<V>; 2];
     #[inline(always)]
+    fn simd(&self) -> V::Simd {
+        self.simd
+    }
+    #[inline(always)]
     fn band(&self, band: usize) -> Self::Band {
-        let row = &self.0.row;
-        [row.vector(POINT, band * V::WIDTH), row.vector(TANGENT, band * V::WIDTH)]
+        let row = &self.lattice.row;
+        [row.vector(self.simd, POINT, band * V::WIDTH), row.vector(self.simd, TANGENT, band * V::WIDTH)]
     }
     #[inline(always)]
     fn steps(&self, _: &Self::Band, _: usize) -> [V; 2] {
-        [V::splat(0.0), V::splat(0.0)]
+        [V::splat(self.simd, 0.0); 2]
     }
     #[inline(always)]
     fn bridge(&self, [p, tangent]: &Self::Band, t: usize, value: V) -> V {
-        let (column, at) = (&self.0.column, self.0.at(t));
-        value + weight::twist(column.vector::<V>(POINT, at).minus(*p), *tangent, column.vector(TANGENT, at))
+        let (column, at) = (&self.lattice.column, self.lattice.at(t));
+        value
+            + weight::twist(
+                column.vector::<V>(self.simd, POINT, at).minus(*p),
+                *tangent,
+                column.vector(self.simd, TANGENT, at),
+            )
     }
 }
 
 /// Normal variation of every bridge, for the winding of the strip's triangles (`sign` 1) or the other one (-1).
 #[derive(Debug)]
-pub(super) struct NormalVariation<'a> {
-    pub(super) lattice: &'a Lattice,
-    pub(super) sign: f64,
+pub(crate) struct NormalVariation<'a, S> {
+    pub(crate) simd: S,
+    pub(crate) lattice: &'a Lattice,
+    pub(crate) sign: f64,
 }
 
-impl<V: Lanes> Weights<V> for NormalVariation<'_> {
+impl<V: Lanes> Weights<V> for NormalVariation<'_, V::Simd> {
     type Band = [Vector<V>; 3];
+    #[inline(always)]
+    fn simd(&self) -> V::Simd {
+        self.simd
+    }
     #[inline(always)]
     fn band(&self, band: usize) -> Self::Band {
         let (row, at) = (&self.lattice.row, band * V::WIDTH);
-        [row.vector(POINT, at), row.vector(TANGENT, at), row.vector::<V>(NORMAL, at).times(V::splat(self.sign))]
+        [
+            row.vector(self.simd, POINT, at),
+            row.vector(self.simd, TANGENT, at),
+            row.vector::<V>(self.simd, NORMAL, at).times(V::splat(self.simd, self.sign)),
+        ]
     }
     #[inline(always)]
     fn steps(&self, _: &Self::Band, _: usize) -> [V; 2] {
-        [V::splat(0.0), V::splat(0.0)]
+        [V::splat(self.simd, 0.0); 2]
     }
     #[inline(always)]
     fn bridge(&self, [p, tangent, normal]: &Self::Band, t: usize, value: V) -> V {
         let (column, at) = (&self.lattice.column, self.lattice.at(t));
-        let other = column.vector::<V>(NORMAL, at).times(V::splat(self.sign));
-        let bridge = column.vector::<V>(POINT, at).minus(*p);
-        value + weight::normal_variation(bridge, [*tangent, column.vector(TANGENT, at)], [*normal, other])
+        let other = column.vector::<V>(self.simd, NORMAL, at).times(V::splat(self.simd, self.sign));
+        let bridge = column.vector::<V>(self.simd, POINT, at).minus(*p);
+        value + weight::normal_variation(bridge, [*tangent, column.vector(self.simd, TANGENT, at)], [*normal, other])
     }
 }
 
 /// 1 for every bridge that is not locally convex.
 #[derive(Debug)]
-pub(super) struct Concave<'a>(pub(super) &'a Table);
+pub(crate) struct Concave<'a, S> {
+    pub(crate) simd: S,
+    pub(crate) table: &'a Table,
+}
 
-impl<V: Lanes> Weights<V> for Concave<'_> {
+impl<V: Lanes> Weights<V> for Concave<'_, V::Simd> {
     type Band = usize;
+    #[inline(always)]
+    fn simd(&self) -> V::Simd {
+        self.simd
+    }
     #[inline(always)]
     fn band(&self, band: usize) -> usize {
         band
     }
     #[inline(always)]
     fn steps(&self, _: &usize, _: usize) -> [V; 2] {
-        [V::splat(0.0), V::splat(0.0)]
+        [V::splat(self.simd, 0.0); 2]
     }
     #[inline(always)]
     fn bridge(&self, band: &usize, t: usize, value: V) -> V {
-        let concave = V::from_bits(self.0.lanes(*band, t));
-        value + V::select(concave, V::splat(1.0), V::splat(0.0))
+        let concave = V::from_bits(self.simd, self.table.lanes(*band, t));
+        value + V::select(concave, value.constant(1.0), value.constant(0.0))
     }
 }
 
 /// The single-layer graph (section 4): a node is a bridge; back pointer: the step that led to it.
 #[derive(Debug)]
-pub(super) struct SingleLayer<W>(pub(super) W);
+pub(crate) struct SingleLayer<W>(pub(crate) W);
 
 impl<V: Lanes, W: Weights<V>> Kernel<V> for SingleLayer<W> {
     const LAYERS: usize = 1;
@@ -347,12 +265,16 @@ impl<V: Lanes, W: Weights<V>> Kernel<V> for SingleLayer<W> {
     type Band = W::Band;
     type State = V;
     #[inline(always)]
+    fn simd(&self) -> V::Simd {
+        self.0.simd()
+    }
+    #[inline(always)]
     fn band(&self, band: usize) -> Self::Band {
         self.0.band(band)
     }
     #[inline(always)]
     fn blank(&self) -> V {
-        V::splat(f64::INFINITY)
+        V::splat(self.0.simd(), f64::INFINITY)
     }
     #[inline(always)]
     fn step(&self, band: &Self::Band, state: &mut V, top: &[f64], t: usize) -> u32 {
@@ -378,65 +300,34 @@ impl<V: Lanes, W: Weights<V>> Kernel<V> for SingleLayer<W> {
     }
 }
 
-/// A band's rows: points and the bank edges that arrive and leave.
-#[derive(Clone, Copy)]
-pub(super) struct BandRows<V> {
-    number: usize,
-    point: Vector<V>,
-    banks: [(Vector<V>, V); 2],
-}
-
-impl Lattice {
-    #[inline(always)]
-    pub(super) fn band_rows<V: Lanes>(&self, band: usize) -> BandRows<V> {
-        let (row, at) = (&self.row, band * V::WIDTH);
-        BandRows {
-            number: band,
-            point: row.vector(POINT, at),
-            banks: [
-                (row.vector(BANK, at), row.number(BANK_SQUARED, at)),
-                (row.vector(BANK, at + 1), row.number(BANK_SQUARED, at + 1)),
-            ],
-        }
-    }
-
-    /// The bridges of step `t` and their four wings: arriving by P, by Q, leaving by P, by Q.
-    #[inline(always)]
-    pub(super) fn wings<V: Lanes>(&self, rows: &BandRows<V>, t: usize) -> (Vector<V>, V, [Wing<V>; 4]) {
-        let (column, at) = (&self.column, self.at(t));
-        let bridge = column.vector::<V>(POINT, at).minus(rows.point);
-        let squared = bridge.dot(bridge);
-        let in_p = Wing::new(rows.banks[0].0, rows.banks[0].1, bridge, squared);
-        let in_q = Wing::new(column.vector(BANK, at), column.number(BANK_SQUARED, at), bridge, squared);
-        let out_p = Wing::new(rows.banks[1].0, rows.banks[1].1, bridge, squared);
-        let out_q = Wing::new(column.vector(BANK, at - 1), column.number(BANK_SQUARED, at - 1), bridge, squared);
-        (bridge, squared, [in_p, in_q, out_p, out_q])
-    }
-}
-
 /// The dual-layer graph (section 5.1): a node is a bridge and the step that led to it, and the bending at a bridge is paid on
 /// leaving it. Back pointers at a bridge, for either step that leaves it: the step that led there.
 #[derive(Debug)]
-pub(super) struct DualLayer<'a, C> {
-    pub(super) lattice: &'a Lattice,
+pub(crate) struct DualLayer<'a, S, C> {
+    pub(crate) simd: S,
+    pub(crate) lattice: &'a Lattice,
     /// Coupled: bending counts at the bridges in this table only, after their number.
-    pub(super) concave: Option<&'a Table>,
-    pub(super) cost: std::marker::PhantomData<C>,
+    pub(crate) concave: Option<&'a Table>,
+    pub(crate) cost: std::marker::PhantomData<C>,
 }
 
-impl<V: Lanes, C: Cost<V>> Kernel<V> for DualLayer<'_, C> {
+impl<V: Lanes, C: Cost<V>> Kernel<V> for DualLayer<'_, V::Simd, C> {
     const LAYERS: usize = 2;
     const CARRY: usize = C::FIELDS;
     type Band = BandRows<V>;
     /// What leaving the bridge by P and by Q has cost.
     type State = [C; 2];
     #[inline(always)]
+    fn simd(&self) -> V::Simd {
+        self.simd
+    }
+    #[inline(always)]
     fn band(&self, band: usize) -> Self::Band {
-        self.lattice.band_rows(band)
+        self.lattice.band_rows(self.simd, band)
     }
     #[inline(always)]
     fn blank(&self) -> [C; 2] {
-        [C::of(f64::INFINITY, f64::INFINITY); 2]
+        [C::of(self.simd, f64::INFINITY, f64::INFINITY); 2]
     }
     #[inline(always)]
     fn step(&self, band: &Self::Band, state: &mut [C; 2], top: &[f64], t: usize) -> u32 {
@@ -449,9 +340,9 @@ impl<V: Lanes, C: Cost<V>> Kernel<V> for DualLayer<'_, C> {
         ];
         let (mut by_p, mut by_q) = (state[0].shift_in(top), state[1]);
         if let Some(table) = self.concave {
-            let concave = V::from_bits(table.lanes(band.number, t));
+            let concave = V::from_bits(self.simd, table.lanes(band.number, t));
             for energy in &mut energy {
-                *energy = V::select(concave, *energy, V::splat(0.0));
+                *energy = V::select(concave, *energy, energy.constant(0.0));
             }
             (by_p, by_q) = (by_p.enter(concave), by_q.enter(concave));
         }
@@ -475,10 +366,10 @@ impl<V: Lanes, C: Cost<V>> Kernel<V> for DualLayer<'_, C> {
     }
 }
 
-impl<V: Lanes> Bounded<V> for DualLayer<'_, Value<V>> {
+impl<V: Lanes> Bounded<V> for DualLayer<'_, V::Simd, Value<V>> {
     #[inline(always)]
     fn is_alive(&self, state: &[Value<V>; 2], bound: f64) -> bool {
-        let bound = V::splat(bound);
+        let bound = V::splat(self.simd, bound);
         V::bits(state[0].0.at_most(bound) | state[1].0.at_most(bound)) != 0
     }
     #[inline(always)]
@@ -489,30 +380,31 @@ impl<V: Lanes> Bounded<V> for DualLayer<'_, Value<V>> {
 
 /// Factors of a weighted sum's terms, every one already divided by what normalises it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Factors {
-    pub(super) double_area: f64,
-    pub(super) twist: f64,
-    pub(super) bending: f64,
-    pub(super) curvature: f64,
-    pub(super) normal_variation: f64,
+pub(crate) struct Factors {
+    pub(crate) double_area: f64,
+    pub(crate) twist: f64,
+    pub(crate) bending: f64,
+    pub(crate) curvature: f64,
+    pub(crate) normal_variation: f64,
     /// Winding for the normal variation, 1 or -1.
-    pub(super) sign: f64,
+    pub(crate) sign: f64,
 }
 
 /// The quadruple-layer graph (section 5.2): a node is a bridge, the step that led to it and the step that leaves it; a link
 /// costs the change of the mean curvature vector. Back pointers at a node: the step that led to the bridge before.
 #[derive(Debug)]
-pub(super) struct QuadrupleLayer<'a, C> {
-    pub(super) lattice: &'a Lattice,
-    pub(super) concave: Option<&'a Table>,
+pub(crate) struct QuadrupleLayer<'a, S, C> {
+    pub(crate) simd: S,
+    pub(crate) lattice: &'a Lattice,
+    pub(crate) concave: Option<&'a Table>,
     /// A weighted sum; `None` is the curvature variation alone.
-    pub(super) factors: Option<Factors>,
-    pub(super) cost: std::marker::PhantomData<C>,
+    pub(crate) factors: Option<Factors>,
+    pub(crate) cost: std::marker::PhantomData<C>,
 }
 
 /// A bridge's four nodes, `[arrived by P, leaving by P], [P, Q], [Q, P], [Q, Q]`.
 #[derive(Clone, Copy)]
-pub(super) struct Nodes<V, C> {
+pub(crate) struct Nodes<V, C> {
     cost: [C; 4],
     curvature: [Vector<V>; 4],
 }
@@ -532,19 +424,23 @@ fn curvatures<V: Lanes>(bridge: Vector<V>, wings: &[Wing<V>; 4]) -> [Vector<V>; 
     ]
 }
 
-impl<V: Lanes, C: Cost<V>> Kernel<V> for QuadrupleLayer<'_, C> {
+impl<V: Lanes, C: Cost<V>> Kernel<V> for QuadrupleLayer<'_, V::Simd, C> {
     const LAYERS: usize = 4;
     /// The costs and mean curvature vectors of the two nodes that leave by P.
     const CARRY: usize = 2 * C::FIELDS + 6;
     type Band = BandRows<V>;
     type State = Nodes<V, C>;
     #[inline(always)]
+    fn simd(&self) -> V::Simd {
+        self.simd
+    }
+    #[inline(always)]
     fn band(&self, band: usize) -> Self::Band {
-        self.lattice.band_rows(band)
+        self.lattice.band_rows(self.simd, band)
     }
     #[inline(always)]
     fn blank(&self) -> Self::State {
-        Nodes { cost: [C::of(f64::INFINITY, f64::INFINITY); 4], curvature: [Vector::zero(); 4] }
+        Nodes { cost: [C::of(self.simd, f64::INFINITY, f64::INFINITY); 4], curvature: [Vector::zero(self.simd); 4] }
     }
     #[inline(always)]
     fn step(&self, band: &Self::Band, state: &mut Self::State, top: &[f64], t: usize) -> u32 {
@@ -560,7 +456,7 @@ impl<V: Lanes, C: Cost<V>> Kernel<V> for QuadrupleLayer<'_, C> {
         ];
         #[expect(clippy::manual_map, reason = "a closure need not be compiled for the wide instructions")]
         let concave = match self.concave {
-            Some(table) => Some(V::from_bits(table.lanes(band.number, t))),
+            Some(table) => Some(V::from_bits(self.simd, table.lanes(band.number, t))),
             None => None,
         };
         if let Some(concave) = concave {
@@ -576,11 +472,11 @@ impl<V: Lanes, C: Cost<V>> Kernel<V> for QuadrupleLayer<'_, C> {
             let mut jump_p = weight::curvature_step(curvature_p, here[node]);
             let mut jump_q = weight::curvature_step(curvature_q, here[node]);
             if let Some(concave) = concave {
-                let zero = V::splat(0.0);
+                let zero = jump_p.constant(0.0);
                 (jump_p, jump_q) = (V::select(concave, jump_p, zero), V::select(concave, jump_q, zero));
             }
             if let Some(factors) = &self.factors {
-                let factor = V::splat(factors.curvature);
+                let factor = jump_p.constant(factors.curvature);
                 (jump_p, jump_q) = (jump_p * factor, jump_q * factor);
             }
             let (by_p, by_q) = (from_p.plus(jump_p), from_q.plus(jump_q));
@@ -630,7 +526,7 @@ impl<V: Lanes, C: Cost<V>> Kernel<V> for QuadrupleLayer<'_, C> {
         }
         if seed != Seed::Open {
             // The closing step leaves the last row: the curvature there, as the path's end will find it.
-            let band = self.lattice.band_rows::<f64>(self.lattice.rows - 1);
+            let band = self.lattice.band_rows::<f64>((), self.lattice.rows - 1);
             let (bridge, _, wings) = self.lattice.wings::<f64>(&band, column);
             let here = curvatures(bridge, &wings);
             for (at, curvature) in [(2 * f, here[0]), (2 * f + 3, here[2])] {
@@ -643,10 +539,10 @@ impl<V: Lanes, C: Cost<V>> Kernel<V> for QuadrupleLayer<'_, C> {
     }
 }
 
-impl<C> QuadrupleLayer<'_, C> {
+impl<S: Copy, C> QuadrupleLayer<'_, S, C> {
     /// What a weighted sum adds to each node besides the curvature variation.
     #[inline(always)]
-    fn terms<V: Lanes>(
+    fn terms<V: Lanes<Simd = S>>(
         &self,
         factors: &Factors,
         bridge: Vector<V>,
@@ -657,19 +553,23 @@ impl<C> QuadrupleLayer<'_, C> {
     ) -> [V; 4] {
         let (row, column, at) = (&self.lattice.row, &self.lattice.column, self.lattice.at(t));
         let row_at = band.number * V::WIDTH;
-        let mut shared = V::splat(0.0);
+        let mut shared = squared.constant(0.0);
         if factors.twist != 0.0 {
-            let twist = weight::twist(bridge, row.vector(TANGENT, row_at), column.vector(TANGENT, at));
-            shared = shared + V::splat(factors.twist) * twist;
+            let twist =
+                weight::twist(bridge, row.vector(self.simd, TANGENT, row_at), column.vector(self.simd, TANGENT, at));
+            shared = shared + squared.constant(factors.twist) * twist;
         }
         if factors.normal_variation != 0.0 {
-            let sign = V::splat(factors.sign);
-            let tangents = [row.vector(TANGENT, row_at), column.vector(TANGENT, at)];
-            let normals = [row.vector::<V>(NORMAL, row_at).times(sign), column.vector::<V>(NORMAL, at).times(sign)];
+            let sign = squared.constant(factors.sign);
+            let tangents = [row.vector(self.simd, TANGENT, row_at), column.vector(self.simd, TANGENT, at)];
+            let normals = [
+                row.vector::<V>(self.simd, NORMAL, row_at).times(sign),
+                column.vector::<V>(self.simd, NORMAL, at).times(sign),
+            ];
             let variation = weight::normal_variation(bridge, tangents, normals);
-            shared = shared + V::splat(factors.normal_variation) * variation;
+            shared = shared + squared.constant(factors.normal_variation) * variation;
         }
-        let (area, bending) = (V::splat(factors.double_area), V::splat(factors.bending));
+        let (area, bending) = (squared.constant(factors.double_area), squared.constant(factors.bending));
         let arrive = [shared + area * wings[0].length, shared + area * wings[1].length];
         [
             arrive[0] + bending * weight::bending(squared, &wings[0], &wings[2]),

@@ -150,3 +150,60 @@ impl Objective {
         }
     }
 }
+
+/// An objective, with its secondary.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Goal {
+    pub(crate) objective: Objective,
+    pub(crate) secondary: Option<Secondary>,
+}
+
+impl Goal {
+    pub(crate) fn single(objective: Objective) -> Self {
+        Self { objective, secondary: None }
+    }
+
+    /// The rows of Table 1: every named objective (the normal variation needs normals), then the couplings.
+    pub(crate) fn all(normals: bool) -> impl Iterator<Item = Self> {
+        let named = Objective::NAMED.into_iter().filter(move |&o| normals || o != Objective::MinimalNormalVariation);
+        let coupled =
+            Secondary::ALL.map(|secondary| Self { objective: Objective::MaximalConvexity, secondary: Some(secondary) });
+        named.map(Self::single).chain(coupled)
+    }
+
+    /// Nodes a bridge in the goal's graph.
+    pub(crate) fn layers(&self) -> u64 {
+        match (self.objective, self.secondary) {
+            (Objective::Weighted(_) | Objective::MinimalMeanCurvatureVariation, _)
+            | (_, Some(Secondary::MeanCurvatureVariation)) => 4,
+            (Objective::MinimalBendingEnergy, _) | (_, Some(Secondary::BendingEnergy)) => 2,
+            _ => 1,
+        }
+    }
+
+    pub(crate) fn windings(&self) -> u64 {
+        if self.winding_matters() { 2 } else { 1 }
+    }
+
+    pub(crate) fn needs_normals(&self) -> bool {
+        self.winding_matters()
+    }
+
+    /// Whether the graph's weights look at tangents.
+    pub(crate) fn needs_tangents(&self) -> bool {
+        match self.objective {
+            Objective::MinimalTwist | Objective::MinimalNormalVariation => true,
+            Objective::Weighted(weights) => weights.twist > 0.0 || weights.normal_variation > 0.0,
+            _ => false,
+        }
+    }
+
+    /// Whether the value depends on which way round the triangles are wound.
+    pub(crate) fn winding_matters(&self) -> bool {
+        match self.objective {
+            Objective::MinimalNormalVariation => true,
+            Objective::Weighted(weights) => weights.normal_variation > 0.0,
+            _ => false,
+        }
+    }
+}

@@ -18,16 +18,16 @@ pub enum Sampling {
 
 /// Resampled points: each lies on a segment of the input.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Samples {
+pub(crate) struct Samples {
     /// Segment and the fraction along it.
-    pub(super) places: Vec<(usize, f64)>,
+    pub(crate) places: Vec<(usize, f64)>,
     /// For each input point the sample nearest to it along the polyline.
-    pub(super) nearest: Vec<usize>,
+    pub(crate) nearest: Vec<usize>,
 }
 
 impl Samples {
     /// Values given at the input's points, interpolated linearly.
-    pub(super) fn interpolate(&self, values: &[DVec3]) -> Vec<DVec3> {
+    pub(crate) fn interpolate(&self, values: &[DVec3]) -> Vec<DVec3> {
         self.places
             .iter()
             .map(|&(k, fraction)| {
@@ -39,7 +39,7 @@ impl Samples {
 }
 
 /// The most points that `count` given ones can become.
-pub(super) fn count(count: usize, sampling: Option<Sampling>) -> usize {
+pub(crate) fn count(count: usize, sampling: Option<Sampling>) -> usize {
     match sampling {
         _ if count < 2 => count,
         None | Some(Sampling::ChordHeight { samples: None, .. }) => count,
@@ -49,7 +49,7 @@ pub(super) fn count(count: usize, sampling: Option<Sampling>) -> usize {
 }
 
 /// Chooses the samples. Open directrices keep both ends, closed ones their first point. A single point stays one.
-pub(super) fn sample(
+pub(crate) fn sample(
     points: &[DVec3],
     closed: bool,
     sampling: Sampling,

@@ -6,24 +6,31 @@
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Sub};
 
 /// `WIDTH` numbers. In the skewed sweep lane `r` belongs to row `r` of a band, one column behind lane `r - 1`.
-pub(super) trait Lanes:
+pub(crate) trait Lanes:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     const WIDTH: usize;
     type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask>;
-    fn splat(value: f64) -> Self;
-    /// `from[at..at + WIDTH]`.
-    ///
-    /// # Safety
-    /// The range lies within `from`.
-    unsafe fn load(from: &[f64], at: usize) -> Self;
+    /// The proof that this processor has the instructions. There is a value of this type only where it has them, and
+    /// numbers and masks are made of nothing else, so that every operation on them is sound.
+    type Simd: Copy + std::fmt::Debug;
+    fn splat(simd: Self::Simd, value: f64) -> Self;
+    /// The first `WIDTH` numbers of a list that has at least so many.
+    fn load(simd: Self::Simd, from: &[f64]) -> Self;
+    /// The proof that these numbers were made with.
+    fn simd(self) -> Self::Simd;
+    /// The same number on every lane, as [`splat`](Self::splat).
+    #[inline(always)]
+    fn constant(self, value: f64) -> Self {
+        Self::splat(self.simd(), value)
+    }
     fn sqrt(self) -> Self;
     fn less(self, other: Self) -> Self::Mask;
     fn at_most(self, other: Self) -> Self::Mask;
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// Lane `r` in bit `r`.
     fn bits(mask: Self::Mask) -> u32;
-    fn from_bits(bits: u32) -> Self::Mask;
+    fn from_bits(simd: Self::Simd, bits: u32) -> Self::Mask;
     /// Every lane moves up by one, `first` becomes lane 0.
     fn shift_in(self, first: f64) -> Self;
     fn last(self) -> f64;
@@ -34,14 +41,14 @@ pub(super) trait Lanes:
     /// All lanes; zeros beyond `WIDTH`.
     fn lanes(self) -> [f64; MOST_LANES];
     /// Runs a task with this instance's instructions enabled.
-    fn run<T: Task<Self>>(task: T) -> T::Output;
+    fn run<T: Task<Self>>(simd: Self::Simd, task: T) -> T::Output;
 }
 
 /// The largest [`Lanes::WIDTH`] there is.
-pub(super) const MOST_LANES: usize = 8;
+pub(crate) const MOST_LANES: usize = 8;
 
 /// A piece of work over lanes. `run` must be `#[inline(always)]`, so that it is compiled for the instance's instructions.
-pub(super) trait Task<V: Lanes> {
+pub(crate) trait Task<V: Lanes> {
     type Output;
     fn run(self) -> Self::Output;
 }
@@ -49,16 +56,17 @@ pub(super) trait Task<V: Lanes> {
 impl Lanes for f64 {
     const WIDTH: usize = 1;
     type Mask = bool;
+    type Simd = ();
     #[inline(always)]
-    fn splat(value: f64) -> Self {
+    fn splat((): (), value: f64) -> Self {
         value
     }
     #[inline(always)]
-    unsafe fn load(from: &[f64], at: usize) -> Self {
-        debug_assert!(at < from.len());
-        // SAFETY: the caller's promise.
-        unsafe { *from.get_unchecked(at) }
+    fn load((): (), from: &[f64]) -> Self {
+        from[0]
     }
+    #[inline(always)]
+    fn simd(self) {}
     #[inline(always)]
     fn sqrt(self) -> Self {
         f64::sqrt(self)
@@ -80,7 +88,7 @@ impl Lanes for f64 {
         u32::from(mask)
     }
     #[inline(always)]
-    fn from_bits(bits: u32) -> bool {
+    fn from_bits((): (), bits: u32) -> bool {
         bits & 1 == 1
     }
     #[inline(always)]
@@ -98,66 +106,76 @@ impl Lanes for f64 {
         all
     }
     #[inline(always)]
-    fn run<T: Task<Self>>(task: T) -> T::Output {
+    fn run<T: Task<Self>>((): (), task: T) -> T::Output {
         task.run()
     }
 }
 
-/// Which instance to use: the widest that this processor has, or a narrower one on demand (tests compare them all).
+/// Which instance to use, with the proof that this processor has it: the widest, or a narrower one on demand (tests compare
+/// them all).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Widest {
+pub(crate) enum Widest {
     Plain,
     #[cfg(target_arch = "x86_64")]
-    Avx2,
+    Four(Avx2),
     #[cfg(target_arch = "x86_64")]
-    Avx512,
+    Eight(Avx512),
 }
 
 impl Widest {
-    pub(super) fn get() -> Self {
-        *Self::all().last().expect("there is the plain one")
+    pub(crate) fn get() -> Self {
+        #[cfg(target_arch = "x86_64")]
+        {
+            if let Some(avx512) = Avx512::detect() {
+                return Self::Eight(avx512);
+            }
+            if let Some(avx2) = Avx2::detect() {
+                return Self::Four(avx2);
+            }
+        }
+        Self::Plain
     }
 
     /// What this processor has, the narrowest first.
-    pub(super) fn all() -> &'static [Self] {
+    #[cfg(test)]
+    pub(crate) fn all() -> Vec<Self> {
+        #[allow(unused_mut, reason = "other processors have the plain one only")]
+        let mut all = vec![Self::Plain];
         #[cfg(target_arch = "x86_64")]
         {
-            if std::arch::is_x86_feature_detected!("avx2") {
-                let wider = std::arch::is_x86_feature_detected!("avx512f")
-                    && std::arch::is_x86_feature_detected!("avx512dq")
-                    && std::arch::is_x86_feature_detected!("avx512vl");
-                return if wider { &[Self::Plain, Self::Avx2, Self::Avx512] } else { &[Self::Plain, Self::Avx2] };
-            }
+            all.extend(Avx2::detect().map(Self::Four));
+            all.extend(Avx512::detect().map(Self::Eight));
         }
-        &[Self::Plain]
+        all
     }
 }
 
-/// `$body` with the type `$lanes` standing for the instance that `$widest` names.
+/// `$body` with the type `$lanes` standing for the instance that `$widest` names, and `$simd` for its proof.
 macro_rules! with_lanes {
-    ($widest:expr, $lanes:ident => $body:expr) => {
+    ($widest:expr, $lanes:ident, $simd:ident => $body:expr) => {
         match $widest {
-            $crate::ruled_surface::lanes::Widest::Plain => {
+            $crate::ruled_surface::graph::lanes::Widest::Plain => {
                 type $lanes = f64;
+                let $simd = ();
                 $body
             }
             #[cfg(target_arch = "x86_64")]
-            $crate::ruled_surface::lanes::Widest::Avx2 => {
-                type $lanes = $crate::ruled_surface::lanes::Four;
+            $crate::ruled_surface::graph::lanes::Widest::Four($simd) => {
+                type $lanes = $crate::ruled_surface::graph::lanes::Four;
                 $body
             }
             #[cfg(target_arch = "x86_64")]
-            $crate::ruled_surface::lanes::Widest::Avx512 => {
-                type $lanes = $crate::ruled_surface::lanes::Eight;
+            $crate::ruled_surface::graph::lanes::Widest::Eight($simd) => {
+                type $lanes = $crate::ruled_surface::graph::lanes::Eight;
                 $body
             }
         }
     };
 }
-pub(super) use with_lanes;
+pub(crate) use with_lanes;
 
 #[cfg(target_arch = "x86_64")]
-pub(super) use wide::{Eight, Four};
+pub(crate) use wide::{Avx2, Avx512, Eight, Four};
 
 #[cfg(target_arch = "x86_64")]
 mod wide {
@@ -165,18 +183,44 @@ mod wide {
     use std::arch::x86_64::*;
     use std::ops::{Add, BitAnd, BitOr, Div, Mul, Sub};
 
-    /// Four numbers in one AVX2 register. Only ever made where [`Widest`](super::Widest) found AVX2, which is what
-    /// makes every `unsafe` call of an intrinsic below sound.
-    #[derive(Clone, Copy)]
-    pub(in super::super) struct Four(__m256d);
-    #[derive(Clone, Copy)]
-    pub(in super::super) struct FourMask(__m256d);
+    /// Proof that this processor has AVX2.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub(crate) struct Avx2(());
 
-    /// Eight numbers in one AVX-512 register; as [`Four`], with AVX-512 F, DQ and VL.
+    impl Avx2 {
+        pub(crate) fn detect() -> Option<Self> {
+            std::arch::is_x86_feature_detected!("avx2").then_some(Self(()))
+        }
+    }
+
+    /// Proof that this processor has AVX-512 F, DQ and VL.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub(crate) struct Avx512(());
+
+    impl Avx512 {
+        pub(crate) fn detect() -> Option<Self> {
+            let all = std::arch::is_x86_feature_detected!("avx512f")
+                && std::arch::is_x86_feature_detected!("avx512dq")
+                && std::arch::is_x86_feature_detected!("avx512vl");
+            all.then_some(Self(()))
+        }
+    }
+
+    /// Four numbers in one AVX2 register. Its field is private to this module, and every function here that makes one takes
+    /// an [`Avx2`] or another `Four`: where there is a value, there are the instructions. That is what makes every `unsafe`
+    /// call of an intrinsic below sound.
     #[derive(Clone, Copy)]
-    pub(in super::super) struct Eight(__m512d);
+    pub(crate) struct Four(__m256d);
+    /// Made of [`Four`]s or with an [`Avx2`] only.
     #[derive(Clone, Copy)]
-    pub(in super::super) struct EightMask(__mmask8);
+    pub(crate) struct FourMask(__m256d);
+
+    /// Eight numbers in one AVX-512 register; as [`Four`], with an [`Avx512`].
+    #[derive(Clone, Copy)]
+    pub(crate) struct Eight(__m512d);
+    /// Made of [`Eight`]s or with an [`Avx512`] only.
+    #[derive(Clone, Copy)]
+    pub(crate) struct EightMask(__mmask8);
 
     macro_rules! operator {
         ($trait:ident, $method:ident, $type:ident, $intrinsic:ident) => {
@@ -219,16 +263,21 @@ mod wide {
     impl Lanes for Four {
         const WIDTH: usize = 4;
         type Mask = FourMask;
+        type Simd = Avx2;
         #[inline(always)]
-        fn splat(value: f64) -> Self {
-            // SAFETY: see the type.
+        fn splat(Avx2(()): Avx2, value: f64) -> Self {
+            // SAFETY: the proof.
             Self(unsafe { _mm256_set1_pd(value) })
         }
         #[inline(always)]
-        unsafe fn load(from: &[f64], at: usize) -> Self {
-            debug_assert!(at + 4 <= from.len());
-            // SAFETY: the caller's promise; the load needs no alignment.
-            Self(unsafe { _mm256_loadu_pd(from.as_ptr().add(at)) })
+        fn load(Avx2(()): Avx2, from: &[f64]) -> Self {
+            let from: &[f64; 4] = from.first_chunk().expect("a full load");
+            // SAFETY: the proof; there are four numbers, and the load needs no alignment.
+            Self(unsafe { _mm256_loadu_pd(from.as_ptr()) })
+        }
+        #[inline(always)]
+        fn simd(self) -> Avx2 {
+            Avx2(())
         }
         #[inline(always)]
         fn sqrt(self) -> Self {
@@ -256,7 +305,7 @@ mod wide {
             unsafe { _mm256_movemask_pd(mask.0) as u32 }
         }
         #[inline(always)]
-        fn from_bits(bits: u32) -> FourMask {
+        fn from_bits(Avx2(()): Avx2, bits: u32) -> FourMask {
             // SAFETY: see the type.
             unsafe {
                 let lanes = _mm256_set_epi64x(8, 4, 2, 1);
@@ -288,12 +337,12 @@ mod wide {
             all
         }
         #[inline(always)]
-        fn run<T: Task<Self>>(task: T) -> T::Output {
+        fn run<T: Task<Self>>(Avx2(()): Avx2, task: T) -> T::Output {
             #[target_feature(enable = "avx2")]
             fn enabled<T: Task<Four>>(task: T) -> T::Output {
                 task.run()
             }
-            // SAFETY: see the type.
+            // SAFETY: the proof.
             unsafe { enabled(task) }
         }
     }
@@ -301,16 +350,21 @@ mod wide {
     impl Lanes for Eight {
         const WIDTH: usize = 8;
         type Mask = EightMask;
+        type Simd = Avx512;
         #[inline(always)]
-        fn splat(value: f64) -> Self {
-            // SAFETY: see the type.
+        fn splat(Avx512(()): Avx512, value: f64) -> Self {
+            // SAFETY: the proof.
             Self(unsafe { _mm512_set1_pd(value) })
         }
         #[inline(always)]
-        unsafe fn load(from: &[f64], at: usize) -> Self {
-            debug_assert!(at + 8 <= from.len());
-            // SAFETY: the caller's promise; the load needs no alignment.
-            Self(unsafe { _mm512_loadu_pd(from.as_ptr().add(at)) })
+        fn load(Avx512(()): Avx512, from: &[f64]) -> Self {
+            let from: &[f64; 8] = from.first_chunk().expect("a full load");
+            // SAFETY: the proof; there are eight numbers, and the load needs no alignment.
+            Self(unsafe { _mm512_loadu_pd(from.as_ptr()) })
+        }
+        #[inline(always)]
+        fn simd(self) -> Avx512 {
+            Avx512(())
         }
         #[inline(always)]
         fn sqrt(self) -> Self {
@@ -337,7 +391,7 @@ mod wide {
             u32::from(mask.0)
         }
         #[inline(always)]
-        fn from_bits(bits: u32) -> EightMask {
+        fn from_bits(Avx512(()): Avx512, bits: u32) -> EightMask {
             EightMask(bits as u8)
         }
         #[inline(always)]
@@ -364,12 +418,12 @@ mod wide {
             all
         }
         #[inline(always)]
-        fn run<T: Task<Self>>(task: T) -> T::Output {
+        fn run<T: Task<Self>>(Avx512(()): Avx512, task: T) -> T::Output {
             #[target_feature(enable = "avx512f,avx512dq,avx512vl")]
             fn enabled<T: Task<Eight>>(task: T) -> T::Output {
                 task.run()
             }
-            // SAFETY: see the type.
+            // SAFETY: the proof.
             unsafe { enabled(task) }
         }
     }
@@ -377,27 +431,27 @@ mod wide {
 
 /// A vector on every lane.
 #[derive(Clone, Copy)]
-pub(super) struct Vector<V> {
-    pub(super) x: V,
-    pub(super) y: V,
-    pub(super) z: V,
+pub(crate) struct Vector<V> {
+    pub(crate) x: V,
+    pub(crate) y: V,
+    pub(crate) z: V,
 }
 
 impl<V: Lanes> Vector<V> {
     #[inline(always)]
-    pub(super) fn new(x: V, y: V, z: V) -> Self {
+    pub(crate) fn new(x: V, y: V, z: V) -> Self {
         Self { x, y, z }
     }
     #[inline(always)]
-    pub(super) fn zero() -> Self {
-        Self::new(V::splat(0.0), V::splat(0.0), V::splat(0.0))
+    pub(crate) fn zero(simd: V::Simd) -> Self {
+        Self::new(V::splat(simd, 0.0), V::splat(simd, 0.0), V::splat(simd, 0.0))
     }
     #[inline(always)]
-    pub(super) fn dot(self, other: Self) -> V {
+    pub(crate) fn dot(self, other: Self) -> V {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
     #[inline(always)]
-    pub(super) fn cross(self, other: Self) -> Self {
+    pub(crate) fn cross(self, other: Self) -> Self {
         Self {
             x: self.y * other.z - self.z * other.y,
             y: self.z * other.x - self.x * other.z,
@@ -405,20 +459,20 @@ impl<V: Lanes> Vector<V> {
         }
     }
     #[inline(always)]
-    pub(super) fn minus(self, other: Self) -> Self {
+    pub(crate) fn minus(self, other: Self) -> Self {
         Self { x: self.x - other.x, y: self.y - other.y, z: self.z - other.z }
     }
     #[inline(always)]
-    pub(super) fn times(self, factor: V) -> Self {
+    pub(crate) fn times(self, factor: V) -> Self {
         Self { x: self.x * factor, y: self.y * factor, z: self.z * factor }
     }
     /// [`Lanes::shift_in`] on the three components.
     #[inline(always)]
-    pub(super) fn shift_in(self, first: &[f64]) -> Self {
+    pub(crate) fn shift_in(self, first: &[f64]) -> Self {
         Self { x: self.x.shift_in(first[0]), y: self.y.shift_in(first[1]), z: self.z.shift_in(first[2]) }
     }
     #[inline(always)]
-    pub(super) fn select(mask: V::Mask, yes: Self, no: Self) -> Self {
+    pub(crate) fn select(mask: V::Mask, yes: Self, no: Self) -> Self {
         Self { x: V::select(mask, yes.x, no.x), y: V::select(mask, yes.y, no.y), z: V::select(mask, yes.z, no.z) }
     }
 }

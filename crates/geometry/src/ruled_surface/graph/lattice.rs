@@ -1,0 +1,163 @@
+//! The two directrices of a strip as arrays of numbers, in the order in which a sweep reads them.
+
+use super::lanes::{Lanes, MOST_LANES, Vector};
+use super::rails::{Rail, Rails};
+use super::weight::Wing;
+use crate::DVec3;
+
+/// The strip as arrays of numbers for the sweep. Columns are stored backwards, so that the lanes of a skewed band (row r one
+/// column behind row r - 1) lie side by side; `MARGIN` entries beyond both ends repeat the last ones and are never used.
+#[derive(Debug)]
+pub(crate) struct Lattice {
+    pub(crate) rows: usize,
+    /// n, or 2n on a closed strip: a path that starts in column j ends in column j + n.
+    pub(crate) columns: usize,
+    pub(crate) row: Side,
+    pub(crate) column: Side,
+}
+
+const MARGIN: usize = MOST_LANES;
+
+/// What is known along one directrix, each number in a row of its own, `stride` long: one piece of memory.
+#[derive(Debug)]
+pub(crate) struct Side {
+    stride: usize,
+    numbers: Vec<f64>,
+}
+
+/// First rows of a [`Side`].
+pub(crate) const POINT: usize = 0;
+/// The bank edge that ends at the point; zero where there is none.
+pub(crate) const BANK: usize = 3;
+pub(crate) const BANK_SQUARED: usize = 6;
+pub(crate) const TANGENT: usize = 7;
+pub(crate) const NORMAL: usize = 10;
+
+impl Side {
+    /// The points that `order` names: an index, and whether a bank edge ends there.
+    fn new(
+        directrix: &Rail,
+        order: impl ExactSizeIterator<Item = (usize, bool)> + Clone,
+        closed: bool,
+        with_tangents: bool,
+    ) -> Self {
+        let (stride, points, normals) = (order.len(), &directrix.points, &directrix.normals);
+        let rows = match (with_tangents, normals.is_empty()) {
+            (_, false) => NORMAL + 3,
+            (true, true) => NORMAL,
+            (false, true) => TANGENT,
+        };
+        let mut numbers = vec![0.0; rows * stride];
+        let mut put = |row: usize, of: &mut dyn Iterator<Item = DVec3>| {
+            let (x, rest) = numbers[row * stride..].split_at_mut(stride);
+            let (y, rest) = rest.split_at_mut(stride);
+            for (((x, y), z), v) in x.iter_mut().zip(y).zip(rest).zip(of) {
+                [*x, *y, *z] = v.to_array();
+            }
+        };
+        put(POINT, &mut order.clone().map(|(at, _)| points[at]));
+        let bank = |(at, exists): (usize, bool)| match (exists, at) {
+            (false, _) => DVec3::ZERO,
+            (true, 0) => directrix.bank(0, 0, closed),
+            (true, _) => points[at] - points[at - 1],
+        };
+        put(BANK, &mut order.clone().map(bank));
+        if with_tangents {
+            let tangents = directrix.tangents(closed);
+            put(TANGENT, &mut order.clone().map(|(at, _)| tangents[at]));
+        }
+        if !normals.is_empty() {
+            put(NORMAL, &mut order.clone().map(|(at, _)| normals[at]));
+        }
+        let (banks, squared) = numbers.split_at_mut(BANK_SQUARED * stride);
+        for (k, squared) in squared[..stride].iter_mut().enumerate() {
+            let component = |axis: usize| banks[(BANK + axis) * stride + k];
+            *squared = DVec3::new(component(0), component(1), component(2)).length_squared();
+        }
+        Self { stride, numbers }
+    }
+
+    #[inline(always)]
+    pub(crate) fn vector<V: Lanes>(&self, simd: V::Simd, row: usize, at: usize) -> Vector<V> {
+        Vector::new(self.number(simd, row, at), self.number(simd, row + 1, at), self.number(simd, row + 2, at))
+    }
+
+    /// Tangents and normals are there for the kernels that read them.
+    #[inline(always)]
+    pub(crate) fn number<V: Lanes>(&self, simd: V::Simd, row: usize, at: usize) -> V {
+        let start = row * self.stride + at;
+        V::load(simd, &self.numbers[start..start + V::WIDTH])
+    }
+}
+
+impl Lattice {
+    /// `with_tangents` for the objectives that look at them.
+    pub(crate) fn new(rails: &Rails, with_tangents: bool) -> Self {
+        let (rows, n, closed) = (rails.m(), rails.n(), rails.closed);
+        let columns = if closed { 2 * n } else { n };
+        // Row `rows` holds the edge that leaves the last row; beyond, anything finite.
+        let down = (0..rows + 2 * MARGIN).map(|k| {
+            let index = if closed { k % rows } else { k.min(rows - 1) };
+            (index, closed || (k > 0 && k < rows))
+        });
+        let back = (0..columns + 2 * MARGIN).rev().map(|k| {
+            let c = k as isize - MARGIN as isize;
+            let exists = closed || (c > 0 && c < columns as isize);
+            let index = if closed {
+                (c + (MARGIN * n) as isize) as usize % n
+            } else {
+                c.clamp(0, columns as isize - 1) as usize
+            };
+            (index, exists)
+        });
+        Self {
+            rows,
+            columns,
+            row: Side::new(&rails.p, down, closed, with_tangents),
+            column: Side::new(&rails.q, back, closed, with_tangents),
+        }
+    }
+
+    /// Where the lanes of step `t` start in a column array: lane r holds column t - r.
+    #[inline(always)]
+    pub(crate) fn at(&self, t: usize) -> usize {
+        self.columns + MARGIN - 1 - t
+    }
+}
+
+/// A band's rows: points and the bank edges that arrive and leave.
+#[derive(Clone, Copy)]
+pub(crate) struct BandRows<V> {
+    pub(crate) number: usize,
+    point: Vector<V>,
+    banks: [(Vector<V>, V); 2],
+}
+
+impl Lattice {
+    #[inline(always)]
+    pub(crate) fn band_rows<V: Lanes>(&self, simd: V::Simd, band: usize) -> BandRows<V> {
+        let (row, at) = (&self.row, band * V::WIDTH);
+        BandRows {
+            number: band,
+            point: row.vector(simd, POINT, at),
+            banks: [
+                (row.vector(simd, BANK, at), row.number(simd, BANK_SQUARED, at)),
+                (row.vector(simd, BANK, at + 1), row.number(simd, BANK_SQUARED, at + 1)),
+            ],
+        }
+    }
+
+    /// The bridges of step `t` and their four wings: arriving by P, by Q, leaving by P, by Q.
+    #[inline(always)]
+    pub(crate) fn wings<V: Lanes>(&self, rows: &BandRows<V>, t: usize) -> (Vector<V>, V, [Wing<V>; 4]) {
+        let (simd, column, at) = (rows.point.x.simd(), &self.column, self.at(t));
+        let bridge = column.vector::<V>(simd, POINT, at).minus(rows.point);
+        let squared = bridge.dot(bridge);
+        let in_p = Wing::new(rows.banks[0].0, rows.banks[0].1, bridge, squared);
+        let in_q = Wing::new(column.vector(simd, BANK, at), column.number(simd, BANK_SQUARED, at), bridge, squared);
+        let out_p = Wing::new(rows.banks[1].0, rows.banks[1].1, bridge, squared);
+        let out_q =
+            Wing::new(column.vector(simd, BANK, at - 1), column.number(simd, BANK_SQUARED, at - 1), bridge, squared);
+        (bridge, squared, [in_p, in_q, out_p, out_q])
+    }
+}

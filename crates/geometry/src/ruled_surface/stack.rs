@@ -1,0 +1,11 @@
+//! A stack of directrices, every neighbouring pair of which is one strip: input, directions, the welded mesh, warnings.
+
+pub(crate) mod assemble;
+pub(crate) mod caps;
+pub(crate) mod cost;
+pub(crate) mod direction;
+pub(crate) mod options;
+pub(crate) mod prepare;
+pub(crate) mod sampling;
+pub(crate) mod surface;
+pub(crate) mod warnings;

@@ -1,0 +1,64 @@
+//! What is asked of a stack of strips.
+
+use super::sampling::Sampling;
+use crate::DVec3;
+use crate::ruled_surface::strip::objective::{Objective, Secondary};
+
+/// Default of [`Options::convexity_tolerance`]: 1e-6 degrees.
+pub const DEFAULT_CONVEXITY_TOLERANCE: f64 = 1e-6 * std::f64::consts::PI / 180.0;
+
+/// What to solve. The default: open strips of minimal area, as given.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// Directrices are closed polygons; the optimum is over every starting bridge too.
+    pub closed: bool,
+    pub objective: Objective,
+    /// With [`Objective::MaximalConvexity`] only.
+    pub secondary: Option<Secondary>,
+    /// How far, in radians, a direction may reach beyond the half-plane of a locally convex bridge; 0 is the exact answer.
+    pub convexity_tolerance: f64,
+    pub direction: Direction,
+    pub caps: Caps,
+    /// Surface normals along the directrices, in their shape; needed for [`Objective::MinimalNormalVariation`].
+    pub normals: Option<Vec<Vec<DVec3>>>,
+    /// Tangents along the directrices, in their shape; fitted if not given (eq. 13 and 14).
+    pub tangents: Option<Vec<Vec<DVec3>>>,
+    /// Solve for every objective and fill [`RuledSurface::comparison`].
+    pub all_objectives: bool,
+    pub sampling: Option<Sampling>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            closed: false,
+            objective: Objective::MinimalArea,
+            secondary: None,
+            convexity_tolerance: DEFAULT_CONVEXITY_TOLERANCE,
+            direction: Direction::AsGiven,
+            caps: Caps::None,
+            normals: None,
+            tangents: None,
+            all_objectives: false,
+            sampling: None,
+        }
+    }
+}
+
+/// Whether a directrix may be run through backwards.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Direction {
+    #[default]
+    AsGiven,
+    /// Each directrix but the first is reversed where that gives the better optimum.
+    Auto,
+}
+
+/// What closes the ends of a closed stack.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Caps {
+    #[default]
+    None,
+    /// Constrained Delaunay triangulations of the planar end contours: a closed body, oriented outwards.
+    Flat,
+}

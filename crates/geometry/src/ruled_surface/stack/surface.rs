@@ -1,0 +1,39 @@
+//! What a solve gives back.
+
+use crate::Mesh;
+use crate::error::Warning;
+use crate::ruled_surface::pattern::FlatPattern;
+use crate::ruled_surface::strip::objective::{Objective, Secondary};
+use crate::ruled_surface::strip::statistics::Statistics;
+
+/// A triangulated stack of strips.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RuledSurface {
+    /// Vertices: the directrices' points, directrix by directrix. Triangles: strip by strip along the path, then caps.
+    pub mesh: Mesh,
+    /// Vertex pairs, strip by strip, from the first bridge to the last.
+    pub bridges: Vec<[u32; 2]>,
+    /// The vertices of each directrix, in the direction in which its strips run through it.
+    pub directrices: Vec<Vec<u32>>,
+    /// For each input point its vertex: merged points share one, resampled ones name the nearest along the directrix.
+    pub input_vertices: Vec<Vec<u32>>,
+    /// Which directrices [`Direction::Auto`] reversed.
+    pub reversed: Vec<bool>,
+    /// Figures of the whole stack, caps not counted.
+    pub statistics: Statistics,
+    /// Figures of each strip.
+    pub strips: Vec<Statistics>,
+    /// Table 1: the figures of every objective's own optimum, if asked for.
+    pub comparison: Option<Vec<Comparison>>,
+    /// Open surfaces only.
+    pub flat_pattern: Option<FlatPattern>,
+    pub warnings: Vec<Warning>,
+}
+
+/// A row of Table 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
+    pub objective: Objective,
+    pub secondary: Option<Secondary>,
+    pub statistics: Statistics,
+}
