@@ -9,9 +9,9 @@ RUN cargo chef prepare --recipe-path recipe.json
 
 FROM chef AS build
 COPY --from=plan /src/recipe.json recipe.json
-RUN cargo chef cook --release --locked --recipe-path recipe.json
+RUN cargo chef cook --release --locked --features s3 --bin plateau --recipe-path recipe.json
 COPY . .
-RUN cargo build --release --locked --bin plateau \
+RUN cargo build --release --locked --features s3 --bin plateau \
     && mkdir -p /image/data /image/usr/local/bin \
     && cp target/release/plateau /image/usr/local/bin/plateau
 

@@ -10,9 +10,9 @@ use axum::http::header;
 use axum::response::IntoResponse;
 use axum::routing::post;
 use plateau::config::LimitsConfig;
+use plateau::jobs::progress::Signal;
 use plateau::jobs::solve;
 use plateau::wire::{Kind, Request};
-use plateau_geometry::Execution;
 use std::error::Error;
 
 /// The answer to every request: a finished job as the service gives it.
@@ -26,7 +26,7 @@ async fn bare(State(answer): State<Answer>, body: Bytes) -> impl IntoResponse {
 async fn solved(State(answer): State<Answer>, body: Bytes) -> impl IntoResponse {
     let limits = LimitsConfig::default();
     let (request, _) = Request::read(Kind::RuledSurface, &body, &limits).expect("the benchmark posts good requests");
-    let solving = tokio::task::spawn_blocking(move || solve::solve(&request, &Execution::default()));
+    let solving = tokio::task::spawn_blocking(move || solve::solve(&request, &|| Signal::Continue, &|_| {}));
     let solved = solving.await.expect("no panic").expect("a result");
     assert!(!solved.archive.to_bytes().is_empty());
     ([(header::CONTENT_TYPE, "application/json")], answer)

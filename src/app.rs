@@ -1,30 +1,19 @@
-//! Wires configuration, store, jobs and HTTP together, and sees them through start and shutdown.
+//! Wires configuration, keys, store, jobs and HTTP together, starts them and shuts them down.
 
+use crate::auth::Keys;
 use crate::config::Config;
-use crate::http::auth::Keys;
-use crate::http::{body, router, serve};
+use crate::http::state::App;
+use crate::http::{body, openapi, router, serve};
 use crate::jobs::{Jobs, callbacks};
 use crate::store::{Store, StoreError, StoreOptions, redacted};
 use crate::telemetry;
 use crate::webhook::Sender;
-use metrics_exporter_prometheus::PrometheusHandle;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 
-/// What a handler may use.
-#[derive(Clone, Debug)]
-pub struct App {
-    pub config: Arc<Config>,
-    pub jobs: Jobs,
-    pub metrics: PrometheusHandle,
-    /// The budget for bodies in flight, see [`body::permits`].
-    pub bodies: Arc<Semaphore>,
-    pub keys: Arc<Keys>,
-}
-
-/// What this process does.
+/// Role of this process.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// HTTP and workers.
@@ -33,16 +22,16 @@ pub enum Role {
     Worker,
 }
 
-/// Why the process did not start or go on.
+/// Reason why the process did not start.
 #[derive(Debug)]
 pub enum StartError {
     Configuration(String),
     Failed(String),
 }
 
-/// A database server may start at the same time as this process.
+/// Time to wait for a database server, which may start at the same time as this process.
 const START_PATIENCE: Duration = Duration::from_secs(30);
-/// Expired jobs are looked for this often.
+/// Interval at which expired jobs are removed.
 const SWEEP_INTERVAL: Duration = Duration::from_secs(60);
 
 /// Runs until the process is told to stop (SIGTERM, Ctrl-C).
@@ -53,14 +42,14 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     let config = Arc::new(config);
     let keys = Arc::new(Keys::load(&config.auth).map_err(StartError::Configuration)?);
     let address = config.http.listen;
-    if role == Role::Serve && keys.is_empty() && !address.ip().is_loopback() && !config.auth.open_without_keys {
+    if role == Role::Serve && !keys.required() && !address.ip().is_loopback() && !config.auth.open_without_keys {
         return Err(StartError::Configuration(format!(
             "http.listen {address} is open to others: configure auth.keys or auth.keys_file, or set auth.open_without_keys"
         )));
     }
     let webhooks = Sender::load(&config.webhooks).map_err(StartError::Configuration)?;
     let metrics = telemetry::init_metrics().map_err(StartError::Failed)?;
-    let store = open_store(&config, keys.is_empty()).await?;
+    let store = open_store(&config).await?;
     let listener = match role {
         Role::Worker => None,
         Role::Serve => {
@@ -85,6 +74,10 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     jobs.spawn_workers();
     let callbacks = tokio::spawn(callbacks::run(jobs.clone()));
     let sweeper = tokio::spawn(sweep(store.clone()));
+    let reloader = tokio::spawn({
+        let keys = keys.clone();
+        async move { keys.follow_file().await }
+    });
     let stopping = jobs.clone();
     tokio::spawn(async move {
         stop_signal().await;
@@ -96,18 +89,22 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         println!("listening on http://{address}");
         tracing::info!(%address, workers = count, "open http://{address}/ in a browser");
         let bodies = Arc::new(Semaphore::new(body::permits(config.http.bodies_in_flight_bytes)));
-        let app = App { config: config.clone(), jobs: jobs.clone(), metrics, bodies, keys };
+        let document = openapi::served_at(&config.http.public_base_path).into();
+        let app = App { config: config.clone(), jobs: jobs.clone(), metrics, bodies, keys, document };
         serve::serve(listener, router::router(app), &config.http, jobs.shutdown()).await;
     }
     jobs.idle().await;
-    // An attempt that is cut off is made again by whoever comes next.
+    // Another process repeats an attempt to deliver that is cut off here.
     callbacks.abort();
     sweeper.abort();
+    reloader.abort();
     store.close().await;
     Ok(())
 }
 
-async fn open_store(config: &Config, one_owner: bool) -> Result<Store, StartError> {
+async fn open_store(config: &Config) -> Result<Store, StartError> {
+    // Keys may still come into the keys file.
+    let one_owner = config.auth.keys.is_empty() && config.auth.keys_file.as_os_str().is_empty();
     if config.store.database.is_empty() {
         let folder = &config.store.data;
         std::fs::create_dir_all(folder)

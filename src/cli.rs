@@ -1,17 +1,19 @@
 //! The command line: `plateau [serve] | worker | solve | openapi`.
 
 use crate::app;
+use crate::auth;
 use crate::config::Config;
 use crate::export::MeshFormat;
-use crate::http::{auth, openapi};
-use crate::jobs::solve;
+use crate::http::openapi;
+use crate::jobs::progress::Signal;
+use crate::jobs::solve::{self, Unsolved};
 use crate::jobs::worker::STACK_BYTES;
 use crate::telemetry;
 use crate::webhook::Secret;
-use crate::wire::{Rejection, Request};
+use crate::wire::job::Progress;
+use crate::wire::{FieldError, MAX_ERRORS, Rejection, Request};
 use clap::{Args, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
-use plateau_geometry::{Execution, Progress, Signal};
 use std::io::{Read, Write};
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr, TcpStream};
 use std::path::PathBuf;
@@ -31,7 +33,7 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Answer HTTP requests and work on jobs (what happens without a command).
+    /// Answer HTTP requests and work on jobs (the default).
     Serve,
     /// Work on jobs of a shared database, without HTTP.
     Worker,
@@ -43,7 +45,7 @@ enum Command {
         #[arg(short, long)]
         output: PathBuf,
     },
-    /// Ask the server at the configured address whether it lives: exit status 0 if so. For a container's health check.
+    /// Check that the server at the configured address answers: exit status 0 if it does. For a container's health check.
     Health,
     /// API keys.
     Key {
@@ -61,14 +63,15 @@ enum KeyCommand {
         /// Names the key in logs and owns its jobs.
         name: String,
     },
-    /// Print the secret that messages to a key's callback URLs are signed with, for its holder's Standard Webhooks library.
+    /// Print the secret that messages to a key's callback URLs are signed with, for its holder's Standard Webhooks
+    /// library.
     Webhooks {
         /// The key's name; none for a server without keys.
         name: Option<String>,
     },
 }
 
-/// Flags beat environment beats file; `config/default.toml` shows every setting.
+/// Flags take precedence over the environment, and the environment over the file; `config/default.toml` shows every setting.
 #[derive(Debug, Args)]
 struct Settings {
     /// Address and port; port 0 picks a free one.
@@ -77,10 +80,10 @@ struct Settings {
     /// Folder of the embedded store.
     #[arg(long, global = true, env = "PLATEAU_DATA", value_name = "DIR")]
     data: Option<String>,
-    /// Empty for SQLite in the data folder, else postgres://…
+    /// URL of the database, postgres://…; without it SQLite in the data folder.
     #[arg(long, global = true, env = "PLATEAU_DATABASE", value_name = "URL", hide_env_values = true)]
     database: Option<String>,
-    /// Solvers that run at once; one a core unless told.
+    /// Number of solvers that run at once; without it one for each core.
     #[arg(long, global = true, env = "PLATEAU_WORKERS", value_name = "N", allow_negative_numbers = true)]
     workers: Option<i64>,
     /// A TOML file of settings.
@@ -106,7 +109,7 @@ impl Settings {
         set("store", "data", self.data.clone().map(Value::String));
         set("store", "database", self.database.clone().map(Value::String));
         set("jobs", "workers", self.workers.map(Value::Integer));
-        // A variable that is no UTF-8 is none of ours.
+        // A variable that is not UTF-8 cannot be a setting of this program.
         let environment =
             std::env::vars_os().filter_map(|(name, value)| Some((name.into_string().ok()?, value.into_string().ok()?)));
         Config::load(self.config.as_ref(), environment, flags)
@@ -128,7 +131,7 @@ pub fn main() -> ExitCode {
     }
     match cli.command.unwrap_or(Command::Serve) {
         Command::Openapi => {
-            // A reader that has seen enough (`| head`) is no failure.
+            // A reader that closes the pipe early (`| head`) is no failure.
             match std::io::stdout().write_all(openapi::text().as_bytes()) {
                 Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => fail(1, &error.to_string()),
                 _ => ExitCode::SUCCESS,
@@ -238,12 +241,14 @@ fn solve_file(config: &Config, request: &PathBuf, output: &PathBuf) -> ExitCode 
         bar.set_position((progress.fraction * 1000.0) as u64);
         bar.set_message(format!("{} {}", progress.phase, progress.iteration));
     };
-    let signal = || Signal::Continue;
-    let solved = solve::solve(&request, &Execution::new(&signal, &report));
+    let solved = solve::solve(&request, &|| Signal::Continue, &report);
     bar.finish_and_clear();
     let solved = match solved {
         Ok(solved) => solved,
-        Err(error) => return fail(1, &error.to_string()),
+        Err(Unsolved::Cancelled) => return fail(1, "cancelled"),
+        Err(Unsolved::Failed(error)) => {
+            return fail(1, &lines(&format!("{}: {}", error.title, error.detail), &error.errors));
+        }
     };
     for warning in &solved.warnings {
         eprintln!("warning: {}: {}", warning.code, warning.detail);
@@ -266,15 +271,16 @@ fn solve_file(config: &Config, request: &PathBuf, output: &PathBuf) -> ExitCode 
 fn rejection_text(rejection: &Rejection) -> String {
     match rejection {
         Rejection::Malformed(detail) => format!("the request is not well-formed JSON: {detail}"),
-        Rejection::Invalid(errors) | Rejection::TooLarge(errors) => {
-            let lines: Vec<String> = errors
-                .iter()
-                .take(crate::wire::MAX_ERRORS)
-                .map(|error| {
-                    format!("{}: {}", if error.pointer.is_empty() { "/" } else { &error.pointer }, error.detail)
-                })
-                .collect();
-            format!("the request cannot be worked on:\n  {}", lines.join("\n  "))
-        }
+        Rejection::Invalid(errors) | Rejection::TooLarge(errors) => lines("the request cannot be worked on:", errors),
     }
+}
+
+/// A message, and below it a line for each offending value.
+fn lines(message: &str, errors: &[FieldError]) -> String {
+    let mut text = message.to_owned();
+    for FieldError { pointer, detail } in errors.iter().take(MAX_ERRORS) {
+        let pointer = if pointer.is_empty() { "/" } else { pointer };
+        text.push_str(&format!("\n  {pointer}: {detail}"));
+    }
+    text
 }

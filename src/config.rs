@@ -1,7 +1,10 @@
-//! One struct per concern, units in names. The defaults stand in `config/default.toml`; a test holds the two together.
+//! One struct per concern, units in names. `config/default.toml` and the table of settings in `docs/OPERATIONS.md` are
+//! made from the doc comments and defaults of this file; a test fails when they differ and names the command that
+//! writes them again.
 //!
-//! Flags beat environment beats file beats defaults. A setting `[section] key` is also read from `PLATEAU_SECTION__KEY`;
-//! the four that everybody needs have short names of their own (`PLATEAU_LISTEN`, `_DATA`, `_DATABASE`, `_WORKERS`).
+//! Flags take precedence over the environment, the environment over the file, and the file over the defaults. A setting
+//! `[section] key` is also read from `PLATEAU_SECTION__KEY`; four of them have short names too (`PLATEAU_LISTEN`,
+//! `_DATA`, `_DATABASE`, `_WORKERS`).
 
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -22,35 +25,44 @@ pub struct Config {
     pub log: LogConfig,
 }
 
-/// The listener and what a connection may cost.
+/// The listener, and what a connection may cost.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct HttpConfig {
-    /// Port 0 picks a free one.
+    /// Address and port of the listener. Port 0 picks a free port.
     pub listen: SocketAddr,
-    /// Longest `Prefer: wait`; a longer wish is cut to this.
+    /// Longest wait that `Prefer: wait` can ask for, in seconds. A longer wait is cut to this.
     pub wait_max_s: u64,
-    /// A client that has not sent its request's headers after this is dropped.
+    /// Time that a client has to send a request's headers, counted from the moment when the connection is ready for a
+    /// request. After it the connection is closed, so this is also the time for which an unused connection stays open.
     pub header_timeout_ms: u64,
-    /// A client that has not sent its request's body after this is answered 408.
+    /// Time that a client has to send a request's body. After it the answer is 408.
     pub body_timeout_ms: u64,
-    /// A comment goes down every event stream this often, so that proxies keep it open.
+    /// Interval at which a comment is sent on every event stream, so that proxies keep the stream open.
     pub event_keep_alive_ms: u64,
-    /// How long open requests may go on after a shutdown was asked for.
+    /// Time between the moment when readiness goes off and the moment when the listener closes, so that a load balancer
+    /// sees the change while new connections are still served. Set it to the balancer's checking interval.
+    pub shutdown_notice_ms: u64,
+    /// Time that open requests and running jobs have to end after a shutdown was asked for (open requests: after the
+    /// notice).
     pub shutdown_grace_ms: u64,
-    /// Connections served at once; further ones wait in the listener's backlog.
+    /// Number of connections that may be open at once. A further one takes the place of the connection that has been
+    /// idle for longest; if none is idle, it waits.
     pub connections: usize,
-    /// Bytes of request bodies in flight, all clients together.
+    /// Number of bytes that the request bodies of all clients together may take while they are read.
     pub bodies_in_flight_bytes: usize,
-    /// Names besides localhost that a server on a loopback address answers to (a proxy's upstream name).
+    /// Host names other than localhost that a server on a loopback address answers to, such as a proxy's upstream name.
     pub hosts: Vec<String>,
-    /// Origins whose pages may use this server from a browser (`https://site.example`); `*` for all.
+    /// Origins whose pages may use this server from a browser (`https://site.example`), or `*` for every origin. Pages
+    /// of other origins can change nothing here.
     pub cors_origins: Vec<String>,
-    /// What a proxy puts before this server's paths (`/plateau`), kept or taken off on the way: links begin with it.
+    /// Path below which a proxy serves this server (`/plateau`). Every link begins with it. The proxy may remove it
+    /// from the paths that it passes on or keep it. Workers need the same value: they send links to callback URLs.
     pub public_base_path: String,
-    /// Memory for files that were converted lately (meshes in a format, flat patterns).
+    /// Number of bytes for a cache of files that were made from results (meshes in a format, flat patterns).
     pub files_kept_bytes: usize,
-    /// Where `/metrics` is answered, without a key and there alone; empty: with everything else. `plateau worker` has it too.
+    /// Address of a separate listener for `/metrics` that needs no API key; `plateau worker` has it too. If empty,
+    /// `/metrics` is served by the main listener.
     pub metrics_listen: String,
 }
 
@@ -62,6 +74,7 @@ impl Default for HttpConfig {
             header_timeout_ms: 10_000,
             body_timeout_ms: 30_000,
             event_keep_alive_ms: 15_000,
+            shutdown_notice_ms: 1000,
             shutdown_grace_ms: 10_000,
             connections: 4096,
             bodies_in_flight_bytes: 256 << 20,
@@ -74,25 +87,28 @@ impl Default for HttpConfig {
     }
 }
 
-/// Where jobs and results are kept.
+/// The place of jobs and results.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct StoreConfig {
-    /// Folder of the embedded store; created if missing.
+    /// Folder of the embedded store. It is created if it does not exist.
     pub data: PathBuf,
-    /// Empty: SQLite in the data folder. Else `sqlite://…` or `postgres://…`.
+    /// URL of the database: `sqlite://PATH` or `postgres://USER@HOST/DATABASE`. If empty, SQLite in the data folder.
     pub database: String,
-    /// Where results larger than `inline_bytes` go: a folder, or `s3://BUCKET/PREFIX` (region, endpoint and credentials from
-    /// `AWS_…`); empty: `results` in the data folder with SQLite, the database itself with PostgreSQL. Every process on one
-    /// database must see the same place.
+    /// Place of results larger than `inline_bytes`: a folder, or `s3://BUCKET/PREFIX` (region, endpoint and credentials
+    /// come from `AWS_…`; needs a program built with the cargo feature `s3`, as the container is). If empty, the folder
+    /// `results` in the data folder with SQLite, and the database itself with PostgreSQL. Every process on one database
+    /// must see the same place.
     pub results: String,
-    /// Results up to this size are kept in the database.
+    /// Largest size in bytes of a result that is kept in the database.
     pub inline_bytes: usize,
-    /// Bytes that all results together may take (on SQLite also the database); the oldest beyond them expire early. 0: any.
+    /// Number of bytes that all results together may take (with SQLite the database file too). The oldest jobs beyond
+    /// it expire early. 0 means no limit.
     pub max_bytes: u64,
-    /// Finished jobs that are kept at most; the oldest beyond them expire early.
+    /// Number of finished jobs that are kept. The oldest jobs beyond it expire early.
     pub max_jobs: u64,
-    /// Connections to PostgreSQL of one process; one more listens.
+    /// Number of connections to PostgreSQL that one process opens for its statements. One more listens for
+    /// notifications.
     pub connections: u32,
 }
 
@@ -110,26 +126,27 @@ impl Default for StoreConfig {
     }
 }
 
-/// Workers, the queue, and how long things may take.
+/// Workers, the queue, and time limits.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct JobsConfig {
-    /// Solvers that run at once; absent: one a core; 0: none in this process.
+    /// Number of solvers that run at once. If absent, one for each core. 0 means that this process solves nothing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub workers: Option<usize>,
-    /// Jobs that may wait; one more is answered 429.
+    /// Number of jobs that may wait in the queue. A further submission is answered with 429.
     pub queue_length: usize,
-    /// A solver that has not ended after this returns what it has reached.
+    /// Time that a solver has. After it the solver returns the best mesh that it has reached.
     pub deadline_ms: u64,
-    /// A worker that has not renewed its claim for this long has lost it.
+    /// Time for which a worker owns a job without renewing its claim. After it another worker may take the job.
     pub lease_ms: u64,
-    /// A job that took this many workers down fails.
+    /// Number of workers that may die while they solve one job. After it the job fails.
     pub attempts_max: u32,
-    /// Progress is written to the store at most this often.
+    /// Shortest interval between two writes of a job's progress to the store.
     pub progress_interval_ms: u64,
-    /// Memory that running solvers may take together, by estimate; a job that would exceed it waits for others to end.
+    /// Number of bytes of memory that all running solvers together may take, by estimate. A job that would exceed it
+    /// waits until others have ended.
     pub memory_bytes: u64,
-    /// Finished jobs and their meshes are removed after this; 0: never.
+    /// Time in seconds after which a finished job and its mesh are removed. 0 means never.
     pub retention_s: u64,
 }
 
@@ -152,19 +169,20 @@ impl Default for JobsConfig {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct LimitsConfig {
-    /// Bytes of a request's body.
+    /// Largest size in bytes of a request's body.
     pub body_bytes: usize,
-    /// Points of all polylines of a request.
+    /// Number of points that all polylines of a request together may have.
     pub points: usize,
-    /// Triangles of a minimal surface or a uniform mesh.
+    /// Number of triangles that a minimal surface or a uniform mesh may have.
     pub triangles: usize,
-    /// Cells of the grids of all strips of a ruled surface (points of one directrix × points of the next).
+    /// Number of cells that the grids of all strips of a ruled surface together may have. A strip's grid has one cell
+    /// for each pair of a point of one directrix and a point of the next.
     pub grid_cells: u64,
-    /// Largest `max_iterations`.
+    /// Largest `max_iterations` that a request may ask for.
     pub iterations: u32,
-    /// Memory that solving one request may take, by estimate.
+    /// Number of bytes of memory that solving one request may take, by estimate.
     pub memory_bytes: u64,
-    /// Requests of one batch.
+    /// Number of requests that one batch may have.
     pub batch_requests: usize,
 }
 
@@ -186,15 +204,17 @@ impl Default for LimitsConfig {
 #[derive(Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct AuthConfig {
-    /// SHA-256 of each key, as 64 hex digits, by the key's name. Without any key everybody may do everything.
+    /// SHA-256 of each key as 64 hex digits, by the key's name. Without any key, here or in the keys file, everybody
+    /// may do everything.
     pub keys: BTreeMap<String, String>,
-    /// A secrets file with one `NAME SHA256` a line; empty: none.
+    /// Path of a file with one key on each line, `NAME SHA256`, as `plateau key new NAME` prints it. The file is read
+    /// again within seconds when it changes. If empty, there is no such file.
     pub keys_file: PathBuf,
-    /// Requests a minute that each key may make; 0: any number.
+    /// Number of requests that each key may make in a minute. 0 means no limit.
     pub requests_per_minute: u32,
-    /// How much of the queue one key may fill.
+    /// Share of the queue that the jobs of one key may fill, in percent.
     pub queue_share_percent: u32,
-    /// Whether to listen on other than loopback addresses without keys.
+    /// Whether a server without keys may listen on an address that is not a loopback address.
     pub open_without_keys: bool,
 }
 
@@ -217,20 +237,20 @@ impl std::fmt::Debug for AuthConfig {
     }
 }
 
-/// Telling a client's URL that its job or batch has ended.
+/// Webhooks: messages to a client's URL when its job or batch has ended.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct WebhooksConfig {
-    /// A file with `whsec_` and 24 to 64 random bytes in base64, from which each key's signing secret is derived
-    /// (`plateau key webhooks NAME` prints it); empty: requests may not name a `callback_url`.
+    /// Path of a file with `whsec_` and 24 to 64 random bytes in base64. Each key's signing secret is derived from it
+    /// (`plateau key webhooks NAME` prints the secret). If empty, requests may not name a `callback_url`.
     pub secret_file: PathBuf,
-    /// Networks (`10.1.0.0/16`) that may be told although they are not public.
+    /// Networks to which messages may be sent although they are not public, such as `10.1.0.0/16`.
     pub allowed_networks: Vec<String>,
-    /// How long one attempt may take, resolving the name included.
+    /// Time limit of one attempt to deliver a message, the lookup of the host name included.
     pub timeout_ms: u64,
-    /// Pause after the first attempt that failed; each further one is four times as long, a day at most.
+    /// Pause after the first failed attempt. Each further pause is four times as long, up to one day.
     pub retry_ms: u64,
-    /// Attempts before a message is given up.
+    /// Number of attempts after which a message is given up.
     pub attempts_max: u32,
 }
 
@@ -250,8 +270,10 @@ impl Default for WebhooksConfig {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct LogConfig {
-    /// tracing's filter syntax: `info`, `plateau=debug,sqlx=warn`.
+    /// Least severe level that is logged (`error`, `warn`, `info`, `debug`, `trace` or `off`), or a list of levels for
+    /// parts of the program: `info,plateau::jobs=debug,hyper=warn`.
     pub level: String,
+    /// Form of a log line: `text` or `json`.
     pub format: LogFormat,
 }
 
@@ -415,24 +437,140 @@ mod tests {
         pairs.iter().map(|(name, value)| ((*name).into(), (*value).into())).collect::<Vec<_>>().into_iter()
     }
 
-    #[test]
-    fn the_default_file_says_what_default_says() {
-        let text = include_str!("../config/default.toml");
-        let parsed: Config = toml::from_str(text).expect("config/default.toml parses");
-        assert_eq!(parsed, Config::default());
-        // Every setting stands in the file (a missing one would silently be the default).
-        let in_file: Table = text.parse().unwrap();
-        assert_eq!(in_file, Table::try_from(Config::default()).unwrap(), "config/default.toml must list every setting");
+    const DEFAULT_FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/config/default.toml");
+    const OPERATIONS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/OPERATIONS.md");
+    /// The lines of OPERATIONS.md between which the table of settings stands.
+    const TABLE: [&str; 2] =
+        ["<!-- settings, written by: PLATEAU_WRITE=1 cargo test --lib config -->\n", "<!-- end of settings -->\n"];
+    /// The command that writes both files again.
+    const REFRESH: &str = "PLATEAU_WRITE=1 cargo test --lib config";
+
+    /// The documentation of a struct of settings: its name in the file, its sentence, and each setting's name and
+    /// sentences.
+    struct Section {
+        name: String,
+        doc: String,
+        settings: Vec<(String, String)>,
+    }
+
+    /// Reads the sections from this file's doc comments, in the order of the fields of [`Config`].
+    fn sections(source: &str) -> Vec<Section> {
+        let fields = |type_name: &str| -> (String, Vec<(String, String, String)>) {
+            let start = source.find(&format!("pub struct {type_name} {{")).expect("a struct of settings");
+            let before = source[..start].lines().rev().skip_while(|line| line.starts_with("#["));
+            let mut doc: Vec<&str> = before.map_while(|line| line.strip_prefix("/// ")).collect();
+            doc.reverse();
+            let (mut fields, mut sentences) = (Vec::new(), Vec::new());
+            for line in source[start..].lines().skip(1).take_while(|line| *line != "}").map(str::trim) {
+                if let Some(sentence) = line.strip_prefix("/// ") {
+                    sentences.push(sentence);
+                } else if let Some((name, type_name)) =
+                    line.strip_prefix("pub ").and_then(|field| field.trim_end_matches(',').split_once(": "))
+                {
+                    fields.push((name.to_owned(), type_name.to_owned(), std::mem::take(&mut sentences).join(" ")));
+                }
+            }
+            (doc.join(" "), fields)
+        };
+        let section = |(name, type_name, _): (String, String, String)| {
+            let (doc, settings) = fields(&type_name);
+            Section { name, doc, settings: settings.into_iter().map(|(name, _, doc)| (name, doc)).collect() }
+        };
+        fields("Config").1.into_iter().map(section).collect()
+    }
+
+    /// `text` as comment lines of at most 120 columns.
+    fn comment(text: &str) -> String {
+        let mut lines = vec![String::from("#")];
+        for word in text.split(' ') {
+            if lines.last().is_some_and(|line| line.chars().count() + 1 + word.chars().count() > 120) {
+                lines.push(String::from("#"));
+            }
+            if let Some(line) = lines.last_mut() {
+                line.push(' ');
+                line.push_str(word);
+            }
+        }
+        lines.join("\n") + "\n"
+    }
+
+    fn default_file(sections: &[Section], defaults: &Table) -> String {
+        let mut text = comment(&format!(
+            "Every setting with its default. Copy what you change. Flags take precedence over the environment \
+             (PLATEAU_SECTION__KEY), the environment over this file. Written by: {REFRESH}"
+        ));
+        for Section { name: section, doc, settings } in sections {
+            text.push_str(&format!("\n{}[{section}]\n", comment(doc)));
+            let mut tables = String::new();
+            for (name, doc) in settings {
+                match defaults[section].get(name) {
+                    Some(Value::Table(_)) => tables.push_str(&format!("\n{}[{section}.{name}]\n", comment(doc))),
+                    Some(value) => text.push_str(&format!("{}{name} = {value}\n", comment(doc))),
+                    None => text.push_str(&format!("{}# {name} = 2\n", comment(doc))),
+                }
+            }
+            text.push_str(&tables);
+        }
+        text
+    }
+
+    fn settings_table(sections: &[Section], defaults: &Table) -> String {
+        let mut text = String::from("| setting | default | meaning |\n| --- | --- | --- |\n");
+        for Section { name: section, settings, .. } in sections {
+            for (name, doc) in settings {
+                let default = match defaults[section].get(name) {
+                    Some(Value::Table(_)) => "none".into(),
+                    Some(Value::Array(values)) if values.is_empty() => "none".into(),
+                    Some(Value::String(text)) if text.is_empty() => "empty".into(),
+                    Some(Value::String(text)) => format!("`{text}`"),
+                    Some(value) => format!("`{value}`"),
+                    None => "absent".into(),
+                };
+                text.push_str(&format!("| `{section}.{name}` | {default} | {doc} |\n"));
+            }
+        }
+        text
+    }
+
+    /// Compares a file with what it should hold, or writes it.
+    fn hold(path: &str, expected: &str) {
+        if std::env::var_os("PLATEAU_WRITE").is_some() {
+            std::fs::write(path, expected).unwrap();
+        }
+        let found = std::fs::read_to_string(path).unwrap();
+        assert!(
+            found == expected,
+            "{path} is not what the doc comments of src/config.rs say; write it again: {REFRESH}"
+        );
     }
 
     #[test]
-    fn the_operators_table_has_every_setting() {
-        let text = include_str!("../docs/OPERATIONS.md");
-        for (section, settings) in Table::try_from(Config::default()).unwrap() {
-            for name in settings.as_table().unwrap().keys().filter(|name| *name != "keys") {
-                assert!(text.contains(&format!("| `{section}.{name}` |")), "{section}.{name} is not in the table");
-            }
+    fn the_default_file_and_the_operators_table_come_from_the_doc_comments() {
+        let sections = sections(include_str!("config.rs"));
+        let defaults = Table::try_from(Config::default()).unwrap();
+        for Section { name, doc, settings } in &sections {
+            assert!(
+                doc.ends_with('.') && settings.iter().all(|(_, doc)| doc.ends_with('.')),
+                "{name} has no sentences"
+            );
+            let known = settings.iter().filter(|(setting, _)| defaults[name].get(setting).is_some()).count();
+            assert_eq!(known, defaults[name].as_table().unwrap().len(), "a setting of {name} was not found");
         }
+        assert_eq!(sections.len(), defaults.len());
+        let file = default_file(&sections, &defaults);
+        assert_eq!(toml::from_str::<Config>(&file).unwrap(), Config::default());
+        hold(DEFAULT_FILE, &file);
+        let operations = std::fs::read_to_string(OPERATIONS).unwrap();
+        let (before, rest) = operations.split_once(TABLE[0]).expect("the mark before the table");
+        let (_, after) = rest.split_once(TABLE[1]).expect("the mark after the table");
+        let table = settings_table(&sections, &defaults);
+        hold(OPERATIONS, &[before, TABLE[0], &table, TABLE[1], after].concat());
+    }
+
+    #[test]
+    fn a_comment_is_broken_at_120_columns() {
+        let text = comment(&["word"; 60].join(" "));
+        assert!(text.lines().count() == 3 && text.lines().all(|line| line.len() <= 120 && line.starts_with("# word")));
     }
 
     #[test]

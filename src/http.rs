@@ -1,11 +1,16 @@
-//! HTTP: parses, asks `jobs`, answers. No business rule lives here, and only [`problem`] knows the status codes of failures.
+//! HTTP: parses, asks `jobs`, answers. No business rule lives here, and only [`problem`] knows the status codes of
+//! failures.
 
-pub mod auth;
+pub mod access;
+pub mod assets;
 pub mod body;
+pub mod entry;
 pub mod negotiate;
 pub mod observe;
 pub mod openapi;
 pub mod problem;
+pub mod resource;
 pub mod router;
 pub mod routes;
 pub mod serve;
+pub mod state;

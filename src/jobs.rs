@@ -4,25 +4,27 @@
 //! once, and a running one whose worker died goes back to `queued`. The store makes every transition, in one transaction each;
 //! this module decides which.
 
-pub mod batch;
-pub mod callbacks;
-pub mod converters;
-pub mod express;
-pub mod files;
-pub mod memory;
+pub(crate) mod batch;
+pub(crate) mod callbacks;
+pub(crate) mod converters;
+pub(crate) mod events;
+pub(crate) mod express;
+pub(crate) mod files;
+pub(crate) mod memory;
 pub mod progress;
-pub mod queue;
+pub(crate) mod queue;
 pub mod solve;
-pub mod worker;
+pub(crate) mod worker;
 
 use crate::config::Config;
 use crate::export::archive::Defect;
 use crate::export::{Archive, Error as ExportError};
-use crate::store::{Counts, Lookup, Store, StoreError};
-// What a follower of jobs sees of the store.
-pub use crate::store::{EventId, Filter, JobRow, JobWatch, Status as StoredStatus};
+use crate::store::{
+    Counts, Filter as StoredFilter, JobRow, JobWatch, Lookup, Status as StoredStatus, Store, StoreError,
+};
+use crate::telemetry::metric;
 use crate::webhook::Sender;
-use crate::wire::job::{Job, JobError, JobList, JobWarning, Links, Progress, Status};
+use crate::wire::job::{Job, JobError, JobList, JobSummary, JobWarning, Links, Progress, Status};
 use crate::wire::{Kind, Rejection};
 use converters::Converters;
 use express::Waiting;
@@ -33,7 +35,7 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::value::RawValue;
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, SystemTime};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 
 /// Why `jobs` did not do as asked.
@@ -48,6 +50,8 @@ pub enum JobsError {
     /// The idempotency key was used with another body.
     KeyConflict,
     NotFound,
+    /// There is no such batch, or it is another owner's.
+    NoBatch,
     Expired,
     /// The job has not succeeded, or its kind has no such file.
     NoMesh(Status),
@@ -84,6 +88,14 @@ impl From<Defect> for JobsError {
         tracing::error!(error = %defect, "a stored mesh cannot be read");
         Self::Internal("a stored mesh cannot be read".into())
     }
+}
+
+/// Which jobs a list shows; all by default.
+#[derive(Clone, Debug, Default)]
+pub struct Filter {
+    pub status: Option<Status>,
+    pub kind: Option<Kind>,
+    pub idempotency_key: Option<String>,
 }
 
 /// More than the process has memory for.
@@ -211,33 +223,48 @@ impl Jobs {
         self.view(&*found(self.0.store.get(id, owner).await?)?)
     }
 
-    /// The job as it is when it ends or the wait is over, whichever is first.
+    /// The job as it is when it ends, when the wait is over or when a shutdown begins, whichever is first.
     ///
     /// # Errors
     /// As [`Jobs::get`]; [`JobsError::NotFound`] too if the job is deleted meanwhile.
     pub async fn wait(&self, id: &str, owner: Option<&str>, wait: Duration) -> Result<Job, JobsError> {
         let mut watch = self.watch(id, owner).await?;
-        match tokio::time::timeout(wait, watch.ended()).await {
-            Ok(Some(row)) => self.view(&row),
-            Ok(None) => Err(JobsError::NotFound),
-            Err(_) => self.get(id, owner).await,
+        tokio::select! {
+            ended = watch.ended() => self.view(&*ended.ok_or(JobsError::NotFound)?),
+            () = tokio::time::sleep(wait) => self.get(id, owner).await,
+            () = self.shutdown() => self.get(id, owner).await,
         }
     }
 
     /// # Errors
     /// As [`Jobs::get`].
-    pub async fn watch(&self, id: &str, owner: Option<&str>) -> Result<JobWatch, JobsError> {
+    async fn watch(&self, id: &str, owner: Option<&str>) -> Result<JobWatch, JobsError> {
         self.0.store.watch(id, owner).await?.map_err(|lookup| match lookup {
             Lookup::Expired => JobsError::Expired,
             Lookup::Found(_) | Lookup::Missing => JobsError::NotFound,
         })
     }
 
+    /// One page of an owner's jobs, newest first; of everybody's without an owner.
+    ///
     /// # Errors
     /// As the store.
-    pub async fn list(&self, filter: &Filter, limit: u32, cursor: Option<&str>) -> Result<JobList, JobsError> {
-        let (rows, next_cursor) = self.0.store.list(filter, limit, cursor).await?;
-        Ok(JobList { jobs: rows.iter().map(|row| self.view(row)).collect::<Result<_, _>>()?, next_cursor })
+    pub async fn list(
+        &self,
+        owner: Option<&str>,
+        filter: Filter,
+        limit: u32,
+        cursor: Option<&str>,
+    ) -> Result<JobList, JobsError> {
+        let filter = StoredFilter {
+            owner: owner.map(str::to_owned),
+            kind: filter.kind.map(|kind| kind.name().into()),
+            status: filter.status.map(stored_status),
+            idempotency_key: filter.idempotency_key,
+        };
+        let (rows, next_cursor) = self.0.store.list(&filter, limit, cursor).await?;
+        let jobs = rows.iter().map(|row| self.view(row).map(JobSummary::from)).collect::<Result<_, _>>()?;
+        Ok(JobList { jobs, next_cursor })
     }
 
     /// Cancels a queued or running job at once; any other is returned unchanged.
@@ -245,9 +272,13 @@ impl Jobs {
     /// # Errors
     /// As [`Jobs::get`].
     pub async fn cancel(&self, id: &str, owner: Option<&str>) -> Result<Job, JobsError> {
+        let before = found(self.0.store.get(id, owner).await?)?;
         let job = self.view(&*found(self.0.store.cancel(id, owner).await?)?)?;
         if job.status == Status::Cancelled {
             self.0.running.cancel(id);
+            if !before.status.is_final() {
+                count_cancelled(job.kind);
+            }
         }
         Ok(job)
     }
@@ -305,6 +336,11 @@ impl Jobs {
     }
 }
 
+/// Counts a job that was cancelled here.
+fn count_cancelled(kind: Kind) {
+    metrics::counter!(metric::JOBS, "kind" => kind.name(), "status" => "cancelled").increment(1);
+}
+
 fn found(lookup: Lookup) -> Result<Box<JobRow>, JobsError> {
     match lookup {
         Lookup::Found(row) => Ok(row),
@@ -328,12 +364,23 @@ fn wire_status(status: StoredStatus) -> Status {
     }
 }
 
+fn stored_status(status: Status) -> StoredStatus {
+    use StoredStatus as Stored;
+    match status {
+        Status::Queued => Stored::Queued,
+        Status::Running => Stored::Running,
+        Status::Succeeded => Stored::Succeeded,
+        Status::Failed => Stored::Failed,
+        Status::Cancelled => Stored::Cancelled,
+    }
+}
+
 impl Jobs {
     /// A row as a client sees it.
     ///
     /// # Errors
     /// [`JobsError::Internal`] if the row holds what this version does not know.
-    pub fn view(&self, row: &JobRow) -> Result<Job, JobsError> {
+    fn view(&self, row: &JobRow) -> Result<Job, JobsError> {
         view(&self.0.config.http.public_base_path, row)
     }
 }
@@ -346,13 +393,16 @@ fn view(base: &str, row: &JobRow) -> Result<Job, JobsError> {
     let figures: Option<Figures> = read(statistics).map_err(|()| unreadable("statistics"))?;
     let progress: Option<Progress> = read(row.progress.as_deref()).map_err(|()| unreadable("progress"))?;
     let warnings: Vec<JobWarning> = read(Some(&row.warnings)).map_err(|()| unreadable("warnings"))?.unwrap_or_default();
-    let error: Option<JobError> = read(row.error.as_deref()).map_err(|()| unreadable("error"))?;
+    let mut error: Option<JobError> = read(row.error.as_deref()).map_err(|()| unreadable("error"))?;
+    if let Some(error) = &mut error {
+        error.kind.insert_str(0, base);
+    }
     let progress = match (status, figures) {
         (Status::Succeeded, Some(figures)) => figures.progress(),
         _ => progress.unwrap_or_else(|| Progress { phase: status.name().into(), ..Progress::default() }),
     };
     Ok(Job {
-        links: Links::of(base, &row.id, kind),
+        links: Links::of(base, &row.id, kind, status),
         id: row.id.clone(),
         kind,
         status,
@@ -393,7 +443,22 @@ fn read<T: DeserializeOwned>(text: Option<&str>) -> Result<Option<T>, ()> {
     text.map(|text| serde_json::from_str(text).map_err(|_| ())).transpose()
 }
 
-/// Milliseconds since 1970 as RFC 3339 in UTC.
+/// Milliseconds since 1970 as RFC 3339 in UTC. Times outside the years 1970 to 9999 become the nearest one inside.
 fn timestamp(at_ms: i64) -> String {
-    jiff::Timestamp::from_millisecond(at_ms).map_or_else(|_| String::new(), |at| format!("{at:.3}"))
+    const LAST_MS: u64 = 253_402_300_799_999;
+    let since_1970 = Duration::from_millis(u64::try_from(at_ms).unwrap_or(0).min(LAST_MS));
+    humantime::format_rfc3339_millis(SystemTime::UNIX_EPOCH + since_1970).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::timestamp;
+
+    #[test]
+    fn timestamps_are_rfc_3339_in_utc_and_stay_within_four_digits_of_year() {
+        assert_eq!(timestamp(1_700_000_000_123), "2023-11-14T22:13:20.123Z");
+        assert_eq!(timestamp(0), "1970-01-01T00:00:00.000Z");
+        assert_eq!(timestamp(-1), "1970-01-01T00:00:00.000Z");
+        assert_eq!(timestamp(i64::MAX), "9999-12-31T23:59:59.999Z");
+    }
 }

@@ -1,12 +1,16 @@
 //! Plateau: form finding over HTTP. See `docs/ARCHITECTURE.md`.
+//!
+//! The library is there for the program and for the tests that look below HTTP. What is private here has no other user,
+//! so that the compiler names what nothing uses.
 
-pub mod app;
+mod app;
+mod auth;
 pub mod cli;
 pub mod config;
 pub mod export;
-pub mod http;
+mod http;
 pub mod jobs;
 pub mod store;
-pub mod telemetry;
-pub mod webhook;
+mod telemetry;
+mod webhook;
 pub mod wire;

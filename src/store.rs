@@ -14,6 +14,8 @@
 //! take an `owner` see only that owner's jobs if one is given and every job otherwise.
 
 mod batch;
+#[cfg(feature = "s3")]
+mod bucket;
 mod callback;
 mod engine;
 mod files;

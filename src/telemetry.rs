@@ -3,7 +3,8 @@
 use crate::config::{LogConfig, LogFormat};
 use metrics_exporter_prometheus::{Matcher, PrometheusBuilder, PrometheusHandle};
 use std::io::IsTerminal;
-use tracing_subscriber::EnvFilter;
+use tracing_subscriber::filter::Targets;
+use tracing_subscriber::layer::{Layer, SubscriberExt};
 use tracing_subscriber::util::SubscriberInitExt;
 
 /// Sends logs to standard error, filtered and formatted as configured.
@@ -11,21 +12,19 @@ use tracing_subscriber::util::SubscriberInitExt;
 /// # Errors
 /// A filter that does not parse, or a subscriber that is already set.
 pub fn init_logs(config: &LogConfig) -> Result<(), String> {
-    let filter = EnvFilter::try_new(&config.level).map_err(|error| format!("log.level: {error}"))?;
-    let builder = tracing_subscriber::fmt()
-        .with_env_filter(filter)
-        .with_writer(std::io::stderr)
-        .with_ansi(std::io::stderr().is_terminal());
-    let subscriber: Box<dyn tracing::Subscriber + Send + Sync> = match config.format {
-        LogFormat::Text => Box::new(builder.finish()),
-        LogFormat::Json => Box::new(builder.json().flatten_event(true).finish()),
+    let filter: Targets = config.level.parse().map_err(|error| format!("log.level: {error}"))?;
+    let layer =
+        tracing_subscriber::fmt::layer().with_writer(std::io::stderr).with_ansi(std::io::stderr().is_terminal());
+    let layer = match config.format {
+        LogFormat::Text => layer.boxed(),
+        LogFormat::Json => layer.json().flatten_event(true).boxed(),
     };
-    subscriber.try_init().map_err(|error| error.to_string())
+    tracing_subscriber::registry().with(layer.with_filter(filter)).try_init().map_err(|error| error.to_string())
 }
 
 /// Names of the metrics. Units last; counters end in `_total`.
 pub mod metric {
-    /// Counter: finished jobs by kind and final status.
+    /// Counter: finished jobs by kind and final status. A cancelled job is counted where it was cancelled.
     pub const JOBS: &str = "plateau_jobs_total";
     /// Counter: submissions by kind and outcome (created, repeated, rejected, queue_full).
     pub const SUBMISSIONS: &str = "plateau_submissions_total";
@@ -39,6 +38,8 @@ pub mod metric {
     pub const QUEUE_LENGTH: &str = "plateau_queue_length";
     /// Gauge: jobs that run in this process.
     pub const RUNNING: &str = "plateau_jobs_running";
+    /// Gauge, always 1: the version of the program.
+    pub const BUILD_INFO: &str = "plateau_build_info";
     /// Counter: HTTP requests by method, route and status.
     pub const HTTP_REQUESTS: &str = "plateau_http_requests_total";
     /// Histogram: seconds to the response's head, by method and route.
@@ -63,7 +64,108 @@ pub fn init_metrics() -> Result<PrometheusHandle, String> {
     metrics::describe_histogram!(metric::WAIT_SECONDS, "Seconds from submission to claim");
     metrics::describe_gauge!(metric::QUEUE_LENGTH, "Jobs that wait");
     metrics::describe_gauge!(metric::RUNNING, "Jobs that run in this process");
+    metrics::describe_gauge!(metric::BUILD_INFO, "The version of the program; the value is always 1");
+    metrics::gauge!(metric::BUILD_INFO, "version" => env!("CARGO_PKG_VERSION")).set(1.0);
+    process::describe();
     metrics::describe_counter!(metric::HTTP_REQUESTS, "HTTP requests by method, route and status");
     metrics::describe_histogram!(metric::HTTP_SECONDS, "Seconds to the head of the response");
     Ok(handle)
+}
+
+/// Figures of this process, under the names that Prometheus gives them in every program. Read from procfs, so on Linux
+/// only.
+pub mod process {
+    use std::fs;
+
+    const CPU_SECONDS: &str = "process_cpu_seconds_total";
+    const RESIDENT_BYTES: &str = "process_resident_memory_bytes";
+    const VIRTUAL_BYTES: &str = "process_virtual_memory_bytes";
+    const OPEN_FILES: &str = "process_open_fds";
+    const MOST_FILES: &str = "process_max_fds";
+    const THREADS: &str = "process_threads";
+    const STARTED: &str = "process_start_time_seconds";
+
+    /// Clock ticks in a second in `/proc`: fixed at 100 in the interface of every Linux architecture that Rust
+    /// supports.
+    const TICKS_PER_SECOND: f64 = 100.0;
+
+    pub(super) fn describe() {
+        metrics::describe_gauge!(CPU_SECONDS, "Processor time of this process in seconds");
+        metrics::describe_gauge!(RESIDENT_BYTES, "Resident memory of this process");
+        metrics::describe_gauge!(VIRTUAL_BYTES, "Virtual memory of this process");
+        metrics::describe_gauge!(OPEN_FILES, "Open file descriptors of this process");
+        metrics::describe_gauge!(MOST_FILES, "Limit of open file descriptors");
+        metrics::describe_gauge!(THREADS, "Threads of this process");
+        metrics::describe_gauge!(STARTED, "Start of this process in seconds since 1970");
+    }
+
+    /// Brings the figures up to date. A figure that cannot be read keeps its value.
+    pub fn measure() {
+        if let Some(figures) = fs::read_to_string("/proc/self/stat").ok().and_then(|stat| Stat::read(&stat)) {
+            // A gauge, because the recorder's counters hold whole numbers only.
+            metrics::gauge!(CPU_SECONDS).set(figures.cpu_ticks / TICKS_PER_SECOND);
+            metrics::gauge!(THREADS).set(figures.threads);
+            metrics::gauge!(VIRTUAL_BYTES).set(figures.virtual_bytes);
+            if let Some(booted_s) = booted_s() {
+                metrics::gauge!(STARTED).set(booted_s + figures.start_ticks / TICKS_PER_SECOND);
+            }
+        }
+        if let Some(bytes) = field("/proc/self/status", "VmRSS:") {
+            // Linux writes kibibytes there.
+            metrics::gauge!(RESIDENT_BYTES).set(bytes * 1024.0);
+        }
+        if let Ok(files) = fs::read_dir("/proc/self/fd") {
+            // One of them is the folder itself while it is read.
+            metrics::gauge!(OPEN_FILES).set(files.count().saturating_sub(1) as f64);
+        }
+        if let Some(most) = field("/proc/self/limits", "Max open files") {
+            metrics::gauge!(MOST_FILES).set(most);
+        }
+    }
+
+    struct Stat {
+        cpu_ticks: f64,
+        threads: f64,
+        start_ticks: f64,
+        virtual_bytes: f64,
+    }
+
+    impl Stat {
+        /// Reads the fields behind the program's name, which is in parentheses and may hold blanks.
+        fn read(stat: &str) -> Option<Self> {
+            let fields: Vec<&str> = stat.rsplit_once(')')?.1.split_whitespace().collect();
+            // The first one here is number 3 of proc_pid_stat(5).
+            let field = |number: usize| fields.get(number - 3)?.parse::<f64>().ok();
+            Some(Self {
+                cpu_ticks: field(14)? + field(15)?,
+                threads: field(20)?,
+                start_ticks: field(22)?,
+                virtual_bytes: field(23)?,
+            })
+        }
+    }
+
+    fn booted_s() -> Option<f64> {
+        field("/proc/stat", "btime")
+    }
+
+    /// The first number of the line that begins with `name`.
+    fn field(path: &str, name: &str) -> Option<f64> {
+        let text = fs::read_to_string(path).ok()?;
+        let line = text.lines().find_map(|line| line.strip_prefix(name))?;
+        line.split_whitespace().next()?.parse().ok()
+    }
+
+    #[cfg(test)]
+    mod tests {
+        use super::Stat;
+
+        #[test]
+        fn a_program_name_with_blanks_and_parentheses_does_not_shift_the_fields() {
+            let stat = "7 (a b) c) S 1 7 7 0 -1 4194560 9 0 0 0 120 30 0 0 20 0 5 0 777 1048576 256";
+            let Stat { cpu_ticks, threads, start_ticks, virtual_bytes } = Stat::read(stat).unwrap();
+            assert_eq!((cpu_ticks, threads, start_ticks, virtual_bytes), (150.0, 5.0, 777.0, 1_048_576.0));
+            assert!(Stat::read("7 (a").is_none());
+        }
+    }
 }

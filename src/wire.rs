@@ -1,9 +1,9 @@
 //! Request and result types: Rust types -> JSON Schema -> OpenAPI, and between the wire and the geometry.
 //!
-//! One source of truth for a body: the schema derived from the Rust types is published in the OpenAPI document, and bodies are
-//! validated against that very schema (every error with its JSON Pointer) before serde reads them; long lists of points alone are
-//! read first, and the schema sees how they begin ([`body`]). What a schema cannot say
-//! (too few distinct points, a directrix pair of two single points) is checked next, and what only the geometry knows is
+//! One source of truth for a body: the schema derived from the Rust types is published in the OpenAPI document, and
+//! bodies are validated against that very schema (every error with its JSON Pointer) before serde reads them; long
+//! lists of points alone are read first, and the schema sees how they begin ([`body`]). What a schema cannot say (too
+//! few distinct points, a directrix pair of two single points) is checked next, and what only the geometry knows is
 //! asked of the geometry's own checks. Nothing but this module knows both wire names and geometry types.
 
 pub mod batch;
@@ -31,7 +31,7 @@ pub const MAX_ERRORS: usize = 50;
 pub struct FieldError {
     /// JSON Pointer (RFC 6901) to the offending value.
     pub pointer: String,
-    /// What is wrong with it.
+    /// Description of the error.
     pub detail: String,
 }
 
@@ -70,7 +70,8 @@ pub enum Rejection {
 }
 
 impl Rejection {
-    /// With every pointer leading to a value of this body, or to the member that it lacks and whose default does not do.
+    /// With every pointer leading to a value of this body, or to the member that it lacks and whose default does not
+    /// do.
     fn placed_in(mut self, body: &Value) -> Self {
         if let Self::Invalid(errors) | Self::TooLarge(errors) = &mut self {
             for error in errors {
@@ -94,7 +95,7 @@ impl From<GeometryError> for Rejection {
     }
 }
 
-/// What a request asks for.
+/// Kind of a request.
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize, schemars::JsonSchema,
 )]
@@ -143,8 +144,8 @@ impl Kind {
     }
 }
 
-/// Points, normals and tangents of three coordinates each come to twelve values a point. A value is many times larger in memory
-/// than in the text, so they are counted before any is read.
+/// Points, normals and tangents of three coordinates each come to twelve values a point. A value is many times larger
+/// in memory than in the text, so they are counted before any is read.
 fn refuse_too_many_values(body: &[u8], limits: &LimitsConfig) -> Result<(), Rejection> {
     let most = limits.points.saturating_mul(16).saturating_add(10_000);
     if body.iter().filter(|&&byte| byte == b',').count() <= most {
@@ -253,7 +254,7 @@ impl Request {
         }
     }
 
-    /// Whether the kept result of an equal request may be taken.
+    /// Whether the stored result of an equal earlier request may be returned.
     #[must_use]
     pub fn cache(&self) -> common::Cache {
         match self {

@@ -14,9 +14,9 @@
 //! and cosines, and with them whole lines: then write the file afresh, in a commit of its own.
 
 use plateau::config::LimitsConfig;
+use plateau::jobs::progress::Signal;
 use plateau::jobs::solve::{Solved, solve};
 use plateau::wire::Request;
-use plateau_geometry::Execution;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -89,7 +89,8 @@ fn solved(file: &Path) -> Solved {
     let name = file.display();
     let (_, request) = Request::read_with_kind(&body, &LimitsConfig::default())
         .unwrap_or_else(|rejection| panic!("{name} is refused: {rejection:?}"));
-    solve(&request, &Execution::default()).unwrap_or_else(|error| panic!("{name} fails: {error}"))
+    let solved = solve(&request, &|| Signal::Continue, &|_| {});
+    solved.unwrap_or_else(|unsolved| panic!("{name} fails: {unsolved:?}"))
 }
 
 /// `key=value` pairs of one example.

@@ -98,32 +98,279 @@ fn only_problem_rs_knows_the_status_codes_of_failures() {
     }
 }
 
-/// The module that a file of the service belongs to: the first part of its path.
-fn module(path: &Path) -> String {
-    let relative = path.strip_prefix(root().join("src")).expect("a file of the service");
-    let first = relative.components().next().expect("a file name").as_os_str().to_string_lossy();
-    first.trim_end_matches(".rs").to_owned()
+/// A source file of the service: its path below `src`, and its code.
+struct Source {
+    path: String,
+    code: String,
+}
+
+fn service() -> Vec<Source> {
+    let folder = root().join("src");
+    let source = |path: PathBuf| Source {
+        path: path.strip_prefix(&folder).expect("a file of the service").to_string_lossy().into_owned(),
+        code: code(&path).join("\n"),
+    };
+    sources(&folder).into_iter().map(source).collect()
+}
+
+fn made_up(files: &[(&str, &str)]) -> Vec<Source> {
+    files.iter().map(|(path, code)| Source { path: (*path).into(), code: (*code).into() }).collect()
+}
+
+impl Source {
+    /// The module's path: `["http", "routes", "jobs"]`.
+    fn module(&self) -> Vec<String> {
+        self.path.trim_end_matches(".rs").split('/').map(str::to_owned).collect()
+    }
+
+    /// The part of the service that the file belongs to.
+    fn part(&self) -> String {
+        self.module().swap_remove(0)
+    }
+
+    /// Every path of this crate that the code names, from the crate's root on.
+    fn named(&self) -> Vec<Vec<String>> {
+        let mut named = Vec::new();
+        for (at, word) in ["crate::", "super::"].iter().flat_map(|word| self.code.match_indices(word)) {
+            let preceding = self.code[..at].chars().next_back().unwrap_or(' ');
+            if preceding.is_alphanumeric() || preceding == '_' || preceding == ':' {
+                continue;
+            }
+            let mut base = Vec::new();
+            let mut rest = &self.code[at + word.len()..];
+            if word == "super::" {
+                base = self.module();
+                base.pop();
+                while let Some(further) = rest.strip_prefix("super::") {
+                    base.pop();
+                    rest = further;
+                }
+            }
+            expand(base, rest, &mut named);
+        }
+        named
+    }
+}
+
+/// Adds every path that a use tree stands for: `b::{c, d::e}` below `base` is `base::b::c` and `base::b::d::e`. Returns
+/// what follows the tree.
+fn expand<'a>(mut base: Vec<String>, mut rest: &'a str, paths: &mut Vec<Vec<String>>) -> &'a str {
+    loop {
+        rest = rest.trim_start();
+        if let Some(mut list) = rest.strip_prefix('{') {
+            loop {
+                list = list.trim_start().trim_start_matches(',').trim_start();
+                if let Some(after) = list.strip_prefix('}') {
+                    return after;
+                }
+                if list.is_empty() {
+                    return list;
+                }
+                let after = expand(base.clone(), list, paths);
+                // Anything else than a name is of no interest.
+                list = if after.len() == list.len() {
+                    &list[list.chars().next().map_or(0, char::len_utf8)..]
+                } else {
+                    after
+                };
+            }
+        }
+        let length = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
+        if length > 0 {
+            base.push(rest[..length].to_owned());
+            rest = &rest[length..];
+        }
+        match rest.strip_prefix("::") {
+            Some(further) if length > 0 => rest = further,
+            _ => {
+                paths.push(base);
+                return rest;
+            }
+        }
+    }
+}
+
+/// Files that know wire names and geometry types, though only `wire` and `jobs/solve.rs` may.
+fn know_wire_and_geometry(files: &[Source]) -> Vec<&str> {
+    let knows = |file: &&Source| {
+        file.code.contains("plateau_geometry")
+            && file.named().iter().any(|path| path.first().is_some_and(|part| part == "wire"))
+    };
+    let allowed = |file: &Source| file.part() == "wire" || file.path == "jobs/solve.rs";
+    files.iter().filter(|file| !allowed(file)).filter(knows).map(|file| file.path.as_str()).collect()
+}
+
+#[test]
+fn nothing_but_wire_and_solve_knows_wire_and_geometry() {
+    let offences = made_up(&[
+        ("jobs/worker.rs", "use crate::wire::{Kind, Request};\nuse plateau_geometry::Signal;"),
+        ("cli.rs", "fn f() -> crate::wire::Kind { plateau_geometry::solve() }"),
+        ("wire/common.rs", "use super::Kind;\nuse plateau_geometry::DVec3;"),
+        ("jobs/solve.rs", "use crate::wire::Request;\nuse plateau_geometry::Execution;"),
+        ("export/gltf.rs", "use plateau_geometry::Mesh;"),
+        ("jobs/batch.rs", "use crate::wire::Kind;"),
+    ]);
+    assert_eq!(know_wire_and_geometry(&offences), ["jobs/worker.rs", "cli.rs"]);
+    assert_eq!(
+        know_wire_and_geometry(&service()),
+        [""; 0],
+        "only wire and jobs/solve.rs may know wire names and geometry types"
+    );
+}
+
+/// Files that re-export what belongs to another part, which hides an arrow from those who read or check them.
+fn re_export_others(files: &[Source]) -> Vec<String> {
+    let mut offences = Vec::new();
+    for file in files {
+        for (at, _) in
+            file.code.match_indices("pub").filter(|(at, _)| *at == 0 || file.code[..*at].ends_with(['\n', ' ']))
+        {
+            let rest = &file.code[at + 3..];
+            let rest = rest.strip_prefix('(').and_then(|rest| rest.split_once(')')).map_or(rest, |(_, rest)| rest);
+            let Some(tree) = rest.trim_start().strip_prefix("use ") else { continue };
+            let other = match tree.trim_start().strip_prefix("crate::") {
+                Some(path) => !path.starts_with(&format!("{}::", file.part())),
+                None => tree.trim_start().starts_with("plateau_geometry"),
+            };
+            if other {
+                let line = tree.split([';', '{']).next().unwrap_or_default();
+                offences.push(format!("{}: {line}", file.path));
+            }
+        }
+    }
+    offences
+}
+
+#[test]
+fn no_part_re_exports_what_belongs_to_another() {
+    let offences = made_up(&[
+        ("jobs.rs", "pub mod batch;\npub use crate::store::{EventId, Filter};\nuse crate::store::Store;"),
+        ("wire/common.rs", "    pub(crate) use plateau_geometry::DVec3;"),
+        ("store.rs", "pub use batch::BatchRow;\npub(super) use crate::store::sql::redacted;"),
+    ]);
+    assert_eq!(re_export_others(&offences), ["jobs.rs: crate::store::", "wire/common.rs: plateau_geometry::DVec3"]);
+    assert_eq!(re_export_others(&service()), [""; 0], "use it where it is needed instead");
+}
+
+/// A circle of files among those of the given parts, if there is one: each knows the next, and the last one the first.
+fn circle(files: &[Source], parts: &[&str]) -> Option<Vec<String>> {
+    let files: Vec<&Source> = files.iter().filter(|file| parts.contains(&file.part().as_str())).collect();
+    let modules: Vec<Vec<String>> = files.iter().map(|file| file.module()).collect();
+    let knows: Vec<BTreeSet<usize>> = files
+        .iter()
+        .enumerate()
+        .map(|(number, file)| {
+            let target = |path: Vec<String>| {
+                let longest = modules.iter().enumerate().filter(|(_, module)| path.starts_with(module));
+                longest.max_by_key(|(_, module)| module.len()).map(|(target, _)| target)
+            };
+            file.named().into_iter().filter_map(target).filter(|target| *target != number).collect()
+        })
+        .collect();
+    fn visit(
+        file: usize,
+        knows: &[BTreeSet<usize>],
+        way: &mut Vec<usize>,
+        done: &mut BTreeSet<usize>,
+    ) -> Option<Vec<usize>> {
+        if let Some(at) = way.iter().position(|&earlier| earlier == file) {
+            return Some(way[at..].to_vec());
+        }
+        if done.contains(&file) {
+            return None;
+        }
+        way.push(file);
+        let found = knows[file].iter().find_map(|&next| visit(next, knows, way, done));
+        way.pop();
+        done.insert(file);
+        found
+    }
+    let mut done = BTreeSet::new();
+    let found = (0..files.len()).find_map(|file| visit(file, &knows, &mut Vec::new(), &mut done))?;
+    Some(found.into_iter().map(|file| files[file].path.clone()).collect())
+}
+
+#[test]
+fn the_files_of_http_and_those_that_wire_it_form_no_circle() {
+    let circular = made_up(&[
+        ("app.rs", "use crate::http::{body, router};\npub struct App;"),
+        ("http.rs", "pub mod router;\npub mod body;"),
+        ("http/router.rs", "use super::routes::{jobs::{get, list}, mesh};"),
+        ("http/routes/jobs.rs", "use crate::app::App;"),
+        ("http/body.rs", ""),
+    ]);
+    let parts = ["app", "auth", "cli", "config", "http", "telemetry"];
+    assert_eq!(circle(&circular, &parts).unwrap(), ["app.rs", "http/router.rs", "http/routes/jobs.rs"]);
+    assert_eq!(circle(&circular, &["http"]), None);
+    assert_eq!(circle(&service(), &parts), None, "each of these files knows the next");
+}
+
+/// Files that add a route without its entry in the API document.
+fn route_past_the_document(files: &[Source]) -> Vec<&str> {
+    let allowed = ["http/resource.rs", "http/router.rs"];
+    let routes = |file: &&Source| [".route(", "axum::routing"].iter().any(|word| file.code.contains(word));
+    files
+        .iter()
+        .filter(|file| !allowed.contains(&file.path.as_str()))
+        .filter(routes)
+        .map(|file| file.path.as_str())
+        .collect()
+}
+
+#[test]
+fn routes_come_with_their_entry_in_the_document() {
+    let offences = made_up(&[
+        ("http/routes/jobs.rs", "router.route(\"/v1/hidden\", get(list))"),
+        ("http/resource.rs", "router.route(self.path, self.handlers)"),
+    ]);
+    assert_eq!(route_past_the_document(&offences), ["http/routes/jobs.rs"]);
+    assert_eq!(route_past_the_document(&service()), [""; 0], "add a Resource to http/router.rs");
+    let router = service().into_iter().find(|file| file.path == "http/router.rs").expect("the router");
+    let direct = router.code.matches(".route(").count();
+    assert_eq!(
+        direct, 3,
+        "the resources', the base path's redirect and the metrics listener's are the only routes here"
+    );
+}
+
+/// Reasons that the geometry gives for a failure, in every place where it names one.
+fn reasons(code: &str) -> BTreeSet<String> {
+    let literal = |rest: &str| {
+        let text = rest.trim_start().strip_prefix('"')?;
+        Some(text.split('"').next()?.to_owned())
+    };
+    ["no_result(", "reason: "].iter().flat_map(|word| code.split(word).skip(1)).filter_map(literal).collect()
+}
+
+#[test]
+fn every_reason_for_a_failed_job_is_in_the_catalogue() {
+    let made_up =
+        "Err(Error::no_result(\n  \"too_large\", detail)) NoResult { reason: \"torn\", detail } reason: &'static str";
+    assert_eq!(reasons(made_up), BTreeSet::from(["too_large".into(), "torn".into()]));
+    let known: BTreeSet<&str> = plateau::wire::job::FAILURES.iter().map(|(name, _)| *name).collect();
+    let geometry = sources(&root().join("crates/geometry/src"));
+    for path in geometry.into_iter().chain([root().join("src/jobs/solve.rs")]) {
+        for reason in reasons(&code(&path).join("\n")) {
+            let kind = reason.replace('_', "-");
+            assert!(known.contains(kind.as_str()), "{}: {kind} is missing in FAILURES of wire/job.rs", path.display());
+        }
+    }
 }
 
 #[test]
 fn the_arrows_between_modules_are_the_committed_ones() {
     let mut arrows = BTreeSet::new();
-    for path in sources(&root().join("src")) {
-        let from = module(&path);
+    for file in service() {
+        let from = file.part();
         if matches!(from.as_str(), "lib" | "main") {
             continue;
         }
-        for line in code(&path) {
-            let targets = line
-                .split("crate::")
-                .skip(1)
-                .map(|rest| rest.chars().take_while(|c| c.is_ascii_alphanumeric() || *c == '_').collect::<String>());
-            for to in targets.filter(|to| *to != from && !to.is_empty()) {
-                arrows.insert(format!("{from} -> {to}"));
-            }
-            if line.contains("plateau_geometry") {
-                arrows.insert(format!("{from} -> geometry"));
-            }
+        let named = file.named().into_iter().filter_map(|path| path.into_iter().next());
+        for to in named.filter(|to| *to != from) {
+            arrows.insert(format!("{from} -> {to}"));
+        }
+        if file.code.contains("plateau_geometry") {
+            arrows.insert(format!("{from} -> geometry"));
         }
     }
     let found: String = arrows.iter().map(|arrow| format!("{arrow}\n")).collect();

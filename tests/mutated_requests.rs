@@ -5,10 +5,10 @@
 
 use plateau::config::LimitsConfig;
 use plateau::export::{Archive, MeshFormat};
-use plateau::jobs::solve::solve;
+use plateau::jobs::progress::Signal;
+use plateau::jobs::solve::{Unsolved, solve};
 use plateau::wire::{Kind, Rejection, Request, json};
 use plateau_geometry::random::SplitMix64;
-use plateau_geometry::{Error, Execution, Signal};
 use serde_json::Value;
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -191,7 +191,7 @@ fn outcome(body: &[u8], limits: &LimitsConfig) -> Result<&'static str, String> {
         assert!(looks.get() < HANGS, "goes on after its deadline");
         if looks.get() > PATIENCE { Signal::Deadline } else { Signal::Continue }
     };
-    match solve(&request, &Execution::new(&signal, &|_| {})) {
+    match solve(&request, &signal, &|_| {}) {
         Ok(solved) => {
             Archive::from_bytes(&solved.archive.to_bytes()).map_err(|defect| format!("its archive: {defect}"))?;
             // A mesh of 1e99 m is refused by glTF, whose coordinates have 32 bits; OBJ holds everything.
@@ -199,19 +199,15 @@ fn outcome(body: &[u8], limits: &LimitsConfig) -> Result<&'static str, String> {
             MeshFormat::Obj.encode(&solved.archive).map_err(|error| format!("its OBJ: {error}"))?;
             Ok("solved")
         }
-        Err(Error::Input(errors)) => {
-            if errors.is_empty() {
-                Err("refused without a reason".into())
-            } else {
-                Ok("refused by the solver")
-            }
-        }
-        Err(Error::NoResult { reason, detail, .. }) => match reason {
-            "internal" | "invalid_mesh" => Err(format!("{reason}: {detail}")),
-            _ if detail.is_empty() => Err(format!("{reason} without a word")),
+        Err(Unsolved::Cancelled) => Ok("interrupted"),
+        Err(Unsolved::Failed(error)) => match error.kind.trim_start_matches("/problems/") {
+            kind @ ("internal" | "invalid-mesh") => Err(format!("{kind}: {}", error.detail)),
+            "deadline" => Ok("interrupted"),
+            "invalid-geometry" if error.errors.is_empty() => Err("refused without a reason".into()),
+            "invalid-geometry" => Ok("refused by the solver"),
+            kind if error.detail.is_empty() => Err(format!("{kind} without a word")),
             _ => Ok("no result"),
         },
-        Err(Error::Interrupted(_)) => Ok("interrupted"),
     }
 }
 

@@ -454,7 +454,12 @@ async fn a_list_pages_through_every_job_once(database: Database) {
     assert_eq!(count(Filter { kind: Some("minimal_surface".into()), ..Filter::default() }).await, 12);
     assert_eq!(count(Filter { owner: Some("b".into()), ..Filter::default() }).await, 10);
     assert_eq!(count(Filter { status: Some(Status::Cancelled), ..Filter::default() }).await, 1);
-    let all = Filter { owner: Some("b".into()), kind: Some("ruled_surface".into()), status: Some(Status::Cancelled) };
+    let all = Filter {
+        owner: Some("b".into()),
+        kind: Some("ruled_surface".into()),
+        status: Some(Status::Cancelled),
+        ..Filter::default()
+    };
     assert_eq!(store.list(&all, 100, Some(&job(5).id)).await.unwrap().0[0].id, job(4).id);
     assert_eq!(store.list(&all, 100, Some(&job(4).id)).await.unwrap().0, Vec::new());
 }

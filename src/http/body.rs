@@ -1,7 +1,7 @@
 //! Reading a request's body: media type, size, time, and a budget for all bodies in flight.
 
-use crate::app::App;
 use crate::http::problem::Failure;
+use crate::http::state::App;
 use axum::body::Body;
 use axum::http::{HeaderMap, Request, header};
 use bytes::Bytes;
@@ -12,20 +12,20 @@ use tokio::sync::OwnedSemaphorePermit;
 /// Bytes per permit of the budget of bodies in flight.
 const PERMIT_BYTES: usize = 1024;
 
-/// Permits for a budget of so many bytes.
+/// Number of permits for a budget of `bytes` bytes.
 #[must_use]
 pub fn permits(bytes: usize) -> usize {
     bytes.div_ceil(PERMIT_BYTES)
 }
 
-/// A body, and its share of the budget until it is dropped.
+/// A body. It holds its share of the budget until it is dropped.
 #[derive(Debug)]
 pub struct Received {
     pub bytes: Bytes,
     _share: OwnedSemaphorePermit,
 }
 
-/// Reads a JSON body. Everything that the headers tell is checked before the first byte of the body is asked for.
+/// Reads a JSON body. The headers are checked before the first byte of the body is read.
 ///
 /// # Errors
 /// 415 for another media type or any `Content-Encoding`, 413 for too many bytes, 408 for too slow a client, 503 when the

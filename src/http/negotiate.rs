@@ -85,7 +85,7 @@ pub fn none_match_hits(headers: &HeaderMap, tag: &str) -> bool {
         .any(|candidate| candidate == "*" || candidate.strip_prefix("W/").unwrap_or(candidate) == tag)
 }
 
-/// What part of a representation is asked for.
+/// The requested part of a representation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Part {
     Whole,

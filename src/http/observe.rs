@@ -1,5 +1,7 @@
-//! One middleware around every route: a request id, a span that carries it, metrics, and the address of problem documents.
+//! The middleware around every route: it gives each request an id and a span with that id, counts and times it, and completes
+//! problem documents.
 
+use crate::http::assets;
 use crate::http::problem::{self, Failure};
 use crate::telemetry::metric;
 use axum::body::Body;
@@ -26,7 +28,7 @@ fn request_id(request: &Request) -> String {
         .map_or_else(|| ulid::Ulid::generate().to_string(), str::to_owned)
 }
 
-/// `base` is what a proxy puts before the paths of this server.
+/// Observes a request and its answer. `base` is the base path of this server.
 pub async fn observe(State(base): State<Arc<str>>, request: Request, next: Next) -> Response<Body> {
     let started = Instant::now();
     let id = request_id(&request);
@@ -39,14 +41,15 @@ pub async fn observe(State(base): State<Arc<str>>, request: Request, next: Next)
         span.in_scope(|| tracing::error!("a handler panicked"));
         Failure::internal("the request ran into a defect of this server").into_response()
     });
-    let mut response = problem::address(response, &format!("{base}{path}"));
+    let mut response = problem::address(response, &base, &path);
+    assets::protect(response.headers_mut());
     if let Ok(value) = HeaderValue::from_str(&id) {
         response.headers_mut().insert(REQUEST_ID, value);
     }
     let status = response.status().as_u16();
     let elapsed = started.elapsed();
     span.in_scope(|| tracing::info!(status, elapsed_ms = elapsed.as_secs_f64() * 1e3, "answered"));
-    // An unmatched method is the client's word: it must not grow the number of series.
+    // A client may send any word as a method. Only methods of known routes become labels, so that the number of series is bounded.
     let method = if route == "unmatched" { "any".to_owned() } else { method };
     metrics::counter!(metric::HTTP_REQUESTS, "method" => method.clone(), "route" => route.clone(), "status" => status.to_string())
         .increment(1);

@@ -7,7 +7,7 @@ use axum::body::Body;
 use axum::http::{HeaderName, HeaderValue, Response, StatusCode, header};
 use axum::response::IntoResponse;
 
-/// What went wrong with a request. `instance` is filled in by the middleware that knows the path.
+/// A failed request. The middleware that knows the path fills in `instance`.
 #[derive(Debug)]
 pub struct Failure {
     status: StatusCode,
@@ -25,8 +25,8 @@ macro_rules! failures {
                 Self::new(StatusCode::$status, $kind, $title, detail.into())
             })*
 
-            /// Every kind of problem this server answers with: `(status, type, title)`.
-            pub const KINDS: &[(u16, &str, &str)] = &[$((StatusCode::$status.as_u16(), concat!("/problems/", $kind), $title)),*];
+            /// Every kind of problem that this server answers with: `(status, last part of the type, title)`.
+            pub const KINDS: &[(u16, &str, &str)] = &[$((StatusCode::$status.as_u16(), $kind, $title)),*];
         }
     };
 }
@@ -36,6 +36,7 @@ failures! {
     bad_query: BAD_REQUEST, "bad-query", "A query parameter cannot be used";
     bad_header: BAD_REQUEST, "bad-header", "A header cannot be used";
     unauthorized: UNAUTHORIZED, "unauthorized", "A valid API key is needed";
+    foreign_page: FORBIDDEN, "foreign-page", "The request comes from a page of another origin";
     not_found: NOT_FOUND, "not-found", "There is nothing here";
     method_not_allowed: METHOD_NOT_ALLOWED, "method-not-allowed", "This path does not take this method";
     not_acceptable: NOT_ACCEPTABLE, "not-acceptable", "None of the accepted media types is offered";
@@ -62,7 +63,7 @@ impl Failure {
             StatusCode::TOO_MANY_REQUESTS | StatusCode::SERVICE_UNAVAILABLE => {
                 vec![(header::RETRY_AFTER, HeaderValue::from_static("2"))]
             }
-            // The body may not have been read: what is left of it must not be taken for another request.
+            // The body may not have been read to its end. The rest must not be read as another request, so the connection ends.
             StatusCode::PAYLOAD_TOO_LARGE | StatusCode::UNSUPPORTED_MEDIA_TYPE | StatusCode::REQUEST_TIMEOUT => {
                 vec![(header::CONNECTION, HeaderValue::from_static("close"))]
             }
@@ -103,6 +104,7 @@ impl From<JobsError> for Failure {
             JobsError::QueueFull { own: true } => Self::queue_full("too many of your jobs wait; try again later"),
             JobsError::KeyConflict => Self::key_conflict("this idempotency key came with another body before"),
             JobsError::NotFound => Self::not_found("no such job"),
+            JobsError::NoBatch => Self::not_found("no such batch"),
             JobsError::Expired => Self::expired("the job and its mesh were kept for their time and removed"),
             JobsError::NoMesh(status) => Self::no_mesh(format!("the job is {}", status.name())),
             JobsError::NoPattern => Self::not_found("only open ruled surfaces have a flat pattern"),
@@ -151,10 +153,12 @@ impl IntoResponse for Failure {
     }
 }
 
-/// Writes the problem document into a response that is one; every other response passes unchanged.
-pub fn address(mut response: Response<Body>, path: &str) -> Response<Body> {
+/// Writes the problem document into a response that is one; every other response passes unchanged. `base` is the base
+/// path of this server, `path` the request's path below it.
+pub fn address(mut response: Response<Body>, base: &str, path: &str) -> Response<Body> {
     if let Some(Unaddressed(mut problem)) = response.extensions_mut().remove::<Unaddressed>() {
-        problem.instance = path.chars().take(300).collect();
+        problem.kind.insert_str(0, base);
+        problem.instance = base.chars().chain(path.chars()).take(300).collect();
         // A problem is strings and numbers only: writing it cannot fail.
         let text = serde_json::to_vec(&problem).unwrap_or_default();
         *response.body_mut() = Body::from(text);

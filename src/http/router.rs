@@ -1,8 +1,10 @@
 //! Every route on one screen.
 
-use crate::app::App;
 use crate::http::problem::Failure;
-use crate::http::{auth, observe, routes};
+use crate::http::resource::Resource;
+use crate::http::routes::{batches, catalogue, docs, events, health, jobs, mesh, studio, submit};
+use crate::http::state::App;
+use crate::http::{access, observe};
 use crate::jobs::Jobs;
 use crate::wire::Kind;
 use axum::Router;
@@ -10,55 +12,73 @@ use axum::extract::Request;
 use axum::http::{HeaderName, HeaderValue, Method, Uri, header};
 use axum::middleware;
 use axum::response::Redirect;
-use axum::routing::{get, post};
+use axum::routing::get;
 use metrics_exporter_prometheus::PrometheusHandle;
 use std::sync::Arc;
 use std::time::Duration;
 use tower::util::MapRequest;
 use tower_http::cors::{AllowOrigin, Any, CorsLayer};
 
+/// Every path with its handlers and their entries in the API document. `with_metrics`: whether `/metrics` is among
+/// them.
+#[must_use]
+pub fn resources(with_metrics: bool) -> Vec<Resource> {
+    let mut resources = vec![
+        Resource::at(Kind::RuledSurface.path()).post(submit::ruled_surface, submit::entry(Kind::RuledSurface)),
+        Resource::at(Kind::MinimalSurface.path()).post(submit::minimal_surface, submit::entry(Kind::MinimalSurface)),
+        Resource::at(Kind::UniformMesh.path()).post(submit::uniform_mesh, submit::entry(Kind::UniformMesh)),
+        Resource::at("/v1/jobs").get(jobs::list, jobs::list_entry()),
+        Resource::at("/v1/jobs/{id}").get(jobs::get, jobs::get_entry()).delete(jobs::delete, jobs::delete_entry()),
+        Resource::at("/v1/jobs/{id}/cancel").post(jobs::cancel, jobs::cancel_entry()),
+        Resource::at("/v1/jobs/{id}/mesh").get(mesh::mesh, mesh::mesh_entry()),
+        Resource::at("/v1/jobs/{id}/pattern").get(mesh::pattern, mesh::pattern_entry()),
+        Resource::at("/v1/jobs/{id}/events").get(events::events, events::events_entry()),
+        Resource::at("/v1/batches").post(batches::submit, batches::submit_entry()),
+        Resource::at("/v1/batches/{id}")
+            .get(batches::get, batches::get_entry())
+            .delete(batches::delete, batches::delete_entry()),
+        Resource::at("/v1/batches/{id}/cancel").post(batches::cancel, batches::cancel_entry()),
+        Resource::at("/v1/batches/{id}/meshes").get(batches::meshes, batches::meshes_entry()),
+        Resource::at("/v1/objectives").get(catalogue::objectives, catalogue::objectives_entry()),
+        Resource::at("/v1/limits").get(catalogue::limits, catalogue::limits_entry()),
+        Resource::at("/v1/examples").get(catalogue::examples, catalogue::examples_entry()),
+        Resource::at("/v1/examples/{name}").get(catalogue::example, catalogue::example_entry()),
+        Resource::at("/openapi.json").get(catalogue::openapi, catalogue::openapi_entry()),
+        Resource::at("/problems/{name}").get(catalogue::problem_kind, catalogue::problem_kind_entry()),
+        Resource::at("/docs").get(docs::redirect, docs::redirect_entry()),
+        Resource::at("/docs/").get(docs::page, docs::page_entry()),
+        Resource::at("/docs/{file}").get(docs::file, docs::file_entry()),
+        Resource::at("/health/live").get(health::live, health::live_entry()),
+        Resource::at("/health/ready").get(health::ready, health::ready_entry()),
+        Resource::at("/").get(studio::page, studio::page_entry()),
+        Resource::at("/studio/{file}").get(studio::file, studio::file_entry()),
+    ];
+    if with_metrics {
+        resources.push(Resource::at("/metrics").get(health::metrics, health::metrics_entry()));
+    }
+    resources
+}
+
+/// The service: every resource, behind the checks that stand before all of them.
 pub fn router(app: App) -> Router {
     let own_metrics = !app.config.http.metrics_listen.is_empty();
     let origins = app.config.http.cors_origins.clone();
     let base: Arc<str> = app.config.http.public_base_path.as_str().into();
-    let routes = Router::new()
-        .route(Kind::RuledSurface.path(), post(routes::submit::ruled_surface))
-        .route(Kind::MinimalSurface.path(), post(routes::submit::minimal_surface))
-        .route(Kind::UniformMesh.path(), post(routes::submit::uniform_mesh))
-        .route("/v1/jobs", get(routes::jobs::list))
-        .route("/v1/jobs/{id}", get(routes::jobs::get).delete(routes::jobs::delete))
-        .route("/v1/jobs/{id}/cancel", post(routes::jobs::cancel))
-        .route("/v1/jobs/{id}/mesh", get(routes::mesh::mesh))
-        .route("/v1/jobs/{id}/pattern", get(routes::mesh::pattern))
-        .route("/v1/jobs/{id}/events", get(routes::jobs::events))
-        .route("/v1/batches", post(routes::batches::submit))
-        .route("/v1/batches/{id}", get(routes::batches::get).delete(routes::batches::delete))
-        .route("/v1/batches/{id}/cancel", post(routes::batches::cancel))
-        .route("/v1/batches/{id}/meshes", get(routes::batches::meshes))
-        .route("/v1/objectives", get(routes::catalogue::objectives))
-        .route("/v1/limits", get(routes::catalogue::limits))
-        .route("/v1/examples", get(routes::catalogue::examples))
-        .route("/v1/examples/{name}", get(routes::catalogue::example))
-        .route("/openapi.json", get(routes::catalogue::openapi))
-        .route("/docs", get(routes::catalogue::docs))
-        .route("/docs/", get(routes::catalogue::docs_index))
-        .route("/docs/{*file}", get(routes::catalogue::docs_file))
-        .route("/problems/{name}", get(routes::catalogue::problem_kind))
-        .route("/health/live", get(routes::health::live))
-        .route("/health/ready", get(routes::health::ready))
-        .route("/", get(routes::studio::page))
-        .merge(if own_metrics { Router::new() } else { Router::new().route("/metrics", get(routes::health::metrics)) })
-        .route("/studio/{file}", get(routes::studio::file))
+    let routes = resources(!own_metrics)
+        .into_iter()
+        .fold(Router::new(), |router, resource| resource.route(router))
         .fallback(|uri: Uri| async move {
             Failure::not_found(format!("no resource at this path ({} bytes long)", uri.path().len()))
         })
         .method_not_allowed_fallback(|| async { Failure::method_not_allowed("see the Allow header") })
-        // Outermost last: observed, then checked for its host, then CORS (whose preflight needs no key), then for its key.
-        .layer(middleware::from_fn_with_state(app.clone(), auth::authenticate));
+        // The last layer is the outermost: a request is observed, then its host is checked, then CORS answers
+        // preflights (which need no key), then foreign pages are refused, then its key is checked.
+        .layer(middleware::from_fn_with_state(app.clone(), access::authenticate))
+        .layer(middleware::from_fn_with_state(app.clone(), access::refuse_foreign_pages));
     // Without origins there is no CORS, and OPTIONS is a method like any other.
     let routes = if origins.is_empty() { routes } else { routes.layer(cors(&origins)) };
     let routes = routes
-        .layer(middleware::from_fn_with_state(app.clone(), auth::check_host))
+        .layer(middleware::from_fn_with_state(app.clone(), access::check_host))
         .layer(middleware::from_fn_with_state(base.clone(), observe::observe))
         .with_state(app);
     below(&base, routes)
@@ -90,7 +110,7 @@ fn without_base(base: &str, uri: &Uri) -> Uri {
 
 /// The listener of metrics alone.
 pub fn metrics(jobs: Jobs, handle: PrometheusHandle) -> Router {
-    let render = move || async move { routes::health::render(&jobs, &handle).await };
+    let render = move || async move { health::render(&jobs, &handle).await };
     Router::new().route("/metrics", get(render)).layer(middleware::from_fn_with_state(Arc::from(""), observe::observe))
 }
 
@@ -119,7 +139,7 @@ fn cors(origins: &[String]) -> CorsLayer {
             header::LOCATION,
             header::RETRY_AFTER,
             header::ETAG,
-            routes::submit::PREFERENCE_APPLIED,
+            submit::PREFERENCE_APPLIED,
             observe::REQUEST_ID,
         ])
         .max_age(Duration::from_secs(3600))

@@ -1,7 +1,9 @@
-//! Handlers, by resource.
+//! Handlers, by resource, each with its entry in the API document.
 
 pub mod batches;
 pub mod catalogue;
+pub mod docs;
+pub mod events;
 pub mod health;
 pub mod jobs;
 pub mod mesh;

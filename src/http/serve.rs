@@ -1,59 +1,281 @@
-//! Accepting connections: bounded in number, with a limit on how long a client may take to send its headers.
+//! Accepting connections (HTTP/1.1): bounded in number, with a limit on how long a client may take to send its headers.
+//!
+//! When every place is taken, a newcomer gets the place of the connection that has been idle for longest. A connection
+//! is idle while no request of it is being answered; one that has not sent its request's headers yet counts as idle.
 
 use crate::config::HttpConfig;
 use axum::Router;
-use hyper_util::rt::{TokioExecutor, TokioIo, TokioTimer};
-use hyper_util::server::conn::auto;
-use hyper_util::server::graceful::GracefulShutdown;
-use hyper_util::service::TowerToHyperService;
+use axum::body::{Body, Bytes};
+use axum::http::{Request, Response};
+use hyper::body::{Body as HttpBody, Frame, Incoming, SizeHint};
+use hyper::server::conn::http1;
+use hyper::service::service_fn;
+use hyper_util::rt::{TokioIo, TokioTimer};
+use std::collections::HashMap;
+use std::convert::Infallible;
 use std::future::Future;
-use std::sync::Arc;
+use std::pin::Pin;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::task::{Context, Poll, ready};
 use std::time::Duration;
-use tokio::net::TcpListener;
-use tokio::sync::Semaphore;
+use tokio::net::{TcpListener, TcpStream};
+use tokio::sync::{Notify, OwnedSemaphorePermit, Semaphore, watch};
+use tower::ServiceExt;
 
-/// Serves until `shutdown` resolves, then lets open requests go on for the configured grace.
+/// Serves until `shutdown` resolves. Then it goes on accepting for `http.shutdown_notice_ms`, so that those who ask for
+/// readiness see the change, and lets open requests go on for `http.shutdown_grace_ms`.
 pub async fn serve(listener: TcpListener, router: Router, config: &HttpConfig, shutdown: impl Future<Output = ()>) {
-    let mut builder = auto::Builder::new(TokioExecutor::new());
-    let header_timeout = Duration::from_millis(config.header_timeout_ms);
-    builder.http1().timer(TokioTimer::new()).header_read_timeout(header_timeout);
-    builder.http2().timer(TokioTimer::new()).max_concurrent_streams(128).keep_alive_interval(Some(header_timeout));
-    let builder = Arc::new(builder);
-    let slots = Arc::new(Semaphore::new(config.connections));
-    let graceful = GracefulShutdown::new();
-    let mut shutdown = std::pin::pin!(shutdown);
-    loop {
-        let slot = tokio::select! {
-            slot = slots.clone().acquire_owned() => slot.expect("the semaphore is never closed"),
-            () = &mut shutdown => break,
-        };
-        let stream = tokio::select! {
-            accepted = listener.accept() => match accepted {
-                Ok((stream, _)) => stream,
-                Err(error) => {
-                    // Out of file descriptors, most likely: others must close first.
-                    tracing::warn!(%error, "cannot accept a connection");
-                    tokio::time::sleep(Duration::from_millis(50)).await;
-                    continue;
-                }
-            },
-            () = &mut shutdown => break,
-        };
-        // Small answers must not wait for more to send.
-        let _ = stream.set_nodelay(true);
-        let service = TowerToHyperService::new(router.clone());
-        let builder = builder.clone();
-        let watcher = graceful.watcher();
-        tokio::spawn(async move {
-            let connection = builder.serve_connection_with_upgrades(TokioIo::new(stream), service).into_owned();
-            // A client that goes away is its own affair.
-            let _ = watcher.watch(connection).await;
-            drop(slot);
-        });
+    let connections = Connections::new(config, router);
+    let notice = Duration::from_millis(config.shutdown_notice_ms);
+    let closing = async {
+        shutdown.await;
+        tokio::time::sleep(notice).await;
+    };
+    tokio::select! {
+        () = accept(&listener, &connections) => {}
+        () = closing => {}
     }
     drop(listener);
-    let grace = Duration::from_millis(config.shutdown_grace_ms);
-    if tokio::time::timeout(grace, graceful.shutdown()).await.is_err() {
-        tracing::warn!("some requests were still open after the grace time");
+    connections.close(Duration::from_millis(config.shutdown_grace_ms)).await;
+}
+
+/// Accepts connections for ever.
+async fn accept(listener: &TcpListener, connections: &Connections) {
+    loop {
+        match listener.accept().await {
+            Ok((stream, _)) => {
+                // Small answers must not wait for more data to send.
+                let _ = stream.set_nodelay(true);
+                let place = connections.place().await;
+                connections.start(stream, place);
+            }
+            Err(error) => {
+                // Most likely there are no file descriptors left: other connections must close first.
+                tracing::warn!(%error, "cannot accept a connection");
+                tokio::time::sleep(Duration::from_millis(50)).await;
+            }
+        }
+    }
+}
+
+/// The open connections of a listener.
+struct Connections {
+    http: http1::Builder,
+    router: Router,
+    /// One permit for each connection that may be open.
+    places: Arc<Semaphore>,
+    most: u32,
+    open: Arc<Open>,
+    closing: watch::Sender<bool>,
+}
+
+/// What is known of each open connection.
+#[derive(Default)]
+struct Open {
+    connections: Mutex<HashMap<u64, Arc<Activity>>>,
+    /// Counts the times that a connection became idle. The connection with the lowest number has been idle for longest.
+    clock: AtomicU64,
+    became_idle: Notify,
+}
+
+/// Whether a connection is answering a request.
+struct Activity {
+    /// True until the first request arrives.
+    fresh: AtomicBool,
+    /// The number that [`Open::clock`] gave when the connection became idle, or [`BUSY`], or [`DISMISSED`].
+    idle_since: AtomicU64,
+    /// Wakes the connection's task when the connection has been dismissed.
+    dismissed: Notify,
+}
+
+/// The connection is answering a request.
+const BUSY: u64 = u64::MAX;
+/// The connection was idle and has to make room for another one.
+const DISMISSED: u64 = u64::MAX - 1;
+/// Time that a dismissed connection has to send the end of its last answer, which may still be in a buffer.
+const FLUSH: Duration = Duration::from_secs(1);
+/// Larger bodies are handed to hyper in pieces, so that a connection stays busy until all but the last pieces are sent.
+const PIECE_BYTES: usize = 64 << 10;
+
+impl Open {
+    fn connections(&self) -> MutexGuard<'_, HashMap<u64, Arc<Activity>>> {
+        self.connections.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn tick(&self) -> u64 {
+        self.clock.fetch_add(1, Ordering::Relaxed)
+    }
+
+    /// Dismisses the connection that has been idle for longest. False if none is idle.
+    fn dismiss_longest_idle(&self) -> bool {
+        let connections = self.connections();
+        loop {
+            let since = |activity: &Arc<Activity>| activity.idle_since.load(Ordering::Relaxed);
+            let idle =
+                connections.values().map(|activity| (since(activity), activity)).filter(|(at, _)| *at < DISMISSED);
+            let Some((at, activity)) = idle.min_by_key(|(at, _)| *at) else { return false };
+            // A request may have arrived in between; then another connection has to go.
+            let dismissed = activity.idle_since.compare_exchange(at, DISMISSED, Ordering::Relaxed, Ordering::Relaxed);
+            if dismissed.is_ok() {
+                activity.dismissed.notify_one();
+                return true;
+            }
+        }
+    }
+}
+
+impl Connections {
+    fn new(config: &HttpConfig, router: Router) -> Self {
+        let mut http = http1::Builder::new();
+        http.timer(TokioTimer::new()).header_read_timeout(Duration::from_millis(config.header_timeout_ms));
+        let most = u32::try_from(config.connections).unwrap_or(u32::MAX).min(Semaphore::MAX_PERMITS as u32);
+        Self {
+            http,
+            router,
+            places: Arc::new(Semaphore::new(most as usize)),
+            most,
+            open: Arc::default(),
+            closing: watch::Sender::new(false),
+        }
+    }
+
+    /// A place for one more connection: a free one, or that of the connection that has been idle for longest.
+    async fn place(&self) -> OwnedSemaphorePermit {
+        if let Ok(place) = self.places.clone().try_acquire_owned() {
+            return place;
+        }
+        let mut place = std::pin::pin!(self.places.clone().acquire_owned());
+        loop {
+            let dismissed = self.open.dismiss_longest_idle();
+            tokio::select! {
+                place = &mut place => return place.expect("the semaphore is never closed"),
+                () = self.open.became_idle.notified(), if !dismissed => {}
+                // The dismissed connection may have received a request at the same moment.
+                () = tokio::time::sleep(FLUSH), if dismissed => {}
+            }
+        }
+    }
+
+    /// Serves a connection in a task of its own.
+    fn start(&self, stream: TcpStream, place: OwnedSemaphorePermit) {
+        let open = self.open.clone();
+        let number = open.tick();
+        let activity = Arc::new(Activity {
+            fresh: AtomicBool::new(true),
+            idle_since: AtomicU64::new(number),
+            dismissed: Notify::new(),
+        });
+        open.connections().insert(number, activity.clone());
+        let router = self.router.clone();
+        let service = {
+            let (open, activity) = (open.clone(), activity.clone());
+            service_fn(move |request: Request<Incoming>| {
+                activity.fresh.store(false, Ordering::Relaxed);
+                activity.idle_since.store(BUSY, Ordering::Relaxed);
+                let busy = Busy { open: open.clone(), activity: activity.clone() };
+                answer(router.clone(), request, busy)
+            })
+        };
+        let connection = self.http.serve_connection(TokioIo::new(stream), service);
+        let mut closing = self.closing.subscribe();
+        tokio::spawn(async move {
+            let mut connection = std::pin::pin!(connection);
+            let (mut leaving, mut dismissed) = (false, false);
+            loop {
+                tokio::select! {
+                    // A client that goes away is no failure of the server.
+                    _ = connection.as_mut() => break,
+                    _ = closing.wait_for(|closing| *closing), if !leaving => {}
+                    () = activity.dismissed.notified(), if !leaving => dismissed = true,
+                    () = tokio::time::sleep(FLUSH), if dismissed => {
+                        if activity.idle_since.load(Ordering::Relaxed) == BUSY {
+                            dismissed = false;
+                            continue;
+                        }
+                        break;
+                    }
+                }
+                // hyper would wait for the first request of a connection that has not sent one.
+                if activity.fresh.load(Ordering::Relaxed) {
+                    break;
+                }
+                // The request that is being answered, if there is one, is the last one of this connection.
+                leaving = true;
+                connection.as_mut().graceful_shutdown();
+            }
+            open.connections().remove(&number);
+            drop(place);
+        });
+    }
+
+    /// Ends idle connections at once and others after the request that they are answering; after `grace` all of them.
+    async fn close(&self, grace: Duration) {
+        self.closing.send_replace(true);
+        if tokio::time::timeout(grace, self.places.acquire_many(self.most)).await.is_err() {
+            tracing::warn!("some requests were still open after the grace time");
+        }
+    }
+}
+
+/// Marks a connection as busy until it is dropped.
+struct Busy {
+    open: Arc<Open>,
+    activity: Arc<Activity>,
+}
+
+impl Drop for Busy {
+    fn drop(&mut self) {
+        self.activity.idle_since.store(self.open.tick(), Ordering::Relaxed);
+        self.open.became_idle.notify_one();
+    }
+}
+
+async fn answer(router: Router, request: Request<Incoming>, busy: Busy) -> Result<Response<Answering>, Infallible> {
+    let response = router.oneshot(request).await?;
+    Ok(response.map(|body| Answering { body, rest: Bytes::new(), _busy: busy }))
+}
+
+/// The body of an answer, in pieces. Its connection is busy until hyper has taken all of it.
+struct Answering {
+    body: Body,
+    /// The part of the body's last frame that has not been handed on yet.
+    rest: Bytes,
+    _busy: Busy,
+}
+
+impl HttpBody for Answering {
+    type Data = Bytes;
+    type Error = axum::Error;
+
+    fn poll_frame(
+        mut self: Pin<&mut Self>,
+        context: &mut Context<'_>,
+    ) -> Poll<Option<Result<Frame<Bytes>, axum::Error>>> {
+        if self.rest.is_empty() {
+            match ready!(Pin::new(&mut self.body).poll_frame(context)) {
+                Some(Ok(frame)) => match frame.into_data() {
+                    Ok(data) => self.rest = data,
+                    Err(frame) => return Poll::Ready(Some(Ok(frame))),
+                },
+                other => return Poll::Ready(other),
+            }
+        }
+        let length = self.rest.len().min(PIECE_BYTES);
+        let piece = self.rest.split_to(length);
+        Poll::Ready(Some(Ok(Frame::data(piece))))
+    }
+
+    fn is_end_stream(&self) -> bool {
+        self.rest.is_empty() && self.body.is_end_stream()
+    }
+
+    fn size_hint(&self) -> SizeHint {
+        let (rest, mut hint) = (self.rest.len() as u64, self.body.size_hint());
+        if let Some(upper) = hint.upper() {
+            hint.set_upper(upper + rest);
+        }
+        hint.set_lower(hint.lower() + rest);
+        hint
     }
 }

@@ -85,12 +85,12 @@ impl Jobs {
     }
 
     /// # Errors
-    /// [`JobsError::NotFound`] or [`JobsError::Expired`], else as the store.
+    /// [`JobsError::NoBatch`] or [`JobsError::Expired`], else as the store.
     pub async fn batch(&self, id: &str, owner: Option<&str>) -> Result<Batch, JobsError> {
         self.view_batch(&found(self.0.store.batch(id, owner).await?)?)
     }
 
-    /// The batch as it is when its last job ends or the wait is over, whichever is first.
+    /// The batch as it is when its last job ends, when the wait is over or when a shutdown begins, whichever is first.
     ///
     /// # Errors
     /// As [`Jobs::batch`].
@@ -104,8 +104,11 @@ impl Jobs {
                 }
             }
         };
-        // Running out of time is one way to end the wait.
-        let _ = tokio::time::timeout(wait, all).await;
+        tokio::select! {
+            () = all => {}
+            () = tokio::time::sleep(wait) => {}
+            () = self.shutdown() => {}
+        }
         self.batch(id, owner).await
     }
 
@@ -116,7 +119,10 @@ impl Jobs {
     pub async fn cancel_batch(&self, id: &str, owner: Option<&str>) -> Result<Batch, JobsError> {
         let (lookup, cancelled) = self.0.store.cancel_batch(id, owner).await?;
         cancelled.iter().for_each(|id| self.0.running.cancel(id));
-        self.view_batch(&found(lookup)?)
+        let batch = self.view_batch(&found(lookup)?)?;
+        let cancelled_now = batch.jobs.iter().filter(|job| cancelled.contains(&job.id));
+        cancelled_now.for_each(|job| super::count_cancelled(job.kind));
+        Ok(batch)
     }
 
     /// Removes a batch with its jobs and their meshes.
@@ -128,7 +134,7 @@ impl Jobs {
             jobs.iter().for_each(|id| self.0.running.cancel(id));
             return Ok(());
         }
-        found(self.0.store.batch(id, owner).await?).and(Err(JobsError::NotFound))
+        found(self.0.store.batch(id, owner).await?).and(Err(JobsError::NoBatch))
     }
 
     fn view_batch(&self, row: &BatchRow) -> Result<Batch, JobsError> {
@@ -136,12 +142,13 @@ impl Jobs {
         let jobs = row.jobs.iter().map(|job| {
             let kind =
                 Kind::from_name(&job.kind).ok_or_else(|| JobsError::Internal("an unknown kind of job".into()))?;
+            let status = super::wire_status(job.status);
             Ok(BatchJob {
                 index: job.index.unsigned_abs(),
                 id: job.id.clone(),
                 kind,
-                status: super::wire_status(job.status),
-                links: crate::wire::job::Links::of(base, &job.id, kind),
+                status,
+                links: crate::wire::job::Links::of(base, &job.id, kind, status),
             })
         });
         let counts = BatchCounts::of(row.jobs.iter().map(|job| super::wire_status(job.status)));
@@ -183,7 +190,7 @@ fn found(lookup: BatchLookup) -> Result<BatchRow, JobsError> {
     match lookup {
         BatchLookup::Found(row) => Ok(row),
         BatchLookup::Expired => Err(JobsError::Expired),
-        BatchLookup::Missing => Err(JobsError::NotFound),
+        BatchLookup::Missing => Err(JobsError::NoBatch),
     }
 }
 

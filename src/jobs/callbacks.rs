@@ -9,7 +9,7 @@ use crate::telemetry::metric;
 use crate::webhook::{Message, Sender, Undelivered};
 use serde_json::json;
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, SystemTime};
 use tokio::sync::Semaphore;
 
 /// Callbacks are looked for this often.
@@ -66,7 +66,7 @@ async fn attempt(jobs: &Jobs, sender: &Sender, callback: &Callback) {
         }
     };
     let message = Message { id, owner: callback.owner.as_deref(), body: body.as_bytes() };
-    let now_s = jiff::Timestamp::now().as_second();
+    let now_s = unix_time_s();
     let (outcome, settled) = match sender.send(&callback.url, message, now_s).await {
         Ok(()) => ("delivered", store.settle_callback(callback).await),
         Err(Undelivered::Unwanted) => ("unwanted", store.settle_callback(callback).await),
@@ -103,6 +103,12 @@ async fn body(jobs: &Jobs, callback: &Callback) -> Result<String, JobsError> {
         }
     };
     Ok(message.to_string())
+}
+
+/// Seconds since 1970 by this process's clock.
+fn unix_time_s() -> i64 {
+    let since_1970 = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
+    i64::try_from(since_1970.as_secs()).unwrap_or(i64::MAX)
 }
 
 #[cfg(test)]

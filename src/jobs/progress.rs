@@ -1,11 +1,20 @@
 //! Between a solver's thread and the rest: progress out, cancel in.
 
-use crate::wire::job::Progress as WireProgress;
-use plateau_geometry::{Progress, Signal};
+use crate::wire::job::Progress;
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
+
+/// What a solver is told at each of its looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Signal {
+    Continue,
+    /// Stop: nobody wants the result any more.
+    Cancel,
+    /// Stop, and return the best result so far.
+    Deadline,
+}
 
 /// What one running solver shares with its worker.
 #[derive(Debug)]
@@ -44,17 +53,8 @@ impl Line {
 
     /// The progress since the last call, if there was any.
     #[must_use]
-    pub fn take(&self) -> Option<WireProgress> {
-        let progress = self.latest.lock().unwrap_or_else(PoisonError::into_inner).take()?;
-        // JSON has no NaN: a residual that is not known yet is null.
-        let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
-        Some(WireProgress {
-            fraction: progress.fraction.clamp(0.0, 1.0),
-            phase: progress.phase.into(),
-            iteration: progress.iteration,
-            objective_value: finite(progress.objective_value),
-            residual: finite(progress.residual),
-        })
+    pub fn take(&self) -> Option<Progress> {
+        self.latest.lock().unwrap_or_else(PoisonError::into_inner).take()
     }
 }
 

@@ -1,18 +1,20 @@
-//! Request -> geometry -> artefact: the one place where a solver is called for a job or for the command line.
+//! Request -> geometry -> artefact: the one place where a solver is called for a job or for the command line. Beside `wire` it is
+//! the only file that knows both the wire's types and the geometry's.
 
+use super::progress::Signal;
 use crate::export::archive::Contents;
 use crate::export::pattern::BRIDGES;
 use crate::export::{Archive, Flat, LineSet, Lines, MeanCurvature, Polyline, SegmentValues, Unit, UpAxis as ExportUp};
-use crate::wire::Request;
 use crate::wire::common::{Units, UpAxis};
+use crate::wire::job::{JobError, JobWarning, Progress};
 use crate::wire::minimal_surface::{MinimalStatistics, MinimalSurfaceRequest};
 use crate::wire::ruled_surface::{RuledStatistics, RuledSurfaceRequest};
 use crate::wire::uniform_mesh::{UniformMeshRequest, UniformStatistics};
-use plateau_geometry::error::Warning;
+use crate::wire::{FieldError, MAX_ERRORS, Request};
 use plateau_geometry::minimal_surface::{self, StopReason};
 use plateau_geometry::ruled_surface;
 use plateau_geometry::uniform_mesh;
-use plateau_geometry::{DVec3, Error, Execution, polyline};
+use plateau_geometry::{DVec3, Error, Execution, Interruption, polyline};
 use serde::Serialize;
 
 /// A solved request.
@@ -20,22 +22,79 @@ use serde::Serialize;
 pub struct Solved {
     /// JSON.
     pub statistics: String,
-    pub warnings: Vec<Warning>,
+    pub warnings: Vec<JobWarning>,
     pub archive: Archive,
     /// Whether the same request always gives this result (not when a deadline cut it short).
     pub reproducible: bool,
 }
 
-/// Solves a request on the calling thread.
+/// Why a request was not solved.
+#[derive(Debug)]
+pub enum Unsolved {
+    /// The solver was told to stop.
+    Cancelled,
+    /// No valid mesh came out.
+    Failed(JobError),
+}
+
+impl Unsolved {
+    /// The deadline passed before the solver had a valid mesh.
+    #[must_use]
+    pub fn deadline() -> Self {
+        let detail = "the deadline passed before there was a valid mesh; ask for a coarser one";
+        Self::Failed(JobError::new("deadline", detail, Vec::new()))
+    }
+}
+
+impl From<Error> for Unsolved {
+    fn from(error: Error) -> Self {
+        let fields =
+            |errors: &[plateau_geometry::InputError]| errors.iter().take(MAX_ERRORS).map(FieldError::from).collect();
+        Self::Failed(match error {
+            Error::Interrupted(Interruption::Cancelled) => return Self::Cancelled,
+            Error::Interrupted(Interruption::DeadlinePassed) => return Self::deadline(),
+            Error::Input(errors) => JobError::new("invalid-geometry", "see errors", fields(&errors)),
+            Error::NoResult { reason, detail, places } => {
+                JobError::new(&reason.replace('_', "-"), detail, fields(&places))
+            }
+        })
+    }
+}
+
+/// Solves a request on the calling thread. The solver asks for its signal at least every 50 ms.
 ///
 /// # Errors
 /// As the solver of its kind.
-pub fn solve(request: &Request, exec: &Execution) -> Result<Solved, Error> {
-    match request {
-        Request::RuledSurface(request) => ruled(request, exec),
-        Request::MinimalSurface(request) => minimal(request, exec),
-        Request::UniformMesh(request) => uniform(request, exec),
+pub fn solve(request: &Request, signal: &dyn Fn() -> Signal, report: &dyn Fn(Progress)) -> Result<Solved, Unsolved> {
+    let signal = || match signal() {
+        Signal::Continue => plateau_geometry::Signal::Continue,
+        Signal::Cancel => plateau_geometry::Signal::Cancel,
+        Signal::Deadline => plateau_geometry::Signal::Deadline,
+    };
+    let report = |progress| report(on_the_wire(progress));
+    let exec = Execution::new(&signal, &report);
+    let solved = match request {
+        Request::RuledSurface(request) => ruled(request, &exec),
+        Request::MinimalSurface(request) => minimal(request, &exec),
+        Request::UniformMesh(request) => uniform(request, &exec),
+    };
+    Ok(solved?)
+}
+
+fn on_the_wire(progress: plateau_geometry::Progress) -> Progress {
+    // JSON has no NaN: a residual that is not known yet is null.
+    let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
+    Progress {
+        fraction: progress.fraction.clamp(0.0, 1.0),
+        phase: progress.phase.into(),
+        iteration: progress.iteration,
+        objective_value: finite(progress.objective_value),
+        residual: finite(progress.residual),
     }
+}
+
+fn warnings(warnings: Vec<plateau_geometry::error::Warning>) -> Vec<JobWarning> {
+    warnings.into_iter().map(|warning| JobWarning { code: warning.code.into(), detail: warning.detail }).collect()
 }
 
 fn generator() -> String {
@@ -105,7 +164,7 @@ fn minimal(request: &MinimalSurfaceRequest, exec: &Execution) -> Result<Solved, 
         pattern: Flat::None,
     })?;
     let reproducible = surface.statistics.stop_reason != StopReason::Deadline;
-    Ok(Solved { statistics, warnings: surface.warnings, archive, reproducible })
+    Ok(Solved { statistics, warnings: warnings(surface.warnings), archive, reproducible })
 }
 
 fn ruled(request: &RuledSurfaceRequest, exec: &Execution) -> Result<Solved, Error> {
@@ -128,7 +187,7 @@ fn ruled(request: &RuledSurfaceRequest, exec: &Execution) -> Result<Solved, Erro
         statistics: statistics.clone(),
         pattern,
     })?;
-    Ok(Solved { statistics, warnings: surface.warnings, archive, reproducible: true })
+    Ok(Solved { statistics, warnings: warnings(surface.warnings), archive, reproducible: true })
 }
 
 fn uniform(request: &UniformMeshRequest, exec: &Execution) -> Result<Solved, Error> {
@@ -157,5 +216,5 @@ fn uniform(request: &UniformMeshRequest, exec: &Execution) -> Result<Solved, Err
         statistics: statistics.clone(),
         pattern: Flat::None,
     })?;
-    Ok(Solved { statistics, warnings: solved.warnings, archive, reproducible: solved.converged })
+    Ok(Solved { statistics, warnings: warnings(solved.warnings), archive, reproducible: solved.converged })
 }

@@ -1,14 +1,13 @@
 //! Workers: claim a job, run its solver on a thread that stalls nobody, renew the claim, store the outcome.
 
 use super::Jobs;
-use super::progress::Line;
-use super::solve::{self, Solved};
+use super::progress::{Line, Signal};
+use super::solve::{self, Solved, Unsolved};
 use crate::export::Archive;
 use crate::store::{Claimed, Outcome, Renewed};
 use crate::telemetry::metric;
-use crate::wire::job::{JobError, JobWarning};
-use crate::wire::{FieldError, Kind, Rejection, Request};
-use plateau_geometry::{Error as GeometryError, Execution, Interruption, Signal};
+use crate::wire::job::JobError;
+use crate::wire::{Kind, Rejection, Request};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::sync::{OwnedSemaphorePermit, oneshot};
@@ -58,7 +57,7 @@ pub async fn run(jobs: Jobs, name: String) {
 /// How a solver's thread ended.
 enum Ended {
     Solved(Box<Solved>),
-    Failed(GeometryError),
+    Unsolved(Unsolved),
     Rejected(Rejection),
     Panicked,
 }
@@ -101,7 +100,11 @@ impl<'j> Attempt<'j> {
     pub(super) fn end(self, end: End) {
         let status = match end {
             End::HandedBack => return,
-            End::Dropped => "dropped",
+            // A cancelled job was counted where it was cancelled; a job that another worker took over is counted there.
+            End::Dropped => {
+                tracing::info!("ended without a result");
+                return;
+            }
             End::Finished(status) => status,
         };
         let elapsed = self.started.elapsed();
@@ -229,7 +232,7 @@ pub(super) fn spawn_solver(jobs: &Jobs, work: Work, line: Arc<Line>) -> Solver {
                 Work::Stored { kind, request } => {
                     let Some(kind) = Kind::from_name(&kind) else {
                         let detail = "this version does not know this kind of job";
-                        return Ended::Failed(GeometryError::no_result("unknown_kind", detail));
+                        return Ended::Unsolved(Unsolved::Failed(JobError::new("unknown-kind", detail, Vec::new())));
                     };
                     match Request::read(kind, &request, &limits) {
                         Ok((request, _)) => request,
@@ -239,11 +242,10 @@ pub(super) fn spawn_solver(jobs: &Jobs, work: Work, line: Arc<Line>) -> Solver {
             };
             let wanted = || line.signal() == Signal::Continue;
             let Some(_share) = jobs.0.memory.share(request.memory_bytes(), wanted) else {
-                let why = match line.signal() {
-                    Signal::Deadline => Interruption::DeadlinePassed,
-                    Signal::Cancel | Signal::Continue => Interruption::Cancelled,
-                };
-                return Ended::Failed(GeometryError::Interrupted(why));
+                return Ended::Unsolved(match line.signal() {
+                    Signal::Deadline => Unsolved::deadline(),
+                    Signal::Cancel | Signal::Continue => Unsolved::Cancelled,
+                });
             };
             solve(&request, &line)
         };
@@ -262,10 +264,9 @@ pub(super) fn solve_here(request: &Request, line: &Line) -> Option<(&'static str
 }
 
 fn solve(request: &Request, line: &Line) -> Ended {
-    let (signal, report) = (|| line.signal(), |progress| line.report(progress));
-    match solve::solve(request, &Execution::new(&signal, &report)) {
+    match solve::solve(request, &|| line.signal(), &|progress| line.report(progress)) {
         Ok(solved) => Ended::Solved(Box::new(solved)),
-        Err(error) => Ended::Failed(error),
+        Err(unsolved) => Ended::Unsolved(unsolved),
     }
 }
 
@@ -279,51 +280,34 @@ fn guarded(solve: impl FnOnce() -> Ended) -> Ended {
 
 /// The outcome to store; `None` if nobody wants one.
 fn outcome(ended: Ended) -> Option<(&'static str, Outcome)> {
-    let (kind, title, detail, errors) = match ended {
+    let error = match ended {
         Ended::Solved(solved) => {
             let solved = *solved;
             let artefact = solved.archive.to_bytes();
-            let warnings: Vec<JobWarning> = solved
-                .warnings
-                .iter()
-                .map(|warning| JobWarning { code: warning.code.into(), detail: warning.detail.clone() })
-                .collect();
             let outcome = Outcome::Succeeded {
                 statistics: solved.statistics,
                 // Warnings are strings only.
-                warnings: serde_json::to_string(&warnings).unwrap_or_else(|_| "[]".into()),
+                warnings: serde_json::to_string(&solved.warnings).unwrap_or_else(|_| "[]".into()),
                 artefact_hash: Archive::checksum(&artefact),
                 artefact,
                 reusable: solved.reproducible,
             };
             return Some(("succeeded", outcome));
         }
-        Ended::Failed(GeometryError::Interrupted(Interruption::Cancelled)) => return None,
-        Ended::Failed(GeometryError::Interrupted(Interruption::DeadlinePassed)) => {
-            let detail = "the deadline passed before there was a valid mesh; ask for a coarser one";
-            ("deadline".into(), "The deadline passed", detail.into(), Vec::new())
-        }
-        Ended::Failed(GeometryError::Input(errors)) => {
-            let errors: Vec<FieldError> = errors.iter().take(crate::wire::MAX_ERRORS).map(FieldError::from).collect();
-            ("invalid-geometry".into(), "The geometry cannot be worked on", "see errors".into(), errors)
-        }
-        Ended::Failed(GeometryError::NoResult { reason, detail, places }) => {
-            let errors = places.iter().take(crate::wire::MAX_ERRORS).map(FieldError::from).collect();
-            (reason.replace('_', "-"), "No valid mesh came out", detail, errors)
-        }
+        Ended::Unsolved(Unsolved::Cancelled) => return None,
+        Ended::Unsolved(Unsolved::Failed(error)) => error,
         Ended::Rejected(rejection) => {
             let errors = match rejection {
                 Rejection::Malformed(_) => Vec::new(),
                 Rejection::Invalid(errors) | Rejection::TooLarge(errors) => errors,
             };
-            ("refused".into(), "This worker's limits or version do not take the request", "see errors".into(), errors)
+            JobError::new("refused", "see errors", errors)
         }
         Ended::Panicked => {
             let detail = "the solver ran into a defect of this server; the request is not to blame";
-            ("solver-panicked".into(), "The solver failed", detail.into(), Vec::new())
+            JobError::new("solver-panicked", detail, Vec::new())
         }
     };
-    let error = JobError { kind: format!("/problems/{kind}"), title: title.into(), detail, errors };
     // An error is strings only.
     Some(("failed", Outcome::Failed { error: serde_json::to_string(&error).unwrap_or_default() }))
 }
@@ -342,8 +326,7 @@ mod tests {
 
     #[test]
     fn a_cancelled_solver_has_no_outcome_and_one_past_its_deadline_a_failed_one() {
-        let ended = |interruption| outcome(Ended::Failed(GeometryError::Interrupted(interruption)));
-        assert!(ended(Interruption::Cancelled).is_none());
-        assert!(matches!(ended(Interruption::DeadlinePassed), Some(("failed", _))));
+        assert!(outcome(Ended::Unsolved(Unsolved::Cancelled)).is_none());
+        assert!(matches!(outcome(Ended::Unsolved(Unsolved::deadline())), Some(("failed", _))));
     }
 }

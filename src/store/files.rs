@@ -5,27 +5,18 @@
 //!
 //! The folder is not object_store's: that one does not sync what it writes.
 
-use std::fmt;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::time::{Duration, SystemTime};
 
-use futures_util::TryStreamExt;
-use object_store::aws::AmazonS3Builder;
-use object_store::path::Path as ObjectPath;
-use object_store::{ObjectStore, ObjectStoreExt, PutPayload, RetryConfig};
-
+#[cfg(feature = "s3")]
+use super::bucket::Bucket;
 use super::engine::Result;
 use super::{Store, StoreError};
 
 /// What names a bucket instead of a folder.
-const BUCKET_SCHEME: &str = "s3://";
-/// Further attempts of a request to a bucket, and how long they may take together: what is told of a failure comes while the
-/// worker still holds its lease.
-const BUCKET_RETRIES: usize = 3;
-const BUCKET_PATIENCE: Duration = Duration::from_secs(10);
+pub(super) const BUCKET_SCHEME: &str = "s3://";
 
 /// Results of more bytes are named by their bytes alone, so that equal ones are kept once. The names of others begin with the
 /// time, so that they come in order: an index over names without order costs a page in a random place for each, which is more
@@ -44,53 +35,20 @@ pub(super) struct Prepared {
 #[derive(Debug, Clone)]
 pub(super) enum Files {
     Folder(PathBuf),
+    #[cfg(feature = "s3")]
     Bucket(Bucket),
-}
-
-#[derive(Clone)]
-pub(super) struct Bucket {
-    objects: Arc<dyn ObjectStore>,
-    prefix: ObjectPath,
-}
-
-// What it holds knows credentials.
-impl fmt::Debug for Bucket {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.debug_struct("Bucket").field("prefix", &self.prefix).finish_non_exhaustive()
-    }
-}
-
-impl Bucket {
-    /// `BUCKET/PREFIX`; region, endpoint and credentials come from the environment as for every client of S3 (`AWS_REGION`,
-    /// `AWS_ENDPOINT_URL`, `AWS_ACCESS_KEY_ID`, `AWS_SECRET_ACCESS_KEY`, or the machine's role).
-    fn open(place: &str) -> Result<Self> {
-        let (name, prefix) = place.split_once('/').unwrap_or((place, ""));
-        let unusable = |error: &dyn fmt::Display| StoreError::Url(format!("{BUCKET_SCHEME}{place}: {error}"));
-        // Fails if the process has one already, which is as good.
-        let _ = rustls::crypto::ring::default_provider().install_default();
-        let retry =
-            RetryConfig { max_retries: BUCKET_RETRIES, retry_timeout: BUCKET_PATIENCE, ..RetryConfig::default() };
-        let objects = AmazonS3Builder::from_env().with_bucket_name(name).with_retry(retry).build();
-        let objects: Arc<dyn ObjectStore> = Arc::new(objects.map_err(|error| unusable(&error))?);
-        Ok(Self { objects, prefix: ObjectPath::parse(prefix).map_err(|error| unusable(&error))? })
-    }
-
-    fn path(&self, file: &str) -> ObjectPath {
-        self.prefix.clone().join(file)
-    }
-}
-
-impl From<object_store::Error> for StoreError {
-    fn from(error: object_store::Error) -> Self {
-        Self::Unavailable(format!("the bucket: {error}"))
-    }
 }
 
 impl Files {
     /// A folder, created if missing, or `s3://BUCKET/PREFIX`.
     pub(super) fn open(place: &str) -> Result<Self> {
         if let Some(bucket) = place.strip_prefix(BUCKET_SCHEME) {
+            #[cfg(feature = "s3")]
             return Bucket::open(bucket).map(Self::Bucket);
+            #[cfg(not(feature = "s3"))]
+            return Err(StoreError::Url(format!(
+                "{BUCKET_SCHEME}{bucket}: this program was built without support for buckets (cargo build --features s3)"
+            )));
         }
         fs::create_dir_all(place)?;
         Ok(Self::Folder(place.into()))
@@ -102,7 +60,8 @@ impl Files {
                 let path = folder.join(file);
                 blocking(move || fs::read(path)).await
             }
-            Self::Bucket(bucket) => Ok(bucket.objects.get(&bucket.path(file)).await?.bytes().await?.into()),
+            #[cfg(feature = "s3")]
+            Self::Bucket(bucket) => bucket.read(file).await,
         }
     }
 
@@ -123,10 +82,8 @@ impl Files {
                 })
                 .await
             }
-            Self::Bucket(bucket) => {
-                bucket.objects.put(&bucket.path(file), PutPayload::from(bytes.to_vec())).await?;
-                Ok(())
-            }
+            #[cfg(feature = "s3")]
+            Self::Bucket(bucket) => bucket.write(file, bytes).await,
         }
     }
 
@@ -137,7 +94,8 @@ impl Files {
                 let path = folder.join(&file);
                 blocking(move || fs::remove_file(path)).await
             }
-            Self::Bucket(bucket) => bucket.objects.delete(&bucket.path(&file)).await.map_err(StoreError::from),
+            #[cfg(feature = "s3")]
+            Self::Bucket(bucket) => bucket.remove(&file).await,
         };
         if let Err(error) = removed {
             tracing::warn!(%error, file, "removing a result file");
@@ -165,21 +123,8 @@ impl Files {
                 })
                 .await
             }
-            Self::Bucket(bucket) => {
-                // By the bucket's clock, which may differ from ours by less than `age`.
-                let now_ms = jiff::Timestamp::now().as_millisecond();
-                let age_ms = super::milliseconds(age);
-                let prefix = Some(&bucket.prefix).filter(|prefix| !prefix.as_ref().is_empty());
-                let objects: Vec<_> = bucket.objects.list(prefix).try_collect().await?;
-                let old =
-                    objects.into_iter().filter(|object| now_ms - object.last_modified.timestamp_millis() >= age_ms);
-                // What lies deeper is nobody's of ours.
-                let names = old.filter_map(|object| {
-                    let name = object.location.filename()?.to_owned();
-                    (bucket.path(&name) == object.location).then_some(name)
-                });
-                Ok(names.collect())
-            }
+            #[cfg(feature = "s3")]
+            Self::Bucket(bucket) => bucket.older_than(age).await,
         }
     }
 }
@@ -219,38 +164,5 @@ impl Store {
             _ => None,
         };
         Ok(Prepared { hash: if bytes.len() > NAMED_BY_TIME_BYTES { hash } else { named_by_time(hash) }, file })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[tokio::test]
-    async fn a_bucket_gives_back_lists_and_removes_what_was_put_into_it() {
-        let objects: Arc<dyn ObjectStore> = Arc::new(object_store::memory::InMemory::new());
-        for prefix in ["", "results/of-ours"] {
-            let bucket = Bucket { objects: objects.clone(), prefix: ObjectPath::parse(prefix).unwrap() };
-            let files = Files::Bucket(bucket.clone());
-            files.write("one-1", b"mesh").await.unwrap();
-            files.write("two-1", b"other").await.unwrap();
-            // Somebody else's, deeper.
-            bucket.objects.put(&bucket.path("else").join("three-1"), PutPayload::from("theirs")).await.unwrap();
-            assert_eq!(files.read("one-1").await.unwrap(), b"mesh");
-            let mut names = files.older_than(Duration::ZERO).await.unwrap();
-            names.sort();
-            assert_eq!(names, ["one-1", "two-1"], "in {prefix:?}");
-            assert!(files.older_than(Duration::from_secs(3600)).await.unwrap().is_empty());
-            files.remove("one-1".into()).await;
-            assert!(matches!(files.read("one-1").await, Err(StoreError::Unavailable(_))));
-            assert_eq!(files.older_than(Duration::ZERO).await.unwrap(), ["two-1"]);
-        }
-    }
-
-    #[test]
-    fn a_bucket_does_not_show_what_it_holds() {
-        let objects: Arc<dyn ObjectStore> = Arc::new(object_store::memory::InMemory::new());
-        let shown = format!("{:?}", Bucket { objects, prefix: ObjectPath::parse("results").unwrap() });
-        assert_eq!(shown, "Bucket { prefix: Path { raw: \"results\" }, .. }");
     }
 }

@@ -201,6 +201,7 @@ pub struct Filter {
     pub owner: Option<String>,
     pub kind: Option<String>,
     pub status: Option<Status>,
+    pub idempotency_key: Option<String>,
 }
 
 impl Store {
@@ -235,6 +236,7 @@ impl Store {
         require("owner =", filter.owner.as_deref());
         require("kind =", filter.kind.as_deref());
         require("status =", filter.status.map(Status::name));
+        require("idempotency_key =", filter.idempotency_key.as_deref());
         require("id <", cursor);
         let text = format!("SELECT {COLUMNS} FROM jobs {conditions} ORDER BY id DESC LIMIT $1");
         let mut jobs =

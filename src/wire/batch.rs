@@ -29,17 +29,17 @@ pub(super) fn request_schema() -> Value {
     });
     json!({
         "type": "object",
-        "description": "Requests of any kinds, solved as jobs of their own.",
+        "description": "Requests of any kinds. Each becomes a job of its own.",
         "required": ["requests"],
         "additionalProperties": false,
         "properties": {
             "requests": {
                 "type": "array", "minItems": 1, "items": { "anyOf": kinds },
-                "description": "Each with its `kind`; at most as many as `GET /v1/limits` says.",
+                "description": "Each request names its `kind`. `GET /v1/limits` has the largest number.",
             },
             "callback_url": {
                 "type": ["string", "null"], "maxLength": URL_BYTES, "default": null,
-                "description": "An https URL that is told once every job has ended, if this server does that: `webhooks` of `GET /v1/limits`.",
+                "description": "URL (https) that receives a signed POST when every job has ended. Requires webhooks to be enabled on this server: see `webhooks` of `GET /v1/limits`.",
             },
         },
     })
@@ -92,10 +92,10 @@ fn within(index: usize, errors: Vec<FieldError>) -> impl Iterator<Item = FieldEr
     errors.into_iter().map(move |error| FieldError::new(format!("/requests/{index}{}", error.pointer), error.detail))
 }
 
-/// A job of a batch, in short; its own address tells the rest.
+/// Summary of a job of a batch. Its `self` link leads to the whole job.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct BatchJob {
-    /// Place of its request in the batch.
+    /// Index of the job's request in the batch, counted from 0.
     pub index: u64,
     pub id: String,
     pub kind: Kind,
@@ -103,7 +103,7 @@ pub struct BatchJob {
     pub links: Links,
 }
 
-/// How many jobs of a batch are in each state.
+/// Number of jobs of a batch in each state.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct BatchCounts {
     pub queued: u64,
@@ -113,7 +113,7 @@ pub struct BatchCounts {
     pub cancelled: u64,
 }
 
-/// Where to go from a batch.
+/// Addresses that belong to a batch.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct BatchLinks {
     #[serde(rename = "self")]
@@ -132,17 +132,17 @@ impl BatchLinks {
     }
 }
 
-/// Requests that were taken together, and what became of them.
+/// Requests that were submitted together, and the state of their jobs.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Batch {
     /// A ULID: sorts by time of submission.
     pub id: String,
-    /// `queued` until the first job starts, then `running` until the last has ended; then `failed` if any has failed, else
-    /// `cancelled` if any was cancelled, else `succeeded`.
+    /// `queued` until the first job starts, then `running` until the last has ended; then `failed` if any has failed,
+    /// else `cancelled` if any was cancelled, else `succeeded`.
     pub status: Status,
     /// RFC 3339, UTC.
     pub created_at: String,
-    /// When the last job ended.
+    /// Time at which the last job ended; null until then.
     pub finished_at: Option<String>,
     pub counts: BatchCounts,
     /// In the order of the requests. A job that was deleted or has expired is not among them.

@@ -1,5 +1,5 @@
-//! A request's body as it was read: a JSON value, and beside it its long lists of points. A value holds every point in a piece
-//! of memory of its own, which takes longer than all else in reading a strip.
+//! A request's body as it was read: a JSON value, and beside it its long lists of points. A value holds every point in
+//! a piece of memory of its own, which takes longer than all else in reading a strip.
 
 use super::common::Point;
 use super::json::Strict;
@@ -176,7 +176,8 @@ mod tests {
         }
     }
 
-    /// A schema sees the first points only, so it must not ask for more, nor anything of a coordinate but that it is a number.
+    /// A schema sees the first points only, so it must not ask for more, nor anything of a coordinate but that it is a
+    /// number.
     #[test]
     fn schemas_ask_no_more_of_points_than_the_outline_shows() {
         let mut seen = 0;

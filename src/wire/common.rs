@@ -8,7 +8,8 @@ use serde::{Deserialize, Serialize};
 /// A point `[x, y, z]` in the client's own axes and unit.
 pub type Point = [f64; 3];
 
-/// The unit of the client's coordinates. Meshes in glTF are in metres, as glTF demands; OBJ, PLY and STL keep the client's unit.
+/// The unit of the client's coordinates. Meshes in glTF are in metres, as glTF demands; OBJ, PLY and STL keep the
+/// client's unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Units {
@@ -45,18 +46,18 @@ impl Units {
     }
 }
 
-/// Whether the answer to an equal earlier request will do. Results are deterministic, so it has the same bytes.
+/// Whether the result of an equal earlier request may be returned. Results are deterministic, so it has the same bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Cache {
-    /// Take a kept result if there is one, and keep this one for later requests.
+    /// Return a stored result if there is one, and store this one for later requests.
     #[default]
     Reuse,
-    /// Solve again, and let no later request take the result.
+    /// Solve again, and do not store the result for later requests.
     Bypass,
 }
 
-/// Which axis of the client's coordinates points up.
+/// Axis of the client's coordinates that points up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum UpAxis {

@@ -6,7 +6,7 @@ use schemars::generate::SchemaGenerator;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 
-/// Where a job stands. `succeeded`, `failed` and `cancelled` are final.
+/// State of a job. `succeeded`, `failed` and `cancelled` are final.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
@@ -42,20 +42,20 @@ impl Status {
     }
 }
 
-/// How far a job has come.
+/// Progress of a job.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Progress {
-    /// 0 to 1, never falling within one attempt.
+    /// Fraction of the work that is done, from 0 to 1. It never falls within one attempt.
     #[schemars(range(min = 0, max = 1))]
     pub fraction: f64,
-    /// What the solver is doing.
+    /// Name of the solver's current phase.
     pub phase: String,
     pub iteration: u64,
     pub objective_value: Option<f64>,
     pub residual: Option<f64>,
 }
 
-/// Something about the input or the result that the client should know although the job went through.
+/// A warning about the input or the result of a job that succeeded.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct JobWarning {
     /// Stable, snake case.
@@ -63,7 +63,7 @@ pub struct JobWarning {
     pub detail: String,
 }
 
-/// Why a job failed: what was wrong with the geometry, and what to try.
+/// The reason of a failure: what was wrong with the geometry, and what to try.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct JobError {
     /// A URI reference that names the kind of failure; stable.
@@ -74,13 +74,43 @@ pub struct JobError {
     pub errors: Vec<FieldError>,
 }
 
-/// Where to go from a job.
+/// The kinds of failed jobs: the last part of an error's `type`, and its title.
+pub const FAILURES: &[(&str, &str)] = &[
+    ("deadline", "The deadline passed"),
+    ("degenerate-boundary", "The boundary has no usable initial mesh"),
+    ("internal", "The server failed"),
+    ("invalid-geometry", "The geometry cannot be worked on"),
+    ("invalid-mesh", "The solver left an invalid mesh"),
+    ("no-initial-mesh", "The boundary has no initial mesh"),
+    ("no-room-for-interior-vertices", "The boundary has no room for the interior vertices"),
+    ("not-flattenable", "The surface cannot be flattened"),
+    ("refused", "This worker's limits or version do not take the request"),
+    ("self-intersecting-boundary", "The boundary crosses itself"),
+    ("solver-panicked", "The solver failed"),
+    ("too-large", "The mesh is too large"),
+    ("unknown-kind", "This version does not know this kind of job"),
+    ("worker-lost", "The workers of this job died"),
+];
+
+impl JobError {
+    /// An error of one of the kinds of [`FAILURES`].
+    #[must_use]
+    pub fn new(kind: &str, detail: impl Into<String>, errors: Vec<FieldError>) -> Self {
+        let title =
+            FAILURES.iter().find(|(name, _)| *name == kind).map_or("No valid mesh came out", |(_, title)| title);
+        Self { kind: format!("/problems/{kind}"), title: title.into(), detail: detail.into(), errors }
+    }
+}
+
+/// Addresses that belong to a job.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Links {
     #[serde(rename = "self")]
     pub this: String,
-    pub mesh: String,
-    /// Ruled surfaces only.
+    /// Absent from failed and cancelled jobs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mesh: Option<String>,
+    /// Ruled surfaces only; absent from failed and cancelled jobs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pattern: Option<String>,
     pub events: String,
@@ -88,13 +118,14 @@ pub struct Links {
 }
 
 impl Links {
-    /// `base` is what a proxy puts before the paths of this server; empty without one.
+    /// The links of a job on a server below the base path `base`, which is empty or like `/plateau`.
     #[must_use]
-    pub fn of(base: &str, id: &str, kind: Kind) -> Self {
+    pub fn of(base: &str, id: &str, kind: Kind, status: Status) -> Self {
         let this = format!("{base}/v1/jobs/{id}");
+        let may_have_mesh = !matches!(status, Status::Failed | Status::Cancelled);
         Self {
-            mesh: format!("{this}/mesh"),
-            pattern: (kind == Kind::RuledSurface).then(|| format!("{this}/pattern")),
+            mesh: may_have_mesh.then(|| format!("{this}/mesh")),
+            pattern: (may_have_mesh && kind == Kind::RuledSurface).then(|| format!("{this}/pattern")),
             events: format!("{this}/events"),
             cancel: format!("{this}/cancel"),
             this,
@@ -102,7 +133,7 @@ impl Links {
     }
 }
 
-/// A job: a request that was taken, and what became of it.
+/// A job: an accepted request and its state.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Job {
     /// A ULID: sorts by time of submission.
@@ -113,7 +144,7 @@ pub struct Job {
     pub created_at: String,
     pub started_at: Option<String>,
     pub finished_at: Option<String>,
-    /// When job and mesh are removed.
+    /// Time at which the job and its mesh are removed.
     pub expires_at: Option<String>,
     pub progress: Progress,
     /// Null until the job has succeeded; its fields depend on the kind.
@@ -123,6 +154,44 @@ pub struct Job {
     /// Null unless the job has failed.
     pub error: Option<JobError>,
     pub links: Links,
+}
+
+/// A job of a list: everything but its statistics.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct JobSummary {
+    /// A ULID: sorts by time of submission.
+    pub id: String,
+    pub kind: Kind,
+    pub status: Status,
+    /// RFC 3339, UTC.
+    pub created_at: String,
+    pub started_at: Option<String>,
+    pub finished_at: Option<String>,
+    /// Time at which the job and its mesh are removed.
+    pub expires_at: Option<String>,
+    pub progress: Progress,
+    pub warnings: Vec<JobWarning>,
+    /// Null unless the job has failed.
+    pub error: Option<JobError>,
+    pub links: Links,
+}
+
+impl From<Job> for JobSummary {
+    fn from(job: Job) -> Self {
+        Self {
+            id: job.id,
+            kind: job.kind,
+            status: job.status,
+            created_at: job.created_at,
+            started_at: job.started_at,
+            finished_at: job.finished_at,
+            expires_at: job.expires_at,
+            progress: job.progress,
+            warnings: job.warnings,
+            error: job.error,
+            links: job.links,
+        }
+    }
 }
 
 fn statistics_schema(generator: &mut SchemaGenerator) -> schemars::Schema {
@@ -135,8 +204,8 @@ fn statistics_schema(generator: &mut SchemaGenerator) -> schemars::Schema {
 /// One page of jobs, newest first.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct JobList {
-    pub jobs: Vec<Job>,
-    /// Hand it back as `?cursor=` for the next page; null on the last one.
+    pub jobs: Vec<JobSummary>,
+    /// Value of `?cursor=` for the next page; null on the last page.
     pub next_cursor: Option<String>,
 }
 
@@ -151,7 +220,7 @@ pub struct Problem {
     #[schemars(range(min = 400, max = 599))]
     pub status: u16,
     pub detail: String,
-    /// The path that was asked for.
+    /// Path of the request.
     pub instance: String,
     /// Offending values of the body, at most 50.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

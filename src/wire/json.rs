@@ -1,7 +1,8 @@
 //! Reading a JSON body into a value, strictly.
 //!
-//! Promised: duplicate keys are refused, a number that is not finite in f64 is refused with its pointer, and an integral
-//! number is an integer however it was written (`2050.0` is 2050; -0.0 stays a float). Nesting is bounded by serde_json (128).
+//! Promised: duplicate keys are refused, a number that is not finite in f64 is refused with its pointer, and an
+//! integral number is an integer however it was written (`2050.0` is 2050; -0.0 stays a float). Nesting is bounded by
+//! serde_json (128).
 
 use super::{FieldError, Rejection};
 use serde::de::{DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor};

@@ -13,24 +13,25 @@ use plateau_geometry::minimal_surface as geometry;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// Boundary polylines, and what to span them with.
+/// Boundary polygons and the options of the surface that spans them.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MinimalSurfaceRequest {
-    /// May say what the path says already; `plateau solve` needs it.
+    /// Optional here, because the path names the kind. `plateau solve` needs it.
     #[serde(default)]
     pub kind: Option<MinimalSurfaceKind>,
-    /// Whether the kept result of an equal request may be taken.
+    /// Whether the stored result of an equal earlier request may be returned.
     #[serde(default)]
     pub cache: Cache,
-    /// An https URL that is told of the job's end, if this server does that: `webhooks` of `GET /v1/limits`.
+    /// URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+    /// `webhooks` of `GET /v1/limits`.
     #[serde(default)]
     #[schemars(length(max = 2000))]
     pub callback_url: Option<String>,
     /// Unit of the coordinates.
     #[serde(default)]
     pub units: Units,
-    /// Which axis points up.
+    /// Axis that points up.
     #[serde(default)]
     pub up: UpAxis,
     /// Closed polygons that do not repeat their first point.
@@ -55,19 +56,20 @@ pub struct MinimalSurfaceRequest {
     #[serde(default = "default_tolerance")]
     #[schemars(range(min = 0, max = 1))]
     pub tolerance: f64,
-    /// Relative change of area per iteration at which the papers' own solvers end.
+    /// Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop.
     #[serde(default = "default_tolerance")]
     #[schemars(range(min = 0, max = 1))]
     pub area_tolerance: f64,
-    /// The same for vertex relaxation's Laplacian fairing; null: as `area_tolerance`.
+    /// Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
+    /// `area_tolerance`.
     #[serde(default)]
     #[schemars(range(min = 0, max = 1))]
     pub fairing_tolerance: Option<f64>,
-    /// Stages of vertex relaxation in an order of your own, each repeated until its tolerance; null: the paper's.
+    /// Stages of `vertex_relaxation` in order, each repeated until its tolerance. Null means the paper's stages.
     #[serde(default)]
     #[schemars(length(min = 1, max = 16), inner(length(min = 1, max = 16)))]
     pub processes: Option<Vec<Vec<Process>>>,
-    /// Null: the solver's own default.
+    /// Maximum number of iterations. Null means the solver's default.
     #[serde(default)]
     #[schemars(range(min = 1, max = 1_000_000_000))]
     pub max_iterations: Option<u32>,
@@ -76,15 +78,15 @@ pub struct MinimalSurfaceRequest {
     /// How `pinkall_polthier` solves its systems.
     #[serde(default)]
     pub linear_solver: LinearSolver,
-    /// Triangles with an angle below this are removed by `pinkall_polthier` and under `topology: free`; 0: none is.
+    /// `pinkall_polthier` and `topology: free` remove triangles with an angle below this, in degrees. 0 removes none.
     #[serde(default = "default_degenerate_angle_deg")]
     #[schemars(range(min = 0, max = 20))]
     pub degenerate_angle_deg: f64,
-    /// Which of the candidate points `initial_mesh: barycentres` takes.
+    /// Seed of the choice among the candidate points of `initial_mesh: barycentres`.
     #[serde(default = "default_seed")]
     #[schemars(range(min = 0, max = 4_294_967_295u32))]
     pub seed: u32,
-    /// Whether the boundary's vertices count in `minimal_mean_curvature`, as Liu and Wang's do.
+    /// Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do.
     #[serde(default = "default_true")]
     pub boundary_curvature: bool,
 }
@@ -111,7 +113,7 @@ pub enum MinimalSurfaceKind {
     MinimalSurface,
 }
 
-/// What is made least; `GET /v1/objectives` has the formulas.
+/// Quantity that is minimised. `GET /v1/objectives` has the formulas.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Objective {
@@ -121,7 +123,7 @@ pub enum Objective {
     MinimalMeanCurvature,
 }
 
-/// How the area is minimised. `auto` takes the best of the others for the request at hand.
+/// Method that minimises the area. `auto` takes the best of the others for the request.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Solver {
@@ -135,7 +137,7 @@ pub enum Solver {
     Newton,
 }
 
-/// How fine the mesh is to be: exactly one of the three.
+/// Resolution of the mesh: exactly one of the three fields.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("minProperties" = 1, "maxProperties" = 1))]
@@ -160,7 +162,8 @@ impl Default for Resolution {
     }
 }
 
-/// Whether points may be added on the segments of the boundary (`refine`), or the mesh has the polygon's vertices only (`keep`).
+/// Whether points may be added on the segments of the boundary (`refine`), or the mesh has the polygon's vertices only
+/// (`keep`).
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum BoundarySampling {
@@ -183,11 +186,11 @@ impl Default for InitialMesh {
     }
 }
 
-/// How an initial mesh is made; the statistics say what `auto` chose.
+/// Construction of the initial mesh. The statistics name the one that `auto` chose.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum MadeMesh {
-    /// The best of the others for the boundaries at hand.
+    /// The best of the others for these boundaries.
     Auto,
     /// Delaunay triangles in the plane, where the projection is simple.
     Planar,
@@ -199,9 +202,10 @@ pub enum MadeMesh {
     Barycentres,
 }
 
-/// The client's own initial mesh: an oriented manifold whose boundary loops are `boundaries`, with or without further vertices
-/// on their segments. Or a film whose sheets meet three by three along edges with three triangles: its edges with one triangle
-/// must then be the segments of `boundaries`, which may share points. `resolution` means nothing in either case.
+/// The client's own initial mesh: an oriented manifold whose boundary loops are `boundaries`, with or without further
+/// vertices on their segments. Or a film whose sheets meet three by three along edges with three triangles: its edges
+/// with one triangle must then be the segments of `boundaries`, which may share points. `resolution` means nothing in
+/// either case.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GivenMesh {
@@ -212,7 +216,7 @@ pub struct GivenMesh {
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// Points and curves inside the surface that stay where they are, as mesh vertices and edges.
+/// Fixed points and curves inside the surface. They become vertices and edges of the mesh.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Constraints {
@@ -223,7 +227,8 @@ pub struct Constraints {
     pub polylines: Vec<Vec<Point>>,
 }
 
-/// `fixed`: the initial mesh's; `free`: necks may pinch; `best`: every spanning topology is solved, the least is returned.
+/// `fixed`: the initial mesh's; `free`: necks may pinch; `best`: every spanning topology is solved, the least is
+/// returned.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Topology {
@@ -233,7 +238,8 @@ pub enum Topology {
     Best,
 }
 
-/// What to do with a stationary surface that is no local minimum: say so, or leave it along its lowest mode.
+/// Treatment of a stationary surface that is not a local minimum: `report` says so in a warning, `descend` leaves it
+/// along its most unstable mode.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum OnUnstable {
@@ -316,9 +322,10 @@ impl MinimalSurfaceRequest {
     /// About how much memory solving it takes.
     #[must_use]
     pub fn memory_bytes(&self) -> u64 {
-        // Measured as the process's peak, mesh written out included: 650 bytes a triangle at most for area and Dirichlet energy
-        // (100,000 and 400,000 triangles, every solver), 6,740 for the least squares, whose normal matrix is dense with neighbours
-        // of neighbours. The rest is slack for factors, which grow a little faster than the mesh.
+        // Measured as the process's peak, mesh written out included: 650 bytes a triangle at most for area and
+        // Dirichlet energy (100,000 and 400,000 triangles, every solver), 6,740 for the least squares, whose normal
+        // matrix is dense with neighbours of neighbours. The rest is slack for factors, which grow a little faster than
+        // the mesh.
         let a_triangle = match self.objective {
             Objective::MinimalArea | Objective::MinimalDirichletEnergy => 1_000.0,
             Objective::MinimalMeanCurvature => 8_000.0,

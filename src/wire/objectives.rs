@@ -12,13 +12,13 @@ use std::sync::LazyLock;
 pub struct Objective {
     pub name: &'static str,
     pub kind: Kind,
-    /// What it minimises (or maximises), as a formula in words and symbols.
+    /// Quantity that is minimised or maximised, as a formula in words and symbols.
     pub minimises: &'static str,
-    /// Of the objective's value, with `u` for the client's unit.
+    /// Unit of the objective's value, where `u` is the client's unit.
     pub unit: &'static str,
     /// Author, section, equation.
     pub source: &'static str,
-    /// Fields of the request that change how it is solved.
+    /// Names of the request's fields that change the solution.
     pub options: Vec<&'static str>,
 }
 
@@ -35,30 +35,30 @@ pub fn objectives() -> ObjectiveList {
     ObjectiveList { objectives }
 }
 
-/// What one request may ask of this server.
+/// Limits of one request on this server.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Limits {
-    /// Bytes of a request's body.
+    /// Largest size of a request's body in bytes.
     pub body_bytes: usize,
-    /// Points of all polylines of a request.
+    /// Largest number of points of all polylines of a request.
     pub points: usize,
-    /// Triangles of a minimal surface or a uniform mesh.
+    /// Largest number of triangles of a minimal surface or a uniform mesh.
     pub triangles: usize,
-    /// Cells of the grids of all strips of a ruled surface.
+    /// Largest number of cells of the grids of all strips of a ruled surface.
     pub grid_cells: u64,
     /// Largest `max_iterations`.
     pub iterations: u32,
-    /// A solver that has not ended after this returns what it has reached.
+    /// Time that a solver has, in milliseconds. After it the solver returns the best mesh that it has reached.
     pub deadline_ms: u64,
-    /// Longest `Prefer: wait`, seconds.
+    /// Longest wait that `Prefer: wait` can ask for, in seconds.
     pub wait_max_s: u64,
-    /// Requests of one batch.
+    /// Largest number of requests of one batch.
     pub batch_requests: usize,
     /// Whether requests may name a `callback_url`.
     pub webhooks: bool,
-    /// Jobs that may wait.
+    /// Number of jobs that may wait in the queue.
     pub queue_length: usize,
-    /// Jobs and meshes are removed this long after they ended; 0: never.
+    /// Time in seconds after its end at which a job is removed with its mesh. 0 means never.
     pub retention_s: u64,
 }
 

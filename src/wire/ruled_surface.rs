@@ -13,20 +13,21 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RuledSurfaceRequest {
-    /// May say what the path says already; `plateau solve` needs it.
+    /// Optional here, because the path names the kind. `plateau solve` needs it.
     #[serde(default)]
     pub kind: Option<RuledSurfaceKind>,
-    /// Whether the kept result of an equal request may be taken.
+    /// Whether the stored result of an equal earlier request may be returned.
     #[serde(default)]
     pub cache: Cache,
-    /// An https URL that is told of the job's end, if this server does that: `webhooks` of `GET /v1/limits`.
+    /// URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+    /// `webhooks` of `GET /v1/limits`.
     #[serde(default)]
     #[schemars(length(max = 2000))]
     pub callback_url: Option<String>,
     /// Unit of the coordinates.
     #[serde(default)]
     pub units: Units,
-    /// Which axis points up.
+    /// Axis that points up.
     #[serde(default)]
     pub up: UpAxis,
     /// Polylines in order; one point alone is an apex.
@@ -38,17 +39,19 @@ pub struct RuledSurfaceRequest {
     /// One of the named objectives, or a weighted sum of them.
     #[serde(default)]
     pub objective: Goal,
-    /// With `maximal_convexity` only: what decides among the strips with the most convex bridges.
+    /// Only with `maximal_convexity`: objective that decides among the strips with the most convex bridges.
     #[serde(default)]
     pub secondary_objective: Option<SecondaryObjective>,
-    /// How far, in degrees, a direction may reach beyond the half-plane of a locally convex bridge; 0 is the exact answer.
+    /// Tolerance of the test for local convexity: angle in degrees by which a direction may reach beyond the
+    /// half-plane. 0 is the exact test.
     #[serde(default = "default_convexity_tolerance_deg")]
     #[schemars(range(min = 0, max = 45))]
     pub convexity_tolerance_deg: f64,
-    /// `auto`: a directrix is reversed where that is better; the job says which.
+    /// `auto` reverses a directrix if that improves the objective; the statistics name the reversed ones. `as_given`
+    /// reverses none.
     #[serde(default)]
     pub direction: Direction,
-    /// What closes the ends of a closed stack.
+    /// How the ends of a closed stack are closed.
     #[serde(default)]
     pub caps: Caps,
     /// Surface normals along the directrices, in their shape; `minimal_normal_variation` needs them.
@@ -65,7 +68,8 @@ pub struct RuledSurfaceRequest {
     pub sampling: Option<Sampling>,
 }
 
-/// A rule by which every directrix is resampled. `extras.input_vertices` then maps each given point to the nearest sample.
+/// A rule by which every directrix is resampled. `extras.input_vertices` then maps each given point to the nearest
+/// sample.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sampling {
@@ -80,8 +84,8 @@ pub struct Sampling {
     pub tolerance: Option<f64>,
 }
 
-/// `parameter`: uniform in the number of the point; `arc_length`: uniform along the polyline; `chord_height`: those of the
-/// given points that are needed to stay within `tolerance`.
+/// `parameter`: uniform in the number of the point; `arc_length`: uniform along the polyline; `chord_height`: those of
+/// the given points that are needed to stay within `tolerance`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SamplingRule {
@@ -138,7 +142,7 @@ fn default_convexity_tolerance_deg() -> f64 {
     1e-6
 }
 
-/// What decides among the strips with the most convex bridges, summed over the bridges that are not convex.
+/// Objective that decides among the strips with the most convex bridges, summed over the bridges that are not convex.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SecondaryObjective {
@@ -168,7 +172,7 @@ pub enum RuledSurfaceKind {
     RuledSurface,
 }
 
-/// What is made least; `GET /v1/objectives` has the formulas.
+/// Quantity that is minimised. `GET /v1/objectives` has the formulas.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Objective {
@@ -243,7 +247,8 @@ impl RuledSurfaceRequest {
         })
     }
 
-    /// Whether solving it takes about a millisecond at most. Closed strips and exact convexity may take more than their cells say.
+    /// Whether solving it takes about a millisecond at most. Closed strips and exact convexity may take more than their
+    /// cells say.
     #[must_use]
     pub fn is_quick(&self) -> bool {
         const QUICK_POINTS: usize = 1_000;
@@ -256,7 +261,8 @@ impl RuledSurfaceRequest {
         options.sampling.is_none() && geometry::estimate(&points, &options).cells <= QUICK_CELLS
     }
 
-    /// About how much memory solving it takes: the solver's own estimate, and points and triangles with what is said of them.
+    /// About how much memory solving it takes: the solver's own estimate, and points and triangles with what is said of
+    /// them.
     #[must_use]
     pub fn memory_bytes(&self) -> u64 {
         const BYTES_PER_POINT: u64 = 2_000;
@@ -340,29 +346,30 @@ pub fn objectives() -> Vec<ObjectiveDoc> {
         .collect()
 }
 
-/// What is reported about one strip, or about all of a stack together.
+/// Statistics of one strip, or of all strips of a stack together.
 /// Lengths in the request's unit, areas in its square, angles in degrees.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct StripStatistics {
-    /// The objective's value on it: for maximal convexity the number of convex bridges.
+    /// Value of the objective. For `maximal_convexity` it is the number of convex bridges.
     pub objective_value: f64,
-    /// Of couplings; null without.
+    /// Value of the secondary objective; null without one.
     pub secondary_value: Option<f64>,
     pub triangles: usize,
     pub bridges: usize,
     pub area: f64,
     /// Sum of 1 - n_p·n_q over the bridges (Wang-Tang, eq. 4).
     pub total_normal_twist: f64,
-    /// Bridges that are locally convex.
+    /// Number of bridges that are locally convex.
     pub convex_bridges: usize,
     pub convex_bridge_ratio: f64,
     pub bending_energy: f64,
     pub mean_curvature_variation: f64,
-    /// Null without normals.
+    /// Value of `minimal_normal_variation`; null without normals.
     pub normal_variation: Option<f64>,
     /// Largest angle between the normals of neighbouring triangles.
     pub largest_fold_deg: f64,
-    /// The same over the bridges that are not locally convex: 0 for a strip that can be developed.
+    /// Largest angle between the normals of neighbouring triangles at bridges that are not locally convex: 0 for a
+    /// strip that can be developed.
     pub developability_deviation_deg: f64,
     pub shortest_bridge: f64,
     pub longest_bridge: f64,
@@ -379,24 +386,26 @@ pub struct FlatPatternStatistics {
     pub height: f64,
 }
 
-/// What is reported about a ruled surface.
+/// Statistics of a ruled surface.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct RuledStatistics {
-    /// The objective's name; `weighted` for a weighted sum.
+    /// Name of the objective; `weighted` for a weighted sum.
     pub objective: &'static str,
+    /// Number of vertices of the mesh.
+    pub vertices: usize,
     #[serde(flatten)]
     pub total: StripStatistics,
-    /// The same for each strip, in order.
+    /// Statistics of each strip, in order.
     pub strips: Vec<StripStatistics>,
     /// Null for closed strips, which do not unroll.
     pub flat_pattern: Option<FlatPatternStatistics>,
-    /// Which directrices `direction: auto` reversed.
+    /// For each directrix, whether `direction: auto` reversed it.
     pub reversed: Vec<bool>,
-    /// With `all_objectives`: what each objective's own optimum gives (Wang-Tang's Table 1); else null.
+    /// With `all_objectives`: the statistics of each objective's optimum (Wang-Tang's Table 1); otherwise null.
     pub comparison: Option<Vec<Comparison>>,
 }
 
-/// A row of the comparison.
+/// Statistics of one objective's optimum.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Comparison {
     pub objective: &'static str,
@@ -432,6 +441,7 @@ impl RuledStatistics {
     pub fn of(surface: &geometry::RuledSurface, options: &geometry::Options) -> Self {
         Self {
             objective: options.objective.name(),
+            vertices: surface.mesh.vertices.len(),
             total: (&surface.statistics).into(),
             strips: surface.strips.iter().map(Into::into).collect(),
             flat_pattern: surface.flat_pattern.as_ref().map(|pattern| FlatPatternStatistics {

@@ -104,8 +104,8 @@ fn validator(kind: Kind) -> &'static Validator {
     &VALIDATORS[kind as usize]
 }
 
-/// Values of a body whose errors are gathered all at once: the validator makes every error before it hands out the first, half
-/// a kilobyte each.
+/// Values of a body whose errors are gathered all at once: the validator makes every error before it hands out the
+/// first, half a kilobyte each.
 const VALUES_AT_ONCE: usize = 20_000;
 
 /// Validates a body against the published schema of its kind.
@@ -156,8 +156,8 @@ fn prefix(value: &Value, length: usize) -> Value {
     }
 }
 
-/// The prefix of an invalid value up to about its first violation: short enough that what it adds to a valid prefix is at
-/// most about [`VALUES_AT_ONCE`] values. No schema asks for an array of more than 32 elements.
+/// The prefix of an invalid value up to about its first violation: short enough that what it adds to a valid prefix is
+/// at most about [`VALUES_AT_ONCE`] values. No schema asks for an array of more than 32 elements.
 fn first_wrong_part(validator: &Validator, value: &Value) -> Value {
     let longest = longest(value);
     let (mut valid, mut wrong) = (0, 32.min(longest));

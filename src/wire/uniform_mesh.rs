@@ -15,24 +15,25 @@ use std::collections::BTreeMap;
 /// Edges outside [ℓ, 2ℓ] that are listed one by one; `out_of_range_edges` counts them all.
 const LISTED_EDGES: usize = 200;
 
-/// A domain and the length that its members are to have.
+/// A domain, and the edge length of its mesh.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct UniformMeshRequest {
-    /// May say what the path says already; `plateau solve` needs it.
+    /// Optional here, because the path names the kind. `plateau solve` needs it.
     #[serde(default)]
     pub kind: Option<UniformMeshKind>,
-    /// Whether the kept result of an equal request may be taken.
+    /// Whether the stored result of an equal earlier request may be returned.
     #[serde(default)]
     pub cache: Cache,
-    /// An https URL that is told of the job's end, if this server does that: `webhooks` of `GET /v1/limits`.
+    /// URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+    /// `webhooks` of `GET /v1/limits`.
     #[serde(default)]
     #[schemars(length(max = 2000))]
     pub callback_url: Option<String>,
     /// Unit of the coordinates.
     #[serde(default)]
     pub units: Units,
-    /// Which axis points up.
+    /// Axis that points up.
     #[serde(default)]
     pub up: UpAxis,
     pub domain: Domain,
@@ -44,7 +45,7 @@ pub struct UniformMeshRequest {
     /// Whether the inner nodes of a curved domain move on the surface after meshing.
     #[serde(default = "yes")]
     pub optimise_nodes: bool,
-    /// What they move for.
+    /// Aim of moving the nodes.
     #[serde(default)]
     pub optimise: Optimise,
     /// With `optimise: lengths`: how many lengths may stand for all members.
@@ -132,7 +133,7 @@ pub struct Nurbs {
     pub trim_curves: Option<Vec<Value>>,
 }
 
-/// What counts; `GET /v1/objectives` says more.
+/// Quantity that is optimised. `GET /v1/objectives` has the formulas.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Objective {
@@ -281,8 +282,8 @@ impl UniformMeshRequest {
         (self.domain.to_geometry(), options)
     }
 
-    /// About how much memory solving takes: a triangle costs some 600 bytes with its members, their lengths and the archive,
-    /// and on a surface as much again for the sparse factor; a film's own mesh is bounded.
+    /// About how much memory solving takes: a triangle costs some 600 bytes with its members, their lengths and the
+    /// archive, and on a surface as much again for the sparse factor; a film's own mesh is bounded.
     #[must_use]
     pub fn memory_bytes(&self) -> u64 {
         let (domain, options) = self.to_geometry();
@@ -291,8 +292,8 @@ impl UniformMeshRequest {
         (triangles * a_triangle) as u64 + (64 << 20)
     }
 
-    /// For each polyline of a polygon the vertices that its points became; empty for other domains, whose points are not
-    /// nodes.
+    /// For each polyline of a polygon the vertices that its points became; empty for other domains, whose points are
+    /// not nodes.
     #[must_use]
     pub fn input_vertices(&self, mesh: &geometry::UniformMesh) -> Vec<Vec<u32>> {
         let Some(polygon) = &self.domain.polygon else { return Vec::new() };
@@ -378,13 +379,13 @@ pub struct LengthHistogram {
     pub counts: Vec<usize>,
 }
 
-/// What a number of lengths costs.
+/// Deviation of the members for one number of distinct lengths.
 #[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
 pub struct SharedLengths {
     pub lengths: usize,
     /// Largest difference between a member and the length that stands for it.
     pub deviation: f64,
-    /// The same before nodes moved for it.
+    /// Largest difference before the nodes moved.
     pub deviation_before: f64,
 }
 
@@ -397,7 +398,7 @@ pub struct OutOfRange {
     pub why: &'static str,
 }
 
-/// What is reported about a uniform mesh. Lengths in the request's unit, angles in degrees.
+/// Statistics of a uniform mesh. Lengths in the request's unit, angles in degrees.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct UniformStatistics {
     pub objective: &'static str,
@@ -412,21 +413,21 @@ pub struct UniformStatistics {
     /// Members within the tolerance of the edge length.
     pub equal_edges: usize,
     pub distinct_lengths: usize,
-    /// The tolerance behind the two counts.
+    /// Tolerance of `equal_edges` and `distinct_lengths`.
     pub length_tolerance: f64,
     pub out_of_range_edges: usize,
-    /// How many for each reason.
+    /// Number of members that are out of range, for each reason.
     pub out_of_range_reasons: BTreeMap<&'static str, usize>,
-    /// The first 200 of them.
+    /// The first 200 members that are out of range.
     pub out_of_range: Vec<OutOfRange>,
     pub converged: bool,
     pub angles_deg: AngleRange,
     pub length_histogram: LengthHistogram,
-    /// Entry k: how many nodes have k members.
+    /// Entry k is the number of nodes with k members.
     pub valence_histogram: Vec<usize>,
     /// Polygons: no mesh with members of at most twice the edge length has fewer nodes. Null for curved domains.
     pub node_lower_bound: Option<usize>,
-    /// Table 1, stage by stage.
+    /// Rows of Katoh, Ohsaki and Xu's Table 1, stage by stage.
     pub stages: Vec<Stage>,
     /// With `optimise: lengths`: deviation against the number of lengths, as far as it was tried.
     pub shared_lengths: Vec<SharedLengths>,

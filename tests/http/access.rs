@@ -10,7 +10,7 @@ struct Guarded {
     app: TestApp,
     alice: String,
     bob: String,
-    _secrets: TempDir,
+    secrets: TempDir,
 }
 
 pub async fn new_key(name: &str) -> (String, String) {
@@ -31,7 +31,7 @@ impl Guarded {
         let file = file.display().to_string();
         let environment: Vec<_> =
             environment.iter().copied().chain([("PLATEAU_AUTH__KEYS_FILE", file.as_str())]).collect();
-        Self { app: TestApp::start_with(&environment).await, alice, bob, _secrets: secrets }
+        Self { app: TestApp::start_with(&environment).await, alice, bob, secrets }
     }
 
     fn request(&self, key: &str, method: Method, path: &str) -> RequestBuilder {
@@ -221,4 +221,53 @@ async fn without_keys_only_loopback_is_listened_on() {
     let message = String::from_utf8(output.stderr).unwrap();
     assert!(message.contains("auth.keys_file") && message.contains("auth.open_without_keys"), "{message}");
     assert!(!data.exists(), "nothing was begun");
+}
+
+#[tokio::test]
+async fn keys_come_and_go_with_the_keys_file() {
+    let guarded = Guarded::start(&[]).await;
+    let (carol, line) = new_key("carol").await;
+    assert_eq!(guarded.status(&carol, Method::GET, "/v1/jobs").await, StatusCode::UNAUTHORIZED);
+    std::fs::write(guarded.secrets.path().join("keys"), format!("{line}\n")).unwrap();
+    // The file is looked at once a second.
+    while guarded.status(&carol, Method::GET, "/v1/jobs").await != StatusCode::OK {
+        tokio::time::sleep(std::time::Duration::from_millis(50)).await;
+    }
+    assert_eq!(guarded.status(&guarded.alice, Method::GET, "/v1/jobs").await, StatusCode::UNAUTHORIZED);
+    // Without any key left nobody is let in, rather than everybody.
+    std::fs::write(guarded.secrets.path().join("keys"), "").unwrap();
+    while guarded.status(&carol, Method::GET, "/v1/jobs").await != StatusCode::UNAUTHORIZED {
+        tokio::time::sleep(std::time::Duration::from_millis(50)).await;
+    }
+    assert_eq!(guarded.app.get("/v1/jobs").await.status(), StatusCode::UNAUTHORIZED);
+}
+
+#[tokio::test]
+async fn a_foreign_page_changes_nothing() {
+    let app =
+        TestApp::start_with(&[("PLATEAU_WORKERS", "0"), ("PLATEAU_HTTP__CORS_ORIGINS", "https://cad.example")]).await;
+    let job: Value = app.post(MINIMAL, &small_film(0.1)).await.json().await.unwrap();
+    let this = job["links"]["self"].as_str().unwrap();
+    let cancel = job["links"]["cancel"].as_str().unwrap();
+    let foreign = [("origin", "https://evil.example"), ("sec-fetch-site", "cross-site"), ("origin", "null")];
+    for (method, path) in
+        [(Method::POST, cancel), (Method::DELETE, this), (Method::POST, MINIMAL), (Method::POST, "/v1/batches")]
+    {
+        for (name, value) in foreign {
+            let response = app.request(method.clone(), path).header(name, value).send().await.unwrap();
+            let refused = app::problem(response, 403).await;
+            assert_eq!(refused["type"], "/problems/foreign-page", "{method} {path} {name}: {value}");
+        }
+    }
+    assert_eq!(app.get_json(this).await["status"], "queued");
+    // A look changes nothing, and the server's own pages, named origins and other programs may do everything.
+    let look = app.request(Method::GET, this).header("sec-fetch-site", "cross-site").send().await.unwrap();
+    assert_eq!(look.status(), StatusCode::OK);
+    let own = app.url.clone();
+    for (name, value) in
+        [("origin", own.as_str()), ("sec-fetch-site", "same-origin"), ("origin", "https://cad.example")]
+    {
+        let response = app.request(Method::POST, cancel).header(name, value).send().await.unwrap();
+        assert_eq!(response.status(), StatusCode::OK, "{name}: {value}");
+    }
 }

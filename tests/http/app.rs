@@ -51,6 +51,7 @@ impl TestApp {
             .args(["--listen", "127.0.0.1:0", "--data"])
             .arg(folder.path().join("data"))
             .env("PLATEAU_LOG__LEVEL", "warn")
+            .env("PLATEAU_HTTP__SHUTDOWN_NOTICE_MS", "0")
             .envs(environment.iter().copied())
             .stdout(Stdio::piped())
             .spawn()
@@ -85,9 +86,19 @@ impl TestApp {
 
     /// Posts, waits, and demands success.
     pub async fn solve(&self, path: &str, body: &Value) -> Value {
-        let response = self.post_waiting(path, body).await;
-        let (status, job) = (response.status(), response.json::<Value>().await.expect("JSON"));
-        assert_eq!((status, job["status"].as_str()), (StatusCode::OK, Some("succeeded")), "{job:#}");
+        let job: Value = self.post_waiting(path, body).await.json().await.expect("JSON");
+        let job = self.ended(job).await;
+        assert_eq!(job["status"], "succeeded", "{job:#}");
+        job
+    }
+
+    /// Waits for a job's end, however long that takes.
+    pub async fn ended(&self, mut job: Value) -> Value {
+        while ["queued", "running"].contains(&job["status"].as_str().expect("a job")) {
+            let this = job["links"]["self"].as_str().expect("a link");
+            let waiting = self.request(Method::GET, this).header("prefer", "wait=60").send();
+            job = waiting.await.expect("an answer").json().await.expect("JSON");
+        }
         job
     }
 
@@ -99,10 +110,20 @@ impl TestApp {
         line.split_whitespace().nth(1).expect("a number").parse::<u64>().expect("a number") * 1024
     }
 
-    /// SIGTERM, and the exit status.
-    pub async fn stop(mut self) -> (std::process::ExitStatus, TempDir) {
+    /// SIGTERM.
+    pub async fn terminate(&self) {
         let id = self.child.id().expect("the server runs").to_string();
         assert!(Command::new("kill").args(["-TERM", &id]).status().await.expect("kill").success());
+    }
+
+    /// SIGTERM, and the exit status.
+    pub async fn stop(self) -> (std::process::ExitStatus, TempDir) {
+        self.terminate().await;
+        self.exited().await
+    }
+
+    /// The exit status of a server that was told to stop.
+    pub async fn exited(mut self) -> (std::process::ExitStatus, TempDir) {
         (self.child.wait().await.expect("an exit status"), self.folder)
     }
 
@@ -153,6 +174,17 @@ pub fn large_strip(n: usize) -> Value {
     json!({ "directrices": [rail(0.0, 0.0), rail(4.0, 1.0)], "objective": "minimal_bending_energy" })
 }
 
+/// A film whose solver would go on for hours.
+pub fn endless_film(height: f64) -> Value {
+    let mut film = small_film(height);
+    film["solver"] = "vertex_relaxation".into();
+    film["resolution"]["triangles"] = 20_000.into();
+    film["tolerance"] = 1e-15.into();
+    film["area_tolerance"] = 1e-15.into();
+    film["max_iterations"] = 1_000_000.into();
+    film
+}
+
 /// Asserts that a response is a problem document of this status, and returns it.
 pub async fn problem(response: Response, status: u16) -> Value {
     let path = response.url().path().to_owned();
@@ -162,7 +194,7 @@ pub async fn problem(response: Response, status: u16) -> Value {
     let problem: Value = response.json().await.expect("JSON");
     assert_eq!(problem["status"], status);
     assert_eq!(problem["instance"], path);
-    assert!(problem["type"].as_str().is_some_and(|kind| kind.starts_with("/problems/")));
+    assert!(problem["type"].as_str().is_some_and(|kind| kind.contains("/problems/")));
     assert!(problem["title"].is_string() && problem["detail"].is_string());
     problem
 }

@@ -174,3 +174,13 @@ async fn the_same_key_and_body_give_the_same_batch() {
     assert_eq!(first["id"], again["id"]);
     problem(post(json!({ "requests": [film(0.2)] })).await, 422).await;
 }
+
+#[tokio::test]
+async fn a_missing_batch_is_called_a_batch() {
+    let app = TestApp::start().await;
+    for path in ["/v1/batches/01J00000000000000000000000", "/v1/batches/none"] {
+        assert_eq!(problem(app.get(path).await, 404).await["detail"], "no such batch");
+        let removal = app.request(Method::DELETE, path).send().await.unwrap();
+        assert_eq!(problem(removal, 404).await["detail"], "no such batch");
+    }
+}

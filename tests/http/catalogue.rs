@@ -40,9 +40,26 @@ async fn the_pages_load_without_anything_from_elsewhere() {
         let html = response.text().await.unwrap();
         assert!(!html.contains("src=\"http") && !html.contains("href=\"http"), "{path} loads something from elsewhere");
     }
-    let script = app.get("/docs/swagger-initializer.js").await.text().await.unwrap();
-    assert!(script.contains("../openapi.json") && script.contains("\"validatorUrl\": \"none\""), "{script}");
+    let script = app.get("/docs/start.js").await.text().await.unwrap();
+    assert!(script.contains("../openapi.json") && script.contains("validatorUrl: \"none\""), "{script}");
     assert_eq!(app.get("/docs/swagger-ui-bundle.js").await.status(), 200);
+    assert_eq!(app.get("/docs/missing.js").await.status(), 404);
+}
+
+#[tokio::test]
+async fn every_answer_tells_browsers_to_guess_nothing_and_to_run_nothing_foreign() {
+    let app = TestApp::start().await;
+    for path in ["/", "/docs/", "/docs/swagger-ui.css", "/studio/missing", "/openapi.json", "/problems/not-found", "/x"]
+    {
+        let headers = app.get(path).await.headers().clone();
+        assert_eq!(headers["x-content-type-options"], "nosniff", "{path}");
+        let policy = headers["content-security-policy"].to_str().unwrap();
+        assert!(
+            policy.starts_with("default-src 'none'") || policy.starts_with("default-src 'self'"),
+            "{path}: {policy}"
+        );
+        assert!(!policy.contains("unsafe") && policy.contains("frame-ancestors 'none'"), "{path}: {policy}");
+    }
 }
 
 #[tokio::test]

@@ -95,3 +95,18 @@ async fn a_valid_configuration_passes_its_check() {
         binary().arg("--check-config").arg("--config").arg(root().join("config/default.toml")).output().await.unwrap();
     assert!(run.status.success());
 }
+
+#[cfg(not(feature = "s3"))]
+#[tokio::test]
+async fn a_program_without_buckets_says_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut command = binary();
+    command
+        .env("PLATEAU_STORE__RESULTS", "s3://bucket/prefix")
+        .args(["--listen", "127.0.0.1:0", "--data"])
+        .arg(folder.path());
+    let run = command.output().await.unwrap();
+    assert_eq!(run.status.code(), Some(2));
+    let message = String::from_utf8_lossy(&run.stderr).into_owned();
+    assert!(message.contains("store.results") && message.contains("--features s3"), "{message}");
+}

@@ -69,6 +69,13 @@ async fn a_finished_job_tells_its_end_at_once() {
     assert_eq!(list.last().unwrap().data, job);
     let statuses: Vec<&str> = list.iter().map(|event| event.data["status"].as_str().unwrap()).collect();
     assert_eq!(statuses, ["queued", "running", "succeeded"]);
+    // Each is the job as it was then.
+    for event in &list {
+        let fields = |value: &Value| value.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
+        assert_eq!((&event.data["id"], fields(&event.data)), (&job["id"], fields(&job)), "{}", event.data);
+    }
+    assert!(list[0].data["started_at"].is_null() && list[1].data["started_at"].is_string());
+    assert!(list[..2].iter().all(|event| event.data["finished_at"].is_null() && event.data["statistics"].is_null()));
 }
 
 #[tokio::test]

@@ -164,7 +164,8 @@ async fn a_film_with_a_triple_junction_comes_out_in_every_format() {
     let header = String::from_utf8_lossy(&ply[..400.min(ply.len())]).into_owned();
     assert!(header.contains(&format!("element vertex {vertices}")) && header.contains(&format!("face {triangles}")));
     assert_eq!(format("stl").await.len(), 84 + 50 * triangles);
-    // glTF: three sheets have a vertex each where they meet, with normals of their own; the junction is a line of its own.
+    // glTF: three sheets have a vertex each where they meet, with normals of their own; the junction is a line of its
+    // own.
     let gltf: Value = serde_json::from_slice(&format("gltf").await).unwrap();
     let names: Vec<&Value> = gltf["nodes"].as_array().unwrap().iter().map(|node| &node["name"]).collect();
     assert_eq!(names, ["surface", "boundaries", "junctions"]);

@@ -1,7 +1,8 @@
 //! Health, metrics, request ids.
 
-use crate::app::{MINIMAL, TestApp, small_film};
+use crate::app::{MINIMAL, TestApp, endless_film, small_film};
 use reqwest::Method;
+use serde_json::Value;
 
 #[tokio::test]
 async fn a_started_server_is_live_and_ready() {
@@ -25,10 +26,23 @@ async fn metrics_count_jobs_requests_and_the_queue() {
         "plateau_queue_wait_seconds_count{kind=\"minimal_surface\"} 1",
         "plateau_queue_length 0",
         "plateau_jobs_running 0",
+        "plateau_build_info{version=\"0.1.0\"} 1",
         "plateau_http_requests_total{method=\"any\",route=\"unmatched\",status=\"404\"} 1",
         "plateau_http_requests_total{method=\"POST\",route=\"/v1/minimal-surfaces\",status=\"200\"} 1",
     ] {
         assert!(text.lines().any(|found| found == line), "{line} is not in\n{text}");
+    }
+    for name in [
+        "process_cpu_seconds_total",
+        "process_resident_memory_bytes",
+        "process_virtual_memory_bytes",
+        "process_open_fds",
+        "process_max_fds",
+        "process_threads",
+        "process_start_time_seconds",
+    ] {
+        let value = text.lines().find_map(|line| line.strip_prefix(name)?.trim().parse::<f64>().ok());
+        assert!(value.is_some_and(|value| value > 0.0), "{name} is not in\n{text}");
     }
 }
 
@@ -39,4 +53,27 @@ async fn a_request_id_comes_back_and_a_strange_one_is_replaced() {
     assert_eq!(ask("my-id-7").await.unwrap().headers()["x-request-id"], "my-id-7");
     let replaced = ask("with blanks").await.unwrap().headers()["x-request-id"].to_str().unwrap().to_owned();
     assert_eq!(replaced.len(), 26);
+}
+
+#[tokio::test]
+async fn cancelled_jobs_are_counted_once_whether_they_ran_or_waited() {
+    let app = TestApp::start_with(&[("PLATEAU_WORKERS", "1")]).await;
+    let running: Value = app.post(MINIMAL, &endless_film(0.1)).await.json().await.unwrap();
+    while app.get_json(running["links"]["self"].as_str().unwrap()).await["status"] != "running" {}
+    let queued: Value = app.post(MINIMAL, &small_film(0.2)).await.json().await.unwrap();
+    for job in [&running, &queued, &running] {
+        app.request(Method::POST, job["links"]["cancel"].as_str().unwrap()).send().await.unwrap();
+    }
+    // Once this one has ended, the worker has let go of the first.
+    app.solve(MINIMAL, &small_film(0.3)).await;
+    let text = app.get("/metrics").await.text().await.unwrap();
+    let mut jobs: Vec<&str> = text.lines().filter(|line| line.starts_with("plateau_jobs_total{")).collect();
+    jobs.sort_unstable();
+    assert_eq!(
+        jobs,
+        [
+            "plateau_jobs_total{kind=\"minimal_surface\",status=\"cancelled\"} 2",
+            "plateau_jobs_total{kind=\"minimal_surface\",status=\"succeeded\"} 1",
+        ]
+    );
 }

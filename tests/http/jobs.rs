@@ -1,7 +1,8 @@
 //! Listing jobs.
 
-use crate::app::{MINIMAL, RULED, TestApp, example, small_film};
-use serde_json::Value;
+use crate::app::{MINIMAL, RULED, TestApp, example, problem, small_film};
+use reqwest::Method;
+use serde_json::{Value, json};
 
 #[tokio::test]
 async fn jobs_are_listed_newest_first_page_by_page_and_filtered() {
@@ -30,4 +31,60 @@ async fn jobs_are_listed_newest_first_page_by_page_and_filtered() {
     assert_eq!(count("status=queued").await, 6);
     assert_eq!(count("status=succeeded").await, 0);
     assert_eq!(count("status=queued&kind=minimal_surface&limit=200").await, 5);
+}
+
+#[tokio::test]
+async fn a_list_has_no_statistics() {
+    let app = TestApp::start().await;
+    let job = app.solve(RULED, &example("wavy-strip")).await;
+    let list = app.get_json("/v1/jobs").await;
+    let mut summary = job.clone();
+    assert!(summary.as_object_mut().unwrap().remove("statistics").is_some());
+    assert_eq!(list["jobs"], json!([summary]));
+}
+
+#[tokio::test]
+async fn a_job_whose_id_never_arrived_is_found_by_its_idempotency_key() {
+    let app = TestApp::start_with(&[("PLATEAU_WORKERS", "0")]).await;
+    let post = |key: &'static str, height: f64| {
+        app.request(Method::POST, MINIMAL).header("idempotency-key", key).json(&small_film(height)).send()
+    };
+    let job: Value = post("a&b=c/1", 0.1).await.unwrap().json().await.unwrap();
+    post("other", 0.2).await.unwrap();
+    app.post(MINIMAL, &small_film(0.3)).await;
+    let list = app.get_json("/v1/jobs?idempotency_key=a%26b%3Dc%2F1").await;
+    let ids: Vec<&Value> = list["jobs"].as_array().unwrap().iter().map(|found| &found["id"]).collect();
+    assert_eq!(ids, [&job["id"]]);
+    assert_eq!(app.get_json("/v1/jobs?idempotency_key=unknown").await["jobs"], json!([]));
+    problem(app.get("/v1/jobs?idempotency_key=").await, 400).await;
+}
+
+#[tokio::test]
+async fn an_id_may_be_written_in_lower_case() {
+    let app = TestApp::start_with(&[("PLATEAU_WORKERS", "0")]).await;
+    let job: Value = app.post(MINIMAL, &small_film(0.1)).await.json().await.unwrap();
+    let lower = format!("/v1/jobs/{}", job["id"].as_str().unwrap().to_lowercase());
+    assert_eq!(app.get_json(&lower).await, job);
+    assert_eq!(app.request(Method::DELETE, &lower).send().await.unwrap().status(), 204);
+}
+
+#[tokio::test]
+async fn a_failed_job_says_where_its_failure_is_explained_and_links_to_no_mesh() {
+    let settings = [("PLATEAU_JOBS__DEADLINE_MS", "1"), ("PLATEAU_HTTP__PUBLIC_BASE_PATH", "/plateau")];
+    let app = TestApp::start_with(&settings).await;
+    let mut film = small_film(0.1);
+    film["resolution"]["triangles"] = 200_000.into();
+    let job: Value = app.post(MINIMAL, &film).await.json().await.unwrap();
+    assert!(job["links"]["mesh"].is_string());
+    let job = app.ended(job).await;
+    assert_eq!(
+        (job["status"].as_str(), job["error"]["type"].as_str()),
+        (Some("failed"), Some("/plateau/problems/deadline"))
+    );
+    let text = app.get(job["error"]["type"].as_str().unwrap()).await.text().await.unwrap();
+    assert_eq!(text, "failed job: The deadline passed\n");
+    assert!(job["links"].get("mesh").is_none() && job["links"]["self"].is_string());
+    let missing: Value = app.get("/plateau/nothing").await.json().await.unwrap();
+    assert_eq!(missing["type"], "/plateau/problems/not-found");
+    assert_eq!(app.get(missing["type"].as_str().unwrap()).await.status(), 200);
 }

@@ -49,7 +49,7 @@ async fn sixty_four_clients_lose_nothing_and_memory_stays_flat() {
                         continue;
                     }
                     assert!(response.status().is_success(), "{}", response.status());
-                    let job: Value = response.json().await.unwrap();
+                    let job = app.ended(response.json().await.unwrap()).await;
                     assert_eq!(job["status"], "succeeded", "{job}");
                     if !film {
                         let area = job["statistics"]["area"].as_f64().unwrap();

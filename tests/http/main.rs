@@ -4,11 +4,12 @@ mod access;
 mod app;
 mod base_path;
 mod batches;
+#[cfg(feature = "s3")]
 mod bucket;
-
 mod cancel;
 mod catalogue;
 mod command_line;
+mod connections;
 mod errors;
 mod events;
 mod examples;
@@ -24,6 +25,7 @@ mod openapi;
 mod prefer;
 mod restart;
 mod ruled_surfaces;
+mod shutdown;
 mod studio;
 mod uniform_meshes;
 mod webhooks;

@@ -1,6 +1,7 @@
 //! The API document: committed, served and printed are one.
 
 use crate::app::{TestApp, binary, root};
+use reqwest::Method;
 use serde_json::Value;
 
 #[tokio::test]
@@ -43,5 +44,37 @@ async fn every_reference_resolves_and_every_response_is_described() {
                 assert!(response["description"].is_string(), "{method} {path} {status}");
             }
         }
+    }
+}
+
+/// Every documented path takes exactly the documented methods, and every parameter of a path is described.
+#[tokio::test]
+async fn the_server_takes_the_methods_that_the_document_has() {
+    let app = TestApp::start().await;
+    let document = app.get_json("/openapi.json").await;
+    for (path, item) in document["paths"].as_object().unwrap() {
+        let item = item.as_object().unwrap();
+        let mut documented: Vec<String> = item.keys().map(|method| method.to_uppercase()).collect();
+        if item.contains_key("get") {
+            documented.push("HEAD".into());
+        }
+        documented.sort();
+        let concrete = path.split('/').map(|part| if part.starts_with('{') { "x" } else { part }).collect::<Vec<_>>();
+        let response = app.request(Method::PATCH, &concrete.join("/")).send().await.unwrap();
+        assert_eq!(response.status(), 405, "{path}");
+        let mut allowed: Vec<&str> = response.headers()["allow"].to_str().unwrap().split(',').collect();
+        allowed.sort_unstable();
+        assert_eq!(allowed, documented, "{path}");
+        for part in path.split('/').filter_map(|part| part.strip_prefix('{')) {
+            let name = part.trim_end_matches('}');
+            for operation in item.values() {
+                let parameters = operation["parameters"].as_array().unwrap();
+                let found = parameters.iter().any(|parameter| parameter["in"] == "path" && parameter["name"] == name);
+                assert!(found, "{path}: {name} is not described");
+            }
+        }
+    }
+    for path in ["/problems/{name}", "/docs/", "/docs/{file}", "/studio/{file}"] {
+        assert!(document["paths"].get(path).is_some(), "{path} is not documented");
     }
 }

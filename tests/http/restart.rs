@@ -1,13 +1,7 @@
 //! A job accepted is a job answered: over a shutdown, and over a death.
 
 use crate::app::{MINIMAL, RULED, TestApp, large_strip, small_film};
-use reqwest::Method;
 use serde_json::Value;
-
-async fn waited(app: &TestApp, job: &Value) -> Value {
-    let this = job["links"]["self"].as_str().unwrap();
-    app.request(Method::GET, this).header("prefer", "wait=60").send().await.unwrap().json().await.unwrap()
-}
 
 #[tokio::test]
 async fn a_second_start_finishes_what_a_shutdown_handed_back() {
@@ -19,7 +13,7 @@ async fn a_second_start_finishes_what_a_shutdown_handed_back() {
     assert_eq!(status.code(), Some(0));
     let app = TestApp::start_in(folder, &[]).await;
     for job in [running, queued] {
-        assert_eq!(waited(&app, &job).await["status"], "succeeded");
+        assert_eq!(app.ended(job).await["status"], "succeeded");
     }
 }
 
@@ -35,6 +29,6 @@ async fn a_second_start_finishes_what_a_killed_server_left() {
     let folder = app.kill().await;
     let app = TestApp::start_in(folder, &settings).await;
     for job in accepted {
-        assert_eq!(waited(&app, &job).await["status"], "succeeded");
+        assert_eq!(app.ended(job).await["status"], "succeeded");
     }
 }

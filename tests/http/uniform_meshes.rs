@@ -120,8 +120,9 @@ async fn an_edge_length_is_all_that_a_domain_needs_and_units_reach_the_mesh() {
 }
 
 /// Katoh, Ohsaki and Xu's Table 1 rebuilt, row by row, on the committed roofs and film; `--nocapture` prints it. Their
-/// optimisation takes the lattice group's deviation from 0.2780 to 0.1915 (0.69) and its range from 1.9929 to 1.0492 (0.53), with
-/// 774 of 954 members in it and one of the rim stretched to 13.4; ours has to do as well with every rim member in [5, 10].
+/// optimisation takes the lattice group's deviation from 0.2780 to 0.1915 (0.69) and its range from 1.9929 to 1.0492
+/// (0.53), with 774 of 954 members in it and one of the rim stretched to 13.4; ours has to do as well with every rim
+/// member in [5, 10].
 #[tokio::test]
 async fn table_1_is_rebuilt_on_roofs_and_film() {
     let app = TestApp::start().await;

@@ -2,30 +2,35 @@
 
 use super::jobs::{checked, parameters};
 use super::mesh::{answer as file_answer, choose_named, describe};
-use super::submit::{answer, granted_wait_s, idempotency_key, with_wait};
-use crate::app::App;
+use super::submit::{answer, granted_wait_s, idempotency_key, submission_entry, with_wait};
 use crate::export::MeshFormat;
-use crate::http::auth::Caller;
+use crate::http::access::Caller;
 use crate::http::body;
+use crate::http::entry::{
+    id_parameter, json_response, prefer_parameter, query_parameter, representation, with_problems,
+};
 use crate::http::negotiate::none_match_hits;
 use crate::http::problem::Failure;
+use crate::http::state::App;
 use crate::jobs::batch::Submitted;
 use crate::wire::batch::Batch;
+use crate::wire::schema;
 use axum::Json;
 use axum::body::Body;
 use axum::extract::{Path, RawQuery, State};
 use axum::http::{HeaderMap, HeaderValue, Request, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use futures_util::TryStreamExt;
+use serde_json::{Value, json};
 use std::time::Duration;
 
-/// What a batch's meshes come as: `(name, media type)`.
+/// Formats of a batch's meshes: `(name, media type)`.
 pub const FORMATS: [(&str, &str); 2] = [("zip", "application/zip"), ("glb", "model/gltf-binary")];
 
 pub async fn submit(State(app): State<App>, caller: Caller, request: Request<Body>) -> Result<Response, Failure> {
     let wait_s = granted_wait_s(&app, request.headers());
     let key = idempotency_key(request.headers())?;
-    // A key may name a batch that is there already, however full the queue.
+    // The idempotency key may name a batch that exists already, so a full queue is no reason to refuse.
     if key.is_none() {
         app.jobs.check_room(caller.owner()).await?;
     }
@@ -49,13 +54,35 @@ pub async fn submit(State(app): State<App>, caller: Caller, request: Request<Bod
     Ok(with_wait(answer(status, &location, batch), wait_s))
 }
 
+pub fn submit_entry() -> Value {
+    let example = json!({ "requests": [
+        { "kind": "ruled_surface", "directrices": [[[0, 0, 0], [1, 0, 0.2], [2, 0, 0]], [[0, 1, 0], [2, 1, 0.5]]] },
+        { "kind": "minimal_surface", "boundaries": [[[0, 0, 0], [1, 0, 0.5], [1, 1, 0], [0, 1, 0.5]]], "resolution": { "triangles": 200 } },
+    ] });
+    let examples = json!({ "mixed": { "summary": "A strip and a film", "value": example } });
+    let mut post = submission_entry(schema::BATCH, "Batch", examples);
+    post["operationId"] = "postBatch".into();
+    post["summary"] = "Many requests at once: all are taken or none".into();
+    post["responses"]["202"]["links"] =
+        json!({ "batch": { "operationId": "getBatch", "parameters": { "id": "$response.body#/id" } } });
+    post
+}
+
+/// The entry of an operation on one batch.
+fn one(operation: &str, summary: &str, parameters: &[Value], responses: Value, problems: &[(&str, &str)]) -> Value {
+    let parameters = [&[id_parameter("batch")], parameters].concat();
+    let always = [("404", "NotFound"), ("410", "Gone"), ("503", "Unavailable")];
+    json!({ "operationId": operation, "tags": ["batches"], "summary": summary, "parameters": parameters,
+        "responses": with_problems(responses, &[&always, problems].concat()) })
+}
+
 pub async fn get(
     State(app): State<App>,
     caller: Caller,
     Path(id): Path<String>,
     headers: HeaderMap,
 ) -> Result<Response, Failure> {
-    let id = checked_batch(&id)?;
+    let id = &checked_batch(&id)?;
     let wait_s = granted_wait_s(&app, &headers);
     let batch = match wait_s {
         Some(wait_s) => app.jobs.wait_for_batch(id, caller.owner(), Duration::from_secs(wait_s)).await?,
@@ -68,13 +95,28 @@ pub async fn get(
     Ok(with_wait(response, wait_s))
 }
 
+pub fn get_entry() -> Value {
+    let ok = json!({ "200": json_response("The batch as it is now, or as it ended within the wait", "Batch") });
+    one("getBatch", "The batch: one status, and its jobs", &[prefer_parameter()], ok, &[])
+}
+
 pub async fn cancel(State(app): State<App>, caller: Caller, Path(id): Path<String>) -> Result<Json<Batch>, Failure> {
-    Ok(Json(app.jobs.cancel_batch(checked_batch(&id)?, caller.owner()).await?))
+    Ok(Json(app.jobs.cancel_batch(&checked_batch(&id)?, caller.owner()).await?))
+}
+
+pub fn cancel_entry() -> Value {
+    let ok = json!({ "200": json_response("The batch", "Batch") });
+    one("cancelBatch", "Cancels every job that has not ended", &[], ok, &[])
 }
 
 pub async fn delete(State(app): State<App>, caller: Caller, Path(id): Path<String>) -> Result<StatusCode, Failure> {
-    app.jobs.delete_batch(checked_batch(&id)?, caller.owner()).await?;
+    app.jobs.delete_batch(&checked_batch(&id)?, caller.owner()).await?;
     Ok(StatusCode::NO_CONTENT)
+}
+
+pub fn delete_entry() -> Value {
+    let removed = json!({ "204": { "description": "Removed" } });
+    one("deleteBatch", "Cancels what has not ended, removes jobs and meshes", &[], removed, &[])
 }
 
 pub async fn meshes(
@@ -84,7 +126,7 @@ pub async fn meshes(
     RawQuery(query): RawQuery,
     headers: HeaderMap,
 ) -> Result<Response, Failure> {
-    let id = checked_batch(&id)?;
+    let id = &checked_batch(&id)?;
     let [format, mesh_format] = parameters(query.as_deref(), ["format", "mesh_format"])?;
     let (name, media_type) = FORMATS[choose_named(format, &headers, &FORMATS.map(|f| f.0), &FORMATS.map(|f| f.1))?];
     let mesh_format = match mesh_format {
@@ -103,7 +145,7 @@ pub async fn meshes(
     let mut response = if none_match_hits(&headers, &tag) {
         StatusCode::NOT_MODIFIED.into_response()
     } else {
-        // An archive that cannot be completed ends the connection: the client sees that it is not whole.
+        // If the archive cannot be completed, the connection ends early, so that the client sees that the file is not whole.
         let archive = meshes.archive(mesh_format)?.map_err(|error| std::io::Error::other(format!("{error:?}")));
         Response::new(Body::from_stream(archive))
     };
@@ -111,6 +153,19 @@ pub async fn meshes(
     Ok(response)
 }
 
-fn checked_batch(id: &str) -> Result<&str, Failure> {
+pub fn meshes_entry() -> Value {
+    let description =
+        "A ZIP of every mesh with `batch.json`, which says what became of each request; or all meshes in one GLB scene";
+    let (format, responses) = representation(&FORMATS, "zip", description, &[]);
+    let mesh_format = query_parameter(
+        "mesh_format",
+        "Format of the meshes of a ZIP. The default is `glb`. A scene is always GLB.",
+        json!({ "type": "string", "enum": MeshFormat::ALL.map(MeshFormat::name) }),
+    );
+    let problems = [("400", "BadRequest"), ("406", "NotAcceptable"), ("409", "NoMesh"), ("422", "Invalid")];
+    one("getBatchMeshes", "All meshes in one file", &[format, mesh_format], responses, &problems)
+}
+
+fn checked_batch(id: &str) -> Result<String, Failure> {
     checked(id).map_err(|_| Failure::not_found("no such batch"))
 }

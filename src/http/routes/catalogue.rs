@@ -1,26 +1,39 @@
 //! What this server offers: objectives, limits, examples, the API document and its page.
 
-use crate::app::App;
-use crate::http::openapi;
+use crate::http::entry::{json_response, name_parameter, plain_get, reference, with_problems};
 use crate::http::problem::Failure;
+use crate::http::state::App;
+use crate::wire::job::FAILURES;
 use crate::wire::objectives::{self, Example, ExampleList, Limits, ObjectiveList};
 use axum::Json;
 use axum::extract::{Path, State};
 use axum::http::header;
-use axum::response::{IntoResponse, Redirect, Response};
-use std::sync::{Arc, LazyLock};
-use utoipa_swagger_ui::Config as SwaggerConfig;
+use axum::response::{IntoResponse, Response};
+use serde_json::{Value, json};
+use std::fmt::Write;
 
 pub async fn objectives() -> Json<ObjectiveList> {
     Json(objectives::objectives())
+}
+
+pub fn objectives_entry() -> Value {
+    plain_get("catalogue", "listObjectives", "What can be asked for", "application/json", &reference("ObjectiveList"))
 }
 
 pub async fn limits(State(app): State<App>) -> Json<Limits> {
     Json(Limits::of(&app.config))
 }
 
+pub fn limits_entry() -> Value {
+    plain_get("catalogue", "getLimits", "What one request may cost here", "application/json", &reference("Limits"))
+}
+
 pub async fn examples() -> Json<ExampleList> {
     Json(objectives::example_list())
+}
+
+pub fn examples_entry() -> Value {
+    plain_get("catalogue", "listExamples", "Ready requests", "application/json", &reference("ExampleList"))
 }
 
 pub async fn example(Path(name): Path<String>) -> Result<Json<&'static Example>, Failure> {
@@ -28,41 +41,43 @@ pub async fn example(Path(name): Path<String>) -> Result<Json<&'static Example>,
     found.map(Json).ok_or_else(|| Failure::not_found("no example of this name; see GET /v1/examples"))
 }
 
+pub fn example_entry() -> Value {
+    let names: Vec<&str> = objectives::examples().iter().map(|example| example.name).collect();
+    json!({ "operationId": "getExample", "tags": ["catalogue"], "summary": "A ready request",
+        "parameters": [name_parameter("name", "The example's name.", &names)],
+        "responses": with_problems(json!({ "200": json_response("The request", "Example") }), &[("404", "NotFound")]) })
+}
+
 pub async fn openapi(State(app): State<App>) -> Response {
-    let text = openapi::served_at(&app.config.http.public_base_path);
-    ([(header::CONTENT_TYPE, "application/json")], text).into_response()
+    ([(header::CONTENT_TYPE, "application/json")], app.document.to_string()).into_response()
 }
 
-/// The page's files are named relative to it, so it lives one level down.
-pub async fn docs() -> Redirect {
-    Redirect::to("docs/")
+pub fn openapi_entry() -> Value {
+    plain_get("catalogue", "getOpenApi", "This document", "application/json", &json!({ "type": "object" }))
 }
 
-pub async fn docs_file(Path(file): Path<String>) -> Result<Response, Failure> {
-    docs_asset(&file)
-}
-
-pub async fn docs_index() -> Result<Response, Failure> {
-    docs_asset("index.html")
-}
-
-fn docs_asset(file: &str) -> Result<Response, Failure> {
-    static CONFIG: LazyLock<Arc<SwaggerConfig<'static>>> =
-        // The validator badge would call home.
-        LazyLock::new(|| {
-            Arc::new(SwaggerConfig::from("../openapi.json").validator_url("none").try_it_out_enabled(true))
-        });
-    match utoipa_swagger_ui::serve(file, CONFIG.clone()) {
-        Ok(Some(asset)) => Ok(([(header::CONTENT_TYPE, asset.content_type)], asset.bytes.into_owned()).into_response()),
-        Ok(None) => Err(Failure::not_found("the API page has no such file")),
-        Err(error) => Err(Failure::internal(error.to_string())),
-    }
-}
-
-/// What a problem document's `type` points to.
+/// What the `type` of a problem document or of a failed job's error leads to.
 pub async fn problem_kind(Path(name): Path<String>) -> Result<String, Failure> {
-    let path = format!("/problems/{name}");
-    let kinds = Failure::KINDS.iter().filter(|(_, kind, _)| *kind == path);
-    let text: String = kinds.map(|(status, _, title)| format!("{status} {title}\n")).collect();
+    let mut text = String::new();
+    for (status, _, title) in Failure::KINDS.iter().filter(|(_, kind, _)| *kind == name) {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{status} {title}");
+    }
+    for (_, title) in FAILURES.iter().filter(|(kind, _)| *kind == name) {
+        let _ = writeln!(text, "failed job: {title}");
+    }
     if text.is_empty() { Err(Failure::not_found("no such kind of problem")) } else { Ok(text) }
+}
+
+pub fn problem_kind_entry() -> Value {
+    let mut names: Vec<&str> = Failure::KINDS.iter().map(|&(_, kind, _)| kind).collect();
+    names.extend(FAILURES.iter().map(|&(kind, _)| kind));
+    names.sort_unstable();
+    names.dedup();
+    let summary = "What the `type` of a problem document, or of a failed job's error, means";
+    let ok = json!({ "description": "A status code or `failed job`, and the title",
+        "content": { "text/plain": { "schema": { "type": "string" } } } });
+    json!({ "operationId": "getProblem", "tags": ["catalogue"], "summary": summary,
+        "parameters": [name_parameter("name", "The last part of the type.", &names)],
+        "responses": with_problems(json!({ "200": ok }), &[("404", "NotFound")]) })
 }

@@ -1,9 +1,10 @@
 //! For containers: alive, ready, metrics.
 
-use crate::app::App;
+use crate::http::entry::{plain_get, with_problems};
 use crate::http::problem::Failure;
+use crate::http::state::App;
 use crate::jobs::Jobs;
-use crate::telemetry::metric;
+use crate::telemetry::{metric, process};
 use axum::Json;
 use axum::extract::State;
 use axum::http::header;
@@ -15,6 +16,17 @@ pub async fn live() -> Json<Value> {
     Json(json!({ "status": "live" }))
 }
 
+pub fn live_entry() -> Value {
+    entry("getLive", "The process answers", &[])
+}
+
+fn entry(operation: &str, summary: &str, problems: &[(&str, &str)]) -> Value {
+    let schema = json!({ "type": "object", "required": ["status"], "properties": { "status": { "type": "string" } } });
+    let ok = json!({ "description": summary, "content": { "application/json": { "schema": schema } } });
+    json!({ "operationId": operation, "tags": ["operation"], "summary": summary,
+        "responses": with_problems(json!({ "200": ok }), problems) })
+}
+
 /// 503 while shutting down, and while the store does not answer.
 pub async fn ready(State(app): State<App>) -> Result<Json<Value>, Failure> {
     if app.jobs.is_shutting_down() {
@@ -24,13 +36,22 @@ pub async fn ready(State(app): State<App>) -> Result<Json<Value>, Failure> {
     Ok(Json(json!({ "status": "ready" })))
 }
 
+pub fn ready_entry() -> Value {
+    entry("getReady", "The store answers and jobs are taken", &[("503", "Unavailable")])
+}
+
 pub async fn metrics(State(app): State<App>) -> Result<Response, Failure> {
     render(&app.jobs, &app.metrics).await
+}
+
+pub fn metrics_entry() -> Value {
+    plain_get("operation", "getMetrics", "Metrics as Prometheus text", "text/plain", &json!({ "type": "string" }))
 }
 
 /// The metrics of this process, and of the queue that it shares with others.
 pub async fn render(jobs: &Jobs, handle: &PrometheusHandle) -> Result<Response, Failure> {
     let counts = jobs.counts().await?;
     metrics::gauge!(metric::QUEUE_LENGTH).set(counts.queued as f64);
+    process::measure();
     Ok(([(header::CONTENT_TYPE, "text/plain; version=0.0.4; charset=utf-8")], handle.render()).into_response())
 }

@@ -1,17 +1,19 @@
 //! `/v1/jobs/{id}/mesh` and `/pattern`: files made from the stored mesh, with entity tags and ranges.
 
 use super::jobs::{checked, parameters};
-use crate::app::App;
 use crate::export::{MeshFormat, PatternFormat};
-use crate::http::auth::Caller;
+use crate::http::access::Caller;
+use crate::http::entry::{id_parameter, representation};
 use crate::http::negotiate::{Part, accepted, none_match_hits, part};
 use crate::http::problem::Failure;
+use crate::http::state::App;
 use crate::jobs::JobsError;
 use crate::jobs::files::File;
 use axum::body::Body;
 use axum::extract::{Path, RawQuery, State};
 use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use serde_json::{Value, json};
 
 pub async fn mesh(
     State(app): State<App>,
@@ -20,7 +22,7 @@ pub async fn mesh(
     RawQuery(query): RawQuery,
     headers: HeaderMap,
 ) -> Result<Response, Failure> {
-    let id = checked(&id)?;
+    let id = &checked(&id)?;
     let names = MeshFormat::ALL.map(MeshFormat::name);
     let chosen = choose(query.as_deref(), &headers, &names, &MeshFormat::ALL.map(MeshFormat::media_type))?;
     let format = MeshFormat::ALL[chosen];
@@ -33,6 +35,24 @@ pub async fn mesh(
     Ok(answer(&headers, &file, format.media_type(), &format!("{id}.{}", format.name())))
 }
 
+pub fn mesh_entry() -> Value {
+    let formats = MeshFormat::ALL.map(|format| (format.name(), format.media_type()));
+    let problems = [&FILE_PROBLEMS[..], &[("422", "Invalid")]].concat();
+    let (format, responses) = representation(&formats, "glb", "The mesh", &problems);
+    json!({ "operationId": "getMesh", "tags": ["jobs"], "summary": "The mesh as GLB, glTF, OBJ, PLY or STL",
+        "parameters": [id_parameter("job"), format], "responses": responses })
+}
+
+/// The problems of every file that is made from a job's mesh.
+const FILE_PROBLEMS: [(&str, &str); 6] = [
+    ("400", "BadRequest"),
+    ("404", "NotFound"),
+    ("406", "NotAcceptable"),
+    ("409", "NoMesh"),
+    ("410", "Gone"),
+    ("503", "Unavailable"),
+];
+
 pub async fn pattern(
     State(app): State<App>,
     caller: Caller,
@@ -40,7 +60,7 @@ pub async fn pattern(
     RawQuery(query): RawQuery,
     headers: HeaderMap,
 ) -> Result<Response, Failure> {
-    let id = checked(&id)?;
+    let id = &checked(&id)?;
     let names = PatternFormat::ALL.map(PatternFormat::name);
     let chosen = choose(query.as_deref(), &headers, &names, &PatternFormat::ALL.map(PatternFormat::media_type))?;
     let format = PatternFormat::ALL[chosen];
@@ -51,13 +71,20 @@ pub async fn pattern(
     Ok(answer(&headers, &file, format.media_type(), &format!("{id}.{}", format.name())))
 }
 
+pub fn pattern_entry() -> Value {
+    let formats = PatternFormat::ALL.map(|format| (format.name(), format.media_type()));
+    let (format, responses) = representation(&formats, "svg", "The flat pattern, true to scale", &FILE_PROBLEMS);
+    json!({ "operationId": "getPattern", "tags": ["jobs"], "summary": "The flat pattern of an open ruled surface as SVG or DXF",
+        "parameters": [id_parameter("job"), format], "responses": responses })
+}
+
 /// `?format=` beats `Accept`; without either the first format that is offered.
 fn choose(query: Option<&str>, headers: &HeaderMap, names: &[&str], media_types: &[&str]) -> Result<usize, Failure> {
     let [format] = parameters(query, ["format"])?;
     choose_named(format, headers, names, media_types)
 }
 
-/// As [`choose`], the query's `format` already read.
+/// Does what [`choose`] does with a `format` that has been read from the query.
 pub fn choose_named(
     format: Option<String>,
     headers: &HeaderMap,
@@ -104,7 +131,7 @@ pub fn answer(headers: &HeaderMap, file: &File, media_type: &'static str, name: 
     response
 }
 
-/// What every answer with a file, or without it because it is known, says of it.
+/// Sets the headers of an answer with a file, or of a 304 in its place.
 pub fn describe(response: &mut Response, tag: &str, media_type: &str, name: &str) {
     if response.status() != StatusCode::NOT_MODIFIED {
         insert(response, header::CONTENT_TYPE, media_type);
@@ -112,7 +139,7 @@ pub fn describe(response: &mut Response, tag: &str, media_type: &str, name: &str
     }
     insert(response, header::ETAG, tag);
     insert(response, header::VARY, "Accept");
-    // A job's mesh never changes; who may read it is for the server to say each time.
+    // A job's mesh never changes, but the server decides at each request who may read it.
     insert(response, header::CACHE_CONTROL, "private, no-cache");
 }
 

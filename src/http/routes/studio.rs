@@ -4,11 +4,13 @@
 //! so that cargo alone builds the service, and a test builds them again and compares the bytes. Nothing is fetched from
 //! anywhere else. The files name each other and the API relative to the page, so a proxy may put the service below a prefix.
 
+use crate::http::entry::{name_parameter, plain_get, with_problems};
 use crate::http::negotiate::{entity_tag, none_match_hits};
 use crate::http::problem::Failure;
 use axum::extract::Path;
 use axum::http::{HeaderMap, HeaderName, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use serde_json::{Value, json};
 
 const HTML: &str = "text/html; charset=utf-8";
 
@@ -40,8 +42,22 @@ pub async fn page(headers: HeaderMap) -> Result<Response, Failure> {
     asset("index.html", &headers)
 }
 
+pub fn page_entry() -> Value {
+    let summary = "The studio: a page to draw, solve and look";
+    plain_get("pages", "getStudio", summary, HTML, &json!({ "type": "string" }))
+}
+
 pub async fn file(Path(name): Path<String>, headers: HeaderMap) -> Result<Response, Failure> {
     asset(&name, &headers)
+}
+
+pub fn file_entry() -> Value {
+    let names: Vec<&str> = ASSETS.iter().map(|(name, ..)| *name).collect();
+    let file = json!({ "description": "The file", "content": { "*/*": { "schema": { "type": "string", "format": "binary" } } } });
+    let responses = json!({ "200": file, "304": { "description": "`If-None-Match` names the current entity tag" } });
+    json!({ "operationId": "getStudioFile", "tags": ["pages"], "summary": "A file of the studio",
+        "parameters": [name_parameter("file", "The file's name.", &names)],
+        "responses": with_problems(responses, &[("404", "NotFound")]) })
 }
 
 fn asset(name: &str, headers: &HeaderMap) -> Result<Response, Failure> {

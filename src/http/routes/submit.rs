@@ -1,19 +1,22 @@
-//! `POST /v1/{kind}`: take a request, and wait for it if the client prefers.
+//! `POST /v1/{kind}`: submits a request, and waits for its job if the client prefers that.
 
-use crate::app::App;
-use crate::http::auth::Caller;
+use crate::http::access::Caller;
 use crate::http::body;
+use crate::http::entry::{prefer_parameter, reference, with_problems};
 use crate::http::negotiate::prefer_wait_s;
 use crate::http::problem::Failure;
+use crate::http::state::App;
 use crate::jobs::JobsError;
 use crate::jobs::queue::Submitted;
-use crate::wire::Kind;
+use crate::wire::objectives::examples as ready_requests;
+use crate::wire::{Kind, schema};
 use axum::Json;
 use axum::body::Body;
 use axum::extract::State;
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Request, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use serde::Serialize;
+use serde_json::{Map, Value, json};
 use std::time::Duration;
 
 pub const PREFERENCE_APPLIED: HeaderName = HeaderName::from_static("preference-applied");
@@ -44,7 +47,7 @@ async fn submit(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) 
     let key = idempotency_key(request.headers())?;
     let room = app.jobs.check_room(caller.owner()).await;
     let nobody_waits = match room {
-        // A key may name a job that is there already, however full the queue.
+        // The idempotency key may name a job that exists already, so a full queue is no reason to refuse.
         Err(JobsError::QueueFull { .. }) if key.is_some() => false,
         room => room?,
     };
@@ -63,14 +66,72 @@ async fn submit(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) 
         }
         _ => job,
     };
-    // With a wait a finished job is an answer; without one a new job is a promise, whatever its state.
+    // A finished job is answered with 200 if the client waits or if the job existed before; a new job without a wait with 202.
     let finished = job.status.is_final() && (wait_s.is_some() || !created);
     let status = if finished { StatusCode::OK } else { StatusCode::ACCEPTED };
     let location = job.links.this.clone();
     Ok(with_wait(answer(status, &location, job), wait_s))
 }
 
-/// What was taken, or what became of it, with its address.
+/// Longer requests (each would be hundreds of lines of coordinates) are at `GET /v1/examples/{name}` only.
+const LONGEST_EXAMPLE_BYTES: usize = 1200;
+
+pub fn entry(kind: Kind) -> Value {
+    let (id, summary) = match kind {
+        Kind::RuledSurface => ("postRuledSurface", "Directrices and an objective: the globally optimal ruled strip"),
+        Kind::MinimalSurface => {
+            ("postMinimalSurface", "Boundary polylines and a resolution: the minimal surface that spans them")
+        }
+        Kind::UniformMesh => (
+            "postUniformMesh",
+            "A polygon, a patch or a film and a length: a mesh with as many equal edges as possible",
+        ),
+    };
+    let examples: Map<String, Value> = ready_requests()
+        .iter()
+        .filter(|example| example.kind == kind && example.request.to_string().len() <= LONGEST_EXAMPLE_BYTES)
+        .map(|example| (example.name.into(), json!({ "summary": example.title, "value": example.request })))
+        .collect();
+    let mut post = submission_entry(schema::request_component(kind), "Job", Value::Object(examples));
+    post["operationId"] = id.into();
+    post["summary"] = summary.into();
+    post["responses"]["202"]["links"] =
+        json!({ "job": { "operationId": "getJob", "parameters": { "id": "$response.body#/id" } } });
+    post
+}
+
+/// The entry of a POST of `body` that answers with `answer`, whose end the client may wait for.
+pub fn submission_entry(body: &str, answer: &str, examples: Value) -> Value {
+    let what = answer.to_lowercase();
+    let location = json!({ "description": format!("The {what}."), "schema": { "type": "string" } });
+    let wait = json!({ "description": "The wait that was granted.", "schema": { "type": "string" } });
+    let finished = json!({
+        "description": format!("With `Prefer: wait`: the {what} ended in time (read its `status`); or the same idempotency key was used before with this body."),
+        "headers": { "Preference-Applied": wait, "Location": location },
+        "content": { "application/json": { "schema": reference(answer) } },
+    });
+    let accepted = json!({
+        "description": format!("The {what} is on disk and will be worked on."),
+        "headers": { "Location": location, "Retry-After": { "$ref": "#/components/headers/RetryAfter" }, "Preference-Applied": wait },
+        "content": { "application/json": { "schema": reference(answer) } },
+    });
+    json!({
+        "tags": ["solve"],
+        "parameters": [
+            prefer_parameter(),
+            { "name": "Idempotency-Key", "in": "header", "required": false,
+              "description": format!("The same key with the same body gives the same {what}; with another body 422. Printable ASCII."),
+              "schema": { "type": "string", "minLength": 1, "maxLength": 200, "pattern": "^[!-~]+$" } },
+        ],
+        "requestBody": { "required": true, "content": { "application/json": { "schema": reference(body), "examples": examples } } },
+        "responses": with_problems(json!({ "200": finished, "202": accepted }), &[
+            ("400", "BadRequest"), ("408", "RequestTimeout"), ("413", "TooLarge"), ("415", "UnsupportedMediaType"),
+            ("422", "Invalid"), ("429", "QueueFull"), ("503", "Unavailable"),
+        ]),
+    })
+}
+
+/// Answers with a job or a batch and its address.
 pub fn answer(status: StatusCode, location: &str, taken: impl Serialize) -> Response {
     let location = HeaderValue::from_str(location);
     let mut response = (status, Json(taken)).into_response();
@@ -83,12 +144,12 @@ pub fn answer(status: StatusCode, location: &str, taken: impl Serialize) -> Resp
     response
 }
 
-/// The wait that a client prefers, as far as this server grants it.
+/// The wait that the client prefers, cut to this server's maximum.
 pub fn granted_wait_s(app: &App, headers: &HeaderMap) -> Option<u64> {
     prefer_wait_s(headers).map(|wait_s| wait_s.min(app.config.http.wait_max_s))
 }
 
-/// Says which wait was granted, if one was asked for.
+/// Adds the header that names the granted wait, if the client asked for one.
 pub fn with_wait(mut response: Response, wait_s: Option<u64>) -> Response {
     if let Some(value) = wait_s.and_then(|wait_s| HeaderValue::from_str(&format!("wait={wait_s}")).ok()) {
         response.headers_mut().insert(PREFERENCE_APPLIED, value);
@@ -98,11 +159,12 @@ pub fn with_wait(mut response: Response, wait_s: Option<u64>) -> Response {
 
 pub fn idempotency_key(headers: &HeaderMap) -> Result<Option<String>, Failure> {
     let Some(value) = headers.get(IDEMPOTENCY_KEY) else { return Ok(None) };
-    let key = value
-        .to_str()
-        .ok()
-        .filter(|key| (1..=200).contains(&key.len()) && key.bytes().all(|byte| byte.is_ascii_graphic()));
+    let key = value.to_str().ok().filter(|key| is_idempotency_key(key));
     key.map(|key| Some(key.to_owned())).ok_or_else(|| {
         Failure::bad_header("Idempotency-Key must be 1 to 200 printable ASCII characters without spaces")
     })
+}
+
+pub fn is_idempotency_key(key: &str) -> bool {
+    (1..=200).contains(&key.len()) && key.bytes().all(|byte| byte.is_ascii_graphic())
 }

@@ -1,4 +1,4 @@
-//! What is reported about a minimal surface.
+//! Statistics of a minimal surface.
 
 use crate::wire::common::Point;
 use plateau_geometry::minimal_surface as geometry;
@@ -70,7 +70,7 @@ impl From<geometry::Stability> for Stability {
 #[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
 pub struct ExtrapolatedArea {
     pub area: f64,
-    /// How far that may be off.
+    /// Estimate of the error of that area.
     pub error_estimate: f64,
 }
 
@@ -94,14 +94,14 @@ pub struct SpanningTopology {
     pub stability: Option<Stability>,
     /// Whether two of its films pass through each other, so that no soap film takes this shape.
     pub films_cross: bool,
-    /// Whether this is the one that was returned.
+    /// Whether this topology was returned.
     pub chosen: bool,
 }
 
 /// With `topology: best`: the films over the boundaries that were compared.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Spanning {
-    /// By area, those without one last.
+    /// The topologies by area; those without a film are last.
     pub topologies: Vec<SpanningTopology>,
     /// Whether a film that connects all boundaries holds.
     pub connected_film_exists: bool,
@@ -126,13 +126,13 @@ impl From<&geometry::SpanningComparison> for Spanning {
     }
 }
 
-/// A film whose sheets meet three by three along curves: how well they balance there.
+/// Curves along which three sheets of a film meet, and the balance of the sheets there.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Junctions {
-    /// Parts of the film that hang together without crossing a junction.
+    /// Number of parts of the film that are connected without crossing a junction.
     pub sheets: usize,
-    /// Curves along which three sheets meet, each as vertices of the mesh (counted from 0) from end to end; a closed one
-    /// ends with its first.
+    /// Curves along which three sheets meet, each as vertices of the mesh (counted from 0) from end to end; a closed
+    /// one ends with its first.
     pub curves: Vec<Vec<u32>>,
     /// Mesh edges with three triangles.
     pub edges: usize,
@@ -150,7 +150,7 @@ pub struct Junctions {
     pub largest_deviation_deg: f64,
     /// The same at the vertices next to an end, where it may hardly fall with the mesh; 0 where there are none.
     pub largest_deviation_at_ends_deg: f64,
-    /// On average over all of them.
+    /// Mean departure of `sheet_angles_deg` from 120° over all these vertices.
     pub mean_deviation_deg: f64,
     /// Number of negative eigenvalues of the second variation, junctions moving too; null where it was not computed.
     pub morse_index: Option<usize>,
@@ -181,7 +181,8 @@ impl From<&geometry::JunctionStatistics> for Junctions {
     }
 }
 
-/// What is reported about a minimal surface. Lengths in the request's unit, areas in its square, curvatures in its inverse, angles in degrees.
+/// Statistics of a minimal surface. Lengths in the request's unit, areas in its square, curvatures in its inverse,
+/// angles in degrees.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct MinimalStatistics {
     pub objective: &'static str,
@@ -218,7 +219,7 @@ pub struct MinimalStatistics {
     pub edges_swapped: u64,
     pub flipped_triangles: usize,
     pub degenerate_triangles: usize,
-    /// Changes of topology, in order.
+    /// Changes of topology in the order in which they happened.
     pub pinches: Vec<Pinch>,
     /// With `topology: best`; else null.
     pub spanning: Option<Spanning>,

@@ -1,0 +1,341 @@
+//! API keys: making them, knowing them, and what each may cost.
+//!
+//! A key is 32 random bytes, shown once; configuration holds its SHA-256 only. A presented key is hashed and compared
+//! with every known digest, all of them and whole, so that the time taken tells nothing. Without keys everybody may do
+//! everything.
+
+use crate::config::AuthConfig;
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError, RwLock};
+use std::time::{Duration, Instant};
+
+const PREFIX: &str = "plateau_";
+const KEY_BYTES: usize = 32;
+/// Interval at which the keys file is looked at.
+const RELOAD_INTERVAL: Duration = Duration::from_secs(1);
+
+/// A new key, and the digest that configuration keeps of it.
+///
+/// # Errors
+/// The system gave no random bytes.
+pub fn new_key() -> Result<(String, String), String> {
+    let mut secret = [0; KEY_BYTES];
+    getrandom::fill(&mut secret).map_err(|error| error.to_string())?;
+    let key = format!("{PREFIX}{}", hex(&secret));
+    let digest = hex(&Sha256::digest(key.as_bytes()));
+    Ok((key, digest))
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn from_hex(text: &str) -> Option<[u8; 32]> {
+    let mut bytes = [0; 32];
+    if text.len() != 64 || !text.is_ascii() {
+        return None;
+    }
+    for (index, byte) in bytes.iter_mut().enumerate() {
+        *byte = u8::from_str_radix(&text[2 * index..2 * index + 2], 16).ok()?;
+    }
+    Some(bytes)
+}
+
+/// A name that may stand in logs, in the database and in a secrets file.
+#[must_use]
+pub fn is_key_name(name: &str) -> bool {
+    (1..=64).contains(&name.len()) && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"-_.".contains(&byte))
+}
+
+/// The keys that this server knows. The keys file is read again when it changes.
+#[derive(Debug)]
+pub struct Keys {
+    config: AuthConfig,
+    known: RwLock<Known>,
+}
+
+/// What the configuration and the keys file said when they were last read.
+#[derive(Debug, Default)]
+struct Known {
+    keys: Vec<Arc<Key>>,
+    /// Whether requests need a key. Stays true once it was: a keys file that was emptied locks everybody out.
+    required: bool,
+}
+
+struct Key {
+    name: Arc<str>,
+    digest: [u8; 32],
+    allowance: Mutex<Allowance>,
+}
+
+// Not even a digest belongs into a log.
+impl std::fmt::Debug for Key {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.debug_struct("Key").field("name", &self.name).finish_non_exhaustive()
+    }
+}
+
+/// A token bucket that holds one minute's requests and starts full.
+#[derive(Debug)]
+struct Allowance {
+    requests: f64,
+    at: Instant,
+}
+
+impl Allowance {
+    /// Takes one request, or says after how many seconds there will be one.
+    fn take(&mut self, per_minute: f64, now: Instant) -> Result<(), f64> {
+        let per_second = per_minute / 60.0;
+        let elapsed_s = now.saturating_duration_since(self.at).as_secs_f64();
+        self.requests = (self.requests + elapsed_s * per_second).min(per_minute);
+        self.at = now;
+        if self.requests >= 1.0 {
+            self.requests -= 1.0;
+            Ok(())
+        } else {
+            Err((1.0 - self.requests) / per_second)
+        }
+    }
+}
+
+/// Why a request is not let through.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Refusal {
+    /// A key is needed, and the request has none that is known.
+    Unknown,
+    /// The key has used up its requests. There will be one more after this number of seconds.
+    TooMany { wait_s: f64 },
+}
+
+impl Keys {
+    /// Reads the keys of the configuration and of its secrets file, which has one `NAME SHA256` a line.
+    ///
+    /// # Errors
+    /// A message that names the setting and, in the file, the line.
+    pub fn load(config: &AuthConfig) -> Result<Self, String> {
+        let text = read_file(&config.keys_file)?;
+        let keys = Self { config: config.clone(), known: RwLock::default() };
+        keys.replace(&text)?;
+        Ok(keys)
+    }
+
+    /// Replaces the known keys by those of the configuration and of this text of the keys file. If the text cannot be
+    /// used, nothing changes.
+    fn replace(&self, text: &str) -> Result<(), String> {
+        let digests = digests(&self.config, text)?;
+        let now = Instant::now();
+        let mut known = self.known.write().unwrap_or_else(PoisonError::into_inner);
+        let keys = digests.into_iter().map(|(name, digest)| {
+            // A key that was known before keeps what it has left of its allowance.
+            let same = known.keys.iter().find(|key| *key.name == name && key.digest == digest);
+            same.cloned().unwrap_or_else(|| {
+                let full = Allowance { requests: f64::from(self.config.requests_per_minute), at: now };
+                Arc::new(Key { name: name.into(), digest, allowance: Mutex::new(full) })
+            })
+        });
+        let keys: Vec<_> = keys.collect();
+        known.required |= !keys.is_empty();
+        known.keys = keys;
+        Ok(())
+    }
+
+    /// Reads the keys file again whenever its text changes, for ever. A file that cannot be used changes nothing.
+    pub async fn follow_file(&self) {
+        let path = &self.config.keys_file;
+        if path.as_os_str().is_empty() {
+            return std::future::pending().await;
+        }
+        let mut last = None;
+        loop {
+            let read = tokio::fs::read_to_string(path).await.map_err(|error| said(path, &error));
+            if last.as_ref() != Some(&read) {
+                // The first look is at the text that was loaded at the start, unless it changed since.
+                match read.as_deref().map_err(Clone::clone).and_then(|text| self.replace(text)) {
+                    Ok(()) if last.is_some() => tracing::info!(keys = self.count(), "read the keys file again"),
+                    Ok(()) => {}
+                    Err(error) => tracing::error!(error, "the keys file cannot be used; the keys stay as they were"),
+                }
+                last = Some(read);
+            }
+            tokio::time::sleep(RELOAD_INTERVAL).await;
+        }
+    }
+
+    fn count(&self) -> usize {
+        self.known.read().unwrap_or_else(PoisonError::into_inner).keys.len()
+    }
+
+    /// True if requests need a key.
+    #[must_use]
+    pub fn required(&self) -> bool {
+        self.known.read().unwrap_or_else(PoisonError::into_inner).required
+    }
+
+    /// The name of the key that was presented; none if requests need no key. Takes one request from the key's
+    /// allowance.
+    ///
+    /// # Errors
+    /// [`Refusal`].
+    pub fn admit(&self, presented: Option<&str>) -> Result<Option<Arc<str>>, Refusal> {
+        let key = {
+            let known = self.known.read().unwrap_or_else(PoisonError::into_inner);
+            if !known.required {
+                return Ok(None);
+            }
+            presented.and_then(|presented| known.find(presented)).ok_or(Refusal::Unknown)?
+        };
+        let per_minute = self.config.requests_per_minute;
+        if per_minute > 0 {
+            let mut allowance = key.allowance.lock().unwrap_or_else(PoisonError::into_inner);
+            allowance.take(f64::from(per_minute), Instant::now()).map_err(|wait_s| Refusal::TooMany { wait_s })?;
+        }
+        Ok(Some(key.name.clone()))
+    }
+}
+
+impl Known {
+    /// The key that was presented, in a time that does not depend on which, if any.
+    fn find(&self, presented: &str) -> Option<Arc<Key>> {
+        let digest: [u8; 32] = Sha256::digest(presented.as_bytes()).into();
+        let mut found = None;
+        for key in &self.keys {
+            let difference = key.digest.iter().zip(&digest).fold(0, |all, (a, b)| all | (a ^ b));
+            if std::hint::black_box(difference) == 0 {
+                found = Some(key);
+            }
+        }
+        found.cloned()
+    }
+}
+
+/// The digest of each key, by its name, from the configuration and from the text of its keys file.
+fn digests(config: &AuthConfig, text: &str) -> Result<BTreeMap<String, [u8; 32]>, String> {
+    let mut digests = BTreeMap::new();
+    let mut add = |origin: String, name: &str, digest: &str| {
+        if !is_key_name(name) {
+            return Err(format!("{origin}: a key's name has 1 to 64 letters, digits, dots, dashes or underscores"));
+        }
+        let digest = from_hex(digest).ok_or_else(|| format!("{origin}: expected a SHA-256 of 64 hex digits"))?;
+        match digests.insert(name.to_owned(), digest) {
+            Some(_) => Err(format!("{origin}: the name {name} is used twice")),
+            None => Ok(()),
+        }
+    };
+    for (name, digest) in &config.keys {
+        add(format!("auth.keys.{name}"), name, digest)?;
+    }
+    for (number, line) in text.lines().enumerate() {
+        let line = line.trim();
+        if line.is_empty() || line.starts_with('#') {
+            continue;
+        }
+        let origin = format!("auth.keys_file {} line {}", config.keys_file.display(), number + 1);
+        match line.split_whitespace().collect::<Vec<_>>()[..] {
+            [name, digest] => add(origin, name, digest)?,
+            _ => return Err(format!("{origin}: expected NAME SHA256")),
+        }
+    }
+    Ok(digests)
+}
+
+/// The text of the keys file; empty if none is configured.
+fn read_file(path: &Path) -> Result<String, String> {
+    if path.as_os_str().is_empty() {
+        return Ok(String::new());
+    }
+    std::fs::read_to_string(path).map_err(|error| said(path, &error))
+}
+
+fn said(path: &Path, error: &std::io::Error) -> String {
+    format!("auth.keys_file {}: {error}", path.display())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn keys(pairs: &[(&str, &str)]) -> AuthConfig {
+        let keys = pairs.iter().map(|(name, digest)| ((*name).into(), (*digest).into())).collect();
+        AuthConfig { keys, ..AuthConfig::default() }
+    }
+
+    #[test]
+    fn a_key_is_known_by_its_digest_only() {
+        let (key, digest) = new_key().unwrap();
+        let (other, other_digest) = new_key().unwrap();
+        assert_ne!(key, other);
+        let known = Keys::load(&keys(&[("me", &digest), ("you", &other_digest)])).unwrap();
+        let admitted = |text: &str| known.admit(Some(text)).ok().flatten();
+        assert_eq!(admitted(&key).as_deref(), Some("me"));
+        assert_eq!(admitted(&other).as_deref(), Some("you"));
+        for wrong in [digest.clone(), format!("{key}0"), String::new()] {
+            assert_eq!(known.admit(Some(&wrong)), Err(Refusal::Unknown), "{wrong}");
+        }
+        assert_eq!(known.admit(None), Err(Refusal::Unknown));
+        assert!(!format!("{known:?}").contains(&digest[..8]));
+    }
+
+    #[test]
+    fn without_keys_everybody_is_nobody() {
+        let none = Keys::load(&AuthConfig::default()).unwrap();
+        assert!(!none.required());
+        assert_eq!(none.admit(None), Ok(None));
+    }
+
+    #[test]
+    fn a_wrong_key_setting_is_named() {
+        let digest = "00".repeat(32);
+        let error = |config: &AuthConfig| Keys::load(config).unwrap_err();
+        assert!(error(&keys(&[("me", "12")])).contains("auth.keys.me"));
+        assert!(error(&keys(&[("me", &"é".repeat(32))])).contains("auth.keys.me"));
+        assert!(error(&keys(&[("a b", &digest)])).contains("auth.keys.a b"));
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("keys");
+        std::fs::write(&file, format!("# ours\nme {digest}\n\nyou\n")).unwrap();
+        let mut config = AuthConfig { keys_file: file.clone(), ..AuthConfig::default() };
+        assert!(error(&config).contains("line 4"));
+        std::fs::write(&file, format!("me {digest}\n")).unwrap();
+        assert!(Keys::load(&config).unwrap().required());
+        config.keys.insert("me".into(), digest);
+        assert!(error(&config).contains("twice"));
+    }
+
+    #[test]
+    fn an_allowance_refills_with_time() {
+        let start = Instant::now();
+        let mut allowance = Allowance { requests: 2.0, at: start };
+        assert_eq!(allowance.take(2.0, start), Ok(()));
+        assert_eq!(allowance.take(2.0, start), Ok(()));
+        assert_eq!(allowance.take(2.0, start), Err(30.0));
+        assert_eq!(allowance.take(2.0, start + Duration::from_secs(30)), Ok(()));
+        assert!(allowance.take(2.0, start + Duration::from_secs(30)).is_err());
+        // A long pause saves up one minute's requests and no more.
+        let later = start + Duration::from_secs(3600);
+        assert_eq!([(); 3].map(|()| allowance.take(2.0, later).is_ok()), [true, true, false]);
+    }
+
+    #[test]
+    fn a_keys_file_that_was_emptied_or_broken_opens_nothing() {
+        let (key, digest) = new_key().unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("keys");
+        std::fs::write(&file, format!("me {digest}\n")).unwrap();
+        let keys = Keys::load(&AuthConfig { keys_file: file, ..AuthConfig::default() }).unwrap();
+        assert!(keys.replace("me 12").is_err());
+        assert!(keys.admit(Some(&key)).unwrap().is_some());
+        keys.replace("").unwrap();
+        assert_eq!((keys.admit(Some(&key)), keys.admit(None)), (Err(Refusal::Unknown), Err(Refusal::Unknown)));
+    }
+
+    #[test]
+    fn a_key_keeps_its_allowance_when_the_file_is_read_again() {
+        let (key, digest) = new_key().unwrap();
+        let keys = Keys::load(&AuthConfig { requests_per_minute: 1, ..AuthConfig::default() }).unwrap();
+        keys.replace(&format!("me {digest}")).unwrap();
+        assert!(keys.admit(Some(&key)).is_ok());
+        keys.replace(&format!("me {digest}\n# a comment\n")).unwrap();
+        assert!(matches!(keys.admit(Some(&key)), Err(Refusal::TooMany { .. })));
+    }
+}

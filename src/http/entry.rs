@@ -1,0 +1,94 @@
+//! Parts of which the handlers' entries in the API document are made.
+
+use serde_json::{Map, Value, json};
+
+/// A reference to a component schema.
+pub fn reference(component: &str) -> Value {
+    json!({ "$ref": format!("#/components/schemas/{component}") })
+}
+
+/// A response that is a problem document.
+pub fn problem(description: &str, headers: &[(&str, &str)]) -> Value {
+    let mut response = json!({
+        "description": description,
+        "content": { "application/problem+json": { "schema": reference("Problem") } },
+    });
+    for (name, component) in headers {
+        response["headers"][name] = json!({ "$ref": format!("#/components/headers/{component}") });
+    }
+    response
+}
+
+/// Adds the named problem responses to a set of responses, and the one that every operation may give.
+pub fn with_problems(mut responses: Value, names: &[(&str, &str)]) -> Value {
+    for (status, name) in names {
+        responses[status] = json!({ "$ref": format!("#/components/responses/{name}") });
+    }
+    responses["500"] = json!({ "$ref": "#/components/responses/Failed" });
+    responses
+}
+
+pub fn json_response(description: &str, component: &str) -> Value {
+    json!({ "description": description, "content": { "application/json": { "schema": reference(component) } } })
+}
+
+/// The entry of a GET without parameters that answers 200 with `schema` as `media_type`.
+pub fn plain_get(tag: &str, operation: &str, summary: &str, media_type: &str, schema: &Value) -> Value {
+    let ok = json!({ "description": summary, "content": { media_type: { "schema": schema } } });
+    json!({ "operationId": operation, "tags": [tag], "summary": summary, "responses": with_problems(json!({ "200": ok }), &[]) })
+}
+
+/// A ULID. Lower-case letters are taken too.
+pub const ULID: &str = "^[0-9A-HJKMNP-TV-Za-hjkmnp-tv-z]{26}$";
+
+/// The path parameter `id` of a job or a batch.
+pub fn id_parameter(what: &str) -> Value {
+    json!({ "name": "id", "in": "path", "required": true, "description": format!("The {what}'s id."),
+        "schema": { "type": "string", "pattern": ULID } })
+}
+
+/// The path parameter `name`, one of `names`.
+pub fn name_parameter(parameter: &str, description: &str, names: &[&str]) -> Value {
+    json!({ "name": parameter, "in": "path", "required": true, "description": description,
+        "schema": { "type": "string", "enum": names } })
+}
+
+pub fn query_parameter(name: &str, description: &str, schema: Value) -> Value {
+    json!({ "name": name, "in": "query", "required": false, "description": description, "schema": schema })
+}
+
+pub fn prefer_parameter() -> Value {
+    json!({ "name": "Prefer", "in": "header", "required": false,
+        "description": "`wait=N`: wait up to N seconds for the end (RFC 7240). An invalid preference is ignored.",
+        "schema": { "type": "string" }, "example": "wait=10" })
+}
+
+/// The parameter `format` and the responses of a file that comes in several formats, `(name, media type)` each.
+pub fn representation(
+    formats: &[(&str, &str)],
+    default: &str,
+    description: &str,
+    problems: &[(&str, &str)],
+) -> (Value, Value) {
+    let binary = json!({ "type": "string", "format": "binary" });
+    let content: Map<String, Value> =
+        formats.iter().map(|(_, media_type)| ((*media_type).to_owned(), json!({ "schema": binary }))).collect();
+    let names: Vec<&str> = formats.iter().map(|(name, _)| *name).collect();
+    let headers = json!({ "ETag": { "description": "Hash of these bytes.", "schema": { "type": "string" } },
+        "Vary": { "description": "Accept", "schema": { "type": "string" } } });
+    let parameter = query_parameter(
+        "format",
+        &format!("Takes precedence over `Accept`. The default is `{default}`."),
+        json!({ "type": "string", "enum": names }),
+    );
+    let responses = with_problems(
+        json!({
+            "200": { "description": description, "headers": headers, "content": content },
+            "206": { "description": "The requested range", "headers": headers, "content": content },
+            "304": { "description": "`If-None-Match` names the current entity tag" },
+            "416": problem("The range lies outside of the file", &[]),
+        }),
+        problems,
+    );
+    (parameter, responses)
+}

@@ -1,0 +1,68 @@
+//! `GET /docs/`: Swagger UI with this server's API document, embedded into the program so that it works offline.
+
+use crate::http::assets::{self, Asset};
+use crate::http::entry::{name_parameter, plain_get, with_problems};
+use crate::http::problem::Failure;
+use axum::extract::Path;
+use axum::http::HeaderMap;
+use axum::response::{Redirect, Response};
+use serde_json::{Value, json};
+
+/// The page loads its own files only and talks to this server only. Swagger UI's style sheet has its icons in `data:`
+/// URLs.
+const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; \
+    base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+macro_rules! assets {
+    ($($name:literal: $media_type:literal),* $(,)?) => {
+        &[$(Asset { name: $name, media_type: $media_type, bytes: include_bytes!(concat!("../docs/", $name)) }),*]
+    };
+}
+
+const ASSETS: &[Asset] = assets! {
+    "index.html": "text/html; charset=utf-8",
+    "start.js": "text/javascript; charset=utf-8",
+    "swagger-ui-bundle.js": "text/javascript; charset=utf-8",
+    "swagger-ui.css": "text/css; charset=utf-8",
+    "favicon-32x32.png": "image/png",
+    "LICENSE": "text/plain; charset=utf-8",
+    "NOTICE": "text/plain; charset=utf-8",
+};
+
+/// The page's files are named relative to its folder, so it is served with a slash at the end.
+pub async fn redirect() -> Redirect {
+    Redirect::to("docs/")
+}
+
+pub fn redirect_entry() -> Value {
+    json!({ "operationId": "findDocs", "tags": ["pages"], "summary": "Leads to `/docs/`",
+        "responses": with_problems(json!({ "303": { "description": "The page is at `/docs/`" } }), &[]) })
+}
+
+pub async fn page(headers: HeaderMap) -> Result<Response, Failure> {
+    answer("index.html", &headers)
+}
+
+pub fn page_entry() -> Value {
+    let summary = "A page to read and try the API, working offline";
+    plain_get("pages", "getDocs", summary, "text/html; charset=utf-8", &json!({ "type": "string" }))
+}
+
+pub async fn file(Path(name): Path<String>, headers: HeaderMap) -> Result<Response, Failure> {
+    answer(&name, &headers)
+}
+
+pub fn file_entry() -> Value {
+    let names: Vec<&str> = ASSETS.iter().map(|asset| asset.name).collect();
+    let file = json!({ "description": "The file", "content": { "*/*": { "schema": { "type": "string", "format": "binary" } } } });
+    let responses = json!({ "200": file, "304": { "description": "`If-None-Match` names the current entity tag" } });
+    json!({ "operationId": "getDocsFile", "tags": ["pages"], "summary": "A file of the API page",
+        "parameters": [name_parameter("file", "The file's name.", &names)],
+        "responses": with_problems(responses, &[("404", "NotFound")]) })
+}
+
+fn answer(name: &str, headers: &HeaderMap) -> Result<Response, Failure> {
+    let found = ASSETS.iter().find(|asset| asset.name == name);
+    let asset = found.ok_or_else(|| Failure::not_found("the API page has no such file"))?;
+    Ok(assets::answer(asset, POLICY, headers))
+}

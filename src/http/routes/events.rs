@@ -1,0 +1,75 @@
+//! `GET /v1/jobs/{id}/events`: a job's events as server-sent events.
+
+use super::jobs::checked;
+use crate::http::access::Caller;
+use crate::http::entry::{id_parameter, with_problems};
+use crate::http::problem::Failure;
+use crate::http::state::App;
+use crate::jobs::events::Events;
+use axum::extract::{Path, State};
+use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, header};
+use axum::response::sse::{Event, KeepAlive, Sse};
+use axum::response::{IntoResponse, Response};
+use futures_util::stream::{self, Stream};
+use serde_json::{Value, json};
+use std::convert::Infallible;
+use std::time::Duration;
+
+/// How soon a client that lost the stream should come back.
+const RETRY: Duration = Duration::from_secs(2);
+
+/// Status changes and progress as they come. `Last-Event-ID` replays what was missed; after the final event the answer
+/// is 204.
+pub async fn events(
+    State(app): State<App>,
+    caller: Caller,
+    Path(id): Path<String>,
+    headers: HeaderMap,
+) -> Result<Response, Failure> {
+    let last = headers.get("last-event-id").and_then(|value| value.to_str().ok());
+    let Some(events) = app.jobs.events(&checked(&id)?, caller.owner(), last).await? else {
+        return Ok(StatusCode::NO_CONTENT.into_response());
+    };
+    let keep_alive = Duration::from_millis(app.config.http.event_keep_alive_ms);
+    let mut response =
+        Sse::new(written(events)).keep_alive(KeepAlive::new().interval(keep_alive).text("still here")).into_response();
+    let headers = response.headers_mut();
+    headers.insert(header::CACHE_CONTROL, HeaderValue::from_static("no-cache"));
+    headers.insert(HeaderName::from_static("x-accel-buffering"), HeaderValue::from_static("no"));
+    Ok(response)
+}
+
+/// The events as they go over the wire; the first one says how soon to come back.
+fn written(events: Events) -> impl Stream<Item = Result<Event, Infallible>> {
+    stream::unfold((events, true), |(mut events, first)| async move {
+        let event = events.next().await?;
+        let written = Event::default().id(event.id).event(event.name).data(event.data);
+        let written = if first { written.retry(RETRY) } else { written };
+        Some((Ok(written), (events, false)))
+    })
+}
+
+pub fn events_entry() -> Value {
+    let stream = json!({
+        "description": "Server-sent events: `status` events, `progress` events, and one final `status` event",
+        "content": { "text/event-stream": { "schema": {
+            "type": "object", "description": "One event", "required": ["id", "event", "data"],
+            "properties": {
+                "id": { "type": "string", "description": "`attempt.sequence`" },
+                "event": { "type": "string", "enum": ["status", "progress"] },
+                "data": { "type": "string", "description": "JSON. Of a `status` event: the job as it was after that change. \
+                    Of a `progress` event: an object with the job's `id`, `status` and `progress`." },
+                "retry": { "type": "integer", "minimum": 0 },
+            },
+        } } },
+    });
+    let last = json!({ "name": "Last-Event-ID", "in": "header", "required": false,
+        "description": "The last id that was seen, `attempt.sequence`; after the final one the answer is 204.",
+        "schema": { "type": "string" } });
+    let responses = json!({ "200": stream, "204": { "description": "Nothing follows: the final event was seen" } });
+    json!({
+        "operationId": "getEvents", "tags": ["jobs"], "summary": "Progress as server-sent events",
+        "parameters": [id_parameter("job"), last],
+        "responses": with_problems(responses, &[("404", "NotFound"), ("410", "Gone"), ("503", "Unavailable")]),
+    })
+}

@@ -1,0 +1,97 @@
+//! More connections than the server has places for.
+
+use crate::app::{MINIMAL, TestApp, small_film};
+use serde_json::Value;
+use tokio::io::{AsyncReadExt, AsyncWriteExt};
+use tokio::net::TcpStream;
+
+const PLACES: usize = 8;
+
+async fn start(workers: &str) -> TestApp {
+    TestApp::start_with(&[
+        ("PLATEAU_WORKERS", workers),
+        ("PLATEAU_HTTP__CONNECTIONS", &PLACES.to_string()),
+        // No connection ends by itself during the test.
+        ("PLATEAU_HTTP__HEADER_TIMEOUT_MS", "600000"),
+    ])
+    .await
+}
+
+async fn connect(app: &TestApp) -> TcpStream {
+    TcpStream::connect(app.url.strip_prefix("http://").unwrap()).await.unwrap()
+}
+
+/// Asks whether the server lives, on this connection.
+async fn ask(stream: &mut TcpStream) -> bool {
+    stream.write_all(b"GET /health/live HTTP/1.1\r\nHost: localhost\r\n\r\n").await.unwrap();
+    let mut answer = Vec::new();
+    let mut piece = [0; 4096];
+    while !answer.ends_with(b"}") {
+        match stream.read(&mut piece).await {
+            Ok(0) | Err(_) => return false,
+            Ok(read) => answer.extend_from_slice(&piece[..read]),
+        }
+    }
+    answer.starts_with(b"HTTP/1.1 200 ")
+}
+
+async fn is_closed(stream: &mut TcpStream) -> bool {
+    !matches!(stream.read(&mut [0; 16]).await, Ok(read) if read > 0)
+}
+
+#[tokio::test]
+async fn a_newcomer_takes_the_place_of_the_longest_idle_connection() {
+    let app = start("0").await;
+    // Of these the first has said nothing, the second half a request, and the others have been answered.
+    let mut silent = connect(&app).await;
+    let mut half = connect(&app).await;
+    half.write_all(b"GET /health/live HTTP/1.1\r\nHost:").await.unwrap();
+    let mut answered = Vec::new();
+    for _ in 2..PLACES {
+        let mut stream = connect(&app).await;
+        assert!(ask(&mut stream).await);
+        answered.push(stream);
+    }
+    // The client of this test has a connection of its own to nobody yet: three newcomers make three go.
+    let mut newcomers = Vec::new();
+    for _ in 0..3 {
+        let mut stream = connect(&app).await;
+        assert!(ask(&mut stream).await);
+        newcomers.push(stream);
+    }
+    assert!(is_closed(&mut silent).await && is_closed(&mut half).await);
+    assert!(is_closed(&mut answered[0]).await);
+    for stream in answered[1..].iter_mut().chain(&mut newcomers) {
+        assert!(ask(stream).await, "was not the longest idle one");
+    }
+}
+
+#[tokio::test]
+async fn a_connection_that_is_being_answered_is_not_dropped() {
+    let app = start("0").await;
+    let job: Value = app.post(MINIMAL, &small_film(0.1)).await.json().await.unwrap();
+    let events = job["links"]["events"].as_str().unwrap();
+    let mut watchers = Vec::new();
+    for _ in 0..PLACES - 1 {
+        let mut stream = connect(&app).await;
+        let request = format!("GET {events} HTTP/1.1\r\nHost: localhost\r\n\r\n");
+        stream.write_all(request.as_bytes()).await.unwrap();
+        assert!(stream.read(&mut [0; 64]).await.unwrap() > 0);
+        watchers.push(stream);
+    }
+    // One place is left, and the connections here follow each other on it.
+    for _ in 0..20 {
+        assert!(ask(&mut connect(&app).await).await);
+    }
+    let cancel = format!("{}{}", app.url, job["links"]["cancel"].as_str().unwrap());
+    crate::app::client().post(cancel).send().await.unwrap();
+    for mut stream in watchers {
+        let mut text = String::new();
+        while !text.contains("cancelled") {
+            let mut piece = [0; 4096];
+            let read = stream.read(&mut piece).await.unwrap();
+            assert!(read > 0, "a watcher was dropped");
+            text.push_str(&String::from_utf8_lossy(&piece[..read]));
+        }
+    }
+}
