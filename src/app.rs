@@ -4,7 +4,7 @@ use crate::auth::Keys;
 use crate::config::Config;
 use crate::http::state::App;
 use crate::http::{body, openapi, router, serve};
-use crate::jobs::{Jobs, callbacks};
+use crate::jobs::{self, Jobs, callbacks};
 use crate::store::{Store, StoreError, StoreOptions, redacted};
 use crate::telemetry;
 use crate::webhook::Sender;
@@ -31,8 +31,11 @@ pub enum StartError {
 
 /// Time to wait for a database server, which may start at the same time as this process.
 const START_PATIENCE: Duration = Duration::from_secs(30);
-/// Interval at which expired jobs are removed.
+/// Pause between two sweeps, and while the store takes no jobs or no results.
 const SWEEP_INTERVAL: Duration = Duration::from_secs(60);
+const URGENT_SWEEP_INTERVAL: Duration = Duration::from_secs(5);
+/// Size of the file that makes room for a sweep on a full disk. A sweep writes a few megabytes.
+const BALLAST_BYTES: u64 = 16 << 20;
 
 /// Runs until the process is told to stop (SIGTERM, Ctrl-C).
 ///
@@ -131,6 +134,8 @@ async fn open_store(config: &Config) -> Result<Store, StartError> {
         results,
         inline_bytes: config.store.inline_bytes,
         connections: config.store.connections,
+        result_version: jobs::result_version(),
+        ballast_bytes: if embedded { BALLAST_BYTES } else { 0 },
         ..StoreOptions::default()
     };
     let given_up = Instant::now() + START_PATIENCE;
@@ -151,17 +156,25 @@ async fn open_store(config: &Config) -> Result<Store, StartError> {
     }
 }
 
+/// Sweeps at intervals, and more often while the store takes no jobs or no results.
 async fn sweep(store: Store) {
-    let mut interval = tokio::time::interval(SWEEP_INTERVAL);
+    let mut swept_at = None;
     loop {
-        interval.tick().await;
-        match store.sweep().await {
-            Ok(swept) if swept.expired + swept.artefacts + swept.recovered as u64 > 0 => {
-                tracing::info!(swept.expired, swept.artefacts, swept.recovered, "swept");
+        let troubled = store.check_room_for_results().is_err();
+        if troubled || swept_at.is_none_or(|at: Instant| at.elapsed() >= SWEEP_INTERVAL) {
+            swept_at = Some(Instant::now());
+            match store.sweep().await {
+                Ok(swept) if swept.expired + swept.artefacts + swept.recovered as u64 > 0 => {
+                    tracing::info!(swept.expired, swept.artefacts, swept.recovered, "swept");
+                }
+                Ok(_) => {}
+                Err(error) => tracing::warn!(%error, "cannot sweep the store"),
             }
-            Ok(_) => {}
-            Err(error) => tracing::warn!(%error, "cannot sweep the store"),
         }
+        if troubled {
+            store.probe_results().await;
+        }
+        tokio::time::sleep(URGENT_SWEEP_INTERVAL).await;
     }
 }
 

@@ -230,7 +230,7 @@ fn solve_file(config: &Config, request: &PathBuf, output: &PathBuf) -> ExitCode 
         return fail(USAGE, &format!("{}: {error}", request.display()));
     }
     let request = match Request::read_with_kind(&body, &config.limits) {
-        Ok((_, request)) => request,
+        Ok(request) => request,
         Err(rejection) => return fail(1, &rejection_text(&rejection)),
     };
     let bar = ProgressBar::new(1000);

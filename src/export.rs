@@ -23,8 +23,8 @@ pub mod stl;
 pub mod svg;
 pub mod zip;
 
-pub use archive::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Polyline, SegmentValues, Unit, UpAxis};
-pub use pattern::{Flat, Fold, Pattern, Piece};
+pub use archive::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Polyline, SegmentValues};
+pub use pattern::{Fold, Pattern, Piece};
 
 /// What a mesh can be downloaded as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

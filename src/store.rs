@@ -12,35 +12,48 @@
 //! Ids are chosen by the caller and must sort by time (ULID), because lists are ordered by them. Times are milliseconds
 //! since 1970 by the database's clock. An owner is the name of an API key; without keys there is none. Functions that
 //! take an `owner` see only that owner's jobs if one is given and every job otherwise.
+//!
+//! Each operation is a plain function on a transaction ([`tx::Tx`]), in the module of its subject. [`Store`] lists them
+//! all and runs each on the engine's own threads ([`sqlite`], [`postgres`]).
 
-mod batch;
+mod ballast;
+mod batches;
 #[cfg(feature = "s3")]
 mod bucket;
-mod callback;
-mod engine;
+mod callbacks;
+mod claims;
 mod files;
-mod queue;
-mod record;
+mod jobs;
+mod migrations;
+mod pool;
+mod postgres;
+mod results;
 mod retention;
-mod sql;
 mod sqlite;
+mod tx;
 mod watch;
 
-use std::sync::{Arc, Mutex};
-use std::time::{Duration, Instant};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 use tokio::sync::watch as signal;
 
-pub use batch::{BatchJob, BatchLookup, BatchRow, NewBatch, SubmittedBatch};
-pub use callback::{Callback, Subject};
-use engine::{Engine, Result};
+use ballast::Ballast;
+pub use batches::{BatchJob, BatchLookup, BatchRow, NewBatch, SubmittedBatch};
+pub use callbacks::{Callback, Subject};
+pub use claims::{Claimed, Renewed};
 use files::Files;
-pub use queue::{Begun, Claimed, NewJob, Outcome, Renewed, Submitted};
-pub use record::{EventId, Filter, JobRow, Lookup, Status, StatusEvent};
-pub use retention::{Artefact, Counts, Swept};
-pub use sql::redacted;
+pub use jobs::{EventId, Filter, JobRow, Lookup, NewJob, Outcome, Solved, StatusEvent, Submitted};
+pub use postgres::redacted;
+pub use results::Artefact;
+use results::Prepared;
+pub use retention::Swept;
+use tx::{News, Tx};
 use watch::Changes;
 pub use watch::JobWatch;
+
+pub(crate) type Result<T> = std::result::Result<T, StoreError>;
 
 /// What a store may do; the defaults suit one machine.
 #[derive(Debug, Clone)]
@@ -73,6 +86,8 @@ pub struct StoreOptions {
     pub connections: u32,
     /// How often watched jobs and the queue are looked at without having been told of a change.
     pub poll_interval: Duration,
+    /// Size of the file beside an SQLite database that is given up first when the disk is full; 0 for none.
+    pub ballast_bytes: u64,
 }
 
 impl Default for StoreOptions {
@@ -91,6 +106,7 @@ impl Default for StoreOptions {
             result_version: env!("CARGO_PKG_VERSION").into(),
             connections: 10,
             poll_interval: Duration::from_secs(1),
+            ballast_bytes: 0,
         }
     }
 }
@@ -119,44 +135,6 @@ pub enum StoreError {
     Internal(String),
 }
 
-impl From<sqlx::Error> for StoreError {
-    fn from(error: sqlx::Error) -> Self {
-        let text = error.to_string();
-        match &error {
-            sqlx::Error::Database(database) => match database.code().as_deref() {
-                // disk_full.
-                Some("53100") => Self::NoSpace(text),
-                // serialization_failure, deadlock_detected, unique_violation.
-                Some("40001" | "40P01" | "23505") => Self::Contended(text),
-                // Connection, resource and operator classes.
-                Some(code) if code.len() == 5 && ["08", "53", "57", "58"].contains(&&code[..2]) => {
-                    Self::Unavailable(text)
-                }
-                _ => Self::Internal(text),
-            },
-            sqlx::Error::Io(_)
-            | sqlx::Error::Tls(_)
-            | sqlx::Error::Protocol(_)
-            | sqlx::Error::PoolTimedOut
-            | sqlx::Error::PoolClosed
-            | sqlx::Error::WorkerCrashed => Self::Unavailable(text),
-            _ => Self::Internal(text),
-        }
-    }
-}
-
-impl From<rusqlite::Error> for StoreError {
-    fn from(error: rusqlite::Error) -> Self {
-        use rusqlite::ErrorCode::{DatabaseBusy, DatabaseLocked, DiskFull, SystemIoFailure};
-        let text = error.to_string();
-        match error.sqlite_error_code() {
-            Some(DiskFull) => Self::NoSpace(text),
-            Some(DatabaseBusy | DatabaseLocked | SystemIoFailure) => Self::Unavailable(text),
-            _ => Self::Internal(text),
-        }
-    }
-}
-
 impl From<std::io::Error> for StoreError {
     fn from(error: std::io::Error) -> Self {
         match error.kind() {
@@ -175,32 +153,99 @@ pub struct Store {
 #[derive(Debug)]
 struct Inner {
     engine: Engine,
-    options: StoreOptions,
+    options: Arc<StoreOptions>,
     changes: Changes,
     files: Option<Files>,
-    /// When it was last seen that no job waits, and how often work had been heard of then.
-    idle: Mutex<Option<(Instant, u64)>>,
+    ballast: Ballast,
+    /// True while the last write found no space.
+    full: AtomicBool,
+    /// True while the last result file could not be written.
+    results_refused: AtomicBool,
 }
 
+#[derive(Debug)]
+enum Engine {
+    Sqlite(sqlite::Database),
+    Postgres(Arc<postgres::Database>),
+}
+
+/// Opening and closing, and what the rest of the service asks about the store itself.
 impl Store {
     /// Opens `sqlite://PATH` (created if missing) or `postgres://USER@HOST/DATABASE` and brings its tables up to date.
     /// Must run inside a tokio runtime, which then also runs the store's own tasks.
     pub async fn open(url: &str, options: StoreOptions) -> Result<Self> {
         let files = options.results.as_deref().map(Files::open).transpose()?;
-        let engine = Engine::open(url, &options).await?;
-        let changes = Changes::new(&engine, options.poll_interval);
-        Ok(Self { inner: Arc::new(Inner { engine, options, changes, files, idle: Mutex::default() }) })
+        let is_postgres = url.starts_with("postgres://") || url.starts_with("postgresql://");
+        if !is_postgres && !url.starts_with("sqlite:") {
+            return Err(StoreError::Url("expected sqlite://PATH or postgres://USER@HOST/DATABASE".into()));
+        }
+        let (engine, ballast) = if is_postgres {
+            let database = postgres::Database::open(url, &options).await?;
+            (Engine::Postgres(Arc::new(database)), Ballast::new("".as_ref(), 0))
+        } else {
+            let ballast = Ballast::new(&sqlite::path(url)?, options.ballast_bytes);
+            let database = match sqlite::Database::open(url, &options).await {
+                Err(StoreError::NoSpace(_)) => {
+                    ballast.give_up();
+                    sqlite::Database::open(url, &options).await?
+                }
+                opened => opened?,
+            };
+            ballast.restore();
+            (Engine::Sqlite(database), ballast)
+        };
+        let changes = Changes::new(&engine, options.poll_interval)?;
+        let store = Self {
+            inner: Arc::new(Inner {
+                engine,
+                options: Arc::new(options),
+                changes,
+                files,
+                ballast,
+                full: AtomicBool::new(false),
+                results_refused: AtomicBool::new(false),
+            }),
+        };
+        store.probe_results().await;
+        Ok(store)
     }
 
     /// Waits for writes under way, then closes every connection. Later calls fail as `Unavailable`.
     pub async fn close(&self) {
-        self.inner.changes.stop();
-        self.inner.engine.close().await;
+        match &self.inner.engine {
+            Engine::Sqlite(database) => database.close().await,
+            Engine::Postgres(database) => database.close().await,
+        }
     }
 
-    /// Ok if the database answers.
-    pub async fn ping(&self) -> Result<()> {
-        self.inner.engine.rows("SELECT 1", Vec::new()).await.map(|_| ())
+    /// Ok if the database answers and takes new jobs and results.
+    pub async fn check(&self) -> Result<()> {
+        self.read(|tx| tx.exists("SELECT 1", &[])).await?;
+        self.check_room_for_results()
+    }
+
+    /// Ok unless the last attempts to write a job or a result failed for want of room or of a place for results. Workers
+    /// take no job meanwhile, because they could not store its result.
+    pub fn check_room_for_results(&self) -> Result<()> {
+        if self.inner.full.load(Ordering::Relaxed) || self.inner.ballast.is_given_up() {
+            return Err(StoreError::NoSpace("the disk is full".into()));
+        }
+        if self.inner.results_refused.load(Ordering::Relaxed) {
+            return Err(StoreError::Unavailable("results cannot be written to store.results".into()));
+        }
+        Ok(())
+    }
+
+    /// Looks whether result files can be written, and says so in the log if they cannot.
+    pub async fn probe_results(&self) {
+        let Some(files) = &self.inner.files else { return };
+        let probed = files.probe().await;
+        let refused = self.inner.results_refused.swap(probed.is_err(), Ordering::Relaxed);
+        match probed {
+            Err(error) => tracing::error!(%error, "results cannot be written to store.results; no job is started"),
+            Ok(()) if refused => tracing::info!("results can be written again"),
+            Ok(()) => {}
+        }
     }
 
     /// Changes whenever a job may have become claimable, on this instance or (PostgreSQL) any other. A worker that found
@@ -209,14 +254,314 @@ impl Store {
         self.inner.changes.work_signal()
     }
 
-    /// True while the last write found no space.
-    pub fn is_full(&self) -> bool {
-        self.inner.engine.is_full()
-    }
-
     pub fn options(&self) -> &StoreOptions {
         &self.inner.options
     }
+
+    fn changes(&self) -> &Changes {
+        &self.inner.changes
+    }
+
+    fn files(&self) -> Option<&Files> {
+        self.inner.files.as_ref()
+    }
+
+    /// Runs `work` in a transaction. All of it is durable when this returns `Ok`, and nothing of it happened otherwise,
+    /// except that nobody can tell what became of a connection lost during the commit. `work` may run more than once,
+    /// so it must not act outside the database.
+    async fn write<T: Send + 'static>(&self, work: impl Fn(&mut Tx<'_>) -> Result<T> + Send + 'static) -> Result<T> {
+        let written = match &self.inner.engine {
+            Engine::Sqlite(database) => database.write(work).await,
+            Engine::Postgres(database) => database.write(work).await,
+        };
+        match &written {
+            Ok(_) => self.inner.full.store(false, Ordering::Relaxed),
+            Err(StoreError::NoSpace(_)) => {
+                self.inner.full.store(true, Ordering::Relaxed);
+                self.inner.ballast.give_up();
+            }
+            Err(_) => {}
+        }
+        let (value, news) = written?;
+        self.publish(news).await;
+        Ok(value)
+    }
+
+    async fn publish(&self, news: News) {
+        self.inner.changes.publish(&news);
+        if let Some(files) = &self.inner.files {
+            for file in news.unneeded_files {
+                files.remove(file).await;
+            }
+        }
+    }
+
+    /// Runs `work`, which only reads.
+    async fn read<T: Send + 'static>(&self, work: impl Fn(&mut Tx<'_>) -> Result<T> + Send + 'static) -> Result<T> {
+        match &self.inner.engine {
+            Engine::Sqlite(database) => database.read(work).await,
+            Engine::Postgres(database) => database.read(work).await,
+        }
+    }
+
+    /// As [`Store::write`], for work that also needs the options.
+    async fn write_with<T: Send + 'static>(
+        &self,
+        work: impl Fn(&mut Tx<'_>, &StoreOptions) -> Result<T> + Send + 'static,
+    ) -> Result<T> {
+        let options = Arc::clone(&self.inner.options);
+        self.write(move |tx| work(tx, &options)).await
+    }
+
+    /// Fails while the ballast is given up, so that new jobs do not take the room that accepted ones need.
+    fn check_ballast(&self) -> Result<()> {
+        if self.inner.ballast.is_given_up() {
+            return Err(StoreError::NoSpace("the disk is full".into()));
+        }
+        Ok(())
+    }
+
+    /// Writes a result's file, if it is large.
+    async fn prepare(&self, id: &str, attempt: i64, outcome: &Outcome) -> Result<Option<Prepared>> {
+        let Outcome::Succeeded { artefact, artefact_hash, .. } = outcome else { return Ok(None) };
+        let mut prepared = Prepared { hash: results::name(artefact, *artefact_hash), file: None };
+        if let Some(files) = &self.inner.files
+            && artefact.len() > self.inner.options.inline_bytes
+        {
+            let file = format!("{id}-{attempt}");
+            let written = files.write(&file, artefact).await;
+            self.inner.results_refused.store(written.is_err(), Ordering::Relaxed);
+            if matches!(written, Err(StoreError::NoSpace(_))) {
+                self.inner.ballast.give_up();
+            }
+            written?;
+            prepared.file = Some(file);
+        }
+        Ok(Some(prepared))
+    }
+}
+
+/// Jobs.
+impl Store {
+    /// Fails with `QueueFull` if one more job of this owner would find no place in the queue.
+    pub async fn check_room(&self, owner: Option<&str>) -> Result<()> {
+        let (options, owner) = (Arc::clone(&self.inner.options), owner.map(str::to_owned));
+        self.read(move |tx| jobs::check_room(tx, owner.as_deref(), &options)).await
+    }
+
+    /// Stores a job. Fails with `QueueFull` if the queue or the owner's share of it is full; a job that takes a kept
+    /// result does not count.
+    pub async fn submit(&self, job: NewJob) -> Result<Submitted> {
+        self.check_ballast()?;
+        self.write_with(move |tx, options| jobs::submit(tx, &job, None, None, options)).await
+    }
+
+    /// Stores a job that this process has solved already: submission and end are one write, visible together.
+    pub async fn submit_solved(&self, job: NewJob, solved: Solved) -> Result<Submitted> {
+        self.check_ballast()?;
+        let result = self.prepare(&job.id, 1, &solved.outcome).await?;
+        let submit = move |tx: &mut Tx<'_>, options: &StoreOptions| {
+            jobs::submit(tx, &job, None, Some((&solved, result.as_ref())), options)
+        };
+        self.write_with(submit).await
+    }
+
+    pub async fn get(&self, id: &str, owner: Option<&str>) -> Result<Lookup> {
+        let (id, owner) = owned(id, owner);
+        self.read(move |tx| jobs::get(tx, &id, owner.as_deref())).await
+    }
+
+    /// At most `page` jobs, newest first, and the cursor of the next page if there is one. A cursor is the last id of
+    /// the page before, so jobs that come or go between pages neither repeat nor hide others.
+    pub async fn list(&self, filter: Filter, page: u32, cursor: Option<&str>) -> Result<(Vec<JobRow>, Option<String>)> {
+        let cursor = cursor.map(str::to_owned);
+        self.read(move |tx| jobs::list(tx, &filter, page, cursor.as_deref())).await
+    }
+
+    /// Cancels a queued or running job at once; any other is returned unchanged. The worker learns of it by its next
+    /// renewal or by watching the job.
+    pub async fn cancel(&self, id: &str, owner: Option<&str>) -> Result<Lookup> {
+        let (id, owner) = owned(id, owner);
+        self.write_with(move |tx, options| jobs::cancel(tx, &id, owner.as_deref(), options)).await
+    }
+
+    /// Removes a job, whatever its status; its result goes with the next sweep unless another job shares it. False if
+    /// there was none.
+    pub async fn delete(&self, id: &str, owner: Option<&str>) -> Result<bool> {
+        let (id, owner) = owned(id, owner);
+        self.write(move |tx| jobs::delete(tx, &id, owner.as_deref())).await
+    }
+
+    /// The number of jobs that wait.
+    pub async fn queue_length(&self) -> Result<i64> {
+        self.read(jobs::queue_length).await
+    }
+}
+
+/// Results.
+impl Store {
+    /// The result of a job that succeeded; `None` for any other id, and for a result that was discarded.
+    pub async fn artefact(&self, id: &str, owner: Option<&str>) -> Result<Option<Artefact>> {
+        let (key, mut missing) = (owned(id, owner), None);
+        loop {
+            let (id, owner) = key.clone();
+            let Some(row) = self.read(move |tx| results::find(tx, &id, owner.as_deref())).await? else {
+                return Ok(None);
+            };
+            let bytes = match (row.bytes, &row.file, &self.inner.files) {
+                (Some(bytes), _, _) => Some(bytes),
+                (None, Some(file), Some(files)) => files.read(file).await?,
+                (None, file, _) => {
+                    let text = format!("the result is in file {file:?} but store.results is not set");
+                    return Err(StoreError::Unavailable(text));
+                }
+            };
+            match bytes {
+                Some(bytes) => return Ok(Some(Artefact { hash: row.hash, bytes, touched_at: row.touched_at })),
+                // The row may have got another file since it was read.
+                None if row.file != missing => missing = row.file,
+                None => {
+                    self.write(move |tx| results::stop_sharing(tx, &row.hash)).await?;
+                    let file = missing.unwrap_or_default();
+                    return Err(StoreError::Unavailable(format!("the result's file {file} is missing")));
+                }
+            }
+        }
+    }
+
+    /// Removes a result whose bytes are damaged. Its jobs keep everything else, and an equal request is solved again.
+    pub async fn discard(&self, artefact: &Artefact) -> Result<()> {
+        let (hash, touched_at) = (artefact.hash.clone(), artefact.touched_at);
+        self.write(move |tx| results::discard(tx, &hash, touched_at)).await
+    }
+}
+
+/// Workers.
+impl Store {
+    /// Takes the job whose turn it is, if any, for `lease`. Jobs whose lease ran out go back to the queue first.
+    pub async fn claim(&self, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
+        // Reading first keeps idle workers off the one writer of SQLite.
+        let (lost, waiting) = self.read(claims::look).await?;
+        if lost {
+            self.write_with(claims::recover).await?;
+        }
+        if !lost && !waiting {
+            return Ok(None);
+        }
+        let worker = worker.to_owned();
+        self.write(move |tx| claims::claim(tx, &worker, lease)).await
+    }
+
+    /// Extends the lease if the worker still holds the job.
+    pub async fn renew(&self, id: &str, attempt: i64, lease: Duration) -> Result<Renewed> {
+        let id = id.to_owned();
+        self.write(move |tx| claims::renew(tx, &id, attempt, lease)).await
+    }
+
+    /// Stores the latest progress (JSON) if the worker still holds the job.
+    pub async fn progress(&self, id: &str, attempt: i64, progress: &str) -> Result<Renewed> {
+        let (id, progress) = (id.to_owned(), progress.to_owned());
+        self.write(move |tx| claims::progress(tx, &id, attempt, &progress)).await
+    }
+
+    /// Ends the attempt: the outcome and the new status are visible together or not at all. False, and nothing changed,
+    /// if the worker had lost the job.
+    pub async fn finish(&self, id: &str, attempt: i64, outcome: Arc<Outcome>) -> Result<bool> {
+        let result = self.prepare(id, attempt, &outcome).await?;
+        let id = id.to_owned();
+        let finish = move |tx: &mut Tx<'_>, options: &StoreOptions| {
+            claims::finish(tx, &id, attempt, &outcome, result.as_ref(), options)
+        };
+        self.write_with(finish).await
+    }
+
+    /// Gives a running job back to the queue, at its old place, without counting a lost lease. False if the worker had
+    /// lost it.
+    pub async fn hand_back(&self, id: &str, attempt: i64) -> Result<bool> {
+        let id = id.to_owned();
+        self.write(move |tx| claims::hand_back(tx, &id, attempt)).await
+    }
+}
+
+/// Batches.
+impl Store {
+    /// Stores a batch, whole. Fails with `QueueFull` if not all of its jobs find a place in the queue.
+    pub async fn submit_batch(&self, batch: NewBatch) -> Result<SubmittedBatch> {
+        self.check_ballast()?;
+        self.write_with(move |tx, options| batches::submit(tx, &batch, options)).await
+    }
+
+    pub async fn batch(&self, id: &str, owner: Option<&str>) -> Result<BatchLookup> {
+        let (id, owner) = owned(id, owner);
+        self.read(move |tx| batches::get(tx, &id, owner.as_deref())).await
+    }
+
+    /// The jobs of a batch with everything that is known about them, in the order of the submission.
+    pub async fn batch_jobs(&self, id: &str) -> Result<Vec<(i64, JobRow)>> {
+        let id = id.to_owned();
+        self.read(move |tx| batches::jobs_of(tx, &id)).await
+    }
+
+    /// Cancels every job of a batch that has not ended. Returns the batch, and the ids of the jobs that it cancelled.
+    pub async fn cancel_batch(&self, id: &str, owner: Option<&str>) -> Result<(BatchLookup, Vec<String>)> {
+        let (id, owner) = owned(id, owner);
+        self.write_with(move |tx, options| batches::cancel(tx, &id, owner.as_deref(), options)).await
+    }
+
+    /// Removes a batch with its jobs, whatever their status. Returns the ids of the jobs; `None` if there was no such
+    /// batch.
+    pub async fn delete_batch(&self, id: &str, owner: Option<&str>) -> Result<Option<Vec<String>>> {
+        let (id, owner) = owned(id, owner);
+        self.write(move |tx| batches::delete(tx, &id, owner.as_deref())).await
+    }
+}
+
+/// Callbacks.
+impl Store {
+    /// Takes a callback that is due and counts an attempt; nobody else is given it for `lease`. If the claimer dies it
+    /// is due again after that, so a message may arrive twice, but it is not lost.
+    pub async fn claim_callback(&self, lease: Duration) -> Result<Option<Callback>> {
+        if !self.read(callbacks::any_due).await? {
+            return Ok(None);
+        }
+        self.write(move |tx| callbacks::claim(tx, lease)).await
+    }
+
+    /// Forgets a callback that was delivered or is given up.
+    pub async fn settle_callback(&self, callback: &Callback) -> Result<()> {
+        let callback = callback.clone();
+        self.write(move |tx| callbacks::settle(tx, &callback)).await
+    }
+
+    /// Makes a callback whose attempt failed due again after `pause`.
+    pub async fn put_off_callback(&self, callback: &Callback, pause: Duration) -> Result<()> {
+        let callback = callback.clone();
+        self.write(move |tx| callbacks::put_off(tx, &callback, pause)).await
+    }
+}
+
+/// Retention.
+impl Store {
+    /// Expires ended jobs whose time is up or that exceed `max_jobs` or four fifths of `max_bytes`, forgets the oldest
+    /// expired ones, removes results that no job has, and recovers lost leases. Any number of instances may sweep at
+    /// once. On a disk that was full it takes the ballast's room again, if there is enough.
+    pub async fn sweep(&self) -> Result<Swept> {
+        let swept = retention::sweep(self).await;
+        if let (Engine::Sqlite(database), true) = (&self.inner.engine, self.inner.ballast.is_given_up()) {
+            database.cut_log().await?;
+            self.inner.ballast.restore();
+        }
+        swept
+    }
+
+    /// Puts jobs whose lease has run out back into the queue, or fails them. Returns how many it touched.
+    async fn recover(&self) -> Result<usize> {
+        if self.read(claims::look).await?.0 { self.write_with(claims::recover).await } else { Ok(0) }
+    }
+}
+
+fn owned(id: &str, owner: Option<&str>) -> (String, Option<String>) {
+    (id.to_owned(), owner.map(str::to_owned))
 }
 
 fn milliseconds(duration: Duration) -> i64 {

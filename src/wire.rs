@@ -18,9 +18,10 @@ pub mod schema;
 pub mod uniform_mesh;
 
 use crate::config::LimitsConfig;
+use crate::units::{Unit, UpAxis};
 use body::{Body, PointList};
 use plateau_geometry::error::Step;
-use plateau_geometry::{Error as GeometryError, InputError};
+use plateau_geometry::{DVec3, Error as GeometryError, InputError};
 use serde_json::Value;
 
 /// At most this many errors of one body are listed.
@@ -157,10 +158,50 @@ fn refuse_too_many_values(body: &[u8], limits: &LimitsConfig) -> Result<(), Reje
 
 /// A request that passed every check that can be made before the work.
 #[derive(Clone, Debug)]
-pub enum Request {
-    RuledSurface(Box<ruled_surface::RuledSurfaceRequest>),
-    MinimalSurface(Box<minimal_surface::MinimalSurfaceRequest>),
-    UniformMesh(Box<uniform_mesh::UniformMeshRequest>),
+pub struct Request {
+    pub unit: Unit,
+    pub up: UpAxis,
+    /// Whether the kept result of an equal request may be taken.
+    pub cache: common::Cache,
+    /// The URL that receives a message when the job ends.
+    pub callback_url: Option<String>,
+    /// About how much memory solving it takes, result included; rather too much than too little.
+    pub memory_bytes: u64,
+    /// True if solving it takes about a millisecond at most, so that it may keep a thread of the server.
+    pub quick: bool,
+    pub problem: Problem,
+}
+
+/// What a solver is given.
+#[derive(Clone, Debug)]
+pub enum Problem {
+    RuledSurface { directrices: Vec<Vec<DVec3>>, options: plateau_geometry::ruled_surface::Options },
+    MinimalSurface { boundaries: Vec<Vec<DVec3>>, options: plateau_geometry::minimal_surface::Options },
+    UniformMesh { domain: plateau_geometry::uniform_mesh::Domain, options: plateau_geometry::uniform_mesh::Options },
+}
+
+/// What the checks of one kind of request say.
+#[derive(Debug)]
+struct Checked {
+    memory_bytes: u64,
+    quick: bool,
+    problem: Problem,
+}
+
+/// A request of one kind, checked, as a [`Request`].
+macro_rules! checked {
+    ($request:ident, $limits:expr) => {{
+        let Checked { memory_bytes, quick, problem } = $request.check($limits)?;
+        Request {
+            unit: $request.units,
+            up: $request.up,
+            cache: $request.cache,
+            callback_url: $request.callback_url,
+            memory_bytes,
+            quick,
+            problem,
+        }
+    }};
 }
 
 impl Request {
@@ -181,17 +222,41 @@ impl Request {
         Ok((request, value.into()))
     }
 
+    /// Reads a body that was stored when it was submitted, so the schema has seen it already. The limits of this process
+    /// may be others than those of the process that took it.
+    ///
+    /// # Errors
+    /// A body that this version does not know, or that exceeds the limits.
+    pub fn read_stored(kind: Kind, body: &[u8], limits: &LimitsConfig) -> Result<Self, Rejection> {
+        let unknown = |error: serde_json::Error| Rejection::Malformed(error.to_string());
+        let request = match kind {
+            Kind::RuledSurface => {
+                let request: ruled_surface::RuledSurfaceRequest = serde_json::from_slice(body).map_err(unknown)?;
+                checked!(request, limits)
+            }
+            Kind::MinimalSurface => {
+                let request: minimal_surface::MinimalSurfaceRequest = serde_json::from_slice(body).map_err(unknown)?;
+                checked!(request, limits)
+            }
+            Kind::UniformMesh => {
+                let request: uniform_mesh::UniformMeshRequest = serde_json::from_slice(body).map_err(unknown)?;
+                checked!(request, limits)
+            }
+        };
+        request.within(limits)
+    }
+
     /// Reads a body that names its kind itself, as `plateau solve` takes it.
     ///
     /// # Errors
     /// As [`Request::read`]; a missing or unknown `kind` is an error at `/kind`.
-    pub fn read_with_kind(body: &[u8], limits: &LimitsConfig) -> Result<(Kind, Self), Rejection> {
+    pub fn read_with_kind(body: &[u8], limits: &LimitsConfig) -> Result<Self, Rejection> {
         let value = json::parse(body)?;
         let kind = value.get("kind").and_then(Value::as_str).and_then(Kind::from_name).ok_or_else(|| {
             let names = Kind::ALL.map(Kind::name).join(", ");
             Rejection::Invalid(vec![FieldError::new("/kind", format!("must be one of: {names}"))])
         })?;
-        Ok((kind, Self::from_value(kind, &value, limits)?))
+        Self::from_value(kind, &value, limits)
     }
 
     /// # Errors
@@ -204,82 +269,44 @@ impl Request {
     fn of(kind: Kind, outline: &Value, lists: &[PointList], limits: &LimitsConfig) -> Result<Self, Rejection> {
         schema::validate(kind, outline)?;
         let checked = Self::checked(kind, outline, lists, limits);
-        let request = checked.map_err(|rejection| rejection.placed_in(outline))?;
-        if request.memory_bytes() > limits.memory_bytes {
-            let (needed, most) = (request.memory_bytes() >> 20, limits.memory_bytes >> 20);
-            let detail = format!("needs about {needed} MiB to solve, more than this server gives one job ({most} MiB)");
-            return Err(Rejection::TooLarge(vec![FieldError::new("", detail)]));
-        }
-        Ok(request)
+        checked.map_err(|rejection| rejection.placed_in(outline))?.within(limits)
     }
 
     fn checked(kind: Kind, value: &Value, lists: &[PointList], limits: &LimitsConfig) -> Result<Self, Rejection> {
-        match kind {
+        Ok(match kind {
             Kind::RuledSurface => {
                 let mut request: ruled_surface::RuledSurfaceRequest = schema::deserialize(value)?;
                 lists.iter().for_each(|list| request.take(list));
-                request.check(limits)?;
-                Ok(Self::RuledSurface(Box::new(request)))
+                checked!(request, limits)
             }
             Kind::MinimalSurface => {
                 let mut request: minimal_surface::MinimalSurfaceRequest = schema::deserialize(value)?;
                 lists.iter().for_each(|list| request.take(list));
-                request.check(limits)?;
-                Ok(Self::MinimalSurface(Box::new(request)))
+                checked!(request, limits)
             }
             Kind::UniformMesh => {
                 let request: uniform_mesh::UniformMeshRequest = schema::deserialize(value)?;
-                request.check(limits)?;
-                Ok(Self::UniformMesh(Box::new(request)))
+                checked!(request, limits)
             }
-        }
+        })
     }
 
-    /// About how much memory solving it takes, result included; rather too much than too little.
-    #[must_use]
-    pub fn memory_bytes(&self) -> u64 {
-        match self {
-            Self::RuledSurface(request) => request.memory_bytes(),
-            Self::MinimalSurface(request) => request.memory_bytes(),
-            Self::UniformMesh(request) => request.memory_bytes(),
+    /// Refuses a request that needs more memory than this server gives one job.
+    fn within(self, limits: &LimitsConfig) -> Result<Self, Rejection> {
+        if self.memory_bytes <= limits.memory_bytes {
+            return Ok(self);
         }
-    }
-
-    /// Whether solving it takes about a millisecond at most, so that it may keep a thread of the server.
-    #[must_use]
-    pub fn is_quick(&self) -> bool {
-        match self {
-            Self::RuledSurface(request) => request.is_quick(),
-            Self::MinimalSurface(_) | Self::UniformMesh(_) => false,
-        }
-    }
-
-    /// Whether the stored result of an equal earlier request may be returned.
-    #[must_use]
-    pub fn cache(&self) -> common::Cache {
-        match self {
-            Self::RuledSurface(request) => request.cache,
-            Self::MinimalSurface(request) => request.cache,
-            Self::UniformMesh(request) => request.cache,
-        }
-    }
-
-    /// Who is to be told of the job's end.
-    #[must_use]
-    pub fn callback_url(&self) -> Option<&str> {
-        match self {
-            Self::RuledSurface(request) => request.callback_url.as_deref(),
-            Self::MinimalSurface(request) => request.callback_url.as_deref(),
-            Self::UniformMesh(request) => request.callback_url.as_deref(),
-        }
+        let (needed, most) = (self.memory_bytes >> 20, limits.memory_bytes >> 20);
+        let detail = format!("needs about {needed} MiB to solve, more than this server gives one job ({most} MiB)");
+        Err(Rejection::TooLarge(vec![FieldError::new("", detail)]))
     }
 
     #[must_use]
     pub fn kind(&self) -> Kind {
-        match self {
-            Self::RuledSurface(_) => Kind::RuledSurface,
-            Self::MinimalSurface(_) => Kind::MinimalSurface,
-            Self::UniformMesh(_) => Kind::UniformMesh,
+        match self.problem {
+            Problem::RuledSurface { .. } => Kind::RuledSurface,
+            Problem::MinimalSurface { .. } => Kind::MinimalSurface,
+            Problem::UniformMesh { .. } => Kind::UniformMesh,
         }
     }
 }

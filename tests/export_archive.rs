@@ -3,8 +3,8 @@
 #[path = "export/sample.rs"]
 mod sample;
 
-use plateau::export::{Archive, Contents, Defect, Flat, Fold, LineSet, Lines, MeanCurvature, Pattern, Piece, Polyline};
-use plateau_geometry::{DVec2, DVec3};
+use plateau::export::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Polyline};
+use plateau_geometry::DVec3;
 use proptest::prelude::*;
 use sha2::{Digest, Sha256};
 
@@ -16,7 +16,7 @@ fn signed(mut body: Vec<u8>) -> Vec<u8> {
 }
 
 fn body(archive: &Archive) -> Vec<u8> {
-    let mut bytes = archive.to_bytes();
+    let mut bytes = archive.to_bytes().unwrap();
     bytes.truncate(bytes.len() - 32);
     bytes
 }
@@ -24,11 +24,11 @@ fn body(archive: &Archive) -> Vec<u8> {
 #[test]
 fn everything_comes_back_and_the_bytes_repeat() {
     let archive = sample::full();
-    let bytes = archive.to_bytes();
+    let bytes = archive.to_bytes().unwrap();
     assert_eq!(Archive::from_bytes(&bytes).as_ref(), Ok(&archive));
-    assert_eq!(Archive::from_bytes(&bytes).unwrap().to_bytes(), bytes);
+    assert_eq!(Archive::from_bytes(&bytes).unwrap().to_bytes().unwrap(), bytes);
     let plain = Archive::new(sample::roof(1.0, DVec3::ZERO)).unwrap();
-    assert_eq!(Archive::from_bytes(&plain.to_bytes()), Ok(plain));
+    assert_eq!(Archive::from_bytes(&plain.to_bytes().unwrap()), Ok(plain));
 }
 
 #[test]
@@ -37,29 +37,30 @@ fn coordinates_keep_every_bit() {
     let mut contents = sample::roof(1.0, DVec3::ZERO);
     contents.mesh.vertices[0] = DVec3::new(odd[0], odd[1], odd[2]);
     contents.mesh.vertices[1] = DVec3::new(odd[3], odd[4], odd[5]);
-    let back = Archive::from_bytes(&Archive::new(contents).unwrap().to_bytes()).unwrap();
+    let back = Archive::from_bytes(&Archive::new(contents).unwrap().to_bytes().unwrap()).unwrap();
     let read: Vec<u64> =
         back.contents().mesh.vertices[..2].iter().flat_map(|v| v.to_array()).map(f64::to_bits).collect();
     assert_eq!(read, odd.map(f64::to_bits));
 }
 
-/// A file of each version as it was written when the version was new: it must open for ever, and be written so while it is current.
+/// Files as this version wrote them first: stored results must open for as long as the version stays the same.
 #[test]
-fn every_version_is_frozen() {
-    assert_eq!(Archive::from_bytes(include_bytes!("export/archive-v1.bin")), Ok(sample::full()));
-    assert_eq!(Archive::from_bytes(include_bytes!("export/archive-v2.bin")), Ok(sample::full()));
-    let current = include_bytes!("export/archive-v3.bin");
-    assert_eq!(Archive::from_bytes(current), Ok(sample::full()));
-    assert!(sample::full().to_bytes() == current);
-    let strip = include_bytes!("export/archive-v3-strip.bin");
-    assert_eq!(Archive::from_bytes(strip), Archive::new(sample::strip()));
-    assert!(Archive::new(sample::strip()).unwrap().to_bytes() == strip);
+fn the_version_is_frozen() {
+    for (file, archive) in [("full", sample::full()), ("strip", Archive::new(sample::strip()).unwrap())] {
+        let path = format!("{}/tests/export/archive-v4-{file}.bin", env!("CARGO_MANIFEST_DIR"));
+        if std::env::var_os("PLATEAU_WRITE_ARCHIVES").is_some() {
+            std::fs::write(&path, archive.to_bytes().unwrap()).unwrap();
+        }
+        let bytes = std::fs::read(&path).unwrap();
+        assert_eq!(Archive::from_bytes(&bytes).as_ref(), Ok(&archive));
+        assert!(archive.to_bytes().unwrap() == bytes, "{file}");
+    }
 }
 
 #[test]
 fn a_strip_unrolls_from_its_bridges() {
     let contents = sample::strip();
-    let pattern = contents.flat_pattern().unwrap().into_owned();
+    let pattern = contents.flat_pattern().unwrap();
     let [piece] = pattern.pieces.as_slice() else { panic!("one strip") };
     let (outline, folds) = (&piece.outline, &piece.folds);
     assert_eq!((piece.name.as_str(), outline.len(), folds.len()), ("strip 1", 5, 2));
@@ -77,12 +78,8 @@ fn a_strip_unrolls_from_its_bridges() {
     assert!(folds[0].angle_deg > 1.0, "{}", folds[0].angle_deg);
     let mut back = contents.clone();
     back.mesh.triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));
-    let other = back.flat_pattern().unwrap().into_owned();
+    let other = back.flat_pattern().unwrap();
     assert_eq!(other.pieces[0].folds[0].angle_deg, -folds[0].angle_deg);
-    // Version 2 knew no such pattern.
-    let mut bytes = body(&Archive::new(contents).unwrap());
-    bytes[8] = 2;
-    assert!(matches!(Archive::from_bytes(&signed(bytes)), Err(Defect::Bytes { what: "unknown kind of pattern", .. })));
 }
 
 #[test]
@@ -112,41 +109,19 @@ fn bridges_that_do_not_unroll_the_mesh_are_refused() {
 }
 
 #[test]
-fn folds_along_the_outline_take_few_bytes_and_others_come_back_too() {
-    let outline: Vec<DVec2> = (0..50)
-        .map(|k| DVec2::new(f64::from(k), 0.0))
-        .chain((0..50).rev().map(|k| DVec2::new(f64::from(k), 9.0)))
-        .collect();
-    let with = |ends: &dyn Fn(usize) -> [DVec2; 2]| {
-        let folds = (0..40).map(|k| Fold { ends: ends(k), angle_deg: 1.0 }).collect();
-        let mut contents = sample::roof(1.0, DVec3::ZERO);
-        contents.pattern =
-            Flat::Kept(Pattern { pieces: vec![Piece { name: "strip".into(), outline: outline.clone(), folds }] });
-        let archive = Archive::new(contents).unwrap();
-        let bytes = archive.to_bytes();
-        assert_eq!(Archive::from_bytes(&bytes), Ok(archive));
-        bytes.len()
-    };
-    let on = with(&|k| [outline[1 + k], outline[99 - k / 2]]);
-    let off = with(&|k| [outline[1 + k], DVec2::new(k as f64, 8.5)]);
-    let far = with(&|k| [outline[30 + k], outline[99]]);
-    let back = with(&|k| [outline[40 - k], outline[99]]);
-    assert_eq!(off - on, 40 * 16);
-    assert!(far - on > 16 && back - on > 16);
-}
-
-#[test]
 fn foreign_newer_cut_and_changed_files_are_told_apart() {
-    let bytes = sample::full().to_bytes();
+    let bytes = sample::full().to_bytes().unwrap();
     assert_eq!(Archive::from_bytes(b""), Err(Defect::Magic));
     assert_eq!(Archive::from_bytes(b"glTF and so on"), Err(Defect::Magic));
-    let mut newer = bytes.clone();
-    newer[8] = 4;
-    assert_eq!(Archive::from_bytes(&newer), Err(Defect::Version(4)));
-    for length in 12..bytes.len() {
+    for version in [3, 5] {
+        let mut other = body(&sample::full());
+        other[8] = version;
+        assert_eq!(Archive::from_bytes(&signed(other)), Err(Defect::Version(version.into())));
+    }
+    for length in 8..bytes.len() {
         assert_eq!(Archive::from_bytes(&bytes[..length]), Err(Defect::Checksum), "cut to {length} bytes");
     }
-    for at in 12..bytes.len() {
+    for at in 8..bytes.len() {
         let mut changed = bytes.clone();
         changed[at] ^= 0x10;
         assert_eq!(Archive::from_bytes(&changed), Err(Defect::Checksum), "byte {at} changed");
@@ -160,20 +135,16 @@ fn a_cut_or_longer_body_under_a_fitting_checksum_is_refused() {
         assert!(Archive::from_bytes(&signed(body[..length].to_vec())).is_err(), "cut to {length} bytes");
     }
     let longer = [body.as_slice(), &[0]].concat();
-    assert!(matches!(Archive::from_bytes(&signed(longer)), Err(Defect::Bytes { .. })));
+    assert!(matches!(Archive::from_bytes(&signed(longer)), Err(Defect::Bytes(_))));
 }
 
 #[test]
 fn a_huge_count_is_refused_before_memory_is_asked_for() {
-    let mut first = b"\x89PLATEAU\x01\0\0\0".to_vec();
-    first.extend_from_slice(&[0; 4 + 4 + 1 + 1]);
-    first.extend_from_slice(&u32::MAX.to_le_bytes());
-    let mut second = b"\x89PLATEAU\x02\0\0\0".to_vec();
-    second.extend_from_slice(&[0, 0, 0, 0, 0xff, 0xff, 0xff, 0xff, 0xff, 0x7f]);
-    for (body, at) in [(first, 26), (second, 22)] {
-        let defect = Archive::from_bytes(&signed(body)).unwrap_err();
-        assert_eq!(defect, Defect::Bytes { at, what: "a list longer than the file" });
-    }
+    // Generator and title are empty, unit and axis the first of each; then a count of 2^62 vertices.
+    let mut body = b"\x89PLATEAU\x04\0\0\0\0\0\0\0".to_vec();
+    body.extend_from_slice(&[0xff; 8]);
+    body.push(0x3f);
+    assert!(matches!(Archive::from_bytes(&signed(body)), Err(Defect::Bytes(_))));
 }
 
 #[test]
@@ -208,23 +179,22 @@ fn unsound_contents_are_refused_by_name() {
 proptest! {
     /// Any bytes behind a right start and checksum: an archive that comes back from what it is written as, or a refusal.
     #[test]
-    fn any_payload_is_read_or_refused(version in 1..=3u8, payload in prop::collection::vec(any::<u8>(), 0..400)) {
-        let body = [b"\x89PLATEAU".as_slice(), &[version, 0, 0, 0], &payload].concat();
+    fn any_payload_is_read_or_refused(payload in prop::collection::vec(any::<u8>(), 0..400)) {
+        let body = [b"\x89PLATEAU\x04\0\0\0".as_slice(), &payload].concat();
         if let Ok(archive) = Archive::from_bytes(&signed(body)) {
-            prop_assert_eq!(Archive::from_bytes(&archive.to_bytes()), Ok(archive));
+            prop_assert_eq!(Archive::from_bytes(&archive.to_bytes().unwrap()), Ok(archive));
         }
     }
 
     /// A real archive with a few bytes overwritten gets further into the reader than noise does.
     #[test]
     fn any_change_is_read_or_refused(
-        which in 0..3,
+        which in 0..2,
         changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
     ) {
         let mut body = match which {
-            0 => include_bytes!("export/archive-v1.bin").to_vec(),
-            1 => Archive::new(sample::strip()).unwrap().to_bytes(),
-            _ => sample::full().to_bytes(),
+            0 => Archive::new(sample::strip()).unwrap().to_bytes().unwrap(),
+            _ => sample::full().to_bytes().unwrap(),
         };
         body.truncate(body.len() - 32);
         for (at, value) in changes {
@@ -233,7 +203,7 @@ proptest! {
         }
         if let Ok(archive) = Archive::from_bytes(&signed(body)) {
             prop_assert!(archive.contents().flat_pattern().is_none_or(|pattern| pattern.pieces.len() < 1 << 20));
-            prop_assert_eq!(Archive::from_bytes(&archive.to_bytes()), Ok(archive));
+            prop_assert_eq!(Archive::from_bytes(&archive.to_bytes().unwrap()), Ok(archive));
         }
     }
 }

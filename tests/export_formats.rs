@@ -3,7 +3,8 @@
 #[path = "export/sample.rs"]
 mod sample;
 
-use plateau::export::{Archive, Contents, Error, MeanCurvature, MeshFormat, PatternFormat, Unit, UpAxis};
+use plateau::export::{Archive, Contents, Error, MeanCurvature, MeshFormat, PatternFormat, dxf, svg};
+use plateau::units::{Unit, UpAxis};
 use plateau_geometry::DVec3;
 use serde_json::{Value, json};
 
@@ -358,7 +359,7 @@ fn stl_holds_each_triangle_with_its_normal() {
 
 #[test]
 fn svg_is_true_to_scale_in_millimetres() {
-    let text = String::from_utf8(PatternFormat::Svg.encode(&sample::full()).unwrap()).unwrap();
+    let text = String::from_utf8(svg::to_svg(&sample::pattern(), sample::full().contents())).unwrap();
     // 200 x 100 cm above 150 x 100 cm, 10 cm between them, margins of 2% of the larger side (2.1 m): 4.2 cm.
     assert!(text.contains(r#"width="2084.0mm" height="2184.0mm" viewBox="0 0 2084.0 2184.0""#), "{text}");
     assert!(text.contains(r#"d="M42.0,1042.0L2042.0,1042.0L2042.0,42.0L42.0,42.0Z""#), "{text}");
@@ -374,15 +375,15 @@ fn svg_is_true_to_scale_in_millimetres() {
 }
 
 /// DXF as (group code, value) pairs.
-fn dxf_pairs(archive: &Archive) -> Vec<(u16, String)> {
-    let text = String::from_utf8(PatternFormat::Dxf.encode(archive).unwrap()).unwrap();
+fn dxf_pairs() -> Vec<(u16, String)> {
+    let text = String::from_utf8(dxf::to_dxf(&sample::pattern(), sample::full().contents())).unwrap();
     let lines: Vec<&str> = text.lines().collect();
     lines.chunks(2).map(|pair| (pair[0].trim().parse().unwrap(), pair[1].to_owned())).collect()
 }
 
 #[test]
 fn dxf_is_true_to_scale_in_the_clients_unit_with_a_layer_for_each_tool() {
-    let pairs = dxf_pairs(&sample::full());
+    let pairs = dxf_pairs();
     let at = |code: u16, value: &str| pairs.iter().position(|(c, v)| *c == code && v == value).unwrap();
     assert_eq!(pairs[at(9, "$INSUNITS") + 1], (70, "5".into()));
     let entities = &pairs[at(2, "ENTITIES")..at(2, "OBJECTS") - 1];
@@ -415,7 +416,7 @@ fn dxf_is_true_to_scale_in_the_clients_unit_with_a_layer_for_each_tool() {
 /// A reader refuses a file with two objects of one handle, or a seed that would make it happen.
 #[test]
 fn dxf_handles_are_unique_and_below_the_seed() {
-    let pairs = dxf_pairs(&sample::full());
+    let pairs = dxf_pairs();
     let seed_at = pairs.iter().position(|(_, value)| value == "$HANDSEED").unwrap();
     let hex = |text: &str| u32::from_str_radix(text, 16).unwrap();
     let seed = hex(&pairs[seed_at + 1].1);
@@ -433,6 +434,8 @@ fn dxf_handles_are_unique_and_below_the_seed() {
 fn only_archives_with_a_pattern_have_pattern_files() {
     let archive = archive(sample::roof(1.0, DVec3::ZERO));
     assert!(PatternFormat::ALL.iter().all(|format| format.encode(&archive).is_none()));
+    let strip = Archive::new(sample::strip()).unwrap();
+    assert!(PatternFormat::ALL.iter().all(|format| format.encode(&strip).is_some()));
 }
 
 #[test]

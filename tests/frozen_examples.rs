@@ -87,7 +87,7 @@ fn platform() -> String {
 fn solved(file: &Path) -> Solved {
     let body = std::fs::read(file).expect("an example");
     let name = file.display();
-    let (_, request) = Request::read_with_kind(&body, &LimitsConfig::default())
+    let request = Request::read_with_kind(&body, &LimitsConfig::default())
         .unwrap_or_else(|rejection| panic!("{name} is refused: {rejection:?}"));
     let solved = solve(&request, &|| Signal::Continue, &|_| {});
     solved.unwrap_or_else(|unsolved| panic!("{name} fails: {unsolved:?}"))

@@ -160,6 +160,9 @@ fn both_ways_agree(body: &[u8], limits: &LimitsConfig) -> Result<(), String> {
         (Ok((one, read)), Ok(other)) => {
             let written = serde_json::to_vec(&read).map_err(|error| error.to_string())?;
             let same = format!("{one:?}") == format!("{other:?}") && json::parse(&written) == Ok(value);
+            // A worker reads what was written without the schema.
+            let stored = Request::read_stored(kind, &written, limits).map_err(|error| format!("stored: {error:?}"))?;
+            let same = same && format!("{stored:?}") == format!("{one:?}");
             if same { Ok(()) } else { Err("two ways of reading differ".into()) }
         }
         (Err(one), Err(other)) if one == other => Ok(()),
@@ -171,7 +174,7 @@ fn both_ways_agree(body: &[u8], limits: &LimitsConfig) -> Result<(), String> {
 fn outcome(body: &[u8], limits: &LimitsConfig) -> Result<&'static str, String> {
     both_ways_agree(body, limits)?;
     let request = match Request::read_with_kind(body, limits) {
-        Ok((_, request)) => request,
+        Ok(request) => request,
         Err(Rejection::Malformed(detail)) => return Err(format!("called malformed: {detail}")),
         Err(Rejection::Invalid(errors) | Rejection::TooLarge(errors)) => {
             let document: Value = serde_json::from_slice(body).unwrap();
@@ -193,7 +196,8 @@ fn outcome(body: &[u8], limits: &LimitsConfig) -> Result<&'static str, String> {
     };
     match solve(&request, &signal, &|_| {}) {
         Ok(solved) => {
-            Archive::from_bytes(&solved.archive.to_bytes()).map_err(|defect| format!("its archive: {defect}"))?;
+            let bytes = solved.archive.to_bytes().map_err(|defect| format!("its archive: {defect}"))?;
+            Archive::from_bytes(&bytes).map_err(|defect| format!("its archive: {defect}"))?;
             // A mesh of 1e99 m is refused by glTF, whose coordinates have 32 bits; OBJ holds everything.
             let _ = MeshFormat::Glb.encode(&solved.archive);
             MeshFormat::Obj.encode(&solved.archive).map_err(|error| format!("its OBJ: {error}"))?;

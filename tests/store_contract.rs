@@ -7,9 +7,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
+use plateau::status::Status;
 use plateau::store::{
-    Artefact, BatchLookup, BatchRow, Begun, EventId, Filter, JobRow, Lookup, NewBatch, NewJob, Outcome, Renewed,
-    Status, Store, StoreError, StoreOptions, Subject, Submitted, SubmittedBatch,
+    BatchLookup, BatchRow, EventId, Filter, JobRow, Lookup, NewBatch, NewJob, Outcome, Renewed, Solved, Store,
+    StoreError, StoreOptions, Subject, Submitted, SubmittedBatch,
 };
 use sha2::{Digest, Sha256};
 use tempfile::TempDir;
@@ -49,6 +50,22 @@ impl Database {
             .get_or_insert_with(|| postgres::Postgres::start().map(Arc::new))
             .clone()?;
         Some(Self { url: server.database().await, _folder: None, _server: Some(server) })
+    }
+
+    /// Runs a statement behind the store's back.
+    async fn execute(&self, text: &'static str) {
+        let url = self.url.clone();
+        let run = move || match url.strip_prefix("sqlite://") {
+            Some(path) => rusqlite::Connection::open(path).unwrap().execute_batch(text).unwrap(),
+            None => {
+                let (server, folder) = url.split_once("?host=").unwrap();
+                let database = server.rsplit_once('/').unwrap().1;
+                let mut config = ::postgres::Config::new();
+                config.user("postgres").dbname(database).host_path(folder);
+                config.connect(::postgres::NoTls).unwrap().batch_execute(text).unwrap();
+            }
+        };
+        tokio::task::spawn_blocking(run).await.unwrap();
     }
 
     async fn open(&self, options: StoreOptions) -> Store {
@@ -100,13 +117,19 @@ cases! {
     a_file_without_a_job_is_swept,
     results_stay_within_their_bytes,
     a_sweep_of_many_removes_them_all,
+    a_damaged_result_is_discarded_and_made_again,
+    a_fresh_result_replaces_an_equal_one_that_is_damaged,
+    a_missing_file_keeps_its_result_from_being_shared,
+    a_row_that_cannot_be_read_hides_no_other,
+    a_lease_from_a_clock_that_was_set_back_has_run_out,
+    a_job_is_found_by_its_idempotency_key,
     watchers_see_every_status,
     a_watch_of_a_missing_job_says_so,
     another_instance_sees_changes_and_work,
     many_workers_end_every_job_once,
     a_reopened_store_has_its_jobs,
     a_closed_store_says_so,
-    counts_follow_the_queue,
+    the_queue_length_follows_the_queue,
     a_batch_is_on_disk_whole_or_not_at_all,
     a_batch_is_its_owners_and_is_gone_with_its_last_job,
     a_cancelled_batch_has_no_job_that_goes_on,
@@ -124,7 +147,6 @@ fn job(number: usize) -> NewJob {
         request_hash: std::array::from_fn(|byte| number.to_le_bytes()[byte % 8]),
         idempotency_key: None,
         body_hash: [number as u8; 32],
-        warnings: "[]".into(),
         callback_url: None,
         reuse: true,
     }
@@ -137,7 +159,11 @@ fn job_of(owner: &str, number: usize) -> NewJob {
 /// A result that is kept once, however often it is made.
 static MANY_BYTES: [u8; 40_000] = [7; 40_000];
 
-fn success(artefact: &[u8]) -> Outcome {
+fn success(artefact: &[u8]) -> Arc<Outcome> {
+    Arc::new(solved_as(artefact))
+}
+
+fn solved_as(artefact: &[u8]) -> Outcome {
     Outcome::Succeeded {
         statistics: "{\"area\":1.5}".into(),
         warnings: "[{\"code\":\"folds\"}]".into(),
@@ -174,15 +200,14 @@ fn statuses(job: &JobRow) -> Vec<Status> {
 
 async fn a_job_runs_from_queue_to_result(database: Database) {
     let store = database.open(StoreOptions::default()).await;
-    let queued = create(&store, NewJob { warnings: "[1]".into(), ..job_of("me", 1) }).await;
-    assert_eq!((queued.status, queued.attempt, queued.warnings.as_str()), (Status::Queued, 0, "[1]"));
+    let queued = create(&store, job_of("me", 1)).await;
+    assert_eq!((queued.status, queued.attempt, queued.warnings.as_str()), (Status::Queued, 0, "[]"));
     assert_eq!(queued.event_id().to_string(), "0.1");
     assert_eq!(store.artefact(&queued.id, None).await.unwrap(), None);
 
     let claimed = store.claim("worker", LEASE).await.unwrap().unwrap();
     assert_eq!(claimed.id, queued.id);
-    assert_eq!((claimed.kind.as_str(), claimed.owner.as_deref()), ("ruled_surface", Some("me")));
-    assert_eq!((claimed.request.as_slice(), claimed.warnings.as_str()), (&b"{\"number\":1}"[..], "[1]"));
+    assert_eq!((claimed.kind.as_str(), claimed.request.as_slice()), ("ruled_surface", &b"{\"number\":1}"[..]));
     assert_eq!(store.claim("worker", LEASE).await.unwrap(), None);
 
     assert_eq!(store.renew(&claimed.id, claimed.attempt, LEASE).await.unwrap(), Renewed::Held);
@@ -205,8 +230,8 @@ async fn a_job_runs_from_queue_to_result(database: Database) {
     let since: Vec<_> = ended.events_since(Some(EventId { attempt: 0, sequence: 1 })).collect();
     assert_eq!(since, [&ended.history[1], &ended.history[2]]);
     assert_eq!(ended.expires_at_ms.unwrap() - ended.finished_at_ms.unwrap(), 7 * 24 * 3_600_000);
-    let Artefact { hash, bytes } = store.artefact(&queued.id, None).await.unwrap().unwrap();
-    assert_eq!((bytes.as_slice(), Some(hash)), (&b"mesh"[..], ended.artefact));
+    let artefact = store.artefact(&queued.id, None).await.unwrap().unwrap();
+    assert_eq!((artefact.bytes.as_slice(), Some(artefact.hash)), (&b"mesh"[..], ended.artefact));
     assert!(!store.finish(&claimed.id, claimed.attempt, success(b"again")).await.unwrap());
     assert_eq!(store.artefact(&queued.id, None).await.unwrap().unwrap().bytes, b"mesh");
 }
@@ -417,7 +442,7 @@ async fn an_owner_sees_no_job_of_another(database: Database) {
     assert!(!store.delete(&id, other).await.unwrap());
     assert!(matches!(store.watch(&id, other).await.unwrap(), Err(Lookup::Missing)));
     let filter = Filter { owner: Some("other".into()), ..Filter::default() };
-    assert_eq!(store.list(&filter, 10, None).await.unwrap(), (Vec::new(), None));
+    assert_eq!(store.list(filter, 10, None).await.unwrap(), (Vec::new(), None));
     assert!(store.artefact(&id, Some("mine")).await.unwrap().is_some());
     assert!(store.watch(&id, Some("mine")).await.unwrap().is_ok());
     assert!(store.delete(&id, Some("mine")).await.unwrap());
@@ -432,7 +457,7 @@ async fn a_list_pages_through_every_job_once(database: Database) {
     let mut seen = Vec::new();
     let mut cursor: Option<String> = None;
     loop {
-        let (page, next) = store.list(&Filter::default(), 10, cursor.as_deref()).await.unwrap();
+        let (page, next) = store.list(Filter::default(), 10, cursor.as_deref()).await.unwrap();
         assert!(page.len() <= 10);
         seen.extend(page.into_iter().map(|job| job.id));
         // A job that comes between two pages is newer than any cursor.
@@ -447,10 +472,10 @@ async fn a_list_pages_through_every_job_once(database: Database) {
     let expected: Vec<_> = (0..25).rev().map(|number| job(number).id).collect();
     assert_eq!(seen, expected);
     // An exact page has no successor.
-    assert_eq!(store.list(&Filter::default(), 26, None).await.unwrap().1, None);
+    assert_eq!(store.list(Filter::default(), 26, None).await.unwrap().1, None);
 
     store.cancel(&job(4).id, None).await.unwrap();
-    let count = async |filter: Filter| store.list(&filter, 100, None).await.unwrap().0.len();
+    let count = async |filter: Filter| store.list(filter, 100, None).await.unwrap().0.len();
     assert_eq!(count(Filter { kind: Some("minimal_surface".into()), ..Filter::default() }).await, 12);
     assert_eq!(count(Filter { owner: Some("b".into()), ..Filter::default() }).await, 10);
     assert_eq!(count(Filter { status: Some(Status::Cancelled), ..Filter::default() }).await, 1);
@@ -460,15 +485,15 @@ async fn a_list_pages_through_every_job_once(database: Database) {
         status: Some(Status::Cancelled),
         ..Filter::default()
     };
-    assert_eq!(store.list(&all, 100, Some(&job(5).id)).await.unwrap().0[0].id, job(4).id);
-    assert_eq!(store.list(&all, 100, Some(&job(4).id)).await.unwrap().0, Vec::new());
+    assert_eq!(store.list(all.clone(), 100, Some(&job(5).id)).await.unwrap().0[0].id, job(4).id);
+    assert_eq!(store.list(all.clone(), 100, Some(&job(4).id)).await.unwrap().0, Vec::new());
 }
 
 async fn equal_requests_share_a_result(database: Database) {
     let store = database.open(StoreOptions::default()).await;
     create(&store, job(1)).await;
     let first = work_one(&store, b"mesh").await;
-    let second = create(&store, NewJob { id: job(2).id, warnings: "[2]".into(), ..job(1) }).await;
+    let second = create(&store, NewJob { id: job(2).id, ..job(1) }).await;
     let first_row = find(&store, &first).await;
     assert_eq!(second.id, job(2).id);
     assert_eq!((second.status, &second.statistics), (Status::Succeeded, &first_row.statistics));
@@ -490,9 +515,8 @@ async fn equal_requests_share_a_result(database: Database) {
 /// However a job comes onto the disk.
 async fn a_result_that_is_not_to_be_shared_is_not(database: Database) {
     let store = database.open(StoreOptions::default()).await;
-    let begun = Begun { submitted_ms: 2, started_ms: 1 };
     for (reuse, status) in [(false, Status::Queued), (true, Status::Succeeded)] {
-        for way in 0..3 {
+        for way in 0..2 {
             let number = 10 * way + usize::from(reuse);
             let new = NewJob { reuse, ..job(number) };
             let id = match way {
@@ -500,16 +524,13 @@ async fn a_result_that_is_not_to_be_shared_is_not(database: Database) {
                     create(&store, new).await;
                     work_one(&store, b"mesh").await
                 }
-                1 => {
-                    let id = new.id.clone();
-                    store.submit_begun(new, "worker", LEASE, begun).await.unwrap();
-                    assert!(store.finish(&id, 1, success(b"mesh")).await.unwrap());
-                    id
+                _ => {
+                    let solved = Solved { outcome: solved_as(b"mesh"), submitted_ms: 2, started_ms: 1 };
+                    match store.submit_solved(new, solved).await.unwrap() {
+                        Submitted::Created(row) => row.id,
+                        other => panic!("{other:?}"),
+                    }
                 }
-                _ => match store.submit_ended(new, success(b"mesh"), begun).await.unwrap() {
-                    Submitted::Created(row) => row.id,
-                    other => panic!("{other:?}"),
-                },
             };
             assert_eq!(store.artefact(&id, None).await.unwrap().unwrap().bytes, b"mesh");
             let later = create(&store, NewJob { id: job(100 + number).id, ..job(number) }).await;
@@ -549,7 +570,7 @@ async fn a_result_is_not_shared_beyond_owner_version_or_wish(database: Database)
             artefact_hash: [7; 32],
             reusable: false,
         };
-        store.finish(&claimed.id, claimed.attempt, outcome).await.unwrap();
+        store.finish(&claimed.id, claimed.attempt, Arc::new(outcome)).await.unwrap();
     }
     assert_eq!(create(&store, NewJob { id: job(51).id, ..job(50) }).await.status, Status::Queued);
 }
@@ -570,7 +591,7 @@ async fn expired_jobs_are_remembered_as_expired_and_then_forgotten(database: Dat
     assert_eq!(store.artefact(&ended, None).await.unwrap(), None);
     // What waits does not expire.
     assert_eq!(find(&store, &job(2).id).await.status, Status::Queued);
-    assert_eq!(store.list(&Filter::default(), 10, None).await.unwrap().0.len(), 1);
+    assert_eq!(store.list(Filter::default(), 10, None).await.unwrap().0.len(), 1);
     let forgetful = database.open(StoreOptions { expired_retention: Duration::ZERO, ..keep_nothing }).await;
     while store.get(&ended, None).await.unwrap() == Lookup::Expired {
         forgetful.sweep().await.unwrap();
@@ -587,7 +608,7 @@ async fn only_as_many_ended_jobs_are_kept_as_allowed(database: Database) {
     }
     create(&store, job(9)).await;
     assert_eq!(store.sweep().await.unwrap().expired, 3);
-    let (left, _) = store.list(&Filter::default(), 10, None).await.unwrap();
+    let (left, _) = store.list(Filter::default(), 10, None).await.unwrap();
     assert_eq!(left.len(), 3);
     assert!(left.iter().any(|job| job.status == Status::Queued));
     assert_eq!(store.sweep().await.unwrap().expired, 0);
@@ -679,7 +700,7 @@ async fn a_sweep_of_many_removes_them_all(database: Database) {
     let swept = store.sweep().await.unwrap();
     assert_eq!((swept.expired, swept.artefacts), ((MANY + 1 - KEPT) as u64, 0), "young results stay");
     let left: BTreeSet<String> =
-        store.list(&Filter::default(), 100, None).await.unwrap().0.into_iter().map(|job| job.id).collect();
+        store.list(Filter::default(), 100, None).await.unwrap().0.into_iter().map(|job| job.id).collect();
     assert_eq!(left, ended[MANY + 1 - KEPT..].iter().cloned().chain([twin.clone()]).collect());
     assert_eq!(store.get(&ended[0], None).await.unwrap(), Lookup::Expired);
 
@@ -695,6 +716,166 @@ async fn a_sweep_of_many_removes_them_all(database: Database) {
     for id in &ended[..MANY + 1 - KEPT] {
         assert_eq!(store.get(id, None).await.unwrap(), Lookup::Missing);
     }
+}
+
+async fn a_damaged_result_is_discarded_and_made_again(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    create(&store, job(1)).await;
+    let first = work_one(&store, &MANY_BYTES).await;
+    let shared = create(&store, NewJob { id: job(2).id, ..job(1) }).await;
+    assert_eq!(shared.status, Status::Succeeded);
+    let damaged = store.artefact(&first, None).await.unwrap().unwrap();
+    store.discard(&damaged).await.unwrap();
+    assert_eq!(store.artefact(&first, None).await.unwrap(), None);
+    assert_eq!(find(&store, &first).await.status, Status::Succeeded);
+    // An equal request does not take it, and its own result serves the earlier jobs again.
+    assert_eq!(create(&store, NewJob { id: job(3).id, ..job(1) }).await.status, Status::Queued);
+    work_one(&store, &MANY_BYTES).await;
+    for id in [&first, &shared.id] {
+        assert_eq!(store.artefact(id, None).await.unwrap().unwrap().bytes, MANY_BYTES);
+    }
+    // Whoever still holds the damaged bytes does not discard the sound ones.
+    store.discard(&damaged).await.unwrap();
+    assert!(store.artefact(&first, None).await.unwrap().is_some());
+}
+
+async fn a_fresh_result_replaces_an_equal_one_that_is_damaged(database: Database) {
+    let folder = tempfile::tempdir().unwrap();
+    for options in [StoreOptions::default(), with_files(&folder)] {
+        let store = database.open(options).await;
+        create(&store, NewJob { reuse: false, ..job(1) }).await;
+        let id = work_one(&store, &MANY_BYTES).await;
+        for file in std::fs::read_dir(folder.path()).unwrap() {
+            std::fs::write(file.unwrap().path(), b"damaged").unwrap();
+        }
+        database.execute("UPDATE artefacts SET body = hash WHERE body IS NOT NULL").await;
+        assert_ne!(store.artefact(&id, None).await.unwrap().unwrap().bytes, MANY_BYTES);
+        create(&store, NewJob { reuse: false, ..job(2) }).await;
+        work_one(&store, &MANY_BYTES).await;
+        assert_eq!(store.artefact(&id, None).await.unwrap().unwrap().bytes, MANY_BYTES);
+        for number in [1, 2] {
+            store.delete(&job(number).id, None).await.unwrap();
+        }
+        store.close().await;
+    }
+}
+
+async fn a_missing_file_keeps_its_result_from_being_shared(database: Database) {
+    let folder = tempfile::tempdir().unwrap();
+    let store = database.open(with_files(&folder)).await;
+    create(&store, job(1)).await;
+    let id = work_one(&store, &MANY_BYTES).await;
+    for file in std::fs::read_dir(folder.path()).unwrap() {
+        std::fs::remove_file(file.unwrap().path()).unwrap();
+    }
+    assert!(matches!(store.artefact(&id, None).await, Err(StoreError::Unavailable(_))));
+    assert_eq!(create(&store, NewJob { id: job(2).id, ..job(1) }).await.status, Status::Queued);
+    work_one(&store, &MANY_BYTES).await;
+    assert_eq!(store.artefact(&id, None).await.unwrap().unwrap().bytes, MANY_BYTES);
+}
+
+async fn a_row_that_cannot_be_read_hides_no_other(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    for number in 0..5 {
+        create(&store, job(number)).await;
+    }
+    database.execute("UPDATE jobs SET status = 'nonsense' WHERE id LIKE '%3'").await;
+    let (first, next) = store.list(Filter::default(), 2, None).await.unwrap();
+    let (rest, last) = store.list(Filter::default(), 4, next.as_deref()).await.unwrap();
+    let ids: Vec<String> = first.into_iter().chain(rest).map(|job| job.id).collect();
+    assert_eq!(ids, [4, 2, 1, 0].map(|number| job(number).id));
+    assert_eq!(last, None);
+}
+
+async fn a_lease_from_a_clock_that_was_set_back_has_run_out(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    create(&store, job(1)).await;
+    let held = store.claim("before", LEASE).await.unwrap().unwrap();
+    // A step back by less than the lease's length does no harm.
+    database.execute("UPDATE jobs SET lease_until = lease_until + 50000, started_at = started_at + 50000").await;
+    assert_eq!(store.claim("after", LEASE).await.unwrap(), None);
+    database.execute("UPDATE jobs SET lease_until = lease_until + 86400000, started_at = started_at + 86400000").await;
+    let again = store.claim("after", LEASE).await.unwrap().expect("the lease has run out");
+    assert_eq!((again.id, again.attempt), (held.id, held.attempt + 1));
+}
+
+async fn a_job_is_found_by_its_idempotency_key(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    for number in 0..4 {
+        let owner = ["me", "you"][number % 2];
+        create(&store, NewJob { idempotency_key: Some(format!("key {}", number / 2)), ..job_of(owner, number) }).await;
+    }
+    let key = Some("key 1".to_owned());
+    let of = async |owner: Option<&str>| {
+        let filter = Filter { owner: owner.map(str::to_owned), idempotency_key: key.clone(), ..Filter::default() };
+        let (found, _) = store.list(filter, 10, None).await.unwrap();
+        found.into_iter().map(|job| job.id).collect::<Vec<_>>()
+    };
+    assert_eq!(of(Some("me")).await, [job(2).id]);
+    assert_eq!(of(None).await, [job(3).id, job(2).id]);
+    assert_eq!(of(Some("nobody")).await, Vec::<String>::new());
+}
+
+/// A small file system of its own, which goes when this is dropped.
+struct SmallDisk(TempDir);
+
+impl SmallDisk {
+    /// `None`, and a word on standard error, where this process may not mount one.
+    fn mount(mib: u32) -> Option<Self> {
+        let folder = tempfile::tempdir().unwrap();
+        let mounted = std::process::Command::new("mount")
+            .args(["-t", "tmpfs", "-o", &format!("size={mib}m"), "tmpfs"])
+            .arg(folder.path())
+            .status();
+        if !mounted.is_ok_and(|status| status.success()) {
+            eprintln!("SKIPPED: a small file system cannot be mounted, which takes root on Linux");
+            return None;
+        }
+        Some(Self(folder))
+    }
+}
+
+impl Drop for SmallDisk {
+    fn drop(&mut self) {
+        let _ = std::process::Command::new("umount").arg("-l").arg(self.0.path()).status();
+    }
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_full_disk_mends_itself_once_jobs_expire() {
+    let Some(disk) = SmallDisk::mount(24) else { return };
+    let url = format!("sqlite://{}/plateau.db", disk.0.path().display());
+    let options = StoreOptions {
+        retention: Duration::ZERO,
+        orphan_age: Duration::ZERO,
+        ballast_bytes: 4 << 20,
+        ..StoreOptions::default()
+    };
+    let store = Store::open(&url, options).await.unwrap();
+    store.check().await.unwrap();
+    let mut accepted = 0;
+    for round in 0..3 {
+        // Results fill the disk, and so do the requests of jobs that wait.
+        let full = loop {
+            accepted += 1;
+            let new = NewJob { request: vec![b' '; 50_000], ..job(accepted) };
+            if let Err(error) = store.submit(new).await {
+                break error;
+            }
+            let claimed = store.claim("worker", LEASE).await.unwrap().expect("a job to claim");
+            let mut artefact = vec![round as u8; 300_000];
+            artefact[..8].copy_from_slice(&accepted.to_le_bytes());
+            // What was accepted still ends: on the room that the ballast gave, at the latest.
+            while store.finish(&claimed.id, claimed.attempt, success(&artefact)).await.is_err() {}
+        };
+        assert!(matches!(full, StoreError::NoSpace(_)), "{full:?}");
+        assert!(store.check().await.is_err());
+        assert!(store.sweep().await.unwrap().expired > 0);
+        store.check().await.unwrap();
+        create(&store, NewJob { request: vec![b' '; 50_000], ..job(100_000 + round) }).await;
+        store.delete(&job(100_000 + round).id, None).await.unwrap();
+    }
+    assert!(accepted > 60, "{accepted} jobs on a disk that holds some forty results");
 }
 
 async fn results_stay_within_their_bytes(database: Database) {
@@ -811,7 +992,7 @@ async fn watchers_see_every_status(database: Database) {
     for watch in &mut watches {
         until(watch, |job| job.progress.is_some()).await;
     }
-    store.finish(&id, claimed.attempt, Outcome::Failed { error: "{}".into() }).await.unwrap();
+    store.finish(&id, claimed.attempt, Arc::new(Outcome::Failed { error: "{}".into() })).await.unwrap();
     for watch in &mut watches {
         let ended = tokio::time::timeout(TOO_LONG, watch.ended()).await.unwrap().unwrap();
         assert_eq!((ended.status, ended.error.as_deref()), (Status::Failed, Some("{}")));
@@ -925,22 +1106,20 @@ async fn a_reopened_store_has_its_jobs(database: Database) {
 
 async fn a_closed_store_says_so(database: Database) {
     let store = database.open(StoreOptions::default()).await;
-    store.ping().await.unwrap();
+    store.check().await.unwrap();
     store.close().await;
-    assert!(matches!(store.ping().await, Err(StoreError::Unavailable(_))));
+    assert!(matches!(store.check().await, Err(StoreError::Unavailable(_))));
     assert!(matches!(store.submit(job(1)).await, Err(StoreError::Unavailable(_))));
     store.close().await;
 }
 
-async fn counts_follow_the_queue(database: Database) {
+async fn the_queue_length_follows_the_queue(database: Database) {
     let store = database.open(StoreOptions::default()).await;
     for number in 0..3 {
         create(&store, job(number)).await;
     }
     store.claim("worker", LEASE).await.unwrap();
-    let counts = store.counts().await.unwrap();
-    assert_eq!((counts.queued, counts.running), (2, 1));
-    assert!(counts.longest_wait_ms >= 0);
+    assert_eq!(store.queue_length().await.unwrap(), 2);
 }
 
 #[tokio::test]
@@ -957,7 +1136,7 @@ async fn one_refusal_in_a_group_does_not_spoil_the_others() {
         }
     }
     assert_eq!(created, 10);
-    assert_eq!(store.counts().await.unwrap().queued, 10);
+    assert_eq!(store.queue_length().await.unwrap(), 10);
 }
 
 #[tokio::test]
@@ -1003,7 +1182,7 @@ async fn a_batch_is_on_disk_whole_or_not_at_all(database: Database) {
     let refused = store.submit_batch(batch_of(None, 2, 4..6)).await;
     assert!(matches!(refused, Err(StoreError::QueueFull { own: false })));
     assert_eq!(
-        (store.counts().await.unwrap().queued, store.batch("B2", None).await.unwrap()),
+        (store.queue_length().await.unwrap(), store.batch("B2", None).await.unwrap()),
         (4, BatchLookup::Missing)
     );
     // The same key and body: the same batch; with another body: nobody's.
@@ -1011,7 +1190,7 @@ async fn a_batch_is_on_disk_whole_or_not_at_all(database: Database) {
     assert_eq!(again, SubmittedBatch::Existing(batch));
     let conflict = NewBatch { body_hash: [9; 32], ..batch_of(None, 1, 10..12) };
     assert_eq!(store.submit_batch(conflict).await.unwrap(), SubmittedBatch::KeyConflict);
-    assert_eq!(store.counts().await.unwrap().queued, 4);
+    assert_eq!(store.queue_length().await.unwrap(), 4);
 }
 
 async fn a_batch_is_its_owners_and_is_gone_with_its_last_job(database: Database) {
@@ -1031,7 +1210,7 @@ async fn a_batch_is_its_owners_and_is_gone_with_its_last_job(database: Database)
     let other = create_batch(&store, batch_of(Some("me"), 2, 2..4)).await;
     assert_eq!(store.delete_batch(&other.id, Some("me")).await.unwrap().map(|ids| ids.len()), Some(2));
     assert_eq!(store.batch(&other.id, Some("me")).await.unwrap(), BatchLookup::Missing);
-    assert_eq!(store.counts().await.unwrap().queued, 0);
+    assert_eq!(store.queue_length().await.unwrap(), 0);
 }
 
 async fn a_cancelled_batch_has_no_job_that_goes_on(database: Database) {

@@ -1,110 +1,26 @@
 //! The stored artefact: one mesh in f64 with everything that the download formats need.
 //!
-//! # Bytes, version 3
-//! All numbers are little endian. Counts and indices are LEB128 numbers; a list of indices is its count, then each index as
-//! the zigzag difference from the one before it (from 0 at first; in a list of groups, from the same place in the group
-//! before). Strings and other lists carry their count first; an option is a byte 0 or 1.
-//! ```text
-//! magic "\x89PLATEAU" · version u32 · payload · SHA-256 of all that precedes
-//! payload: generator, title: string · unit u8 · up u8
-//!          vertices: list of 3 f64 · triangles: list of 3 indices
-//!          mean curvature: option (least_range f64 · one f64 per vertex, count not repeated)
-//!          line sets: list (name, group: string · 0: list of polylines (closed u8 · list of indices)
-//!                                               | 1: list of 2 indices · option (name, unit: string · one f64 per segment))
-//!          input vertices: list of lists of indices · statistics: string (JSON)
-//!          pattern: 0: none | 1: list of pieces (name: string · outline: list of 2 f64 · folds: list (2 ends · angle_deg f64))
-//!                   | 2: unrolled from the bridges when it is wanted
-//! end of a fold: a number: 0, then 2 f64 | 1 + the difference between the index of the outline's point that it is and that of
-//!          the fold before: upwards from the first point for the first end, downwards from the last for the second
-//! ```
-//! In version 2 a pattern was written out always. In version 1, moreover, counts and indices are u32, indices stand for
-//! themselves, and an end of a fold is 2 f64. The same contents always give the same bytes. A later version reads every earlier one.
+//! The bytes are the magic `\x89PLATEAU`, the version as a little-endian u32, [`Contents`] in the format of the library
+//! postcard, and the SHA-256 of all that precedes. Vertex numbers are written as the differences from the ones before
+//! them, which are small. The same contents always give the same bytes.
 
 use plateau_geometry::polyline::LARGEST_COORDINATE;
 use plateau_geometry::ruled_surface::strips_of;
-use plateau_geometry::{DVec2, DVec3, Mesh};
+use plateau_geometry::{DVec3, Mesh};
+use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use super::pattern::{self, Flat, Fold, Pattern, Piece};
+use super::pattern;
+use crate::units::{Unit, UpAxis};
 
 const MAGIC: &[u8; 8] = b"\x89PLATEAU";
-const VERSION: u32 = 3;
+/// The version of the bytes. This program reads and writes no other.
+pub const VERSION: u32 = 4;
+const HEAD_BYTES: usize = MAGIC.len() + 4;
 const CHECKSUM_BYTES: usize = 32;
 
-/// The client's unit of length.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Unit {
-    Millimetre,
-    Centimetre,
-    #[default]
-    Metre,
-    Inch,
-    Foot,
-}
-
-impl Unit {
-    const ALL: [Self; 5] = [Self::Millimetre, Self::Centimetre, Self::Metre, Self::Inch, Self::Foot];
-
-    /// `mm`, `cm`, `m`, `in` or `ft`.
-    #[must_use]
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Self::Millimetre => "mm",
-            Self::Centimetre => "cm",
-            Self::Metre => "m",
-            Self::Inch => "in",
-            Self::Foot => "ft",
-        }
-    }
-
-    /// How many millimetres one unit is; exact.
-    #[must_use]
-    pub fn millimetres(self) -> f64 {
-        match self {
-            Self::Millimetre => 1.0,
-            Self::Centimetre => 10.0,
-            Self::Metre => 1000.0,
-            Self::Inch => 25.4,
-            Self::Foot => 304.8,
-        }
-    }
-
-    /// How many metres one unit is, correctly rounded.
-    #[must_use]
-    pub fn metres(self) -> f64 {
-        match self {
-            Self::Millimetre => 1e-3,
-            Self::Centimetre => 1e-2,
-            Self::Metre => 1.0,
-            Self::Inch => 0.0254,
-            Self::Foot => 0.3048,
-        }
-    }
-}
-
-/// Which of the client's axes points up.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum UpAxis {
-    #[default]
-    Z,
-    Y,
-}
-
-impl UpAxis {
-    const ALL: [Self; 2] = [Self::Z, Self::Y];
-
-    /// `z` or `y`.
-    #[must_use]
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Self::Z => "z",
-            Self::Y => "y",
-        }
-    }
-}
-
 /// The unsigned mean curvature of each vertex.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MeanCurvature {
     /// One per vertex, 1/unit, finite and not negative.
     pub values: Vec<f64>,
@@ -121,14 +37,15 @@ impl MeanCurvature {
 }
 
 /// Vertices joined in order; a closed one does not repeat its first.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Polyline {
+    #[serde(with = "differences")]
     pub vertices: Vec<u32>,
     pub closed: bool,
 }
 
 /// A number for each segment of a line set, such as its length or force.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SegmentValues {
     /// Lower case letters, digits and underscores, e.g. `length`.
     pub name: String,
@@ -137,14 +54,18 @@ pub struct SegmentValues {
     pub values: Vec<f64>,
 }
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Lines {
     Polylines(Vec<Polyline>),
-    Segments { pairs: Vec<[u32; 2]>, values: Option<SegmentValues> },
+    Segments {
+        #[serde(with = "difference_groups")]
+        pairs: Vec<[u32; 2]>,
+        values: Option<SegmentValues>,
+    },
 }
 
 /// Lines along the mesh that a viewer can switch on.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LineSet {
     /// `boundaries`, `directrices`, `bridges` or `members`.
     pub name: String,
@@ -162,7 +83,7 @@ impl LineSet {
 }
 
 /// What an [`Archive`] holds. Coordinates are in the client's unit and axes.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Contents {
     /// The program and its version.
     pub generator: String,
@@ -171,14 +92,18 @@ pub struct Contents {
     pub unit: Unit,
     pub up: UpAxis,
     /// The input's points first, in input order.
+    #[serde(with = "mesh")]
     pub mesh: Mesh,
     pub mean_curvature: Option<MeanCurvature>,
     pub line_sets: Vec<LineSet>,
     /// For each polyline of the input: the vertex that each of its points became.
+    #[serde(with = "difference_lists")]
     pub input_vertices: Vec<Vec<u32>>,
     /// The job's statistics: a JSON value, carried and not looked into.
     pub statistics: String,
-    pub pattern: Flat,
+    /// True if the mesh is made of developable strips that unroll: the line set [`pattern::BRIDGES`] has the strips' bridges,
+    /// first to last, and the mesh their triangles in the same order.
+    pub unrolls: bool,
 }
 
 /// [`Contents`] that were found sound: indices in range, numbers finite, lists of matching length. The formats rely on it.
@@ -190,12 +115,12 @@ pub struct Archive(Contents);
 pub enum Defect {
     #[error("not a mesh archive")]
     Magic,
-    #[error("archive version {0} is newer than this program")]
+    #[error("the archive has version {0}, and this program reads version {VERSION}")]
     Version(u32),
     #[error("the archive is damaged: its checksum does not match")]
     Checksum,
-    #[error("the archive is damaged at byte {at}: {what}")]
-    Bytes { at: usize, what: &'static str },
+    #[error("the archive cannot be read: {0}")]
+    Bytes(String),
     #[error("no archive can hold this mesh: {0}")]
     Contents(&'static str),
 }
@@ -215,71 +140,54 @@ impl Archive {
     }
 
     /// The stored form; see the [module](self).
-    #[must_use]
-    pub fn to_bytes(&self) -> Vec<u8> {
-        let contents = &self.0;
-        let mut out =
-            Writer(Vec::with_capacity(256 + 24 * contents.mesh.vertices.len() + 12 * contents.mesh.triangles.len()));
-        out.0.extend_from_slice(MAGIC);
-        out.u32(VERSION);
-        out.string(&contents.generator);
-        out.string(&contents.title);
-        out.u8(contents.unit as u8);
-        out.u8(contents.up as u8);
-        out.list(&contents.mesh.vertices, |out, v| v.to_array().into_iter().for_each(|x| out.f64(x)));
-        out.groups(&contents.mesh.triangles);
-        out.option(contents.mean_curvature.as_ref(), |out, curvature| {
-            out.f64(curvature.least_range);
-            curvature.values.iter().for_each(|&value| out.f64(value));
-        });
-        out.list(&contents.line_sets, Writer::line_set);
-        out.list(&contents.input_vertices, |out, vertices| out.indices(vertices));
-        out.string(&contents.statistics);
-        match &contents.pattern {
-            Flat::None => out.u8(0),
-            Flat::Kept(pattern) => {
-                out.u8(1);
-                out.list(&pattern.pieces, Writer::piece);
-            }
-            Flat::OfBridges => out.u8(2),
-        }
-        let checksum = Sha256::digest(&out.0);
-        out.0.extend_from_slice(&checksum);
-        out.0
+    ///
+    /// # Errors
+    /// [`Defect::Bytes`], which sound contents do not cause.
+    pub fn to_bytes(&self) -> Result<Vec<u8>, Defect> {
+        let mesh = &self.0.mesh;
+        let mut bytes = Vec::with_capacity(256 + 24 * mesh.vertices.len() + 12 * mesh.triangles.len());
+        bytes.extend_from_slice(MAGIC);
+        bytes.extend_from_slice(&VERSION.to_le_bytes());
+        let mut bytes = postcard::to_extend(&self.0, bytes).map_err(unreadable)?;
+        let checksum = Sha256::digest(&bytes);
+        bytes.extend_from_slice(&checksum);
+        Ok(bytes)
     }
 
-    /// The checksum at the end of a stored form: SHA-256 of all before it, so that it names the whole. Zeros for what is too
-    /// short to be one.
+    /// The checksum at the end of a stored form: SHA-256 of all before it, so that it names the whole. Zeros for bytes that
+    /// are too short to have one.
     #[must_use]
     pub fn checksum(bytes: &[u8]) -> [u8; CHECKSUM_BYTES] {
         bytes.last_chunk().copied().unwrap_or_default()
     }
 
-    /// Reads the stored form. Safe on any bytes: lengths are checked against what is left before memory is asked for.
+    /// Reads the stored form. Safe on any bytes: no more memory is asked for than a small multiple of their length.
     ///
     /// # Errors
-    /// [`Defect`] if the bytes are not an archive, are of a later version, damaged, or hold unsound contents.
+    /// [`Defect`] if the bytes are not an archive, are damaged, are of another version, or hold unsound contents.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Defect> {
         if !bytes.starts_with(MAGIC) {
             return Err(Defect::Magic);
         }
-        let mut input = Reader { bytes, at: MAGIC.len(), version: 0 };
-        let version = input.u32()?;
-        if version == 0 || version > VERSION {
-            return Err(Defect::Version(version));
-        }
-        let payload_end = bytes.len().checked_sub(CHECKSUM_BYTES).ok_or(Defect::Checksum)?;
-        let (body, checksum) = bytes.split_at(payload_end);
+        let payload_end = bytes.len().checked_sub(CHECKSUM_BYTES).filter(|&end| end >= HEAD_BYTES);
+        let (body, checksum) = bytes.split_at(payload_end.ok_or(Defect::Checksum)?);
         if Sha256::digest(body).as_slice() != checksum {
             return Err(Defect::Checksum);
         }
-        let mut input = Reader { bytes: body, at: input.at, version };
-        let contents = input.contents()?;
-        if input.at != body.len() {
-            return Err(input.fault("bytes after the end"));
+        let version = body[MAGIC.len()..].first_chunk().map_or(0, |version| u32::from_le_bytes(*version));
+        if version != VERSION {
+            return Err(Defect::Version(version));
+        }
+        let (contents, rest) = postcard::take_from_bytes(&body[HEAD_BYTES..]).map_err(unreadable)?;
+        if !rest.is_empty() {
+            return Err(Defect::Bytes("there are bytes after the end".into()));
         }
         Self::new(contents)
     }
+}
+
+fn unreadable(error: postcard::Error) -> Defect {
+    Defect::Bytes(error.to_string())
 }
 
 fn check(contents: &Contents) -> Result<(), &'static str> {
@@ -324,24 +232,10 @@ fn check(contents: &Contents) -> Result<(), &'static str> {
     }
     ensure(contents.input_vertices.iter().flatten().all(exists), "an input point's vertex does not exist")?;
     ensure(serde_json::from_str::<serde::de::IgnoredAny>(&contents.statistics).is_ok(), "the statistics are not JSON")?;
-    let kept: &[Piece] = match &contents.pattern {
-        Flat::None => &[],
-        Flat::Kept(pattern) => &pattern.pieces,
-        Flat::OfBridges => {
-            ensure(unrolls(contents), "the bridges are not those of the mesh's strips")?;
-            &[]
-        }
-    };
-    for piece in kept {
-        ensure(piece.outline.len() >= 3, "a pattern piece of fewer than three points")?;
-        let finite = piece.outline.iter().all(|p| p.is_finite())
-            && piece.folds.iter().all(|f| f.ends.iter().all(|p| p.is_finite()) && f.angle_deg.abs() <= 180.0);
-        ensure(finite, "a pattern's coordinate is not finite")?;
-    }
-    Ok(())
+    ensure(!contents.unrolls || unrolls(contents), "the bridges are not those of the mesh's strips")
 }
 
-/// Whether the mesh is what its bridges say it is, as far as unrolling relies on it.
+/// True if the mesh is made of the strips that its bridges describe, as far as unrolling relies on it.
 fn unrolls(contents: &Contents) -> bool {
     let Some(bridges) = pattern::bridges(contents) else { return false };
     let steps = |strip: &[[u32; 2]]| strip.windows(2).all(|pair| pair[0] != pair[1]);
@@ -351,328 +245,93 @@ fn unrolls(contents: &Contents) -> bool {
         && contents.mesh.vertices.iter().all(|v| v.abs().max_element() <= LARGEST_COORDINATE)
 }
 
-struct Writer(Vec<u8>);
+/// A mesh as its vertices and triangles.
+mod mesh {
+    use super::{DVec3, Mesh, difference_groups};
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-impl Writer {
-    fn u8(&mut self, value: u8) {
-        self.0.push(value);
+    #[derive(Serialize, Deserialize)]
+    struct Triangles(#[serde(with = "difference_groups")] Vec<[u32; 3]>);
+
+    pub(super) fn serialize<S: Serializer>(mesh: &Mesh, serializer: S) -> Result<S::Ok, S::Error> {
+        let vertices: Vec<[f64; 3]> = mesh.vertices.iter().map(DVec3::to_array).collect();
+        (vertices, Triangles(mesh.triangles.clone())).serialize(serializer)
     }
 
-    fn u32(&mut self, value: u32) {
-        self.0.extend_from_slice(&value.to_le_bytes());
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Mesh, D::Error> {
+        let (vertices, Triangles(triangles)) = <(Vec<[f64; 3]>, Triangles)>::deserialize(deserializer)?;
+        Ok(Mesh::new(vertices.into_iter().map(DVec3::from_array).collect(), triangles))
     }
+}
 
-    fn f64(&mut self, value: f64) {
-        self.0.extend_from_slice(&value.to_le_bytes());
-    }
+/// Lists of groups of vertex numbers, each number as the difference from the one at its place in the group before.
+mod difference_groups {
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-    /// LEB128: seven bits a byte, the lowest first.
-    fn number(&mut self, mut value: u64) {
-        while value >= 0x80 {
-            self.u8(value as u8 | 0x80);
-            value >>= 7;
-        }
-        self.u8(value as u8);
-    }
-
-    fn count(&mut self, length: usize) {
-        self.number(length as u64);
-    }
-
-    fn index(&mut self, value: u32, before: u32) {
-        let difference = i64::from(value) - i64::from(before);
-        self.number(((difference << 1) ^ (difference >> 63)) as u64);
-    }
-
-    fn indices(&mut self, values: &[u32]) {
-        self.count(values.len());
-        let mut before = 0;
-        for &value in values {
-            self.index(value, std::mem::replace(&mut before, value));
-        }
-    }
-
-    fn groups<const N: usize>(&mut self, groups: &[[u32; N]]) {
-        self.count(groups.len());
+    pub(super) fn serialize<S: Serializer, const N: usize>(
+        groups: &[[u32; N]],
+        serializer: S,
+    ) -> Result<S::Ok, S::Error>
+    where
+        [i64; N]: Serialize,
+    {
         let mut before = [0; N];
-        for &group in groups {
-            for (value, before) in group.into_iter().zip(std::mem::replace(&mut before, group)) {
-                self.index(value, before);
+        serializer.collect_seq(groups.iter().map(|&group| {
+            let last = std::mem::replace(&mut before, group);
+            std::array::from_fn::<i64, N, _>(|k| i64::from(group[k]) - i64::from(last[k]))
+        }))
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>, const N: usize>(
+        deserializer: D,
+    ) -> Result<Vec<[u32; N]>, D::Error>
+    where
+        [i64; N]: Deserialize<'de>,
+    {
+        let mut before = [0_i64; N];
+        let next = |differences: [i64; N]| {
+            let mut group = [0; N];
+            for k in 0..N {
+                before[k] = before[k].checked_add(differences[k])?;
+                group[k] = u32::try_from(before[k]).ok()?;
             }
-        }
-    }
-
-    fn string(&mut self, text: &str) {
-        self.count(text.len());
-        self.0.extend_from_slice(text.as_bytes());
-    }
-
-    fn list<T>(&mut self, items: &[T], each: impl Fn(&mut Self, &T)) {
-        self.count(items.len());
-        items.iter().for_each(|item| each(self, item));
-    }
-
-    fn option<T>(&mut self, item: Option<&T>, each: impl Fn(&mut Self, &T)) {
-        self.u8(u8::from(item.is_some()));
-        if let Some(item) = item {
-            each(self, item);
-        }
-    }
-
-    fn line_set(&mut self, set: &LineSet) {
-        self.string(&set.name);
-        self.string(&set.group);
-        match &set.lines {
-            Lines::Polylines(polylines) => {
-                self.u8(0);
-                self.list(polylines, |out, line| {
-                    out.u8(u8::from(line.closed));
-                    out.indices(&line.vertices);
-                });
-            }
-            Lines::Segments { pairs, values } => {
-                self.u8(1);
-                self.groups(pairs);
-                self.option(values.as_ref(), |out, values| {
-                    out.string(&values.name);
-                    out.string(&values.unit);
-                    values.values.iter().for_each(|&value| out.f64(value));
-                });
-            }
-        }
-    }
-
-    fn piece(&mut self, piece: &Piece) {
-        self.string(&piece.name);
-        self.list(&piece.outline, |out, point| point.to_array().into_iter().for_each(|x| out.f64(x)));
-        self.count(piece.folds.len());
-        let mut passed = [0, 0];
-        for fold in &piece.folds {
-            for (end, point) in fold.ends.into_iter().enumerate() {
-                // Folds follow one another along the outline: an end is the one before or a few points on.
-                let place = |step: &usize| piece.outline.get(along(&piece.outline, end, passed[end] + step)?);
-                match (0..NEAR).find(|step| place(step).is_some_and(|other| same(*other, point))) {
-                    Some(step) => {
-                        self.number(1 + step as u64);
-                        passed[end] += step;
-                    }
-                    None => {
-                        self.number(0);
-                        point.to_array().into_iter().for_each(|x| self.f64(x));
-                    }
-                }
-            }
-            self.f64(fold.angle_deg);
-        }
-    }
-}
-
-/// How far on along the outline the next fold's end is looked for.
-const NEAR: usize = 8;
-
-/// The index of the point so many from the outline's first (`end` 0) or back from its last (`end` 1).
-fn along(outline: &[DVec2], end: usize, passed: usize) -> Option<usize> {
-    if end == 0 { Some(passed) } else { outline.len().checked_sub(passed.checked_add(1)?) }
-}
-
-/// To the bit: -0 is not 0.
-fn same(one: DVec2, other: DVec2) -> bool {
-    one.to_array().map(f64::to_bits) == other.to_array().map(f64::to_bits)
-}
-
-struct Reader<'a> {
-    bytes: &'a [u8],
-    at: usize,
-    version: u32,
-}
-
-impl Reader<'_> {
-    fn fault(&self, what: &'static str) -> Defect {
-        Defect::Bytes { at: self.at, what }
-    }
-
-    fn take(&mut self, length: usize) -> Result<&[u8], Defect> {
-        let end = self.at.checked_add(length).filter(|&end| end <= self.bytes.len());
-        let end = end.ok_or_else(|| self.fault("it ends too early"))?;
-        let slice = &self.bytes[self.at..end];
-        self.at = end;
-        Ok(slice)
-    }
-
-    fn array<const N: usize>(&mut self) -> Result<[u8; N], Defect> {
-        Ok(self.take(N)?.try_into().expect("take gives as many bytes as asked for"))
-    }
-
-    fn u8(&mut self) -> Result<u8, Defect> {
-        Ok(self.array::<1>()?[0])
-    }
-
-    fn u32(&mut self) -> Result<u32, Defect> {
-        Ok(u32::from_le_bytes(self.array()?))
-    }
-
-    fn f64(&mut self) -> Result<f64, Defect> {
-        Ok(f64::from_le_bytes(self.array()?))
-    }
-
-    fn flag(&mut self) -> Result<bool, Defect> {
-        match self.u8()? {
-            0 => Ok(false),
-            1 => Ok(true),
-            _ => Err(self.fault("neither yes nor no")),
-        }
-    }
-
-    fn number(&mut self) -> Result<u64, Defect> {
-        let mut value = 0;
-        for shift in (0..63).step_by(7) {
-            let byte = self.u8()?;
-            value |= u64::from(byte & 0x7f) << shift;
-            if byte < 0x80 {
-                return Ok(value);
-            }
-        }
-        Err(self.fault("a number of too many bytes"))
-    }
-
-    fn count(&mut self) -> Result<usize, Defect> {
-        if self.version == 1 {
-            return Ok(self.u32()? as usize);
-        }
-        usize::try_from(self.number()?).map_err(|_| self.fault("a list longer than the file"))
-    }
-
-    fn index(&mut self, before: u32) -> Result<u32, Defect> {
-        if self.version == 1 {
-            return self.u32();
-        }
-        let number = self.number()?;
-        let difference = (number >> 1) as i64 ^ -((number & 1) as i64);
-        let value = i64::from(before).checked_add(difference).and_then(|value| u32::try_from(value).ok());
-        value.ok_or_else(|| self.fault("an index out of range"))
-    }
-
-    fn indices(&mut self) -> Result<Vec<u32>, Defect> {
-        Ok(self.groups()?.into_iter().map(|[value]| value).collect())
-    }
-
-    fn groups<const N: usize>(&mut self) -> Result<Vec<[u32; N]>, Defect> {
-        let count = self.count()?;
-        let mut before = [0; N];
-        let least_bytes = if self.version == 1 { 4 * N } else { N };
-        self.items(count, least_bytes, |input| {
-            for value in &mut before {
-                *value = input.index(*value)?;
-            }
-            Ok(before)
-        })
-    }
-
-    fn string(&mut self) -> Result<String, Defect> {
-        let length = self.count()?;
-        let bytes = self.take(length)?.to_vec();
-        String::from_utf8(bytes).map_err(|_| self.fault("text that is not UTF-8"))
-    }
-
-    /// `count` items, each of at least `least_bytes`: what cannot be there is refused before memory is reserved.
-    fn items<T>(
-        &mut self,
-        count: usize,
-        least_bytes: usize,
-        mut each: impl FnMut(&mut Self) -> Result<T, Defect>,
-    ) -> Result<Vec<T>, Defect> {
-        if count > (self.bytes.len() - self.at) / least_bytes {
-            return Err(self.fault("a list longer than the file"));
-        }
-        (0..count).map(|_| each(self)).collect()
-    }
-
-    fn list<T>(&mut self, least_bytes: usize, each: impl Fn(&mut Self) -> Result<T, Defect>) -> Result<Vec<T>, Defect> {
-        let count = self.count()?;
-        self.items(count, least_bytes, each)
-    }
-
-    fn option<T>(&mut self, each: impl Fn(&mut Self) -> Result<T, Defect>) -> Result<Option<T>, Defect> {
-        if self.flag()? { each(self).map(Some) } else { Ok(None) }
-    }
-
-    fn one_of<T: Copy>(&mut self, all: &[T]) -> Result<T, Defect> {
-        let index = self.u8()? as usize;
-        all.get(index).copied().ok_or_else(|| self.fault("an unknown unit or axis"))
-    }
-
-    fn contents(&mut self) -> Result<Contents, Defect> {
-        let generator = self.string()?;
-        let title = self.string()?;
-        let unit = self.one_of(&Unit::ALL)?;
-        let up = self.one_of(&UpAxis::ALL)?;
-        let vertices = self.list(24, |input| Ok(DVec3::new(input.f64()?, input.f64()?, input.f64()?)))?;
-        let triangles = self.groups()?;
-        let vertex_count = vertices.len();
-        Ok(Contents {
-            generator,
-            title,
-            unit,
-            up,
-            mesh: Mesh::new(vertices, triangles),
-            mean_curvature: self.option(|input| {
-                let least_range = input.f64()?;
-                Ok(MeanCurvature { values: input.items(vertex_count, 8, Self::f64)?, least_range })
-            })?,
-            line_sets: self.list(4, Self::line_set)?,
-            input_vertices: self.list(1, Self::indices)?,
-            statistics: self.string()?,
-            pattern: match self.u8()? {
-                0 => Flat::None,
-                1 => Flat::Kept(Pattern { pieces: self.list(3, Self::piece)? }),
-                2 if self.version > 2 => Flat::OfBridges,
-                _ => return Err(self.fault("unknown kind of pattern")),
-            },
-        })
-    }
-
-    fn line_set(&mut self) -> Result<LineSet, Defect> {
-        let (name, group) = (self.string()?, self.string()?);
-        let lines = match self.u8()? {
-            0 => Lines::Polylines(
-                self.list(2, |input| Ok(Polyline { closed: input.flag()?, vertices: input.indices()? }))?,
-            ),
-            1 => {
-                let pairs = self.groups()?;
-                let values = self.option(|input| {
-                    let (name, unit) = (input.string()?, input.string()?);
-                    Ok(SegmentValues { name, unit, values: input.items(pairs.len(), 8, Self::f64)? })
-                })?;
-                Lines::Segments { pairs, values }
-            }
-            _ => return Err(self.fault("unknown kind of lines")),
+            Some(group)
         };
-        Ok(LineSet { name, group, lines })
+        let groups: Option<_> = Vec::<[i64; N]>::deserialize(deserializer)?.into_iter().map(next).collect();
+        groups.ok_or_else(|| D::Error::custom("a vertex number out of range"))
+    }
+}
+
+/// Lists of vertex numbers, each as the difference from the one before.
+mod differences {
+    use super::difference_groups;
+    use serde::{Deserializer, Serializer};
+
+    pub(super) fn serialize<S: Serializer>(numbers: &[u32], serializer: S) -> Result<S::Ok, S::Error> {
+        let groups: Vec<[u32; 1]> = numbers.iter().map(|&number| [number]).collect();
+        difference_groups::serialize(&groups, serializer)
     }
 
-    fn piece(&mut self) -> Result<Piece, Defect> {
-        let point = |input: &mut Self| Ok(DVec2::new(input.f64()?, input.f64()?));
-        let name = self.string()?;
-        let outline = self.list(16, point)?;
-        let count = self.count()?;
-        let mut passed = [0, 0];
-        let folds = self.items(count, 10, |input| {
-            let mut ends = [DVec2::ZERO; 2];
-            for (end, place) in ends.iter_mut().enumerate() {
-                let number = if input.version == 1 { 0 } else { input.number()? };
-                *place = if number == 0 {
-                    point(input)?
-                } else {
-                    let step = usize::try_from(number - 1).ok();
-                    let on = step.and_then(|step| step.checked_add(passed[end]));
-                    let found = on.and_then(|on| Some((on, *outline.get(along(&outline, end, on)?)?)));
-                    let (on, point) = found.ok_or_else(|| input.fault("an end of a fold beyond the outline"))?;
-                    passed[end] = on;
-                    point
-                };
-            }
-            Ok(Fold { ends, angle_deg: input.f64()? })
-        })?;
-        Ok(Piece { name, outline, folds })
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<u32>, D::Error> {
+        let groups: Vec<[u32; 1]> = difference_groups::deserialize(deserializer)?;
+        Ok(groups.into_iter().flatten().collect())
+    }
+}
+
+/// Lists of lists of vertex numbers.
+mod difference_lists {
+    use super::differences;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    #[derive(Serialize, Deserialize)]
+    struct List(#[serde(with = "differences")] Vec<u32>);
+
+    pub(super) fn serialize<S: Serializer>(lists: &[Vec<u32>], serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(lists.iter().map(|list| List(list.clone())))
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Vec<u32>>, D::Error> {
+        Ok(Vec::<List>::deserialize(deserializer)?.into_iter().map(|List(list)| list).collect())
     }
 }

@@ -8,10 +8,11 @@ use std::fmt::{Display, Write as _};
 
 use plateau_geometry::DVec2;
 
-use super::archive::{Contents, Unit};
+use super::archive::Contents;
 use super::obj::one_line;
 use super::pattern::{FoldKind, Pattern};
 use super::svg::{label_height, middle};
+use crate::units::Unit;
 
 const LAYERS: [(&str, u8, &str); 6] = [
     ("0", 7, "CONTINUOUS"),

@@ -18,8 +18,9 @@ use plateau_geometry::mesh::measure;
 use plateau_geometry::{DVec3, Mesh};
 use serde_json::{Value, json};
 
-use super::archive::{Archive, Contents, LineSet, Lines, MeanCurvature, Polyline, UpAxis};
+use super::archive::{Archive, Contents, LineSet, Lines, MeanCurvature, Polyline};
 use super::{Error, sheets};
+use crate::units::UpAxis;
 
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;

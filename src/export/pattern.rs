@@ -3,8 +3,6 @@
 //! A strip of triangles unrolls isometrically, so each strip is one [`Piece`] in a plane of its own. The files show all
 //! pieces on one sheet ([`Pattern::sheet`]): each in its own box, the boxes below one another.
 
-use std::borrow::Cow;
-
 use plateau_geometry::mesh::measure::double_area_vector;
 use plateau_geometry::ruled_surface::FlatPattern;
 use plateau_geometry::{DVec2, DVec3, Execution, Mesh};
@@ -65,19 +63,6 @@ impl Piece {
     }
 }
 
-/// Where an archive's flat pattern comes from.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub enum Flat {
-    /// There is none.
-    #[default]
-    None,
-    /// It is kept, as archives of versions 1 and 2 do.
-    Kept(Pattern),
-    /// It is unrolled when it is wanted: the line set [`BRIDGES`] has the strips' bridges, first to last, and the mesh
-    /// their triangles in the same order.
-    OfBridges,
-}
-
 /// The line set that says how an open ruled surface unrolls.
 pub const BRIDGES: &str = "bridges";
 
@@ -92,16 +77,13 @@ pub(super) fn bridges(contents: &Contents) -> Option<&[[u32; 2]]> {
 impl Contents {
     /// The flat pattern, if there is one.
     #[must_use]
-    pub fn flat_pattern(&self) -> Option<Cow<'_, Pattern>> {
-        match &self.pattern {
-            Flat::None => None,
-            Flat::Kept(pattern) => Some(Cow::Borrowed(pattern)),
-            Flat::OfBridges => {
-                // An archive's bridges were found to be those of strips.
-                let flat = FlatPattern::of_bridges(&self.mesh.vertices, bridges(self)?, &Execution::default()).ok()?;
-                Some(Cow::Owned(unrolled(&flat, &self.mesh)))
-            }
+    pub fn flat_pattern(&self) -> Option<Pattern> {
+        if !self.unrolls {
+            return None;
         }
+        // An archive's bridges were found to be those of strips.
+        let flat = FlatPattern::of_bridges(&self.mesh.vertices, bridges(self)?, &Execution::default()).ok()?;
+        Some(unrolled(&flat, &self.mesh))
     }
 }
 

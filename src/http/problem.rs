@@ -43,6 +43,7 @@ failures! {
     body_timeout: REQUEST_TIMEOUT, "body-timeout", "The body did not arrive in time";
     no_mesh: CONFLICT, "no-mesh", "The job has no mesh";
     expired: GONE, "expired", "The job has expired";
+    lost: GONE, "mesh-lost", "The stored mesh is lost";
     too_large: PAYLOAD_TOO_LARGE, "too-large", "The request is larger than this server takes";
     range_not_satisfiable: RANGE_NOT_SATISFIABLE, "range-not-satisfiable", "The range lies outside of the file";
     unsupported_media_type: UNSUPPORTED_MEDIA_TYPE, "unsupported-media-type", "The body is not plain application/json";
@@ -107,6 +108,7 @@ impl From<JobsError> for Failure {
             JobsError::NoBatch => Self::not_found("no such batch"),
             JobsError::Expired => Self::expired("the job and its mesh were kept for their time and removed"),
             JobsError::NoMesh(status) => Self::no_mesh(format!("the job is {}", status.name())),
+            JobsError::Lost => Self::lost("the stored mesh was damaged and has been removed; submit the request again"),
             JobsError::NoPattern => Self::not_found("only open ruled surfaces have a flat pattern"),
             JobsError::TooMuch(detail) => Self::unwritable(detail),
             JobsError::Unwritable(error) => Self::unwritable(error.to_string()),

@@ -20,13 +20,13 @@ const LONGEST_PAUSE: Duration = Duration::from_secs(24 * 3600);
 
 /// Attempts callbacks until a shutdown is asked for. Does nothing if webhooks are off.
 pub async fn run(jobs: Jobs) {
-    let Some(sender) = jobs.0.webhooks.clone() else { return };
+    let Some(sender) = jobs.webhooks().cloned() else { return };
     let slots = Arc::new(Semaphore::new(AT_ONCE));
     // An attempt ends by itself before anybody else is given the same callback.
-    let lease = Duration::from_millis(jobs.0.config.webhooks.timeout_ms) + Duration::from_secs(30);
+    let lease = Duration::from_millis(jobs.config().webhooks.timeout_ms) + Duration::from_secs(30);
     while !jobs.is_shutting_down() {
         let Ok(slot) = slots.clone().acquire_owned().await else { return };
-        match jobs.0.store.claim_callback(lease).await {
+        match jobs.store().claim_callback(lease).await {
             Ok(Some(callback)) => {
                 let (jobs, sender) = (jobs.clone(), sender.clone());
                 tokio::spawn(async move {
@@ -55,7 +55,7 @@ fn pause(config: &WebhooksConfig, attempts: i64) -> Option<Duration> {
 }
 
 async fn attempt(jobs: &Jobs, sender: &Sender, callback: &Callback) {
-    let store = &jobs.0.store;
+    let store = &jobs.store();
     let (id, attempts) = (&callback.id, callback.attempts);
     let body = match body(jobs, callback).await {
         Ok(body) => body,
@@ -70,7 +70,7 @@ async fn attempt(jobs: &Jobs, sender: &Sender, callback: &Callback) {
     let (outcome, settled) = match sender.send(&callback.url, message, now_s).await {
         Ok(()) => ("delivered", store.settle_callback(callback).await),
         Err(Undelivered::Unwanted) => ("unwanted", store.settle_callback(callback).await),
-        Err(Undelivered::Failed(why)) => match pause(&jobs.0.config.webhooks, attempts) {
+        Err(Undelivered::Failed(why)) => match pause(&jobs.config().webhooks, attempts) {
             Some(pause) => {
                 tracing::info!(id, attempts, why, next_s = pause.as_secs(), "a callback failed");
                 ("failed", store.put_off_callback(callback, pause).await)

@@ -1,6 +1,7 @@
 //! The events of one job, for a client that follows it.
 
 use super::{Jobs, JobsError};
+use crate::status::Status;
 use crate::store::{EventId, JobRow, JobWatch, StatusEvent};
 use serde_json::json;
 use std::collections::VecDeque;
@@ -104,7 +105,7 @@ fn as_of(row: &JobRow, change: &StatusEvent) -> JobRow {
         status: change.status,
         attempt: change.id.attempt,
         sequence: change.id.sequence,
-        started_at_ms: (change.status == super::StoredStatus::Running).then_some(change.at_ms),
+        started_at_ms: (change.status == Status::Running).then_some(change.at_ms),
         finished_at_ms: None,
         expires_at_ms: None,
         progress: None,

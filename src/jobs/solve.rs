@@ -4,13 +4,12 @@
 use super::progress::Signal;
 use crate::export::archive::Contents;
 use crate::export::pattern::BRIDGES;
-use crate::export::{Archive, Flat, LineSet, Lines, MeanCurvature, Polyline, SegmentValues, Unit, UpAxis as ExportUp};
-use crate::wire::common::{Units, UpAxis};
+use crate::export::{Archive, LineSet, Lines, MeanCurvature, Polyline, SegmentValues};
 use crate::wire::job::{JobError, JobWarning, Progress};
-use crate::wire::minimal_surface::{MinimalStatistics, MinimalSurfaceRequest};
-use crate::wire::ruled_surface::{RuledStatistics, RuledSurfaceRequest};
-use crate::wire::uniform_mesh::{UniformMeshRequest, UniformStatistics};
-use crate::wire::{FieldError, MAX_ERRORS, Request};
+use crate::wire::minimal_surface::MinimalStatistics;
+use crate::wire::ruled_surface::RuledStatistics;
+use crate::wire::uniform_mesh::{UniformStatistics, input_vertices};
+use crate::wire::{FieldError, MAX_ERRORS, Problem, Request};
 use plateau_geometry::minimal_surface::{self, StopReason};
 use plateau_geometry::ruled_surface;
 use plateau_geometry::uniform_mesh;
@@ -73,10 +72,10 @@ pub fn solve(request: &Request, signal: &dyn Fn() -> Signal, report: &dyn Fn(Pro
     };
     let report = |progress| report(on_the_wire(progress));
     let exec = Execution::new(&signal, &report);
-    let solved = match request {
-        Request::RuledSurface(request) => ruled(request, &exec),
-        Request::MinimalSurface(request) => minimal(request, &exec),
-        Request::UniformMesh(request) => uniform(request, &exec),
+    let solved = match &request.problem {
+        Problem::RuledSurface { directrices, options } => ruled(request, directrices, options, &exec),
+        Problem::MinimalSurface { boundaries, options } => minimal(request, boundaries, options, &exec),
+        Problem::UniformMesh { domain, options } => uniform(request, domain, options, &exec),
     };
     Ok(solved?)
 }
@@ -101,23 +100,6 @@ fn generator() -> String {
     concat!("plateau ", env!("CARGO_PKG_VERSION")).into()
 }
 
-fn units(units: Units) -> Unit {
-    match units {
-        Units::Mm => Unit::Millimetre,
-        Units::Cm => Unit::Centimetre,
-        Units::M => Unit::Metre,
-        Units::In => Unit::Inch,
-        Units::Ft => Unit::Foot,
-    }
-}
-
-fn up(up: UpAxis) -> ExportUp {
-    match up {
-        UpAxis::Z => ExportUp::Z,
-        UpAxis::Y => ExportUp::Y,
-    }
-}
-
 fn line_set(name: &str, lines: Lines) -> LineSet {
     LineSet { name: name.into(), group: String::new(), lines }
 }
@@ -137,11 +119,15 @@ fn archive(contents: Contents) -> Result<Archive, Error> {
     Archive::new(contents).map_err(|defect| Error::no_result("invalid_mesh", defect.to_string()))
 }
 
-fn minimal(request: &MinimalSurfaceRequest, exec: &Execution) -> Result<Solved, Error> {
-    let (boundaries, options) = request.to_geometry();
-    let surface = minimal_surface::solve(&boundaries, &options, exec)?;
+fn minimal(
+    request: &Request,
+    boundaries: &[Vec<DVec3>],
+    options: &minimal_surface::Options,
+    exec: &Execution,
+) -> Result<Solved, Error> {
+    let surface = minimal_surface::solve(boundaries, options, exec)?;
     let statistics = to_json(&MinimalStatistics::from(&surface.statistics))?;
-    let points: Vec<DVec3> = boundaries.into_iter().flatten().collect();
+    let points: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
     let centre = polyline::mean(&points);
     let radius = points.iter().map(|point| point.distance(centre)).fold(0.0, f64::max);
     let mut line_sets = vec![line_set("boundaries", polylines(&surface.boundaries, true))];
@@ -151,8 +137,8 @@ fn minimal(request: &MinimalSurfaceRequest, exec: &Execution) -> Result<Solved, 
     let archive = archive(Contents {
         generator: generator(),
         title: "minimal surface".into(),
-        unit: units(request.units),
-        up: up(request.up),
+        unit: request.unit,
+        up: request.up,
         mesh: surface.mesh,
         mean_curvature: Some(MeanCurvature {
             values: surface.mean_curvature,
@@ -161,22 +147,26 @@ fn minimal(request: &MinimalSurfaceRequest, exec: &Execution) -> Result<Solved, 
         line_sets,
         input_vertices: surface.input_vertices,
         statistics: statistics.clone(),
-        pattern: Flat::None,
+        unrolls: false,
     })?;
     let reproducible = surface.statistics.stop_reason != StopReason::Deadline;
     Ok(Solved { statistics, warnings: warnings(surface.warnings), archive, reproducible })
 }
 
-fn ruled(request: &RuledSurfaceRequest, exec: &Execution) -> Result<Solved, Error> {
-    let (directrices, options) = request.to_geometry();
-    let surface = ruled_surface::solve(&directrices, &options, exec)?;
-    let statistics = to_json(&RuledStatistics::of(&surface, &options))?;
-    let pattern = if surface.flat_pattern.is_some() { Flat::OfBridges } else { Flat::None };
+fn ruled(
+    request: &Request,
+    directrices: &[Vec<DVec3>],
+    options: &ruled_surface::Options,
+    exec: &Execution,
+) -> Result<Solved, Error> {
+    let surface = ruled_surface::solve(directrices, options, exec)?;
+    let statistics = to_json(&RuledStatistics::of(&surface, options))?;
+    let unrolls = surface.flat_pattern.is_some();
     let archive = archive(Contents {
         generator: generator(),
         title: "ruled surface".into(),
-        unit: units(request.units),
-        up: up(request.up),
+        unit: request.unit,
+        up: request.up,
         mesh: surface.mesh,
         mean_curvature: None,
         line_sets: vec![
@@ -185,19 +175,23 @@ fn ruled(request: &RuledSurfaceRequest, exec: &Execution) -> Result<Solved, Erro
         ],
         input_vertices: surface.input_vertices,
         statistics: statistics.clone(),
-        pattern,
+        unrolls,
     })?;
     Ok(Solved { statistics, warnings: warnings(surface.warnings), archive, reproducible: true })
 }
 
-fn uniform(request: &UniformMeshRequest, exec: &Execution) -> Result<Solved, Error> {
-    let (domain, options) = request.to_geometry();
-    let solved = uniform_mesh::solve(&domain, &options, exec)?;
-    let statistics = to_json(&UniformStatistics::of(&solved, &options))?;
+fn uniform(
+    request: &Request,
+    domain: &uniform_mesh::Domain,
+    options: &uniform_mesh::Options,
+    exec: &Execution,
+) -> Result<Solved, Error> {
+    let solved = uniform_mesh::solve(domain, options, exec)?;
+    let statistics = to_json(&UniformStatistics::of(&solved, options))?;
     // One material each, so that a viewer can tell the lattice from the rim.
     let group = |name: &str, lattice: bool| {
         let of = || (0..solved.members.len()).filter(|&member| solved.lattice_group[member] == lattice);
-        let unit = units(request.units).symbol().into();
+        let unit = request.unit.symbol().into();
         let values = of().map(|member| solved.lengths[member]).collect();
         let pairs = of().map(|member| solved.members[member]).collect();
         let values = Some(SegmentValues { name: "length".into(), unit, values });
@@ -207,14 +201,14 @@ fn uniform(request: &UniformMeshRequest, exec: &Execution) -> Result<Solved, Err
     let archive = archive(Contents {
         generator: generator(),
         title: "uniform mesh".into(),
-        unit: units(request.units),
-        up: up(request.up),
-        input_vertices: request.input_vertices(&solved),
+        unit: request.unit,
+        up: request.up,
+        input_vertices: input_vertices(domain, &solved),
         mesh: solved.mesh,
         mean_curvature: None,
         line_sets,
         statistics: statistics.clone(),
-        pattern: Flat::None,
+        unrolls: false,
     })?;
     Ok(Solved { statistics, warnings: warnings(solved.warnings), archive, reproducible: solved.converged })
 }

@@ -1,4 +1,4 @@
-//! Result files as objects of an S3-compatible bucket (cargo feature `s3`).
+//! Large results as objects of an S3-compatible bucket (cargo feature `s3`).
 
 use std::fmt;
 use std::sync::Arc;
@@ -9,14 +9,12 @@ use object_store::aws::AmazonS3Builder;
 use object_store::path::Path as ObjectPath;
 use object_store::{ObjectStore, ObjectStoreExt, PutPayload, RetryConfig};
 
-use super::StoreError;
-use super::engine::Result;
 use super::files::BUCKET_SCHEME;
+use super::{Result, StoreError, milliseconds};
 
-/// Number of times that a failed request to the bucket is repeated.
+/// Further attempts of a request, and how long they may take together. A failed write is reported in less time than a
+/// lease lasts, so that the worker learns of it while it still owns the job.
 const RETRIES: usize = 3;
-/// Time limit of one request with its repetitions. It is shorter than a lease, so that the worker learns of a failed write
-/// while it still owns the job.
 const PATIENCE: Duration = Duration::from_secs(10);
 
 #[derive(Clone)]
@@ -25,7 +23,7 @@ pub(super) struct Bucket {
     prefix: ObjectPath,
 }
 
-// The object store holds credentials, which must not appear in a log.
+// `objects` knows credentials, so it is not shown.
 impl fmt::Debug for Bucket {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.debug_struct("Bucket").field("prefix", &self.prefix).finish_non_exhaustive()
@@ -33,12 +31,12 @@ impl fmt::Debug for Bucket {
 }
 
 impl Bucket {
-    /// Opens `BUCKET/PREFIX`. Region, endpoint and credentials come from the environment as for every S3 client (`AWS_REGION`,
-    /// `AWS_ENDPOINT_URL`, `AWS_ACCESS_KEY_ID`, `AWS_SECRET_ACCESS_KEY`, or the machine's role).
+    /// `BUCKET/PREFIX`; region, endpoint and credentials come from the environment as for every client of S3
+    /// (`AWS_REGION`, `AWS_ENDPOINT_URL`, `AWS_ACCESS_KEY_ID`, `AWS_SECRET_ACCESS_KEY`, or the machine's role).
     pub(super) fn open(place: &str) -> Result<Self> {
         let (name, prefix) = place.split_once('/').unwrap_or((place, ""));
         let unusable = |error: &dyn fmt::Display| StoreError::Url(format!("{BUCKET_SCHEME}{place}: {error}"));
-        // Fails if the process has a default provider already, which serves as well.
+        // Fails if the process has a provider already, which is as good.
         let _ = rustls::crypto::ring::default_provider().install_default();
         let retry = RetryConfig { max_retries: RETRIES, retry_timeout: PATIENCE, ..RetryConfig::default() };
         let objects = AmazonS3Builder::from_env().with_bucket_name(name).with_retry(retry).build();
@@ -50,8 +48,12 @@ impl Bucket {
         self.prefix.clone().join(file)
     }
 
-    pub(super) async fn read(&self, file: &str) -> Result<Vec<u8>> {
-        Ok(self.objects.get(&self.path(file)).await?.bytes().await?.into())
+    pub(super) async fn read(&self, file: &str) -> Result<Option<Vec<u8>>> {
+        match self.objects.get(&self.path(file)).await {
+            Ok(object) => Ok(Some(object.bytes().await?.into())),
+            Err(object_store::Error::NotFound { .. }) => Ok(None),
+            Err(error) => Err(error.into()),
+        }
     }
 
     pub(super) async fn write(&self, file: &str, bytes: &[u8]) -> Result<()> {
@@ -63,15 +65,15 @@ impl Bucket {
         Ok(self.objects.delete(&self.path(file)).await?)
     }
 
-    /// Names of objects that were last written longer ago than `age`.
+    /// Names of objects last written longer ago than `age`, by the bucket's clock, which may differ from this machine's
+    /// by less than `age`.
     pub(super) async fn older_than(&self, age: Duration) -> Result<Vec<String>> {
-        // The bucket's clock may differ from ours by less than `age`.
-        let now_ms = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
-        let (now_ms, age_ms) = (super::milliseconds(now_ms), super::milliseconds(age));
+        let since_1970 = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
+        let (now_ms, age_ms) = (milliseconds(since_1970), milliseconds(age));
         let prefix = Some(&self.prefix).filter(|prefix| !prefix.as_ref().is_empty());
         let objects: Vec<_> = self.objects.list(prefix).try_collect().await?;
         let old = objects.into_iter().filter(|object| now_ms - object.last_modified.timestamp_millis() >= age_ms);
-        // Objects in deeper folders do not belong to this store.
+        // Objects below a further folder belong to somebody else.
         let names = old.filter_map(|object| {
             let name = object.location.filename()?.to_owned();
             (self.path(&name) == object.location).then_some(name)
@@ -89,31 +91,29 @@ impl From<object_store::Error> for StoreError {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::store::files::Files;
 
     #[tokio::test]
     async fn a_bucket_gives_back_lists_and_removes_what_was_put_into_it() {
         let objects: Arc<dyn ObjectStore> = Arc::new(object_store::memory::InMemory::new());
         for prefix in ["", "results/of-ours"] {
             let bucket = Bucket { objects: objects.clone(), prefix: ObjectPath::parse(prefix).unwrap() };
-            let files = Files::Bucket(bucket.clone());
             bucket.write("one-1", b"mesh").await.unwrap();
             bucket.write("two-1", b"other").await.unwrap();
-            // An object of somebody else, in a deeper folder.
+            // Somebody else's, deeper.
             bucket.objects.put(&bucket.path("else").join("three-1"), PutPayload::from("theirs")).await.unwrap();
-            assert_eq!(files.read("one-1").await.unwrap(), b"mesh");
-            let mut names = files.older_than(Duration::ZERO).await.unwrap();
+            assert_eq!(bucket.read("one-1").await.unwrap().as_deref(), Some(&b"mesh"[..]));
+            let mut names = bucket.older_than(Duration::ZERO).await.unwrap();
             names.sort();
             assert_eq!(names, ["one-1", "two-1"], "in {prefix:?}");
-            assert!(files.older_than(Duration::from_secs(3600)).await.unwrap().is_empty());
-            files.remove("one-1".into()).await;
-            assert!(matches!(files.read("one-1").await, Err(StoreError::Unavailable(_))));
-            assert_eq!(files.older_than(Duration::ZERO).await.unwrap(), ["two-1"]);
+            assert!(bucket.older_than(Duration::from_secs(3600)).await.unwrap().is_empty());
+            bucket.remove("one-1").await.unwrap();
+            assert_eq!(bucket.read("one-1").await.unwrap(), None);
+            assert_eq!(bucket.older_than(Duration::ZERO).await.unwrap(), ["two-1"]);
         }
     }
 
     #[test]
-    fn a_bucket_does_not_show_its_credentials() {
+    fn a_bucket_does_not_show_what_it_holds() {
         let objects: Arc<dyn ObjectStore> = Arc::new(object_store::memory::InMemory::new());
         let shown = format!("{:?}", Bucket { objects, prefix: ObjectPath::parse("results").unwrap() });
         assert_eq!(shown, "Bucket { prefix: Path { raw: \"results\" }, .. }");

@@ -1,36 +1,22 @@
-//! Large results outside of the database: as files of a folder, or as objects of an S3-compatible bucket. Written whole and
-//! durably before the row that names them commits, never changed, removed after the row is gone. A name holds job and attempt,
-//! so no two writers ever share one; what is there without a row is left by a worker that died in between, and the sweep
-//! removes it.
+//! Large results outside of the database, in a folder or in a bucket. A file is written whole and durably before the row
+//! that names it commits, never changed, and removed after the row is gone. Its name holds the job and the attempt, so
+//! no two writers ever share one. A file without a row was left by a worker that died in between; the sweep removes it.
 //!
-//! The folder is not object_store's: that one does not sync what it writes.
+//! The folder is written by this module and not by the library that writes buckets, because that one does not sync.
 
 use std::fs::{self, File};
 use std::io::{self, Write};
-use std::path::PathBuf;
-use std::time::{Duration, SystemTime};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 #[cfg(feature = "s3")]
 use super::bucket::Bucket;
-use super::engine::Result;
-use super::{Store, StoreError};
+use super::{Result, StoreError};
 
-/// What names a bucket instead of a folder.
+/// Begins the setting that names a bucket instead of a folder.
 pub(super) const BUCKET_SCHEME: &str = "s3://";
-
-/// Results of more bytes are named by their bytes alone, so that equal ones are kept once. The names of others begin with the
-/// time, so that they come in order: an index over names without order costs a page in a random place for each, which is more
-/// than a second copy of a small result now and then.
-const NAMED_BY_TIME_BYTES: usize = 32 << 10;
-
-/// A result that can be put into a row.
-#[derive(Debug)]
-pub(super) struct Prepared {
-    /// Its name in the database: the same for other bytes never.
-    pub(super) hash: [u8; 32],
-    /// The file that holds the bytes; without one they belong into the row.
-    pub(super) file: Option<String>,
-}
+/// A file that is written and removed to see whether results can be stored.
+const PROBE: &str = "probe";
 
 #[derive(Debug, Clone)]
 pub(super) enum Files {
@@ -54,37 +40,40 @@ impl Files {
         Ok(Self::Folder(place.into()))
     }
 
-    pub(super) async fn read(&self, file: &str) -> Result<Vec<u8>> {
+    /// The bytes of a file; `None` if it is not there.
+    pub(super) async fn read(&self, file: &str) -> Result<Option<Vec<u8>>> {
         match self {
             Self::Folder(folder) => {
                 let path = folder.join(file);
-                blocking(move || fs::read(path)).await
+                let read = move || match fs::read(path) {
+                    Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+                    read => read.map(Some),
+                };
+                blocking(read).await
             }
             #[cfg(feature = "s3")]
             Self::Bucket(bucket) => bucket.read(file).await,
         }
     }
 
-    async fn write(&self, file: &str, bytes: &[u8]) -> Result<()> {
+    pub(super) async fn write(&self, file: &str, bytes: &[u8]) -> Result<()> {
         match self {
             Self::Folder(folder) => {
                 let (folder, file, bytes) = (folder.clone(), file.to_owned(), bytes.to_vec());
-                blocking(move || {
-                    let unfinished = folder.join(format!("{file}.part"));
-                    let written = write_synced(&unfinished, &bytes)
-                        .and_then(|()| fs::rename(&unfinished, folder.join(&file)))
-                        // The name itself is on disk once the folder is.
-                        .and_then(|()| File::open(&folder)?.sync_all());
-                    if written.is_err() {
-                        let _ = fs::remove_file(&unfinished);
-                    }
-                    written
-                })
-                .await
+                blocking(move || write_into(&folder, &file, &bytes)).await
             }
             #[cfg(feature = "s3")]
             Self::Bucket(bucket) => bucket.write(file, bytes).await,
         }
+    }
+
+    /// Writes and removes a small file.
+    pub(super) async fn probe(&self) -> Result<()> {
+        // A name of this process's own, since others may probe the same place.
+        let file = format!("{PROBE}-{}", std::process::id());
+        self.write(&file, b"probe").await?;
+        self.remove(file).await;
+        Ok(())
     }
 
     /// Removes a file that no row names; one that cannot be removed now is left to the next sweep.
@@ -107,21 +96,7 @@ impl Files {
         match self {
             Self::Folder(folder) => {
                 let folder = folder.clone();
-                blocking(move || {
-                    let mut old = Vec::new();
-                    for entry in fs::read_dir(folder)? {
-                        let entry = entry?;
-                        // A file that vanished meanwhile is somebody else's removal.
-                        let Ok(modified) = entry.metadata().and_then(|metadata| metadata.modified()) else { continue };
-                        if modified.elapsed().unwrap_or_default() >= age
-                            && let Ok(name) = entry.file_name().into_string()
-                        {
-                            old.push(name);
-                        }
-                    }
-                    Ok(old)
-                })
-                .await
+                blocking(move || old_files(&folder, age)).await
             }
             #[cfg(feature = "s3")]
             Self::Bucket(bucket) => bucket.older_than(age).await,
@@ -129,40 +104,42 @@ impl Files {
     }
 }
 
-/// A name that holds most of a hash, behind the milliseconds since 1970 by this process's clock, which only have to put names
-/// near to each other that come about at the same time.
-fn named_by_time(hash: [u8; 32]) -> [u8; 32] {
-    let since_1970 = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
-    let milliseconds = u64::try_from(since_1970.as_millis()).unwrap_or(u64::MAX).to_be_bytes();
-    let mut name = hash;
-    name[..6].copy_from_slice(&milliseconds[2..]);
-    name
+fn write_into(folder: &Path, file: &str, bytes: &[u8]) -> io::Result<()> {
+    let unfinished = folder.join(format!("{file}.part"));
+    let write = || {
+        let mut written = File::create(&unfinished)?;
+        written.write_all(bytes)?;
+        written.sync_all()?;
+        fs::rename(&unfinished, folder.join(file))?;
+        // The name itself is on disk once the folder is.
+        File::open(folder)?.sync_all()
+    };
+    let written = write();
+    if written.is_err() {
+        // There may be no file to remove, which is fine.
+        let _ = fs::remove_file(&unfinished);
+    }
+    written
 }
 
-fn write_synced(path: &std::path::Path, bytes: &[u8]) -> io::Result<()> {
-    let mut file = File::create(path)?;
-    file.write_all(bytes)?;
-    file.sync_all()
+fn old_files(folder: &Path, age: Duration) -> io::Result<Vec<String>> {
+    let mut old = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        // A file that vanished meanwhile was removed by another process.
+        let Ok(modified) = entry.metadata().and_then(|metadata| metadata.modified()) else { continue };
+        if modified.elapsed().unwrap_or_default() >= age
+            && let Ok(name) = entry.file_name().into_string()
+        {
+            old.push(name);
+        }
+    }
+    Ok(old)
 }
 
 async fn blocking<T: Send + 'static>(work: impl FnOnce() -> io::Result<T> + Send + 'static) -> Result<T> {
     match tokio::task::spawn_blocking(work).await {
         Ok(result) => Ok(result?),
         Err(error) => Err(StoreError::Unavailable(error.to_string())),
-    }
-}
-
-impl Store {
-    /// Writes a result's file, if it is large.
-    pub(super) async fn prepare(&self, id: &str, attempt: i64, bytes: &[u8], hash: [u8; 32]) -> Result<Prepared> {
-        let file = match &self.inner.files {
-            Some(files) if bytes.len() > self.inner.options.inline_bytes => {
-                let file = format!("{id}-{attempt}");
-                files.write(&file, bytes).await?;
-                Some(file)
-            }
-            _ => None,
-        };
-        Ok(Prepared { hash: if bytes.len() > NAMED_BY_TIME_BYTES { hash } else { named_by_time(hash) }, file })
     }
 }

@@ -7,33 +7,45 @@
 //! before it sent it), every watched job is also looked at each poll interval.
 
 use std::collections::{BTreeSet, HashMap};
+use std::sync::mpsc::{Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use sqlx::PgPool;
-use sqlx::postgres::PgListener;
 use tokio::sync::{Notify, mpsc, watch};
 use tokio::task::JoinHandle;
 
-use super::engine::{Engine, Kind, Result};
-use super::record::{JobRow, Lookup};
-use super::{Store, StoreError};
+use super::jobs::{JobRow, Lookup};
+use super::postgres::Database as Postgres;
+use super::tx::News;
+use super::{Engine, Result, Store, StoreError};
 
-const CHANNEL: &str = "plateau_changes";
 const NOTIFY_INTERVAL: Duration = Duration::from_millis(20);
 /// PostgreSQL takes payloads below 8000 bytes.
 const PAYLOAD_BYTES: usize = 7900;
-/// A job id that is no job: there may be work.
+/// Stands in a payload for "a job may have become claimable".
 const WORK: &str = "*";
-const RECONNECT_DELAY: Duration = Duration::from_secs(1);
 
 #[derive(Debug)]
 pub(super) struct Changes {
     hub: Arc<Hub>,
-    /// Ids to tell other instances about; `None` on SQLite.
-    outgoing: Option<mpsc::UnboundedSender<String>>,
     poll_interval: Duration,
-    tasks: Vec<JoinHandle<()>>,
+    /// What tells other instances and hears of them; `None` on SQLite.
+    instances: Option<Instances>,
+}
+
+#[derive(Debug)]
+struct Instances {
+    /// Ids to tell other instances about.
+    outgoing: mpsc::UnboundedSender<String>,
+    notifier: JoinHandle<()>,
+    /// The listening thread ends once this is dropped.
+    _listening: Sender<()>,
+}
+
+impl Drop for Instances {
+    fn drop(&mut self) {
+        self.notifier.abort();
+    }
 }
 
 /// What this process watches.
@@ -72,58 +84,43 @@ impl Hub {
 }
 
 impl Changes {
-    pub(super) fn new(engine: &Engine, poll_interval: Duration) -> Self {
+    pub(super) fn new(engine: &Engine, poll_interval: Duration) -> Result<Self> {
         let hub = Arc::new(Hub { work: watch::Sender::new(0), jobs: Mutex::default() });
-        let (outgoing, tasks) = match &engine.kind {
-            Kind::Sqlite(_) => (None, Vec::new()),
-            Kind::Postgres(pool) => {
+        let instances = match engine {
+            Engine::Sqlite(_) => None,
+            Engine::Postgres(database) => {
                 let (outgoing, changes) = mpsc::unbounded_channel();
-                let tasks = vec![
-                    tokio::spawn(listen(pool.clone(), Arc::clone(&hub))),
-                    tokio::spawn(notify(pool.clone(), changes)),
-                ];
-                (Some(outgoing), tasks)
+                let (listening, stopped) = channel();
+                let hub = Arc::clone(&hub);
+                database.listen(stopped, move |payload| match payload {
+                    Some(ids) => ids.lines().for_each(|id| hub.changed(id)),
+                    None => hub.everything_may_have_changed(),
+                })?;
+                let notifier = tokio::spawn(notify(Arc::clone(database), changes));
+                Some(Instances { outgoing, notifier, _listening: listening })
             }
         };
-        Self { hub, outgoing, poll_interval, tasks }
+        Ok(Self { hub, poll_interval, instances })
     }
 
-    pub(super) fn changed(&self, id: &str) {
-        self.hub.changed(id);
-        if let Some(outgoing) = &self.outgoing {
-            // Fails only when the store is being closed.
-            let _ = outgoing.send(id.to_owned());
+    /// Tells watchers and workers, here and elsewhere.
+    pub(super) fn publish(&self, news: &News) {
+        for id in news.jobs.iter().map(String::as_str).chain(news.work.then_some(WORK)) {
+            self.hub.changed(id);
+            if let Some(instances) = &self.instances {
+                // Fails only when the store is being closed.
+                let _ = instances.outgoing.send(id.to_owned());
+            }
         }
-    }
-
-    pub(super) fn work(&self) {
-        self.changed(WORK);
-    }
-
-    /// How often work has been heard of: what [`work_signal`](Self::work_signal) says.
-    pub(super) fn work_so_far(&self) -> u64 {
-        *self.hub.work.borrow()
     }
 
     pub(super) fn work_signal(&self) -> watch::Receiver<u64> {
         self.hub.work.subscribe()
     }
-
-    pub(super) fn stop(&self) {
-        for task in &self.tasks {
-            task.abort();
-        }
-    }
-}
-
-impl Drop for Changes {
-    fn drop(&mut self) {
-        self.stop();
-    }
 }
 
 /// Tells other instances what changed here, at most once an interval.
-async fn notify(pool: PgPool, mut changes: mpsc::UnboundedReceiver<String>) {
+async fn notify(database: Arc<Postgres>, mut changes: mpsc::UnboundedReceiver<String>) {
     let mut batch = Vec::new();
     while changes.recv_many(&mut batch, usize::MAX).await > 0 {
         let ids: BTreeSet<String> = batch.drain(..).collect();
@@ -138,8 +135,7 @@ async fn notify(pool: PgPool, mut changes: mpsc::UnboundedReceiver<String>) {
             }
         }
         for payload in payloads {
-            let sent = sqlx::query("SELECT pg_notify($1, $2)").bind(CHANNEL).bind(payload).execute(&pool).await;
-            if let Err(error) = sent {
+            if let Err(error) = database.notify(payload).await {
                 tracing::warn!(%error, "telling other instances of changes; they will find out by polling");
             }
         }
@@ -147,37 +143,14 @@ async fn notify(pool: PgPool, mut changes: mpsc::UnboundedReceiver<String>) {
     }
 }
 
-/// Hears what changed, here and elsewhere, for ever.
-async fn listen(pool: PgPool, hub: Arc<Hub>) {
-    loop {
-        if let Err(error) = listen_once(&pool, &hub).await {
-            tracing::warn!(%error, "listening for changes; polling meanwhile");
-        }
-        tokio::time::sleep(RECONNECT_DELAY).await;
-    }
-}
-
-async fn listen_once(pool: &PgPool, hub: &Hub) -> sqlx::Result<()> {
-    let mut listener = PgListener::connect_with(pool).await?;
-    listener.listen(CHANNEL).await?;
-    // Whatever was said before the connection stood is lost.
-    hub.everything_may_have_changed();
-    while let Some(notification) = listener.try_recv().await? {
-        for id in notification.payload().lines() {
-            hub.changed(id);
-        }
-    }
-    Ok(())
-}
-
-/// A shared view of one job. Dropping the last one ends the reading.
+/// A shared view of one job. The job is read for as long as somebody holds a view of it.
 #[derive(Debug)]
 pub struct JobWatch {
     latest: watch::Receiver<Option<Arc<JobRow>>>,
 }
 
 impl JobWatch {
-    /// The job as last read; `None` once it has been deleted or has expired.
+    /// Returns the job as last read; `None` once it has been deleted or has expired.
     pub fn current(&mut self) -> Option<Arc<JobRow>> {
         self.latest.borrow_and_update().clone()
     }
@@ -216,7 +189,7 @@ impl Store {
 
     /// The channel on which the task of this job hands round what it reads; starts the task if there is none.
     async fn subscribe(&self, id: &str) -> Result<watch::Receiver<Option<Arc<JobRow>>>> {
-        let hub = &self.inner.changes.hub;
+        let hub = &self.changes().hub;
         if let Some(watched) = hub.jobs().get(id) {
             return Ok(watched.latest.subscribe());
         }
@@ -245,8 +218,8 @@ async fn read(store: &Store, id: &str) -> Result<Option<Arc<JobRow>>> {
 
 /// Reads a watched job whenever it changed, until nobody watches.
 async fn refresh(store: Store, id: String, watched: Arc<Watched>) {
-    let hub = Arc::clone(&store.inner.changes.hub);
-    let poll_interval = store.inner.changes.poll_interval;
+    let hub = Arc::clone(&store.changes().hub);
+    let poll_interval = store.changes().poll_interval;
     loop {
         tokio::select! {
             () = watched.changed.notified() => {}

@@ -1,8 +1,9 @@
 //! `POST /v1/batches`: many requests at once, each as its own path takes it but with its `kind`.
 
-use super::job::{Links, Status};
+use super::job::Links;
 use super::{FieldError, Kind, MAX_ERRORS, Rejection, Request, json, schema};
 use crate::config::LimitsConfig;
+use crate::status::Status;
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::{Value, json};

@@ -5,10 +5,11 @@ mod statistics;
 pub use statistics::{AngleRange, MinimalStatistics, Spread};
 
 use super::body::PointList;
-use super::common::{self, Cache, Point, Units, UpAxis};
+use super::common::{self, Cache, Point};
 use super::objectives::Objective as ObjectiveDoc;
-use super::{FieldError, Kind, Rejection};
+use super::{Checked, FieldError, Kind, Problem, Rejection};
 use crate::config::LimitsConfig;
+use crate::units::{Unit, UpAxis};
 use plateau_geometry::minimal_surface as geometry;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -30,7 +31,7 @@ pub struct MinimalSurfaceRequest {
     pub callback_url: Option<String>,
     /// Unit of the coordinates.
     #[serde(default)]
-    pub units: Units,
+    pub units: Unit,
     /// Axis that points up.
     #[serde(default)]
     pub up: UpAxis,
@@ -274,11 +275,11 @@ impl MinimalSurfaceRequest {
         }
     }
 
-    /// What the schema cannot say.
+    /// Checks what the schema cannot say, and returns the request in the geometry's terms.
     ///
     /// # Errors
     /// Every offending value.
-    pub fn check(&self, limits: &LimitsConfig) -> Result<(), Rejection> {
+    pub(super) fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
         common::check_point_count("/boundaries", &self.boundaries, limits.points)?;
         let too_many = |pointer: &str, detail: String| Err(Rejection::TooLarge(vec![FieldError::new(pointer, detail)]));
         if self.resolution.triangles.is_some_and(|count| count as usize > limits.triangles) {
@@ -316,12 +317,15 @@ impl MinimalSurfaceRequest {
                 format!("asks for about {estimate:.0} triangles, more than this server makes ({})", limits.triangles);
             return too_many("/resolution", detail);
         }
-        Ok(())
+        Ok(Checked {
+            memory_bytes: self.memory_bytes(estimate),
+            quick: false,
+            problem: Problem::MinimalSurface { boundaries, options },
+        })
     }
 
     /// About how much memory solving it takes.
-    #[must_use]
-    pub fn memory_bytes(&self) -> u64 {
+    fn memory_bytes(&self, triangles: f64) -> u64 {
         // Measured as the process's peak, mesh written out included: 650 bytes a triangle at most for area and
         // Dirichlet energy (100,000 and 400,000 triangles, every solver), 6,740 for the least squares, whose normal
         // matrix is dense with neighbours of neighbours. The rest is slack for factors, which grow a little faster than
@@ -330,13 +334,11 @@ impl MinimalSurfaceRequest {
             Objective::MinimalArea | Objective::MinimalDirichletEnergy => 1_000.0,
             Objective::MinimalMeanCurvature => 8_000.0,
         };
-        let (boundaries, options) = self.to_geometry();
-        (geometry::estimate_triangles(&boundaries, &options) * a_triangle) as u64
+        (triangles * a_triangle) as u64
     }
 
     /// The geometry's own terms for this request.
-    #[must_use]
-    pub fn to_geometry(&self) -> (Vec<Vec<plateau_geometry::DVec3>>, geometry::Options) {
+    fn to_geometry(&self) -> (Vec<Vec<plateau_geometry::DVec3>>, geometry::Options) {
         let resolution = match self.resolution {
             Resolution { triangles: Some(count), .. } => geometry::Resolution::Triangles(count as usize),
             Resolution { edge_length: Some(length), .. } => geometry::Resolution::EdgeLength(length),

@@ -1,10 +1,11 @@
 //! `POST /v1/ruled-surfaces`: the request, its statistics, and the way to the geometry and back.
 
 use super::body::PointList;
-use super::common::{self, Cache, Point, Units, UpAxis};
+use super::common::{self, Cache, Point};
 use super::objectives::Objective as ObjectiveDoc;
-use super::{FieldError, Kind, Rejection};
+use super::{Checked, FieldError, Kind, Problem, Rejection};
 use crate::config::LimitsConfig;
+use crate::units::{Unit, UpAxis};
 use plateau_geometry::ruled_surface as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -26,7 +27,7 @@ pub struct RuledSurfaceRequest {
     pub callback_url: Option<String>,
     /// Unit of the coordinates.
     #[serde(default)]
-    pub units: Units,
+    pub units: Unit,
     /// Axis that points up.
     #[serde(default)]
     pub up: UpAxis,
@@ -186,6 +187,9 @@ pub enum Objective {
     MinimalNormalVariation,
 }
 
+/// Memory that a point takes beside the solver's own estimate: its triangles, and the archive of both.
+const BYTES_PER_POINT: u64 = 2_000;
+
 impl RuledSurfaceRequest {
     /// Takes the points of a field that was read apart.
     pub(super) fn take(&mut self, list: &PointList) {
@@ -198,21 +202,28 @@ impl RuledSurfaceRequest {
         }
     }
 
-    /// What the schema cannot say.
+    /// Checks what the schema cannot say, and returns the request in the geometry's terms.
     ///
     /// # Errors
     /// Every offending value.
-    pub fn check(&self, limits: &LimitsConfig) -> Result<(), Rejection> {
+    pub(super) fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
         common::check_point_count("/directrices", &self.directrices, limits.points)?;
         self.check_sampling(limits)?;
         let (directrices, options) = self.to_geometry();
         let points: Vec<usize> = directrices.iter().map(Vec::len).collect();
-        let cells = geometry::estimate(&points, &options).cells;
+        let estimate = geometry::estimate(&points, &options);
+        let cells = estimate.cells;
         if cells > limits.grid_cells {
             let detail = format!("needs {cells} grid cells, more than this server takes ({})", limits.grid_cells);
             return Err(Rejection::TooLarge(vec![FieldError::new("/directrices", detail)]));
         }
-        Ok(geometry::check(&directrices, &options)?)
+        geometry::check(&directrices, &options)?;
+        let points: usize = points.iter().sum();
+        Ok(Checked {
+            memory_bytes: estimate.bytes + points as u64 * BYTES_PER_POINT,
+            quick: self.is_quick(points, cells),
+            problem: Problem::RuledSurface { directrices, options },
+        })
     }
 
     fn check_sampling(&self, limits: &LimitsConfig) -> Result<(), Rejection> {
@@ -247,33 +258,17 @@ impl RuledSurfaceRequest {
         })
     }
 
-    /// Whether solving it takes about a millisecond at most. Closed strips and exact convexity may take more than their
+    /// True if solving it takes about a millisecond at most. Closed strips and exact convexity may take more than their
     /// cells say.
-    #[must_use]
-    pub fn is_quick(&self) -> bool {
+    fn is_quick(&self, points: usize, cells: u64) -> bool {
         const QUICK_POINTS: usize = 1_000;
         const QUICK_CELLS: u64 = 50_000;
-        let points: Vec<usize> = self.directrices.iter().map(Vec::len).collect();
-        if self.closed || self.convexity_tolerance_deg == 0.0 || points.iter().sum::<usize>() > QUICK_POINTS {
-            return false;
-        }
-        let (_, options) = self.to_geometry();
-        options.sampling.is_none() && geometry::estimate(&points, &options).cells <= QUICK_CELLS
-    }
-
-    /// About how much memory solving it takes: the solver's own estimate, and points and triangles with what is said of
-    /// them.
-    #[must_use]
-    pub fn memory_bytes(&self) -> u64 {
-        const BYTES_PER_POINT: u64 = 2_000;
-        let (_, options) = self.to_geometry();
-        let points: Vec<usize> = self.directrices.iter().map(Vec::len).collect();
-        geometry::estimate(&points, &options).bytes + points.iter().sum::<usize>() as u64 * BYTES_PER_POINT
+        let simple = !self.closed && self.convexity_tolerance_deg != 0.0 && self.sampling.is_none();
+        simple && points <= QUICK_POINTS && cells <= QUICK_CELLS
     }
 
     /// The geometry's own terms for this request.
-    #[must_use]
-    pub fn to_geometry(&self) -> (Vec<Vec<plateau_geometry::DVec3>>, geometry::Options) {
+    fn to_geometry(&self) -> (Vec<Vec<plateau_geometry::DVec3>>, geometry::Options) {
         let options = geometry::Options {
             closed: self.closed,
             objective: self.objective.into(),

@@ -1,10 +1,11 @@
 //! `POST /v1/uniform-meshes`: the request, its statistics, and the way to the geometry and back.
 
-use super::common::{self, Cache, Point, Units, UpAxis};
+use super::common::{self, Cache, Point};
 use super::minimal_surface::{AngleRange, Spread};
 use super::objectives::Objective as ObjectiveDoc;
-use super::{FieldError, Kind, Rejection};
+use super::{Checked, FieldError, Kind, Problem, Rejection};
 use crate::config::LimitsConfig;
+use crate::units::{Unit, UpAxis};
 use plateau_geometry::uniform_mesh as geometry;
 use plateau_geometry::uniform_mesh::parametric_surface;
 use schemars::JsonSchema;
@@ -32,7 +33,7 @@ pub struct UniformMeshRequest {
     pub callback_url: Option<String>,
     /// Unit of the coordinates.
     #[serde(default)]
-    pub units: Units,
+    pub units: Unit,
     /// Axis that points up.
     #[serde(default)]
     pub up: UpAxis,
@@ -220,11 +221,11 @@ impl Domain {
 }
 
 impl UniformMeshRequest {
-    /// What the schema cannot say.
+    /// Checks what the schema cannot say, and returns the request in the geometry's terms.
     ///
     /// # Errors
     /// Every offending value.
-    pub fn check(&self, limits: &LimitsConfig) -> Result<(), Rejection> {
+    pub(super) fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
         self.domain.check()?;
         let (points, field) = self.domain.point_count();
         if points > limits.points {
@@ -254,12 +255,15 @@ impl UniformMeshRequest {
             return Err(Rejection::TooLarge(vec![FieldError::new("/edge_length", detail)]));
         }
         geometry::check(&domain, &options)?;
-        Ok(())
+        Ok(Checked {
+            memory_bytes: self.memory_bytes(estimate),
+            quick: false,
+            problem: Problem::UniformMesh { domain, options },
+        })
     }
 
     /// The geometry's own terms for this request.
-    #[must_use]
-    pub fn to_geometry(&self) -> (geometry::Domain, geometry::Options) {
+    fn to_geometry(&self) -> (geometry::Domain, geometry::Options) {
         let optimise = match (self.optimise_nodes, self.optimise, self.max_distinct_lengths) {
             (false, ..) => geometry::Optimise::None,
             (true, Optimise::Lengths, Some(most)) => geometry::Optimise::Lengths { most: most as usize },
@@ -282,25 +286,22 @@ impl UniformMeshRequest {
         (self.domain.to_geometry(), options)
     }
 
-    /// About how much memory solving takes: a triangle costs some 600 bytes with its members, their lengths and the
-    /// archive, and on a surface as much again for the sparse factor; a film's own mesh is bounded.
-    #[must_use]
-    pub fn memory_bytes(&self) -> u64 {
-        let (domain, options) = self.to_geometry();
-        let triangles = geometry::estimate(&domain, &options).map_or(0.0, |cost| cost.triangles);
+    /// About how much memory solving takes: a triangle costs some 600 bytes with its members, their lengths and the archive,
+    /// and on a surface as much again for the sparse factor; a film's own mesh is bounded.
+    fn memory_bytes(&self, triangles: f64) -> u64 {
         let a_triangle = if self.domain.polygon.is_some() { 600.0 } else { 1500.0 };
         (triangles * a_triangle) as u64 + (64 << 20)
     }
+}
 
-    /// For each polyline of a polygon the vertices that its points became; empty for other domains, whose points are
-    /// not nodes.
-    #[must_use]
-    pub fn input_vertices(&self, mesh: &geometry::UniformMesh) -> Vec<Vec<u32>> {
-        let Some(polygon) = &self.domain.polygon else { return Vec::new() };
-        let mut vertices = mesh.input_vertices.iter().copied().flatten();
-        let lengths = std::iter::once(polygon.len()).chain(self.domain.holes.iter().map(Vec::len));
-        lengths.map(|length| vertices.by_ref().take(length).collect()).collect()
-    }
+/// For each polyline of a polygon the vertices that its points became; empty for other domains, whose points are not
+/// nodes.
+#[must_use]
+pub fn input_vertices(domain: &geometry::Domain, mesh: &geometry::UniformMesh) -> Vec<Vec<u32>> {
+    let geometry::Domain::Polygon { outer, holes } = domain else { return Vec::new() };
+    let mut vertices = mesh.input_vertices.iter().copied().flatten();
+    let lengths = std::iter::once(outer.len()).chain(holes.iter().map(Vec::len));
+    lengths.map(|length| vertices.by_ref().take(length).collect()).collect()
 }
 
 /// The objectives of this kind.

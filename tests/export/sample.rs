@@ -1,8 +1,9 @@
 //! Archives for the export tests: everything that one can hold, at any place and size.
 
 use plateau::export::{
-    Archive, Contents, Flat, Fold, LineSet, Lines, MeanCurvature, Pattern, Piece, Polyline, SegmentValues, Unit, UpAxis,
+    Archive, Contents, Fold, LineSet, Lines, MeanCurvature, Pattern, Piece, Polyline, SegmentValues,
 };
+use plateau::units::{Unit, UpAxis};
 use plateau_geometry::{DVec2, DVec3, Mesh};
 
 /// A roof of four triangles over a unit square, its apex off the middle, scaled and moved.
@@ -37,7 +38,7 @@ pub fn strip() -> Contents {
             lines: segments(&[[0, 3], [1, 3], [1, 4], [2, 4]]),
         }],
         statistics: "{}".into(),
-        pattern: Flat::OfBridges,
+        unrolls: true,
         ..Contents::default()
     }
 }
@@ -69,10 +70,16 @@ pub fn full() -> Archive {
         },
         LineSet { name: "directrices".into(), group: String::new(), lines: Lines::Polylines(Vec::new()) },
     ];
+    Archive::new(contents).expect("the sample is sound")
+}
+
+/// A flat pattern of two rectangles with every kind of fold, to be drawn beside [`full`].
+#[allow(dead_code, reason = "not every test that takes samples draws a pattern")]
+pub fn pattern() -> Pattern {
     let fold = |x: f64, angle_deg: f64| Fold { ends: [DVec2::new(x, 0.0), DVec2::new(x, 100.0)], angle_deg };
     let rectangle =
         |width: f64| [[0.0, 0.0], [width, 0.0], [width, 100.0], [0.0, 100.0]].map(DVec2::from_array).to_vec();
-    contents.pattern = Flat::Kept(Pattern {
+    Pattern {
         pieces: vec![
             Piece {
                 name: "strip 1".into(),
@@ -81,6 +88,5 @@ pub fn full() -> Archive {
             },
             Piece { name: "strip 2 é".into(), outline: rectangle(150.0), folds: vec![fold(75.0, 0.0)] },
         ],
-    });
-    Archive::new(contents).expect("the sample is sound")
+    }
 }

@@ -9,8 +9,9 @@ use axum::response::{IntoResponse, Response};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
+use std::time::Duration;
 
-/// As much of S3 as holds objects: PUT and GET by path, for requests that are signed with the right key's name.
+/// As much of S3 as holds objects: PUT, GET and DELETE by path, for requests that are signed with the right key's name.
 #[derive(Clone, Default)]
 struct Bucket {
     objects: Arc<Mutex<BTreeMap<String, Bytes>>>,
@@ -56,40 +57,77 @@ async fn answer(State(bucket): State<Bucket>, request: Request) -> Response {
             }
             None => StatusCode::NOT_FOUND.into_response(),
         },
+        Method::DELETE => {
+            objects.remove(&path);
+            StatusCode::NO_CONTENT.into_response()
+        }
         _ => StatusCode::METHOD_NOT_ALLOWED.into_response(),
     }
 }
 
-#[tokio::test]
-async fn large_results_are_objects_and_a_bucket_that_refuses_costs_no_job() {
-    let (bucket, url) = Bucket::start().await;
+async fn start(url: &str) -> TestApp {
     let settings = [
         ("PLATEAU_STORE__RESULTS", "s3://plateau/results/of-ours"),
         ("PLATEAU_STORE__INLINE_BYTES", "100"),
-        ("AWS_ENDPOINT_URL", url.as_str()),
+        ("AWS_ENDPOINT_URL", url),
         ("AWS_ALLOW_HTTP", "true"),
         ("AWS_REGION", "eu-test-1"),
         ("AWS_ACCESS_KEY_ID", "test-key"),
         ("AWS_SECRET_ACCESS_KEY", "test-secret"),
     ];
-    let app = TestApp::start_with(&settings).await;
+    TestApp::start_with(&settings).await
+}
+
+/// Waits until the server is ready, or is not.
+async fn until_ready(app: &TestApp, ready: bool) {
+    while (app.get("/health/ready").await.status() == 200) != ready {
+        tokio::time::sleep(Duration::from_millis(20)).await;
+    }
+}
+
+#[tokio::test]
+async fn large_results_are_objects_and_a_bucket_that_refuses_costs_no_attempt() {
+    let (bucket, url) = Bucket::start().await;
+    let app = start(&url).await;
     let job = app.solve(MINIMAL, &small_film(0.3)).await;
-    let names = bucket.names();
-    assert_eq!(names.len(), 1);
     let expected = format!("/plateau/results/of-ours/{}-1", job["id"].as_str().unwrap());
-    assert_eq!(names, [expected]);
+    assert_eq!(bucket.names(), [expected]);
     assert!(!app.folder.path().join("data/results").exists());
     let mesh = app.get(job["links"]["mesh"].as_str().unwrap()).await;
     assert_eq!(mesh.status(), 200);
     assert_eq!(&mesh.bytes().await.unwrap()[..4], b"glTF");
 
     *bucket.refuses.lock().unwrap() = true;
-    // The result cannot be kept, so nothing is said to have succeeded: the client hears that the store is away.
-    let refused = app.post_waiting(MINIMAL, &small_film(0.4)).await;
-    assert_eq!(refused.status(), 503);
-    assert!(refused.headers().contains_key("retry-after"));
+    let held: Value = app.post(MINIMAL, &small_film(0.4)).await.json().await.unwrap();
+    until_ready(&app, false).await;
+    let path = held["links"]["self"].as_str().unwrap();
+    assert_eq!(app.get_json(path).await["status"], "running");
+    // Other jobs are taken but not started.
+    let waiting: Value = app.post(MINIMAL, &small_film(0.5)).await.json().await.unwrap();
     *bucket.refuses.lock().unwrap() = false;
-    let solved: Value = app.solve(MINIMAL, &small_film(0.4)).await;
-    assert_eq!(solved["status"], "succeeded");
-    assert_eq!(bucket.names().len(), 2);
+    for job in [&held, &waiting] {
+        let wait = app.request(Method::GET, job["links"]["self"].as_str().unwrap()).header("prefer", "wait=60");
+        let ended: Value = wait.send().await.unwrap().json().await.unwrap();
+        assert_eq!(ended["status"], "succeeded", "{ended:#}");
+        let events = app.get(job["links"]["events"].as_str().unwrap()).await.text().await.unwrap();
+        assert!(events.contains("id: 1.") && !events.contains("id: 2."), "one attempt: {events}");
+    }
+    until_ready(&app, true).await;
+    assert_eq!(bucket.names().len(), 3);
+}
+
+#[tokio::test]
+async fn a_bucket_that_refuses_from_the_start_is_found_out_before_any_job() {
+    let (bucket, url) = Bucket::start().await;
+    *bucket.refuses.lock().unwrap() = true;
+    let app = start(&url).await;
+    until_ready(&app, false).await;
+    let job: Value = app.post(MINIMAL, &small_film(0.4)).await.json().await.unwrap();
+    let path = job["links"]["self"].as_str().unwrap();
+    assert_eq!(app.get_json(path).await["status"], "queued");
+    *bucket.refuses.lock().unwrap() = false;
+    until_ready(&app, true).await;
+    let ended: Value =
+        app.request(Method::GET, path).header("prefer", "wait=60").send().await.unwrap().json().await.unwrap();
+    assert_eq!(ended["status"], "succeeded");
 }

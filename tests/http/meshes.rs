@@ -91,3 +91,20 @@ async fn units_and_axes_are_the_clients_in_obj_and_metres_y_up_in_gltf() {
     let x = gltf["nodes"][0]["translation"][0].as_f64().unwrap();
     assert!((x - offset / 1000.0).abs() < 0.01, "{x}");
 }
+
+#[tokio::test]
+async fn a_damaged_mesh_is_said_to_be_lost_and_an_equal_request_is_solved_again() {
+    let app = TestApp::start().await;
+    let job = app.solve(MINIMAL, &small_film(0.77)).await;
+    let path = app.folder.path().join("data/plateau.sqlite");
+    let damage = move || rusqlite::Connection::open(path)?.execute_batch("UPDATE artefacts SET body = hash");
+    tokio::task::spawn_blocking(damage).await.unwrap().unwrap();
+    let mesh = job["links"]["mesh"].as_str().unwrap();
+    for _ in 0..2 {
+        let lost = problem(app.get(mesh).await, 410).await;
+        assert_eq!(lost["type"], "/problems/mesh-lost");
+    }
+    let again = app.solve(MINIMAL, &small_film(0.77)).await;
+    assert_ne!(again["id"], job["id"]);
+    assert_eq!(app.get(again["links"]["mesh"].as_str().unwrap()).await.status(), 200);
+}

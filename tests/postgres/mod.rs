@@ -13,8 +13,6 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use sqlx::{AssertSqlSafe, Connection, PgConnection};
-
 /// A running server. Dropping it, or the end of this process however it comes, stops the server and removes its data.
 #[derive(Debug)]
 pub struct Postgres {
@@ -104,11 +102,14 @@ impl Postgres {
     /// Creates an empty database and returns its URL.
     pub async fn database(&self) -> String {
         let name = format!("test{}", self.databases.fetch_add(1, Ordering::Relaxed));
-        let mut connection = PgConnection::connect(&self.url("postgres")).await.expect("the server takes connections");
-        sqlx::query(AssertSqlSafe(format!("CREATE DATABASE {name}")))
-            .execute(&mut connection)
-            .await
-            .expect("a database can be created");
+        let (folder, create) = (self.folder.clone(), format!("CREATE DATABASE {name}"));
+        let run = move || {
+            let mut config = postgres::Config::new();
+            let mut client = config.user("postgres").dbname("postgres").host_path(folder).connect(postgres::NoTls)?;
+            client.batch_execute(&create)
+        };
+        let created = tokio::task::spawn_blocking(run).await.expect("nothing panics");
+        created.expect("a database can be created");
         self.url(&name)
     }
 

@@ -12,7 +12,7 @@ use crate::http::entry::{
 use crate::http::negotiate::none_match_hits;
 use crate::http::problem::Failure;
 use crate::http::state::App;
-use crate::jobs::batch::Submitted;
+use crate::jobs::submission::{Submitted, Submitter};
 use crate::wire::batch::Batch;
 use crate::wire::schema;
 use axum::Json;
@@ -35,8 +35,8 @@ pub async fn submit(State(app): State<App>, caller: Caller, request: Request<Bod
         app.jobs.check_room(caller.owner()).await?;
     }
     let received = body::read_json(&app, request).await?;
-    let owner = caller.owner().map(str::to_owned);
-    let submitted = app.jobs.submit_batch(received.bytes.clone(), owner, key).await?;
+    let from = Submitter { owner: caller.owner().map(str::to_owned), idempotency_key: key };
+    let submitted = app.jobs.submit_batch(received.bytes.clone(), from).await?;
     drop(received);
     let (batch, created) = match submitted {
         Submitted::Created(batch) => (batch, true),

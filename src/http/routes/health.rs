@@ -50,8 +50,7 @@ pub fn metrics_entry() -> Value {
 
 /// The metrics of this process, and of the queue that it shares with others.
 pub async fn render(jobs: &Jobs, handle: &PrometheusHandle) -> Result<Response, Failure> {
-    let counts = jobs.counts().await?;
-    metrics::gauge!(metric::QUEUE_LENGTH).set(counts.queued as f64);
+    metrics::gauge!(metric::QUEUE_LENGTH).set(jobs.queue_length().await? as f64);
     process::measure();
     Ok(([(header::CONTENT_TYPE, "text/plain; version=0.0.4; charset=utf-8")], handle.render()).into_response())
 }

@@ -6,8 +6,9 @@ use crate::http::entry::{ULID, id_parameter, json_response, prefer_parameter, qu
 use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::jobs::Filter;
+use crate::status::Status;
 use crate::wire::Kind;
-use crate::wire::job::{Job, JobList, Status};
+use crate::wire::job::{Job, JobList};
 use axum::Json;
 use axum::extract::{Path, RawQuery, State};
 use axum::http::{HeaderMap, HeaderValue, StatusCode, header};

@@ -7,7 +7,7 @@ use crate::http::negotiate::prefer_wait_s;
 use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::jobs::JobsError;
-use crate::jobs::queue::Submitted;
+use crate::jobs::submission::{Submitted, Submitter};
 use crate::wire::objectives::examples as ready_requests;
 use crate::wire::{Kind, schema};
 use axum::Json;
@@ -45,16 +45,15 @@ pub async fn uniform_mesh(State(app): State<App>, caller: Caller, request: Reque
 async fn submit(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) -> Result<Response, Failure> {
     let wait_s = granted_wait_s(app, request.headers());
     let key = idempotency_key(request.headers())?;
-    let room = app.jobs.check_room(caller.owner()).await;
-    let nobody_waits = match room {
+    match app.jobs.check_room(caller.owner()).await {
         // The idempotency key may name a job that exists already, so a full queue is no reason to refuse.
-        Err(JobsError::QueueFull { .. }) if key.is_some() => false,
+        Err(JobsError::QueueFull { .. }) if key.is_some() => {}
         room => room?,
-    };
-    let at_once = nobody_waits && wait_s.is_some_and(|wait_s| wait_s > 0);
+    }
+    let waited_for = wait_s.is_some_and(|wait_s| wait_s > 0);
     let received = body::read_json(app, request).await?;
-    let owner = caller.owner().map(str::to_owned);
-    let submitted = app.jobs.submit(kind, received.bytes.clone(), owner, key, at_once).await?;
+    let from = Submitter { owner: caller.owner().map(str::to_owned), idempotency_key: key };
+    let submitted = app.jobs.submit(kind, received.bytes.clone(), from, waited_for).await?;
     drop(received);
     let (job, created) = match submitted {
         Submitted::Created(job) => (job, true),

@@ -1,0 +1,434 @@
+//! Every operation on jobs, on one page. What takes more than a few lines is in the module of its subject.
+
+use super::batch::BatchMeshes;
+use super::converters::Converters;
+use super::files::{File, Files};
+use super::memory::MemoryBudget;
+use super::progress::Running;
+use super::submission::{self, Submitted, Submitter};
+use super::{Filter, JobsError, batch, view, worker};
+use crate::config::Config;
+use crate::export::{Archive, Defect};
+use crate::status::Status;
+use crate::store::{Artefact, BatchLookup, BatchRow, Filter as StoredFilter, JobRow, JobWatch, Lookup, Store};
+use crate::telemetry::metric;
+use crate::webhook::Sender;
+use crate::wire::Kind;
+use crate::wire::batch::Batch;
+use crate::wire::job::{Job, JobList};
+use bytes::Bytes;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
+
+/// Upper bound of the workers and attempts of one process; it has memory for fewer.
+const MOST_UNDER_WAY: u32 = 1 << 24;
+
+/// A handle of the jobs; clones share it.
+#[derive(Clone, Debug)]
+pub struct Jobs(Arc<Inner>);
+
+#[derive(Debug)]
+struct Inner {
+    store: Store,
+    config: Arc<Config>,
+    /// Jobs that run in this process.
+    running: Running,
+    shutdown: watch::Sender<bool>,
+    memory: MemoryBudget,
+    converters: Converters,
+    /// Files that conversions made lately.
+    files: Files,
+    /// One permit for each solver that may run in this process at once, given out in the order of asking.
+    slots: Arc<Semaphore>,
+    solvers: usize,
+    /// Workers and attempts that a shutdown waits for.
+    under_way: Arc<Semaphore>,
+    /// Names this process in attempts.
+    process: String,
+    /// Sends messages to callback URLs; `None` if webhooks are off.
+    webhooks: Option<Arc<Sender>>,
+}
+
+/// Start and shutdown.
+impl Jobs {
+    #[must_use]
+    pub fn new(store: Store, config: Arc<Config>, webhooks: Option<Sender>) -> Self {
+        let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        let solvers = config.jobs.workers.unwrap_or(cores);
+        Self(Arc::new(Inner {
+            memory: MemoryBudget::new(config.jobs.memory_bytes),
+            files: Files::new(config.http.files_kept_bytes),
+            store,
+            config,
+            webhooks: webhooks.map(Arc::new),
+            slots: Arc::new(Semaphore::new(solvers)),
+            solvers,
+            under_way: Arc::new(Semaphore::new(MOST_UNDER_WAY as usize)),
+            process: ulid::Ulid::generate().to_string(),
+            running: Running::default(),
+            shutdown: watch::Sender::new(false),
+            converters: Converters::new(cores.max(2)),
+        }))
+    }
+
+    /// Starts the workers of this process; they end after a shutdown was asked for.
+    pub fn spawn_workers(&self) {
+        for number in 0..self.0.solvers {
+            tokio::spawn(worker::run(self.clone(), format!("{}/{number}", self.0.process)));
+        }
+    }
+
+    /// The number of solvers that may run in this process at once.
+    #[must_use]
+    pub fn solvers(&self) -> usize {
+        self.0.solvers
+    }
+
+    /// Asks for a shutdown: no job is claimed from now on; running jobs get the grace time and are then handed back.
+    pub fn shut_down(&self) {
+        self.0.shutdown.send_replace(true);
+    }
+
+    #[must_use]
+    pub fn is_shutting_down(&self) -> bool {
+        *self.0.shutdown.borrow()
+    }
+
+    /// Resolves once a shutdown was asked for.
+    pub async fn shutdown(&self) {
+        // The sender lives as long as `self`.
+        let _ = self.0.shutdown.subscribe().wait_for(|down| *down).await;
+    }
+
+    /// Resolves when a shutdown was asked for and no worker or attempt is left: each has ended or was handed back.
+    pub async fn idle(&self) {
+        self.shutdown().await;
+        // The semaphore is never closed; an error would only say that there is nothing to wait for.
+        let _ = self.0.under_way.acquire_many(MOST_UNDER_WAY).await;
+    }
+}
+
+/// Health.
+impl Jobs {
+    /// # Errors
+    /// [`JobsError::Unavailable`] if the store does not answer, or takes no jobs or no results.
+    pub async fn check_store(&self) -> Result<(), JobsError> {
+        Ok(self.0.store.check().await?)
+    }
+
+    /// The number of jobs that wait.
+    ///
+    /// # Errors
+    /// As the store.
+    pub async fn queue_length(&self) -> Result<i64, JobsError> {
+        Ok(self.0.store.queue_length().await?)
+    }
+}
+
+/// Submitting.
+impl Jobs {
+    /// Fails if one more job of this owner would find no place in the queue, so that a body need not be read in vain.
+    /// The submission itself decides.
+    ///
+    /// # Errors
+    /// [`JobsError::QueueFull`], or as the store.
+    pub async fn check_room(&self, owner: Option<&str>) -> Result<(), JobsError> {
+        Ok(self.0.store.check_room(owner).await?)
+    }
+
+    /// Reads a body and stores the job. `waited_for`: the client waits for the end, so a small job may be solved on the
+    /// way.
+    ///
+    /// # Errors
+    /// [`JobsError::Rejected`] names every offending value; [`JobsError::QueueFull`], [`JobsError::KeyConflict`], or as
+    /// the store.
+    pub async fn submit(
+        &self,
+        kind: Kind,
+        body: Bytes,
+        from: Submitter,
+        waited_for: bool,
+    ) -> Result<Submitted<Job>, JobsError> {
+        submission::job(self, kind, body, from, waited_for).await
+    }
+
+    /// Reads a batch's body and stores its jobs, all or none.
+    ///
+    /// # Errors
+    /// As [`Jobs::submit`].
+    pub async fn submit_batch(&self, body: Bytes, from: Submitter) -> Result<Submitted<Batch>, JobsError> {
+        submission::batch(self, body, from).await
+    }
+}
+
+/// One job.
+impl Jobs {
+    /// # Errors
+    /// [`JobsError::NotFound`] or [`JobsError::Expired`], else as the store.
+    pub async fn get(&self, id: &str, owner: Option<&str>) -> Result<Job, JobsError> {
+        self.view(&*found(self.0.store.get(id, owner).await?)?)
+    }
+
+    /// The job as it is when it ends, when the wait is over or when a shutdown begins, whichever is first.
+    ///
+    /// # Errors
+    /// As [`Jobs::get`]; [`JobsError::NotFound`] too if the job is deleted meanwhile.
+    pub async fn wait(&self, id: &str, owner: Option<&str>, wait: Duration) -> Result<Job, JobsError> {
+        let mut watch = self.watch(id, owner).await?;
+        tokio::select! {
+            ended = watch.ended() => self.view(&*ended.ok_or(JobsError::NotFound)?),
+            () = tokio::time::sleep(wait) => self.get(id, owner).await,
+            () = self.shutdown() => self.get(id, owner).await,
+        }
+    }
+
+    /// # Errors
+    /// As [`Jobs::get`].
+    pub(super) async fn watch(&self, id: &str, owner: Option<&str>) -> Result<JobWatch, JobsError> {
+        self.0.store.watch(id, owner).await?.map_err(|lookup| match lookup {
+            Lookup::Expired => JobsError::Expired,
+            Lookup::Found(_) | Lookup::Missing => JobsError::NotFound,
+        })
+    }
+
+    /// One page of an owner's jobs, newest first; of everybody's without an owner. Jobs whose rows cannot be read are left out and logged.
+    ///
+    /// # Errors
+    /// As the store.
+    pub async fn list(
+        &self,
+        owner: Option<&str>,
+        filter: Filter,
+        limit: u32,
+        cursor: Option<&str>,
+    ) -> Result<JobList, JobsError> {
+        let filter = StoredFilter {
+            owner: owner.map(str::to_owned),
+            kind: filter.kind.map(|kind| kind.name().into()),
+            status: filter.status,
+            idempotency_key: filter.idempotency_key,
+        };
+        let (rows, next_cursor) = self.0.store.list(filter, limit, cursor).await?;
+        let base = &self.0.config.http.public_base_path;
+        Ok(JobList { jobs: rows.iter().filter_map(|row| view::summary(base, row)).collect(), next_cursor })
+    }
+
+    /// Cancels a queued or running job at once; any other is returned unchanged.
+    ///
+    /// # Errors
+    /// As [`Jobs::get`].
+    pub async fn cancel(&self, id: &str, owner: Option<&str>) -> Result<Job, JobsError> {
+        let before = found(self.0.store.get(id, owner).await?)?;
+        let job = self.view(&*found(self.0.store.cancel(id, owner).await?)?)?;
+        if job.status == Status::Cancelled {
+            self.0.running.cancel(id);
+            if !before.status.is_final() {
+                count_cancelled(job.kind);
+            }
+        }
+        Ok(job)
+    }
+
+    /// Cancels a job if needed, and removes it with its mesh.
+    ///
+    /// # Errors
+    /// As [`Jobs::get`].
+    pub async fn delete(&self, id: &str, owner: Option<&str>) -> Result<(), JobsError> {
+        if self.0.store.delete(id, owner).await? {
+            self.0.running.cancel(id);
+            return Ok(());
+        }
+        found(self.0.store.get(id, owner).await?).and(Err(JobsError::NotFound))
+    }
+
+    /// A file made from a succeeded job's mesh, off the async threads, a bounded number at once. Files are kept for a
+    /// while, so that ranges, revalidations and many readers cost one conversion. `format` names what `convert` does.
+    ///
+    /// # Errors
+    /// As [`Jobs::get`]; [`JobsError::NoMesh`] unless the job has succeeded; [`JobsError::Lost`] if its mesh was
+    /// damaged; what `convert` says.
+    pub async fn convert(
+        &self,
+        id: &str,
+        owner: Option<&str>,
+        format: &'static str,
+        convert: impl FnOnce(&Archive) -> Result<Vec<u8>, JobsError> + Send + 'static,
+    ) -> Result<File, JobsError> {
+        let row = found(self.0.store.get(id, owner).await?)?;
+        if row.status != Status::Succeeded {
+            return Err(JobsError::NoMesh(row.status));
+        }
+        let key = (row.artefact.unwrap_or_default(), format);
+        if let Some(file) = self.0.files.get(&key) {
+            return Ok(file);
+        }
+        let place = self.0.converters.place().await?;
+        // Another conversion may have made the file while this one waited.
+        if let Some(file) = self.0.files.get(&key) {
+            return Ok(file);
+        }
+        let artefact = self.0.store.artefact(id, owner).await?.ok_or(JobsError::Lost)?;
+        let run = move || match Archive::from_bytes(&artefact.bytes) {
+            Ok(archive) => Ok(convert(&archive).map(File::new)),
+            Err(defect) => Err((defect, artefact)),
+        };
+        let file = match place.run(run).await? {
+            Ok(converted) => converted?,
+            Err((defect, artefact)) => return Err(self.unreadable(&defect, &artefact).await),
+        };
+        self.0.files.put(key, file.clone());
+        Ok(file)
+    }
+}
+
+/// Batches.
+impl Jobs {
+    /// # Errors
+    /// [`JobsError::NoBatch`] or [`JobsError::Expired`], else as the store.
+    pub async fn batch(&self, id: &str, owner: Option<&str>) -> Result<Batch, JobsError> {
+        self.view_batch(&found_batch(self.0.store.batch(id, owner).await?)?)
+    }
+
+    /// The batch as it is when its last job ends, when the wait is over or when a shutdown begins, whichever is first.
+    ///
+    /// # Errors
+    /// As [`Jobs::batch`].
+    pub async fn wait_for_batch(&self, id: &str, owner: Option<&str>, wait: Duration) -> Result<Batch, JobsError> {
+        let row = found_batch(self.0.store.batch(id, owner).await?)?;
+        let all = async {
+            for job in row.jobs.iter().filter(|job| !job.status.is_final()) {
+                // A job that was deleted meanwhile is not waited for.
+                if let Ok(mut watch) = self.watch(&job.id, owner).await {
+                    watch.ended().await;
+                }
+            }
+        };
+        tokio::select! {
+            () = all => {}
+            () = tokio::time::sleep(wait) => {}
+            () = self.shutdown() => {}
+        }
+        self.batch(id, owner).await
+    }
+
+    /// Cancels every job of a batch that has not ended.
+    ///
+    /// # Errors
+    /// As [`Jobs::batch`].
+    pub async fn cancel_batch(&self, id: &str, owner: Option<&str>) -> Result<Batch, JobsError> {
+        let (lookup, cancelled) = self.0.store.cancel_batch(id, owner).await?;
+        cancelled.iter().for_each(|id| self.0.running.cancel(id));
+        let batch = self.view_batch(&found_batch(lookup)?)?;
+        let cancelled_now = batch.jobs.iter().filter(|job| cancelled.contains(&job.id));
+        cancelled_now.for_each(|job| count_cancelled(job.kind));
+        Ok(batch)
+    }
+
+    /// Removes a batch with its jobs and their meshes.
+    ///
+    /// # Errors
+    /// As [`Jobs::batch`].
+    pub async fn delete_batch(&self, id: &str, owner: Option<&str>) -> Result<(), JobsError> {
+        if let Some(jobs) = self.0.store.delete_batch(id, owner).await? {
+            jobs.iter().for_each(|id| self.0.running.cancel(id));
+            return Ok(());
+        }
+        found_batch(self.0.store.batch(id, owner).await?).and(Err(JobsError::NoBatch))
+    }
+
+    /// Every mesh of a batch that has ended, to be put into one file.
+    ///
+    /// # Errors
+    /// As [`Jobs::batch`]; [`JobsError::NoMesh`] unless every job has ended and one has succeeded.
+    pub async fn batch_meshes(&self, id: &str, owner: Option<&str>) -> Result<BatchMeshes, JobsError> {
+        let row = found_batch(self.0.store.batch(id, owner).await?)?;
+        batch::meshes(self, &row).await
+    }
+}
+
+/// What the other modules of the jobs use.
+impl Jobs {
+    pub(super) fn store(&self) -> &Store {
+        &self.0.store
+    }
+
+    pub(super) fn config(&self) -> &Config {
+        &self.0.config
+    }
+
+    pub(super) fn running(&self) -> &Running {
+        &self.0.running
+    }
+
+    pub(super) fn memory(&self) -> &MemoryBudget {
+        &self.0.memory
+    }
+
+    pub(super) fn slots(&self) -> Arc<Semaphore> {
+        self.0.slots.clone()
+    }
+
+    pub(super) fn webhooks(&self) -> Option<&Arc<Sender>> {
+        self.0.webhooks.as_ref()
+    }
+
+    /// A permit for something that a shutdown waits for.
+    pub(super) fn under_way(&self) -> Option<OwnedSemaphorePermit> {
+        self.0.under_way.clone().try_acquire_owned().ok()
+    }
+
+    /// A row as a client sees it.
+    ///
+    /// # Errors
+    /// [`JobsError::Internal`] if the row holds what this version does not know.
+    pub(super) fn view(&self, row: &JobRow) -> Result<Job, JobsError> {
+        view::job(&self.0.config.http.public_base_path, row)
+    }
+
+    fn view_batch(&self, row: &BatchRow) -> Result<Batch, JobsError> {
+        view::batch(&self.0.config.http.public_base_path, row)
+    }
+
+    /// Runs something that computes for more than a moment where it stalls nobody.
+    pub(super) async fn off_runtime<T: Send + 'static>(
+        &self,
+        work: impl FnOnce() -> T + Send + 'static,
+    ) -> Result<T, JobsError> {
+        self.0.converters.place().await?.run(work).await
+    }
+
+    /// The error for a stored mesh that cannot be read. A damaged one is removed, so that an equal request is solved
+    /// again instead of taking it.
+    pub(super) async fn unreadable(&self, defect: &Defect, artefact: &Artefact) -> JobsError {
+        tracing::error!(error = %defect, "a stored mesh cannot be read");
+        if !matches!(defect, Defect::Magic | Defect::Checksum) {
+            return JobsError::Internal("a stored mesh cannot be read".into());
+        }
+        match self.0.store.discard(artefact).await {
+            Ok(()) => JobsError::Lost,
+            Err(error) => error.into(),
+        }
+    }
+}
+
+/// Counts a job that was cancelled here.
+fn count_cancelled(kind: Kind) {
+    metrics::counter!(metric::JOBS, "kind" => kind.name(), "status" => "cancelled").increment(1);
+}
+
+fn found(lookup: Lookup) -> Result<Box<JobRow>, JobsError> {
+    match lookup {
+        Lookup::Found(row) => Ok(row),
+        Lookup::Expired => Err(JobsError::Expired),
+        Lookup::Missing => Err(JobsError::NotFound),
+    }
+}
+
+fn found_batch(lookup: BatchLookup) -> Result<BatchRow, JobsError> {
+    match lookup {
+        BatchLookup::Found(row) => Ok(row),
+        BatchLookup::Expired => Err(JobsError::Expired),
+        BatchLookup::Missing => Err(JobsError::NoBatch),
+    }
+}

@@ -1,0 +1,345 @@
+//! Submitting: a body is read and checked, then stored, and only then acknowledged.
+//!
+//! A client that waits for a small job gets it by a shorter way: the job is solved on the thread that read it and stored
+//! with its result in one write, so that durability costs one disk sync instead of three. Nothing is promised before
+//! that write: the client has no answer yet. A process that dies meanwhile leaves no trace of the submission, as if it
+//! had died reading the body.
+
+use super::attempt::{Attempt, End};
+use super::{Jobs, JobsError, view};
+use crate::store::{NewBatch, NewJob, Solved, StoreError, Submitted as Stored, SubmittedBatch as StoredBatch};
+use crate::telemetry::metric;
+use crate::wire::batch::{Batch, BatchRequest};
+use crate::wire::body::{Body, Field};
+use crate::wire::common::{Cache, Point};
+use crate::wire::job::Job;
+use crate::wire::json::integral;
+use crate::wire::{FieldError, Kind, Rejection, Request};
+use bytes::Bytes;
+use serde_json::Value;
+use sha2::{Digest, Sha256};
+use std::time::Instant;
+
+/// Bodies above this are parsed off the async threads.
+const INLINE_BYTES: usize = 16 << 10;
+
+/// The answer to a submission of a job or of a batch.
+#[derive(Debug)]
+pub enum Submitted<T> {
+    /// Did not exist before, and is on disk.
+    Created(T),
+    /// The same idempotency key and body made it before.
+    Existing(T),
+}
+
+/// Who submits a job.
+#[derive(Debug)]
+pub struct Submitter {
+    pub owner: Option<String>,
+    pub idempotency_key: Option<String>,
+}
+
+/// A job whose request has not been written out yet: one that is solved at once never needs it.
+struct Submission {
+    job: NewJob,
+    body: Body,
+}
+
+impl Submission {
+    /// With its request as a worker is given it.
+    fn written(mut self) -> Result<NewJob, JobsError> {
+        self.job.request = serde_json::to_vec(&self.body).map_err(|error| JobsError::Internal(error.to_string()))?;
+        Ok(self.job)
+    }
+}
+
+pub(super) async fn job(
+    jobs: &Jobs,
+    kind: Kind,
+    body: Bytes,
+    from: Submitter,
+    waited_for: bool,
+) -> Result<Submitted<Job>, JobsError> {
+    let submitted = read_and_store(jobs, kind, body, from, waited_for).await;
+    count(kind.name(), &submitted);
+    submitted
+}
+
+async fn read_and_store(
+    jobs: &Jobs,
+    kind: Kind,
+    body: Bytes,
+    from: Submitter,
+    waited_for: bool,
+) -> Result<Submitted<Job>, JobsError> {
+    let submitted_at = Instant::now();
+    let limits = jobs.config().limits.clone();
+    let inline = body.len() <= INLINE_BYTES;
+    let read = move || {
+        let (request, body) = Request::read(kind, &body, &limits).map_err(JobsError::Rejected)?;
+        Ok::<_, JobsError>((submission(&request, body, from), request))
+    };
+    let (submission, request) = if inline { read()? } else { jobs.off_runtime(read).await?? };
+    check_callback(jobs, "", submission.job.callback_url.as_deref())?;
+    if waited_for && let Some((attempt, solved)) = solve_here(jobs, &submission.job, &request, submitted_at) {
+        let status = solved.outcome.status();
+        let stored = jobs.store().submit_solved(submission.job, solved).await;
+        // Otherwise it was refused, or an equal submission that came at the same time was first.
+        let created = matches!(stored, Ok(Stored::Created(_)));
+        attempt.end(if created { End::Finished(status) } else { End::Dropped });
+        return answer(jobs, stored);
+    }
+    let job = if inline { submission.written()? } else { jobs.off_runtime(|| submission.written()).await?? };
+    answer(jobs, jobs.store().submit(job).await)
+}
+
+/// Solves a small job on this thread, if a slot and the memory for it are free at once. A free slot also means that no
+/// job waits for a solver of this process, so nobody is overtaken.
+fn solve_here(jobs: &Jobs, job: &NewJob, request: &Request, submitted_at: Instant) -> Option<(Attempt, Solved)> {
+    if !request.quick || jobs.is_shutting_down() {
+        return None;
+    }
+    let _slot = jobs.slots().try_acquire_owned().ok()?;
+    let _share = jobs.memory().share(request.memory_bytes, || false)?;
+    let started_at = Instant::now();
+    let waited_ms = milliseconds(started_at - submitted_at);
+    let attempt = Attempt::begin(jobs, &job.id, &job.kind, 1, waited_ms);
+    // There is no outcome if it was cancelled, which nobody can have done yet.
+    let outcome = attempt.solve(request)?;
+    let (submitted_ms, started_ms) = (milliseconds(submitted_at.elapsed()), milliseconds(started_at.elapsed()));
+    Some((attempt, Solved { outcome, submitted_ms, started_ms }))
+}
+
+fn answer(jobs: &Jobs, stored: Result<Stored, StoreError>) -> Result<Submitted<Job>, JobsError> {
+    match stored? {
+        Stored::Created(row) => {
+            tracing::info!(job_id = %row.id, kind = row.kind, "submitted");
+            Ok(Submitted::Created(jobs.view(&row)?))
+        }
+        Stored::Existing(row) => Ok(Submitted::Existing(jobs.view(&row)?)),
+        Stored::KeyConflict => Err(JobsError::KeyConflict),
+    }
+}
+
+pub(super) async fn batch(jobs: &Jobs, body: Bytes, from: Submitter) -> Result<Submitted<Batch>, JobsError> {
+    let submitted = read_and_store_batch(jobs, body, from).await;
+    count("batch", &submitted);
+    submitted
+}
+
+async fn read_and_store_batch(jobs: &Jobs, body: Bytes, from: Submitter) -> Result<Submitted<Batch>, JobsError> {
+    let limits = jobs.config().limits.clone();
+    let read = move || BatchRequest::read(&body, &limits).map_err(JobsError::Rejected);
+    let BatchRequest { requests, callback_url, value } = jobs.off_runtime(read).await??;
+    check_callback(jobs, "", callback_url.as_deref())?;
+    let body_hash = hash(&value.into());
+    let Submitter { owner, idempotency_key } = from;
+    let mut new_jobs = Vec::with_capacity(requests.len());
+    for (index, (request, value)) in requests.into_iter().enumerate() {
+        check_callback(jobs, &format!("/requests/{index}"), request.callback_url.as_deref())?;
+        let from = Submitter { owner: owner.clone(), idempotency_key: None };
+        new_jobs.push(submission(&request, value.into(), from).written()?);
+    }
+    let id = ulid::Ulid::generate().to_string();
+    let batch = NewBatch { id, owner, idempotency_key, body_hash, callback_url, jobs: new_jobs };
+    let base = &jobs.config().http.public_base_path;
+    match jobs.store().submit_batch(batch).await? {
+        StoredBatch::Created(row) => {
+            tracing::info!(batch_id = %row.id, jobs = row.size, "submitted a batch");
+            Ok(Submitted::Created(view::batch(base, &row)?))
+        }
+        StoredBatch::Existing(row) => Ok(Submitted::Existing(view::batch(base, &row)?)),
+        StoredBatch::KeyConflict => Err(JobsError::KeyConflict),
+    }
+}
+
+/// Fails with `Rejected` if messages cannot be sent to a callback URL, or to none at all.
+fn check_callback(jobs: &Jobs, pointer: &str, url: Option<&str>) -> Result<(), JobsError> {
+    let Some(url) = url else { return Ok(()) };
+    let checked = match jobs.webhooks() {
+        Some(sender) => sender.check(url),
+        None => Err("cannot be told: webhooks are off on this server"),
+    };
+    checked.map_err(|what| {
+        JobsError::Rejected(Rejection::Invalid(vec![FieldError::new(format!("{pointer}/callback_url"), what)]))
+    })
+}
+
+fn count<T>(kind: &'static str, submitted: &Result<Submitted<T>, JobsError>) {
+    let outcome = match submitted {
+        Ok(Submitted::Created(_)) => "created",
+        Ok(Submitted::Existing(_)) => "repeated",
+        Err(JobsError::QueueFull { .. }) => "queue_full",
+        Err(JobsError::Rejected(_) | JobsError::KeyConflict) => "rejected",
+        Err(_) => "failed",
+    };
+    metrics::counter!(metric::SUBMISSIONS, "kind" => kind, "outcome" => outcome).increment(1);
+}
+
+fn milliseconds(duration: std::time::Duration) -> i64 {
+    i64::try_from(duration.as_millis()).unwrap_or(i64::MAX)
+}
+
+/// Hash of a body. Equal bodies have equal hashes: the order of keys does not count, and numbers are compared as f64.
+fn hash(body: &Body) -> [u8; 32] {
+    let mut bytes = Vec::new();
+    match body.fields() {
+        None => write(body.outline(), &mut bytes),
+        Some(fields) => {
+            tagged(7, fields.len() as u64, &mut bytes);
+            for (name, field) in fields {
+                write_text(name, &mut bytes);
+                match field {
+                    Field::Value(value) => write(value, &mut bytes),
+                    Field::Points(polylines) => write_polylines(polylines, &mut bytes),
+                }
+            }
+        }
+    }
+    Sha256::digest(bytes).into()
+}
+
+fn tagged(tag: u8, value: u64, out: &mut Vec<u8>) {
+    out.push(tag);
+    out.extend_from_slice(&value.to_le_bytes());
+}
+
+fn write_text(text: &str, out: &mut Vec<u8>) {
+    tagged(5, text.len() as u64, out);
+    out.extend_from_slice(text.as_bytes());
+}
+
+/// Writes polylines as [`write`] writes the same arrays of arrays in a value.
+fn write_polylines(polylines: &[Vec<Point>], out: &mut Vec<u8>) {
+    tagged(6, polylines.len() as u64, out);
+    for polyline in polylines {
+        tagged(6, polyline.len() as u64, out);
+        for point in polyline {
+            tagged(6, point.len() as u64, out);
+            for &coordinate in point {
+                match integral(coordinate) {
+                    Some(integer) => tagged(2, integer as u64, out),
+                    None => tagged(4, coordinate.to_bits(), out),
+                }
+            }
+        }
+    }
+}
+
+/// One encoding for each value. Keys are sorted already, and integral numbers are integers (`json::parse`).
+fn write(value: &Value, out: &mut Vec<u8>) {
+    match value {
+        Value::Null => out.push(0),
+        Value::Bool(value) => out.extend_from_slice(&[1, u8::from(*value)]),
+        Value::Number(value) => {
+            let (tag, bits) = match (value.as_i64(), value.as_u64()) {
+                (Some(value), _) => (2, value as u64),
+                (None, Some(value)) => (3, value),
+                (None, None) => (4, value.as_f64().unwrap_or_default().to_bits()),
+            };
+            tagged(tag, bits, out);
+        }
+        Value::String(text) => write_text(text, out),
+        Value::Array(items) => {
+            tagged(6, items.len() as u64, out);
+            items.iter().for_each(|item| write(item, out));
+        }
+        Value::Object(fields) => {
+            tagged(7, fields.len() as u64, out);
+            for (name, field) in fields {
+                write_text(name, out);
+                write(field, out);
+            }
+        }
+    }
+}
+
+/// The submission of a request that was read from `body`. Fields that do not change the result are left out.
+fn submission(request: &Request, mut body: Body, from: Submitter) -> Submission {
+    let Submitter { owner, idempotency_key } = from;
+    // The hash is only compared between submissions with a key.
+    let body_hash = if idempotency_key.is_some() { hash(&body) } else { [0; 32] };
+    for name in ["kind", "cache", "callback_url"] {
+        body.remove(name);
+    }
+    let job = NewJob {
+        id: ulid::Ulid::generate().to_string(),
+        kind: request.kind().name().into(),
+        owner,
+        request: Vec::new(),
+        request_hash: hash(&body),
+        body_hash,
+        idempotency_key,
+        callback_url: request.callback_url.clone(),
+        reuse: request.cache == Cache::Reuse,
+    };
+    Submission { job, body }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wire::json::parse;
+
+    #[test]
+    fn points_read_apart_hash_as_in_the_value() {
+        let body =
+            br#"{"up": "y", "directrices": [[[0, 1.0, -0.0], [1.5, 2e3, 1e30], [1, 2, 3], [0.1, -7, 9007199254740991]],
+            [[0, 5, 0], [4, 5, 1], [4, 5, 2], [5, 5, 9]]], "normals": null, "cache": "bypass"}"#;
+        let limits = crate::config::LimitsConfig::default();
+        let (request, read) = Request::read(Kind::RuledSurface, body, &limits).unwrap();
+        assert_eq!(read.lists().len(), 1);
+        let whole = Body::from(parse(body).unwrap());
+        assert_eq!(hash(&read), hash(&whole));
+        let from = || Submitter { owner: None, idempotency_key: None };
+        let [apart, together] = [read, whole].map(|body| submission(&request, body, from()));
+        assert_eq!(apart.job.request_hash, together.job.request_hash);
+        let stored = [apart, together].map(|job| parse(&job.written().unwrap().request).unwrap());
+        assert_eq!(stored[0], stored[1]);
+        assert!(stored[0].get("cache").is_none() && stored[0]["directrices"][0][3][1] == -7);
+    }
+
+    #[test]
+    fn equal_bodies_have_equal_hashes_and_others_do_not() {
+        let of = |text: &str| hash(&parse(text.as_bytes()).unwrap().into());
+        for (one, other) in [
+            (r#"{"a":1,"b":[2,3]}"#, r#"{ "b": [2.0, 3e0], "a": 1.00 }"#),
+            (r#"{"a":0.1}"#, r#"{"a":1e-1}"#),
+            (r#""\u0041""#, r#""A""#),
+        ] {
+            assert_eq!(of(one), of(other), "{one} {other}");
+        }
+        let different = [
+            "null",
+            "false",
+            "true",
+            "0",
+            "-0.0",
+            "1",
+            "-1",
+            "0.1",
+            "0.2",
+            "9223372036854775808",
+            "1e300",
+            "\"\"",
+            "\"a\"",
+            "[]",
+            "{}",
+            "[[]]",
+            "[[],[]]",
+            "[[[]]]",
+            "[1,2]",
+            "[[1],2]",
+            "[12]",
+            "{\"a\":1}",
+            "{\"a\":{}}",
+            "{\"b\":1}",
+            "[\"a\",1]",
+            "{\"a\":[1,2]}",
+            "{\"a\":[1],\"b\":2}",
+            "\"a1\"",
+        ];
+        let hashes: std::collections::BTreeSet<_> = different.iter().map(|text| of(text)).collect();
+        assert_eq!(hashes.len(), different.len());
+    }
+}

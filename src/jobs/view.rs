@@ -1,0 +1,130 @@
+//! Rows of the store as clients see them.
+
+use super::JobsError;
+use crate::status::Status;
+use crate::store::{BatchRow, JobRow};
+use crate::wire::Kind;
+use crate::wire::batch::{Batch, BatchCounts, BatchJob, BatchLinks};
+use crate::wire::job::{Job, JobError, JobSummary, JobWarning, Links, Progress};
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use serde_json::value::RawValue;
+use std::time::{Duration, SystemTime};
+
+/// A job. `base` is the path that a proxy puts before the paths of this server.
+pub(super) fn job(base: &str, row: &JobRow) -> Result<Job, JobsError> {
+    let unreadable = |what: &str| JobsError::Internal(format!("the stored job's {what} cannot be read"));
+    let kind = Kind::from_name(&row.kind).ok_or_else(|| unreadable("kind"))?;
+    let status = row.status;
+    let statistics = row.statistics.as_deref();
+    let figures: Option<Figures> = read(statistics).map_err(|()| unreadable("statistics"))?;
+    let progress: Option<Progress> = read(row.progress.as_deref()).map_err(|()| unreadable("progress"))?;
+    let warnings: Vec<JobWarning> = read(Some(&row.warnings)).map_err(|()| unreadable("warnings"))?.unwrap_or_default();
+    let mut error: Option<JobError> = read(row.error.as_deref()).map_err(|()| unreadable("error"))?;
+    if let Some(error) = &mut error {
+        error.kind.insert_str(0, base);
+    }
+    let progress = match (status, figures) {
+        (Status::Succeeded, Some(figures)) => figures.progress(),
+        _ => progress.unwrap_or_else(|| Progress { phase: status.name().into(), ..Progress::default() }),
+    };
+    Ok(Job {
+        links: Links::of(base, &row.id, kind, status),
+        id: row.id.clone(),
+        kind,
+        status,
+        created_at: timestamp(row.created_at_ms),
+        started_at: row.started_at_ms.map(timestamp),
+        finished_at: row.finished_at_ms.map(timestamp),
+        expires_at: row.expires_at_ms.map(timestamp),
+        progress,
+        // Read above, so it is JSON.
+        statistics: statistics.and_then(|text| RawValue::from_string(text.to_owned()).ok()),
+        warnings,
+        error,
+    })
+}
+
+/// What statistics of any kind say of the way to the result, where they do.
+#[derive(Debug, Deserialize)]
+struct Figures {
+    iterations: Option<u64>,
+    objective_value: Option<f64>,
+    residual: Option<f64>,
+}
+
+impl Figures {
+    /// The last word on progress.
+    fn progress(&self) -> Progress {
+        Progress {
+            fraction: 1.0,
+            phase: "finished".into(),
+            iteration: self.iterations.unwrap_or(0),
+            objective_value: self.objective_value,
+            residual: self.residual,
+        }
+    }
+}
+
+pub(super) fn read<T: DeserializeOwned>(text: Option<&str>) -> Result<Option<T>, ()> {
+    text.map(|text| serde_json::from_str(text).map_err(|_| ())).transpose()
+}
+
+/// Milliseconds since 1970 as RFC 3339 in UTC. Times outside the years 1970 to 9999 become the nearest one inside.
+fn timestamp(at_ms: i64) -> String {
+    const LAST_MS: u64 = 253_402_300_799_999;
+    let since_1970 = Duration::from_millis(u64::try_from(at_ms).unwrap_or(0).min(LAST_MS));
+    humantime::format_rfc3339_millis(SystemTime::UNIX_EPOCH + since_1970).to_string()
+}
+
+/// A job in a list; `None`, and logged, if this version cannot read it.
+pub(super) fn summary(base: &str, row: &JobRow) -> Option<JobSummary> {
+    match job(base, row) {
+        Ok(job) => Some(job.into()),
+        Err(error) => {
+            tracing::error!(?error, id = row.id, "a stored job cannot be shown");
+            None
+        }
+    }
+}
+
+pub(super) fn counts(row: &BatchRow) -> BatchCounts {
+    BatchCounts::of(row.jobs.iter().map(|job| job.status))
+}
+
+pub(super) fn batch(base: &str, row: &BatchRow) -> Result<Batch, JobsError> {
+    let jobs = row.jobs.iter().map(|job| {
+        let kind = Kind::from_name(&job.kind).ok_or_else(|| JobsError::Internal("an unknown kind of job".into()))?;
+        Ok(BatchJob {
+            index: job.index.unsigned_abs(),
+            id: job.id.clone(),
+            kind,
+            status: job.status,
+            links: Links::of(base, &job.id, kind, job.status),
+        })
+    });
+    let counts = counts(row);
+    let finished_at_ms = row.jobs.iter().map(|job| job.finished_at_ms).max().flatten();
+    Ok(Batch {
+        id: row.id.clone(),
+        status: counts.status(),
+        created_at: timestamp(row.created_at_ms),
+        finished_at: finished_at_ms.filter(|_| counts.status().is_final()).map(timestamp),
+        counts,
+        jobs: jobs.collect::<Result<_, JobsError>>()?,
+        links: BatchLinks::of(base, &row.id),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::timestamp;
+
+    #[test]
+    fn timestamps_are_rfc_3339_in_utc_and_stay_within_four_digits_of_year() {
+        assert_eq!(timestamp(1_700_000_000_123), "2023-11-14T22:13:20.123Z");
+        assert_eq!(timestamp(0), "1970-01-01T00:00:00.000Z");
+        assert_eq!(timestamp(-1), "1970-01-01T00:00:00.000Z");
+        assert_eq!(timestamp(i64::MAX), "9999-12-31T23:59:59.999Z");
+    }
+}

@@ -1,0 +1,200 @@
+//! Batches: jobs that were submitted together. Each is a job like any other; the batch says which they are. A batch is
+//! gone when its last job is.
+
+use super::jobs::{self, COLUMNS, JobRow, NewJob, Place, Submitted, drop_request, ending, limit};
+use super::tx::{Row, Tx};
+use super::{Result, StoreError, StoreOptions, milliseconds};
+use crate::status::Status;
+
+/// A batch that has not been stored yet. Its jobs are stored together or not at all; their own idempotency keys are not
+/// used.
+#[derive(Debug, Clone)]
+pub struct NewBatch {
+    /// Unique, sorting by time.
+    pub id: String,
+    pub owner: Option<String>,
+    /// Unique per owner for as long as the batch is kept.
+    pub idempotency_key: Option<String>,
+    /// Compared with that of a later submission with the same idempotency key.
+    pub body_hash: [u8; 32],
+    /// Receives a message once every job has ended.
+    pub callback_url: Option<String>,
+    pub jobs: Vec<NewJob>,
+}
+
+/// The answer to a batch's submission.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum SubmittedBatch {
+    Created(BatchRow),
+    /// The batch that the same idempotency key and body made before.
+    Existing(BatchRow),
+    /// The idempotency key was used with another body.
+    KeyConflict,
+}
+
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct BatchRow {
+    pub id: String,
+    pub created_at_ms: i64,
+    /// Number of jobs at submission; some may have been removed since.
+    pub size: i64,
+    /// In the order of the submission.
+    pub jobs: Vec<BatchJob>,
+}
+
+/// A job of a batch, in short.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct BatchJob {
+    pub index: i64,
+    pub id: String,
+    pub kind: String,
+    pub status: Status,
+    pub finished_at_ms: Option<i64>,
+}
+
+/// The answer to a question about a batch's id.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum BatchLookup {
+    Found(BatchRow),
+    /// The batch was there; its time has run out.
+    Expired,
+    /// Never there, deleted, or another owner's.
+    Missing,
+}
+
+impl BatchJob {
+    fn read(row: &Row) -> Result<Self> {
+        Ok(Self {
+            index: row.get("batch_index")?,
+            id: row.get("id")?,
+            kind: row.get("kind")?,
+            status: jobs::read_status(row)?,
+            finished_at_ms: row.get("finished_at")?,
+        })
+    }
+}
+
+/// Stores a batch, whole. Fails with `QueueFull` if not all of its jobs find a place in the queue.
+pub(super) fn submit(tx: &mut Tx<'_>, batch: &NewBatch, options: &StoreOptions) -> Result<SubmittedBatch> {
+    let owner = batch.owner.as_deref();
+    if let Some(earlier) = earlier_batch(tx, batch)? {
+        return Ok(earlier);
+    }
+    let now_ms = tx.now_ms()?;
+    tx.insert(
+        "batches",
+        &[
+            ("id", (&batch.id).into()),
+            ("owner", owner.unwrap_or_default().into()),
+            ("created_at", now_ms.into()),
+            ("size", limit(batch.jobs.len() as u64).into()),
+            ("idempotency_key", batch.idempotency_key.as_deref().into()),
+            ("body_hash", (&batch.body_hash).into()),
+            ("callback_url", batch.callback_url.as_deref().into()),
+        ],
+    )?;
+    for (index, job) in batch.jobs.iter().enumerate() {
+        let place = Place { batch: &batch.id, index: limit(index as u64) };
+        let Submitted::Created(_) = jobs::submit(tx, job, Some(place), None, options)? else {
+            return Err(StoreError::Internal("a job of a batch has an idempotency key of its own".into()));
+        };
+    }
+    match find(tx, &batch.id, owner)? {
+        Some(row) => Ok(SubmittedBatch::Created(row)),
+        None => Err(StoreError::Internal("a batch vanished in its transaction".into())),
+    }
+}
+
+fn earlier_batch(tx: &mut Tx<'_>, batch: &NewBatch) -> Result<Option<SubmittedBatch>> {
+    let Some(key) = &batch.idempotency_key else { return Ok(None) };
+    let owner = batch.owner.as_deref();
+    let text = "SELECT id, body_hash FROM batches WHERE owner = $1 AND idempotency_key = $2";
+    let Some(row) = tx.row(text, &[owner.unwrap_or_default().into(), key.into()])? else { return Ok(None) };
+    if row.get::<Vec<u8>>("body_hash")? != batch.body_hash {
+        return Ok(Some(SubmittedBatch::KeyConflict));
+    }
+    Ok(find(tx, &row.get::<String>("id")?, owner)?.map(SubmittedBatch::Existing))
+}
+
+fn find(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<Option<BatchRow>> {
+    let text = "SELECT created_at, size FROM batches WHERE id = $1 AND ($2 = '' OR owner = $2)";
+    let Some(row) = tx.row(text, &[id.into(), owner.unwrap_or_default().into()])? else { return Ok(None) };
+    let jobs = "SELECT batch_index, id, kind, status, finished_at FROM jobs WHERE batch = $1 ORDER BY batch_index";
+    let jobs = tx.rows(jobs, &[id.into()])?;
+    Ok(Some(BatchRow {
+        id: id.to_owned(),
+        created_at_ms: row.get("created_at")?,
+        size: row.get("size")?,
+        jobs: jobs.iter().map(BatchJob::read).collect::<Result<_>>()?,
+    }))
+}
+
+pub(super) fn get(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<BatchLookup> {
+    match find(tx, id, owner)? {
+        // The sweep has not come by since the last job went.
+        Some(batch) if batch.jobs.is_empty() => return Ok(BatchLookup::Expired),
+        Some(batch) => return Ok(BatchLookup::Found(batch)),
+        None => {}
+    }
+    let gone = "SELECT 1 FROM expired_jobs WHERE id = $1 AND ($2 = '' OR owner = $2)";
+    let expired = tx.exists(gone, &[id.into(), owner.unwrap_or_default().into()])?;
+    Ok(if expired { BatchLookup::Expired } else { BatchLookup::Missing })
+}
+
+/// Cancels every job of a batch that has not ended. Returns the batch, and the ids of the jobs that it cancelled.
+pub(super) fn cancel(
+    tx: &mut Tx<'_>,
+    id: &str,
+    owner: Option<&str>,
+    options: &StoreOptions,
+) -> Result<(BatchLookup, Vec<String>)> {
+    let text = format!(
+        "UPDATE jobs SET {} WHERE batch = $1 AND ($3 = '' OR owner = $3) AND status IN ('queued', 'running') \
+         RETURNING id",
+        ending(Status::Cancelled)
+    );
+    let values = [id.into(), milliseconds(options.retention).into(), owner.unwrap_or_default().into()];
+    let cancelled = dropped(tx, &text, &values)?;
+    Ok((get(tx, id, owner)?, cancelled))
+}
+
+/// Removes a batch with its jobs, whatever their status. Returns the ids of the jobs; `None` if there was no such batch.
+pub(super) fn delete(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<Option<Vec<String>>> {
+    let text = "DELETE FROM batches WHERE id = $1 AND ($2 = '' OR owner = $2)";
+    if tx.execute(text, &[id.into(), owner.unwrap_or_default().into()])? == 0 {
+        return Ok(None);
+    }
+    dropped(tx, "DELETE FROM jobs WHERE batch = $1 RETURNING id", &[id.into()]).map(Some)
+}
+
+/// Runs a statement that ends or removes jobs and returns their ids, and drops the requests of these jobs.
+fn dropped(tx: &mut Tx<'_>, text: &str, values: &[super::tx::Value<'_>]) -> Result<Vec<String>> {
+    let rows = tx.rows(text, values)?;
+    let ids = rows.iter().map(|row| row.get("id")).collect::<Result<Vec<String>>>()?;
+    for id in &ids {
+        drop_request(tx, id)?;
+        tx.changed(id);
+    }
+    Ok(ids)
+}
+
+/// The jobs of a batch with everything that is known about them, in the order of the submission.
+pub(super) fn jobs_of(tx: &mut Tx<'_>, id: &str) -> Result<Vec<(i64, JobRow)>> {
+    let text = format!("SELECT {COLUMNS}, batch_index FROM jobs WHERE batch = $1 ORDER BY batch_index");
+    let rows = tx.rows(&text, &[id.into()])?;
+    rows.iter().map(|row| Ok((row.get("batch_index")?, JobRow::read(row)?))).collect()
+}
+
+/// Remembers batches without jobs as expired.
+pub(super) fn forget_empty(tx: &mut Tx<'_>) -> Result<()> {
+    let empty = "SELECT id FROM batches WHERE NOT EXISTS (SELECT 1 FROM jobs WHERE batch = batches.id) \
+                 LIMIT 200 /* skip locked */";
+    for row in tx.rows(empty, &[])? {
+        let id: String = row.get("id")?;
+        let remember = "INSERT INTO expired_jobs (id, owner, expired_at) \
+                        SELECT id, owner, now_ms() FROM batches WHERE id = $1 ON CONFLICT DO NOTHING";
+        tx.execute(remember, &[(&id).into()])?;
+        tx.execute("DELETE FROM batches WHERE id = $1", &[(&id).into()])?;
+    }
+    Ok(())
+}

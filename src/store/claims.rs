@@ -1,0 +1,223 @@
+//! Claims: a worker takes a job with an attempt number and a lease, renews the lease, reports progress, and ends the
+//! attempt or hands the job back. Every write by a worker carries the attempt number and changes nothing once the job
+//! has moved on.
+
+use std::time::Duration;
+
+use serde_json::json;
+
+use super::jobs::{Outcome, Sharing, drop_request, ending, history_line};
+use super::results::{self, Prepared};
+use super::tx::{Tx, Value};
+use super::{Result, StoreError, StoreOptions, milliseconds};
+use crate::status::Status;
+
+/// A job that the claimer now works on.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Claimed {
+    pub id: String,
+    pub kind: String,
+    pub request: Vec<u8>,
+    pub attempt: i64,
+    /// Time since the job was submitted.
+    pub waited_ms: i64,
+}
+
+/// The answer to a worker that renews its lease or reports progress.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Renewed {
+    Held,
+    /// The client does not want the result any more.
+    Cancelled,
+    /// The lease ran out and the job moved on, or it was deleted.
+    Lost,
+}
+
+/// SQL that is true of a running job whose lease has run out. A lease that ends further ahead than twice its length was
+/// given by a clock that has been set back since, so it counts as run out too; a smaller step back does no harm.
+const LEASE_EXPIRED: &str = "status = 'running' AND (lease_until <= now_ms() OR lease_until > now_ms() + 2 * lease_ms)";
+
+/// Lost leases that one transaction handles.
+const RECOVERY_STEP: i64 = 100;
+
+/// What there is for a worker to do: whether a lease has run out, and whether a job waits.
+pub(super) fn look(tx: &mut Tx<'_>) -> Result<(bool, bool)> {
+    let lost = tx.exists(&format!("SELECT 1 FROM jobs WHERE {LEASE_EXPIRED} LIMIT 1"), &[])?;
+    Ok((lost, tx.exists("SELECT 1 FROM jobs WHERE status = 'queued' LIMIT 1", &[])?))
+}
+
+/// Takes the job whose turn it is, if any.
+pub(super) fn claim(tx: &mut Tx<'_>, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
+    let text = format!(
+        "UPDATE jobs SET status = 'running', attempt = attempt + 1, sequence = sequence + 1, worker = $1, \
+         lease_until = now_ms() + $2, lease_ms = $2, started_at = now_ms(), progress = NULL, progress_sequence = 0, \
+         history = {} \
+         WHERE id = (SELECT id FROM jobs WHERE status = 'queued' ORDER BY turn, id LIMIT 1 /* skip locked */) \
+         RETURNING id, kind, attempt, now_ms() - created_at AS waited",
+        history_line("(attempt + 1)", Status::Running)
+    );
+    let Some(row) = tx.row(&text, &[worker.into(), milliseconds(lease).into()])? else { return Ok(None) };
+    let id: String = row.get("id")?;
+    let request = tx
+        .row("SELECT body FROM requests WHERE job_id = $1", &[(&id).into()])?
+        .ok_or_else(|| StoreError::Internal(format!("job {id} has no request")))?;
+    tx.changed(&id);
+    Ok(Some(Claimed {
+        id,
+        kind: row.get("kind")?,
+        request: request.get("body")?,
+        attempt: row.get("attempt")?,
+        waited_ms: row.get::<i64>("waited")?.max(0),
+    }))
+}
+
+/// Extends the lease if the worker still holds the job.
+pub(super) fn renew(tx: &mut Tx<'_>, id: &str, attempt: i64, lease: Duration) -> Result<Renewed> {
+    let text = "UPDATE jobs SET lease_until = now_ms() + $3, lease_ms = $3 \
+                WHERE id = $1 AND attempt = $2 AND status = 'running'";
+    hold(tx, text, id, attempt, milliseconds(lease).into())
+}
+
+/// Stores the latest progress (JSON) if the worker still holds the job.
+pub(super) fn progress(tx: &mut Tx<'_>, id: &str, attempt: i64, progress: &str) -> Result<Renewed> {
+    let text = "UPDATE jobs SET progress = $3, sequence = sequence + 1, progress_sequence = sequence + 1 \
+                WHERE id = $1 AND attempt = $2 AND status = 'running'";
+    let renewed = hold(tx, text, id, attempt, progress.into())?;
+    if renewed == Renewed::Held {
+        tx.changed(id);
+    }
+    Ok(renewed)
+}
+
+fn hold(tx: &mut Tx<'_>, text: &str, id: &str, attempt: i64, value: Value<'_>) -> Result<Renewed> {
+    if tx.execute(text, &[id.into(), attempt.into(), value])? > 0 {
+        return Ok(Renewed::Held);
+    }
+    let cancelled = "SELECT 1 FROM jobs WHERE id = $1 AND attempt = $2 AND status = 'cancelled'";
+    Ok(if tx.exists(cancelled, &[id.into(), attempt.into()])? { Renewed::Cancelled } else { Renewed::Lost })
+}
+
+/// Ends the attempt. False, and nothing changed, if the worker had lost the job.
+pub(super) fn finish(
+    tx: &mut Tx<'_>,
+    id: &str,
+    attempt: i64,
+    outcome: &Outcome,
+    result: Option<&Prepared>,
+    options: &StoreOptions,
+) -> Result<bool> {
+    let retention = milliseconds(options.retention);
+    let fence = "WHERE id = $1 AND attempt = $3 AND status = 'running'";
+    let changed = match (outcome, result) {
+        (Outcome::Succeeded { statistics, warnings, reusable, .. }, Some(result)) => {
+            let text = format!(
+                "UPDATE jobs SET {}, statistics = $4, warnings = $5, artefact = $6, \
+                 sharing = CASE sharing WHEN 'undecided' THEN $7 ELSE sharing END {fence}",
+                ending(Status::Succeeded)
+            );
+            let sharing = if *reusable { Sharing::Allowed } else { Sharing::Refused };
+            let values = [
+                id.into(),
+                retention.into(),
+                attempt.into(),
+                statistics.into(),
+                warnings.into(),
+                (&result.hash).into(),
+                sharing.name().into(),
+            ];
+            tx.execute(&text, &values)?
+        }
+        (Outcome::Succeeded { .. }, None) => {
+            return Err(StoreError::Internal("a success without a prepared result".into()));
+        }
+        (Outcome::Failed { error }, _) => {
+            let text = format!("UPDATE jobs SET {}, error = $4 {fence}", ending(Status::Failed));
+            tx.execute(&text, &[id.into(), retention.into(), attempt.into(), error.into()])?
+        }
+    };
+    if changed == 0 {
+        tx.drop_file(result.and_then(|result| result.file.clone()));
+        return Ok(false);
+    }
+    if let (Outcome::Succeeded { artefact, .. }, Some(result)) = (outcome, result) {
+        results::keep(tx, result, artefact)?;
+    }
+    drop_request(tx, id)?;
+    tx.changed(id);
+    Ok(true)
+}
+
+/// Assignments that put a running job back into the queue, at its old place.
+fn requeueing() -> String {
+    format!(
+        "status = 'queued', sequence = sequence + 1, worker = NULL, lease_until = NULL, started_at = NULL, \
+         history = {}",
+        history_line("attempt", Status::Queued)
+    )
+}
+
+/// Gives a running job back to the queue without counting a lost lease. False if the worker had lost it.
+pub(super) fn hand_back(tx: &mut Tx<'_>, id: &str, attempt: i64) -> Result<bool> {
+    let text = format!("UPDATE jobs SET {} WHERE id = $1 AND attempt = $2 AND status = 'running'", requeueing());
+    if tx.execute(&text, &[id.into(), attempt.into()])? == 0 {
+        return Ok(false);
+    }
+    tx.changed(id);
+    tx.work();
+    Ok(true)
+}
+
+/// Puts jobs whose lease has run out back into the queue, or fails them if that happened too often. Returns how many
+/// jobs it touched.
+pub(super) fn recover(tx: &mut Tx<'_>, options: &StoreOptions) -> Result<usize> {
+    let lost = tx.rows(
+        &format!(
+            "SELECT id, attempt, lost_leases + 1 AS lost, worker, progress, losses, now_ms() - started_at AS ran \
+             FROM jobs WHERE {LEASE_EXPIRED} ORDER BY lease_until LIMIT $1 /* skip locked */"
+        ),
+        &[RECOVERY_STEP.into()],
+    )?;
+    for row in &lost {
+        let (id, attempt, count): (String, i64, i64) = (row.get("id")?, row.get("attempt")?, row.get("lost")?);
+        let losses = format!(
+            "{}attempt {attempt} on {} was lost after at most {:.1} s, last progress {}\n",
+            row.get::<String>("losses")?,
+            row.get::<Option<String>>("worker")?.as_deref().unwrap_or("an unknown worker"),
+            row.get::<i64>("ran")?.max(0) as f64 / 1000.0,
+            row.get::<Option<String>>("progress")?.as_deref().unwrap_or("none")
+        );
+        let fence = "WHERE id = $1 AND attempt = $3";
+        if count < i64::from(options.max_attempts) {
+            let text = format!("UPDATE jobs SET {}, lost_leases = $2, losses = $4 {fence}", requeueing());
+            tx.execute(&text, &[(&id).into(), count.into(), attempt.into(), (&losses).into()])?;
+            tx.work();
+        } else {
+            let error = workers_lost(count, &losses);
+            let text = format!(
+                "UPDATE jobs SET {}, lost_leases = $4, losses = $5, error = $6 {fence}",
+                ending(Status::Failed)
+            );
+            let retention = milliseconds(options.retention);
+            let values =
+                [(&id).into(), retention.into(), attempt.into(), count.into(), (&losses).into(), (&error).into()];
+            tx.execute(&text, &values)?;
+            drop_request(tx, &id)?;
+        }
+        tx.changed(&id);
+    }
+    Ok(lost.len())
+}
+
+/// The error of a job whose workers keep dying, as JSON.
+fn workers_lost(count: i64, losses: &str) -> String {
+    let error = json!({
+        "type": "/problems/worker-lost",
+        "title": "The workers of this job died",
+        "detail": format!(
+            "{count} workers in a row stopped without an answer while solving this job, so it is not tried \
+             again. Ask for fewer triangles or iterations, or tell the operator:\n{losses}"
+        ),
+        "errors": [],
+    });
+    error.to_string()
+}

@@ -1,0 +1,631 @@
+//! Jobs as rows: submitting, reading, cancelling and deleting them.
+//!
+//! Fairness is start-time fair queueing (Goyal, Vin & Cheng 1996) with every job counted alike. A job's `turn` is one
+//! more than the later of its owner's last waiting turn and the turn before the one served next; the lowest turn is
+//! claimed first, older jobs first among equals. An owner who queues a thousand jobs gets a thousand turns in a row, so
+//! the single job of another owner comes right after the job served next. With one owner this is first come, first
+//! served.
+
+use std::fmt;
+use std::str::FromStr;
+
+use sha2::{Digest, Sha256};
+
+use super::results::{self, Prepared};
+use super::tx::{Row, Tx, Value};
+use super::{Result, StoreError, StoreOptions, milliseconds};
+use crate::status::Status;
+
+/// A job that has not been stored yet.
+#[derive(Debug, Clone)]
+pub struct NewJob {
+    /// Unique, sorting by time.
+    pub id: String,
+    pub kind: String,
+    pub owner: Option<String>,
+    /// The body that a worker is given. A job that was solved before it was stored need not have it.
+    pub request: Vec<u8>,
+    /// Hash of the request: equal requests have equal hashes.
+    pub request_hash: [u8; 32],
+    /// Unique per owner and kind for as long as the job is kept.
+    pub idempotency_key: Option<String>,
+    /// Compared with that of a later submission with the same idempotency key; without a key it is not used.
+    pub body_hash: [u8; 32],
+    /// Receives a message once the job has ended.
+    pub callback_url: Option<String>,
+    /// True if a kept result of the same owner, request and result version may be taken instead of solving again, and if
+    /// later jobs may take this one's.
+    pub reuse: bool,
+}
+
+/// The answer to a submission.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Submitted {
+    /// A new job: queued, or ended already.
+    Created(Box<JobRow>),
+    /// The job that the same idempotency key and body made before.
+    Existing(Box<JobRow>),
+    /// The idempotency key was used with another body.
+    KeyConflict,
+}
+
+/// How an attempt ended. Texts are JSON.
+#[derive(Debug, Clone)]
+pub enum Outcome {
+    Succeeded {
+        statistics: String,
+        warnings: String,
+        artefact: Vec<u8>,
+        /// Equal for equal bytes only.
+        artefact_hash: [u8; 32],
+        /// True if the same request always gives this result, so that later jobs may share it.
+        reusable: bool,
+    },
+    Failed {
+        error: String,
+    },
+}
+
+impl Outcome {
+    /// The status of a job that ended like this.
+    #[must_use]
+    pub fn status(&self) -> Status {
+        match self {
+            Self::Succeeded { .. } => Status::Succeeded,
+            Self::Failed { .. } => Status::Failed,
+        }
+    }
+}
+
+/// The end of a job that was solved before it was stored, and how long ago it was submitted and started, by this
+/// process's clock.
+#[derive(Debug, Clone)]
+pub struct Solved {
+    pub outcome: Outcome,
+    pub submitted_ms: i64,
+    pub started_ms: i64,
+}
+
+/// Whether later equal requests may take a job's result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Sharing {
+    /// The client allows it; the result is still to come.
+    Undecided,
+    Allowed,
+    /// The client bypassed the cache, or the result depends on more than the request.
+    Refused,
+}
+
+impl Sharing {
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Undecided => "undecided",
+            Self::Allowed => "allowed",
+            Self::Refused => "refused",
+        }
+    }
+}
+
+/// A job's batch, and the job's place in it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Place<'b> {
+    pub(super) batch: &'b str,
+    pub(super) index: i64,
+}
+
+/// A point in a job's life, as server-sent events name it: `attempt.sequence`. Later points compare greater.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct EventId {
+    pub attempt: i64,
+    pub sequence: i64,
+}
+
+impl fmt::Display for EventId {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{}.{}", self.attempt, self.sequence)
+    }
+}
+
+impl FromStr for EventId {
+    type Err = ();
+
+    fn from_str(text: &str) -> std::result::Result<Self, ()> {
+        let (attempt, sequence) = text.split_once('.').ok_or(())?;
+        let number = |digits: &str| {
+            if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+                return Err(());
+            }
+            digits.parse().map_err(|_| ())
+        };
+        Ok(Self { attempt: number(attempt)?, sequence: number(sequence)? })
+    }
+}
+
+/// A change of status in a job's past.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct StatusEvent {
+    pub id: EventId,
+    pub status: Status,
+    pub at_ms: i64,
+}
+
+impl StatusEvent {
+    fn new(attempt: i64, sequence: i64, status: Status, at_ms: i64) -> Self {
+        Self { id: EventId { attempt, sequence }, status, at_ms }
+    }
+
+    /// The line that the column `history` keeps.
+    fn line(&self) -> String {
+        format!("{} {} {} {}\n", self.id.attempt, self.id.sequence, self.status.name(), self.at_ms)
+    }
+}
+
+/// SQL for the line that a change of status adds to the history, with the values after the change.
+pub(super) fn history_line(attempt: &str, status: Status) -> String {
+    format!("history || {attempt} || ' ' || (sequence + 1) || ' {} ' || now_ms() || '\n'", status.name())
+}
+
+/// Assignments that end a job, without those that only a success has. `$2` is the retention.
+pub(super) fn ending(status: Status) -> String {
+    format!(
+        "status = '{}', sequence = sequence + 1, finished_at = now_ms(), expires_at = now_ms() + $2, \
+         worker = NULL, lease_until = NULL, history = {}",
+        status.name(),
+        history_line("attempt", status)
+    )
+}
+
+fn read_history(text: &str) -> Result<Vec<StatusEvent>> {
+    let line = |line: &str| {
+        let mut words = line.split(' ');
+        let number = |word: Option<&str>| word?.parse::<i64>().ok();
+        let (attempt, sequence) = (number(words.next())?, number(words.next())?);
+        Some(StatusEvent::new(attempt, sequence, Status::from_name(words.next()?)?, number(words.next())?))
+    };
+    let read = |text: &str| line(text).ok_or_else(|| StoreError::Internal(format!("unreadable history line {text:?}")));
+    text.lines().map(read).collect()
+}
+
+pub(super) fn read_status(row: &Row) -> Result<Status> {
+    let name: String = row.get("status")?;
+    Status::from_name(&name).ok_or_else(|| StoreError::Internal(format!("unknown status {name:?}")))
+}
+
+/// The column `owner` holds an empty text for a job without an owner.
+pub(super) fn read_owner(row: &Row) -> Result<Option<String>> {
+    let owner: String = row.get("owner")?;
+    Ok((!owner.is_empty()).then_some(owner))
+}
+
+/// A job without its request and its mesh. `progress`, `statistics`, `warnings` and `error` are the JSON texts that
+/// were stored.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct JobRow {
+    pub id: String,
+    pub kind: String,
+    pub owner: Option<String>,
+    pub status: Status,
+    pub attempt: i64,
+    pub sequence: i64,
+    pub created_at_ms: i64,
+    /// Start of the current attempt.
+    pub started_at_ms: Option<i64>,
+    pub finished_at_ms: Option<i64>,
+    pub expires_at_ms: Option<i64>,
+    pub progress: Option<String>,
+    /// The `sequence` at which `progress` was written; 0 if there is none.
+    pub progress_sequence: i64,
+    pub statistics: Option<String>,
+    pub warnings: String,
+    pub error: Option<String>,
+    /// Names the artefact's bytes: equal for equal bytes only.
+    pub artefact: Option<Vec<u8>>,
+    /// Every change of status so far, oldest first.
+    pub history: Vec<StatusEvent>,
+}
+
+/// The columns that [`JobRow::read`] reads.
+pub(super) const COLUMNS: &str = "id, kind, owner, status, attempt, sequence, created_at, started_at, finished_at, \
+     expires_at, progress, progress_sequence, statistics, warnings, error, artefact, history";
+
+impl JobRow {
+    pub(super) fn read(row: &Row) -> Result<Self> {
+        Ok(Self {
+            id: row.get("id")?,
+            kind: row.get("kind")?,
+            owner: read_owner(row)?,
+            status: read_status(row)?,
+            attempt: row.get("attempt")?,
+            sequence: row.get("sequence")?,
+            created_at_ms: row.get("created_at")?,
+            started_at_ms: row.get("started_at")?,
+            finished_at_ms: row.get("finished_at")?,
+            expires_at_ms: row.get("expires_at")?,
+            progress: row.get("progress")?,
+            progress_sequence: row.get("progress_sequence")?,
+            statistics: row.get("statistics")?,
+            warnings: row.get("warnings")?,
+            error: row.get("error")?,
+            artefact: row.get("artefact")?,
+            history: read_history(&row.get::<String>("history")?)?,
+        })
+    }
+
+    /// A job that is queued now.
+    fn queued(job: &NewJob, now_ms: i64) -> Self {
+        Self {
+            id: job.id.clone(),
+            kind: job.kind.clone(),
+            owner: job.owner.clone(),
+            status: Status::Queued,
+            attempt: 0,
+            sequence: 1,
+            created_at_ms: now_ms,
+            started_at_ms: None,
+            finished_at_ms: None,
+            expires_at_ms: None,
+            progress: None,
+            progress_sequence: 0,
+            statistics: None,
+            warnings: "[]".into(),
+            error: None,
+            artefact: None,
+            history: vec![StatusEvent::new(0, 1, Status::Queued, now_ms)],
+        }
+    }
+
+    /// The latest point of the job's life.
+    #[must_use]
+    pub fn event_id(&self) -> EventId {
+        EventId { attempt: self.attempt, sequence: self.sequence }
+    }
+
+    /// The status changes after `last`, oldest first; all of them without one.
+    pub fn events_since(&self, last: Option<EventId>) -> impl Iterator<Item = &StatusEvent> {
+        self.history.iter().filter(move |event| last.is_none_or(|last| event.id > last))
+    }
+
+    /// The latest progress if it came after `last`.
+    #[must_use]
+    pub fn progress_since(&self, last: Option<EventId>) -> Option<(EventId, &str)> {
+        let id = EventId { attempt: self.attempt, sequence: self.progress_sequence };
+        let progress = self.progress.as_deref()?;
+        last.is_none_or(|last| id > last).then_some((id, progress))
+    }
+}
+
+/// The answer to a question about a job id.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Lookup {
+    Found(Box<JobRow>),
+    /// The job was there; its time has run out.
+    Expired,
+    /// Never there, deleted, or another owner's.
+    Missing,
+}
+
+/// Which jobs a list shows; all by default.
+#[derive(Debug, Clone, Default)]
+pub struct Filter {
+    pub owner: Option<String>,
+    pub kind: Option<String>,
+    pub status: Option<Status>,
+    pub idempotency_key: Option<String>,
+}
+
+/// Stores a job, as part of a batch if it has a place in one. In this order of preference, the job is the one that the
+/// same idempotency key made before; it takes a kept result; it ends as `solved` says; or it is queued.
+pub(super) fn submit(
+    tx: &mut Tx<'_>,
+    job: &NewJob,
+    place: Option<Place<'_>>,
+    solved: Option<(&Solved, Option<&Prepared>)>,
+    options: &StoreOptions,
+) -> Result<Submitted> {
+    let prepared = solved.and_then(|(_, result)| result);
+    if let Some(earlier) = earlier_submission(tx, job)? {
+        tx.drop_file(prepared.and_then(|result| result.file.clone()));
+        return Ok(earlier);
+    }
+    let content = content_hash(&options.result_version, &job.kind, &job.request_hash);
+    let now_ms = tx.now_ms()?;
+    let expires_at_ms = now_ms.saturating_add(milliseconds(options.retention));
+    let mut turn = 0;
+    let (row, sharing) = if job.reuse
+        && let Some(shared) = shared_result(tx, job, &content)?
+    {
+        (ended_with(shared, job, now_ms, expires_at_ms), Sharing::Allowed)
+    } else if let Some((solved, result)) = solved {
+        (ended_as(solved, result, job, now_ms, expires_at_ms), solved.sharing(job))
+    } else {
+        turn = next_turn(tx, job, options)?;
+        (JobRow::queued(job, now_ms), if job.reuse { Sharing::Undecided } else { Sharing::Refused })
+    };
+    match solved {
+        Some((Solved { outcome: Outcome::Succeeded { artefact, .. }, .. }, Some(result))) if row.attempt == 1 => {
+            results::keep(tx, result, artefact)?;
+        }
+        // The job has taken a kept result instead.
+        _ => tx.drop_file(prepared.and_then(|result| result.file.clone())),
+    }
+    insert(tx, job, &row, turn, sharing, place, &content)?;
+    if row.status == Status::Queued {
+        tx.insert("requests", &[("job_id", job.id.as_str().into()), ("body", job.request.as_slice().into())])?;
+        tx.work();
+    }
+    Ok(Submitted::Created(Box::new(row)))
+}
+
+impl Solved {
+    fn sharing(&self, job: &NewJob) -> Sharing {
+        match self.outcome {
+            Outcome::Succeeded { reusable: true, .. } if job.reuse => Sharing::Allowed,
+            Outcome::Succeeded { .. } | Outcome::Failed { .. } => Sharing::Refused,
+        }
+    }
+}
+
+pub(super) fn limit(value: u64) -> i64 {
+    i64::try_from(value).unwrap_or(i64::MAX)
+}
+
+/// Names the work: equal hashes have equal results.
+fn content_hash(version: &str, kind: &str, request_hash: &[u8; 32]) -> [u8; 32] {
+    let mut hash = Sha256::new();
+    for part in [version.as_bytes(), kind.as_bytes(), request_hash] {
+        hash.update((part.len() as u64).to_le_bytes());
+        hash.update(part);
+    }
+    hash.finalize().into()
+}
+
+fn owner_column(job: &NewJob) -> Value<'_> {
+    job.owner.as_deref().unwrap_or_default().into()
+}
+
+fn earlier_submission(tx: &mut Tx<'_>, job: &NewJob) -> Result<Option<Submitted>> {
+    let Some(key) = &job.idempotency_key else { return Ok(None) };
+    let text = format!("SELECT {COLUMNS}, body_hash FROM jobs WHERE owner = $1 AND kind = $2 AND idempotency_key = $3");
+    let Some(row) = tx.row(&text, &[owner_column(job), job.kind.as_str().into(), key.into()])? else { return Ok(None) };
+    let same = row.get::<Vec<u8>>("body_hash")? == job.body_hash;
+    Ok(Some(if same { Submitted::Existing(Box::new(JobRow::read(&row)?)) } else { Submitted::KeyConflict }))
+}
+
+/// The newest job of the same owner and content whose result may be taken, if there is one.
+fn shared_result(tx: &mut Tx<'_>, job: &NewJob, content: &[u8; 32]) -> Result<Option<JobRow>> {
+    let text = format!(
+        "SELECT {COLUMNS} FROM jobs WHERE owner = $1 AND content_hash = $2 AND sharing = 'allowed' \
+         ORDER BY id DESC LIMIT 1"
+    );
+    let Some(row) = tx.row(&text, &[owner_column(job), content.into()])? else { return Ok(None) };
+    let row = JobRow::read(&row)?;
+    // The sweep leaves a result alone that was touched lately, so it stays until this transaction is visible.
+    let there = results::touch(tx, row.artefact.as_deref().unwrap_or_default())?;
+    Ok(there.then_some(row))
+}
+
+/// A job that ends at once with the result of another job.
+fn ended_with(other: JobRow, job: &NewJob, now_ms: i64, expires_at_ms: i64) -> JobRow {
+    JobRow {
+        status: Status::Succeeded,
+        sequence: 3,
+        started_at_ms: Some(now_ms),
+        finished_at_ms: Some(now_ms),
+        expires_at_ms: Some(expires_at_ms),
+        progress_sequence: 2,
+        progress: other.progress,
+        statistics: other.statistics,
+        warnings: other.warnings,
+        artefact: other.artefact,
+        history: vec![
+            StatusEvent::new(0, 1, Status::Queued, now_ms),
+            StatusEvent::new(0, 3, Status::Succeeded, now_ms),
+        ],
+        ..JobRow::queued(job, now_ms)
+    }
+}
+
+/// A job that was solved before it was stored.
+fn ended_as(solved: &Solved, result: Option<&Prepared>, job: &NewJob, now_ms: i64, expires_at_ms: i64) -> JobRow {
+    let (created_at_ms, started_at_ms) = (now_ms - solved.submitted_ms, now_ms - solved.started_ms);
+    let row = JobRow {
+        attempt: 1,
+        sequence: 3,
+        created_at_ms,
+        started_at_ms: Some(started_at_ms),
+        finished_at_ms: Some(now_ms),
+        expires_at_ms: Some(expires_at_ms),
+        artefact: result.map(|result| result.hash.to_vec()),
+        ..JobRow::queued(job, now_ms)
+    };
+    let row = match &solved.outcome {
+        Outcome::Succeeded { statistics, warnings, .. } => JobRow {
+            status: Status::Succeeded,
+            statistics: Some(statistics.clone()),
+            warnings: warnings.clone(),
+            ..row
+        },
+        Outcome::Failed { error } => JobRow { status: Status::Failed, error: Some(error.clone()), ..row },
+    };
+    let history = vec![
+        StatusEvent::new(0, 1, Status::Queued, created_at_ms),
+        StatusEvent::new(1, 2, Status::Running, started_at_ms),
+        StatusEvent::new(1, 3, row.status, now_ms),
+    ];
+    JobRow { history, ..row }
+}
+
+fn insert(
+    tx: &mut Tx<'_>,
+    job: &NewJob,
+    row: &JobRow,
+    turn: i64,
+    sharing: Sharing,
+    place: Option<Place<'_>>,
+    content: &[u8; 32],
+) -> Result<()> {
+    let history: String = row.history.iter().map(StatusEvent::line).collect();
+    tx.insert(
+        "jobs",
+        &[
+            ("id", row.id.as_str().into()),
+            ("kind", row.kind.as_str().into()),
+            ("owner", owner_column(job)),
+            ("status", row.status.name().into()),
+            ("attempt", row.attempt.into()),
+            ("sequence", row.sequence.into()),
+            ("turn", turn.into()),
+            ("created_at", row.created_at_ms.into()),
+            ("started_at", row.started_at_ms.into()),
+            ("finished_at", row.finished_at_ms.into()),
+            ("expires_at", row.expires_at_ms.into()),
+            ("progress", row.progress.as_deref().into()),
+            ("progress_sequence", row.progress_sequence.into()),
+            ("statistics", row.statistics.as_deref().into()),
+            ("warnings", row.warnings.as_str().into()),
+            ("error", row.error.as_deref().into()),
+            ("artefact", row.artefact.as_deref().into()),
+            ("history", history.as_str().into()),
+            ("idempotency_key", job.idempotency_key.as_deref().into()),
+            ("body_hash", (&job.body_hash).into()),
+            ("content_hash", content.into()),
+            ("sharing", sharing.name().into()),
+            ("callback_url", job.callback_url.as_deref().into()),
+            ("batch", place.map(|place| place.batch).into()),
+            ("batch_index", place.map_or(0, |place| place.index).into()),
+        ],
+    )
+}
+
+/// SQL for the numbers of waiting jobs, in all and of the owner `$1`, counted no further than the limits `$2` and `$3`.
+const WAITING: &str = "(SELECT count(*) FROM (SELECT 1 FROM jobs WHERE status = 'queued' LIMIT $2) AS a) AS waiting, \
+     (SELECT count(*) FROM (SELECT 1 FROM jobs WHERE status = 'queued' AND owner = $1 LIMIT $3) AS b) AS own";
+
+fn refuse_if_full(row: &Row, options: &StoreOptions) -> Result<()> {
+    if row.get::<i64>("waiting")? >= limit(options.queue_limit) {
+        return Err(StoreError::QueueFull { own: false });
+    }
+    if row.get::<i64>("own")? >= limit(options.owner_queue_limit) {
+        return Err(StoreError::QueueFull { own: true });
+    }
+    Ok(())
+}
+
+/// Fails with `QueueFull` if one more job of this owner would find no place.
+pub(super) fn check_room(tx: &mut Tx<'_>, owner: Option<&str>, options: &StoreOptions) -> Result<()> {
+    let limits = (limit(options.queue_limit), limit(options.owner_queue_limit));
+    let values = [owner.unwrap_or_default().into(), limits.0.into(), limits.1.into()];
+    refuse_if_full(&tx.one(&format!("SELECT {WAITING}"), &values)?, options)
+}
+
+/// The first free turn for the job's owner.
+fn next_turn(tx: &mut Tx<'_>, job: &NewJob, options: &StoreOptions) -> Result<i64> {
+    let text = format!(
+        "SELECT {WAITING}, (SELECT min(turn) FROM jobs WHERE status = 'queued') AS served_next, \
+         (SELECT max(turn) FROM jobs WHERE status = 'queued' AND owner = $1) AS last_own"
+    );
+    let limits = (limit(options.queue_limit), limit(options.owner_queue_limit));
+    let row = tx.one(&text, &[owner_column(job), limits.0.into(), limits.1.into()])?;
+    refuse_if_full(&row, options)?;
+    let served_next = row.get::<Option<i64>>("served_next")?.unwrap_or(1);
+    Ok(served_next.max(row.get::<Option<i64>>("last_own")?.map_or(1, |last| last + 1)))
+}
+
+pub(super) fn get(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<Lookup> {
+    let text = format!("SELECT {COLUMNS} FROM jobs WHERE id = $1 AND ($2 = '' OR owner = $2)");
+    let key = [id.into(), owner.unwrap_or_default().into()];
+    if let Some(row) = tx.row(&text, &key)? {
+        return Ok(Lookup::Found(Box::new(JobRow::read(&row)?)));
+    }
+    let gone = "SELECT 1 FROM expired_jobs WHERE id = $1 AND ($2 = '' OR owner = $2)";
+    Ok(if tx.exists(gone, &key)? { Lookup::Expired } else { Lookup::Missing })
+}
+
+/// At most `page` jobs, newest first, and the cursor of the next page if there is one. A row that cannot be read is left
+/// out and logged.
+pub(super) fn list(
+    tx: &mut Tx<'_>,
+    filter: &Filter,
+    page: u32,
+    cursor: Option<&str>,
+) -> Result<(Vec<JobRow>, Option<String>)> {
+    let mut values: Vec<Value<'_>> = vec![(i64::from(page) + 1).into()];
+    let mut conditions = String::new();
+    for (condition, value) in [
+        ("owner =", filter.owner.as_deref()),
+        ("kind =", filter.kind.as_deref()),
+        ("status =", filter.status.map(Status::name)),
+        ("idempotency_key =", filter.idempotency_key.as_deref()),
+        ("id <", cursor),
+    ] {
+        if let Some(value) = value {
+            values.push(value.into());
+            conditions.push_str(if conditions.is_empty() { "WHERE " } else { " AND " });
+            conditions.push_str(&format!("{condition} ${}", values.len()));
+        }
+    }
+    let text = format!("SELECT {COLUMNS} FROM jobs {conditions} ORDER BY id DESC LIMIT $1");
+    let rows = tx.rows(&text, &values)?;
+    let shown = &rows[..rows.len().min(page as usize)];
+    let next = if rows.len() > shown.len() { shown.last().map(|row| row.get("id")).transpose()? } else { None };
+    let read = |row: &Row| match JobRow::read(row) {
+        Ok(job) => Some(job),
+        Err(error) => {
+            let id: String = row.get("id").unwrap_or_default();
+            tracing::error!(%error, id, "a job's row cannot be read");
+            None
+        }
+    };
+    Ok((shown.iter().filter_map(read).collect(), next))
+}
+
+/// Cancels a queued or running job; any other is returned unchanged.
+pub(super) fn cancel(tx: &mut Tx<'_>, id: &str, owner: Option<&str>, options: &StoreOptions) -> Result<Lookup> {
+    let text = format!(
+        "UPDATE jobs SET {} WHERE id = $1 AND ($3 = '' OR owner = $3) AND status IN ('queued', 'running') \
+         RETURNING {COLUMNS}",
+        ending(Status::Cancelled)
+    );
+    let values = [id.into(), milliseconds(options.retention).into(), owner.unwrap_or_default().into()];
+    let Some(row) = tx.row(&text, &values)? else { return get(tx, id, owner) };
+    drop_request(tx, id)?;
+    tx.changed(id);
+    Ok(Lookup::Found(Box::new(JobRow::read(&row)?)))
+}
+
+/// Removes a job, whatever its status. False if there was none.
+pub(super) fn delete(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<bool> {
+    let text = "DELETE FROM jobs WHERE id = $1 AND ($2 = '' OR owner = $2)";
+    if tx.execute(text, &[id.into(), owner.unwrap_or_default().into()])? == 0 {
+        return Ok(false);
+    }
+    drop_request(tx, id)?;
+    tx.changed(id);
+    Ok(true)
+}
+
+/// A job's request is needed only until the job ends.
+pub(super) fn drop_request(tx: &mut Tx<'_>, id: &str) -> Result<()> {
+    tx.execute("DELETE FROM requests WHERE job_id = $1", &[id.into()]).map(|_| ())
+}
+
+/// The number of jobs that wait.
+pub(super) fn queue_length(tx: &mut Tx<'_>) -> Result<i64> {
+    tx.one("SELECT count(*) AS queued FROM jobs WHERE status = 'queued'", &[])?.get("queued")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn event_ids_read_back_and_sort_by_attempt_first() {
+        let id: EventId = "2.17".parse().unwrap();
+        assert_eq!(id, EventId { attempt: 2, sequence: 17 });
+        assert_eq!(id.to_string(), "2.17");
+        assert!(id < "3.1".parse().unwrap());
+        for bad in ["", "2", ".", "2.", ".1", "-1.2", "1.+2", "1.2.3", "a.b", "99999999999999999999.1"] {
+            assert!(bad.parse::<EventId>().is_err(), "{bad}");
+        }
+    }
+}

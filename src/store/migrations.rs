@@ -1,0 +1,48 @@
+//! The tables of both engines, brought up to date by numbered scripts.
+//!
+//! A migration only ever adds, so that an older version keeps working on a database that a newer one has migrated. The
+//! table of the migrations that were made has the name and the form that the library sqlx gives it, because existing
+//! databases have it.
+
+use sha2::{Digest, Sha384};
+
+use super::tx::Tx;
+use super::{Result, StoreError};
+
+const MIGRATIONS: [(i64, &str, &str); 3] = [
+    (1, "jobs", include_str!("../../migrations/0001_jobs.sql")),
+    (2, "batches and callbacks", include_str!("../../migrations/0002_batches_and_callbacks.sql")),
+    (3, "sharing and leases", include_str!("../../migrations/0003_sharing_and_leases.sql")),
+];
+
+/// Names the advisory lock that lets one process at a time migrate a PostgreSQL database.
+const LOCK: &str = "SELECT pg_advisory_xact_lock(7019839175)";
+const KNOWN: &str = "CREATE TABLE IF NOT EXISTS _sqlx_migrations (version BIGINT PRIMARY KEY, \
+     description TEXT NOT NULL, installed_on TIMESTAMP NOT NULL DEFAULT CURRENT_TIMESTAMP, \
+     success BOOLEAN NOT NULL, checksum BYTEA NOT NULL, execution_time BIGINT NOT NULL)";
+
+/// Runs the migrations that the database lacks. The caller commits all of them or none.
+pub(super) fn migrate(tx: &mut Tx<'_>) -> Result<()> {
+    if tx.is_postgres() {
+        tx.script(LOCK)?;
+    }
+    tx.script(KNOWN)?;
+    for (version, name, text) in MIGRATIONS {
+        let checksum = Sha384::digest(text);
+        let known = "SELECT checksum FROM _sqlx_migrations WHERE version = $1 AND success";
+        match tx.row(known, &[version.into()])? {
+            Some(row) if row.get::<Vec<u8>>("checksum")? == checksum.as_slice() => {}
+            Some(_) => {
+                let text = format!("migration {version} of this database is not the one that this program has");
+                return Err(StoreError::Migration(text));
+            }
+            None => {
+                tx.script(text).map_err(|error| StoreError::Migration(format!("{version}, {name}: {error}")))?;
+                let remember = "INSERT INTO _sqlx_migrations (version, description, success, checksum, execution_time) \
+                                VALUES ($1, $2, TRUE, $3, 0)";
+                tx.execute(remember, &[version.into(), name.into(), checksum.as_slice().into()])?;
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,405 @@
+//! PostgreSQL, shared by several machines: a few threads with a connection each, and one more that listens for changes.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::error::Error as _;
+use std::path::PathBuf;
+use std::str::FromStr;
+use std::sync::mpsc::{Receiver, RecvTimeoutError};
+use std::time::Duration;
+
+use postgres::config::Host;
+use postgres::error::SqlState;
+use postgres::fallible_iterator::FallibleIterator;
+use postgres::types::private::BytesMut;
+use postgres::types::{IsNull, ToSql, Type, to_sql_checked};
+use postgres::{Client, Config, NoTls, Statement};
+
+pub(super) use postgres::Row as PgRow;
+pub(super) use postgres::types::FromSql as FromPostgres;
+
+use super::migrations::migrate;
+use super::pool::Pool;
+use super::tx::{News, Tx, Value};
+use super::{Result, StoreError, StoreOptions};
+
+/// How long a caller waits for a connection, and a connection for the server.
+const PATIENCE: Duration = Duration::from_secs(5);
+/// Attempts of a transaction that loses a race: a deadlock, or two equal idempotency keys at once.
+const TRIES: usize = 5;
+const SESSION_OPTIONS: &str = "-c statement_timeout=60s -c idle_in_transaction_session_timeout=60s";
+const CHANNEL: &str = "plateau_changes";
+const RECONNECT_DELAY: Duration = Duration::from_secs(1);
+/// How often the listening thread looks whether the store has been closed.
+const LISTEN_STEP: Duration = Duration::from_millis(250);
+
+#[derive(Debug)]
+pub(super) struct Database {
+    config: Config,
+    sessions: Pool<Session>,
+}
+
+impl Database {
+    /// Connects to `postgres://USER@HOST/DATABASE` and brings its tables up to date.
+    pub(super) async fn open(url: &str, options: &StoreOptions) -> Result<Self> {
+        let config = config(url)?;
+        let threads = options.connections.max(1) as usize;
+        let session_config = config.clone();
+        let open = move || Ok(Session::new(session_config.clone()));
+        let sessions = Pool::start("postgres", threads, Some(PATIENCE), open)?;
+        sessions.run(|session| session.transact(&migrate)).await?;
+        Ok(Self { config, sessions })
+    }
+
+    /// Runs `work` in a transaction, again if it loses a race.
+    pub(super) async fn write<T: Send + 'static>(
+        &self,
+        work: impl Fn(&mut Tx<'_>) -> Result<T> + Send + 'static,
+    ) -> Result<(T, News)> {
+        let transact = move |session: &mut Session| {
+            let mut tries = 1;
+            loop {
+                match session.transact(&work) {
+                    Err(StoreError::Contended(_)) if tries < TRIES => tries += 1,
+                    result => return result,
+                }
+            }
+        };
+        self.sessions.run(transact).await
+    }
+
+    /// Runs `work`, which only reads.
+    pub(super) async fn read<T: Send + 'static>(
+        &self,
+        work: impl Fn(&mut Tx<'_>) -> Result<T> + Send + 'static,
+    ) -> Result<T> {
+        self.sessions.run(move |session| session.read(&work)).await
+    }
+
+    /// Tells every instance that listens, this one included.
+    pub(super) async fn notify(&self, payload: String) -> Result<()> {
+        let text = "SELECT pg_notify($1, $2)";
+        self.read(move |tx| tx.execute(text, &[CHANNEL.into(), payload.as_str().into()]).map(|_| ())).await
+    }
+
+    /// Starts a thread that hears what changed, here and elsewhere, until the sender of `stopped` is dropped. `heard` is
+    /// called with every payload, and with `None` whenever notifications may have been lost.
+    pub(super) fn listen(&self, stopped: Receiver<()>, heard: impl Fn(Option<&str>) + Send + 'static) -> Result<()> {
+        let config = self.config.clone();
+        let run = move || loop {
+            if let Err(error) = listen_once(&config, &stopped, &heard) {
+                tracing::warn!(%error, "cannot listen for changes; looking for them at intervals meanwhile");
+            }
+            if stopped.recv_timeout(RECONNECT_DELAY) == Err(RecvTimeoutError::Disconnected) {
+                return;
+            }
+        };
+        std::thread::Builder::new().name("postgres listener".into()).spawn(run)?;
+        Ok(())
+    }
+
+    pub(super) async fn close(&self) {
+        self.sessions.close().await;
+    }
+}
+
+/// Listens until the connection breaks or the store is closed.
+fn listen_once(config: &Config, stopped: &Receiver<()>, heard: &impl Fn(Option<&str>)) -> Result<()> {
+    let mut client = config.connect(NoTls)?;
+    client.batch_execute(&format!("LISTEN {CHANNEL}"))?;
+    // Notifications that were sent before the connection stood are lost.
+    heard(None);
+    while stopped.recv_timeout(Duration::ZERO) != Err(RecvTimeoutError::Disconnected) {
+        client.notifications().timeout_iter(LISTEN_STEP).for_each(|notification| {
+            heard(Some(notification.payload()));
+            Ok(())
+        })?;
+        if client.is_closed() {
+            return Err(StoreError::Unavailable("the server closed the connection".into()));
+        }
+    }
+    Ok(())
+}
+
+/// One connection, opened when it is first needed and again after it broke.
+pub(super) struct Session {
+    config: Config,
+    client: Option<Client>,
+    /// Statements that this connection has prepared, by their text.
+    statements: HashMap<String, Statement>,
+}
+
+impl std::fmt::Debug for Session {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.debug_struct("Session").field("connected", &self.client.is_some()).finish_non_exhaustive()
+    }
+}
+
+impl Session {
+    fn new(config: Config) -> Self {
+        Self { config, client: None, statements: HashMap::new() }
+    }
+
+    fn client(&mut self) -> Result<&mut Client> {
+        match &mut self.client {
+            Some(client) => Ok(client),
+            none => {
+                self.statements.clear();
+                Ok(none.insert(self.config.connect(NoTls)?))
+            }
+        }
+    }
+
+    /// Closes a connection that is broken, so that the next statement opens another one.
+    fn drop_broken(&mut self) {
+        if self.client.as_mut().is_some_and(|client| client.check_connection().is_err() || client.is_closed()) {
+            self.client = None;
+        }
+    }
+
+    fn transact<T>(&mut self, work: &impl Fn(&mut Tx<'_>) -> Result<T>) -> Result<(T, News)> {
+        self.drop_broken();
+        if let Err(error) = self.script("BEGIN") {
+            // The server has gone since the last statement, and nothing of this transaction has happened.
+            self.drop_broken();
+            if self.client.is_some() {
+                return Err(error);
+            }
+            self.script("BEGIN")?;
+        }
+        let mut tx = Tx::postgres(self);
+        let worked = work(&mut tx);
+        let news = tx.into_news();
+        let ended = worked.and_then(|value| self.script("COMMIT").map(|()| (value, news)));
+        if ended.is_err() && self.script("ROLLBACK").is_err() {
+            // The server rolls back when the connection closes.
+            self.client = None;
+        }
+        ended
+    }
+
+    fn read<T>(&mut self, work: &impl Fn(&mut Tx<'_>) -> Result<T>) -> Result<T> {
+        self.drop_broken();
+        let read = work(&mut Tx::postgres(self));
+        if read.is_err() {
+            self.drop_broken();
+            if self.client.is_none() {
+                return work(&mut Tx::postgres(self));
+            }
+        }
+        read
+    }
+
+    pub(super) fn script(&mut self, text: &str) -> Result<()> {
+        Ok(self.client()?.batch_execute(text)?)
+    }
+
+    pub(super) fn rows(&mut self, text: &str, values: &[Value<'_>]) -> Result<Vec<PgRow>> {
+        let statement = self.prepared(text, values)?;
+        Ok(self.client()?.query(&statement, &parameters(values))?)
+    }
+
+    pub(super) fn execute(&mut self, text: &str, values: &[Value<'_>]) -> Result<u64> {
+        let statement = self.prepared(text, values)?;
+        Ok(self.client()?.execute(&statement, &parameters(values))?)
+    }
+
+    fn prepared(&mut self, text: &str, values: &[Value<'_>]) -> Result<Statement> {
+        if self.client.is_some()
+            && let Some(statement) = self.statements.get(text)
+        {
+            return Ok(statement.clone());
+        }
+        let types: Vec<Type> = values.iter().map(Value::postgres_type).collect();
+        let statement = self.client()?.prepare_typed(text, &types)?;
+        self.statements.insert(text.to_owned(), statement.clone());
+        Ok(statement)
+    }
+}
+
+fn parameters<'v>(values: &'v [Value<'_>]) -> Vec<&'v (dyn ToSql + Sync)> {
+    values.iter().map(|value| value as &(dyn ToSql + Sync)).collect()
+}
+
+impl Value<'_> {
+    fn postgres_type(&self) -> Type {
+        match self {
+            Self::Int(_) => Type::INT8,
+            Self::Text(_) => Type::TEXT,
+            Self::Bytes(_) => Type::BYTEA,
+        }
+    }
+}
+
+impl ToSql for Value<'_> {
+    fn to_sql(
+        &self,
+        as_type: &Type,
+        out: &mut BytesMut,
+    ) -> std::result::Result<IsNull, Box<dyn std::error::Error + Sync + Send>> {
+        match self {
+            Self::Int(value) => value.to_sql(as_type, out),
+            Self::Text(value) => value.to_sql(as_type, out),
+            Self::Bytes(value) => value.to_sql(as_type, out),
+        }
+    }
+
+    fn accepts(_: &Type) -> bool {
+        // Statements are prepared with the types of their values.
+        true
+    }
+
+    to_sql_checked!();
+}
+
+impl From<postgres::Error> for StoreError {
+    fn from(error: postgres::Error) -> Self {
+        let text = match error.source() {
+            Some(source) => format!("{error}: {source}"),
+            None => error.to_string(),
+        };
+        match error.code().map(SqlState::code) {
+            // disk_full.
+            Some("53100") => Self::NoSpace(text),
+            // serialization_failure, deadlock_detected, unique_violation.
+            Some("40001" | "40P01" | "23505") => Self::Contended(text),
+            // Connection, resource and operator classes.
+            Some(code) if ["08", "53", "57", "58"].contains(&code.get(..2).unwrap_or_default()) => {
+                Self::Unavailable(text)
+            }
+            Some(_) => Self::Internal(text),
+            None if error.is_closed() || error.source().is_none_or(|source| source.is::<std::io::Error>()) => {
+                Self::Unavailable(text)
+            }
+            None => Self::Internal(text),
+        }
+    }
+}
+
+/// How to connect, from the URL. As for other clients of PostgreSQL, the parameter `host` takes the place of the host
+/// before the path, and a password that the URL lacks comes from `PGPASSWORD` or the file `PGPASSFILE` (`~/.pgpass`).
+fn config(url: &str) -> Result<Config> {
+    let unusable = |error: postgres::Error| {
+        let why = error.source().map_or_else(|| error.to_string(), ToString::to_string);
+        StoreError::Url(why)
+    };
+    let mut config = Config::from_str(&with_one_host(url)).map_err(unusable)?;
+    if config.get_user().is_none() {
+        let user = std::env::var("PGUSER").or_else(|_| std::env::var("USER"));
+        config.user(user.as_deref().unwrap_or("postgres"));
+    }
+    if config.get_password().is_none() {
+        let password = std::env::var("PGPASSWORD").ok().or_else(|| stored_password(&config));
+        password.map(|password| config.password(password));
+    }
+    let options = config.get_options().map_or(SESSION_OPTIONS.into(), |own| format!("{SESSION_OPTIONS} {own}"));
+    config.application_name("plateau").options(&options).connect_timeout(PATIENCE);
+    Ok(config)
+}
+
+/// The URL without the host before its path, if a parameter names another one.
+fn with_one_host(url: &str) -> Cow<'_, str> {
+    let Some((scheme, rest)) = url.split_once("://") else { return Cow::Borrowed(url) };
+    let Some((path, query)) = rest.split_once('?') else { return Cow::Borrowed(url) };
+    if !query.split('&').any(|parameter| parameter.starts_with("host=")) {
+        return Cow::Borrowed(url);
+    }
+    let (authority, database) = path.split_once('/').unwrap_or((path, ""));
+    let (user, host) = authority.rsplit_once('@').map_or((None, authority), |(user, host)| (Some(user), host));
+    let user = user.map(|user| format!("{user}@")).unwrap_or_default();
+    let port = host.rsplit_once(':').map(|(_, port)| port).filter(|_| !query.contains("port="));
+    let port = port.map(|port| format!("&port={port}")).unwrap_or_default();
+    Cow::Owned(format!("{scheme}://{user}/{database}?{query}{port}"))
+}
+
+/// The password for this server in the password file, if there is one.
+fn stored_password(config: &Config) -> Option<String> {
+    let home = || Some(PathBuf::from(std::env::var_os("HOME")?).join(".pgpass"));
+    let file = std::env::var_os("PGPASSFILE").map(PathBuf::from).or_else(home)?;
+    let text = std::fs::read_to_string(file).ok()?;
+    let host = match config.get_hosts().first() {
+        Some(Host::Tcp(name)) => name.clone(),
+        Some(Host::Unix(_)) | None => "localhost".into(),
+    };
+    let port = config.get_ports().first().copied().unwrap_or(5432).to_string();
+    let user = config.get_user().unwrap_or_default();
+    password_for(&text, [&host, &port, config.get_dbname().unwrap_or(user), user])
+}
+
+/// The last field of the first line `host:port:database:user:password` that matches; a field `*` matches everything, and a
+/// backslash takes the meaning from a colon or backslash after it.
+fn password_for(text: &str, wanted: [&str; 4]) -> Option<String> {
+    text.lines().filter(|line| !line.starts_with('#')).find_map(|line| {
+        let (mut fields, mut characters) = (vec![String::new()], line.chars());
+        while let Some(character) = characters.next() {
+            if character == ':' && fields.len() < 5 {
+                fields.push(String::new());
+            } else if let Some(field) = fields.last_mut() {
+                field.push(if character == '\\' { characters.next()? } else { character });
+            }
+        }
+        let password = fields.pop().filter(|_| fields.len() == wanted.len())?;
+        fields.iter().zip(wanted).all(|(field, wanted)| field == "*" || field == wanted).then_some(password)
+    })
+}
+
+/// `url` without its password, wherever it stands, for logs and errors.
+#[must_use]
+pub fn redacted(url: &str) -> Cow<'_, str> {
+    const PARAMETER: &str = "password=";
+    if let Some(start) = url.find(PARAMETER).map(|at| at + PARAMETER.len()) {
+        let end = url[start..].find('&').map_or(url.len(), |length| start + length);
+        return Cow::Owned(format!("{}***{}", without_user_password(&url[..start]), &url[end..]));
+    }
+    without_user_password(url)
+}
+
+fn without_user_password(url: &str) -> Cow<'_, str> {
+    let Some((scheme, rest)) = url.split_once("://") else { return Cow::Borrowed(url) };
+    let authority_end = rest.find(['/', '?']).unwrap_or(rest.len());
+    let Some(at) = rest[..authority_end].rfind('@') else { return Cow::Borrowed(url) };
+    let Some(colon) = rest[..at].find(':') else { return Cow::Borrowed(url) };
+    Cow::Owned(format!("{scheme}://{}:***{}", &rest[..colon], &rest[at..]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_password_is_not_shown() {
+        assert_eq!(redacted("postgres://me:secret@db:5432/plateau"), "postgres://me:***@db:5432/plateau");
+        assert_eq!(redacted("postgres://me:a@b@db/plateau"), "postgres://me:***@db/plateau");
+        assert_eq!(redacted("postgres://db/plateau?user=a:b@c"), "postgres://db/plateau?user=a:b@c");
+        assert_eq!(redacted("postgres://a:b@db/x?password=c&host=d"), "postgres://a:***@db/x?password=***&host=d");
+        assert_eq!(redacted("sqlite:///data/plateau.db"), "sqlite:///data/plateau.db");
+    }
+
+    #[test]
+    fn a_host_parameter_takes_the_place_of_the_host_before_the_path() {
+        for (url, host, port) in [
+            ("postgres://me@db/plateau", Host::Tcp("db".into()), None),
+            ("postgres://me@db:6000/plateau", Host::Tcp("db".into()), Some(6000)),
+            ("postgres://me@localhost/plateau?host=/run/pg", Host::Unix("/run/pg".into()), None),
+            ("postgres://me@localhost:6000/plateau?host=%2Frun%2Fpg", Host::Unix("/run/pg".into()), Some(6000)),
+            ("postgresql://me@a:1/plateau?port=2&host=b", Host::Tcp("b".into()), Some(2)),
+        ] {
+            let config = config(url).unwrap();
+            assert_eq!((config.get_hosts(), config.get_ports().first().copied()), (&[host][..], port), "{url}");
+            assert_eq!((config.get_user(), config.get_dbname()), (Some("me"), Some("plateau")), "{url}");
+        }
+        for url in ["postgres://me@db:x/plateau", "postgres://me@db/plateau?no_such=1"] {
+            assert!(matches!(config(url), Err(StoreError::Url(_))), "{url}");
+        }
+    }
+
+    #[test]
+    fn the_first_line_of_a_password_file_that_matches_counts() {
+        let text = "# db:5432:plateau:me:comment\ndb:5432:other:me:one\n*:5432:plateau:me:t\\:w:o\\\\\n*:*:*:*:three\nshort:1\n";
+        let password = |host, port, database, user| password_for(text, [host, port, database, user]);
+        assert_eq!(password("db", "5432", "plateau", "me").as_deref(), Some("t:w:o\\"));
+        assert_eq!(password("db", "5432", "other", "me").as_deref(), Some("one"));
+        assert_eq!(password("db", "1", "other", "me").as_deref(), Some("three"));
+        assert_eq!(password_for("db:1:a:b", ["db", "1", "a", "b"]), None);
+    }
+}
