@@ -44,8 +44,8 @@
 
 #![warn(missing_docs)]
 
-mod energy;
-mod equilibrium;
+pub mod energy;
+pub mod equilibrium;
 pub mod error;
 pub mod execution;
 pub mod mesh;

@@ -2,6 +2,7 @@
 //! [`measure`] and [`check`] see both.
 
 pub mod check;
+pub mod complex;
 pub(crate) mod crossing;
 pub mod edit;
 pub(crate) mod film;

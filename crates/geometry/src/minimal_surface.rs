@@ -35,7 +35,7 @@ mod curvature;
 mod drivers;
 mod estimate;
 mod extrapolation;
-pub(crate) mod harmonic;
+mod harmonic;
 mod initial_mesh;
 mod options;
 mod outcome;
@@ -61,6 +61,7 @@ pub use run::{
 pub use statistics::{MeanCurvature, Statistics};
 pub use triple_junction::JunctionStatistics;
 
+use crate::mesh::complex::has_junctions;
 use crate::mesh::film::Film;
 use crate::{DVec3, Error, Execution};
 use drivers::{best_topology, free_topology, nested};
@@ -87,7 +88,7 @@ pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> 
     let input = Input::read(boundaries, options)?;
     exec.look(input.point_count() as u64)?;
     if let InitialMesh::Given(mesh) = &options.initial_mesh
-        && triple_junction::has_junctions(&mesh.triangles)
+        && has_junctions(&mesh.triangles)
     {
         let mut surface = triple_junction::solve(&input.given, &input.vertices, mesh, options, exec)?;
         surface.warnings.extend(input.merged_points());
@@ -142,7 +143,7 @@ fn relax(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Er
 pub fn check(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
     let input = Input::read(boundaries, options)?;
     if let InitialMesh::Given(mesh) = &options.initial_mesh
-        && triple_junction::has_junctions(&mesh.triangles)
+        && has_junctions(&mesh.triangles)
     {
         return triple_junction::check(&input.given, mesh, options);
     }

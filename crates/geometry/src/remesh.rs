@@ -2,5 +2,6 @@
 
 pub(crate) mod delaunay;
 pub(crate) mod isotropic;
+pub(crate) mod sheets;
 pub(crate) mod subdivision;
 pub(crate) mod thin_triangles;

@@ -5,6 +5,7 @@
 
 mod conjugate_gradients;
 pub(crate) mod multigrid;
+pub(crate) mod pattern;
 
 pub use conjugate_gradients::{CgFailure, conjugate_gradients};
 

@@ -1,32 +1,41 @@
-//! Whether a minimal surface is a true local minimum: the second variation of area under normal motion.
+//! Whether a stationary state is a true local minimum: the second variation along the body's freedoms.
 //!
-//! K is the matrix of [`newton`](crate::equilibrium::newton) at the final positions, M the lumped mass (a third of each ring's area).
-//! - The Morse index is the number of negative eigenvalues of K. By Sylvester's law it is the number of negative pivots
-//!   in K = L D Lᵀ, whatever the mass; no eigenvalue needs to be computed for it.
-//! - The lowest eigenvalue of K x = λ M x and its vector: locally optimal preconditioned conjugate gradients (Knyazev, *Toward
-//!   the Optimal Preconditioned Eigensolver*, 2001, for one vector). The preconditioner is the factor of K, or of K + s M with
-//!   s large enough to make it positive definite, so that a handful of iterations suffice.
+//! K is the matrix of [`newton`](super::newton) at the final positions, M the lumped mass (each unknown's share of
+//! tension times size).
+//! - The Morse index is the number of negative eigenvalues of K, on the tangent space of the constraints if there are
+//!   any. By Sylvester's law it is the number of negative pivots in K = L D Lᵀ, whatever the mass; no eigenvalue needs
+//!   to be computed for it.
+//! - The lowest eigenvalue of K x = λ M x and its vector: locally optimal preconditioned conjugate gradients (Knyazev,
+//!   *Toward the Optimal Preconditioned Eigensolver*, 2001, for one vector). The preconditioner is the factor of K, or
+//!   of K + s M with s large enough to make it positive definite, so that a handful of iterations suffice.
 //!
-//! The start is the constant height. The lowest eigenfunction of a connected surface has one sign, so the two are never orthogonal,
-//! and the result depends on no random number.
+//! The start is the constant height. The lowest eigenfunction of a connected surface has one sign, so the two are never
+//! orthogonal, and the result depends on no random number.
+//!
+//! The index counts motions of the vertices. It says nothing about changes of topology: a point where eight junctions
+//! meet may be stable under every motion, and still be left by splitting the point.
 
-use super::newton::State;
-use crate::energy::area::Pattern;
-use crate::mesh::film::Film;
+use super::constraint::{Bordered, ConstraintState};
+use super::newton::{Direct, Equations, State};
 use crate::sparse::{LinearError, Symbolic, SymmetricMatrix};
-use crate::{Execution, Interruption};
+use crate::{DVec3, Execution, Interruption};
 
-/// Iterations end when the eigenvalue moves by less than this fraction of itself (or of 1/1000 of 1/R²).
+/// Iterations end when the eigenvalue moves by less than this fraction of itself (or of 1/1000 of 1/R²). A larger value
+/// gives fewer digits.
 const EIGENVALUE_TOLERANCE: f64 = 1e-9;
+/// Bound on the iterations.
 const MAX_ITERATIONS: usize = 60;
 /// Shifts tried, in units of 1/R², each four times the last, before an indefinite matrix is given up.
 const MAX_SHIFTS: usize = 24;
+/// Mass, in units of 1/R², that is added to a matrix with a vanishing pivot: a state at the very edge of stability.
+/// Large against rounding, small against any eigenvalue that could be told from zero.
+const NUDGE: f64 = 1e-13;
 
 /// An eigenvalue with its vector (unit in the lumped mass).
 #[derive(Clone, Debug)]
 pub(crate) struct Mode {
     pub eigenvalue: f64,
-    pub heights: Vec<f64>,
+    pub vector: Vec<f64>,
 }
 
 /// The second variation at one position, analysed.
@@ -56,48 +65,82 @@ impl From<Interruption> for Unknown {
     }
 }
 
-/// Morse index by inertia and lowest mode, at the film's position. `None` for a film without free vertices.
+/// A second variation, factorised with its constraints' border. A vanishing pivot is a state at the very edge of
+/// stability: a trace of mass then decides on which side it is.
+///
+/// # Errors
+/// A [`LinearError`] for a degenerate body.
+fn with_factor<R>(
+    symbolic: &Symbolic,
+    matrix: &SymmetricMatrix,
+    mass: &[f64],
+    unit: f64,
+    constraints: &[ConstraintState],
+    work: impl FnOnce(&Bordered) -> R,
+) -> Result<R, LinearError> {
+    match symbolic.factorise(matrix) {
+        Ok(factorisation) => Bordered::new(factorisation, constraints).map(|bordered| work(&bordered)),
+        Err(LinearError::Singular) => {
+            let nudged = shifted(matrix, mass, NUDGE * unit);
+            let factorisation = symbolic.factorise(&nudged)?;
+            Bordered::new(factorisation, constraints).map(|bordered| work(&bordered))
+        }
+        Err(error) => Err(error),
+    }
+}
+
+/// The Morse index of a second variation: its negative eigenvalues on the constraints' tangent space. `unit` is the
+/// eigenvalue scale 1/R².
+///
+/// # Errors
+/// A [`LinearError`] for a degenerate body.
+pub(crate) fn morse_index(
+    symbolic: &Symbolic,
+    matrix: &SymmetricMatrix,
+    mass: &[f64],
+    unit: f64,
+    constraints: &[ConstraintState],
+) -> Result<usize, LinearError> {
+    with_factor(symbolic, matrix, mass, unit, constraints, |bordered| bordered.index())
+}
+
+/// Morse index by inertia and lowest mode at a position, in the storage of `direct`. `None` for a body without
+/// unknowns.
 ///
 /// # Errors
 /// See [`Unknown`].
-pub(crate) fn analyse(
-    film: &Film,
-    pattern: &Pattern,
-    symbolic: &Symbolic,
-    matrix: &mut SymmetricMatrix,
-    state: &State,
-    radius: f64,
+pub(crate) fn analyse<E: Equations>(
+    vertices: &[DVec3],
+    equations: &E,
+    state: &State<E::Frame>,
+    direct: &mut Direct,
     exec: &Execution,
 ) -> Result<Option<SecondVariation>, Unknown> {
-    if pattern.vertex.is_empty() {
+    if state.mass.is_empty() {
         return Ok(None);
     }
-    pattern.second_variation(&film.vertices, film.triangles(), &state.normals, 0.0, matrix);
-    let mass = &state.first.mass;
-    let unit = 1.0 / (radius * radius);
-    let start = vec![1.0; mass.len()];
-    // A singular matrix is a surface at the very edge of stability: a hair's breadth of mass decides which side it is on.
-    let mut factorised = symbolic.factorise(matrix);
-    let nudged;
-    if matches!(factorised, Err(LinearError::Singular)) {
-        nudged = shifted(matrix, mass, 1e-13 * unit);
-        factorised = symbolic.factorise(&nudged);
+    let Direct { symbolic, matrix, .. } = direct;
+    equations.second_variation(vertices, state, 0.0, matrix);
+    let (mass, constraints) = (&state.mass, &state.constraints);
+    let unit = 1.0 / (equations.radius() * equations.radius());
+    let lowest = |bordered: &Bordered| {
+        let mut start = vec![1.0; mass.len()];
+        bordered.correct(&mut start, |_| 0.0);
+        lowest_mode(matrix, mass, unit, start, |residual| bordered.apply(residual), exec)
+    };
+    let (morse_index, mode) = with_factor(symbolic, matrix, mass, unit, constraints, |bordered| {
+        let index = bordered.index();
+        (index, (index == 0).then(|| lowest(bordered)))
+    })?;
+    if let Some(mode) = mode {
+        return Ok(Some(SecondVariation { morse_index, lowest: mode? }));
     }
-    let factorisation = factorised?;
-    let morse_index = factorisation.inertia().negative;
-    if morse_index == 0 {
-        let lowest = lowest_mode(matrix, mass, unit, start, |residual| factorisation.solve_unchecked(residual), exec)?;
-        return Ok(Some(SecondVariation { morse_index, lowest }));
-    }
-    drop(factorisation);
     let mut shift = unit;
     for _ in 0..MAX_SHIFTS {
         let raised = shifted(matrix, mass, shift);
-        match symbolic.factorise(&raised) {
-            Ok(factorisation) if factorisation.inertia().is_positive_definite() => {
-                let lowest =
-                    lowest_mode(matrix, mass, unit, start, |residual| factorisation.solve_unchecked(residual), exec)?;
-                return Ok(Some(SecondVariation { morse_index, lowest }));
+        match symbolic.factorise(&raised).and_then(|factorisation| Bordered::new(factorisation, constraints)) {
+            Ok(bordered) if bordered.index() == 0 => {
+                return Ok(Some(SecondVariation { morse_index, lowest: lowest(&bordered)? }));
             }
             Ok(_) | Err(LinearError::Singular) => shift *= 4.0,
             Err(error) => return Err(error.into()),
@@ -115,8 +158,8 @@ fn shifted(matrix: &SymmetricMatrix, mass: &[f64], shift: f64) -> SymmetricMatri
     result
 }
 
-/// The lowest eigenvalue of K x = λ M x from a start vector; `precondition` applies an approximate positive definite inverse of K in place.
-/// `unit` is the eigenvalue scale 1/R².
+/// The lowest eigenvalue of K x = λ M x from a start vector; `precondition` applies an approximate positive definite
+/// inverse of K in place. `unit` is the eigenvalue scale 1/R².
 ///
 /// # Errors
 /// The interruption.
@@ -177,7 +220,7 @@ pub(crate) fn lowest_mode(
             break;
         }
     }
-    Ok(Mode { eigenvalue, heights: x.value })
+    Ok(Mode { eigenvalue, vector: x.value })
 }
 
 /// A vector and its product by K, which take part in the same linear combinations.
@@ -240,20 +283,23 @@ fn lowest_of_three(mut a: [[f64; 3]; 3], size: usize) -> (f64, [f64; 3]) {
 mod tests {
     use super::*;
     use crate::DVec3;
-    use crate::equilibrium::newton::{Aim, Direct, Outcome, Settings, iterate};
+    use crate::equilibrium::NormalMotion;
+    use crate::equilibrium::newton::{Aim, Outcome, Settings, iterate};
+    use crate::mesh::film::Film;
     use crate::mesh::structured::{catenoid, patch};
+    use crate::sparse::pattern::Pattern;
     use std::f64::consts::PI;
 
     fn converged(mut film: Film, aim: Aim) -> SecondVariation {
-        let settings = Settings { aim, tolerance: 1e-9, max_steps: 20, radius: film.radius() };
+        let settings = Settings { aim, tolerance: 1e-9, max_steps: 20 };
         let pattern = Pattern::new(film.triangles(), &film.fixed);
-        let mut direct = Direct::new(&pattern).unwrap();
-        let (outcome, state) =
-            iterate(&mut film, &pattern, &mut direct, &settings, &Execution::default(), &mut |_, _| {});
+        let mut direct = Direct::new(pattern.matrix()).unwrap();
+        let radius = film.radius();
+        let motion = NormalMotion { pattern: &pattern, triangles: film.topology.triangles(), radius };
+        let exec = Execution::default();
+        let (outcome, state) = iterate(&mut film.vertices, &motion, &mut direct, &settings, &exec, &mut |_, _| {});
         assert_eq!(outcome, Outcome::Converged);
-        analyse(&film, &pattern, &direct.symbolic, &mut direct.matrix, &state, settings.radius, &Execution::default())
-            .unwrap()
-            .unwrap()
+        analyse(&film.vertices, &motion, &state, &mut direct, &exec).unwrap().unwrap()
     }
 
     #[test]
@@ -284,9 +330,10 @@ mod tests {
                 let reach = 0.5 * (stable + unstable);
                 let film = patch(n, n, catenoid(6.0 * PI / 5.0, reach));
                 let pattern = Pattern::new(film.triangles(), &film.fixed);
-                let state = State::of(&pattern, &film.vertices, film.triangles(), film.radius());
-                let Direct { symbolic, mut matrix, .. } = Direct::new(&pattern).unwrap();
-                pattern.second_variation(&film.vertices, film.triangles(), &state.normals, 0.0, &mut matrix);
+                let motion = NormalMotion { pattern: &pattern, triangles: film.triangles(), radius: film.radius() };
+                let state = motion.state(&film.vertices);
+                let Direct { symbolic, mut matrix, .. } = Direct::new(pattern.matrix()).unwrap();
+                motion.second_variation(&film.vertices, &state, 0.0, &mut matrix);
                 let inertia = symbolic.factorise(&matrix).unwrap().inertia();
                 assert!(inertia.negative <= 1);
                 if inertia.negative == 0 { stable = reach } else { unstable = reach }

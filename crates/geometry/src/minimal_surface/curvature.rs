@@ -1,8 +1,11 @@
 //! Mean curvature and residuals of a film.
 
 use crate::DVec3;
+use crate::energy::area;
+use crate::equilibrium::residual::curvature;
+use crate::equilibrium::{FilmState, film_state};
 use crate::mesh::film::Film;
-use crate::mesh::measure;
+use crate::sparse::pattern::FreeVertices;
 
 /// Mean curvature and residuals of a film, vertex by vertex.
 #[derive(Clone, Debug)]
@@ -16,39 +19,19 @@ pub struct Curvature {
 }
 
 impl Curvature {
-    /// Measures a film in two passes over its triangles and one over its vertices.
+    /// The residual is that of [`film_state`], which also ends Newton's iteration.
     pub(crate) fn of(film: &Film) -> Self {
-        let count = film.vertices.len();
-        let mut gradient = vec![DVec3::ZERO; count];
-        let mut normal = vec![DVec3::ZERO; count];
-        for &triangle in film.triangles() {
-            let [a, b, c] = film.corners(triangle);
-            let double_area = (b - a).cross(c - a);
-            let unit = double_area.normalize_or_zero();
-            // The area grows fastest when a corner moves away from the opposite edge, at half that edge's length.
-            let pull = [(c - b), (a - c), (b - a)].map(|edge| 0.5 * unit.cross(edge));
-            for (vertex, pull) in triangle.into_iter().zip(pull) {
-                gradient[vertex as usize] += pull;
-                normal[vertex as usize] += double_area;
-            }
+        let (free, radius) = (FreeVertices::new(&film.fixed), film.radius());
+        let FilmState { mass, residual, .. } = film_state(&free, &film.vertices, film.triangles(), radius);
+        let mut gradient = vec![DVec3::ZERO; film.vertices.len()];
+        area::add_gradient(film.triangles(), 1.0, &film.vertices, &mut gradient);
+        let mut mean_curvature = vec![0.0; film.vertices.len()];
+        let mut largest: f64 = 0.0;
+        for (&v, &mass) in free.vertex.iter().zip(&mass) {
+            let full = curvature(gradient[v as usize].length(), mass);
+            mean_curvature[v as usize] = full;
+            largest = largest.max(full);
         }
-        let mut ring_area = vec![0.0; count];
-        for &triangle in film.triangles() {
-            let area = 0.5 * measure::double_area_vector(film.corners(triangle)).length();
-            triangle.into_iter().for_each(|vertex| ring_area[vertex as usize] += area);
-        }
-        let radius = film.radius();
-        let mut result = Self { mean_curvature: vec![0.0; count], residual: 0.0, residual_full: 0.0 };
-        for v in (0..count).filter(|&v| !film.fixed[v]) {
-            let double_share = 2.0 / 3.0 * ring_area[v];
-            // A vertex whose whole ring has no area is as far from converged as can be.
-            let over_share = |pull: f64| if double_share > 0.0 { pull / double_share } else { f64::MAX.sqrt() };
-            let full = over_share(gradient[v].length());
-            result.mean_curvature[v] = full;
-            result.residual_full = result.residual_full.max(full * radius);
-            let along_normal = gradient[v].dot(normal[v].normalize_or_zero()).abs();
-            result.residual = result.residual.max(over_share(along_normal) * radius);
-        }
-        result
+        Self { mean_curvature, residual, residual_full: largest * radius }
     }
 }

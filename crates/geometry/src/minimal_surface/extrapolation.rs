@@ -6,12 +6,13 @@
 //! the limit a little above the true one; the error estimate, the whole correction of the finer area, covers that.
 
 use super::run::ExtrapolatedArea;
-use crate::energy::area::Pattern;
+use crate::equilibrium::NormalMotion;
 use crate::equilibrium::newton::{Aim, Outcome, Settings, iterate};
-use crate::equilibrium::v_cycle_steps::VCycleSteps;
+use crate::equilibrium::v_cycle::VCycleSteps;
 use crate::mesh::film::Film;
 use crate::remesh::subdivision::subdivide;
 use crate::sparse::multigrid::{Hierarchy, parents_of};
+use crate::sparse::pattern::Pattern;
 use crate::{Execution, Interruption};
 
 /// Residual to which the finer mesh is solved. The error of its area is about the square of that.
@@ -36,12 +37,13 @@ impl ExtrapolatedArea {
         exec.look(4 * film.triangles().len() as u64)?;
         let (mut fine, midpoints) = subdivide(film);
         let finer = Pattern::new(fine.triangles(), &fine.fixed);
-        let parents = parents_of(&pattern.unknown, &finer.vertex, &midpoints);
+        let parents = parents_of(&pattern.free.unknown, &finer.free.vertex, &midpoints);
         let mut steps = VCycleSteps { hierarchy, parents, matrix: finer.matrix(), exec };
-        let settings = Settings { aim: Aim::Minimum, tolerance: TOLERANCE, max_steps: MAX_STEPS, radius };
-        let (outcome, state) = iterate(&mut fine, &finer, &mut steps, &settings, exec, &mut |_, _| {});
+        let settings = Settings { aim: Aim::Minimum, tolerance: TOLERANCE, max_steps: MAX_STEPS };
+        let motion = NormalMotion { pattern: &finer, triangles: fine.topology.triangles(), radius };
+        let (outcome, state) = iterate(&mut fine.vertices, &motion, &mut steps, &settings, exec, &mut |_, _| {});
         match outcome {
-            Outcome::Converged => Ok(Some(Self::new(film.area(), state.first.area))),
+            Outcome::Converged => Ok(Some(Self::new(film.area(), state.energy))),
             Outcome::Interrupted(interruption) => Err(interruption),
             Outcome::Stalled | Outcome::StepsUsed | Outcome::Refused(_) => Ok(None),
         }

@@ -11,8 +11,8 @@
 //! Departures: the weight of a triangle whose area vanishes is bounded ([`area`](crate::energy::area)), so that a
 //! collapsing neck is reported by the linear solver and not by an infinite entry.
 
-use crate::energy::area::Pattern;
 use crate::mesh::film::Film;
+use crate::sparse::pattern::Pattern;
 use crate::sparse::{CgFailure, LinearError, Symbolic, SymmetricMatrix, conjugate_gradients};
 use crate::{DVec3, Error, Execution, Interruption};
 
@@ -40,7 +40,18 @@ impl Dirichlet {
     /// # Errors
     /// [`LinearError::TooLarge`].
     pub fn new(film: &Film) -> Result<Self, LinearError> {
-        let pattern = Pattern::new(film.triangles(), &film.fixed);
+        Self::of_pattern(Pattern::new(film.triangles(), &film.fixed))
+    }
+
+    /// The same for triangles of which more than two may share an edge.
+    ///
+    /// # Errors
+    /// [`LinearError::TooLarge`].
+    pub fn of_complex(triangles: &[[u32; 3]], fixed: &[bool]) -> Result<Self, LinearError> {
+        Self::of_pattern(Pattern::of_complex(triangles, fixed))
+    }
+
+    fn of_pattern(pattern: Pattern) -> Result<Self, LinearError> {
         let matrix = pattern.matrix();
         let symbolic = Symbolic::analyse(&matrix, None)?;
         Ok(Self { pattern, symbolic, matrix, right_hand_side: Vec::new(), storage: Vec::new() })
@@ -52,17 +63,25 @@ impl Dirichlet {
     /// # Errors
     /// A [`LinearError`] if the mesh has collapsed so far that the system has no trustworthy solution.
     pub fn step(&mut self, film: &mut Film) -> Result<(), LinearError> {
-        self.pattern.laplacian(&film.vertices, film.triangles(), &mut self.matrix, &mut self.right_hand_side);
+        self.move_to_minimum(&mut film.vertices, film.topology.triangles())
+    }
+
+    /// As [`step`](Self::step), on vertices and triangles.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub fn move_to_minimum(&mut self, vertices: &mut [DVec3], triangles: &[[u32; 3]]) -> Result<(), LinearError> {
+        self.pattern.laplacian(vertices, triangles, &mut self.matrix, &mut self.right_hand_side);
         let factorisation = self.symbolic.factorise_into(&self.matrix, std::mem::take(&mut self.storage))?;
         if !factorisation.inertia().is_positive_definite() {
             return Err(LinearError::Singular);
         }
         factorisation.solve(&mut self.right_hand_side)?;
         self.storage = factorisation.into_storage();
-        let n = self.pattern.vertex.len();
-        for (row, &vertex) in self.pattern.vertex.iter().enumerate() {
+        let n = self.pattern.free.vertex.len();
+        for (row, &vertex) in self.pattern.free.vertex.iter().enumerate() {
             let x = &self.right_hand_side;
-            film.vertices[vertex as usize] = DVec3::new(x[row], x[n + row], x[2 * n + row]);
+            vertices[vertex as usize] = DVec3::new(x[row], x[n + row], x[2 * n + row]);
         }
         Ok(())
     }
@@ -79,10 +98,10 @@ impl Dirichlet {
         exec: &Execution,
     ) -> Result<Result<Elimination, LinearError>, Interruption> {
         self.pattern.laplacian(&film.vertices, film.triangles(), &mut self.matrix, &mut self.right_hand_side);
-        let n = self.pattern.vertex.len();
+        let n = self.pattern.free.vertex.len();
         let mut image = vec![DVec3::ZERO; n];
         for (axis, b) in self.right_hand_side.chunks_exact(n).enumerate() {
-            let mut x: Vec<f64> = self.pattern.vertex.iter().map(|&v| film.vertices[v as usize][axis]).collect();
+            let mut x: Vec<f64> = self.pattern.free.vertex.iter().map(|&v| film.vertices[v as usize][axis]).collect();
             match self.solve_from(&mut x, b, exec) {
                 Ok(_) => {}
                 Err(CgFailure::Interrupted(interruption)) => return Err(interruption),
@@ -90,7 +109,7 @@ impl Dirichlet {
             }
             image.iter_mut().zip(x).for_each(|(point, x)| point[axis] = x);
         }
-        for (&vertex, point) in self.pattern.vertex.iter().zip(image) {
+        for (&vertex, point) in self.pattern.free.vertex.iter().zip(image) {
             film.vertices[vertex as usize] = point;
         }
         Ok(Ok(Elimination::Spared))

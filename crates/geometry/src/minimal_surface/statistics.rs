@@ -130,6 +130,7 @@ pub(super) fn collect(
     let (smallest_angle, largest_angle) = measure::angle_range(&mesh);
     let flipped_triangles = measure::flipped_triangles(&mesh);
     let degenerate_triangles = measure::degenerate_triangles(&mesh);
+    let converged = measured.residual <= options.tolerance && flipped_triangles == 0 && degenerate_triangles == 0;
     let Origin { kind, initial_area, run } = origin;
     Statistics {
         objective: options.method.objective(),
@@ -152,8 +153,12 @@ pub(super) fn collect(
         },
         residual: measured.residual,
         residual_full: measured.residual_full,
-        converged: measured.residual <= options.tolerance && flipped_triangles == 0 && degenerate_triangles == 0,
-        stop_reason: run.stop_reason,
+        converged,
+        // The residual alone does not show a fold: a run that ended by it on such a mesh is held up there.
+        stop_reason: match run.stop_reason {
+            StopReason::Residual if !converged => StopReason::Stalled,
+            other => other,
+        },
         iterations: run.iterations,
         history: run.history,
         stability: run.stability,

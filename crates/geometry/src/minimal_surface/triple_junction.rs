@@ -1,51 +1,56 @@
-//! Films whose sheets meet three by three along curves (Plateau's first law: at 120°), which Bento and Cavalcanti leave as
-//! future work. From an initial mesh that has such edges; the topology stays.
+//! Films whose sheets meet three by three along curves (Plateau's first law: at 120°), which Bento and Cavalcanti leave
+//! as future work. From an initial mesh that has such edges; the topology stays.
 //!
-//! 1. Read the sheets and the junctions ([`sheets`]). Every edge has one triangle (boundary), two, or three (junction).
-//! 2. Rounds of Pinkall and Polthier's solve on the whole film and remeshing: the vertices are spread within the sheets and along the
-//!    junctions, edges within the sheets flipped to Delaunay's.
+//! 1. Read the sheets and the junctions ([`Complex`]). Every edge has one triangle (boundary), two, or three
+//!    (junction).
+//! 2. Rounds of Pinkall and Polthier's solve on the whole film ([`harmonic`](super::harmonic)) and remeshing
+//!    ([`sheets`](crate::remesh::sheets)).
 //! 3. Rounds of Newton steps and remeshing, then Newton steps alone, until the sheets' residual and the junctions' are
-//!    below the tolerance: a sheet's vertex moves along its normal, a junction's across its curve, a vertex where junctions meet
-//!    anywhere ([`variation`]).
+//!    below the tolerance. The film is a [`Body`]: a sheet's vertex moves along its normal, a junction's across its
+//!    curve, a vertex where junctions meet anywhere.
 //!
-//! The three pulls on a junction are the sheets' area gradients. Where they balance, unit sheets meet at 120°; nothing is asked of the
-//! angles themselves. They are measured twice: between the facets at each junction edge, which a curved sheet leaves at
-//! an angle of order h, and between the sheets' pulls at each junction vertex, which converges with h². Next to a junction's end it does
-//! not: between wires that leave the end at other angles than 120° the film need not tend to a cone there, and goes on turning as one
-//! comes nearer, at every scale. The departure at the vertex next to an end is therefore reported apart.
+//! The three forces on a junction are the sheets' area gradients. Where they balance, unit sheets meet at 120°; nothing
+//! is asked of the angles themselves. They are measured twice: between the facets at each junction edge, which a curved
+//! sheet leaves at an angle of order h, and between the sheets' forces at each junction vertex, which converges with
+//! h². Next to a junction's end it does not: between wires that leave the end at other angles than 120° the film need
+//! not tend to a cone there, and goes on turning as one comes nearer, at every scale. The departure at the vertex next
+//! to an end is therefore reported apart.
 
-mod sheets;
-mod variation;
-
-pub(super) use sheets::has_junctions;
-
+use super::harmonic::Dirichlet;
 use super::initial_mesh::InitialMeshKind;
 use super::options::{Method, Objective, Options, Solver};
 use super::outcome::{ConstraintVertices, MinimalSurface};
-use super::run::{HistoryRow, StopReason};
+use super::run::{Record, StopReason};
 use super::statistics::{MeanCurvature, Statistics};
+use crate::equilibrium::newton::{Direct, Equations, State, iterate};
+use crate::equilibrium::residual::curvature;
+use crate::equilibrium::{Aim, Body, Frame, Freedom, Motion, Outcome, Settings, stability};
 use crate::error::{InputError, Warning};
+use crate::mesh::complex::{Complex, Defect, Place as In};
 use crate::mesh::measure::{self, Spread};
-use crate::sparse::Symbolic;
-use crate::{DVec3, Error, Execution, Interruption, Mesh, Place, Progress, polyline};
-use sheets::{Kind, Sheets};
-use variation::{Directions, SecondVariation, dirichlet_step};
+use crate::remesh::sheets::{even_out, flipped_triangles};
+use crate::{DVec3, Error, Execution, Interruption, Mesh, Place, polyline};
+use std::collections::BTreeMap;
 
-/// Newton steps that a run may take if the caller does not say, and in each round before a remeshing.
+/// Newton steps and harmonic solves that a run may take if the caller does not say.
 const DEFAULT_STEPS: u32 = 200;
+/// Newton steps before each remeshing, and the largest number of such rounds. More steps follow a mesh longer before it
+/// is evened out.
 const STEPS_PER_ROUND: u32 = 4;
 const ROUNDS: u32 = 10;
-/// Harmonic solves in each round before those, and the change of area at which they end.
+/// Rounds end when the residual is below this and nothing was flipped: what is left does not change the triangles any
+/// more.
+const SETTLED: f64 = 1e-2;
+/// Harmonic solves before each remeshing, and the relative change of area at which those rounds end.
 const SOLVES_PER_ROUND: u32 = 3;
 const SETTLED_AREA: f64 = 1e-4;
 /// Sweeps of each remeshing.
 const SWEEPS: u32 = 4;
-/// Rounds end when both residuals are below this.
-const SETTLED: f64 = 1e-2;
-/// Multiples of the first part that are added to an indefinite second variation.
-const SHIFTS: [f64; 8] = [0.0, 0.125, 0.5, 2.0, 8.0, 32.0, 128.0, 512.0];
-/// A step shorter than this fraction of Newton's own ends the run.
-const LEAST_STEP: f64 = 1.0 / 4096.0;
+/// Parts of the progress at which the harmonic solves and the Newton rounds end.
+const SETTLE_SHARE: f64 = 0.4;
+const ROUNDS_SHARE: f64 = 0.7;
+/// Four junctions and six sheets meet in a point of a soap film (Plateau's second law).
+const JUNCTIONS_AT_A_POINT: usize = 4;
 const THIRD_OF_TURN: f64 = 2.0 * std::f64::consts::FRAC_PI_3;
 
 /// What is reported of a film with junctions beside the rest.
@@ -61,28 +66,30 @@ pub struct JunctionStatistics {
     pub points: usize,
     /// Length of all junctions.
     pub length: f64,
-    /// Largest net pull of the sheets across a junction, per length: 0 where they balance, 1 for one sheet alone. Dimensionless.
+    /// Largest net force of the sheets across a junction, per length: 0 where they balance, 1 for one sheet alone.
+    /// Dimensionless.
     pub residual: f64,
     /// Angles between neighbouring facets around the junction edges, radians.
     pub facet_angles: Spread,
-    /// Angles between the pulls of neighbouring sheets at the junctions' inner vertices, radians.
+    /// Angles between the forces of neighbouring sheets at the junctions' inner vertices, radians.
     pub sheet_angles: Spread,
-    /// Largest departure of [`Self::sheet_angles`] from 120°, radians, at the vertices that are not next to an end of their junction
-    /// (where all are: at all).
+    /// Largest departure of [`Self::sheet_angles`] from 120°, radians, at the vertices that are not next to an end of
+    /// their junction (where all are: at all).
     pub largest_deviation: f64,
     /// The same at the vertices next to an end, where it may hardly fall with the mesh; 0 where there are none.
     pub largest_deviation_at_ends: f64,
     /// On average over all of them.
     pub mean_deviation: f64,
-    /// Number of negative eigenvalues of the second variation; `None` where it was not computed.
+    /// Number of negative eigenvalues of the second variation; `None` where it was not computed, and where other than
+    /// four junctions meet in a point: the second variation knows the point's motions, but not that it may split.
     pub morse_index: Option<usize>,
 }
 
 /// Minimises the area of the caller's own mesh, some of whose edges have three triangles.
 ///
 /// The edges with one triangle must be the segments of the boundaries, which may share points and segments (three
-/// half-circles between two poles are two loops, or three). `given` are the boundaries without equal neighbours, one after the
-/// other, and `input_vertices` says for each input point which of these it is.
+/// half-circles between two poles are two loops, or three). `given` are the boundaries without equal neighbours, one
+/// after the other, and `input_vertices` says for each input point which of these it is.
 ///
 /// # Errors
 /// [`Error::Input`] for a mesh that is no such film or has another boundary; [`Error::Interrupted`] on cancel.
@@ -95,21 +102,31 @@ pub(super) fn solve(
 ) -> Result<MinimalSurface, Error> {
     let Start { wires, mut film, centre, exact } = Start::read(given, mesh, options)?;
     let initial_area = film.area();
-    let mut solver = JunctionSolver::new(&film, options, exec);
+    let mut solver = JunctionSolver::new(options, exec);
     let stop_reason = match solver.run(&mut film) {
         Ok(reason) => reason,
-        Err(Interruption::DeadlinePassed) => StopReason::Deadline,
-        Err(interruption) => return Err(interruption.into()),
+        Err(Stop::Interrupted(Interruption::DeadlinePassed)) => StopReason::Deadline,
+        Err(Stop::Interrupted(interruption)) => return Err(interruption.into()),
+        Err(Stop::Defect(defect)) => return Err(Error::no_result("invalid_mesh", defect.to_string())),
     };
-    film.check().map_err(|defect| Error::no_result("invalid_mesh", defect))?;
-    let pulls = Pulls::of(&film, solver.radius);
-    let junctions = junction_statistics(&film, &pulls, solver.morse_index);
-    let statistics = collect(&film, &pulls, junctions, &solver, stop_reason, initial_area, given.len(), options);
+    let balance = Balance::of(&film);
+    let split = film.unstable_points();
+    let morse_index = solver.morse_index.filter(|_| split.is_empty());
+    let junctions = junction_statistics(&film, balance.junction_residual, morse_index);
+    let statistics = collect(&film, &balance, junctions, solver, stop_reason, initial_area, given.len(), options);
     let mut warnings = Vec::new();
     if !statistics.converged {
         warnings.push(Warning::new("not_converged", statistics.shortfall(options.tolerance)));
     }
-    let mut mesh = Mesh::new(film.vertices, film.triangles);
+    if let Some(&(_, meeting)) = split.first() {
+        let detail = format!(
+            "{meeting} junctions meet in one point ({} such points): in a soap film four do (Plateau's second law). The \
+             film is stationary under motions of its vertices, but splitting the point may lower its area",
+            split.len()
+        );
+        warnings.push(Warning::new("junction_point", detail));
+    }
+    let mut mesh = Mesh::new(film.vertices, film.complex.triangles);
     mesh.vertices.iter_mut().for_each(|vertex| *vertex += centre);
     mesh.vertices[..exact.len()].copy_from_slice(&exact);
     Ok(MinimalSurface {
@@ -120,7 +137,7 @@ pub(super) fn solve(
             .collect(),
         boundaries: wires.loops,
         constraints: ConstraintVertices::default(),
-        mean_curvature: pulls.mean_curvature,
+        mean_curvature: balance.mean_curvature,
         unstable_mode: None,
         statistics,
         warnings,
@@ -140,7 +157,7 @@ pub(super) fn check(given: &[Vec<DVec3>], mesh: &Mesh, options: &Options) -> Res
 struct Start {
     wires: Wires,
     /// Around the centre.
-    film: Sheets,
+    film: JunctionFilm,
     centre: DVec3,
     /// The boundaries' points as they were given: the film's first vertices.
     exact: Vec<DVec3>,
@@ -154,7 +171,7 @@ impl Start {
         let centre = polyline::mean(&all);
         let (vertices, triangles) = wires.renumbered(mesh);
         let exact = vertices[..wires.points].to_vec();
-        let film = Sheets::read(vertices.into_iter().map(|v| v - centre).collect(), triangles)?;
+        let film = JunctionFilm::read(vertices.into_iter().map(|v| v - centre).collect(), triangles)?;
         wires.check(&film)?;
         Ok(Self { wires, film, centre, exact })
     }
@@ -234,7 +251,7 @@ impl Wires {
     }
 
     /// The mesh's boundary edges must be the boundaries' segments.
-    fn check(&self, film: &Sheets) -> Result<(), Error> {
+    fn check(&self, film: &JunctionFilm) -> Result<(), Error> {
         let undirected = |a: u32, b: u32| [a.min(b), a.max(b)];
         let mut wires: Vec<[u32; 2]> = self
             .loops
@@ -245,95 +262,177 @@ impl Wires {
             .collect();
         wires.sort_unstable();
         wires.dedup();
-        let mut rim: Vec<[u32; 2]> = film.boundary.iter().map(|&[a, b]| undirected(a, b)).collect();
-        rim.sort_unstable();
+        let rim: Vec<[u32; 2]> = film.complex.edges().filter(|edge| edge.count() == 1).map(|edge| edge.ends).collect();
         if rim == wires {
             return Ok(());
         }
         let missing = wires.iter().filter(|edge| rim.binary_search(edge).is_err()).count();
         let loose = rim.iter().filter(|edge| wires.binary_search(edge).is_err()).count();
         let detail = format!(
-            "its edges of one triangle must be the boundaries' segments: {missing} segments are no such edge, {loose} such edges are no segment"
+            "its edges of one triangle must be the boundaries' segments: {missing} segments are no such edge, {loose} \
+             such edges are no segment"
         );
         Err(Error::input(Place::field("initial_mesh"), detail))
     }
 }
 
+/// A film whose sheets meet three by three.
+#[derive(Clone, Debug)]
+struct JunctionFilm {
+    vertices: Vec<DVec3>,
+    complex: Complex,
+}
+
+impl JunctionFilm {
+    /// Reads a mesh.
+    ///
+    /// # Errors
+    /// [`Error::Input`] under `initial_mesh`: an edge of four triangles, a vertex that is not finite, a triangle
+    /// without area, or a [`Defect`] of the complex.
+    fn read(vertices: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<Self, Error> {
+        let place = || Place::field("initial_mesh");
+        let mut errors = Vec::new();
+        let mut seen = BTreeMap::new();
+        for (t, triangle) in triangles.iter().enumerate() {
+            let mut refuse = |detail: String| errors.push(InputError::new(place().then("triangles").at(t), detail));
+            let mut corners = *triangle;
+            corners.sort_unstable();
+            let first = *seen.entry(corners).or_insert(t);
+            if first < t {
+                refuse(format!("has the same corners as triangle {first}"));
+            }
+            if triangle.iter().any(|&v| v as usize >= vertices.len()) {
+                refuse("names a vertex that does not exist".into());
+            } else if measure::is_degenerate(triangle.map(|v| vertices[v as usize])) {
+                refuse("has no area".into());
+            }
+        }
+        for (v, _) in vertices.iter().enumerate().filter(|(_, vertex)| !vertex.is_finite()) {
+            let detail = "every coordinate must be a finite number";
+            errors.push(InputError::new(place().then("vertices").at(v), detail));
+        }
+        if !errors.is_empty() {
+            return Err(Error::Input(errors));
+        }
+        let complex =
+            Complex::build(triangles, vertices.len()).map_err(|defect| Error::input(place(), defect.to_string()))?;
+        if let Some(edge) = complex.edges().find(|edge| edge.count() > 3) {
+            let ([a, b], count) = (edge.ends, edge.count());
+            let detail = format!("{count} triangles share the edge between the vertices {a} and {b}");
+            return Err(Error::input(place(), detail));
+        }
+        Ok(Self { vertices, complex })
+    }
+
+    fn area(&self) -> f64 {
+        let area = |&t: &[u32; 3]| 0.5 * measure::double_area_vector(self.corners(t)).length();
+        self.complex.triangles.iter().map(area).sum()
+    }
+
+    fn corners(&self, triangle: [u32; 3]) -> [DVec3; 3] {
+        triangle.map(|v| self.vertices[v as usize])
+    }
+
+    /// The film as a body of surface tension 1.
+    fn body(&self) -> Body {
+        Body::new(self.vertices.clone(), &self.complex, &vec![1.0; self.complex.sheets.len()])
+    }
+
+    /// The unit tangent of a junction between two of its vertices; x where it vanishes.
+    fn tangent(&self, [a, b]: [u32; 2]) -> DVec3 {
+        (self.vertices[b as usize] - self.vertices[a as usize]).normalize_or(DVec3::X)
+    }
+
+    /// Points where other than four junctions meet, and how many.
+    fn unstable_points(&self) -> Vec<(u32, usize)> {
+        let mut meeting = vec![0; self.vertices.len()];
+        self.complex.junctions().iter().flatten().for_each(|&v| meeting[v as usize] += 1);
+        let point = |&(v, count): &(usize, usize)| self.complex.places[v] == In::Point && count != JUNCTIONS_AT_A_POINT;
+        meeting.into_iter().enumerate().filter(point).map(|(v, count)| (v as u32, count)).collect()
+    }
+}
+
+/// Why a solve was left half way.
+enum Stop {
+    Interrupted(Interruption),
+    Defect(Defect),
+}
+
+impl From<Interruption> for Stop {
+    fn from(interruption: Interruption) -> Self {
+        Self::Interrupted(interruption)
+    }
+}
+
 struct JunctionSolver<'a> {
     exec: &'a Execution<'a>,
+    record: Record<'a>,
     tolerance: f64,
     limit: u32,
-    radius: f64,
-    history: Vec<HistoryRow>,
-    iterations: u32,
     edges_swapped: u64,
     morse_index: Option<usize>,
 }
 
-/// How a few Newton steps ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Newton {
-    Converged,
-    StepsUsed,
-    Stalled,
-}
-
 impl<'a> JunctionSolver<'a> {
-    fn new(film: &Sheets, options: &Options, exec: &'a Execution<'a>) -> Self {
-        let rim: Vec<DVec3> =
-            film.kinds.iter().zip(&film.vertices).filter(|(kind, _)| **kind == Kind::Fixed).map(|(_, &p)| p).collect();
-        let mean = polyline::mean(&rim);
+    fn new(options: &Options, exec: &'a Execution<'a>) -> Self {
         Self {
             exec,
+            record: Record::new(exec),
             tolerance: options.tolerance,
             limit: options.max_iterations.unwrap_or(DEFAULT_STEPS),
-            radius: rim.iter().map(|p| p.distance(mean)).fold(0.0, f64::max),
-            history: Vec::new(),
-            iterations: 0,
             edges_swapped: 0,
             morse_index: None,
         }
     }
 
     /// Steps 2 and 3.
-    fn run(&mut self, film: &mut Sheets) -> Result<StopReason, Interruption> {
-        if film.kinds.iter().all(|kind| *kind == Kind::Fixed) {
+    fn run(&mut self, film: &mut JunctionFilm) -> Result<StopReason, Stop> {
+        if film.complex.places.iter().all(|place| *place == In::Boundary) {
             return Ok(StopReason::NothingToMove);
         }
+        self.record.share = [0.0, SETTLE_SHARE];
         self.settle(film)?;
+        self.record.share = [SETTLE_SHARE, ROUNDS_SHARE];
         for round in 0..ROUNDS {
-            let share = 0.4 + 0.3 * f64::from(round + 1) / f64::from(ROUNDS);
-            self.newton(film, SETTLED, STEPS_PER_ROUND, "junction_rounds", share)?;
-            let swapped = film.remesh(SWEEPS);
-            self.edges_swapped += swapped;
-            self.exec.look(u64::from(SWEEPS) * film.triangles.len() as u64)?;
-            let pulls = Pulls::of(film, self.radius);
-            if swapped == 0 && pulls.residual <= SETTLED && pulls.junction_residual <= SETTLED {
+            let done = f64::from(round + 1) / f64::from(ROUNDS);
+            self.newton(film, SETTLED, STEPS_PER_ROUND, "junction_rounds", done)?;
+            let swapped = self.even_out(film)?;
+            let body = film.body();
+            if swapped == 0 && Motion::new(&body).state(&film.vertices).residual <= SETTLED {
                 break;
             }
         }
-        let steps = self.limit.saturating_sub(self.iterations);
-        Ok(match self.newton(film, self.tolerance, steps, "newton", 0.95)? {
-            Newton::Converged => StopReason::Residual,
-            Newton::StepsUsed => StopReason::MaxIterations,
-            Newton::Stalled => StopReason::Stalled,
+        self.record.share = [ROUNDS_SHARE, 1.0];
+        let outcome = self.newton(film, self.tolerance, u32::MAX, "newton", 0.5)?;
+        Ok(match outcome {
+            // The residual alone does not show a fold.
+            Outcome::Converged if flipped_triangles(&film.vertices, &film.complex) > 0 => StopReason::Stalled,
+            Outcome::Converged => StopReason::Residual,
+            Outcome::StepsUsed => StopReason::MaxIterations,
+            Outcome::Stalled | Outcome::Refused(_) => StopReason::Stalled,
+            Outcome::Interrupted(interruption) => return Err(interruption.into()),
         })
     }
 
     /// Step 2: harmonic solves and remeshing until the area settles. Forgives any start.
-    fn settle(&mut self, film: &mut Sheets) -> Result<(), Interruption> {
+    fn settle(&mut self, film: &mut JunctionFilm) -> Result<(), Stop> {
+        let fixed: Vec<bool> = film.complex.places.iter().map(|place| *place == In::Boundary).collect();
         let mut area = film.area();
         for round in 0..ROUNDS {
             let before = area;
+            let Ok(mut dirichlet) = Dirichlet::of_complex(&film.complex.triangles, &fixed) else { return Ok(()) };
             for _ in 0..SOLVES_PER_ROUND {
-                self.exec.look(20 * film.triangles.len() as u64)?;
-                if self.iterations >= self.limit || !dirichlet_step(film) {
+                self.exec.look(20 * film.complex.triangles.len() as u64)?;
+                let full = self.record.iterations >= self.limit;
+                if full || dirichlet.move_to_minimum(&mut film.vertices, &film.complex.triangles).is_err() {
                     return Ok(());
                 }
-                self.record(film, "pinkall_polthier", 0.4 * f64::from(round + 1) / f64::from(ROUNDS));
+                let body = film.body();
+                let residual = Motion::new(&body).state(&film.vertices).residual;
+                let done = f64::from(round + 1) / f64::from(ROUNDS);
+                self.record.iteration("pinkall_polthier", film.area(), residual, done);
             }
-            self.edges_swapped += film.remesh(SWEEPS);
-            self.exec.look(u64::from(SWEEPS) * film.triangles.len() as u64)?;
+            self.even_out(film)?;
             area = film.area();
             if (before - area).abs() <= SETTLED_AREA * area {
                 break;
@@ -342,169 +441,87 @@ impl<'a> JunctionSolver<'a> {
         Ok(())
     }
 
-    /// One more solve, for the history and the caller.
-    fn record(&mut self, film: &Sheets, phase: &'static str, fraction: f64) {
-        self.iterations += 1;
-        let pulls = Pulls::of(film, self.radius);
-        let (residual, area) = (pulls.residual.max(pulls.junction_residual), film.area());
-        self.history.push(HistoryRow { phase, iteration: self.iterations, area, residual });
-        self.exec.report(Progress {
-            fraction,
-            phase,
-            iteration: u64::from(self.iterations),
-            objective_value: Some(area),
-            residual: Some(residual),
-        });
+    fn even_out(&mut self, film: &mut JunctionFilm) -> Result<u64, Stop> {
+        let swapped = even_out(&mut film.vertices, &mut film.complex, SWEEPS).map_err(Stop::Defect)?;
+        self.edges_swapped += swapped;
+        self.exec.look(u64::from(SWEEPS) * film.complex.triangles.len() as u64)?;
+        Ok(swapped)
     }
 
-    /// Newton's method with a shift where the second variation is indefinite, and a line search on the area.
+    /// Newton steps of the film as it is meshed, and the Morse index where they reach the tolerance.
     fn newton(
         &mut self,
-        film: &mut Sheets,
+        film: &mut JunctionFilm,
         tolerance: f64,
         steps: u32,
         phase: &'static str,
-        share: f64,
-    ) -> Result<Newton, Interruption> {
-        let mut symbolic = None;
-        for step in 0..=steps {
-            let pulls = Pulls::of(film, self.radius);
-            let converged = pulls.residual <= tolerance && pulls.junction_residual <= tolerance;
-            let directions = Directions::of(film);
-            let mut second = SecondVariation::new(film, &directions);
-            // The last look at a converged film is for its index.
-            if (converged && phase != "newton") || (!converged && (step == steps || self.iterations >= self.limit)) {
-                return Ok(if converged { Newton::Converged } else { Newton::StepsUsed });
-            }
-            let symbolic = match &symbolic {
-                Some(symbolic) => symbolic,
-                None => match Symbolic::analyse(&second.matrix, None) {
-                    Ok(fresh) => symbolic.insert(fresh),
-                    Err(_) => return Ok(Newton::Stalled),
-                },
-            };
-            self.exec.look(40 * film.triangles.len() as u64 + symbolic.factor_entries() as u64)?;
-            if converged {
-                second.assemble(film, &directions, 0.0);
-                self.morse_index = symbolic.factorise(&second.matrix).ok().map(|factors| factors.inertia().negative);
-                return Ok(Newton::Converged);
-            }
-            let gradient = film.gradient(&film.vertices);
-            let pull = directions.components(&gradient);
-            let mut moved = None;
-            for shift in SHIFTS {
-                second.assemble(film, &directions, shift);
-                let Ok(factors) = symbolic.factorise(&second.matrix) else { continue };
-                if !factors.inertia().is_positive_definite() {
-                    continue;
-                }
-                let mut heights: Vec<f64> = pull.iter().map(|pull| -pull).collect();
-                if factors.solve(&mut heights).is_err() {
-                    continue;
-                }
-                moved = self.search(film, &directions, &pull, &heights, &pulls);
-                if moved.is_some() {
-                    break;
-                }
-                self.exec.look(40 * film.triangles.len() as u64)?;
-            }
-            let Some(vertices) = moved else { return Ok(Newton::Stalled) };
-            film.vertices = vertices;
-            self.record(film, phase, share);
-        }
-        Ok(Newton::StepsUsed)
-    }
-
-    /// The step, halved until no triangle turns over and the area falls; where area is rounding, until the pulls do.
-    fn search(
-        &self,
-        film: &Sheets,
-        directions: &Directions,
-        pull: &[f64],
-        heights: &[f64],
-        before: &Pulls,
-    ) -> Option<Vec<DVec3>> {
-        let slope: f64 = pull.iter().zip(heights).map(|(pull, height)| pull * height).sum();
-        let area = film.area();
-        let mut fraction = 1.0;
-        while fraction >= LEAST_STEP {
-            let vertices = directions.moved(film, heights, fraction);
-            let keeps = film.triangles.iter().all(|&t| {
-                let now = measure::double_area_vector(film.corners(t));
-                now.dot(measure::double_area_vector(t.map(|v| vertices[v as usize]))) > 0.0
+        done: f64,
+    ) -> Result<Outcome, Stop> {
+        let max_steps = steps.min(self.limit.saturating_sub(self.record.iterations));
+        let settings = Settings { aim: Aim::Minimum, tolerance, max_steps };
+        let body = film.body();
+        let motion = Motion::new(&body);
+        let mut direct = match Direct::new(motion.matrix()) {
+            Ok(direct) => direct,
+            Err(error) => return Ok(Outcome::Refused(error)),
+        };
+        self.exec.look(direct.symbolic.factor_entries() as u64)?;
+        let record = &mut self.record;
+        let (outcome, state) =
+            iterate(&mut film.vertices, &motion, &mut direct, &settings, self.exec, &mut |area, residual| {
+                record.iteration(phase, area, residual, done);
             });
-            if keeps {
-                let moved = Sheets { vertices, ..film.clone() };
-                let gains = if (fraction * slope).abs() <= 1e-12 * area {
-                    let after = Pulls::of(&moved, self.radius);
-                    after.residual.max(after.junction_residual) < before.residual.max(before.junction_residual)
-                } else {
-                    moved.area() <= area + 1e-4 * fraction * slope
-                };
-                if gains {
-                    return Some(moved.vertices);
-                }
+        match outcome {
+            Outcome::Interrupted(interruption) => return Err(interruption.into()),
+            Outcome::Converged if phase == "newton" => {
+                motion.second_variation(&film.vertices, &state, 0.0, &mut direct.matrix);
+                let unit = motion.radius().powi(-2);
+                let Direct { symbolic, matrix, .. } = &direct;
+                self.morse_index = stability::morse_index(symbolic, matrix, &state.mass, unit, &[]).ok();
             }
-            fraction *= 0.5;
+            _ => {}
         }
-        None
+        Ok(outcome)
     }
 }
 
-/// How far a film is from balance.
+/// How far a film is from equilibrium, by the residual's parts.
 #[derive(Clone, Debug)]
-struct Pulls {
+struct Balance {
     /// Per vertex |g| / (2 A_h) inside the sheets, else 0.
     mean_curvature: Vec<f64>,
-    /// max |g·n| R / (2 A_h) inside the sheets.
+    /// The residual of the vertices inside the sheets.
     residual: f64,
     /// The same with the whole gradient.
     residual_full: f64,
-    /// max |g⊥| / ℓ on the junctions, ℓ half the length of the junction edges at the vertex.
+    /// The residual of the junctions: |g⊥| / ℓ, ℓ half the length of the junction edges at the vertex.
     junction_residual: f64,
 }
 
-impl Pulls {
-    fn of(film: &Sheets, radius: f64) -> Self {
-        let gradient = film.gradient(&film.vertices);
-        let count = film.vertices.len();
-        let (mut normals, mut area, mut length) = (vec![DVec3::ZERO; count], vec![0.0; count], vec![0.0; count]);
-        for &triangle in &film.triangles {
-            let vector = measure::double_area_vector(film.corners(triangle));
-            for v in triangle {
-                normals[v as usize] += vector;
-                area[v as usize] += vector.length() / 6.0;
+impl Balance {
+    fn of(film: &JunctionFilm) -> Self {
+        let body = film.body();
+        let motion = Motion::new(&body);
+        let state: State<Frame> = motion.state(&film.vertices);
+        let radius = motion.radius();
+        let mut balance = Self {
+            mean_curvature: vec![0.0; film.vertices.len()],
+            residual: 0.0,
+            residual_full: 0.0,
+            junction_residual: 0.0,
+        };
+        for (v, force, share) in motion.unbalanced_forces(&state) {
+            let residual = radius * curvature(force, share);
+            if body.freedoms[v] == Freedom::Normal {
+                let full = curvature(state.frame.gradient[v].length(), share);
+                balance.mean_curvature[v] = full;
+                balance.residual = balance.residual.max(residual);
+                balance.residual_full = balance.residual_full.max(radius * full);
+            } else {
+                balance.junction_residual = balance.junction_residual.max(residual);
             }
         }
-        for &[a, b] in &film.junctions {
-            let half = 0.5 * film.vertices[a as usize].distance(film.vertices[b as usize]);
-            length[a as usize] += half;
-            length[b as usize] += half;
-        }
-        let mut pulls =
-            Self { mean_curvature: vec![0.0; count], residual: 0.0, residual_full: 0.0, junction_residual: 0.0 };
-        // A vanishing ring is as far from balance as can be.
-        let over = |pull: f64, share: f64| if share > 0.0 { pull / share } else { f64::MAX.sqrt() };
-        for v in 0..count {
-            match film.kinds[v] {
-                Kind::Fixed => {}
-                Kind::Sheet => {
-                    let full = over(gradient[v].length(), 2.0 * area[v]);
-                    let normal = over(gradient[v].dot(normals[v].normalize_or_zero()).abs(), 2.0 * area[v]);
-                    pulls.mean_curvature[v] = full;
-                    pulls.residual = pulls.residual.max(normal * radius);
-                    pulls.residual_full = pulls.residual_full.max(full * radius);
-                }
-                Kind::Junction(_) => {
-                    let across = gradient[v].reject_from_normalized(film.tangent(v)).length();
-                    pulls.junction_residual = pulls.junction_residual.max(over(across, length[v]));
-                }
-                Kind::Point => {
-                    pulls.junction_residual = pulls.junction_residual.max(over(gradient[v].length(), length[v]));
-                }
-            }
-        }
-        pulls
+        balance
     }
 }
 
@@ -516,15 +533,16 @@ fn angles_around(axis: DVec3, directions: [DVec3; 3]) -> [f64; 3] {
     [at[1] - at[0], at[2] - at[1], at[0] - at[2] + std::f64::consts::TAU]
 }
 
-fn junction_statistics(film: &Sheets, pulls: &Pulls, morse_index: Option<usize>) -> JunctionStatistics {
+fn junction_statistics(film: &JunctionFilm, residual: f64, morse_index: Option<usize>) -> JunctionStatistics {
+    let (complex, junction_edges) = (&film.complex, film.complex.junctions());
     let mut facets = Vec::new();
     let mut around: Vec<Vec<usize>> = vec![Vec::new(); film.vertices.len()];
-    for (t, &triangle) in film.triangles.iter().enumerate() {
+    for (t, &triangle) in complex.triangles.iter().enumerate() {
         triangle.iter().for_each(|&v| around[v as usize].push(t));
         let corners = film.corners(triangle);
         for k in 0..3 {
             let (a, b) = (triangle[k], triangle[(k + 1) % 3]);
-            if film.junctions.binary_search(&[a.min(b), a.max(b)]).is_ok() {
+            if junction_edges.binary_search(&[a.min(b), a.max(b)]).is_ok() {
                 let along = (corners[(k + 1) % 3] - corners[k]).normalize_or_zero();
                 let inward = (corners[(k + 2) % 3] - corners[k]).reject_from(along).normalize_or_zero();
                 facets.push(([a.min(b), a.max(b)], along, inward));
@@ -542,9 +560,9 @@ fn junction_statistics(film: &Sheets, pulls: &Pulls, morse_index: Option<usize>)
         .collect();
     let at_vertices: Vec<(bool, [f64; 3])> = (0..film.vertices.len())
         .filter_map(|v| {
-            let Kind::Junction(beside) = film.kinds[v] else { return None };
-            let inside = beside.iter().all(|&v| matches!(film.kinds[v as usize], Kind::Junction(_)));
-            Some((inside, angles_around(film.tangent(v), sheet_pulls(film, v as u32, &around[v])?)))
+            let In::Junction(beside) = complex.places[v] else { return None };
+            let inside = beside.iter().all(|&v| matches!(complex.places[v as usize], In::Junction(_)));
+            Some((inside, angles_around(film.tangent(beside), sheet_forces(film, v as u32, beside, &around[v])?)))
         })
         .collect();
     let sheet_angles = || at_vertices.iter().flat_map(|(_, angles)| *angles);
@@ -562,12 +580,12 @@ fn junction_statistics(film: &Sheets, pulls: &Pulls, morse_index: Option<usize>)
     };
     let length = |&[a, b]: &[u32; 2]| film.vertices[a as usize].distance(film.vertices[b as usize]);
     JunctionStatistics {
-        sheets: film.sheets.len(),
-        curves: film.curves(),
-        edges: film.junctions.len(),
-        points: film.kinds.iter().filter(|kind| **kind == Kind::Point).count(),
-        length: film.junctions.iter().map(length).sum(),
-        residual: pulls.junction_residual,
+        sheets: complex.sheets.len(),
+        curves: complex.curves(),
+        edges: junction_edges.len(),
+        points: complex.places.iter().filter(|place| **place == In::Point).count(),
+        length: junction_edges.iter().map(length).sum(),
+        residual,
         largest_deviation: largest,
         largest_deviation_at_ends: at_ends,
         mean_deviation: mean,
@@ -577,52 +595,55 @@ fn junction_statistics(film: &Sheets, pulls: &Pulls, morse_index: Option<usize>)
     }
 }
 
-/// The pulls (against the area gradient) of the three sheets' sides at a vertex inside a junction, each the sum over the fan of triangles from one
-/// junction edge to the other. `None` where the sides cannot be told apart.
-fn sheet_pulls(film: &Sheets, v: u32, around: &[usize]) -> Option<[DVec3; 3]> {
-    let Kind::Junction([before, after]) = film.kinds[v as usize] else { return None };
-    let mut pulls = Vec::new();
-    for &start in around.iter().filter(|&&t| film.triangles[t].contains(&before)) {
-        let (mut pull, mut t, mut spoke) = (DVec3::ZERO, start, before);
+/// The forces (against the area gradient) of the three sheets' sides at a vertex inside a junction, each the sum over
+/// the fan of triangles from one junction edge to the other. `None` where the sides cannot be told apart.
+fn sheet_forces(film: &JunctionFilm, v: u32, [before, after]: [u32; 2], around: &[usize]) -> Option<[DVec3; 3]> {
+    let triangles = &film.complex.triangles;
+    let mut forces = Vec::new();
+    for &start in around.iter().filter(|&&t| triangles[t].contains(&before)) {
+        let (mut force, mut t, mut spoke) = (DVec3::ZERO, start, before);
         loop {
-            let triangle = film.triangles[t];
+            let triangle = triangles[t];
             let k = triangle.iter().position(|&corner| corner == v)?;
             let corners = film.corners(triangle);
             let normal = measure::double_area_vector(corners).normalize_or_zero();
-            pull -= 0.5 * normal.cross(corners[(k + 2) % 3] - corners[(k + 1) % 3]);
+            force -= 0.5 * normal.cross(corners[(k + 2) % 3] - corners[(k + 1) % 3]);
             spoke = *triangle.iter().find(|&&corner| corner != v && corner != spoke)?;
             if spoke == after {
                 break;
             }
             // The next triangle of the fan shares the spoke, which has two triangles.
-            t = *around.iter().find(|&&u| u != t && film.triangles[u].contains(&spoke))?;
+            t = *around.iter().find(|&&u| u != t && triangles[u].contains(&spoke))?;
         }
-        pulls.push(pull);
+        forces.push(force);
     }
-    <[DVec3; 3]>::try_from(pulls).ok()
+    <[DVec3; 3]>::try_from(forces).ok()
 }
 
 #[allow(clippy::too_many_arguments, reason = "one call, each argument its own kind of thing")]
 fn collect(
-    film: &Sheets,
-    pulls: &Pulls,
+    film: &JunctionFilm,
+    balance: &Balance,
     junctions: JunctionStatistics,
-    solver: &JunctionSolver,
+    solver: JunctionSolver,
     stop_reason: StopReason,
     initial_area: f64,
     boundary_loops: usize,
     options: &Options,
 ) -> Statistics {
-    let mesh = Mesh::new(film.vertices.clone(), film.triangles.clone());
+    let complex = &film.complex;
+    let mesh = Mesh::new(film.vertices.clone(), complex.triangles.clone());
     let area = film.area();
-    let free: Vec<f64> =
-        (0..film.vertices.len()).filter(|&v| film.kinds[v] == Kind::Sheet).map(|v| pulls.mean_curvature[v]).collect();
+    let inside = (0..film.vertices.len()).filter(|&v| complex.places[v] == In::Sheet);
+    let free: Vec<f64> = inside.map(|v| balance.mean_curvature[v]).collect();
     let curvature = Spread::of(free.iter().copied());
     let rms = (free.iter().map(|h| h * h).sum::<f64>() / free.len().max(1) as f64).sqrt();
     let (smallest_angle, largest_angle) = measure::angle_range(&mesh);
-    let flipped_triangles = film.flipped_triangles();
+    let length = |[a, b]: [u32; 2]| film.vertices[a as usize].distance(film.vertices[b as usize]);
+    let edge_lengths: Vec<f64> = complex.edges().map(|edge| length(edge.ends)).collect();
+    let flipped_triangles = flipped_triangles(&film.vertices, complex);
     let degenerate_triangles = measure::degenerate_triangles(&mesh);
-    let balanced = pulls.residual <= options.tolerance && junctions.residual <= options.tolerance;
+    let balanced = balance.residual <= options.tolerance && junctions.residual <= options.tolerance;
     Statistics {
         objective: options.method.objective(),
         objective_value: area,
@@ -631,22 +652,22 @@ fn collect(
         vertices: mesh.vertices.len(),
         triangles: mesh.triangles.len(),
         boundary_loops,
-        components: film.components(),
-        euler_characteristic: film.euler_characteristic(),
+        components: complex.components(),
+        euler_characteristic: complex.euler_characteristic(),
         // Of a film that is no surface: not defined, and the sheets of a film with junctions are discs as a rule.
         genus: None,
         area,
         initial_area,
         extrapolated_area: None,
         mean_curvature: MeanCurvature { max: curvature.max, mean: curvature.mean, rms },
-        residual: pulls.residual,
-        residual_full: pulls.residual_full,
+        residual: balance.residual,
+        residual_full: balance.residual_full,
         converged: balanced && flipped_triangles == 0 && degenerate_triangles == 0,
         stop_reason,
-        iterations: solver.iterations,
-        history: solver.history.clone(),
+        iterations: solver.record.iterations,
+        history: solver.record.history,
         stability: None,
-        edge_lengths: Spread::of(film.edge_lengths().into_iter()),
+        edge_lengths: Spread::of(edge_lengths.into_iter()),
         smallest_angle,
         largest_angle,
         edges_swapped: solver.edges_swapped,

@@ -1,27 +1,26 @@
 //! Geometric multigrid on nested meshes, as the preconditioner of conjugate gradients.
 //!
-//! Brandt, *Multi-level adaptive solutions to boundary-value problems* (1977); as a preconditioner: Braess, *Towards algebraic
-//! multigrid for elliptic problems of second order* (1995).
+//! Brandt, *Multi-level adaptive solutions to boundary-value problems* (1977); as a preconditioner: Braess, *Towards
+//! algebraic multigrid for elliptic problems of second order* (1995).
 //!
-//! 1. A fine mesh comes from a coarse one by halving every edge. A height at a midpoint is the mean of the heights at the edge's ends
-//!    (zero where an end is fixed): that is the prolongation, its transpose the restriction.
+//! 1. A fine mesh comes from a coarse one by halving every edge. A height at a midpoint is the mean of the heights at
+//!    the edge's ends (zero where an end is fixed): that is the prolongation, its transpose the restriction.
 //! 2. On each level the matrix is the one that Newton's method assembled there on its way; no product of matrices is
 //!    formed. In the plane, and nearly so on a film, it is the restriction of the finer one.
-//! 3. One V-cycle: a forward Gauss-Seidel sweep, the residual to the coarser level, a backward sweep. On the coarsest level the
-//!    factor L D Lᵀ. The cycle is symmetric and positive definite as long as the matrices are.
+//! 3. One V-cycle: a forward Gauss-Seidel sweep, the residual to the coarser level, a backward sweep. On the coarsest
+//!    level the factor L D Lᵀ. The cycle is symmetric and positive definite as long as the matrices are.
 //! 4. Conjugate gradients with that preconditioner: the residual falls by about ten an iteration, whatever the size.
 
 use super::{CgFailure, Symbolic, SymmetricMatrix, conjugate_gradients};
 use crate::Execution;
 
-/// "No unknown": the parent of a value that is zero.
-pub(crate) const FIXED: u32 = u32::MAX;
+use super::pattern::FIXED;
 
 /// Iterations after which the hierarchy is not worth its name.
 const MAX_ITERATIONS: usize = 60;
 
-/// How the unknowns of a level stand to those of the next coarser one: each is the mean of two, of which one or both may be [`FIXED`] (zero).
-/// An unknown of both levels is its own parent twice.
+/// How the unknowns of a level stand to those of the next coarser one: each is the mean of two, of which one or both
+/// may be [`FIXED`] (zero). An unknown of both levels is its own parent twice.
 pub(crate) type Parents = Vec<[u32; 2]>;
 
 /// The levels below the one that is being solved.
@@ -92,7 +91,8 @@ impl Hierarchy {
         x
     }
 
-    /// Solves `matrix` x = `right_hand_side` until `is_small` is content with the residual; `work` is what one iteration costs.
+    /// Solves `matrix` x = `right_hand_side` until `is_small` is content with the residual; `work` is what one
+    /// iteration costs.
     ///
     /// # Errors
     /// See [`CgFailure`].
@@ -142,10 +142,11 @@ pub(crate) fn parents_of(coarse_unknown: &[u32], fine_vertices: &[u32], midpoint
 mod tests {
     use super::*;
     use crate::Signal;
-    use crate::energy::area::{Pattern, vertex_normals};
+    use crate::energy::area::vertex_normals;
     use crate::mesh::film::Film;
     use crate::mesh::structured::{catenoid, patch};
     use crate::remesh::subdivision::subdivide;
+    use crate::sparse::pattern::Pattern;
     use std::cell::Cell;
 
     fn second_variation(film: &Film, pattern: &Pattern) -> SymmetricMatrix {
@@ -167,7 +168,7 @@ mod tests {
         for _ in 0..4 {
             let (fine, midpoints) = subdivide(&film);
             let finer = Pattern::new(fine.triangles(), &fine.fixed);
-            let parents = parents_of(&pattern.unknown, &finer.vertex, &midpoints);
+            let parents = parents_of(&pattern.free.unknown, &finer.free.vertex, &midpoints);
             (film, pattern) = (fine, finer);
             let matrix = second_variation(&film, &pattern);
             let right: Vec<f64> = (0..matrix.order()).map(|row| (row as f64).sin()).collect();
@@ -200,7 +201,7 @@ mod tests {
         let hierarchy = Hierarchy::new(symbolic, factor);
         let (fine, midpoints) = subdivide(&film);
         let finer = Pattern::new(fine.triangles(), &fine.fixed);
-        let parents = parents_of(&pattern.unknown, &finer.vertex, &midpoints);
+        let parents = parents_of(&pattern.free.unknown, &finer.free.vertex, &midpoints);
         let mut matrix = second_variation(&fine, &finer);
         for row in 0..matrix.order() {
             let diagonal = matrix.row_start[row] as usize;

@@ -11,10 +11,10 @@
 //! Work and memory grow in proportion to the mesh. Where anything is out of the ordinary (corners too dense to skip
 //! points, a fold, a system that multigrid cannot solve) the caller falls back on the full mesh from the start.
 
-use crate::energy::area::Pattern;
-use crate::equilibrium::newton::{Aim, Direct, Outcome, Settings, State, iterate};
+use crate::equilibrium::NormalMotion;
+use crate::equilibrium::newton::{Aim, Equations, Outcome, Settings, iterate};
 use crate::equilibrium::stability::{self, Unknown};
-use crate::equilibrium::v_cycle_steps::VCycleSteps;
+use crate::equilibrium::v_cycle::VCycleSteps;
 use crate::mesh::film::Film;
 use crate::mesh::measure;
 use crate::minimal_surface::estimate::{area_of_fans, estimate_triangles, triangles_of_length};
@@ -25,6 +25,7 @@ use crate::minimal_surface::solvers::newton::{EXTRAPOLATED_TRIANGLES, Solve, Sto
 use crate::remesh::subdivision::subdivided_inside;
 use crate::sparse::Symbolic;
 use crate::sparse::multigrid::{self, Hierarchy, parents_of};
+use crate::sparse::pattern::Pattern;
 use crate::{DVec3, Error, Execution, Interruption, polyline};
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
@@ -114,9 +115,9 @@ fn climb(
     };
     solve.record.share = share(0);
     let (_, Some((mut pattern, mut direct))) = solve.converge(film)? else { return Ok(None) };
-    let state = State::of(&pattern, &film.vertices, film.triangles(), solve.radius);
-    let Direct { symbolic, matrix, .. } = &mut direct;
-    let coarse = match stability::analyse(film, &pattern, symbolic, matrix, &state, solve.radius, solve.exec) {
+    let motion = NormalMotion { pattern: &pattern, triangles: film.triangles(), radius: solve.radius };
+    let state = motion.state(&film.vertices);
+    let coarse = match stability::analyse(&film.vertices, &motion, &state, &mut direct, solve.exec) {
         Ok(Some(coarse)) => coarse,
         Ok(None) | Err(Unknown::Refused(_)) => return Ok(None),
         Err(Unknown::Interrupted(interruption)) => return Err(interruption.into()),
@@ -124,8 +125,8 @@ fn climb(
     if coarse.morse_index > 0 {
         return Ok(None);
     }
-    let mut mode = coarse.lowest.heights;
-    let mut coarse_area = state.first.area;
+    let mut mode = coarse.lowest.vector;
+    let mut coarse_area = state.energy;
     let Ok(factor) = direct.symbolic.factorise(&direct.matrix).map(|factorisation| factorisation.into_storage()) else {
         return Ok(None);
     };
@@ -136,21 +137,23 @@ fn climb(
         *film = fine;
         solve.exec.look(work)?;
         let finer = Pattern::new(film.triangles(), &film.fixed);
-        let parents = parents_of(&pattern.unknown, &finer.vertex, &midpoints);
+        let parents = parents_of(&pattern.free.unknown, &finer.free.vertex, &midpoints);
         pattern = finer;
         solve.exec.look(work)?;
         mode = multigrid::prolong(&mode, &parents);
         let last = level == levels;
         let tolerance = if last { solve.tolerance } else { MIDDLE_TOLERANCE.max(solve.tolerance) };
         solve.radius = film.radius();
-        let settings = Settings { aim: Aim::Minimum, tolerance, max_steps: STEPS_PER_LEVEL, radius: solve.radius };
+        let settings = Settings { aim: Aim::Minimum, tolerance, max_steps: STEPS_PER_LEVEL };
+        let motion = NormalMotion { pattern: &pattern, triangles: film.topology.triangles(), radius: solve.radius };
         let mut steps = VCycleSteps { hierarchy: &hierarchy, parents, matrix: pattern.matrix(), exec: solve.exec };
         solve.record.share = share(level);
         let mut start = None;
-        let (outcome, state) = iterate(film, &pattern, &mut steps, &settings, solve.exec, &mut |area, residual| {
-            let part = geometric_part(*start.get_or_insert(residual), residual, tolerance);
-            solve.record.iteration("newton", area, residual, 0.9 * part);
-        });
+        let (outcome, state) =
+            iterate(&mut film.vertices, &motion, &mut steps, &settings, solve.exec, &mut |area, residual| {
+                let part = geometric_part(*start.get_or_insert(residual), residual, tolerance);
+                solve.record.iteration("newton", area, residual, 0.9 * part);
+            });
         match outcome {
             Outcome::Converged => {}
             Outcome::Interrupted(interruption) => return Err(interruption.into()),
@@ -158,24 +161,23 @@ fn climb(
         }
         let VCycleSteps { parents, mut matrix, .. } = steps;
         if last {
-            if measure::count_flipped(&film.vertices, film.triangles(), &state.normals) > 0 {
+            if measure::count_flipped(&film.vertices, film.triangles(), &state.frame) > 0 {
                 return Ok(None);
             }
             solve.exec.look(film.triangles().len() as u64)?;
-            pattern.second_variation(&film.vertices, film.triangles(), &state.normals, 0.0, &mut matrix);
-            let mass = &state.first.mass;
+            motion.second_variation(&film.vertices, &state, 0.0, &mut matrix);
+            let (mass, unit) = (&state.mass, 1.0 / solve.radius.powi(2));
             let precondition = |residual: &mut [f64]| {
                 let solved = hierarchy.precondition(&matrix, &parents, residual);
                 residual.copy_from_slice(&solved);
             };
-            let lowest =
-                stability::lowest_mode(&matrix, mass, 1.0 / solve.radius.powi(2), mode, precondition, solve.exec)?;
+            let lowest = stability::lowest_mode(&matrix, mass, unit, mode, precondition, solve.exec)?;
             let by_inertia = film.triangles().len() <= INERTIA_TRIANGLES;
             let morse_index = if by_inertia {
                 solve.exec.look(film.triangles().len() as u64)?;
                 let Ok(symbolic) = Symbolic::analyse(&matrix, None) else { return Err(Stop::TooLarge) };
-                match symbolic.factorise(&matrix) {
-                    Ok(factorisation) => factorisation.inertia().negative,
+                match stability::morse_index(&symbolic, &matrix, mass, unit, &state.constraints) {
+                    Ok(index) => index,
                     Err(_) => return Ok(None),
                 }
             } else {
@@ -185,7 +187,7 @@ fn climb(
                 return Ok(None);
             }
             if places.same_polygon {
-                solve.extrapolated_area = Some(ExtrapolatedArea::new(coarse_area, state.first.area));
+                solve.extrapolated_area = Some(ExtrapolatedArea::new(coarse_area, state.energy));
             } else if film.triangles().len() <= EXTRAPOLATED_TRIANGLES {
                 hierarchy.push(matrix, parents);
                 solve.extrapolated_area = ExtrapolatedArea::of(film, &pattern, &hierarchy, solve.radius, solve.exec)?;
@@ -195,7 +197,7 @@ fn climb(
             return Ok(Some(Stability { stable: true, morse_index, lowest_eigenvalue, method }));
         }
         hierarchy.push(matrix, parents);
-        coarse_area = state.first.area;
+        coarse_area = state.energy;
     }
     Ok(None)
 }

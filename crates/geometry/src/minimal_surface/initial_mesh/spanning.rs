@@ -12,7 +12,6 @@ use super::domain::Shape;
 use super::pins::{Pin, Pins};
 use super::plane_mesh::{Domain, PlaneError, PlaneMesh};
 use super::sampling::{Sampled, numbers, sample};
-use crate::energy::area::Pattern;
 use crate::mesh::edit::orient_along;
 use crate::mesh::film::Film;
 use crate::mesh::measure;
@@ -23,6 +22,7 @@ use crate::minimal_surface::options::{BoundarySampling, Constraints, LARGEST_COU
 use crate::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
 use crate::remesh::isotropic::{BoundaryEdges, RUNAWAY, resample};
 use crate::remesh::subdivision::subdivide;
+use crate::sparse::pattern::Pattern;
 use crate::sparse::{LinearError, Symbolic};
 use crate::{DVec3, Error, Execution, Place, polyline};
 use glam::DVec2;
@@ -621,14 +621,14 @@ fn harmonic(
     exec: &Execution,
 ) -> Result<(), Error> {
     let pattern = Pattern::new(triangles, fixed);
-    if pattern.vertex.is_empty() {
+    if pattern.free.vertex.is_empty() {
         return Ok(());
     }
     exec.look(triangles.len() as u64)?;
     let flat: Vec<DVec3> = in_plane.iter().map(|p| p.extend(0.0)).collect();
     let (mut matrix, mut unused) = (pattern.matrix(), Vec::new());
     pattern.laplacian(&flat, triangles, &mut matrix, &mut unused);
-    let n = pattern.vertex.len();
+    let n = pattern.free.vertex.len();
     let mut solution = vec![0.0; 3 * n];
     for triangle in triangles {
         for k in 0..3 {
@@ -637,7 +637,7 @@ fn harmonic(
             let weight = 0.5 * u.dot(v) / u.perp_dot(v).abs().max(f64::MIN_POSITIVE);
             for (free, other) in [(a, b), (b, a)] {
                 if !fixed[free] && fixed[other] {
-                    let row = pattern.unknown[free] as usize;
+                    let row = pattern.free.unknown[free] as usize;
                     let pull = weight * vertices[other];
                     for (axis, pull) in pull.to_array().into_iter().enumerate() {
                         solution[axis * n + row] += pull;
@@ -656,7 +656,7 @@ fn harmonic(
             Error::no_result("degenerate_boundary", "the boundary's points lie so that its initial mesh is degenerate")
         }
     })?;
-    for (row, &v) in pattern.vertex.iter().enumerate() {
+    for (row, &v) in pattern.free.vertex.iter().enumerate() {
         vertices[v as usize] = DVec3::new(solution[row], solution[n + row], solution[2 * n + row]);
     }
     exec.look(triangles.len() as u64)?;

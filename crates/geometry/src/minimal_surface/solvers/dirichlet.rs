@@ -1,6 +1,6 @@
 //! The least Dirichlet energy: one harmonic map from the initial mesh (Pinkall, Polthier 1993, section 2).
 
-use crate::energy::area::dirichlet_energy;
+use crate::energy::dirichlet::dirichlet_energy;
 use crate::mesh::film::Film;
 use crate::minimal_surface::curvature::Curvature;
 use crate::minimal_surface::harmonic::{Dirichlet, too_large};
@@ -21,7 +21,7 @@ pub(crate) fn run_once(film: &mut Film, exec: &Execution) -> Result<Run, Error> 
     let run = Run { edges_swapped, ..Run::new(Solver::PinkallPolthier) };
     let mut dirichlet = Dirichlet::new(film).map_err(too_large)?;
     let domain = film.vertices.clone();
-    let moves = !dirichlet.pattern.vertex.is_empty();
+    let moves = !dirichlet.pattern.free.vertex.is_empty();
     match exec.look(film.triangles().len() as u64) {
         Ok(()) if moves => {
             dirichlet.step(film).map_err(|_| {

@@ -7,9 +7,9 @@
 //! 3. *Stability* ([`stability`](crate::equilibrium::stability)); an unstable surface is left along its lowest mode if
 //!    that is asked for.
 
-use crate::energy::area::Pattern;
-use crate::equilibrium::newton::{Aim, Direct, Outcome, Settings, State, iterate, keeps_orientation, moved};
+use crate::equilibrium::newton::{Aim, Direct, Equations, Outcome, Settings, iterate, keeps_orientation};
 use crate::equilibrium::stability::{self, SecondVariation, Unknown};
+use crate::equilibrium::{FilmState, NormalMotion};
 use crate::mesh::film::Film;
 use crate::minimal_surface::harmonic::{Dirichlet, too_large};
 use crate::minimal_surface::options::{Limits, OnUnstable, Solver};
@@ -18,6 +18,7 @@ use crate::minimal_surface::run::{
 };
 use crate::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
 use crate::sparse::multigrid::Hierarchy;
+use crate::sparse::pattern::Pattern;
 use crate::sparse::{Factorisation, LinearError};
 use crate::{DVec3, Error, Execution, Interruption};
 
@@ -140,7 +141,7 @@ impl<'a> Solve<'a> {
                 return Ok((reason, Some(stability)));
             }
             returns += 1;
-            leave(film, &pattern, &state, &variation.lowest.heights);
+            self.leave(film, &pattern, &state, &variation.lowest.vector);
             (reason, converged) = self.converge(film)?;
         }
     }
@@ -160,7 +161,7 @@ impl<'a> Solve<'a> {
         for attempt in 0..=MAX_RETURNS {
             let collapsed = self.settle(film)?;
             let pattern = Pattern::new(film.triangles(), &film.fixed);
-            let mut direct = Direct::new(&pattern).map_err(|_| Stop::TooLarge)?;
+            let mut direct = Direct::new(pattern.matrix()).map_err(|_| Stop::TooLarge)?;
             reason = match self.newton(film, &pattern, &mut direct, Aim::Minimum)? {
                 StopReason::Residual if film.flipped_triangles() == 0 || attempt == MAX_RETURNS => {
                     return Ok((StopReason::Residual, Some((pattern, direct))));
@@ -177,10 +178,10 @@ impl<'a> Solve<'a> {
     /// method alone does not. `None`, and the film as it was, if there is no such surface near.
     fn stay(&mut self, film: &mut Film) -> Result<Option<(Pattern, Direct)>, Stop> {
         let pattern = Pattern::new(film.triangles(), &film.fixed);
-        if State::of(&pattern, &film.vertices, film.triangles(), self.radius).residual > NEARLY_STATIONARY {
+        if self.state(film, &pattern).residual > NEARLY_STATIONARY {
             return Ok(None);
         }
-        let mut direct = Direct::new(&pattern).map_err(|_| Stop::TooLarge)?;
+        let mut direct = Direct::new(pattern.matrix()).map_err(|_| Stop::TooLarge)?;
         let start = film.vertices.clone();
         let reason = self.newton(film, &pattern, &mut direct, Aim::Stationary)?;
         if reason == StopReason::Residual && film.flipped_triangles() == 0 {
@@ -199,8 +200,9 @@ impl<'a> Solve<'a> {
     ) -> Result<StopReason, Stop> {
         let mut start = None;
         let max_steps = self.limit.saturating_sub(self.record.iterations);
-        let settings = Settings { aim, tolerance: self.tolerance, max_steps, radius: self.radius };
-        let (outcome, _) = iterate(film, pattern, direct, &settings, self.exec, &mut |area, residual| {
+        let settings = Settings { aim, tolerance: self.tolerance, max_steps };
+        let motion = NormalMotion { pattern, triangles: film.topology.triangles(), radius: self.radius };
+        let (outcome, _) = iterate(&mut film.vertices, &motion, direct, &settings, self.exec, &mut |area, residual| {
             let part = geometric_part(*start.get_or_insert(residual), residual, settings.tolerance);
             self.record.iteration("newton", area, residual, 0.5 + 0.4 * part);
         });
@@ -231,7 +233,7 @@ impl<'a> Solve<'a> {
                     return Ok(true);
                 }
                 let before = std::mem::replace(&mut area, film.area());
-                let residual = State::of(&dirichlet.pattern, &film.vertices, film.triangles(), self.radius).residual;
+                let residual = self.state(film, &dirichlet.pattern).residual;
                 let fraction = 0.5 * f64::from(round + 1) / f64::from(MAX_ROUNDS);
                 self.record.iteration("pinkall_polthier", area, residual, fraction);
                 if (before - area).abs() <= SETTLED_AREA * area {
@@ -260,12 +262,11 @@ impl<'a> Solve<'a> {
         film: &Film,
         pattern: &Pattern,
         direct: &mut Direct,
-    ) -> Result<Option<(Stability, SecondVariation, State)>, Stop> {
+    ) -> Result<Option<(Stability, SecondVariation, FilmState)>, Stop> {
         self.exec.look(film.triangles().len() as u64)?;
-        let state = State::of(pattern, &film.vertices, film.triangles(), self.radius);
-        let Direct { symbolic, matrix, .. } = direct;
-        let analysed = stability::analyse(film, pattern, symbolic, matrix, &state, self.radius, self.exec);
-        let variation = match analysed {
+        let motion = NormalMotion { pattern, triangles: film.triangles(), radius: self.radius };
+        let state = motion.state(&film.vertices);
+        let variation = match stability::analyse(&film.vertices, &motion, &state, direct, self.exec) {
             Ok(Some(variation)) => variation,
             Ok(None) | Err(Unknown::Refused(_)) => return Ok(None),
             Err(Unknown::Interrupted(interruption)) => return Err(interruption.into()),
@@ -277,30 +278,36 @@ impl<'a> Solve<'a> {
             method: StabilityMethod::Inertia,
         };
         self.unstable_mode = (!stability.stable).then(|| {
-            let heights = &variation.lowest.heights;
+            let heights = &variation.lowest.vector;
             let largest = heights.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
             let mut direction = vec![DVec3::ZERO; film.vertices.len()];
-            for (&vertex, height) in pattern.vertex.iter().zip(heights) {
-                direction[vertex as usize] = height / largest * state.normals[vertex as usize];
+            for (&vertex, height) in pattern.free.vertex.iter().zip(heights) {
+                direction[vertex as usize] = height / largest * state.frame[vertex as usize];
             }
             direction
         });
         Ok(Some((stability, variation, state)))
     }
-}
 
-/// Moves an unstable film along its lowest mode, to the side and as far (of a few lengths) as lowers the area most.
-fn leave(film: &mut Film, pattern: &Pattern, state: &State, mode: &[f64]) {
-    let largest = mode.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
-    let mean_length = (state.first.area / film.triangles().len() as f64).sqrt();
-    let lengths = [0.25, 0.5, 1.0, 2.0].into_iter().flat_map(|length| [length, -length]);
-    let candidates = lengths.map(|length| moved(pattern, film, &state.normals, mode, length * mean_length / largest));
-    let best = candidates.filter(|vertices| keeps_orientation(film, vertices)).min_by(|a, b| {
-        let area = |vertices: &[DVec3]| pattern.first_variation(vertices, film.triangles(), &state.normals).area;
-        area(a).total_cmp(&area(b))
-    });
-    if let Some(vertices) = best {
-        film.vertices = vertices;
+    /// Moves an unstable film along its lowest mode, to the side and as far (of a few lengths) as lowers the area most.
+    fn leave(&self, film: &mut Film, pattern: &Pattern, state: &FilmState, mode: &[f64]) {
+        let largest = mode.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
+        let mean_length = (state.energy / film.triangles().len() as f64).sqrt();
+        let lengths = [0.25, 0.5, 1.0, 2.0].into_iter().flat_map(|length| [length, -length]);
+        let motion = NormalMotion { pattern, triangles: film.triangles(), radius: self.radius };
+        let candidates =
+            lengths.map(|length| motion.moved(&film.vertices, state, mode, length * mean_length / largest));
+        let best = candidates
+            .filter(|vertices| keeps_orientation(motion.triangles, &film.vertices, vertices))
+            .min_by(|a, b| motion.state(a).energy.total_cmp(&motion.state(b).energy));
+        if let Some(vertices) = best {
+            film.vertices = vertices;
+        }
+    }
+
+    /// The first variation of the film where it stands.
+    fn state(&self, film: &Film, pattern: &Pattern) -> FilmState {
+        NormalMotion { pattern, triangles: film.triangles(), radius: self.radius }.state(&film.vertices)
     }
 }
 

@@ -104,7 +104,7 @@ pub(crate) fn iterate(
             dirichlet = Dirichlet::new(film).map_err(|error| Stop::TooLarge(too_large(error)))?;
         }
         // Of a film that has fallen together, mending may leave no free vertex.
-        if dirichlet.pattern.vertex.is_empty() {
+        if dirichlet.pattern.free.vertex.is_empty() {
             return Ok(StopReason::NothingToMove);
         }
         let solved = match options.linear_solver {

@@ -118,7 +118,7 @@ fn half_circles_100_120_and_140_degrees_apart_still_meet_at_120() {
             }
         }
     }
-    // The same angles by another route, which knows nothing of pulls.
+    // The same angles by another route, which knows nothing of forces.
     assert!(
         in_the_middle.windows(2).all(|pair| pair[1] < 0.5 * pair[0]) && in_the_middle[2] < 0.1,
         "{in_the_middle:?}"
@@ -128,27 +128,30 @@ fn half_circles_100_120_and_140_degrees_apart_still_meet_at_120() {
 /// Largest departure from 120° at the junction's vertices with |z| < `reach`, of tangent planes of quadratic surfaces through the
 /// vertex, fitted to each sheet's vertices in two rings of triangles.
 fn fitted_departure_deg(surface: &MinimalSurface, reach: f64) -> f64 {
-    let film = Sheets::read(surface.mesh.vertices.clone(), surface.mesh.triangles.clone()).unwrap();
+    let film = JunctionFilm::read(surface.mesh.vertices.clone(), surface.mesh.triangles.clone()).unwrap();
     let mut largest: f64 = 0.0;
     for v in 0..film.vertices.len() as u32 {
         let here = film.vertices[v as usize];
-        if !matches!(film.kinds[v as usize], Kind::Junction(_)) || here.z.abs() >= reach {
+        let In::Junction(beside) = film.complex.places[v as usize] else { continue };
+        if here.z.abs() >= reach {
             continue;
         }
-        let tangent = film.tangent(v as usize);
-        let conormals: Vec<DVec3> = film.sheets.iter().map(|sheet| conormal(&film, sheet, v, tangent)).collect();
+        let tangent = film.tangent(beside);
+        let conormals: Vec<DVec3> =
+            film.complex.sheets.iter().map(|sheet| conormal(&film, sheet, v, tangent)).collect();
         let angles = angles_around(tangent, [conormals[0], conormals[1], conormals[2]]);
         largest = angles.iter().map(|angle| (angle.to_degrees() - 120.0).abs()).fold(largest, f64::max);
     }
     largest
 }
 
-fn conormal(film: &Sheets, sheet: &[usize], v: u32, tangent: DVec3) -> DVec3 {
+fn conormal(film: &JunctionFilm, sheet: &[u32], v: u32, tangent: DVec3) -> DVec3 {
     let here = film.vertices[v as usize];
     let mut near = vec![v];
     for _ in 0..2 {
-        let touches = |t: &&usize| film.triangles[**t].iter().any(|corner| near.contains(corner));
-        let ring: Vec<u32> = sheet.iter().filter(touches).flat_map(|&t| film.triangles[t]).collect();
+        let triangle = |t: u32| film.complex.triangles[t as usize];
+        let touches = |t: &u32| triangle(*t).iter().any(|corner| near.contains(corner));
+        let ring: Vec<u32> = sheet.iter().copied().filter(touches).flat_map(triangle).collect();
         near.extend(ring);
         near.sort_unstable();
         near.dedup();
@@ -277,38 +280,4 @@ fn what_is_no_such_film_is_refused() {
     };
     let refused = solve(&loops, &[], &mesh, &options, &Execution::default());
     assert!(matches!(refused, Err(Error::Input(errors)) if errors[0].place.to_string() == "/topology"));
-}
-
-#[test]
-fn junctions_are_recognised() {
-    let (_, film) = half_discs(&[0.0, 120.0, 240.0], 6, 2, 1.0, DVec3::ZERO);
-    let (_, plain) = half_discs(&[0.0, 120.0], 6, 2, 1.0, DVec3::ZERO);
-    assert!(has_junctions(&film.triangles) && !has_junctions(&plain.triangles));
-}
-
-#[test]
-fn the_variations_agree_with_finite_differences() {
-    let (_, mesh) = half_discs(&[0.0, 100.0, 220.0], 5, 2, 1.0, DVec3::new(0.2, 0.1, 0.05));
-    let film = Sheets::read(mesh.vertices, mesh.triangles).unwrap();
-    let directions = Directions::of(&film);
-    let mut second = SecondVariation::new(&film, &directions);
-    second.assemble(&film, &directions, 0.0);
-    let n = directions.direction.len();
-    let pull =
-        |step: &[f64]| -> Vec<f64> { directions.components(&film.gradient(&directions.moved(&film, step, 1.0))) };
-    let h = 1e-6;
-    for k in 0..n {
-        let mut step = vec![0.0; n];
-        step[k] = h;
-        let up = pull(&step);
-        step[k] = -h;
-        let down = pull(&step);
-        let mut row = vec![0.0; n];
-        let (columns, values) = second.matrix.row(k);
-        columns.iter().zip(values).for_each(|(&column, &value)| row[column as usize] = value);
-        for other in 0..n {
-            let difference = (up[other] - down[other]) / (2.0 * h);
-            assert!((difference - row[other]).abs() < 1e-6, "{k} {other}: {difference} {}", row[other]);
-        }
-    }
 }

@@ -1,0 +1,150 @@
+//! What a vertex may do, and the lines and surfaces on which it may slide.
+
+use crate::DVec3;
+
+/// How a vertex may move. The number of unknowns is that of the directions.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Freedom {
+    /// Not at all.
+    #[default]
+    Fixed,
+    /// Along the area-weighted normal of its triangles: one unknown. A vertex inside a sheet: sliding it within the
+    /// sheet hardly changes the area and would ruin the triangles.
+    Normal,
+    /// Across the curve through it, from the first of these vertices to the second: two unknowns. A vertex inside a
+    /// junction or a cable.
+    Across([u32; 2]),
+    /// On the support of this number: one unknown on a curve, two on a surface.
+    On(u32),
+    /// On a surface, across the film's edge from the first of these vertices to the second: one unknown. A vertex of an
+    /// edge that slides on a surface: sliding it along the edge hardly changes the area and would ruin the triangles.
+    AcrossOn {
+        /// The number of the support.
+        support: u32,
+        /// The neighbours on the film's edge.
+        beside: [u32; 2],
+    },
+    /// Anywhere: three unknowns.
+    Free,
+}
+
+impl Freedom {
+    /// The number of the vertex's support.
+    #[must_use]
+    pub fn support(self) -> Option<u32> {
+        match self {
+            Self::On(support) | Self::AcrossOn { support, .. } => Some(support),
+            Self::Fixed | Self::Normal | Self::Across(_) | Self::Free => None,
+        }
+    }
+}
+
+/// A curve or surface on which vertices slide without friction. Directions and axes are unit vectors.
+///
+/// A vertex moves along the support's tangents and is then taken to the nearest point of the support. To second order
+/// it moves by u + ½ II(u, u) with the support's second fundamental form II (a vector along the support's normal), so
+/// the second variation of an energy with gradient g has the further part g · II(u, v).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Support {
+    /// A straight line. II = 0.
+    Line {
+        /// A point of the line.
+        point: DVec3,
+        /// Its unit direction.
+        direction: DVec3,
+    },
+    /// A circle in the plane across `axis`. II(u, v) = -(u·v) (x - centre) / r².
+    Circle {
+        /// The centre.
+        centre: DVec3,
+        /// The unit normal of the circle's plane.
+        axis: DVec3,
+        /// r.
+        radius: f64,
+    },
+    /// A plane. II = 0.
+    Plane {
+        /// A point of the plane.
+        point: DVec3,
+        /// Its unit normal.
+        normal: DVec3,
+    },
+    /// A sphere. II(u, v) = -(u·v) (x - centre) / r².
+    Sphere {
+        /// The centre.
+        centre: DVec3,
+        /// r.
+        radius: f64,
+    },
+    /// A round cylinder around the line through `point` along `axis`. II(u, v) = -(u⊥·v⊥) (x - point)⊥ / r², ⊥ the part
+    /// across the axis.
+    Cylinder {
+        /// A point of the axis.
+        point: DVec3,
+        /// The axis's unit direction.
+        axis: DVec3,
+        /// r.
+        radius: f64,
+    },
+}
+
+impl Support {
+    /// Number of tangents: 1 for a curve, 2 for a surface.
+    #[must_use]
+    pub fn dimension(&self) -> u8 {
+        match self {
+            Self::Line { .. } | Self::Circle { .. } => 1,
+            Self::Plane { .. } | Self::Sphere { .. } | Self::Cylinder { .. } => 2,
+        }
+    }
+
+    /// The support's point nearest to `x`. Where several are (a sphere's centre) the one in some fixed direction.
+    #[must_use]
+    pub fn nearest(&self, x: DVec3) -> DVec3 {
+        match *self {
+            Self::Line { point, direction } => point + direction * (x - point).dot(direction),
+            Self::Circle { centre, axis, radius } => {
+                let outward = (x - centre).reject_from_normalized(axis);
+                centre + radius * outward.normalize_or(axis.any_orthonormal_vector())
+            }
+            Self::Plane { point, normal } => x - normal * (x - point).dot(normal),
+            Self::Sphere { centre, radius } => centre + radius * (x - centre).normalize_or(DVec3::Z),
+            Self::Cylinder { point, axis, radius } => {
+                let along = axis * (x - point).dot(axis);
+                let outward = (x - point - along).normalize_or(axis.any_orthonormal_vector());
+                point + along + radius * outward
+            }
+        }
+    }
+
+    /// Orthonormal tangents at a point of the support; of a curve the first alone counts.
+    #[must_use]
+    pub fn tangents(&self, x: DVec3) -> [DVec3; 2] {
+        let across = |normal: DVec3| <[DVec3; 2]>::from(normal.any_orthonormal_pair());
+        match *self {
+            Self::Line { direction, .. } => [direction, DVec3::ZERO],
+            Self::Circle { centre, axis, .. } => [axis.cross(x - centre).normalize_or_zero(), DVec3::ZERO],
+            Self::Plane { normal, .. } => across(normal),
+            Self::Sphere { centre, .. } => across((x - centre).normalize_or(DVec3::Z)),
+            Self::Cylinder { point, axis, .. } => {
+                let outward = (x - point).reject_from_normalized(axis).normalize_or(axis.any_orthonormal_vector());
+                [axis, axis.cross(outward)]
+            }
+        }
+    }
+
+    /// II(u, v) for two tangents at `x`.
+    #[must_use]
+    pub fn second_fundamental_form(&self, x: DVec3, u: DVec3, v: DVec3) -> DVec3 {
+        match *self {
+            Self::Line { .. } | Self::Plane { .. } => DVec3::ZERO,
+            Self::Circle { centre, radius, .. } | Self::Sphere { centre, radius } => {
+                (x - centre) * (-u.dot(v) / (radius * radius))
+            }
+            Self::Cylinder { point, axis, radius } => {
+                let across = |vector: DVec3| vector.reject_from_normalized(axis);
+                across(x - point) * (-across(u).dot(across(v)) / (radius * radius))
+            }
+        }
+    }
+}

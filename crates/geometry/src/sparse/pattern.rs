@@ -1,0 +1,239 @@
+//! Sparsity patterns of operators on the vertices of a mesh: which entries a matrix has, and where each one stands.
+//!
+//! [`Pattern`] has one unknown per free vertex and knows, for every triangle, where its six entries stand: what films
+//! whose vertices move along their normals need, and harmonic maps. [`BlockPattern`] has any number of unknowns per
+//! vertex and any elements.
+
+use super::SymmetricMatrix;
+use std::ops::Range;
+
+/// "No unknown": the entry of a fixed vertex.
+pub(crate) const FIXED: u32 = u32::MAX;
+
+/// The sparsity of every operator on the free vertices of one connectivity, and where each triangle's terms go.
+#[derive(Clone, Debug)]
+pub(crate) struct Pattern {
+    pub free: FreeVertices,
+    pub row_start: Vec<u32>,
+    columns: Vec<u32>,
+    /// Per triangle the positions in `columns` of (0,1), (1,2), (2,0), then of (1,0), (2,1), (0,2); [`FIXED`] where an
+    /// end is fixed.
+    pub slots: Vec<[u32; 6]>,
+}
+
+/// The free vertices and their numbers as unknowns.
+#[derive(Clone, Debug)]
+pub(crate) struct FreeVertices {
+    /// Per vertex its row, or [`FIXED`].
+    pub unknown: Vec<u32>,
+    /// Per row its vertex.
+    pub vertex: Vec<u32>,
+}
+
+impl FreeVertices {
+    pub fn new(fixed: &[bool]) -> Self {
+        let mut unknown = vec![FIXED; fixed.len()];
+        let mut vertex = Vec::new();
+        for (v, _) in fixed.iter().enumerate().filter(|(_, fixed)| !**fixed) {
+            unknown[v] = vertex.len() as u32;
+            vertex.push(v as u32);
+        }
+        Self { unknown, vertex }
+    }
+}
+
+impl Pattern {
+    /// O(triangles). Every vertex that is not fixed must be an interior vertex of the manifold.
+    pub fn new(triangles: &[[u32; 3]], fixed: &[bool]) -> Self {
+        let free = FreeVertices::new(fixed);
+        let FreeVertices { unknown, vertex } = &free;
+        // Each half-edge between two free vertices is one entry off the diagonal: round an interior vertex every
+        // neighbour is reached by exactly one outgoing half-edge.
+        let mut row_start = vec![0u32; vertex.len() + 1];
+        for row in 0..vertex.len() {
+            row_start[row + 1] = 1;
+        }
+        for triangle in triangles {
+            let rows = triangle.map(|v| unknown[v as usize]);
+            for k in 0..3 {
+                if rows[k] != FIXED && rows[(k + 1) % 3] != FIXED {
+                    row_start[rows[k] as usize + 1] += 1;
+                }
+            }
+        }
+        for row in 0..vertex.len() {
+            row_start[row + 1] += row_start[row];
+        }
+        let mut columns = vec![0u32; row_start[vertex.len()] as usize];
+        let mut cursor: Vec<u32> = row_start[..vertex.len()].to_vec();
+        for row in 0..vertex.len() {
+            columns[cursor[row] as usize] = row as u32;
+            cursor[row] += 1;
+        }
+        let mut slots = vec![[FIXED; 6]; triangles.len()];
+        for (triangle, slots) in triangles.iter().zip(&mut slots) {
+            let rows = triangle.map(|v| unknown[v as usize]);
+            for k in 0..3 {
+                let (from, to) = (rows[k], rows[(k + 1) % 3]);
+                if from != FIXED && to != FIXED {
+                    let slot = &mut cursor[from as usize];
+                    columns[*slot as usize] = to;
+                    slots[k] = *slot;
+                    *slot += 1;
+                }
+            }
+        }
+        for (triangle, slots) in triangles.iter().zip(&mut slots) {
+            let rows = triangle.map(|v| unknown[v as usize]);
+            for k in 0..3 {
+                if slots[k] != FIXED {
+                    let (from, to) = (rows[k], rows[(k + 1) % 3] as usize);
+                    let range = row_start[to] as usize..row_start[to + 1] as usize;
+                    let offset = columns[range.clone()].iter().position(|&column| column == from);
+                    slots[3 + k] = (range.start + offset.expect("both half-edges of an inner edge are present")) as u32;
+                }
+            }
+        }
+        Self { free, row_start, columns, slots }
+    }
+
+    /// The same for free vertices on edges of one, two or more triangles: on a junction of sheets, or on a boundary.
+    pub fn of_complex(triangles: &[[u32; 3]], fixed: &[bool]) -> Self {
+        let free = FreeVertices::new(fixed);
+        let counts: Vec<u8> = fixed.iter().map(|&fixed| u8::from(!fixed)).collect();
+        let blocks = BlockPattern::new(&counts, |couple| triangles.iter().for_each(|triangle| couple(triangle)));
+        let slot = |v: u32, w: u32| blocks.place(v, w).map_or(FIXED, |place| place.at(0, 0) as u32);
+        let six = |&[a, b, c]: &[u32; 3]| [slot(a, b), slot(b, c), slot(c, a), slot(b, a), slot(c, b), slot(a, c)];
+        let slots = triangles.iter().map(six).collect();
+        let SymmetricMatrix { row_start, columns, .. } = blocks.matrix();
+        Self { free, row_start, columns, slots }
+    }
+
+    /// A zero matrix of this pattern.
+    pub fn matrix(&self) -> SymmetricMatrix {
+        SymmetricMatrix {
+            row_start: self.row_start.clone(),
+            columns: self.columns.clone(),
+            values: vec![0.0; self.columns.len()],
+        }
+    }
+}
+
+/// The sparsity of an operator with any number of unknowns per vertex, coupled where two vertices share an element.
+#[derive(Clone, Debug)]
+pub(crate) struct BlockPattern {
+    /// Vertex v owns the unknowns `start[v]..start[v + 1]`.
+    start: Vec<u32>,
+    /// Per unknown where its row begins.
+    row_start: Vec<u32>,
+    /// Vertex v's neighbours that have unknowns are `neighbour[first[v]..first[v + 1]]`, ascending, each with the
+    /// number of the vertex's columns before its own.
+    first: Vec<u32>,
+    neighbour: Vec<(u32, u32)>,
+}
+
+/// Where the block of two vertices stands in a matrix.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    /// Where the rows of the first vertex begin, and how long each is.
+    row: u32,
+    length: u32,
+    /// Columns before the block's; `None` for a vertex with itself, whose diagonal entry comes first in each row.
+    before: Option<u32>,
+}
+
+impl Place {
+    /// Where the entry of the first vertex's unknown i and the second vertex's unknown j stands.
+    #[inline]
+    pub fn at(self, i: usize, j: usize) -> usize {
+        let row = self.row as usize + i * self.length as usize;
+        match self.before {
+            Some(before) => row + before as usize + j,
+            None if i == j => row,
+            None => row + j + usize::from(j < i),
+        }
+    }
+}
+
+impl BlockPattern {
+    /// `counts` is each vertex's number of unknowns. `elements` must call its argument with the vertices of each
+    /// element.
+    pub fn new(counts: &[u8], elements: impl FnOnce(&mut dyn FnMut(&[u32]))) -> Self {
+        let mut start = vec![0u32; counts.len() + 1];
+        for (v, &count) in counts.iter().enumerate() {
+            start[v + 1] = start[v] + u32::from(count);
+        }
+        let mut pairs: Vec<[u32; 2]> = Vec::new();
+        elements(&mut |element| {
+            for &v in element {
+                for &w in element {
+                    if v != w && counts[v as usize] > 0 && counts[w as usize] > 0 {
+                        pairs.push([v, w]);
+                    }
+                }
+            }
+        });
+        pairs.sort_unstable();
+        pairs.dedup();
+        let (mut first, mut row_start) = (vec![0u32], vec![0u32]);
+        let mut neighbour = Vec::with_capacity(pairs.len());
+        for (v, &count) in counts.iter().enumerate() {
+            let mut before = u32::from(count);
+            while let Some(&[from, to]) = pairs.get(neighbour.len())
+                && from as usize == v
+            {
+                neighbour.push((to, before));
+                before += u32::from(counts[to as usize]);
+            }
+            first.push(neighbour.len() as u32);
+            for _ in 0..count {
+                row_start.push(row_start[row_start.len() - 1] + before);
+            }
+        }
+        Self { start, row_start, first, neighbour }
+    }
+
+    /// The unknowns of a vertex.
+    pub fn unknowns(&self, v: u32) -> Range<usize> {
+        self.start[v as usize] as usize..self.start[v as usize + 1] as usize
+    }
+
+    /// Number of unknowns.
+    pub fn order(&self) -> usize {
+        self.row_start.len() - 1
+    }
+
+    /// A zero matrix of this pattern, the diagonal first in each row.
+    pub fn matrix(&self) -> SymmetricMatrix {
+        let mut columns = Vec::with_capacity(self.row_start[self.order()] as usize);
+        for v in 0..self.start.len() as u32 - 1 {
+            let own = self.unknowns(v);
+            for row in own.clone() {
+                columns.push(row as u32);
+                columns.extend(own.clone().filter(|&column| column != row).map(|column| column as u32));
+                for &(other, _) in &self.neighbour[self.first[v as usize] as usize..self.first[v as usize + 1] as usize]
+                {
+                    columns.extend(self.unknowns(other).map(|column| column as u32));
+                }
+            }
+        }
+        let values = vec![0.0; columns.len()];
+        SymmetricMatrix { row_start: self.row_start.clone(), columns, values }
+    }
+
+    /// Where the block of two vertices stands; `None` if one has no unknown, or they share no element.
+    pub fn place(&self, v: u32, w: u32) -> Option<Place> {
+        let own = self.unknowns(v);
+        if own.is_empty() {
+            return None;
+        }
+        let row = self.row_start[own.start];
+        let length = self.row_start[own.start + 1] - row;
+        if v == w {
+            return Some(Place { row, length, before: None });
+        }
+        let neighbours = &self.neighbour[self.first[v as usize] as usize..self.first[v as usize + 1] as usize];
+        let &(_, before) = neighbours.iter().find(|&&(other, _)| other == w)?;
+        Some(Place { row, length, before: Some(before) })
+    }
+}
