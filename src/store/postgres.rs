@@ -378,7 +378,7 @@ mod tests {
     #[test]
     fn a_host_parameter_takes_the_place_of_the_host_before_the_path() {
         for (url, host, port) in [
-            ("postgres://me@db/plateau", Host::Tcp("db".into()), None),
+            ("postgres://me@db/plateau", Host::Tcp("db".into()), Some(5432)),
             ("postgres://me@db:6000/plateau", Host::Tcp("db".into()), Some(6000)),
             ("postgres://me@localhost/plateau?host=/run/pg", Host::Unix("/run/pg".into()), None),
             ("postgres://me@localhost:6000/plateau?host=%2Frun%2Fpg", Host::Unix("/run/pg".into()), Some(6000)),

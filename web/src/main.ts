@@ -450,7 +450,7 @@ function show(job: Job, mesh: ResultMesh, solved: string, whileDragging = false)
   $('warnings').replaceChildren(...warnings(job.warnings));
   $('statistics').replaceChildren(...statistics(values));
   $('charts').replaceChildren(...charts(samplesOf(values.history as api.HistoryRow[] | undefined), 'Area', toleranceOf(request)));
-  offer($('downloads'), ['glb', 'gltf', 'obj', 'ply', 'stl'], job, job.links.mesh);
+  offer($('downloads'), ['glb', 'gltf', 'obj', 'ply', 'stl'], job, job.links.mesh!);
   const pattern = Boolean(job.links.pattern && values.flat_pattern);
   $('pattern-box').hidden = !pattern;
   if (pattern) offer($('pattern-downloads'), ['svg', 'dxf'], job, job.links.pattern!);

@@ -90,8 +90,9 @@ mod tests {
             let at = |i: usize, j: usize| if j == 0 { i as u32 } else { (first + 2 * i + j - 1) as u32 };
             for i in 0..6 {
                 for j in 0..2 {
-                    triangles.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
-                    triangles.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
+                    // The rows by the axis rise against the outer ones, so this diagonal becomes the longer one.
+                    triangles.push([at(i, j), at(i + 1, j), at(i, j + 1)]);
+                    triangles.push([at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]);
                 }
             }
         }
