@@ -28,8 +28,10 @@ impl Bucket {
         (bucket, url)
     }
 
+    /// The results' objects. The server's probe comes and goes at any time and is no result.
     fn names(&self) -> Vec<String> {
-        self.objects.lock().unwrap().keys().cloned().collect()
+        let objects = self.objects.lock().unwrap();
+        objects.keys().filter(|name| !name.contains("/probe-")).cloned().collect()
     }
 }
 
