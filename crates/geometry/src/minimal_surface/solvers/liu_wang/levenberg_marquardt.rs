@@ -2,6 +2,7 @@
 //! 5).
 
 use super::curvature::CurvatureRows;
+use crate::sparse::pattern::BlockPattern;
 use crate::sparse::{Symbolic, SymmetricMatrix};
 use crate::{DVec3, Execution, Interruption};
 
@@ -106,49 +107,19 @@ pub(super) fn levenberg_marquardt(
 /// that shares a row.
 #[derive(Debug)]
 struct NormalEquations {
+    pattern: BlockPattern,
     matrix: SymmetricMatrix,
     /// The diagonal of JᵀJ without damping.
     diagonal: Vec<f64>,
     gradient: Vec<f64>,
-    /// Unknown vertex k is coupled with `neighbours[start[k]..start[k + 1]]`: itself first, then ascending.
-    start: Vec<usize>,
-    neighbours: Vec<u32>,
 }
 
 impl NormalEquations {
     fn new(rows: &CurvatureRows) -> Self {
         let n = rows.unknowns();
-        let mut coupled = vec![Vec::new(); n];
-        for row in 0..rows.rows() {
-            let (columns, _) = rows.row(row);
-            for &column in columns {
-                coupled[column as usize].extend(columns.iter().copied().filter(|&other| other != column));
-            }
-        }
-        let mut result = Self {
-            matrix: SymmetricMatrix { row_start: vec![0], ..Default::default() },
-            diagonal: vec![0.0; 3 * n],
-            gradient: vec![0.0; 3 * n],
-            start: vec![0],
-            neighbours: Vec::new(),
-        };
-        for (k, mut others) in coupled.into_iter().enumerate() {
-            others.sort_unstable();
-            others.dedup();
-            result.neighbours.push(k as u32);
-            result.neighbours.append(&mut others);
-            result.start.push(result.neighbours.len());
-            for axis in 0..3 {
-                // The diagonal first in its row, as the matrix's type asks for.
-                for &neighbour in &result.neighbours[result.start[k]..] {
-                    let first = if neighbour as usize == k { axis } else { 0 };
-                    result.matrix.columns.extend((0..3).map(|c| 3 * neighbour + (c + first as u32) % 3));
-                }
-                result.matrix.row_start.push(result.matrix.columns.len() as u32);
-            }
-        }
-        result.matrix.values = vec![0.0; result.matrix.columns.len()];
-        result
+        let pattern = BlockPattern::new(&vec![3; n], |couple| (0..rows.rows()).for_each(|row| couple(rows.row(row).0)));
+        let matrix = pattern.matrix();
+        Self { pattern, matrix, diagonal: vec![0.0; 3 * n], gradient: vec![0.0; 3 * n] }
     }
 
     fn assemble(&mut self, rows: &CurvatureRows) {
@@ -162,7 +133,7 @@ impl NormalEquations {
                     self.gradient[3 * j as usize + axis] += derivative[axis] * curvature;
                 }
                 for (&k, other) in columns.iter().zip(values) {
-                    self.add_block(j as usize, k, *derivative, *other);
+                    self.add_block(j, k, *derivative, *other);
                 }
             }
         }
@@ -172,21 +143,11 @@ impl NormalEquations {
     }
 
     /// Adds the outer product of two derivatives to the block of vertices j (rows) and k (columns).
-    fn add_block(&mut self, j: usize, k: u32, rows: DVec3, columns: DVec3) {
-        let range = self.start[j]..self.start[j + 1];
-        let slot = if k as usize == j {
-            0
-        } else {
-            match self.neighbours[range.start + 1..range.end].binary_search(&k) {
-                Ok(slot) => slot + 1,
-                Err(_) => return,
-            }
-        };
+    fn add_block(&mut self, j: u32, k: u32, rows: DVec3, columns: DVec3) {
+        let Some(position) = self.pattern.position(j, k) else { return };
         for axis in 0..3 {
-            let first = if slot == 0 { axis } else { 0 };
-            let begin = self.matrix.row_start[3 * j + axis] as usize + 3 * slot;
-            for c in 0..3 {
-                self.matrix.values[begin + c] += rows[axis] * columns[(c + first) % 3];
+            for other in 0..3 {
+                self.matrix.values[position.at(axis, other)] += rows[axis] * columns[other];
             }
         }
     }
