@@ -305,9 +305,9 @@ pub(crate) fn keeps_orientation(triangles: &[[u32; 3]], before: &[DVec3], after:
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::equilibrium::NormalMotion;
+    use crate::equilibrium::{NormalMotion, stability};
     use crate::mesh::film::Film;
-    use crate::mesh::structured::{cylinder, helicoid, patch, relax};
+    use crate::mesh::structured::{catenoid, cylinder, helicoid, patch, relax};
     use crate::sparse::pattern::Pattern;
 
     /// One harmonic map of the film from itself, as the solvers begin with.
@@ -335,6 +335,47 @@ mod tests {
         let record = &mut |_, residual| residuals.push(residual);
         let (outcome, _) = iterate(&mut film.vertices, &motion, &mut direct, &settings, &Execution::default(), record);
         (outcome, residuals)
+    }
+
+    #[test]
+    fn beside_a_saddle_of_the_area_a_step_to_a_minimum_goes_down() {
+        // The catenoid over 6 π / 5 of a turn with |v| <= 2 has Morse index 1. Without a shift the step leads back up to
+        // it, and the line search refuses it.
+        let film = patch(24, 24, catenoid(1.2 * std::f64::consts::PI, 2.0));
+        let pattern = Pattern::new(film.triangles(), &film.fixed);
+        let mut direct = Direct::new(pattern.matrix()).unwrap();
+        let motion = NormalMotion { pattern: &pattern, triangles: film.triangles(), radius: film.radius() };
+        let (exec, mut at) = (Execution::default(), film.vertices.clone());
+        let settings = Settings { aim: Aim::Stationary, tolerance: 1e-9, max_steps: 20 };
+        let (outcome, saddle) = iterate(&mut at, &motion, &mut direct, &settings, &exec, &mut |_, _| {});
+        assert_eq!(outcome, Outcome::Converged);
+        let variation = stability::analyse(&at, &motion, &saddle, &mut direct, &exec).unwrap().unwrap();
+        assert_eq!(variation.morse_index, 1);
+        let largest = variation.lowest.vector.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
+        at = motion.moved(&at, &saddle, &variation.lowest.vector, 0.05 / largest);
+        let start = motion.state(&at).energy;
+        assert!(start < saddle.energy);
+        let settings = Settings { aim: Aim::Minimum, max_steps: 1, ..settings };
+        let (outcome, reached) = iterate(&mut at, &motion, &mut direct, &settings, &exec, &mut |_, _| {});
+        assert_eq!(outcome, Outcome::StepsUsed);
+        assert!(reached.energy < start);
+    }
+
+    #[test]
+    fn the_line_search_takes_no_step_that_turns_a_triangle_over() {
+        // A cylinder of radius 1 and height 4 whose middle ring moves: a step of 1.5 inwards passes the axis, and both
+        // the step and its half lower the area.
+        let film = cylinder(12, 2, 4.0);
+        let pattern = Pattern::new(film.triangles(), &film.fixed);
+        let motion = NormalMotion { pattern: &pattern, triangles: film.triangles(), radius: film.radius() };
+        let state = motion.state(&film.vertices);
+        let outward = |v: u32, at: &[DVec3]| at[v as usize].dot(film.vertices[v as usize] * DVec3::new(1.0, 1.0, 0.0));
+        let step: Vec<f64> = pattern.free.vertex.iter().map(|&v| -1.5 * outward(v, &state.frame).signum()).collect();
+        let whole = motion.moved(&film.vertices, &state, &step, 1.0);
+        assert!(motion.state(&whole).energy < state.energy && outward(pattern.free.vertex[0], &whole) < 0.0);
+        let (moved, reached) = search(&film.vertices, &motion, &state, &step, &Settings::default()).unwrap();
+        assert!(reached.energy < state.energy);
+        assert!(pattern.free.vertex.iter().all(|&v| (outward(v, &moved) - 0.25).abs() < 1e-9));
     }
 
     #[test]

@@ -1,5 +1,5 @@
 //! Changes of connectivity that keep a mesh an oriented manifold: flipping and collapsing edges, removing a vertex of
-//! three triangles, and regular subdivision. [`cut`](super::cut) cuts a neck.
+//! three triangles, and regular subdivision. The module `cut` cuts a neck.
 //!
 //! A triangle that a collapse takes out keeps its number, with [`NONE`] for its corners and its twins. A vertex that is
 //! merged into another keeps its number too, without a half-edge. `Film::close_gaps` renumbers what is left.
