@@ -24,23 +24,42 @@ impl Merged {
     }
 }
 
+/// Neighbours nearer than this fraction of the polyline's radius are one point. Sampling a closed curve with its end point
+/// repeats the first point up to rounding, about 1e-16 of the radius; an edge that is meant is longer by far.
+pub const SAME_POINT: f64 = 1e-9;
+
 /// Merges *exactly* equal neighbours (and, on a closed polyline, a last point equal to the first).
 ///
 /// Nothing is merged by tolerance: points that differ in one bit stay apart. All points equal gives one point.
 #[must_use]
 pub fn merge_equal_neighbours(input: &[DVec3], closed: bool) -> Merged {
+    merge(input, closed, |a, b| a == b)
+}
+
+/// Merges neighbours that are equal or nearer than [`SAME_POINT`] of the [`radius`] into the first of them, and on a closed
+/// polyline a last point that is as near to the first.
+///
+/// A point is compared with the last one that was kept, so that many small steps in a row add up to an edge. All points
+/// equal gives one point.
+#[must_use]
+pub fn merge_near_neighbours(input: &[DVec3], closed: bool) -> Merged {
+    let tolerance = SAME_POINT * radius(input);
+    merge(input, closed, |a, b| a == b || a.distance(b) < tolerance)
+}
+
+fn merge(input: &[DVec3], closed: bool, same: impl Fn(DVec3, DVec3) -> bool) -> Merged {
     let mut points: Vec<DVec3> = Vec::with_capacity(input.len());
     let mut vertex_of = Vec::with_capacity(input.len());
     let mut source = Vec::with_capacity(input.len());
     for (k, &point) in input.iter().enumerate() {
-        if points.last() != Some(&point) {
+        if points.last().is_none_or(|&last| !same(last, point)) {
             points.push(point);
             source.push(k);
         }
         vertex_of.push(points.len() - 1);
     }
     if closed {
-        while points.len() > 1 && points.first() == points.last() {
+        while points.len() > 1 && same(points[0], points[points.len() - 1]) {
             let last = points.len() - 1;
             points.pop();
             source.pop();
@@ -50,6 +69,13 @@ pub fn merge_equal_neighbours(input: &[DVec3], closed: bool) -> Merged {
         }
     }
     Merged { points, vertex_of, source }
+}
+
+/// The largest distance of a point from the [`mean`]; zero for none.
+#[must_use]
+pub fn radius(points: &[DVec3]) -> f64 {
+    let centre = mean(points);
+    points.iter().map(|point| point.distance(centre)).fold(0.0, f64::max)
 }
 
 /// Length of the polyline, in its own unit; the closing segment counts on a closed one.

@@ -27,13 +27,17 @@ pub struct RuledSurface {
     pub comparison: Option<Vec<Comparison>>,
     /// Open surfaces only.
     pub flat_pattern: Option<FlatPattern>,
+    /// What the caller should know about the input or the result.
     pub warnings: Vec<Warning>,
 }
 
 /// A row of Table 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
+    /// The objective that was minimised.
     pub objective: Objective,
+    /// What decided among its optima.
     pub secondary: Option<Secondary>,
+    /// Figures of the whole stack for that optimum.
     pub statistics: Statistics,
 }
