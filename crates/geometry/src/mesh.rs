@@ -7,6 +7,7 @@ pub(crate) mod crossing;
 pub mod edit;
 pub(crate) mod film;
 pub mod measure;
+pub mod self_intersections;
 #[cfg(test)]
 pub(crate) mod structured;
 pub mod topology;

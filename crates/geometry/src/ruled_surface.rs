@@ -63,6 +63,7 @@ pub use strip::statistics::{CoupledValues, Statistics};
 use crate::DVec3;
 use crate::error::Error;
 use crate::execution::{Execution, Progress};
+use crate::mesh::self_intersections::{self, Order};
 use graph::convexity::ConvexityTest;
 use graph::corridor::corridor;
 use graph::lanes::Widest;
@@ -75,6 +76,11 @@ use stack::prepare::prepare;
 use stack::{caps, sampling, warnings};
 use strip::objective::Goal;
 use strip::search::{SolvedStrips, solve_all};
+
+/// Meshes of up to so many triangles are checked for self-intersections. A larger limit costs time: the search for a
+/// strip of least area visits a thousandth of its grid, and is quicker than the check from some ten thousand triangles
+/// on.
+const MOST_CHECKED_TRIANGLES: usize = 200_000;
 
 /// Solves every strip of a stack for its global optimum and welds them into one mesh.
 ///
@@ -141,6 +147,9 @@ fn solve_with(
         }
     }
     pulse.phase("checks");
+    let (check, warning) = self_intersections::check(&surface.mesh, Order::AsGiven, MOST_CHECKED_TRIANGLES, execution)?;
+    surface.self_intersections = check;
+    prepared.warnings.extend(warning);
     for (k, strip) in strips.iter().enumerate() {
         let asked = (goal, options.direction == Direction::AsGiven);
         let found = warnings::of_strip(k, strip, &paths[k], &strip_statistics[k], asked, lanes, &mut pulse)?;

@@ -9,7 +9,8 @@ use super::run::Run;
 use super::statistics::{self, Statistics};
 use crate::error::Warning;
 use crate::mesh::film::Film;
-use crate::{DVec3, Error, Mesh};
+use crate::mesh::self_intersections::{self, Order};
+use crate::{DVec3, Error, Execution, Interruption, Mesh};
 
 /// Largest fraction by which a resolution is missed without a warning.
 const RESOLUTION_TOLERANCE: f64 = 0.1;
@@ -44,6 +45,16 @@ pub struct MinimalSurface {
     pub statistics: Statistics,
     /// Facts that the caller should know although the solve went through.
     pub warnings: Vec<Warning>,
+}
+
+impl MinimalSurface {
+    /// The surface with its self-intersections counted, and a warning if there are any.
+    pub(super) fn checked(mut self, exec: &Execution<'_>) -> Result<Self, Interruption> {
+        let (check, warning) = self_intersections::check(&self.mesh, Order::Spatial, usize::MAX, exec)?;
+        self.statistics.self_intersections = check;
+        self.warnings.extend(warning);
+        Ok(self)
+    }
 }
 
 /// A warning where the edges are not as long as was asked for.

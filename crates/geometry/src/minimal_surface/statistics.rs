@@ -7,6 +7,7 @@ use super::run::{ExtrapolatedArea, HistoryRow, Run, SpanningComparison, Stabilit
 use super::triple_junction::JunctionStatistics;
 use crate::mesh::film::Film;
 use crate::mesh::measure::{self, Spread};
+use crate::mesh::self_intersections::SelfIntersectionCheck;
 use crate::mesh::topology::Topology;
 use crate::remesh::thin_triangles::Pinch;
 
@@ -84,6 +85,8 @@ pub struct Statistics {
     pub degenerate_triangles: usize,
     /// Changes of topology, in order.
     pub pinches: Vec<Pinch>,
+    /// Pairs of triangles that meet in more than what they share.
+    pub self_intersections: SelfIntersectionCheck,
     /// Under [`TopologyRule::Best`](super::TopologyRule::Best): the films over the boundaries that were compared.
     pub spanning: Option<SpanningComparison>,
     /// Of a film with junctions: sheets that meet three by three along curves.
@@ -169,6 +172,7 @@ pub(super) fn collect(
         flipped_triangles,
         degenerate_triangles,
         pinches: run.pinches,
+        self_intersections: SelfIntersectionCheck::default(),
         spanning: run.spanning,
         junctions: None,
     }

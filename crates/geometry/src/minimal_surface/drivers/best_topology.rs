@@ -5,16 +5,18 @@
 //!    without a fold.
 //! 2. A spanning topology is a partition of the boundaries: one connected film for each of its sets. Its area is the
 //!    sum; its Morse index too. Partitions with a set that does not hold are listed without an area.
-//! 3. The least area is returned, the others are listed.
+//! 3. The least area is returned, the others are listed. Films that pass through themselves or each other come after
+//!    all that do not, whatever their area.
 //! 4. Two boundaries whose connected film does not hold are moved together along the line of their centroids until it
 //!    does, and apart again from film to film in ever shorter steps: the largest fraction of the gap at which one holds
 //!    (or, if the way leads back to the full gap, that film).
 //!
-//! The films of one partition are solved each by itself: they may pass through each other, which is reported.
+//! The films of one partition are solved each by itself: they may pass through each other.
 
 use crate::error::Warning;
 use crate::mesh::crossing::films_cross;
 use crate::mesh::film::Film;
+use crate::mesh::self_intersections::{Order, self_intersections};
 use crate::minimal_surface::initial_mesh::{self, InitialMeshKind};
 use crate::minimal_surface::options::{Method, Newton, OnUnstable, Options, Resolution, Solver, TopologyRule};
 use crate::minimal_surface::run::{Run, SpanningComparison, SpanningTopology, Stability, StabilityMethod, StopReason};
@@ -42,7 +44,8 @@ impl SpanningComparison {
             warnings.push(Warning::new("no_connected_film", detail));
         }
         if self.topologies.first().is_some_and(|least| least.films_cross) {
-            let detail = "two films of the least topology pass through each other; soap films would join there";
+            let detail =
+                "the films of the least topology pass through each other or themselves; soap films would join there";
             warnings.push(Warning::new("films_cross", detail));
         }
         warnings
@@ -117,18 +120,26 @@ pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
         }
     }
     let connected_film_exists = parts[whole].is_some();
+    let mut crosses_itself = Vec::with_capacity(parts.len());
+    for part in &parts {
+        let film = part.as_ref().map(|part| &part.film);
+        crosses_itself.push(film.map_or(Ok(false), |film| film_crosses_itself(film, exec))?);
+    }
     let mut topologies = partitions(count);
     let mut compared: Vec<SpanningTopology> = Vec::with_capacity(topologies.len());
     for films in &mut topologies {
         films.sort_by_key(|set| set.trailing_zeros());
-        compared.push(compare(films, &parts, exec)?);
+        compared.push(compare(films, &parts, &crosses_itself, exec)?);
     }
     // Rounded, so that the last bits do not choose between mirror images.
     let largest = compared.iter().filter_map(|topology| topology.area).fold(0.0, f64::max);
     let order = |a: &SpanningTopology, b: &SpanningTopology| {
         let key =
             |topology: &SpanningTopology| topology.area.map_or(f64::INFINITY, |area| (area / largest * 1e9).round());
-        key(a).total_cmp(&key(b)).then(a.films.len().cmp(&b.films.len())).then(a.films.cmp(&b.films))
+        let crosses = |topology: &SpanningTopology| topology.area.is_some() && topology.films_cross;
+        let known = a.area.is_none().cmp(&b.area.is_none());
+        let by_area = known.then(crosses(a).cmp(&crosses(b))).then(key(a).total_cmp(&key(b)));
+        by_area.then(a.films.len().cmp(&b.films.len())).then(a.films.cmp(&b.films))
     };
     compared.sort_by(order);
     // The discs alone always have an area, so the first has one.
@@ -159,14 +170,27 @@ pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
     Ok((film, chosen[0].kind, initial_area, run))
 }
 
+/// Whether a film meets itself. Past the deadline that is not looked for any more.
+fn film_crosses_itself(film: &Film, exec: &Execution) -> Result<bool, Interruption> {
+    match self_intersections(&film.vertices, film.triangles(), Order::Spatial, u64::MAX, exec) {
+        Err(Interruption::DeadlinePassed) => Ok(false),
+        found => Ok(found?.pairs > 0),
+    }
+}
+
 /// Areas, stability and crossings of one partition.
-fn compare(films: &[u32], parts: &[Option<Part>], exec: &Execution) -> Result<SpanningTopology, Error> {
+fn compare(
+    films: &[u32],
+    parts: &[Option<Part>],
+    crosses_itself: &[bool],
+    exec: &Execution,
+) -> Result<SpanningTopology, Error> {
     let held: Option<Vec<&Part>> = films.iter().map(|&set| parts[set as usize].as_ref()).collect();
     let mut topology = SpanningTopology {
         films: films.iter().map(|&set| members(set)).collect(),
         area: None,
         stability: None,
-        films_cross: false,
+        films_cross: films.iter().any(|&set| crosses_itself[set as usize]),
         chosen: false,
     };
     let Some(held) = held else { return Ok(topology) };

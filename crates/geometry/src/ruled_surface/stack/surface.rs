@@ -2,6 +2,7 @@
 
 use crate::Mesh;
 use crate::error::Warning;
+use crate::mesh::self_intersections::SelfIntersectionCheck;
 use crate::ruled_surface::pattern::FlatPattern;
 use crate::ruled_surface::strip::objective::{Objective, Secondary};
 use crate::ruled_surface::strip::statistics::Statistics;
@@ -27,6 +28,8 @@ pub struct RuledSurface {
     pub comparison: Option<Vec<Comparison>>,
     /// Open surfaces only.
     pub flat_pattern: Option<FlatPattern>,
+    /// Pairs of triangles that meet in more than what they share, caps included.
+    pub self_intersections: SelfIntersectionCheck,
     /// What the caller should know about the input or the result.
     pub warnings: Vec<Warning>,
 }
