@@ -6,6 +6,8 @@ use super::objectives::Objective as ObjectiveDoc;
 use super::{Checked, FieldError, Kind, Problem, Rejection};
 use crate::config::LimitsConfig;
 use crate::units::{Unit, UpAxis};
+use plateau_geometry::Execution;
+use plateau_geometry::mesh::self_intersections::Skipped;
 use plateau_geometry::ruled_surface as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -216,7 +218,11 @@ impl RuledSurfaceRequest {
         let (directrices, options) = self.to_geometry();
         let points: Vec<usize> = directrices.iter().map(Vec::len).collect();
         let estimate = geometry::estimate(&points, &options);
-        let cells = estimate.cells;
+        let mut cells = estimate.cells;
+        if cells > limits.grid_cells {
+            // A strip of least area may visit a small part of its grid.
+            cells = geometry::estimate_for(&directrices, &options, &Execution::default())?.cells;
+        }
         if cells > limits.grid_cells {
             let detail = format!("needs {cells} grid cells, more than this server accepts ({})", limits.grid_cells);
             return Err(Rejection::TooLarge(vec![FieldError::new("/directrices", detail)]));
@@ -399,6 +405,11 @@ pub struct RuledStatistics {
     pub strips: Vec<StripStatistics>,
     /// Null for closed strips, which cannot be unrolled.
     pub flat_pattern: Option<FlatPatternStatistics>,
+    /// Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
+    /// mesh. Null if not all pairs were looked at.
+    pub self_intersections: Option<u64>,
+    /// Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`.
+    pub self_intersections_skipped: Option<&'static str>,
     /// For each directrix, whether `direction: auto` reversed it.
     pub reversed: Vec<bool>,
     /// Statistics of each objective's optimum (Wang-Tang's Table 1). Null without `all_objectives`.
@@ -450,6 +461,8 @@ impl RuledStatistics {
                 width: pattern.width,
                 height: pattern.height,
             }),
+            self_intersections: surface.self_intersections.pairs,
+            self_intersections_skipped: surface.self_intersections.skipped.map(Skipped::name),
             reversed: surface.reversed.clone(),
             comparison: surface.comparison.as_ref().map(|rows| {
                 let row = |row: &geometry::Comparison| Comparison {

@@ -6,6 +6,7 @@ use super::objectives::Objective as ObjectiveDoc;
 use super::{Checked, FieldError, Kind, Problem, Rejection};
 use crate::config::LimitsConfig;
 use crate::units::{Unit, UpAxis};
+use plateau_geometry::mesh::self_intersections::Skipped;
 use plateau_geometry::uniform_mesh as geometry;
 use plateau_geometry::uniform_mesh::parametric_surface;
 use schemars::JsonSchema;
@@ -429,6 +430,11 @@ pub struct UniformStatistics {
     pub out_of_range_reasons: BTreeMap<&'static str, usize>,
     /// The first 200 members that are out of range.
     pub out_of_range: Vec<OutOfRange>,
+    /// Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded mesh.
+    /// Null if not all pairs were looked at.
+    pub self_intersections: Option<u64>,
+    /// Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`.
+    pub self_intersections_skipped: Option<&'static str>,
     pub converged: bool,
     pub angles_deg: AngleRange,
     pub length_histogram: LengthHistogram,
@@ -480,6 +486,8 @@ impl UniformStatistics {
             out_of_range_edges: statistics.out_of_range_edges,
             out_of_range_reasons: reasons,
             out_of_range: listed.collect(),
+            self_intersections: statistics.self_intersections.pairs,
+            self_intersections_skipped: statistics.self_intersections.skipped.map(Skipped::name),
             converged: mesh.converged,
             angles_deg: AngleRange { min: statistics.angles.0.to_degrees(), max: statistics.angles.1.to_degrees() },
             length_histogram: LengthHistogram {

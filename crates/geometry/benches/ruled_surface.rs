@@ -1,8 +1,9 @@
 //! Ruled strips against a plain scalar loop with a table of f64 and byte back pointers, path recovery and allocation
 //! included on both sides, one core.
 //!
-//! `cargo bench -p plateau-geometry --bench ruled_surface` measures; with `-- --record` it prints one JSON line a case for
-//! `benches/results.jsonl` instead (the fastest of several runs, ns a cell, ratio to the scalar loop of the same run).
+//! `cargo bench -p plateau-geometry --bench ruled_surface` measures; with `-- --record` it prints one JSON line a case
+//! for `benches/results.jsonl` instead (the fastest of several runs, ns a cell, ratio to the scalar loop of the same
+//! run).
 
 use criterion::{BenchmarkId, Criterion};
 use plateau_geometry::ruled_surface::{Objective, Strip};

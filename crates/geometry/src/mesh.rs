@@ -8,6 +8,7 @@ mod cut;
 pub mod edit;
 pub(crate) mod film;
 pub mod measure;
+pub mod self_intersections;
 #[cfg(test)]
 pub(crate) mod structured;
 pub mod topology;

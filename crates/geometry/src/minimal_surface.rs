@@ -77,8 +77,8 @@ use solvers::{chen_cai_zheng, dirichlet, liu_wang, newton as default_solver, pin
 /// least.
 ///
 /// The result is an oriented manifold whose boundary loops are exactly the given ones. It depends on nothing but the
-/// arguments, to the byte, and turns, moves and scales with them up to rounding. Exactly equal neighbouring points are
-/// merged, with the warning `merged_points`. The least found is a *local* one: a boundary may bound several minimal
+/// arguments, to the byte, and turns, moves and scales with them up to rounding. Neighbouring points that are equal,
+/// or nearer than 1e-9 of the boundary's radius, are merged, with the warning `merged_points`. The least found is a *local* one: a boundary may bound several minimal
 /// surfaces, and which one comes out follows from the initial mesh. A surface that stopped above the tolerance is
 /// returned with `converged: false` and the warning `not_converged`, at a deadline too.
 ///
@@ -95,7 +95,7 @@ pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> 
     {
         let mut surface = triple_junction::solve(&input.given, &input.vertices, mesh, options, exec)?;
         surface.warnings.extend(input.merged_points());
-        return Ok(surface);
+        return Ok(surface.checked(exec)?);
     }
     let given = options;
     let options = &options.centred(input.centre);
@@ -118,7 +118,7 @@ pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> 
             SolvedFilm { film, kind, initial_area, run }
         }
     };
-    finish(input, solved, given)
+    Ok(finish(input, solved, given)?.checked(exec)?)
 }
 
 /// Runs the solver that is asked for from an initial mesh of the full size.

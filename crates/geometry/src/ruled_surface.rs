@@ -2,16 +2,47 @@
 //!
 //! C. C. L. Wang and K. Tang, *Optimal boundary triangulations of an interpolating ruled surface*, JCISE 5 (2005).
 //!
-//! 1. Directrices are cleaned (equal neighbours merged, resampled if asked) and every neighbouring pair becomes a strip.
-//! 2. A triangulation of a strip is a path through the grid of its bridges (section 2); each objective is a graph of
-//!    one, two or four nodes a bridge (sections 4 and 5, `graph::layers`) whose weights are in `graph::weight`.
-//! 3. One sweep finds the shortest path (`graph::sweep`), within a `corridor` where least area allows one; closed strips
-//!    are optimal over all starts too (`closed`).
-//! 4. The path gives the triangles, every figure of Table 1 (`statistics`) and the flat pattern (`unroll`).
+//! # Vocabulary
+//! - *Directrices*: the two polylines P and Q that bound a strip. A *bridge* (i, j) is the segment from p_i to q_j.
+//! - *P-step*, *Q-step*: from a bridge to the next one, along P or along Q. Each step is a triangle with one *bank
+//!   edge*, the edge of the directrix that it runs along.
+//! - *Locally convex*: a bridge that lies on the convex hull of the neighbours of its end points (definition 6).
+//! - *Closed* strip: both directrices are closed polygons. *Apex*: a directrix of one point.
 //!
-//! Departures, and why: local convexity sees q_{j-1}, which the printed definition 6 lost; bending grows monotonically to a
-//! full fold (as printed a fold-back is free); couplings are lexicographic shortest paths, exact where the paper rescales
-//! weights; a plain sweep replaces Dijkstra's algorithm, since the graphs are acyclic grids.
+//! # How it works
+//! 1. The input is checked, near neighbours are merged, and directrices are resampled if that is asked for (`stack`).
+//!    Every neighbouring pair of directrices becomes a strip.
+//! 2. A triangulation of a strip is a path through the grid of its bridges (section 2). Each objective is a graph with
+//!    one, two or four nodes for each bridge (sections 4 and 5).
+//! 3. One sweep over the graph finds the shortest path (`graph`). A strip of least area is searched for within a
+//!    corridor. Closed strips are optimal over all starts too.
+//! 4. The path gives the triangles, every figure of Table 1 (`strip`) and the flat pattern (`pattern`).
+//!
+//! # Departures from the paper
+//! - Local convexity sees q_{j-1}, which the printed definition 6 lost.
+//! - Bending grows monotonically up to a full fold. As printed, a fold of 180° would cost nothing.
+//! - Couplings are lexicographic shortest paths. They are exact where the paper rescales weights.
+//! - A plain sweep replaces Dijkstra's algorithm, because the graphs are acyclic grids.
+//!
+//! # Example
+//! ```
+//! use plateau_geometry::ruled_surface::{Objective, Options, solve};
+//! use plateau_geometry::{DVec3, Execution};
+//!
+//! // Two parallel rails, 3 apart and 10 long, with different points.
+//! let rail = |count: usize, y: f64| -> Vec<DVec3> {
+//!     (0..count).map(|k| DVec3::new(10.0 * k as f64 / (count - 1) as f64, y, 0.0)).collect()
+//! };
+//! let options = Options { objective: Objective::MinimalArea, ..Options::default() };
+//! let surface = solve(&[rail(6, 0.0), rail(11, 3.0)], &options, &Execution::default())?;
+//! assert_eq!(surface.mesh.triangles.len(), 15);
+//! assert!((surface.statistics.area - 30.0).abs() < 1e-12);
+//! let pattern = surface.flat_pattern.expect("an open strip unrolls");
+//! assert!((pattern.width - 10.0).abs() < 1e-12 && !pattern.self_overlap);
+//! # Ok::<(), plateau_geometry::Error>(())
+//! ```
+
+#![warn(missing_docs)]
 
 mod graph;
 mod pattern;
@@ -32,7 +63,9 @@ pub use strip::statistics::{CoupledValues, Statistics};
 use crate::DVec3;
 use crate::error::Error;
 use crate::execution::{Execution, Progress};
-use graph::convexity::Test;
+use crate::mesh::self_intersections::{self, Order};
+use graph::convexity::ConvexityTest;
+use graph::corridor::corridor;
 use graph::lanes::Widest;
 use graph::pulse::Pulse;
 use graph::rails::Rails;
@@ -42,21 +75,27 @@ use stack::direction::choose_directions;
 use stack::prepare::prepare;
 use stack::{caps, sampling, warnings};
 use strip::objective::Goal;
-use strip::search::{Solved, solve_all};
+use strip::search::{SolvedStrips, solve_all};
+
+/// Meshes of up to so many triangles are checked for self-intersections. A larger limit costs time: the search for a
+/// strip of least area visits a thousandth of its grid, and is quicker than the check from some ten thousand triangles
+/// on.
+const MOST_CHECKED_TRIANGLES: usize = 200_000;
 
 /// Solves every strip of a stack for its global optimum and welds them into one mesh.
 ///
-/// `directrices`: two or more polylines, each with two or more distinct points (three if `closed`) or a single one (an apex; no
-/// two of them next to each other). Triangles: m + n - 2 for an open strip, m + n for a closed one, one fewer round
-/// an apex. All triangles of a surface have one orientation: a P-step gives (p_i, p_{i+1}, q_j), a Q-step
-/// (p_i, q_{j+1}, q_j); with normals given (or caps) the faces agree with them (point outwards).
-/// Ties: the predecessor by P-step, on closed strips the smallest start.
+/// `directrices`: two or more polylines, each with two or more distinct points (three if `closed`) or a single one (an
+/// apex; no two of them next to each other). Triangles: m + n - 2 for an open strip, m + n for a closed one, one fewer
+/// round an apex. All triangles of a surface have one orientation: a P-step gives (p_i, p_{i+1}, q_j), a Q-step (p_i,
+/// q_{j+1}, q_j); with normals given (or caps) the faces agree with them (point outwards). Ties: the predecessor by
+/// P-step, on closed strips the smallest start.
 ///
-/// Equal neighbouring points are merged (warning `merged_points`). Results do not depend on the processor's vector width.
+/// Neighbouring points that are equal, or nearer than [`SAME_POINT`](crate::polyline::SAME_POINT) of the directrix's
+/// radius, are merged (warning `merged_points`). Results do not depend on the processor's vector width.
 ///
 /// # Errors
-/// [`Error::Input`] if the input is not as described, values are not finite or beyond 1e50, or options do not fit together;
-/// [`Error::Interrupted`] if stopped, by cancel or deadline: there is no mesh before the optimum is known.
+/// [`Error::Input`] if the input is not as described, values are not finite or beyond 1e50, or options do not fit
+/// together; [`Error::Interrupted`] if stopped, by cancel or deadline: there is no mesh before the optimum is known.
 ///
 /// # Cost
 /// O(m n) time on an open strip (see [`estimate`]), one to four bits of memory a bridge; the logarithm of n more on a
@@ -72,14 +111,14 @@ fn solve_with(
     lanes: Widest,
 ) -> Result<RuledSurface, Error> {
     let mut prepared = prepare(directrices, options, options.sampling, execution)?;
-    let test = Test::new(options.convexity_tolerance);
+    let test = ConvexityTest::new(options.convexity_tolerance);
     let mut pulse = Pulse::new(execution, cost(&prepared.lengths(), options).cells);
     let goal = Goal { objective: options.objective, secondary: options.secondary };
     if options.direction == Direction::Auto {
         choose_directions(&mut prepared, goal, test, lanes, &mut pulse)?;
     }
     let strips: Vec<Rails> = prepared.strips();
-    let Solved { paths, statistics: strip_statistics, flipped } =
+    let SolvedStrips { paths, statistics: strip_statistics, flipped } =
         solve_all(&strips, goal, test, lanes, &mut pulse, &mut prepared.warnings)?;
     pulse.phase("statistics");
     let mut comparison = None;
@@ -108,6 +147,9 @@ fn solve_with(
         }
     }
     pulse.phase("checks");
+    let (check, warning) = self_intersections::check(&surface.mesh, Order::AsGiven, MOST_CHECKED_TRIANGLES, execution)?;
+    surface.self_intersections = check;
+    prepared.warnings.extend(warning);
     for (k, strip) in strips.iter().enumerate() {
         let asked = (goal, options.direction == Direction::AsGiven);
         let found = warnings::of_strip(k, strip, &paths[k], &strip_statistics[k], asked, lanes, &mut pulse)?;
@@ -140,6 +182,30 @@ pub fn check(directrices: &[Vec<DVec3>], options: &Options) -> Result<(), Error>
 pub fn estimate(points: &[usize], options: &Options) -> Cost {
     let sampled: Vec<usize> = points.iter().map(|&count| sampling::count(count, options.sampling)).collect();
     cost(&sampled, options)
+}
+
+/// As [`estimate`], for these very directrices: an open strip of least area counts only the cells of the corridor that its
+/// search keeps to, often a thousandth of its grid. Other strips count as in [`estimate`].
+///
+/// Finding the corridors takes about the time that the search itself takes, 0.3 s at most for 50,000 points on either side.
+///
+/// # Errors
+/// The [`Error::Input`] that [`solve`] would begin with; [`Error::Interrupted`].
+pub fn estimate_for(directrices: &[Vec<DVec3>], options: &Options, execution: &Execution<'_>) -> Result<Cost, Error> {
+    let prepared = prepare(directrices, options, options.sampling, execution)?;
+    let mut cost = cost(&prepared.lengths(), options);
+    let keeps_to_corridor = options.objective == Objective::MinimalArea
+        && !options.closed
+        && options.direction == Direction::AsGiven
+        && !options.all_objectives;
+    if keeps_to_corridor {
+        let mut pulse = Pulse::new(execution, cost.cells);
+        for strip in prepared.strips().iter().filter(|strip| !strip.has_apex()) {
+            let left_out = (strip.m() * strip.n()) as u64 - corridor(strip, &mut pulse)?.cells();
+            cost.cells -= left_out;
+        }
+    }
+    Ok(cost)
 }
 
 #[cfg(test)]

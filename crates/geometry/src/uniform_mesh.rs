@@ -36,6 +36,7 @@ mod triangulation;
 use crate::error::{Error, InputError, Place, Warning};
 use crate::execution::Execution;
 use crate::mesh::measure::Spread;
+use crate::mesh::self_intersections::{self, Order, SelfIntersectionCheck};
 use crate::polyline::LARGEST_COORDINATE;
 use crate::{DVec2, DVec3, Mesh};
 use assemble::{on_polygon, on_surface};
@@ -240,6 +241,8 @@ pub struct Statistics {
     pub valence_histogram: Vec<usize>,
     /// No mesh of this domain with every edge at most 2ℓ has fewer nodes.
     pub node_lower_bound: Option<usize>,
+    /// Pairs of triangles that meet in more than what they share.
+    pub self_intersections: SelfIntersectionCheck,
 }
 
 /// A uniform mesh and everything known about it.
@@ -386,7 +389,7 @@ pub fn check(domain: &Domain, options: &Options) -> Result<Cost, Error> {
 /// before there was a valid mesh; later the mesh reached so far is returned with `converged` false.
 pub fn solve(domain: &Domain, options: &Options, execution: &Execution<'_>) -> Result<UniformMesh, Error> {
     check(domain, options)?;
-    match domain {
+    let mut solved = match domain {
         Domain::Polygon { outer, holes } => on_polygon(outer, holes, options, execution),
         Domain::Bezier { control_points } => {
             let place = Place::field("domain").then("bezier");
@@ -401,5 +404,9 @@ pub fn solve(domain: &Domain, options: &Options, execution: &Execution<'_>) -> R
             let film = Auxiliary::of_film(boundaries, options, (0.0, 0.4), execution)?;
             on_surface(&film, 0.4, options, execution)
         }
-    }
+    }?;
+    let (found, warning) = self_intersections::check(&solved.mesh, Order::Spatial, usize::MAX, execution)?;
+    solved.statistics.self_intersections = found;
+    solved.warnings.extend(warning);
+    Ok(solved)
 }

@@ -4,6 +4,7 @@
 mod boundaries;
 
 use boundaries::{circle, patch, rings, skew_quadrilateral};
+use plateau_geometry::mesh::self_intersections::Skipped;
 use plateau_geometry::minimal_surface::{
     BoundarySampling, Method, MinimalSurface, Options, Resolution, StopReason, solve,
 };
@@ -301,7 +302,9 @@ fn a_deadline_at_any_look_leaves_the_whole_boundary_and_a_cancel_nothing() {
                 }
                 Ok(surface) => {
                     assert_eq!(signal, Signal::Deadline);
-                    assert_eq!(surface.statistics.stop_reason, StopReason::Deadline);
+                    // A deadline that passes after the solve ends the search for self-intersections only.
+                    let unchecked = surface.statistics.self_intersections.skipped == Some(Skipped::DeadlinePassed);
+                    assert!(surface.statistics.stop_reason == StopReason::Deadline || unchecked);
                     assert_eq!(surface.mesh.check().unwrap().boundary_loops().len(), 2);
                     for (points, vertices) in polygons.iter().zip(&surface.input_vertices) {
                         assert!(points.iter().zip(vertices).all(|(&p, &v)| surface.mesh.vertices[v as usize] == p));

@@ -2,7 +2,7 @@
 
 mod ruled;
 
-use plateau_geometry::ruled_surface::{Objective, Strip};
+use plateau_geometry::ruled_surface::{Objective, Options, Strip, estimate, estimate_for};
 use plateau_geometry::{DVec3, Execution};
 use ruled::Random;
 
@@ -100,4 +100,25 @@ fn smooth_directrices_leave_a_narrow_corridor() {
     let execution = Execution::default();
     strip.optimal_path(Objective::MinimalArea, None, 0.0, &execution).unwrap();
     assert!(execution.work() < 100_000, "{} of 1e6 cells", execution.work());
+}
+
+#[test]
+fn a_strip_of_least_area_is_priced_by_its_corridor() {
+    let side = |phase: f64, y: f64| -> Vec<DVec3> {
+        let point = |k: usize| {
+            let u = k as f64 / 1999.0;
+            DVec3::new(10.0 * u, y + 0.3 * (9.0 * u + phase).sin(), 0.3 * (7.0 * u - phase).cos())
+        };
+        (0..2000).map(point).collect()
+    };
+    let rails = [side(0.3, 0.0), side(1.9, 3.0)];
+    let execution = Execution::default();
+    let of = |options: &Options| {
+        let whole = estimate(&[2000, 2000], options).cells;
+        (whole, estimate_for(&rails, options, &execution).unwrap().cells)
+    };
+    let (whole, visited) = of(&Options::default());
+    assert!(whole == 4_000_000 && visited < 100_000, "{visited} of {whole}");
+    let (whole, visited) = of(&Options { objective: Objective::MinimalTwist, ..Options::default() });
+    assert_eq!(whole, visited);
 }

@@ -39,9 +39,10 @@ fn spanned(boundaries: &[Vec<DVec3>], topology: TopologyRule, triangles: usize) 
 fn comparison(surface: &MinimalSurface) -> &SpanningComparison {
     let comparison = surface.statistics.spanning.as_ref().unwrap();
     let topologies = &comparison.topologies;
-    // The first topology has the least area and is the one that is returned.
+    // The first topology has the least area of those that do not cross, and is the one that is returned.
     assert!(topologies.windows(2).all(|pair| match (pair[0].area, pair[1].area) {
-        (Some(a), Some(b)) => a <= b * (1.0 + 1e-8),
+        (Some(a), Some(b)) if pair[0].films_cross == pair[1].films_cross => a <= b * (1.0 + 1e-8),
+        (Some(_), Some(_)) => pair[1].films_cross,
         (None, Some(_)) => false,
         _ => true,
     }));

@@ -1,6 +1,7 @@
 //! Statistics of a minimal surface.
 
 use crate::wire::common::Point;
+use plateau_geometry::mesh::self_intersections::Skipped;
 use plateau_geometry::minimal_surface as geometry;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -93,7 +94,8 @@ pub struct SpanningTopology {
     /// Total area. Null if one of the films does not exist.
     pub area: Option<f64>,
     pub stability: Option<Stability>,
-    /// Whether two of its films pass through each other. No soap film has such a shape.
+    /// Whether its films pass through each other or through themselves. No soap film has such a shape, so the topology
+    /// comes after all others.
     pub films_cross: bool,
     /// Whether this topology was returned.
     pub chosen: bool,
@@ -222,6 +224,11 @@ pub struct MinimalStatistics {
     pub edges_swapped: u64,
     pub flipped_triangles: usize,
     pub degenerate_triangles: usize,
+    /// Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
+    /// mesh. Null if not all pairs were looked at.
+    pub self_intersections: Option<u64>,
+    /// Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`.
+    pub self_intersections_skipped: Option<&'static str>,
     /// Changes of topology in the order in which they happened.
     pub pinches: Vec<Pinch>,
     /// Null without `topology: best`.
@@ -279,6 +286,8 @@ impl From<&geometry::Statistics> for MinimalStatistics {
             edges_swapped: statistics.edges_swapped,
             flipped_triangles: statistics.flipped_triangles,
             degenerate_triangles: statistics.degenerate_triangles,
+            self_intersections: statistics.self_intersections.pairs,
+            self_intersections_skipped: statistics.self_intersections.skipped.map(Skipped::name),
             pinches: statistics.pinches.iter().map(pinch).collect(),
             spanning: statistics.spanning.as_ref().map(Into::into),
             junctions: statistics.junctions.as_ref().map(Into::into),

@@ -1,72 +1,21 @@
 //! Whether two films pass through each other.
 
 use crate::mesh::film::Film;
-use crate::{DVec3, Execution, Interruption};
+use crate::mesh::self_intersections::surfaces_cross;
+use crate::{Execution, Interruption};
 
-/// Whether a triangle's edge of one film pierces the inside of a triangle of the other.
-///
-/// Touching, and lying in one plane, do not count: two discs in a plane, one inside the other, do not cross. Decided
-/// with exact predicates. Sweeps along x: O(n log n) and the pairs whose boxes meet. Looks every few thousand pairs.
+/// As [`surfaces_cross`]: an edge of one film pierces the inside of a triangle of the other.
 ///
 /// # Errors
 /// The interruptions of `exec`.
 pub(crate) fn films_cross(first: &Film, second: &Film, exec: &Execution) -> Result<bool, Interruption> {
-    let boxes = |film: &Film| {
-        let mut boxes: Vec<(DVec3, DVec3, [DVec3; 3])> = film
-            .triangles()
-            .iter()
-            .map(|&t| film.corners(t))
-            .map(|corners @ [a, b, c]| (a.min(b).min(c), a.max(b).max(c), corners))
-            .collect();
-        boxes.sort_by(|a, b| a.0.x.total_cmp(&b.0.x));
-        boxes
-    };
-    let (first, second) = (boxes(first), boxes(second));
-    // How far along x the widest box reaches: what begins further back cannot meet a box.
-    let widest = second.iter().map(|(low, high, _)| high.x - low.x).fold(0.0, f64::max);
-    let mut work = 0;
-    for (low, high, corners) in &first {
-        let begin = second.partition_point(|other| other.0.x < low.x - widest);
-        for (other_low, other_high, other) in second[begin..].iter().take_while(|other| other.0.x <= high.x) {
-            work += 1;
-            let meet = low.cmple(*other_high).all() && other_low.cmple(*high).all();
-            if meet && (pierces(corners, other) || pierces(other, corners)) {
-                return Ok(true);
-            }
-        }
-        if work > 4096 {
-            exec.look(work)?;
-            work = 0;
-        }
-    }
-    exec.look(work)?;
-    Ok(false)
-}
-
-/// Whether an edge of `edges` runs through the inside of `triangle`.
-fn pierces(edges: &[DVec3; 3], triangle: &[DVec3; 3]) -> bool {
-    let [a, b, c] = *triangle;
-    (0..3).any(|k| {
-        let (p, q) = (edges[k], edges[(k + 1) % 3]);
-        let (above, below) = (side(a, b, c, p), side(a, b, c, q));
-        if above * below >= 0 {
-            return false;
-        }
-        let turns = [side(p, q, a, b), side(p, q, b, c), side(p, q, c, a)];
-        turns.iter().all(|&turn| turn > 0) || turns.iter().all(|&turn| turn < 0)
-    })
-}
-
-/// The sign of the volume of a, b, c, d.
-fn side(a: DVec3, b: DVec3, c: DVec3, d: DVec3) -> i32 {
-    let coord = |p: DVec3| robust::Coord3D { x: p.x, y: p.y, z: p.z };
-    let volume = robust::orient3d(coord(a), coord(b), coord(c), coord(d));
-    i32::from(volume > 0.0) - i32::from(volume < 0.0)
+    surfaces_cross((&first.vertices, first.triangles()), (&second.vertices, second.triangles()), exec)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::DVec3;
     use crate::mesh::structured::{cylinder, patch};
 
     fn cross(a: &Film, b: &Film) -> bool {

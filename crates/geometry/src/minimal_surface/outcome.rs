@@ -8,7 +8,8 @@ use super::solved_film::SolvedFilm;
 use super::statistics::{self, Statistics};
 use crate::error::Warning;
 use crate::mesh::film::Film;
-use crate::{DVec3, Error, Mesh};
+use crate::mesh::self_intersections::{self, Order};
+use crate::{DVec3, Error, Execution, Interruption, Mesh};
 
 /// Largest fraction by which a resolution may be missed without a warning. A larger value warns less often.
 const RESOLUTION_TOLERANCE: f64 = 0.1;
@@ -43,6 +44,16 @@ pub struct MinimalSurface {
     pub statistics: Statistics,
     /// Facts that the caller should know although the solve went through.
     pub warnings: Vec<Warning>,
+}
+
+impl MinimalSurface {
+    /// The surface with its self-intersections counted, and a warning if there are any.
+    pub(super) fn checked(mut self, exec: &Execution<'_>) -> Result<Self, Interruption> {
+        let (check, warning) = self_intersections::check(&self.mesh, Order::Spatial, usize::MAX, exec)?;
+        self.statistics.self_intersections = check;
+        self.warnings.extend(warning);
+        Ok(self)
+    }
 }
 
 /// A warning if the mean edge length differs from the wanted one.

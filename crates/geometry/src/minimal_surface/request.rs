@@ -2,7 +2,7 @@
 
 use super::options::Options;
 use crate::error::{InputError, Warning};
-use crate::polyline::{LARGEST_COORDINATE, merge_equal_neighbours};
+use crate::polyline::{LARGEST_COORDINATE, merge_near_neighbours};
 use crate::{DVec3, Error, Place};
 
 /// The boundaries without equal neighbours, also moved to the origin, so that an offset of 1e7 costs no digits.
@@ -36,7 +36,7 @@ impl Input {
                     errors.push(InputError::new(place().at(k).at(i), detail));
                 }
             }
-            let merged = merge_equal_neighbours(boundary, true);
+            let merged = merge_near_neighbours(boundary, true);
             let next = |i: usize| merged.points[(i + 1) % merged.points.len()];
             if let Some(i) = (0..merged.points.len()).find(|&i| merged.points[i].distance(next(i)) < SMALLEST_DISTANCE)
                 && merged.points.len() > 1
@@ -78,7 +78,7 @@ impl Input {
     }
 
     pub fn merged_points(&self) -> Option<Warning> {
-        let detail = format!("{} points equal to their neighbour were merged with it", self.dropped);
+        let detail = format!("{} points were merged that equal their neighbour, or nearly", self.dropped);
         (self.dropped > 0).then(|| Warning::new("merged_points", detail))
     }
 

@@ -129,7 +129,7 @@ pub struct SpanningTopology {
     pub area: Option<f64>,
     /// The stability of all films together.
     pub stability: Option<Stability>,
-    /// Whether two of its films pass through each other, so that no soap film has this shape.
+    /// Whether its films pass through each other or themselves, so that no soap film takes this shape.
     pub films_cross: bool,
     /// Whether this is the topology of the result.
     pub chosen: bool,

@@ -7,6 +7,7 @@ use super::options::{Objective, Options, Solver};
 use super::run::{ExtrapolatedArea, HistoryRow, Run, SpanningComparison, Stability, StopReason};
 use crate::mesh::film::Film;
 use crate::mesh::measure::{self, Spread};
+use crate::mesh::self_intersections::SelfIntersectionCheck;
 use crate::mesh::topology::Topology;
 use crate::remesh::thin_triangles::Pinch;
 
@@ -85,6 +86,8 @@ pub struct Statistics {
     pub degenerate_triangles: usize,
     /// The changes of topology, in order.
     pub pinches: Vec<Pinch>,
+    /// Number of pairs of triangles that meet in more than the vertices and edges that they share.
+    pub self_intersections: SelfIntersectionCheck,
     /// The compared films, under [`TopologyRule::Best`](super::TopologyRule::Best).
     pub spanning: Option<SpanningComparison>,
     /// The junctions of a film whose sheets meet three by three along curves.
@@ -170,6 +173,7 @@ pub(super) fn collect(
         flipped_triangles,
         degenerate_triangles,
         pinches: run.pinches,
+        self_intersections: SelfIntersectionCheck::default(),
         spanning: run.spanning,
         junctions: None,
     }

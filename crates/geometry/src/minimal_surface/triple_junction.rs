@@ -31,6 +31,7 @@ use crate::equilibrium::{Aim, Body, Frame, Freedom, Motion, Outcome, Settings, s
 use crate::error::{InputError, Warning};
 use crate::mesh::complex::{Complex, VertexKind};
 use crate::mesh::measure::{self, Spread};
+use crate::mesh::self_intersections::SelfIntersectionCheck;
 use crate::remesh::sheets::{even_out, flipped_triangles};
 use crate::{DVec3, Error, Execution, Interruption, Mesh, Place, polyline};
 use std::collections::BTreeMap;
@@ -636,6 +637,7 @@ fn collect(
         flipped_triangles,
         degenerate_triangles,
         pinches: Vec::new(),
+        self_intersections: SelfIntersectionCheck::default(),
         spanning: None,
         junctions: Some(junctions),
     }

@@ -14,13 +14,15 @@ use unroll::unroll;
 /// The strips of an open surface laid flat, each in its own coordinates.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FlatPattern {
+    /// The strips in the order of the stack.
     pub strips: Vec<FlatStrip>,
     /// Largest |flat length - length| over all edges, divided by the longest edge of its strip.
     pub edge_length_error_max: f64,
     /// Whether two triangles of one strip overlap in the plane: such a strip cannot be cut from one sheet.
     pub self_overlap: bool,
-    /// Of the strips side by side along y, in the caller's unit: the widest one, and all heights together.
+    /// The width of the widest strip, in the caller's unit.
     pub width: f64,
+    /// The heights of all strips together, in the caller's unit.
     pub height: f64,
 }
 
@@ -35,8 +37,8 @@ impl FlatPattern {
         }
     }
 
-    /// The flat pattern of the open surface that these bridges span: pairs of `vertices`, first to last, one strip after
-    /// another, as [`solve`](crate::ruled_surface::solve) gives them, and the same pattern to the bit.
+    /// The flat pattern of the open surface that these bridges span: pairs of `vertices`, first to last, one strip
+    /// after another, as [`solve`](crate::ruled_surface::solve) gives them, and the same pattern to the bit.
     ///
     /// # Errors
     /// [`Error::Input`] at `bridges` if they are not those of strips, at `directrices` for what [`Strip::new`] refuses;

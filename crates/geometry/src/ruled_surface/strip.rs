@@ -7,7 +7,7 @@ pub(crate) mod statistics;
 
 use crate::error::{Error, Place};
 use crate::execution::Execution;
-use crate::ruled_surface::graph::convexity::{self, Test};
+use crate::ruled_surface::graph::convexity::{self, ConvexityTest};
 use crate::ruled_surface::graph::lanes::Widest;
 use crate::ruled_surface::graph::pulse::Pulse;
 use crate::ruled_surface::graph::rails::{Given, Rails};
@@ -29,12 +29,12 @@ impl Strip {
         if errors.is_empty() { Ok(Self(Rails::new(p, q, closed))) } else { Err(Error::Input(errors)) }
     }
 
-    /// The optimal path: its bridges in order, from (0, 0) to (m - 1, n - 1), or all the way round from the smallest start.
-    /// `convexity_tolerance` in radians; 0 is exact.
+    /// The optimal path: its bridges in order, from (0, 0) to (m - 1, n - 1), or all the way round from the smallest
+    /// start. `convexity_tolerance` in radians; 0 is exact.
     ///
     /// # Errors
-    /// [`Error::Input`] if objective, secondary and tolerance are not what [`Options`](crate::ruled_surface::Options) asks for, or the
-    /// objective needs normals that are not there; [`Error::Interrupted`].
+    /// [`Error::Input`] if objective, secondary and tolerance are not what [`Options`](crate::ruled_surface::Options)
+    /// asks for, or the objective needs normals that are not there; [`Error::Interrupted`].
     pub fn optimal_path(
         &self,
         objective: Objective,
@@ -48,14 +48,14 @@ impl Strip {
         }
         let goal = Goal { objective, secondary };
         let mut pulse = Pulse::new(execution, (self.0.m() * self.0.n()) as u64);
-        let test = Test::new(convexity_tolerance);
+        let test = ConvexityTest::new(convexity_tolerance);
         let path = search::path_of(&self.0, goal, test, Widest::get(), &mut pulse)?;
         pulse.last_look()?;
         Ok(path)
     }
 
-    /// The figures of any triangulation of this strip; `objective_value` and `secondary_value` are not set. With normals, the
-    /// normal variation is that of the better winding.
+    /// The figures of any triangulation of this strip; `objective_value` and `secondary_value` are not set. With
+    /// normals, the normal variation is that of the better winding.
     ///
     /// # Errors
     /// [`Error::Input`] at `path` if it is not a path of this strip; [`Error::Interrupted`].
@@ -66,7 +66,8 @@ impl Strip {
         execution: &Execution<'_>,
     ) -> Result<(Statistics, CoupledValues), Error> {
         self.check_path(path)?;
-        let evaluation = statistics::evaluate(&self.0, path, Test::new(convexity_tolerance), Widest::get(), execution)?;
+        let evaluation =
+            statistics::evaluate(&self.0, path, ConvexityTest::new(convexity_tolerance), Widest::get(), execution)?;
         let mut statistics = evaluation.statistics;
         statistics.normal_variation = evaluation.normal_variation.map(|[one, other]| one.min(other));
         let coupled = CoupledValues {
@@ -76,10 +77,11 @@ impl Strip {
         Ok((statistics, coupled))
     }
 
-    /// Whether a bridge is locally convex (definition 6); indices are cyclic, `convexity_tolerance` in radians, 0 is exact.
+    /// Whether a bridge is locally convex (definition 6); indices are cyclic, `convexity_tolerance` in radians, 0 is
+    /// exact.
     #[must_use]
     pub fn is_locally_convex(&self, bridge: [usize; 2], convexity_tolerance: f64) -> bool {
-        convexity::is_convex(&self.0, bridge, Test::new(convexity_tolerance))
+        convexity::is_convex(&self.0, bridge, ConvexityTest::new(convexity_tolerance))
     }
 
     fn check_path(&self, path: &[[u32; 2]]) -> Result<(), Error> {

@@ -14,6 +14,7 @@ use super::{Objective, Optimise, Options, OutOfRange, RANGE_TOLERANCE, Statistic
 use crate::error::{Error, InputError, Place, Warning};
 use crate::execution::{Execution, Progress};
 use crate::mesh::measure::{Spread, angle_range};
+use crate::mesh::self_intersections::SelfIntersectionCheck;
 use crate::mesh::topology::Topology;
 use crate::{DVec3, Mesh};
 use std::rc::Rc;
@@ -335,6 +336,7 @@ fn assemble(
         length_histogram: LengthHistogram::of(&lengths, target),
         valence_histogram: statistics::valences(&members, mesh.vertices.len()),
         node_lower_bound: None,
+        self_intersections: SelfIntersectionCheck::default(),
     };
     let mut warnings = Vec::new();
     if !out_of_range.is_empty() {

@@ -3,7 +3,7 @@
 use super::plane::Outline;
 use super::sides::{Division, Sides, is_sharp, pieces};
 use crate::error::{Error, InputError, Place, Warning};
-use crate::polyline::{LARGEST_COORDINATE, mean, merge_equal_neighbours};
+use crate::polyline::{LARGEST_COORDINATE, mean, merge_near_neighbours};
 use crate::{DVec2, DVec3};
 
 /// How far a point may lie off the plane, as a fraction of the polygon's size.
@@ -62,7 +62,7 @@ impl Polygon {
         for (ring, points) in rings.iter().enumerate() {
             finite(ring, points)?;
         }
-        let merged: Vec<_> = rings.iter().map(|points| merge_equal_neighbours(points, true)).collect();
+        let merged: Vec<_> = rings.iter().map(|points| merge_near_neighbours(points, true)).collect();
         for (ring, merged) in merged.iter().enumerate() {
             if merged.points.len() < 3 {
                 errors.push(InputError::new(ring_place(ring), "needs at least three distinct points"));

@@ -211,8 +211,8 @@ impl Case {
         values
     }
 
-    /// Definition 6 by its words: some plane through the bridge has all neighbours on one side. Whole numbers are decided
-    /// exactly, others by the widest gap between the directions around the bridge.
+    /// Definition 6 by its words: some plane through the bridge has all neighbours on one side. Whole numbers are
+    /// decided exactly, others by the widest gap between the directions around the bridge.
     pub fn is_convex(&self, i: usize, j: usize) -> bool {
         let around = |points: &[DVec3], k: usize| -> Vec<DVec3> {
             let count = points.len();

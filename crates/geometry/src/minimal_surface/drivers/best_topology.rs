@@ -5,7 +5,8 @@
 //!    flipped triangle.
 //! 2. A spanning topology is a partition of the boundaries with one connected film for each of its sets. Its area and
 //!    its Morse index are the sums over the films. A partition with a set that does not hold is listed without an area.
-//! 3. The partition of least area is returned. The statistics list the others.
+//! 3. The partition of least area is returned. The statistics list the others. Partitions whose films pass through
+//!    themselves or each other come after all others, whatever their area.
 //! 4. If the connected film over two boundaries does not hold, the boundaries are moved together along the line of
 //!    their centroids until one does. They are then moved apart in ever shorter steps, each from the last film. The
 //!    result is the largest fraction of the gap at which a film holds, or the film itself if the full gap is reached.
@@ -15,6 +16,7 @@
 use crate::error::Warning;
 use crate::mesh::crossing::films_cross;
 use crate::mesh::film::Film;
+use crate::mesh::self_intersections::{Order, self_intersections};
 use crate::minimal_surface::initial_mesh;
 use crate::minimal_surface::options::{Method, Newton, OnUnstable, Options, Resolution, Solver, TopologyRule};
 use crate::minimal_surface::run::{Run, SpanningComparison, SpanningTopology, Stability, StabilityMethod, StopReason};
@@ -45,7 +47,8 @@ impl SpanningComparison {
             warnings.push(Warning::new("no_connected_film", detail));
         }
         if self.topologies.first().is_some_and(|least| least.films_cross) {
-            let detail = "two films of the least topology pass through each other; soap films would join there";
+            let detail =
+                "the films of the least topology pass through each other or themselves; soap films would join there";
             warnings.push(Warning::new("films_cross", detail));
         }
         warnings
@@ -100,18 +103,26 @@ pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
         }
     }
     let connected_film_exists = parts[whole].is_some();
+    let mut crosses_itself = Vec::with_capacity(parts.len());
+    for part in &parts {
+        let film = part.as_ref().map(|part| &part.film);
+        crosses_itself.push(film.map_or(Ok(false), |film| film_crosses_itself(film, exec))?);
+    }
     let mut topologies = partitions(count);
     let mut compared: Vec<SpanningTopology> = Vec::with_capacity(topologies.len());
     for films in &mut topologies {
         films.sort_by_key(|set| set.trailing_zeros());
-        compared.push(compare(films, &parts, exec)?);
+        compared.push(compare(films, &parts, &crosses_itself, exec)?);
     }
     // The areas are rounded, so that the last bits do not decide between mirror images.
     let largest = compared.iter().filter_map(|topology| topology.area).fold(0.0, f64::max);
     let order = |a: &SpanningTopology, b: &SpanningTopology| {
         let key =
             |topology: &SpanningTopology| topology.area.map_or(f64::INFINITY, |area| (area / largest * 1e9).round());
-        key(a).total_cmp(&key(b)).then(a.films.len().cmp(&b.films.len())).then(a.films.cmp(&b.films))
+        let crosses = |topology: &SpanningTopology| topology.area.is_some() && topology.films_cross;
+        let known = a.area.is_none().cmp(&b.area.is_none());
+        let by_area = known.then(crosses(a).cmp(&crosses(b))).then(key(a).total_cmp(&key(b)));
+        by_area.then(a.films.len().cmp(&b.films.len())).then(a.films.cmp(&b.films))
     };
     compared.sort_by(order);
     // The partition into discs always has an area, so the first entry has one.
@@ -142,14 +153,27 @@ pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
     Ok(SolvedFilm { film, kind: chosen[0].kind, initial_area, run })
 }
 
+/// Whether a film meets itself. Past the deadline that is not looked for any more.
+fn film_crosses_itself(film: &Film, exec: &Execution) -> Result<bool, Interruption> {
+    match self_intersections(&film.vertices, film.triangles(), Order::Spatial, u64::MAX, exec) {
+        Err(Interruption::DeadlinePassed) => Ok(false),
+        found => Ok(found?.pairs > 0),
+    }
+}
+
 /// Areas, stability and crossings of one partition.
-fn compare(films: &[u32], parts: &[Option<SolvedFilm>], exec: &Execution) -> Result<SpanningTopology, Error> {
+fn compare(
+    films: &[u32],
+    parts: &[Option<SolvedFilm>],
+    crosses_itself: &[bool],
+    exec: &Execution,
+) -> Result<SpanningTopology, Error> {
     let held: Option<Vec<&SolvedFilm>> = films.iter().map(|&set| parts[set as usize].as_ref()).collect();
     let mut topology = SpanningTopology {
         films: films.iter().map(|&set| members(set)).collect(),
         area: None,
         stability: None,
-        films_cross: false,
+        films_cross: films.iter().any(|&set| crosses_itself[set as usize]),
         chosen: false,
     };
     let Some(held) = held else { return Ok(topology) };

@@ -1,6 +1,6 @@
-//! Local convexity of a bridge (definition 6, with the missing q_{j-1}): does the bridge lie on the convex hull of itself and
-//! the neighbours of its end points? Equivalently, seen along the bridge, do the directions to the neighbours fit in a closed
-//! half-plane?
+//! Local convexity of a bridge (definition 6, with the missing q_{j-1}): does the bridge lie on the convex hull of
+//! itself and the neighbours of its end points? Equivalently, seen along the bridge, do the directions to the
+//! neighbours fit in a closed half-plane?
 //!
 //! By default a direction may reach `tolerance` beyond the half-plane, and further by what rounding the input can do to
 //! it; with tolerance 0 the answer is exact (adaptive predicates on the input's own coordinates).
@@ -9,7 +9,7 @@ use super::lanes::{Lanes, Vector};
 use super::lattice::{BandRows, Lattice};
 use super::pulse::Pulse;
 use super::rails::{Rail, Rails};
-use super::sweep::{Kernel, Region, Score, Seed, Table, Workspace, sweep};
+use super::sweep::{BitTable, Kernel, Region, Score, Seed, Workspace, sweep};
 use super::weight::Wing;
 use crate::DVec3;
 use crate::execution::Interruption;
@@ -17,13 +17,13 @@ use robust::{Coord, Coord3D, orient2d, orient3d};
 
 /// How convexity is judged.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Test {
+pub(crate) enum ConvexityTest {
     Exact,
     /// The sine of the angle that a direction may reach beyond the half-plane.
     Within(f64),
 }
 
-impl Test {
+impl ConvexityTest {
     /// `tolerance` in radians.
     pub(crate) fn new(tolerance: f64) -> Self {
         if tolerance == 0.0 { Self::Exact } else { Self::Within(tolerance.sin()) }
@@ -31,11 +31,11 @@ impl Test {
 }
 
 /// Whether a bridge is locally convex; indices are cyclic on closed strips.
-pub(crate) fn is_convex(rails: &Rails, [i, j]: [usize; 2], test: Test) -> bool {
+pub(crate) fn is_convex(rails: &Rails, [i, j]: [usize; 2], test: ConvexityTest) -> bool {
     let (i, j) = (i % rails.m(), j % rails.n());
     match test {
-        Test::Exact => is_convex_exactly(rails, i, j),
-        Test::Within(sine) => is_convex_within(rails, i, j, sine),
+        ConvexityTest::Exact => is_convex_exactly(rails, i, j),
+        ConvexityTest::Within(sine) => is_convex_within(rails, i, j, sine),
     }
 }
 
@@ -111,8 +111,9 @@ fn is_convex_within(rails: &Rails, i: usize, j: usize, sine: f64) -> bool {
     fits_within(squared.sqrt(), &wings, sine, rounding)
 }
 
-/// Whether the directions of the four bank edges at a bridge (arriving by P, by Q, leaving by P, by Q) fit in a half-plane,
-/// with tolerance. Directions no further from the bridge's line than rounding are ignored, missing ones (zero) among them.
+/// Whether the directions of the four bank edges at a bridge (arriving by P, by Q, leaving by P, by Q) fit in a
+/// half-plane, with tolerance. Directions no further from the bridge's line than rounding are ignored, missing ones
+/// (zero) among them.
 #[inline(always)]
 fn fits_within<V: Lanes>(length: V, wings: &[Wing<V>; 4], sine: f64, rounding: f64) -> V::Mask {
     let (rounding, zero) = (length.constant(rounding), length.constant(0.0));
@@ -138,9 +139,9 @@ fn fits_within<V: Lanes>(length: V, wings: &[Wing<V>; 4], sine: f64, rounding: f
     macro_rules! pair {
         ($a:literal, $b:literal) => {
             let (first, second) = (&wings[$a], &wings[$b]);
-            // sin of the angle from a to b times both distances from the bridge's line times its length; edges that arrive
-            // point away from the bridge's end the other way round. It may miss its sign by the tolerance and by rounding
-            // over distance, for each of the two directions.
+            // sin of the angle from a to b times both distances from the bridge's line times its length; edges that
+            // arrive point away from the bridge's end the other way round. It may miss its sign by the tolerance and by
+            // rounding over distance, for each of the two directions.
             let turn = second.bank.dot(first.normal);
             let side = if ($a < 2) == ($b < 2) { zero - turn } else { turn };
             let slack = per_length * first.length * second.length + rounding * (first.length + second.length);
@@ -169,13 +170,13 @@ fn fits_within<V: Lanes>(length: V, wings: &[Wing<V>; 4], sine: f64, rounding: f
 pub(crate) fn are_convex<V: Lanes>(
     rails: &Rails,
     bridges: &[[u32; 2]],
-    test: Test,
+    test: ConvexityTest,
     length: V,
     wings: &[Wing<V>; 4],
 ) -> u32 {
     let (convex, exact) = match test {
-        Test::Exact => (0, (1 << bridges.len()) - 1),
-        Test::Within(sine) => (
+        ConvexityTest::Exact => (0, (1 << bridges.len()) - 1),
+        ConvexityTest::Within(sine) => (
             V::bits(fits_within(length, wings, sine, rails.rounding)),
             V::bits(length.at_most(length.constant(rails.rounding))),
         ),
@@ -198,18 +199,18 @@ fn exactly(rails: &Rails, bridges: &[[u32; 2]], mut convex: u32, exact: u32) -> 
 pub(crate) fn concave_bridges<V: Lanes>(
     rails: &Rails,
     (lattice, simd): (&Lattice, V::Simd),
-    test: Test,
+    test: ConvexityTest,
     pulse: &mut Pulse<'_, '_>,
-) -> Result<Table, Interruption> {
+) -> Result<BitTable, Interruption> {
     let (m, n, columns) = (rails.m(), rails.n(), lattice.columns);
     let region = Region::full(m, 0, columns - 1);
-    if let Test::Within(sine) = test {
+    if let ConvexityTest::Within(sine) = test {
         let mut workspace = Workspace::default();
         let map = ConcavityMap { simd, rails, lattice, sine };
         sweep::<V, _>(&map, columns, &region, (0, 0, Seed::Open), &mut workspace, pulse)?;
         return Ok(workspace.table);
     }
-    let mut table = Table::default();
+    let mut table = BitTable::default();
     table.lay_out(&region, 1, V::WIDTH);
     for i in 0..m {
         for block in (0..n).step_by(4096) {
@@ -229,7 +230,8 @@ pub(crate) fn concave_bridges<V: Lanes>(
     Ok(table)
 }
 
-/// Not a graph but its nodes' colours: a sweep that writes whether each bridge is concave where others write back pointers.
+/// Not a graph but its nodes' colours: a sweep that writes whether each bridge is concave where others write back
+/// pointers.
 struct ConcavityMap<'a, S> {
     simd: S,
     rails: &'a Rails,

@@ -1,21 +1,23 @@
-//! Which bridges a strip of least area can have: most of the grid is left out before the search, and the optimum stays exact.
+//! Which bridges a strip of least area can have: most of the grid is left out before the search, and the optimum stays
+//! exact.
 //!
 //! Take one square of the grid, bank edges u = p_{i+1} - p_i and v = q_{j+1} - q_j. Swapping "P-step, then Q-step" for
 //! "Q-step, then P-step" flips the diagonal of the quadrilateral p_i p_{i+1} q_{j+1} q_j. With A the area,
 //!
 //!   D = A(P, Q) - A(Q, P) = -½ |u| |v| ∫∫ (1 - cos γ) sin(θ_u + θ_v) ds dt,   s, t from 0 to 1,
 //!
-//! where for the bridge e = (q_j + t v) - (p_i + s u) the angles θ_u and θ_v are those of u and v with e, and γ is the angle
-//! between the planes (u, e) and (v, e). (A triangle's area changes with s or t by ½ (u × v)·n of its unit normal n; the
-//! double integral of the difference of the two normals is D, and spherical trigonometry at e gives the integrand.) The sine
-//! has the sign of (û + v̂)·e, û and v̂ unit: of how far the bridge *leans forward*. It is linear in s and in t, so its sign at
-//! the square's four bridges decides: where all lean forward, q is ahead and taking the P-step first never costs more; where
-//! all lean back, taking the Q-step first never does.
+//! where for the bridge e = (q_j + t v) - (p_i + s u) the angles θ_u and θ_v are those of u and v with e, and γ is the
+//! angle between the planes (u, e) and (v, e). (A triangle's area changes with s or t by ½ (u × v)·n of its unit normal
+//! n; the double integral of the difference of the two normals is D, and spherical trigonometry at e gives the
+//! integrand.) The sine has the sign of (û + v̂)·e, û and v̂ unit: of how far the bridge *leans forward*. It is linear
+//! in s and in t, so its sign at the square's four bridges decides: where all lean forward, q is ahead and taking the
+//! P-step first never costs more; where all lean back, taking the Q-step first never does.
 //!
-//! So if every square right of a staircase leans forward, a path that strays there can be cut off at the staircase without
-//! growing, and likewise on the left of one where every square leans back. The *corridor* lies between two such staircases.
-//! Boxes around runs of points and edge directions, halved where they leave the sign open, find it in some multiple of
-//! m + n steps on smooth directrices; where the sign stays open in too many places the corridor is the whole grid.
+//! So if every square right of a staircase leans forward, a path that strays there can be cut off at the staircase
+//! without growing, and likewise on the left of one where every square leans back. The *corridor* lies between two such
+//! staircases. Boxes around runs of points and edge directions, halved where they leave the sign open, find it in some
+//! multiple of m + n steps on smooth directrices; where the sign stays open in too many places the corridor is the
+//! whole grid.
 
 use super::pulse::Pulse;
 use super::rails::Rails;
@@ -24,22 +26,24 @@ use crate::DVec3;
 use crate::execution::Interruption;
 use std::cmp::Ordering;
 
-/// Edges in the shortest runs: squares are not looked at one by one.
+/// Number of edges in the shortest runs. A larger value takes fewer boxes and leaves a wider corridor.
 const LEAF: usize = 8;
 
-/// The search for the corridor ends where this share of the grid has no certain sign: it would cost more than it saves.
+/// Share of the grid without a certain sign at which the search for the corridor ends and the whole grid is swept. A
+/// larger value spends more time on boxes before it gives up on jagged directrices.
 const HOPELESS: f64 = 0.25;
 
-/// A lean, coordinates being about 1, is certain beyond the rounding of its computation.
+/// A lean is certain if it exceeds this, where coordinates are about 1. Rounding of its computation stays below 1e-15;
+/// a larger value widens the corridor and loses nothing else.
 const ROUNDING: f64 = 1e-12;
 
 /// The bridges of an open strip among which a path of least area is found.
 pub(crate) fn corridor(rails: &Rails, pulse: &mut Pulse<'_, '_>) -> Result<Region, Interruption> {
     let (m, n) = (rails.m(), rails.n());
     let whole = Region::full(m, 0, n - 1);
-    let (Some(p), Some(q)) = (Tree::new(&rails.p.points), Tree::new(&rails.q.points)) else { return Ok(whole) };
-    // Per row of squares: the first that may lean forward, and one more than the last that may lean back. The P-step that
-    // crosses the row is taken between the two.
+    let (Some(p), Some(q)) = (RunTree::new(&rails.p.points), RunTree::new(&rails.q.points)) else { return Ok(whole) };
+    // Per row of squares: the first that may lean forward, and one more than the last that may lean back. The P-step
+    // that crosses the row is taken between the two.
     let (mut first, mut last) = (vec![n - 1; m - 1], vec![0; m - 1]);
     let mut open_leaves = (HOPELESS * (p.leaves() * q.leaves()) as f64) as usize;
     let mut stack = vec![([p.top(), q.top()], [0, 0])];
@@ -90,7 +94,7 @@ pub(crate) fn corridor(rails: &Rails, pulse: &mut Pulse<'_, '_>) -> Result<Regio
 }
 
 /// Whether every bridge between two runs leans forward (`Greater`) or back (`Less`), if that is certain.
-fn lean(p: &Run, q: &Run) -> Option<Ordering> {
+fn lean(p: &EdgeRun, q: &EdgeRun) -> Option<Ordering> {
     let (direction, spread) = (p.directions.centre + q.directions.centre, p.directions.half + q.directions.half);
     let (bridge, reach) = (q.points.centre - p.points.centre, p.points.half + q.points.half);
     let middle = direction.dot(bridge);
@@ -125,18 +129,18 @@ impl Extent {
 
 /// Neighbouring bank edges: their points, and the directions (unit) from each to the next.
 #[derive(Clone, Copy, Debug)]
-struct Run {
+struct EdgeRun {
     points: Extent,
     directions: Extent,
 }
 
 /// The runs of a directrix: level 0 has [`LEAF`] edges each, every level above twice as many.
-struct Tree {
-    levels: Vec<Vec<Run>>,
+struct RunTree {
+    levels: Vec<Vec<EdgeRun>>,
     edges: usize,
 }
 
-impl Tree {
+impl RunTree {
     /// None if an edge has no direction.
     fn new(points: &[DVec3]) -> Option<Self> {
         let edges = points.len() - 1;
@@ -144,7 +148,7 @@ impl Tree {
             points.windows(2).map(|pair| (pair[1] - pair[0]).try_normalize()).collect::<Option<_>>()?;
         let leaves = (0..edges).step_by(LEAF).map(|start| {
             let end = (start + LEAF).min(edges);
-            Run {
+            EdgeRun {
                 points: Extent::of(points[start..=end].iter().copied()),
                 directions: Extent::of(directions[start..end].iter().copied()),
             }
@@ -153,8 +157,8 @@ impl Tree {
         while let [.., finest] = levels.as_slice()
             && finest.len() > 1
         {
-            let join = |pair: &[Run]| match *pair {
-                [a, b] => Run { points: a.points.with(b.points), directions: a.directions.with(b.directions) },
+            let join = |pair: &[EdgeRun]| match *pair {
+                [a, b] => EdgeRun { points: a.points.with(b.points), directions: a.directions.with(b.directions) },
                 _ => pair[0],
             };
             let joined = finest.chunks(2).map(join).collect();

@@ -1,4 +1,5 @@
-//! Numbers side by side: the kernels are written once, over [`Lanes`], and run on one `f64`, on four or on eight at a time.
+//! Numbers side by side: the kernels are written once, over [`Lanes`], and run on one `f64`, on four or on eight at a
+//! time.
 //!
 //! Every operation is a single correctly rounded IEEE operation on every lane and none is fused, so that all
 //! instances give the same bits. The instance is chosen at run time ([`Widest::get`]).
@@ -47,7 +48,8 @@ pub(crate) trait Lanes:
 /// The largest [`Lanes::WIDTH`] there is.
 pub(crate) const MOST_LANES: usize = 8;
 
-/// A piece of work over lanes. `run` must be `#[inline(always)]`, so that it is compiled for the instance's instructions.
+/// A piece of work over lanes. `run` must be `#[inline(always)]`, so that it is compiled for the instance's
+/// instructions.
 pub(crate) trait Task<V: Lanes> {
     type Output;
     fn run(self) -> Self::Output;
@@ -111,8 +113,8 @@ impl Lanes for f64 {
     }
 }
 
-/// Which instance to use, with the proof that this processor has it: the widest, or a narrower one on demand (tests compare
-/// them all).
+/// Which instance to use, with the proof that this processor has it: the widest, or a narrower one on demand (tests
+/// compare them all).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Widest {
     Plain,
@@ -206,9 +208,9 @@ mod wide {
         }
     }
 
-    /// Four numbers in one AVX2 register. Its field is private to this module, and every function here that makes one takes
-    /// an [`Avx2`] or another `Four`: where there is a value, there are the instructions. That is what makes every `unsafe`
-    /// call of an intrinsic below sound.
+    /// Four numbers in one AVX2 register. Its field is private to this module, and every function here that makes one
+    /// takes an [`Avx2`] or another `Four`: where there is a value, there are the instructions. That is what makes
+    /// every `unsafe` call of an intrinsic below sound.
     #[derive(Clone, Copy)]
     pub(crate) struct Four(__m256d);
     /// Made of [`Four`]s or with an [`Avx2`] only.

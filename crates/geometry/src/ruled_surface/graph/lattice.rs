@@ -5,27 +5,29 @@ use super::rails::{Rail, Rails};
 use super::weight::Wing;
 use crate::DVec3;
 
-/// The strip as arrays of numbers for the sweep. Columns are stored backwards, so that the lanes of a skewed band (row r one
-/// column behind row r - 1) lie side by side; `MARGIN` entries beyond both ends repeat the last ones and are never used.
+/// The strip as arrays of numbers for the sweep. Columns are stored backwards, so that the lanes of a skewed band (row
+/// r one column behind row r - 1) lie side by side; `MARGIN` entries beyond both ends repeat the last ones and are
+/// never used.
 #[derive(Debug)]
 pub(crate) struct Lattice {
     pub(crate) rows: usize,
     /// n, or 2n on a closed strip: a path that starts in column j ends in column j + n.
     pub(crate) columns: usize,
-    pub(crate) row: Side,
-    pub(crate) column: Side,
+    pub(crate) row: RailNumbers,
+    pub(crate) column: RailNumbers,
 }
 
+/// Entries beyond both ends of a row of numbers: lanes of a skewed band run over the ends by at most their number.
 const MARGIN: usize = MOST_LANES;
 
 /// What is known along one directrix, each number in a row of its own, `stride` long: one piece of memory.
 #[derive(Debug)]
-pub(crate) struct Side {
+pub(crate) struct RailNumbers {
     stride: usize,
     numbers: Vec<f64>,
 }
 
-/// First rows of a [`Side`].
+/// First rows of a [`RailNumbers`].
 pub(crate) const POINT: usize = 0;
 /// The bank edge that ends at the point; zero where there is none.
 pub(crate) const BANK: usize = 3;
@@ -33,7 +35,7 @@ pub(crate) const BANK_SQUARED: usize = 6;
 pub(crate) const TANGENT: usize = 7;
 pub(crate) const NORMAL: usize = 10;
 
-impl Side {
+impl RailNumbers {
     /// The points that `order` names: an index, and whether a bank edge ends there.
     fn new(
         directrix: &Rail,
@@ -113,8 +115,8 @@ impl Lattice {
         Self {
             rows,
             columns,
-            row: Side::new(&rails.p, down, closed, with_tangents),
-            column: Side::new(&rails.q, back, closed, with_tangents),
+            row: RailNumbers::new(&rails.p, down, closed, with_tangents),
+            column: RailNumbers::new(&rails.q, back, closed, with_tangents),
         }
     }
 

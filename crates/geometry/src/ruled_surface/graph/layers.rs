@@ -1,18 +1,18 @@
 //! The graphs of sections 4 and 5 as kernels: what a cell of the grid of bridges does with its two predecessors.
 //!
-//! One layer (area, twist, convexity, normal variation): a bridge. Two layers (bending): a bridge and the step that led to
-//! it. Four (mean curvature variation, weighted sums): a bridge, the step that led to it and the step that leaves it.
-//! A path enters row 0 by a P-step and leaves the last row by one: virtual steps on an open strip, the closing triangle on
-//! a closed one, where every path takes exactly one step from p_{m-1} to p_0. That names a closed path's start without
-//! ambiguity.
+//! One layer (area, twist, convexity, normal variation): a bridge. Two layers (bending): a bridge and the step that led
+//! to it. Four (mean curvature variation, weighted sums): a bridge, the step that led to it and the step that leaves
+//! it. A path enters row 0 by a P-step and leaves the last row by one: virtual steps on an open strip, the closing
+//! triangle on a closed one, where every path takes exactly one step from p_{m-1} to p_0. That names a closed path's
+//! start without ambiguity.
 
 use super::lanes::{Lanes, Vector};
 use super::lattice::{BANK, BandRows, Lattice, NORMAL, POINT, TANGENT};
-use super::sweep::{Bounded, Kernel, Score, Seed, Table};
+use super::sweep::{BitTable, Bounded, Kernel, Score, Seed};
 use super::weight::{self, Wing};
 
 /// What a path has cost so far on every lane: one number, or a count of concave bridges and a number.
-pub(crate) trait Cost<V: Lanes>: Copy {
+pub(crate) trait PathCost<V: Lanes>: Copy {
     const FIELDS: usize;
     fn of(simd: V::Simd, count: f64, value: f64) -> Self;
     fn plus(self, value: V) -> Self;
@@ -26,9 +26,9 @@ pub(crate) trait Cost<V: Lanes>: Copy {
 }
 
 #[derive(Clone, Copy)]
-pub(crate) struct Value<V>(V);
+pub(crate) struct PlainCost<V>(V);
 
-impl<V: Lanes> Cost<V> for Value<V> {
+impl<V: Lanes> PathCost<V> for PlainCost<V> {
     const FIELDS: usize = 1;
     #[inline(always)]
     fn of(simd: V::Simd, _: f64, value: f64) -> Self {
@@ -65,12 +65,12 @@ impl<V: Lanes> Cost<V> for Value<V> {
 
 /// Ordered by the count, then by the value. Counts are whole numbers far below 2^53.
 #[derive(Clone, Copy)]
-pub(crate) struct Lexicographic<V> {
+pub(crate) struct CoupledCost<V> {
     count: V,
     value: V,
 }
 
-impl<V: Lanes> Cost<V> for Lexicographic<V> {
+impl<V: Lanes> PathCost<V> for CoupledCost<V> {
     const FIELDS: usize = 2;
     #[inline(always)]
     fn of(simd: V::Simd, count: f64, value: f64) -> Self {
@@ -116,7 +116,7 @@ fn keep<V: Lanes>(value: V, lane: usize) -> f64 {
 }
 
 /// The weights of a single-layer graph.
-pub(crate) trait Weights<V: Lanes> {
+pub(crate) trait StepWeights<V: Lanes> {
     /// What is the same along a band.
     type Band: Copy;
     fn simd(&self) -> V::Simd;
@@ -134,7 +134,7 @@ pub(crate) struct Area<'a, S> {
     pub(crate) lattice: &'a Lattice,
 }
 
-impl<V: Lanes> Weights<V> for Area<'_, V::Simd> {
+impl<V: Lanes> StepWeights<V> for Area<'_, V::Simd> {
     type Band = [Vector<V>; 2];
     #[inline(always)]
     fn simd(&self) -> V::Simd {
@@ -164,7 +164,7 @@ pub(crate) struct Twist<'a, S> {
     pub(crate) lattice: &'a Lattice,
 }
 
-impl<V: Lanes> Weights<V> for Twist<'_, V::Simd> {
+impl<V: Lanes> StepWeights<V> for Twist<'_, V::Simd> {
     type Band = [Vector<V>; 2];
     #[inline(always)]
     fn simd(&self) -> V::Simd {
@@ -199,7 +199,7 @@ pub(crate) struct NormalVariation<'a, S> {
     pub(crate) sign: f64,
 }
 
-impl<V: Lanes> Weights<V> for NormalVariation<'_, V::Simd> {
+impl<V: Lanes> StepWeights<V> for NormalVariation<'_, V::Simd> {
     type Band = [Vector<V>; 3];
     #[inline(always)]
     fn simd(&self) -> V::Simd {
@@ -231,10 +231,10 @@ impl<V: Lanes> Weights<V> for NormalVariation<'_, V::Simd> {
 #[derive(Debug)]
 pub(crate) struct Concave<'a, S> {
     pub(crate) simd: S,
-    pub(crate) table: &'a Table,
+    pub(crate) table: &'a BitTable,
 }
 
-impl<V: Lanes> Weights<V> for Concave<'_, V::Simd> {
+impl<V: Lanes> StepWeights<V> for Concave<'_, V::Simd> {
     type Band = usize;
     #[inline(always)]
     fn simd(&self) -> V::Simd {
@@ -259,7 +259,7 @@ impl<V: Lanes> Weights<V> for Concave<'_, V::Simd> {
 #[derive(Debug)]
 pub(crate) struct SingleLayer<W>(pub(crate) W);
 
-impl<V: Lanes, W: Weights<V>> Kernel<V> for SingleLayer<W> {
+impl<V: Lanes, W: StepWeights<V>> Kernel<V> for SingleLayer<W> {
     const LAYERS: usize = 1;
     const CARRY: usize = 1;
     type Band = W::Band;
@@ -300,18 +300,18 @@ impl<V: Lanes, W: Weights<V>> Kernel<V> for SingleLayer<W> {
     }
 }
 
-/// The dual-layer graph (section 5.1): a node is a bridge and the step that led to it, and the bending at a bridge is paid on
-/// leaving it. Back pointers at a bridge, for either step that leaves it: the step that led there.
+/// The dual-layer graph (section 5.1): a node is a bridge and the step that led to it, and the bending at a bridge is
+/// paid on leaving it. Back pointers at a bridge, for either step that leaves it: the step that led there.
 #[derive(Debug)]
 pub(crate) struct DualLayer<'a, S, C> {
     pub(crate) simd: S,
     pub(crate) lattice: &'a Lattice,
     /// Coupled: bending counts at the bridges in this table only, after their number.
-    pub(crate) concave: Option<&'a Table>,
+    pub(crate) concave: Option<&'a BitTable>,
     pub(crate) cost: std::marker::PhantomData<C>,
 }
 
-impl<V: Lanes, C: Cost<V>> Kernel<V> for DualLayer<'_, V::Simd, C> {
+impl<V: Lanes, C: PathCost<V>> Kernel<V> for DualLayer<'_, V::Simd, C> {
     const LAYERS: usize = 2;
     const CARRY: usize = C::FIELDS;
     type Band = BandRows<V>;
@@ -366,9 +366,9 @@ impl<V: Lanes, C: Cost<V>> Kernel<V> for DualLayer<'_, V::Simd, C> {
     }
 }
 
-impl<V: Lanes> Bounded<V> for DualLayer<'_, V::Simd, Value<V>> {
+impl<V: Lanes> Bounded<V> for DualLayer<'_, V::Simd, PlainCost<V>> {
     #[inline(always)]
-    fn is_alive(&self, state: &[Value<V>; 2], bound: f64) -> bool {
+    fn is_alive(&self, state: &[PlainCost<V>; 2], bound: f64) -> bool {
         let bound = V::splat(self.simd, bound);
         V::bits(state[0].0.at_most(bound) | state[1].0.at_most(bound)) != 0
     }
@@ -390,13 +390,13 @@ pub(crate) struct Factors {
     pub(crate) sign: f64,
 }
 
-/// The quadruple-layer graph (section 5.2): a node is a bridge, the step that led to it and the step that leaves it; a link
-/// costs the change of the mean curvature vector. Back pointers at a node: the step that led to the bridge before.
+/// The quadruple-layer graph (section 5.2): a node is a bridge, the step that led to it and the step that leaves it; a
+/// link costs the change of the mean curvature vector. Back pointers at a node: the step that led to the bridge before.
 #[derive(Debug)]
 pub(crate) struct QuadrupleLayer<'a, S, C> {
     pub(crate) simd: S,
     pub(crate) lattice: &'a Lattice,
-    pub(crate) concave: Option<&'a Table>,
+    pub(crate) concave: Option<&'a BitTable>,
     /// A weighted sum; `None` is the curvature variation alone.
     pub(crate) factors: Option<Factors>,
     pub(crate) cost: std::marker::PhantomData<C>,
@@ -424,7 +424,7 @@ fn curvatures<V: Lanes>(bridge: Vector<V>, wings: &[Wing<V>; 4]) -> [Vector<V>; 
     ]
 }
 
-impl<V: Lanes, C: Cost<V>> Kernel<V> for QuadrupleLayer<'_, V::Simd, C> {
+impl<V: Lanes, C: PathCost<V>> Kernel<V> for QuadrupleLayer<'_, V::Simd, C> {
     const LAYERS: usize = 4;
     /// The costs and mean curvature vectors of the two nodes that leave by P.
     const CARRY: usize = 2 * C::FIELDS + 6;

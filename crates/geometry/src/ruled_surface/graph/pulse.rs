@@ -2,7 +2,8 @@
 
 use crate::execution::{Execution, Interruption, Progress};
 
-/// Cells between two looks at the execution: some milliseconds of the slowest kernel.
+/// Grid cells between two looks at the execution. The slowest kernel (four layers, no wide instructions) takes some
+/// milliseconds for so many; a larger value delays cancellation.
 pub(crate) const CELLS_BETWEEN_LOOKS: u64 = 1 << 16;
 
 /// Progress and cancel of one solve, by cells visited.

@@ -32,9 +32,11 @@ pub(crate) struct Rail {
 /// A directrix as given: points and what belongs to them, of the same length.
 #[derive(Clone, Copy, Debug)]
 pub struct Given<'a> {
+    /// The points in order, in the caller's unit.
     pub points: &'a [DVec3],
     /// Fitted if not given (eq. 13 and 14).
     pub tangents: Option<&'a [DVec3]>,
+    /// Surface normals at the points, of any length.
     pub normals: Option<&'a [DVec3]>,
 }
 
@@ -109,6 +111,13 @@ impl Rails {
             })
             .collect()
     }
+    /// The corners of such a triangle.
+    pub(crate) fn corners(&self, triangle: [u32; 3]) -> [DVec3; 3] {
+        triangle.map(|v| {
+            let v = v as usize;
+            if v < self.m() { self.p.points[v] } else { self.q.points[v - self.m()] }
+        })
+    }
     /// The bridge's vector, q_j - p_i; indices are cyclic on closed strips.
     pub(crate) fn bridge(&self, [i, j]: [usize; 2]) -> DVec3 {
         self.q.points[j % self.n()] - self.p.points[i % self.m()]
@@ -162,8 +171,9 @@ fn unit(v: DVec3) -> DVec3 {
     if largest == 0.0 { DVec3::ZERO } else { (v * power_of_two_above(largest).recip()).normalize() }
 }
 
-/// Unit tangents by eq. 13/14: the derivative at the middle of the quadratic through three neighbours, whose parameter is
-/// the chord length (the middle at α = |a|/(|a|+|b|), 1/2 where a neighbour coincides). One-sided chords at open ends.
+/// Unit tangents by eq. 13/14: the derivative at the middle of the quadratic through three neighbours, whose parameter
+/// is the chord length (the middle at α = |a|/(|a|+|b|), 1/2 where a neighbour coincides). One-sided chords at open
+/// ends.
 fn fitted_tangents(points: &[DVec3], closed: bool) -> Vec<DVec3> {
     (0..points.len())
         .map(|k| {

@@ -1,8 +1,9 @@
 //! The shortest path through a layered graph: one sweep over the grid of bridges, whatever the objective.
 //!
-//! Rows are swept in bands of `WIDTH` rows, each row one column behind the one above it: a cell's two predecessors then lie
-//! one step back, in its own lane (left) and in the lane above, and the lanes do not wait for one another. A band hands the
-//! costs of its last row to the next band. Back pointers are bits, one a node: the table is all that grows with m n.
+//! Rows are swept in bands of `WIDTH` rows, each row one column behind the one above it: a cell's two predecessors then
+//! lie one step back, in its own lane (left) and in the lane above, and the lanes do not wait for one another. A band
+//! hands the costs of its last row to the next band. Back pointers are bits, one a node: the table is all that grows
+//! with m n.
 
 use super::lanes::{Lanes, MOST_LANES, Task};
 use super::pulse::{CELLS_BETWEEN_LOOKS, Pulse};
@@ -38,8 +39,8 @@ pub(crate) enum Seed {
     ByQ,
 }
 
-/// One objective on one graph. A *node* of a bridge is numbered as its graph says; `top` is what a column of the row above
-/// hands down: `CARRY` numbers.
+/// One objective on one graph. A *node* of a bridge is numbered as its graph says; `top` is what a column of the row
+/// above hands down: `CARRY` numbers.
 pub(crate) trait Kernel<V: Lanes> {
     const LAYERS: usize;
     const CARRY: usize;
@@ -50,8 +51,8 @@ pub(crate) trait Kernel<V: Lanes> {
     fn band(&self, band: usize) -> Self::Band;
     /// Nothing reached yet.
     fn blank(&self) -> Self::State;
-    /// Visits the bridges of step `t` (lane r: column t - r) and returns their back pointers: bit `layer * WIDTH + lane` is
-    /// set where the predecessor is the one by a Q-step.
+    /// Visits the bridges of step `t` (lane r: column t - r) and returns their back pointers: bit `layer * WIDTH +
+    /// lane` is set where the predecessor is the one by a Q-step.
     fn step(&self, band: &Self::Band, state: &mut Self::State, top: &[f64], t: usize) -> u32;
     /// Hands a lane down.
     fn keep(&self, state: &Self::State, lane: usize, top: &mut [f64]);
@@ -70,8 +71,8 @@ pub(crate) trait Bounded<V: Lanes>: Kernel<V> {
     fn hands_down(&self, top: &[f64], bound: f64) -> bool;
 }
 
-/// The columns that a search may visit, inclusive, for each row; both ends never fall from one row to the next. So what lies
-/// right of a band's end was never written and still says `unreached` to the next band.
+/// The columns that a search may visit, inclusive, for each row; both ends never fall from one row to the next. So what
+/// lies right of a band's end was never written and still says `unreached` to the next band.
 #[derive(Clone, Debug)]
 pub(crate) struct Region {
     pub(crate) first: Vec<u32>,
@@ -89,7 +90,7 @@ impl Region {
 
 /// One bit (or `layers` bits) for every bridge of a region, in the order in which a sweep visits them.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Table {
+pub(crate) struct BitTable {
     layers: usize,
     width: usize,
     bands: Vec<BandOf>,
@@ -104,7 +105,7 @@ struct BandOf {
     end: usize,
 }
 
-impl Table {
+impl BitTable {
     pub(crate) fn lay_out(&mut self, region: &Region, layers: usize, width: usize) {
         self.layers = layers;
         self.width = width;
@@ -159,7 +160,7 @@ impl Table {
 /// A sweep's working memory, kept from one search to the next.
 #[derive(Debug, Default)]
 pub(crate) struct Workspace {
-    pub(crate) table: Table,
+    pub(crate) table: BitTable,
     /// `CARRY` numbers a column for the row above, `LEFT` columns further left.
     top: Vec<f64>,
 }
@@ -195,12 +196,12 @@ pub(crate) fn sweep<V: Lanes, K: Kernel<V>>(
         kernel.source(column, seed, &mut top[at..at + K::CARRY]);
     }
     let bands = std::mem::take(&mut table.bands);
-    let mut position = Position { band: 0, step: bands[0].begin, state: kernel.blank() };
+    let mut position = SweepPosition { band: 0, step: bands[0].begin, state: kernel.blank() };
     let mut failure = None;
     while position.band < bands.len() {
         let visited = V::run(
             kernel.simd(),
-            Stretch { kernel, bands: &bands, rows, top, words: &mut table.words, position: &mut position },
+            SweepPart { kernel, bands: &bands, rows, top, words: &mut table.words, position: &mut position },
         );
         if let Err(interruption) = pulse.beat(visited) {
             failure = Some(interruption);
@@ -219,23 +220,23 @@ impl Workspace {
     }
 }
 
-struct Position<S> {
+struct SweepPosition<S> {
     band: usize,
     step: usize,
     state: S,
 }
 
 /// As much of a sweep as fits between two looks.
-struct Stretch<'a, V: Lanes, K: Kernel<V>> {
+struct SweepPart<'a, V: Lanes, K: Kernel<V>> {
     kernel: &'a K,
     bands: &'a [BandOf],
     rows: usize,
     top: &'a mut [f64],
     words: &'a mut [u64],
-    position: &'a mut Position<K::State>,
+    position: &'a mut SweepPosition<K::State>,
 }
 
-impl<V: Lanes, K: Kernel<V>> Task<V> for Stretch<'_, V, K> {
+impl<V: Lanes, K: Kernel<V>> Task<V> for SweepPart<'_, V, K> {
     type Output = u64;
     #[inline(always)]
     fn run(self) -> u64 {
@@ -277,7 +278,7 @@ fn steps<V: Lanes, K: Kernel<V>, const LAST_LANE: bool>(
     lane: usize,
     top: &mut [f64],
     words: &mut [u64],
-    position: &mut Position<K::State>,
+    position: &mut SweepPosition<K::State>,
 ) {
     let lane = if LAST_LANE { V::WIDTH - 1 } else { lane };
     let rows = kernel.band(number);
@@ -305,8 +306,8 @@ fn steps<V: Lanes, K: Kernel<V>, const LAST_LANE: bool>(
     position.step = end;
 }
 
-/// The cost of the shortest path of an open strip if it is at most `bound`; no path is kept. Visits little more than the cells
-/// that some path within the bound passes.
+/// The cost of the shortest path of an open strip if it is at most `bound`; no path is kept. Visits little more than
+/// the cells that some path within the bound passes.
 pub(crate) fn cost_within<V: Lanes, K: Bounded<V>>(
     kernel: &K,
     (rows, columns): (usize, usize),
@@ -364,7 +365,7 @@ impl<V: Lanes, K: Bounded<V>> Task<V> for Pruned<'_, K> {
             let last = (begin..=to).rev().find(hands_down).unwrap_or(begin);
             let lanes = V::WIDTH.min(self.rows - self.band * V::WIDTH);
             let all = BandOf { word: 0, begin, end: self.columns + lanes - 1 };
-            let mut position = Position { band: self.band, step: begin, state: self.kernel.blank() };
+            let mut position = SweepPosition { band: self.band, step: begin, state: self.kernel.blank() };
             loop {
                 let end = all.end.min(position.step + STEPS);
                 if lanes == V::WIDTH {
@@ -392,9 +393,10 @@ impl<V: Lanes, K: Bounded<V>> Task<V> for Pruned<'_, K> {
     }
 }
 
-/// Walks the back pointers from the bridge (rows - 1, `column`), left by the closing P-step and, on four layers, arrived at by
-/// `arrived_by`. Returns the bridges from the first on, and how the bridge before the first was arrived at.
-pub(crate) fn walk_back(table: &Table, rows: usize, column: usize, arrived_by: usize) -> (Vec<[u32; 2]>, usize) {
+/// Walks the back pointers from the bridge (rows - 1, `column`), left by the closing P-step and, on four layers,
+/// arrived at by `arrived_by`. Returns the bridges from the first on, and how the bridge before the first was arrived
+/// at.
+pub(crate) fn walk_back(table: &BitTable, rows: usize, column: usize, arrived_by: usize) -> (Vec<[u32; 2]>, usize) {
     let (mut i, mut j) = (rows - 1, column);
     let mut path = Vec::with_capacity(rows + column);
     // The step that leaves the bridge, and (four layers) the one that led to it.

@@ -7,9 +7,11 @@
 
 use super::lanes::{Lanes, Vector};
 
-/// A cross product with |u × v| <= 1e-14 |u| |v| counts as zero; this is the bound's square.
+/// Square of the sine below which a cross product counts as zero: |u × v| <= 1e-14 |u| |v|, about fifty units of
+/// rounding. A larger value drops the terms of thin triangles that still have a normal.
 const DEGENERATE_SQUARED: f64 = 1e-28;
-/// Squared double areas below this are zero too, so that no quotient below over- or underflows.
+/// Squared double areas below this count as zero too, where coordinates are about 1. No quotient of the formulas then
+/// over- or underflows.
 const TINY: f64 = 1e-140;
 
 /// One of the triangles at a bridge.
@@ -65,8 +67,8 @@ pub(crate) fn twist<V: Lanes>(bridge: Vector<V>, tangent_p: Vector<V>, tangent_q
     V::select(bound.less(aa) & bound.less(bb), one - a.dot(b) / (aa * bb).sqrt(), one)
 }
 
-/// `minimal_normal_variation` (eq. 11): (1 - n_p·n̄_p) + (1 - n_q·n̄_q), n_p = unit(t_p × e) as the triangles of a strip
-/// are wound. A half whose cross product vanishes counts 1.
+/// `minimal_normal_variation` (eq. 11): (1 - n_p·n̄_p) + (1 - n_q·n̄_q), n_p = unit(t_p × e) as the triangles of a
+/// strip are wound. A half whose cross product vanishes counts 1.
 #[inline(always)]
 pub(crate) fn normal_variation<V: Lanes>(bridge: Vector<V>, tangents: [Vector<V>; 2], normals: [Vector<V>; 2]) -> V {
     let squared = bridge.dot(bridge);

@@ -7,14 +7,19 @@ use crate::DVec2;
 pub struct FlatStrip {
     /// The two directrices' points, in order.
     pub p: Vec<DVec2>,
+    /// The points of the second directrix.
     pub q: Vec<DVec2>,
     /// Index pairs into `p` and `q`, first to last.
     pub bridges: Vec<[u32; 2]>,
     /// Index triples into `p` followed by `q`, all counter-clockwise: the strip's front, (p_i, p_{i+1}, q_j), faces up.
     pub triangles: Vec<[u32; 3]>,
+    /// Largest |flat length - length| over all edges, divided by the longest edge.
     pub edge_length_error_max: f64,
+    /// Whether two triangles overlap in the plane.
     pub self_overlap: bool,
+    /// Extent along x.
     pub width: f64,
+    /// Extent along y.
     pub height: f64,
 }
 

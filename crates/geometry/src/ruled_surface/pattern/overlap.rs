@@ -1,16 +1,19 @@
-//! Do two triangles of a flat strip overlap? Not where both directrices run one way and one above the other; else a tree of bounding octagons over the chain of triangles finds the pairs that may,
-//! separating axes decide.
+//! Whether two triangles of a flat strip overlap.
+//!
+//! They do not if both directrices run in one direction and one lies above the other. Otherwise a tree of bounding
+//! polygons over the chain of triangles finds the pairs that may overlap, and separating axes decide.
 
 use super::flat_strip::FlatStrip;
 use crate::DVec2;
 use crate::error::Error;
 use crate::execution::Execution;
 
-/// Overlaps up to this fraction of the pattern's size are rounding.
+/// Depth of an overlap, as a fraction of the pattern's size, up to which it counts as rounding.
 pub(crate) const TOLERANCE: f64 = 1e-9;
-/// Triangles in a leaf of the tree.
+/// Triangles in a leaf of the tree. A larger value needs less memory and tests more pairs.
 const LEAF: usize = 4;
-/// Directions of the bounding slabs, every 22.5°: long thin triangles at any angle stay apart.
+/// Number of directions of the bounding polygons, one every 22.5°: long thin triangles at any angle stay apart. More
+/// directions cost more for each node.
 const AXES: usize = 8;
 
 /// The extent along each axis.
@@ -114,8 +117,9 @@ pub(crate) fn some_pair_overlaps(flat: &FlatStrip, tolerance: f64, execution: &E
     Ok(false)
 }
 
-/// Whether the outline is plainly simple: both directrices run towards greater x, Q above P all the way. All triangles face up,
-/// so each point that the outline winds round once is covered once, and nothing overlaps. O(points), and true of most strips.
+/// Whether the outline is plainly simple: both directrices run towards greater x, Q above P all the way. All triangles
+/// face up, so each point that the outline winds round once is covered once, and nothing overlaps. O(points), and true
+/// of most strips.
 pub(crate) fn runs_along_x(flat: &FlatStrip, tolerance: f64) -> bool {
     let ([p_first, .., p_last], [q_first, .., q_last]) = (flat.p.as_slice(), flat.q.as_slice()) else { return false };
     // Where one directrix reaches further, the bridge there continues the other, up to a point that both share.

@@ -7,8 +7,8 @@ use crate::execution::Execution;
 use crate::ruled_surface::graph::rails::Rails;
 use crate::{DVec2, DVec3};
 
-/// Flattens an open strip along its bridges and looks for overlaps. O(bridges log bridges) for patterns that are not folded
-/// over themselves many times.
+/// Flattens an open strip along its bridges and looks for overlaps. O(bridges log bridges) for patterns that are not
+/// folded over themselves many times.
 pub(crate) fn unroll(
     strip: &Rails,
     path: &[[u32; 2]],

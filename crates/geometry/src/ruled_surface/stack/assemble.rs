@@ -6,6 +6,7 @@ use super::surface::RuledSurface;
 use crate::Mesh;
 use crate::error::Error;
 use crate::execution::Execution;
+use crate::mesh::self_intersections::SelfIntersectionCheck;
 use crate::ruled_surface::graph::rails::Rails;
 use crate::ruled_surface::pattern::FlatPattern;
 use crate::ruled_surface::pattern::unroll::unroll;
@@ -50,6 +51,7 @@ pub(crate) fn assemble(
         strips: Vec::new(),
         comparison: None,
         flat_pattern: (!options.closed).then(|| FlatPattern::of(flat)),
+        self_intersections: SelfIntersectionCheck::default(),
         warnings: Vec::new(),
     })
 }

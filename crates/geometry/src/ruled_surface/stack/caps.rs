@@ -5,10 +5,12 @@ use crate::execution::{Execution, Interruption};
 use crate::{DVec2, DVec3, Mesh};
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
-/// A contour is planar if no point is further from its plane than this fraction of its size, rounding of the input aside.
+/// Largest distance of a point of a planar contour from its plane, as a fraction of the contour's size; rounding of the
+/// input comes on top. A larger value closes ends that are visibly bent.
 const PLANARITY: f64 = 1e-9;
 
-/// Closes the two ends of a closed stack. A directrix of one point closes its end already. Leaves the mesh oriented outwards.
+/// Closes the two ends of a closed stack. A directrix of one point closes its end already. Leaves the mesh oriented
+/// outwards.
 ///
 /// # Errors
 /// [`Error::Input`] at `directrices`, k if an end contour is not planar or crosses itself.

@@ -12,12 +12,16 @@ pub const DEFAULT_CONVEXITY_TOLERANCE: f64 = 1e-6 * std::f64::consts::PI / 180.0
 pub struct Options {
     /// Directrices are closed polygons; the optimum is over every starting bridge too.
     pub closed: bool,
+    /// What each strip minimises.
     pub objective: Objective,
     /// With [`Objective::MaximalConvexity`] only.
     pub secondary: Option<Secondary>,
-    /// How far, in radians, a direction may reach beyond the half-plane of a locally convex bridge; 0 is the exact answer.
+    /// How far, in radians, a direction may reach beyond the half-plane of a locally convex bridge; 0 is the exact
+    /// answer.
     pub convexity_tolerance: f64,
+    /// Whether directrices may be reversed.
     pub direction: Direction,
+    /// What closes the ends of a closed stack.
     pub caps: Caps,
     /// Surface normals along the directrices, in their shape; needed for [`Objective::MinimalNormalVariation`].
     pub normals: Option<Vec<Vec<DVec3>>>,
@@ -25,6 +29,7 @@ pub struct Options {
     pub tangents: Option<Vec<Vec<DVec3>>>,
     /// Solve for every objective and fill [`RuledSurface::comparison`].
     pub all_objectives: bool,
+    /// How directrices are resampled before the solve; as given by default.
     pub sampling: Option<Sampling>,
 }
 
@@ -49,6 +54,7 @@ impl Default for Options {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Direction {
     #[default]
+    /// Each directrix runs as given.
     AsGiven,
     /// Each directrix but the first is reversed where that gives the better optimum.
     Auto,
@@ -58,6 +64,7 @@ pub enum Direction {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Caps {
     #[default]
+    /// The ends stay open.
     None,
     /// Constrained Delaunay triangulations of the planar end contours: a closed body, oriented outwards.
     Flat,

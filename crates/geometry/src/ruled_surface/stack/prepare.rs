@@ -8,7 +8,7 @@ use crate::ruled_surface::graph::rails::{Given, Rails};
 use crate::ruled_surface::strip::check::{MOST_ERRORS, TOO_FEW_CLOSED, goal_errors, shape_errors, value_errors};
 use crate::{DVec3, polyline};
 
-/// Samples of one directrix.
+/// Largest number of samples of one directrix.
 const MOST_SAMPLES: usize = 1 << 24;
 
 /// A directrix ready to be solved.
@@ -100,7 +100,7 @@ pub(crate) fn prepare(
         if dropped > 0 {
             prepared.warnings.push(Warning::new(
                 "merged_points",
-                format!("directrix {k}: {dropped} points equal to their neighbour were merged"),
+                format!("directrix {k}: {dropped} points were merged that equal their neighbour, or nearly"),
             ));
         }
         let count = directrix.points.len();
@@ -162,7 +162,7 @@ fn option_errors(directrices: &[Vec<DVec3>], options: &Options) -> Vec<InputErro
     errors
 }
 
-/// Merges equal neighbours, samples, merges again (samples of a polyline that turns back can be equal).
+/// Merges near neighbours, samples, merges again (samples of a polyline that turns back can be equal).
 fn clean(
     points: &[DVec3],
     tangents: Option<Vec<DVec3>>,
@@ -171,7 +171,7 @@ fn clean(
     offset: usize,
     execution: &Execution<'_>,
 ) -> Result<(Directrix, usize), Interruption> {
-    let merged = polyline::merge_equal_neighbours(points, closed);
+    let merged = polyline::merge_near_neighbours(points, closed);
     let dropped = merged.dropped();
     let pick = |values: Vec<DVec3>, source: &[usize]| source.iter().map(|&k| values[k]).collect::<Vec<_>>();
     let mut tangents = tangents.map(|t| pick(t, &merged.source));
@@ -179,7 +179,7 @@ fn clean(
     let (mut points, mut vertex_of) = (merged.points, merged.vertex_of);
     if let Some(sampling) = sampling {
         let samples = sampling::sample(&points, closed, sampling, execution)?;
-        let again = polyline::merge_equal_neighbours(&samples.interpolate(&points), closed);
+        let again = polyline::merge_near_neighbours(&samples.interpolate(&points), closed);
         vertex_of.iter_mut().for_each(|v| *v = again.vertex_of[samples.nearest[*v]]);
         tangents = tangents.map(|t| pick(samples.interpolate(&t), &again.source));
         normals = normals.map(|n| pick(samples.interpolate(&n), &again.source));

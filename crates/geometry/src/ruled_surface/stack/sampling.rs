@@ -8,12 +8,23 @@ use std::collections::BinaryHeap;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sampling {
     /// `samples` points uniform in t, where t counts the polyline's points.
-    Parameter { samples: usize },
+    Parameter {
+        /// Number of points.
+        samples: usize,
+    },
     /// `samples` points uniform in the length along the polyline.
-    ArcLength { samples: usize },
-    /// The given points that are needed to stay within `tolerance` (a length) of the polyline, the largest chordal height
-    /// first, at most `samples` of them if that is given.
-    ChordHeight { samples: Option<usize>, tolerance: f64 },
+    ArcLength {
+        /// Number of points.
+        samples: usize,
+    },
+    /// The given points that are needed to stay within `tolerance` (a length) of the polyline, the largest chordal
+    /// height first, at most `samples` of them if that is given.
+    ChordHeight {
+        /// Largest number of points; as many as are needed by default.
+        samples: Option<usize>,
+        /// Largest distance of a left-out point from its chord, in the caller's unit.
+        tolerance: f64,
+    },
 }
 
 /// Resampled points: each lies on a segment of the input.
@@ -109,14 +120,14 @@ fn uniform(stations: &[f64], samples: usize, closed: bool) -> Samples {
 }
 
 /// A stretch of the polyline and the point furthest from its chord.
-struct Stretch {
+struct Chord {
     height: f64,
     from: usize,
     to: usize,
     peak: usize,
 }
 
-impl Stretch {
+impl Chord {
     fn new(points: &[DVec3], from: usize, to: usize) -> Self {
         let (a, b) = (points[from], points[to % points.len()]);
         let chord = b - a;
@@ -133,22 +144,22 @@ impl Stretch {
     }
 }
 
-impl Ord for Stretch {
+impl Ord for Chord {
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
         self.height.total_cmp(&other.height).then(other.from.cmp(&self.from))
     }
 }
-impl PartialOrd for Stretch {
+impl PartialOrd for Chord {
     fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
         Some(self.cmp(other))
     }
 }
-impl PartialEq for Stretch {
+impl PartialEq for Chord {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other).is_eq()
     }
 }
-impl Eq for Stretch {}
+impl Eq for Chord {}
 
 /// O(points · samples) at worst, points · log(samples) on most curves.
 fn by_chord_height(
@@ -168,11 +179,11 @@ fn by_chord_height(
         let furthest = (1..count)
             .fold(1, |best, k| if points[k].distance(points[0]) > points[best].distance(points[0]) { k } else { best });
         kept[furthest] = true;
-        heap.push(Stretch::new(points, 0, furthest));
-        heap.push(Stretch::new(points, furthest, count));
+        heap.push(Chord::new(points, 0, furthest));
+        heap.push(Chord::new(points, furthest, count));
     } else {
         kept[count - 1] = true;
-        heap.push(Stretch::new(points, 0, count - 1));
+        heap.push(Chord::new(points, 0, count - 1));
     }
     let mut chosen = 2;
     while let Some(stretch) = heap.pop() {
@@ -183,8 +194,8 @@ fn by_chord_height(
         kept[stretch.peak] = true;
         chosen += 1;
         execution.look((stretch.to - stretch.from) as u64)?;
-        heap.push(Stretch::new(points, stretch.from, stretch.peak));
-        heap.push(Stretch::new(points, stretch.peak, stretch.to));
+        heap.push(Chord::new(points, stretch.from, stretch.peak));
+        heap.push(Chord::new(points, stretch.peak, stretch.to));
     }
     let places: Vec<(usize, f64)> = (0..count).filter(|&k| kept[k]).map(|k| (k, 0.0)).collect();
     let nearest = (0..count)

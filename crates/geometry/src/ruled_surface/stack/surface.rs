@@ -2,6 +2,7 @@
 
 use crate::Mesh;
 use crate::error::Warning;
+use crate::mesh::self_intersections::SelfIntersectionCheck;
 use crate::ruled_surface::pattern::FlatPattern;
 use crate::ruled_surface::strip::objective::{Objective, Secondary};
 use crate::ruled_surface::strip::statistics::Statistics;
@@ -27,13 +28,19 @@ pub struct RuledSurface {
     pub comparison: Option<Vec<Comparison>>,
     /// Open surfaces only.
     pub flat_pattern: Option<FlatPattern>,
+    /// Pairs of triangles that meet in more than what they share, caps included.
+    pub self_intersections: SelfIntersectionCheck,
+    /// What the caller should know about the input or the result.
     pub warnings: Vec<Warning>,
 }
 
 /// A row of Table 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
+    /// The objective that was minimised.
     pub objective: Objective,
+    /// What decided among its optima.
     pub secondary: Option<Secondary>,
+    /// Figures of the whole stack for that optimum.
     pub statistics: Statistics,
 }

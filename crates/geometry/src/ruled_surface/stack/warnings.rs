@@ -2,24 +2,31 @@
 
 use crate::DVec3;
 use crate::error::{Error, Warning};
+use crate::mesh::measure::is_degenerate;
+use crate::ruled_surface::graph::convexity::ConvexityTest;
 use crate::ruled_surface::graph::lanes::Widest;
 use crate::ruled_surface::graph::pulse::Pulse;
 use crate::ruled_surface::graph::rails::{Given, Rails};
 use crate::ruled_surface::strip::objective::{Goal, Objective};
-use crate::ruled_surface::strip::search::{least, least_bending_within};
+use crate::ruled_surface::strip::search::{least, least_bending_within, solve_all};
 use crate::ruled_surface::strip::statistics::Statistics;
 
-/// Area above that of the minimal one from which on a strip is reported.
+/// Area, as a multiple of the least area, above which a strip is reported. A larger value reports fewer strips.
 const LARGE: f64 = 1.25;
-/// Bending energy above the least one from which on a strip is reported: minimal area alone costs a factor of 10 to 20.
+/// Bending energy, as a multiple of the least one, above which a strip is reported. A strip of least area alone has 10
+/// to 20 times the least bending energy on Wang and Tang's examples.
 const BENT: f64 = 50.0;
-/// Strips of up to so many cells are also searched for a path that bends so much less.
+/// Grid cells up to which an open strip is searched for a path that bends so much less. A larger value takes more time.
 pub(crate) const BENDING_CHECKED_UP_TO: usize = 1 << 18;
-/// The same on closed strips, which take a few dozen searches.
+/// The same for closed strips, which take a few dozen searches.
 pub(crate) const CLOSED_BENDING_CHECKED_UP_TO: usize = 1 << 14;
-/// Reversing must help by so much, in area, to be mentioned.
+/// Area of the reversed strip, as a multiple of the area as given, below which the directions are reported as opposite.
 const OPPOSITE: f64 = 0.9;
-/// Directrices are thinned to so many points to find out.
+/// Areas count as equal up to this factor, where only one of the two directions folds back.
+const EQUAL: f64 = 1.0 + 1e-9;
+/// An open strip whose directrices share both ends has two triangles without area; more are reported.
+const EMPTY_AT_ENDS: usize = 2;
+/// Number of points to which directrices are thinned for this. A larger value takes more time, as its square.
 const THINNED: usize = 48;
 /// Warnings about strip `k` of a stack, solved as `path` with these figures. `as_given`: nobody chose its directions.
 pub(crate) fn of_strip(
@@ -39,6 +46,17 @@ pub(crate) fn of_strip(
             format!("strip {k}: neighbouring triangles fold back, by up to {degrees:.1}°"),
         ));
     }
+    let triangles = strip.triangles_along(path);
+    let empty = triangles.iter().filter(|&&triangle| is_degenerate(strip.corners(triangle))).count();
+    if empty > EMPTY_AT_ENDS || empty == triangles.len() {
+        let of = if empty == triangles.len() { "all".to_owned() } else { format!("{empty} of") };
+        let detail = format!(
+            "strip {k}: {of} {} triangles have no area: directrices {k} and {} coincide there or run along one line",
+            triangles.len(),
+            k + 1
+        );
+        warnings.push(Warning::new("empty_triangles", detail));
+    }
     if strip.closed && repeats_a_bridge(path) {
         let detail = format!("strip {k}: the path runs all the way round one directrix at one point of the other");
         warnings.push(Warning::new("repeated_bridge", detail));
@@ -47,8 +65,23 @@ pub(crate) fn of_strip(
         return Ok(warnings);
     }
     if as_given {
-        let area = least(&thinned(strip, false), Objective::MinimalArea, lanes, pulse)?;
-        let reversed = least(&thinned(strip, true), Objective::MinimalArea, lanes, pulse)?;
+        let mut area_and_fold = |reversed: bool| -> Result<(f64, f64), Error> {
+            let goal = Goal::single(Objective::MinimalArea);
+            let thinned = [thinned(strip, reversed)];
+            let solved = solve_all(&thinned, goal, ConvexityTest::Within(0.0), lanes, pulse, &mut Vec::new())?;
+            Ok((solved.statistics[0].area, solved.statistics[0].largest_fold))
+        };
+        let (area, fold) = area_and_fold(false)?;
+        let (reversed, reversed_fold) = area_and_fold(true)?;
+        let right_angle = std::f64::consts::FRAC_PI_2;
+        if reversed <= EQUAL * area && fold > right_angle && reversed_fold <= right_angle && reversed >= OPPOSITE * area
+        {
+            let next = k + 1;
+            let detail = format!(
+                "directrices {k} and {next} run in opposite directions: reversing one gives a strip of no more area that does not fold back"
+            );
+            warnings.push(Warning::new("opposite_directions", detail));
+        }
         if reversed < OPPOSITE * area {
             let (saved, next) = (100.0 * (1.0 - reversed / area), k + 1);
             let detail = format!(
@@ -85,7 +118,8 @@ pub(crate) fn of_strip(
     Ok(warnings)
 }
 
-/// A strip of the same shape with at most [`THINNED`] points a side, its second directrix run through backwards if asked.
+/// A strip of the same shape with at most [`THINNED`] points a side, its second directrix run through backwards if
+/// asked.
 fn thinned(strip: &Rails, reversed: bool) -> Rails {
     let thin = |points: &[DVec3]| -> Vec<DVec3> {
         let count = points.len().min(THINNED);

@@ -6,9 +6,9 @@ use crate::error::{InputError, Place};
 use crate::polyline::LARGEST_COORDINATE;
 use crate::ruled_surface::graph::rails::Given;
 
-/// Errors listed before the rest is left out.
+/// Number of errors that are listed; the rest is left out.
 pub(crate) const MOST_ERRORS: usize = 51;
-/// The largest convexity tolerance, radians: beyond it nothing is concave.
+/// Largest convexity tolerance, in radians. With a larger one no bridge is concave.
 const LARGEST_TOLERANCE: f64 = std::f64::consts::FRAC_PI_4;
 
 pub(crate) const TOO_FEW_CLOSED: &str = "a closed directrix needs three distinct points, or one (an apex)";
@@ -34,7 +34,8 @@ pub(crate) fn goal_errors(
     };
     for (objective, weight) in &weights {
         if !(weight.is_finite() && *weight >= 0.0) {
-            refuse(Place::field("objective").then("weights").then(objective.name()), "must be finite and not negative");
+            let name = objective.name();
+            refuse(Place::field("objective").then("weights").then(name), "must be finite and not negative");
         }
     }
     if !weights.is_empty() && weights.iter().all(|&(_, weight)| weight == 0.0) {

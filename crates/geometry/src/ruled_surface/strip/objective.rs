@@ -5,12 +5,17 @@
 #[non_exhaustive]
 pub enum Objective {
     #[default]
+    /// The sum of the areas of the triangles.
     MinimalArea,
+    /// The normal twist of all bridges.
     MinimalTwist,
+    /// The number of locally convex bridges, which is made largest.
     MaximalConvexity,
+    /// The bending energy at the interior bridges.
     MinimalBendingEnergy,
+    /// The changes of the mean curvature vector from bridge to bridge.
     MinimalMeanCurvatureVariation,
-    /// Needs normals.
+    /// The departure from given surface normals. Needs normals.
     MinimalNormalVariation,
     /// A weighted sum of the additive objectives, solved on the four-layer graph.
     Weighted(Weights),
@@ -19,11 +24,15 @@ pub enum Objective {
 /// Factors of a weighted sum, finite and not negative, at least one of them positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weights {
+    /// Factor of the area.
     pub area: f64,
+    /// Factor of the normal twist.
     pub twist: f64,
+    /// Factor of the bending energy.
     pub bending_energy: f64,
+    /// Factor of the mean curvature variation.
     pub mean_curvature_variation: f64,
-    /// Needs normals if positive.
+    /// Factor of the normal variation. Needs normals if positive.
     pub normal_variation: f64,
     /// Divides each term by its own optimum on the strip, since they have different units.
     pub normalise: bool,
@@ -59,14 +68,17 @@ impl Weights {
 /// What decides among the paths with the most convex bridges, summed over the bridges that are not convex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Secondary {
+    /// The bending energy at these bridges.
     BendingEnergy,
+    /// The steps of the mean curvature vector that enter these bridges.
     MeanCurvatureVariation,
 }
 
 impl Secondary {
+    /// Both of them.
     pub const ALL: [Self; 2] = [Self::BendingEnergy, Self::MeanCurvatureVariation];
 
-    /// The objective's name on the wire.
+    /// The objective's name, in snake case.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -87,7 +99,7 @@ impl Objective {
         Self::MinimalNormalVariation,
     ];
 
-    /// The name on the wire; `weighted` for a weighted sum.
+    /// The objective's name, in snake case; `weighted` for a weighted sum.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {

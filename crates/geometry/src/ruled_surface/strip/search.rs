@@ -4,13 +4,13 @@ use super::objective::{Goal, Objective, Secondary, Weights};
 use super::statistics::{Evaluation, Statistics, evaluate};
 use crate::error::{Error, Warning};
 use crate::execution::Interruption;
-use crate::ruled_surface::graph::closed::{self, Found, Search, Searcher};
-use crate::ruled_surface::graph::convexity::{self, Test};
+use crate::ruled_surface::graph::closed::{self, FoundPath, KernelSearch, PathSearch};
+use crate::ruled_surface::graph::convexity::{self, ConvexityTest};
 use crate::ruled_surface::graph::corridor::corridor;
 use crate::ruled_surface::graph::lanes::{Lanes, Widest, with_lanes};
 use crate::ruled_surface::graph::lattice::Lattice;
 use crate::ruled_surface::graph::layers::{
-    Area, Concave, DualLayer, Factors, Lexicographic, NormalVariation, QuadrupleLayer, SingleLayer, Twist, Value,
+    Area, Concave, CoupledCost, DualLayer, Factors, NormalVariation, PlainCost, QuadrupleLayer, SingleLayer, Twist,
 };
 use crate::ruled_surface::graph::pulse::Pulse;
 use crate::ruled_surface::graph::rails::Rails;
@@ -19,25 +19,25 @@ use std::marker::PhantomData;
 
 /// What a search is asked for on one strip.
 #[derive(Clone, Copy)]
-pub(crate) struct Asked<'a> {
+pub(crate) struct SearchGoal<'a> {
     goal: Goal,
     /// A weighted sum's.
     factors: Option<&'a Factors>,
     /// Winding for the normal variation, 1 or -1.
     sign: f64,
-    test: Test,
+    test: ConvexityTest,
 }
 
-impl Asked<'_> {
+impl SearchGoal<'_> {
     /// A goal that needs no factors, on triangles as they come.
-    fn plainly(goal: Goal, test: Test) -> Self {
+    fn plainly(goal: Goal, test: ConvexityTest) -> Self {
         Self { goal, factors: None, sign: 1.0, test }
     }
 }
 
 /// A path on every strip of a stack, and its figures.
 #[derive(Clone, Debug)]
-pub(crate) struct Solved {
+pub(crate) struct SolvedStrips {
     pub(crate) paths: Vec<Vec<[u32; 2]>>,
     pub(crate) statistics: Vec<Statistics>,
     /// The faces agree with the given normals only when wound the other way round.
@@ -48,11 +48,11 @@ pub(crate) struct Solved {
 pub(crate) fn solve_all(
     strips: &[Rails],
     goal: Goal,
-    test: Test,
+    test: ConvexityTest,
     lanes: Widest,
     pulse: &mut Pulse<'_, '_>,
     warnings: &mut Vec<Warning>,
-) -> Result<Solved, Error> {
+) -> Result<SolvedStrips, Error> {
     let mut factors = Vec::new();
     if let Objective::Weighted(weights) = goal.objective {
         for strip in strips {
@@ -60,12 +60,12 @@ pub(crate) fn solve_all(
         }
     }
     let signs: &[f64] = if goal.winding_matters() { &[1.0, -1.0] } else { &[1.0] };
-    let mut best: Option<(f64, Solved)> = None;
+    let mut best: Option<(f64, SolvedStrips)> = None;
     for &sign in signs {
         let mut paths = Vec::with_capacity(strips.len());
         let mut evaluations = Vec::with_capacity(strips.len());
         for (k, strip) in strips.iter().enumerate() {
-            let asked = Asked { goal, factors: factors.get(k), sign, test };
+            let asked = SearchGoal { goal, factors: factors.get(k), sign, test };
             let path = optimal_path(strip, asked, lanes, pulse)?;
             evaluations.push(evaluate(strip, &path, test, lanes, pulse.execution())?);
             paths.push(path);
@@ -79,7 +79,7 @@ pub(crate) fn solve_all(
             .collect();
         let total: f64 = statistics.iter().map(|strip| strip.objective_value).sum();
         if best.as_ref().is_none_or(|(least, _)| total < *least) {
-            best = Some((total, Solved { paths, statistics, flipped }));
+            best = Some((total, SolvedStrips { paths, statistics, flipped }));
         }
     }
     let (_, solved) = best.expect("there is at least one winding");
@@ -90,7 +90,7 @@ pub(crate) fn solve_all(
 pub(crate) fn path_of(
     strip: &Rails,
     goal: Goal,
-    test: Test,
+    test: ConvexityTest,
     lanes: Widest,
     pulse: &mut Pulse<'_, '_>,
 ) -> Result<Vec<[u32; 2]>, Error> {
@@ -98,7 +98,7 @@ pub(crate) fn path_of(
         let mut solved = solve_all(std::slice::from_ref(strip), goal, test, lanes, pulse, &mut Vec::new())?;
         return Ok(solved.paths.swap_remove(0));
     }
-    Ok(optimal_path(strip, Asked::plainly(goal, test), lanes, pulse)?)
+    Ok(optimal_path(strip, SearchGoal::plainly(goal, test), lanes, pulse)?)
 }
 
 fn prefers_flipping(evaluations: &[Evaluation]) -> bool {
@@ -133,14 +133,15 @@ fn figures(evaluation: &Evaluation, goal: Goal, factors: Option<&Factors>, flipp
     s
 }
 
-/// Optima below this (per bridge, in the strip's own size) are zero: dividing by them would weigh rounding.
+/// Optimum for each bridge, in the strip's own size, below which a term of a weighted sum is not divided by its
+/// optimum. The quotient would weigh rounding.
 const VANISHING: f64 = 1e-12;
 
 /// A weighted sum's factors on one strip, in the strip's own unit.
 fn normalised(
     strip: &Rails,
     weights: Weights,
-    test: Test,
+    test: ConvexityTest,
     lanes: Widest,
     pulse: &mut Pulse<'_, '_>,
     warnings: &mut Vec<Warning>,
@@ -175,7 +176,7 @@ fn normalised(
 /// The optimal path of one strip, bridges in order; on closed strips the indices are reduced to the polygons'.
 pub(crate) fn optimal_path(
     strip: &Rails,
-    asked: Asked<'_>,
+    asked: SearchGoal<'_>,
     lanes: Widest,
     pulse: &mut Pulse<'_, '_>,
 ) -> Result<Vec<[u32; 2]>, Interruption> {
@@ -188,15 +189,17 @@ pub(crate) fn optimal_path(
     Ok(if strip.closed { path.into_iter().map(|[i, j]| [i % m, j % n]).collect() } else { path })
 }
 
-/// The least area, in the caller's unit, or bending energy of a strip without an apex: the optimum's cost, without its other
-/// figures.
+/// The least area, in the caller's unit, or bending energy of a strip without an apex: the optimum's cost, without its
+/// other figures.
 pub(crate) fn least(
     strip: &Rails,
     objective: Objective,
     lanes: Widest,
     pulse: &mut Pulse<'_, '_>,
 ) -> Result<f64, Interruption> {
-    let cost = found(strip, Asked::plainly(Goal::single(objective), Test::Within(0.0)), lanes, pulse)?.score.value;
+    let cost = found(strip, SearchGoal::plainly(Goal::single(objective), ConvexityTest::Within(0.0)), lanes, pulse)?
+        .score
+        .value;
     Ok(if objective == Objective::MinimalArea { 0.5 * cost * strip.unit * strip.unit } else { cost })
 }
 
@@ -220,23 +223,29 @@ fn bending_within<V: Lanes>(
     pulse: &mut Pulse<'_, '_>,
 ) -> Result<Option<f64>, Interruption> {
     let lattice = &Lattice::new(strip, false);
-    let kernel = DualLayer { simd, lattice, concave: None, cost: PhantomData::<Value<V>> };
+    let kernel = DualLayer { simd, lattice, concave: None, cost: PhantomData::<PlainCost<V>> };
     cost_within::<V, _>(&kernel, (lattice.rows, lattice.columns), bound, pulse)
 }
 
-fn found(strip: &Rails, asked: Asked<'_>, lanes: Widest, pulse: &mut Pulse<'_, '_>) -> Result<Found, Interruption> {
+fn found(
+    strip: &Rails,
+    asked: SearchGoal<'_>,
+    lanes: Widest,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<FoundPath, Interruption> {
     with_lanes!(lanes, V, simd => search::<V>(simd, strip, asked, pulse))
 }
 
-/// Cells that are visited faster than a corridor through them is found.
+/// Number of grid cells up to which the whole grid is swept without a corridor: so many are visited in less time than a
+/// corridor takes to find. A larger value slows down strips of some hundred points.
 const SMALL: usize = 16384;
 
 fn search<V: Lanes>(
     simd: V::Simd,
     strip: &Rails,
-    Asked { goal, factors, sign, test }: Asked<'_>,
+    SearchGoal { goal, factors, sign, test }: SearchGoal<'_>,
     pulse: &mut Pulse<'_, '_>,
-) -> Result<Found, Interruption> {
+) -> Result<FoundPath, Interruption> {
     let lattice = &Lattice::new(strip, goal.needs_tangents());
     let (rows, columns) = (lattice.rows, lattice.columns);
     let table = match goal.objective {
@@ -251,39 +260,39 @@ fn search<V: Lanes>(
     };
     macro_rules! run {
         ($kernel:expr) => {
-            find(strip.closed, &mut Searcher::<V, _>::new($kernel, rows, columns), &region, pulse)
+            find(strip.closed, &mut KernelSearch::<V, _>::new($kernel, rows, columns), &region, pulse)
         };
     }
     match (goal.objective, goal.secondary, concave) {
         (Objective::MaximalConvexity, Some(Secondary::BendingEnergy), _) => {
-            run!(DualLayer { simd, lattice, concave, cost: PhantomData::<Lexicographic<V>> })
+            run!(DualLayer { simd, lattice, concave, cost: PhantomData::<CoupledCost<V>> })
         }
         (Objective::MaximalConvexity, Some(Secondary::MeanCurvatureVariation), _) => {
-            run!(QuadrupleLayer { simd, lattice, concave, factors: None, cost: PhantomData::<Lexicographic<V>> })
+            run!(QuadrupleLayer { simd, lattice, concave, factors: None, cost: PhantomData::<CoupledCost<V>> })
         }
         (Objective::MaximalConvexity, None, Some(table)) => run!(SingleLayer(Concave { simd, table })),
         (Objective::MinimalArea | Objective::MaximalConvexity, ..) => run!(SingleLayer(Area { simd, lattice })),
         (Objective::MinimalTwist, ..) => run!(SingleLayer(Twist { simd, lattice })),
         (Objective::MinimalNormalVariation, ..) => run!(SingleLayer(NormalVariation { simd, lattice, sign })),
         (Objective::MinimalBendingEnergy, ..) => {
-            run!(DualLayer { simd, lattice, concave: None, cost: PhantomData::<Value<V>> })
+            run!(DualLayer { simd, lattice, concave: None, cost: PhantomData::<PlainCost<V>> })
         }
         (Objective::MinimalMeanCurvatureVariation, ..) => {
-            run!(QuadrupleLayer { simd, lattice, concave: None, factors: None, cost: PhantomData::<Value<V>> })
+            run!(QuadrupleLayer { simd, lattice, concave: None, factors: None, cost: PhantomData::<PlainCost<V>> })
         }
         (Objective::Weighted(_), ..) => {
             let factors = factors.map(|factors| Factors { sign, ..*factors });
-            run!(QuadrupleLayer { simd, lattice, concave: None, factors, cost: PhantomData::<Value<V>> })
+            run!(QuadrupleLayer { simd, lattice, concave: None, factors, cost: PhantomData::<PlainCost<V>> })
         }
     }
 }
 
 fn find(
     is_closed: bool,
-    search: &mut dyn Search,
+    search: &mut dyn PathSearch,
     region: &Region,
     pulse: &mut Pulse<'_, '_>,
-) -> Result<Found, Interruption> {
+) -> Result<FoundPath, Interruption> {
     if is_closed { closed::closed(search, pulse) } else { closed::open(search, region, pulse) }
 }
 

@@ -3,7 +3,7 @@
 use crate::DVec3;
 use crate::error::Error;
 use crate::execution::Execution;
-use crate::ruled_surface::graph::convexity::{self, Test};
+use crate::ruled_surface::graph::convexity::{self, ConvexityTest};
 use crate::ruled_surface::graph::lanes::{Lanes, MOST_LANES, Task, Vector, Widest, with_lanes};
 use crate::ruled_surface::graph::rails::Rails;
 use crate::ruled_surface::graph::weight::{self, Wing};
@@ -11,9 +11,11 @@ use crate::ruled_surface::graph::weight::{self, Wing};
 /// The figures of one strip or of a whole stack. Lengths in the caller's unit, angles in radians.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Statistics {
+    /// Number of triangles, caps not counted.
     pub triangles: usize,
     /// Bridges, the first and last of an open strip included.
     pub bridges: usize,
+    /// Sum of the areas of the triangles.
     pub area: f64,
     /// Sum of 1 - n_p·n_q over all bridges (definition 5).
     pub total_normal_twist: f64,
@@ -31,7 +33,9 @@ pub struct Statistics {
     pub largest_fold: f64,
     /// The same over the bridges that are not locally convex; 0 if all are.
     pub developability_deviation: f64,
+    /// Length of the shortest bridge.
     pub shortest_bridge: f64,
+    /// Length of the longest bridge.
     pub longest_bridge: f64,
     /// What was minimised: for maximal convexity the number of convex bridges.
     pub objective_value: f64,
@@ -68,6 +72,7 @@ impl Statistics {
 /// The secondaries of the couplings: sums over the bridges that are not locally convex.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CoupledValues {
+    /// Of the folds at such a bridge.
     pub bending_energy: f64,
     /// Of the steps that enter such a bridge.
     pub mean_curvature_variation: f64,
@@ -95,21 +100,24 @@ impl Angle {
     const ZERO: Self = Self { sine: 0.0, cosine: 1.0 };
 
     fn max(self, other: Self) -> Self {
-        if other.sine * self.cosine > self.sine * other.cosine { other } else { self }
+        // The sine of the difference; 0 for equal angles, and for 0 and 180 degrees.
+        let difference = other.sine * self.cosine - self.sine * other.cosine;
+        let opposite = difference == 0.0 && self.cosine > 0.0 && other.cosine < 0.0;
+        if difference > 0.0 || opposite { other } else { self }
     }
     fn radians(self) -> f64 {
         self.sine.atan2(self.cosine)
     }
 }
 
-/// Bridges between two looks.
+/// Bridges between two looks at the execution: less than a millisecond.
 const BRIDGES_BETWEEN_LOOKS: usize = 4096;
 
 /// Evaluates a path: bridges in order, indices cyclic on closed strips (without repeating the first). O(bridges).
 pub(crate) fn evaluate(
     strip: &Rails,
     path: &[[u32; 2]],
-    test: Test,
+    test: ConvexityTest,
     lanes: Widest,
     execution: &Execution<'_>,
 ) -> Result<Evaluation, Error> {
@@ -117,7 +125,7 @@ pub(crate) fn evaluate(
     for first in (0..path.len()).step_by(BRIDGES_BETWEEN_LOOKS) {
         let bridges = first..path.len().min(first + BRIDGES_BETWEEN_LOOKS);
         with_lanes!(lanes, V, simd => {
-            V::run(simd, Part { simd, strip, path, test, bridges: bridges.clone(), sums: &mut sums });
+            V::run(simd, PathPart { simd, strip, path, test, bridges: bridges.clone(), sums: &mut sums });
         });
         if bridges.end < path.len() {
             execution.look(16 * bridges.len() as u64)?;
@@ -126,7 +134,8 @@ pub(crate) fn evaluate(
     Ok(sums.evaluation(strip))
 }
 
-/// What the bridges so far add up to, in the strip's own unit. They are added one by one, whatever the width of the lanes.
+/// What the bridges so far add up to, in the strip's own unit. They are added one by one, whatever the width of the
+/// lanes.
 struct Sums {
     evaluation: Evaluation,
     variation: [f64; 2],
@@ -219,11 +228,11 @@ impl Sums {
 }
 
 /// Some bridges of a path.
-struct Part<'a, S> {
+struct PathPart<'a, S> {
     simd: S,
     strip: &'a Rails,
     path: &'a [[u32; 2]],
-    test: Test,
+    test: ConvexityTest,
     bridges: std::ops::Range<usize>,
     sums: &'a mut Sums,
 }
@@ -252,11 +261,11 @@ fn wing<V: Lanes>(bank: &Rows, bridge: Vector<V>, bridge_squared: V) -> Wing<V> 
 }
 
 /// No closures over lanes here: the compiler does not take the instructions that [`Lanes::run`] enables into them.
-impl<V: Lanes> Task<V> for Part<'_, V::Simd> {
+impl<V: Lanes> Task<V> for PathPart<'_, V::Simd> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        let Part { simd, strip, path, test, bridges, sums } = self;
+        let PathPart { simd, strip, path, test, bridges, sums } = self;
         let (m, n, count) = (strip.m(), strip.n(), path.len());
         let (tangents_p, tangents_q) = (strip.p.tangents(strip.closed), strip.q.tangents(strip.closed));
         // A step by P changes the first index (by one, or back to 0); round an apex all steps are by Q or all by P.

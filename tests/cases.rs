@@ -1,0 +1,62 @@
+//! Requests that once gave a wrong result which looked right, each with what is right.
+//!
+//! The requests are in `tests/cases`. References are closed forms, or Surface Evolver's results on the same boundary.
+
+use plateau::config::LimitsConfig;
+use plateau::jobs::progress::Signal;
+use plateau::jobs::solve::solve;
+use plateau::wire::Request;
+use serde_json::Value;
+
+/// Statistics of a case, and the codes of all its warnings.
+fn solved(name: &str) -> (Value, Vec<String>) {
+    let path = format!("{}/tests/cases/{name}.json", env!("CARGO_MANIFEST_DIR"));
+    let body = std::fs::read(&path).expect("a case");
+    let request = Request::read_with_kind(&body, &LimitsConfig::default())
+        .unwrap_or_else(|rejection| panic!("{name} is refused: {rejection:?}"));
+    let solved = solve(&request, &|| Signal::Continue, &|_| {}).unwrap_or_else(|failed| panic!("{name}: {failed:?}"));
+    let statistics = serde_json::from_str(&solved.statistics).expect("statistics are JSON");
+    (statistics, solved.warnings.iter().map(|warning| warning.code.to_string()).collect())
+}
+
+fn has(warnings: &[String], code: &str) -> bool {
+    warnings.iter().any(|warning| warning == code)
+}
+
+#[test]
+fn a_fold_of_180_degrees_is_reported() {
+    let (statistics, warnings) = solved("ruled_fold_180");
+    assert_eq!(statistics["largest_fold_deg"], 180.0);
+    assert!(has(&warnings, "folds"), "{warnings:?}");
+}
+
+#[test]
+fn identical_rails_are_said_to_give_empty_triangles() {
+    let (statistics, warnings) = solved("ruled_identical");
+    assert_eq!(statistics["area"], 0.0);
+    assert!(has(&warnings, "empty_triangles"), "{warnings:?}");
+}
+
+#[test]
+fn a_film_over_a_knot_crosses_itself_and_says_so() {
+    let (statistics, warnings) = solved("film_trefoil");
+    let pairs = statistics["self_intersections"].as_u64().unwrap();
+    assert!((100..200).contains(&pairs), "{pairs}");
+    assert!(has(&warnings, "self_intersections"), "{warnings:?}");
+}
+
+#[test]
+fn a_loop_that_repeats_its_first_point_up_to_rounding_is_a_loop_without_it() {
+    let (statistics, warnings) = solved("loop_sampled_with_its_end");
+    assert_eq!(statistics["converged"], true);
+    assert!((statistics["area"].as_f64().unwrap() - 3.398_85).abs() < 1e-3, "{}", statistics["area"]);
+    assert!(has(&warnings, "merged_points"), "{warnings:?}");
+}
+
+#[test]
+fn points_a_millionth_of_the_radius_apart_leave_a_film_that_converges() {
+    let (statistics, warnings) = solved("near_dup_1e-06_along");
+    assert_eq!(statistics["converged"], true, "{} {}", statistics["residual"], statistics["stop_reason"]);
+    assert!((statistics["area"].as_f64().unwrap() - 3.261_83).abs() < 1e-3, "{}", statistics["area"]);
+    assert!(!has(&warnings, "not_converged"), "{warnings:?}");
+}
