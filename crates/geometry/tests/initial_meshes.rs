@@ -4,12 +4,12 @@
 mod boundaries;
 
 use boundaries::{circle, helicoid, rings, sides};
-use plateau_geometry::polyline::{self, SAME_POINT};
 use plateau_geometry::mesh::measure;
 use plateau_geometry::minimal_surface::{
     BoundarySampling, Constraints, InitialMesh, Method, MinimalSurface, Newton, OnUnstable, Options, Resolution,
     VertexRelaxation, solve,
 };
+use plateau_geometry::polyline::{self, SAME_POINT};
 use plateau_geometry::{DVec3, Error, Execution, Interruption, Mesh, Signal};
 use std::cell::Cell;
 use std::f64::consts::TAU;
