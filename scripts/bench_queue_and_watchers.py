@@ -1,4 +1,5 @@
-"""10,000 queued jobs listed page by page, and 1,000 watchers of one job; prints figures as JSON. Used by scripts/bench-load."""
+"""Lists 10,000 queued jobs page by page, then follows one job with 1,000 watchers. Prints the figures as JSON. Used by
+scripts/bench-load."""
 
 import asyncio
 import json
@@ -22,7 +23,7 @@ def strip(number, points):
 
 
 def endless():
-    """A film whose sweeps stop at no tolerance: it runs until it is cancelled."""
+    """Returns a film with tolerances of 0, which is solved until it is cancelled."""
     turns = [2 * math.pi * k / 100 for k in range(100)]
     loop = [[math.cos(t), math.sin(t), 0.3 * math.sin(2 * t)] for t in turns]
     return json.dumps({"boundaries": [loop], "resolution": {"triangles": 20_000}, "solver": "vertex_relaxation",

@@ -1,5 +1,5 @@
-// Runs the Khronos validator over .glb and .gltf files, or folders of them: node scripts/validate-gltf.mjs PATH...
-// Any error or warning fails; infos and hints are printed. Needs `npm ci` in scripts/.
+// Runs the Khronos validator on .glb and .gltf files, or on folders of them: node scripts/validate-gltf.mjs PATH...
+// Fails on any error or warning, and prints infos and hints. Needs `npm ci` in scripts/.
 import { readFile, readdir, stat } from 'node:fs/promises';
 import { join } from 'node:path';
 import validator from 'gltf-validator';
@@ -21,5 +21,5 @@ for (const file of files) {
   for (const { code, message, pointer } of issues.messages) console.log(`${file}: ${code} ${pointer}: ${message}`);
 }
 console.log(`${files.length - failed} passed, ${failed} failed`);
-// A run over no file has shown nothing.
+// A run without files fails, because it has checked nothing.
 process.exitCode = failed > 0 || files.length === 0 ? 1 : 0;

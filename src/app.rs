@@ -31,10 +31,11 @@ pub enum StartError {
 
 /// Time to wait for a database server, which may start at the same time as this process.
 const START_PATIENCE: Duration = Duration::from_secs(30);
-/// Pause between two sweeps, and while the store takes no jobs or no results.
+/// Interval between two sweeps while the store takes jobs and results.
 const SWEEP_INTERVAL: Duration = Duration::from_secs(60);
+/// Interval between two sweeps while the store refuses jobs or results.
 const URGENT_SWEEP_INTERVAL: Duration = Duration::from_secs(5);
-/// Size of the file that makes room for a sweep on a full disk. A sweep writes a few megabytes.
+/// Size of the ballast file, which is deleted on a full disk to make room for a sweep. A sweep writes a few megabytes.
 const BALLAST_BYTES: u64 = 16 << 20;
 
 /// Runs until the process is told to stop (SIGTERM, Ctrl-C).
@@ -97,7 +98,7 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         serve::serve(listener, router::router(app), &config.http, jobs.shutdown()).await;
     }
     jobs.idle().await;
-    // Another process repeats an attempt to deliver that is cut off here.
+    // If shutdown interrupts a webhook attempt, another process repeats it.
     callbacks.abort();
     sweeper.abort();
     reloader.abort();
@@ -106,7 +107,8 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
 }
 
 async fn open_store(config: &Config) -> Result<Store, StartError> {
-    // Keys may still come into the keys file.
+    // A server with a keys file has several owners even if the file is empty now, because keys may be added to it
+    // later.
     let one_owner = config.auth.keys.is_empty() && config.auth.keys_file.as_os_str().is_empty();
     if config.store.database.is_empty() {
         let folder = &config.store.data;
@@ -156,7 +158,7 @@ async fn open_store(config: &Config) -> Result<Store, StartError> {
     }
 }
 
-/// Sweeps at intervals, and more often while the store takes no jobs or no results.
+/// Sweeps the store every minute, and every 5 s while the store refuses jobs or results.
 async fn sweep(store: Store) {
     let mut swept_at = None;
     loop {

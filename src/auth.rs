@@ -1,7 +1,7 @@
-//! API keys: making them, knowing them, and what each may cost.
+//! Creates and checks API keys, and limits the requests of each key.
 //!
-//! A key is 32 random bytes, shown once; configuration holds its SHA-256 only. A presented key is hashed and compared
-//! with every known digest, all of them and whole, so that the time taken tells nothing. Without keys everybody may do
+//! A key is 32 random bytes and is shown once; the configuration holds only its SHA-256. A presented key is hashed and
+//! compared with every known digest in full, so that the time taken reveals nothing. Without keys, every client may do
 //! everything.
 
 use crate::config::AuthConfig;
@@ -13,13 +13,13 @@ use std::time::{Duration, Instant};
 
 const PREFIX: &str = "plateau_";
 const KEY_BYTES: usize = 32;
-/// Interval at which the keys file is looked at.
+/// Interval at which the keys file is checked for changes.
 const RELOAD_INTERVAL: Duration = Duration::from_secs(1);
 
-/// A new key, and the digest that configuration keeps of it.
+/// Returns a new key and the digest that the configuration keeps of it.
 ///
 /// # Errors
-/// The system gave no random bytes.
+/// Fails if the system provides no random bytes.
 pub fn new_key() -> Result<(String, String), String> {
     let mut secret = [0; KEY_BYTES];
     getrandom::fill(&mut secret).map_err(|error| error.to_string())?;
@@ -43,24 +43,24 @@ fn from_hex(text: &str) -> Option<[u8; 32]> {
     Some(bytes)
 }
 
-/// A name that may stand in logs, in the database and in a secrets file.
+/// Returns true for a name that is safe in logs, in the database and in a keys file.
 #[must_use]
 pub fn is_key_name(name: &str) -> bool {
     (1..=64).contains(&name.len()) && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"-_.".contains(&byte))
 }
 
-/// The keys that this server knows. The keys file is read again when it changes.
+/// Keys that this server accepts. The keys file is read again when it changes.
 #[derive(Debug)]
 pub struct Keys {
     config: AuthConfig,
     known: RwLock<Known>,
 }
 
-/// What the configuration and the keys file said when they were last read.
+/// Content of the configuration and of the keys file when they were last read.
 #[derive(Debug, Default)]
 struct Known {
     keys: Vec<Arc<Key>>,
-    /// Whether requests need a key. Stays true once it was: a keys file that was emptied locks everybody out.
+    /// Whether requests need a key. The flag never goes back to false: emptying the keys file locks every client out.
     required: bool,
 }
 
@@ -70,7 +70,7 @@ struct Key {
     allowance: Mutex<Allowance>,
 }
 
-// Not even a digest belongs into a log.
+// Logs must not contain digests.
 impl std::fmt::Debug for Key {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         formatter.debug_struct("Key").field("name", &self.name).finish_non_exhaustive()
@@ -85,7 +85,8 @@ struct Allowance {
 }
 
 impl Allowance {
-    /// Takes one request, or says after how many seconds there will be one.
+    /// Takes one request from the bucket. If the bucket is empty, returns the seconds until the next request is
+    /// available.
     fn take(&mut self, per_minute: f64, now: Instant) -> Result<(), f64> {
         let per_second = per_minute / 60.0;
         let elapsed_s = now.saturating_duration_since(self.at).as_secs_f64();
@@ -100,20 +101,20 @@ impl Allowance {
     }
 }
 
-/// Why a request is not let through.
+/// Reason for refusing a request.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Refusal {
-    /// A key is needed, and the request has none that is known.
+    /// The server requires a key, and the request carries no known key.
     Unknown,
-    /// The key has used up its requests. There will be one more after this number of seconds.
+    /// The key has used up its requests. One more will be available after this number of seconds.
     TooMany { wait_s: f64 },
 }
 
 impl Keys {
-    /// Reads the keys of the configuration and of its secrets file, which has one `NAME SHA256` a line.
+    /// Reads the keys of the configuration and of its keys file, which has one `NAME SHA256` per line.
     ///
     /// # Errors
-    /// A message that names the setting and, in the file, the line.
+    /// Returns a message that names the setting and, for the keys file, the line.
     pub fn load(config: &AuthConfig) -> Result<Self, String> {
         let text = read_file(&config.keys_file)?;
         let keys = Self { config: config.clone(), known: RwLock::default() };
@@ -121,14 +122,14 @@ impl Keys {
         Ok(keys)
     }
 
-    /// Replaces the known keys by those of the configuration and of this text of the keys file. If the text cannot be
-    /// used, nothing changes.
+    /// Replaces the known keys by those of the configuration and of `text`, the content of the keys file. If the text
+    /// is invalid, the known keys stay as they were.
     fn replace(&self, text: &str) -> Result<(), String> {
         let digests = digests(&self.config, text)?;
         let now = Instant::now();
         let mut known = self.known.write().unwrap_or_else(PoisonError::into_inner);
         let keys = digests.into_iter().map(|(name, digest)| {
-            // A key that was known before keeps what it has left of its allowance.
+            // A key that was known before keeps the rest of its allowance.
             let same = known.keys.iter().find(|key| *key.name == name && key.digest == digest);
             same.cloned().unwrap_or_else(|| {
                 let full = Allowance { requests: f64::from(self.config.requests_per_minute), at: now };
@@ -141,7 +142,8 @@ impl Keys {
         Ok(())
     }
 
-    /// Reads the keys file again whenever its text changes, for ever. A file that cannot be used changes nothing.
+    /// Reads the keys file again whenever its text changes, and never returns. An invalid file leaves the keys as they
+    /// were.
     pub async fn follow_file(&self) {
         let path = &self.config.keys_file;
         if path.as_os_str().is_empty() {
@@ -149,9 +151,10 @@ impl Keys {
         }
         let mut last = None;
         loop {
-            let read = tokio::fs::read_to_string(path).await.map_err(|error| said(path, &error));
+            let read = tokio::fs::read_to_string(path).await.map_err(|error| file_error(path, &error));
             if last.as_ref() != Some(&read) {
-                // The first look is at the text that was loaded at the start, unless it changed since.
+                // In the first round the text normally equals the one loaded at the start, so only later rounds are
+                // logged.
                 match read.as_deref().map_err(Clone::clone).and_then(|text| self.replace(text)) {
                     Ok(()) if last.is_some() => tracing::info!(keys = self.count(), "read the keys file again"),
                     Ok(()) => {}
@@ -173,11 +176,11 @@ impl Keys {
         self.known.read().unwrap_or_else(PoisonError::into_inner).required
     }
 
-    /// The name of the key that was presented; none if requests need no key. Takes one request from the key's
-    /// allowance.
+    /// Takes one request from the allowance of the presented key and returns the key's name, or `None` if the server
+    /// requires no key.
     ///
     /// # Errors
-    /// [`Refusal`].
+    /// Returns a [`Refusal`].
     pub fn admit(&self, presented: Option<&str>) -> Result<Option<Arc<str>>, Refusal> {
         let key = {
             let known = self.known.read().unwrap_or_else(PoisonError::into_inner);
@@ -196,7 +199,7 @@ impl Keys {
 }
 
 impl Known {
-    /// The key that was presented, in a time that does not depend on which, if any.
+    /// Finds the key with this text. The time taken does not depend on which key matches, or whether one does.
     fn find(&self, presented: &str) -> Option<Arc<Key>> {
         let digest: [u8; 32] = Sha256::digest(presented.as_bytes()).into();
         let mut found = None;
@@ -210,7 +213,7 @@ impl Known {
     }
 }
 
-/// The digest of each key, by its name, from the configuration and from the text of its keys file.
+/// Returns the digest of each key by its name, read from the configuration and from the text of its keys file.
 fn digests(config: &AuthConfig, text: &str) -> Result<BTreeMap<String, [u8; 32]>, String> {
     let mut digests = BTreeMap::new();
     let mut add = |origin: String, name: &str, digest: &str| {
@@ -240,15 +243,15 @@ fn digests(config: &AuthConfig, text: &str) -> Result<BTreeMap<String, [u8; 32]>
     Ok(digests)
 }
 
-/// The text of the keys file; empty if none is configured.
+/// Returns the text of the keys file, or an empty text if no file is configured.
 fn read_file(path: &Path) -> Result<String, String> {
     if path.as_os_str().is_empty() {
         return Ok(String::new());
     }
-    std::fs::read_to_string(path).map_err(|error| said(path, &error))
+    std::fs::read_to_string(path).map_err(|error| file_error(path, &error))
 }
 
-fn said(path: &Path, error: &std::io::Error) -> String {
+fn file_error(path: &Path, error: &std::io::Error) -> String {
     format!("auth.keys_file {}: {error}", path.display())
 }
 
@@ -278,14 +281,14 @@ mod tests {
     }
 
     #[test]
-    fn without_keys_everybody_is_nobody() {
+    fn a_server_without_keys_admits_requests_without_an_owner() {
         let none = Keys::load(&AuthConfig::default()).unwrap();
         assert!(!none.required());
         assert_eq!(none.admit(None), Ok(None));
     }
 
     #[test]
-    fn a_wrong_key_setting_is_named() {
+    fn an_error_message_names_the_wrong_key_setting() {
         let digest = "00".repeat(32);
         let error = |config: &AuthConfig| Keys::load(config).unwrap_err();
         assert!(error(&keys(&[("me", "12")])).contains("auth.keys.me"));
@@ -311,13 +314,13 @@ mod tests {
         assert_eq!(allowance.take(2.0, start), Err(30.0));
         assert_eq!(allowance.take(2.0, start + Duration::from_secs(30)), Ok(()));
         assert!(allowance.take(2.0, start + Duration::from_secs(30)).is_err());
-        // A long pause saves up one minute's requests and no more.
+        // A long pause saves up the requests of one minute at most.
         let later = start + Duration::from_secs(3600);
         assert_eq!([(); 3].map(|()| allowance.take(2.0, later).is_ok()), [true, true, false]);
     }
 
     #[test]
-    fn a_keys_file_that_was_emptied_or_broken_opens_nothing() {
+    fn an_emptied_or_invalid_keys_file_does_not_open_the_server() {
         let (key, digest) = new_key().unwrap();
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("keys");

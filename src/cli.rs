@@ -39,15 +39,16 @@ enum Command {
     Worker,
     /// Solve one request without a server, and print its statistics.
     Solve {
-        /// The request, as JSON with its "kind"; - for standard input.
+        /// File with the request as JSON, including its "kind". Use - for standard input.
         request: PathBuf,
-        /// Where the mesh goes; the extension chooses the format (glb, gltf, obj, ply, stl).
+        /// File to write the mesh to. Its extension chooses the format (glb, gltf, obj, ply, stl).
         #[arg(short, long)]
         output: PathBuf,
     },
-    /// Check that the server at the configured address answers: exit status 0 if it does. For a container's health check.
+    /// Check that the server at the configured address answers, for a container's health check. The exit status is 0 if
+    /// it does.
     Health,
-    /// API keys.
+    /// Create API keys and print webhook secrets.
     Key {
         #[command(subcommand)]
         command: KeyCommand,
@@ -58,38 +59,39 @@ enum Command {
 
 #[derive(Debug, Subcommand)]
 enum KeyCommand {
-    /// Make a key: printed once, on standard output, with the line for the keys file.
+    /// Create a key. It is printed once, on standard output, with the line for the keys file.
     New {
-        /// Names the key in logs and owns its jobs.
+        /// Name of the key in logs. Jobs posted with the key belong to this name.
         name: String,
     },
-    /// Print the secret that messages to a key's callback URLs are signed with, for its holder's Standard Webhooks
-    /// library.
+    /// Print the secret that signs messages to a key's callback URLs. The holder of the key needs it for a Standard
+    /// Webhooks library.
     Webhooks {
-        /// The key's name; none for a server without keys.
+        /// Name of the key. Omit it for a server without keys.
         name: Option<String>,
     },
 }
 
-/// Flags take precedence over the environment, and the environment over the file; `config/default.toml` shows every setting.
+/// Flags take precedence over the environment, and the environment over the file. `config/default.toml` shows every
+/// setting.
 #[derive(Debug, Args)]
 struct Settings {
-    /// Address and port; port 0 picks a free one.
+    /// Address and port to listen on. Port 0 picks a free port.
     #[arg(long, global = true, env = "PLATEAU_LISTEN", value_name = "ADDR:PORT")]
     listen: Option<String>,
     /// Folder of the embedded store.
     #[arg(long, global = true, env = "PLATEAU_DATA", value_name = "DIR")]
     data: Option<String>,
-    /// URL of the database, postgres://…; without it SQLite in the data folder.
+    /// URL of the database (postgres://…). The default is SQLite in the data folder.
     #[arg(long, global = true, env = "PLATEAU_DATABASE", value_name = "URL", hide_env_values = true)]
     database: Option<String>,
-    /// Number of solvers that run at once; without it one for each core.
+    /// Number of solvers that run at once. The default is one for each core.
     #[arg(long, global = true, env = "PLATEAU_WORKERS", value_name = "N", allow_negative_numbers = true)]
     workers: Option<i64>,
-    /// A TOML file of settings.
+    /// TOML file with settings.
     #[arg(long, global = true, env = "PLATEAU_CONFIG", value_name = "FILE")]
     config: Option<PathBuf>,
-    /// Check the settings and stop.
+    /// Check the settings and exit.
     #[arg(long, global = true)]
     check_config: bool,
 }
@@ -109,14 +111,14 @@ impl Settings {
         set("store", "data", self.data.clone().map(Value::String));
         set("store", "database", self.database.clone().map(Value::String));
         set("jobs", "workers", self.workers.map(Value::Integer));
-        // A variable that is not UTF-8 cannot be a setting of this program.
+        // A variable that is not UTF-8 is skipped, because no setting of this program has such a name or value.
         let environment =
             std::env::vars_os().filter_map(|(name, value)| Some((name.into_string().ok()?, value.into_string().ok()?)));
         Config::load(self.config.as_ref(), environment, flags)
     }
 }
 
-/// Wrong usage or configuration.
+/// Exit status for wrong usage or configuration.
 const USAGE: u8 = 2;
 
 pub fn main() -> ExitCode {
@@ -191,7 +193,7 @@ fn health(listen: SocketAddr) -> ExitCode {
 
 fn new_key(name: &str) -> ExitCode {
     if !auth::is_key_name(name) {
-        return fail(USAGE, "NAME: 1 to 64 letters, digits, dots, dashes or underscores");
+        return fail(USAGE, "NAME must have 1 to 64 letters, digits, dots, dashes or underscores");
     }
     match auth::new_key() {
         Ok((key, digest)) => {
@@ -271,11 +273,11 @@ fn solve_file(config: &Config, request: &PathBuf, output: &PathBuf) -> ExitCode 
 fn rejection_text(rejection: &Rejection) -> String {
     match rejection {
         Rejection::Malformed(detail) => format!("the request is not well-formed JSON: {detail}"),
-        Rejection::Invalid(errors) | Rejection::TooLarge(errors) => lines("the request cannot be worked on:", errors),
+        Rejection::Invalid(errors) | Rejection::TooLarge(errors) => lines("the request is invalid:", errors),
     }
 }
 
-/// A message, and below it a line for each offending value.
+/// Returns the message, followed by one line for each offending value.
 fn lines(message: &str, errors: &[FieldError]) -> String {
     let mut text = message.to_owned();
     for FieldError { pointer, detail } in errors.iter().take(MAX_ERRORS) {

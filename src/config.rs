@@ -1,6 +1,6 @@
-//! One struct per concern, units in names. `config/default.toml` and the table of settings in `docs/OPERATIONS.md` are
-//! made from the doc comments and defaults of this file; a test fails when they differ and names the command that
-//! writes them again.
+//! Settings: one struct per concern, with the units in the names. `config/default.toml` and the table of settings in
+//! `docs/OPERATIONS.md` are generated from the doc comments and defaults of this file. A test fails if they differ and
+//! names the command that writes them again.
 //!
 //! Flags take precedence over the environment, the environment over the file, and the file over the defaults. A setting
 //! `[section] key` is also read from `PLATEAU_SECTION__KEY`; four of them have short names too (`PLATEAU_LISTEN`,
@@ -12,7 +12,7 @@ use std::net::SocketAddr;
 use std::path::PathBuf;
 use toml::{Table, Value};
 
-/// Everything that can be set.
+/// All settings.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Config {
@@ -25,7 +25,7 @@ pub struct Config {
     pub log: LogConfig,
 }
 
-/// The listener, and what a connection may cost.
+/// Settings of the listener, of its connections and of request bodies.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct HttpConfig {
@@ -46,15 +46,15 @@ pub struct HttpConfig {
     /// Time that open requests and running jobs have to end after a shutdown was asked for (open requests: after the
     /// notice).
     pub shutdown_grace_ms: u64,
-    /// Number of connections that may be open at once. A further one takes the place of the connection that has been
-    /// idle for longest; if none is idle, it waits.
+    /// Number of connections that may be open at once. A further connection replaces the one that has been idle for
+    /// longest. If no connection is idle, the new one waits.
     pub connections: usize,
     /// Number of bytes that the request bodies of all clients together may take while they are read.
     pub bodies_in_flight_bytes: usize,
     /// Host names other than localhost that a server on a loopback address answers to, such as a proxy's upstream name.
     pub hosts: Vec<String>,
-    /// Origins whose pages may use this server from a browser (`https://site.example`), or `*` for every origin. Pages
-    /// of other origins can change nothing here.
+    /// Origins whose pages may use this server from a browser (`https://site.example`), or `*` for every origin.
+    /// Requests from pages of other origins cannot change anything on this server.
     pub cors_origins: Vec<String>,
     /// Path below which a proxy serves this server (`/plateau`). Every link begins with it. The proxy may remove it
     /// from the paths that it passes on or keep it. Workers need the same value: they send links to callback URLs.
@@ -87,28 +87,29 @@ impl Default for HttpConfig {
     }
 }
 
-/// The place of jobs and results.
+/// Storage of jobs and results.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct StoreConfig {
-    /// Folder of the embedded store. It is created if it does not exist.
+    /// Folder of the embedded store. The server creates it if it does not exist.
     pub data: PathBuf,
-    /// URL of the database: `sqlite://PATH` or `postgres://USER@HOST/DATABASE`. If empty, SQLite in the data folder.
+    /// URL of the database: `sqlite://PATH` or `postgres://USER@HOST/DATABASE`. If empty, the server uses SQLite in the
+    /// data folder.
     pub database: String,
-    /// Place of results larger than `inline_bytes`: a folder, or `s3://BUCKET/PREFIX` (region, endpoint and credentials
-    /// come from `AWS_…`; needs a program built with the cargo feature `s3`, as the container is). If empty, the folder
-    /// `results` in the data folder with SQLite, and the database itself with PostgreSQL. Every process on one database
-    /// must see the same place.
+    /// Storage of results larger than `inline_bytes`: a folder, or `s3://BUCKET/PREFIX` (region, endpoint and
+    /// credentials come from `AWS_…`; needs a program built with the cargo feature `s3`, as the container is). If
+    /// empty, SQLite uses the folder `results` in the data folder, and PostgreSQL keeps large results in the database
+    /// itself. Every process on one database must see the same storage.
     pub results: String,
     /// Largest size in bytes of a result that is kept in the database.
     pub inline_bytes: usize,
-    /// Number of bytes that all results together may take (with SQLite the database file too). The oldest jobs beyond
-    /// it expire early. 0 means no limit.
+    /// Number of bytes that all results together may take (with SQLite including the database file). If they take more,
+    /// the oldest jobs expire early. 0 means no limit.
     pub max_bytes: u64,
-    /// Number of finished jobs that are kept. The oldest jobs beyond it expire early.
+    /// Number of finished jobs that are kept. If there are more, the oldest jobs expire early.
     pub max_jobs: u64,
-    /// Number of connections to PostgreSQL that one process opens for its statements. One more listens for
-    /// notifications.
+    /// Number of connections to PostgreSQL that one process opens for its statements. The process opens one more to
+    /// listen for notifications.
     pub connections: u32,
 }
 
@@ -126,20 +127,20 @@ impl Default for StoreConfig {
     }
 }
 
-/// Workers, the queue, and time limits.
+/// Settings of the workers and the queue, and time limits.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct JobsConfig {
-    /// Number of solvers that run at once. If absent, one for each core. 0 means that this process solves nothing.
+    /// Number of solvers that run at once. If absent, one for each core. 0 means that this process solves no jobs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub workers: Option<usize>,
     /// Number of jobs that may wait in the queue. A further submission is answered with 429.
     pub queue_length: usize,
-    /// Time that a solver has. After it the solver returns the best mesh that it has reached.
+    /// Time limit of a solver. After it the solver returns the best mesh that it has reached.
     pub deadline_ms: u64,
     /// Time for which a worker owns a job without renewing its claim. After it another worker may take the job.
     pub lease_ms: u64,
-    /// Number of workers that may die while they solve one job. After it the job fails.
+    /// Number of workers that may die while they solve one job. After that many the job fails.
     pub attempts_max: u32,
     /// Shortest interval between two writes of a job's progress to the store.
     pub progress_interval_ms: u64,
@@ -165,7 +166,7 @@ impl Default for JobsConfig {
     }
 }
 
-/// What one request may ask for. `GET /v1/limits` shows them.
+/// Limits of one request. `GET /v1/limits` shows them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct LimitsConfig {
@@ -200,15 +201,15 @@ impl Default for LimitsConfig {
     }
 }
 
-/// API keys. `plateau key new NAME` makes one.
+/// API keys. `plateau key new NAME` creates one.
 #[derive(Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct AuthConfig {
-    /// SHA-256 of each key as 64 hex digits, by the key's name. Without any key, here or in the keys file, everybody
-    /// may do everything.
+    /// SHA-256 of each key as 64 hex digits, by the key's name. If there is no key here or in the keys file, every
+    /// client may do everything.
     pub keys: BTreeMap<String, String>,
     /// Path of a file with one key on each line, `NAME SHA256`, as `plateau key new NAME` prints it. The file is read
-    /// again within seconds when it changes. If empty, there is no such file.
+    /// again within seconds when it changes. If empty, no file is read.
     pub keys_file: PathBuf,
     /// Number of requests that each key may make in a minute. 0 means no limit.
     pub requests_per_minute: u32,
@@ -230,7 +231,7 @@ impl Default for AuthConfig {
     }
 }
 
-// Not even a digest belongs into a log.
+// Logs must not contain digests.
 impl std::fmt::Debug for AuthConfig {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         formatter.debug_struct("AuthConfig").field("keys", &self.keys.len()).finish_non_exhaustive()
@@ -242,11 +243,11 @@ impl std::fmt::Debug for AuthConfig {
 #[serde(deny_unknown_fields, default)]
 pub struct WebhooksConfig {
     /// Path of a file with `whsec_` and 24 to 64 random bytes in base64. Each key's signing secret is derived from it
-    /// (`plateau key webhooks NAME` prints the secret). If empty, requests may not name a `callback_url`.
+    /// (`plateau key webhooks NAME` prints that secret). If empty, requests may not name a `callback_url`.
     pub secret_file: PathBuf,
     /// Networks to which messages may be sent although they are not public, such as `10.1.0.0/16`.
     pub allowed_networks: Vec<String>,
-    /// Time limit of one attempt to deliver a message, the lookup of the host name included.
+    /// Time limit of one attempt to deliver a message, including the lookup of the host name.
     pub timeout_ms: u64,
     /// Pause after the first failed attempt. Each further pause is four times as long, up to one day.
     pub retry_ms: u64,
@@ -266,7 +267,7 @@ impl Default for WebhooksConfig {
     }
 }
 
-/// Logs on standard error.
+/// Logs, which go to standard error.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct LogConfig {
@@ -296,7 +297,7 @@ impl Config {
     /// `environment` is every variable of the process; only `PLATEAU_SECTION__KEY` ones are read here.
     ///
     /// # Errors
-    /// A message that names the setting, and where it came from where that is known.
+    /// Returns a message that names the setting and, if known, the file or variable that it came from.
     pub fn load(
         file: Option<&PathBuf>,
         environment: impl Iterator<Item = (String, String)>,
@@ -307,7 +308,7 @@ impl Config {
             let text =
                 std::fs::read_to_string(path).map_err(|error| format!("config file {}: {error}", path.display()))?;
             let table: Table = text.parse().map_err(|error| format!("config file {}: {error}", path.display()))?;
-            // Checked alone first, so that a wrong key or type is said to be the file's.
+            // The file is checked alone first, so that the message names the file if a key or type is wrong.
             Self::deserialize(table.clone()).map_err(|error| format!("config file {}: {error}", path.display()))?;
             merge(&mut merged, table);
         }
@@ -380,7 +381,7 @@ impl Config {
         Ok(())
     }
 
-    /// The database's URL: as configured, else SQLite in the data folder.
+    /// Returns the configured URL of the database, or the URL of SQLite in the data folder.
     #[must_use]
     pub fn database_url(&self) -> String {
         if self.store.database.is_empty() {
@@ -391,7 +392,7 @@ impl Config {
     }
 }
 
-/// Nothing, or segments of characters that need no escape.
+/// Returns true for an empty path, or for segments of characters that need no escape.
 fn is_base_path(path: &str) -> bool {
     let plain = |segment: &str| {
         !segment.is_empty()
@@ -401,11 +402,11 @@ fn is_base_path(path: &str) -> bool {
     path.is_empty() || path.strip_prefix('/').is_some_and(|rest| rest.split('/').all(plain))
 }
 
-/// An environment variable's text as a value of the type that the setting has.
+/// Parses an environment variable's text as the type of the current value.
 fn parse_value(current: Option<&Value>, text: &str) -> Value {
     match current {
         Some(Value::String(_)) => Value::String(text.into()),
-        // Lists are written with commas: none of ours has one inside an element.
+        // Elements of a list are separated by commas, because no element contains one.
         Some(Value::Array(_)) => {
             let elements = text.split(',').map(str::trim).filter(|element| !element.is_empty());
             Value::Array(elements.map(|element| Value::String(element.into())).collect())
@@ -445,8 +446,8 @@ mod tests {
     /// The command that writes both files again.
     const REFRESH: &str = "PLATEAU_WRITE=1 cargo test --lib config";
 
-    /// The documentation of a struct of settings: its name in the file, its sentence, and each setting's name and
-    /// sentences.
+    /// Documentation of a struct of settings: its name in the file, its own text, and the name and text of each
+    /// setting.
     struct Section {
         name: String,
         doc: String,
@@ -479,7 +480,7 @@ mod tests {
         fields("Config").1.into_iter().map(section).collect()
     }
 
-    /// `text` as comment lines of at most 120 columns.
+    /// Returns `text` as comment lines of at most 120 columns.
     fn comment(text: &str) -> String {
         let mut lines = vec![String::from("#")];
         for word in text.split(' ') {
@@ -496,8 +497,8 @@ mod tests {
 
     fn default_file(sections: &[Section], defaults: &Table) -> String {
         let mut text = comment(&format!(
-            "Every setting with its default. Copy what you change. Flags take precedence over the environment \
-             (PLATEAU_SECTION__KEY), the environment over this file. Written by: {REFRESH}"
+            "Every setting with its default. Copy only the settings that you change. Flags take precedence over the \
+             environment (PLATEAU_SECTION__KEY), and the environment over this file. Written by: {REFRESH}"
         ));
         for Section { name: section, doc, settings } in sections {
             text.push_str(&format!("\n{}[{section}]\n", comment(doc)));
@@ -532,8 +533,8 @@ mod tests {
         text
     }
 
-    /// Compares a file with what it should hold, or writes it.
-    fn hold(path: &str, expected: &str) {
+    /// Compares a file with its expected content. With PLATEAU_WRITE it writes the file first.
+    fn check_or_write(path: &str, expected: &str) {
         if std::env::var_os("PLATEAU_WRITE").is_some() {
             std::fs::write(path, expected).unwrap();
         }
@@ -559,16 +560,16 @@ mod tests {
         assert_eq!(sections.len(), defaults.len());
         let file = default_file(&sections, &defaults);
         assert_eq!(toml::from_str::<Config>(&file).unwrap(), Config::default());
-        hold(DEFAULT_FILE, &file);
+        check_or_write(DEFAULT_FILE, &file);
         let operations = std::fs::read_to_string(OPERATIONS).unwrap();
         let (before, rest) = operations.split_once(TABLE[0]).expect("the mark before the table");
         let (_, after) = rest.split_once(TABLE[1]).expect("the mark after the table");
         let table = settings_table(&sections, &defaults);
-        hold(OPERATIONS, &[before, TABLE[0], &table, TABLE[1], after].concat());
+        check_or_write(OPERATIONS, &[before, TABLE[0], &table, TABLE[1], after].concat());
     }
 
     #[test]
-    fn a_comment_is_broken_at_120_columns() {
+    fn a_comment_is_wrapped_at_120_columns() {
         let text = comment(&["word"; 60].join(" "));
         assert!(text.lines().count() == 3 && text.lines().all(|line| line.len() <= 120 && line.starts_with("# word")));
     }
@@ -586,7 +587,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wrong_setting_is_named() {
+    fn an_error_message_names_the_wrong_setting() {
         let error = Config::load(None, variables(&[("PLATEAU_JOBS__QUEUE_LENGTH", "many")]), Table::new()).unwrap_err();
         assert!(error.contains("PLATEAU_JOBS__QUEUE_LENGTH"), "{error}");
         let error = Config::load(None, variables(&[("PLATEAU_JOBS__QUEUE", "1")]), Table::new()).unwrap_err();

@@ -1,7 +1,7 @@
-//! Meshes as bytes: the stored artefact ([`archive`]) and the formats that are derived from it on request.
+//! Meshes as bytes: the stored artefact ([`archive`]) and the formats that are made from it on request.
 //!
-//! A solver's result is kept once, in f64, as an [`Archive`]; every download is made from it, so that two formats of one
-//! job can never disagree. Everything here is a pure function of the archive: the same archive gives the same bytes.
+//! A solver's result is stored once, in f64, as an [`Archive`]. Every download is made from it, so that two formats of
+//! one job never disagree. Every function here is pure: the same archive gives the same bytes.
 //!
 //! | format | axes and unit | numbers |
 //! | --- | --- | --- |
@@ -10,7 +10,7 @@
 //! | [`stl`] | the client's | f32 |
 //! | [`svg`], [`dxf`] (flat pattern) | flat; SVG in mm, DXF in the client's unit | f64, every digit |
 //!
-//! This module knows no job and no HTTP; it depends on the geometry crate alone.
+//! This module knows no job and no HTTP. It depends only on the geometry crate.
 
 pub mod archive;
 pub mod dxf;
@@ -26,7 +26,7 @@ pub mod zip;
 pub use archive::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Polyline, SegmentValues};
 pub use pattern::{Fold, Pattern, Piece};
 
-/// What a mesh can be downloaded as.
+/// Format in which a mesh can be downloaded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MeshFormat {
     Glb,
@@ -39,7 +39,7 @@ pub enum MeshFormat {
 impl MeshFormat {
     pub const ALL: [Self; 5] = [Self::Glb, Self::Gltf, Self::Obj, Self::Ply, Self::Stl];
 
-    /// The short name, which is the file's extension too.
+    /// Returns the short name, which is also the file's extension.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -67,10 +67,11 @@ impl MeshFormat {
         Self::ALL.into_iter().find(|format| format.name() == name)
     }
 
-    /// The mesh in this format. Linear in the mesh's size, in time and memory.
+    /// Writes the mesh in this format. Time and memory are linear in the mesh's size.
     ///
     /// # Errors
-    /// [`Error`] where the format cannot hold this mesh: coordinates beyond f32, a file beyond the format's 4 GiB.
+    /// Returns [`Error`] if the format cannot hold this mesh: a coordinate exceeds f32, or the file exceeds the
+    /// format's 4 GiB.
     pub fn encode(self, archive: &Archive) -> Result<Vec<u8>, Error> {
         match self {
             Self::Glb => gltf::to_glb(archive),
@@ -82,7 +83,7 @@ impl MeshFormat {
     }
 }
 
-/// What a flat pattern can be downloaded as.
+/// Format in which a flat pattern can be downloaded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum PatternFormat {
     Svg,
@@ -92,7 +93,7 @@ pub enum PatternFormat {
 impl PatternFormat {
     pub const ALL: [Self; 2] = [Self::Svg, Self::Dxf];
 
-    /// The short name, which is the file's extension too.
+    /// Returns the short name, which is also the file's extension.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -114,7 +115,7 @@ impl PatternFormat {
         Self::ALL.into_iter().find(|format| format.name() == name)
     }
 
-    /// The flat pattern in this format; `None` if the archive has none (only open ruled strips do).
+    /// Writes the flat pattern in this format. Returns `None` if the archive has none; only open ruled strips have one.
     #[must_use]
     pub fn encode(self, archive: &Archive) -> Option<Vec<u8>> {
         let pattern = archive.contents().flat_pattern()?;
@@ -125,13 +126,13 @@ impl PatternFormat {
     }
 }
 
-/// Why a mesh cannot be written in a format.
+/// Reason why a mesh cannot be written in a format.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Error {
-    /// A coordinate leaves the range of f32 (STL, glTF), or the mesh is too small for f32 to tell its vertices apart.
+    /// A coordinate is outside the range of f32 (STL, glTF), or the mesh is so small that its vertices coincide in f32.
     #[error("the mesh does not fit into {format}'s 32-bit coordinates: {detail}; OBJ and PLY hold every digit")]
     OutOfRange { format: &'static str, detail: &'static str },
-    /// The file would be larger than the format's 32-bit lengths can say.
+    /// The file would exceed the format's 32-bit lengths.
     #[error("this is more than the 4 GiB that a {format} file can hold")]
     TooLarge { format: &'static str },
 }

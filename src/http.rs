@@ -1,5 +1,5 @@
-//! HTTP: parses, asks `jobs`, answers. No business rule lives here, and only [`problem`] knows the status codes of
-//! failures.
+//! HTTP: parses requests, calls `jobs` and writes responses. Business rules belong to `jobs`, and only [`problem`]
+//! knows the status codes of failures.
 
 pub mod access;
 pub mod assets;

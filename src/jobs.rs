@@ -1,8 +1,8 @@
-//! Jobs: what is submitted, what becomes of it, and the workers that see to it.
+//! Jobs: submission, results, and the workers that solve them.
 //!
-//! A job's life: `queued` -> `running` -> `succeeded` | `failed` | `cancelled`. A queued or running job may be cancelled
-//! at once, and a running one whose worker died goes back to `queued`. The store makes every transition, in one
-//! transaction each; this module decides which. [`service`] lists every operation.
+//! A job goes through `queued` -> `running` -> `succeeded` | `failed` | `cancelled`. A queued or running job may be
+//! cancelled at once, and a running job whose worker died goes back to `queued`. This module decides on each
+//! transition; the store makes it in one transaction. [`service`] lists every operation.
 
 mod attempt;
 pub(crate) mod batch;
@@ -26,13 +26,14 @@ use crate::status::Status;
 use crate::store::StoreError;
 use crate::wire::{Kind, Rejection};
 
-/// Names the code that computes results and the form in which they are stored: kept results are shared only within one.
+/// Version of the code that computes results and of the format that stores them. A kept result is reused only by the
+/// same version.
 #[must_use]
 pub fn result_version() -> String {
     format!("{} archive {}", env!("CARGO_PKG_VERSION"), VERSION)
 }
 
-/// Which jobs a list shows; all by default.
+/// Selection of the jobs in a list. The default selects all jobs.
 #[derive(Clone, Debug, Default)]
 pub struct Filter {
     pub status: Option<Status>,
@@ -40,10 +41,10 @@ pub struct Filter {
     pub idempotency_key: Option<String>,
 }
 
-/// Why `jobs` did not do as asked.
+/// Error of an operation on jobs.
 #[derive(Debug)]
 pub enum JobsError {
-    /// The body is not a request that can be worked on.
+    /// The body is not a valid request.
     Rejected(Rejection),
     /// The queue, or the owner's share of it, is full.
     QueueFull {
@@ -52,7 +53,7 @@ pub enum JobsError {
     /// The idempotency key was used with another body.
     KeyConflict,
     NotFound,
-    /// There is no such batch, or it is another owner's.
+    /// The batch does not exist, or it belongs to another owner.
     NoBatch,
     Expired,
     /// The job has not succeeded, or its kind has no such file.
@@ -61,13 +62,13 @@ pub enum JobsError {
     Lost,
     /// Only open ruled surfaces have a flat pattern.
     NoPattern,
-    /// More than one file can hold, and what to do instead.
+    /// The answer is larger than one file can hold. The text says what to do instead.
     TooMuch(String),
     /// The mesh cannot be written in the format.
     Unwritable(ExportError),
-    /// The store cannot take or give anything now.
+    /// The store is unreachable or full.
     Unavailable(String),
-    /// A defect.
+    /// A defect of this server.
     Internal(String),
 }
 

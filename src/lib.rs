@@ -1,7 +1,7 @@
 //! Plateau: form finding over HTTP. See `docs/ARCHITECTURE.md`.
 //!
-//! The library is there for the program and for the tests that look below HTTP. What is private here has no other user,
-//! so that the compiler names what nothing uses.
+//! The library exists for the program and for the tests that look below HTTP. Everything that they do not use is
+//! private, so that the compiler reports dead code.
 
 mod app;
 mod auth;

@@ -1,4 +1,4 @@
-//! Where a job stands: the one enum that the store, the jobs and the wire share.
+//! State of a job: one enum that the store, the jobs and the wire share.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -33,7 +33,7 @@ impl Status {
         Self::ALL.into_iter().find(|status| status.name() == name)
     }
 
-    /// True if the status never changes again.
+    /// Returns true if the status never changes again.
     #[must_use]
     pub fn is_final(self) -> bool {
         matches!(self, Self::Succeeded | Self::Failed | Self::Cancelled)

@@ -1,20 +1,20 @@
-//! The store: jobs, their queue and their results as rows and bytes, in SQLite (embedded) or PostgreSQL (shared).
+//! The store keeps jobs, their queue and their results as rows and bytes, in SQLite (embedded) or PostgreSQL (shared).
 //!
-//! It knows no geometry and no HTTP. What it promises:
+//! It knows no geometry and no HTTP. It promises:
 //!
-//! - A write that returned `Ok` is on disk, whole; one that returned an error changed nothing.
-//! - A job is worked by one attempt at a time. `claim` gives an attempt number and a lease in the database's own time;
-//!   every later write by the worker carries that number and changes nothing once the job has moved on, so a result is
-//!   visible exactly once, however late a stalled worker wakes up.
-//! - A lease that runs out puts the job back to its old place in the queue, up to `max_attempts` lost leases; then the
-//!   job fails and its error says what happened to each attempt.
+//! - A write that returned `Ok` is on disk as a whole. A write that returned an error changed nothing.
+//! - A job is worked on by one attempt at a time. `claim` gives an attempt number and a lease, measured by the
+//!   database's clock. Every later write by the worker carries that number and changes nothing once the job has moved
+//!   on. A result is therefore visible exactly once, however late a stalled worker wakes up.
+//! - A lease that runs out puts the job back to its old place in the queue. After `max_attempts` lost leases the job
+//!   fails, and its error describes each attempt.
 //!
-//! Ids are chosen by the caller and must sort by time (ULID), because lists are ordered by them. Times are milliseconds
-//! since 1970 by the database's clock. An owner is the name of an API key; without keys there is none. Functions that
-//! take an `owner` see only that owner's jobs if one is given and every job otherwise.
+//! The caller chooses identifiers, which must sort by time (ULID) because lists are ordered by them. Times are
+//! milliseconds since 1970 by the database's clock. An owner is the name of an API key; a server without keys has no
+//! owners. Functions that take an `owner` see only that owner's jobs, or every job if `owner` is `None`.
 //!
-//! Each operation is a plain function on a transaction ([`tx::Tx`]), in the module of its subject. [`Store`] lists them
-//! all and runs each on the engine's own threads ([`sqlite`], [`postgres`]).
+//! Each operation is a plain function on a transaction ([`tx::Tx`]) in the module of its subject. [`Store`] lists all
+//! operations and runs each on the engine's own threads ([`sqlite`], [`postgres`]).
 
 mod ballast;
 mod batches;
@@ -49,44 +49,44 @@ pub use postgres::redacted;
 pub use results::Artefact;
 use results::Prepared;
 pub use retention::Swept;
-use tx::{News, Tx};
+use tx::{AfterCommit, Tx};
 use watch::Changes;
 pub use watch::JobWatch;
 
 pub(crate) type Result<T> = std::result::Result<T, StoreError>;
 
-/// What a store may do; the defaults suit one machine.
+/// Settings of a store. The defaults suit one machine.
 #[derive(Debug, Clone)]
 pub struct StoreOptions {
-    /// Jobs that may wait in the queue, all owners together.
+    /// Number of jobs of all owners together that may wait in the queue.
     pub queue_limit: u64,
-    /// Jobs of one owner that may wait in the queue.
+    /// Number of jobs of one owner that may wait in the queue.
     pub owner_queue_limit: u64,
-    /// Leases of one job that may run out before it fails.
+    /// Number of leases of one job that may run out before it fails.
     pub max_attempts: u32,
-    /// How long a job and its mesh are kept after it ended.
+    /// Time for which a job and its mesh are kept after the job ended.
     pub retention: Duration,
-    /// How long an expired job is remembered as such.
+    /// Time for which the identifier of an expired job is remembered.
     pub expired_retention: Duration,
-    /// Ended jobs that are kept at most; the oldest beyond them expire early.
+    /// Number of finished jobs that are kept. If there are more, the oldest expire early.
     pub max_jobs: u64,
-    /// Bytes that all results together may take; the oldest ended jobs beyond them expire early. On SQLite the database
-    /// itself does not grow beyond it either.
+    /// Number of bytes that all results together may take. If they take more, the oldest finished jobs expire early. On
+    /// SQLite this also limits the size of the database itself.
     pub max_bytes: Option<u64>,
-    /// Where results larger than `inline_bytes` go: a folder or `s3://BUCKET/PREFIX`; into the database if there is neither.
-    /// Every instance that shares the database must see the same place.
+    /// Storage of results larger than `inline_bytes`: a folder or `s3://BUCKET/PREFIX`. If `None`, large results go
+    /// into the database. Every instance that shares the database must see the same storage.
     pub results: Option<String>,
-    /// Results up to this size are kept in the database.
+    /// Largest size in bytes of a result that is kept in the database.
     pub inline_bytes: usize,
-    /// How long a result that no job has is left alone; longer than any transaction takes.
+    /// Minimum age at which a result without a job is removed. It must be longer than any transaction.
     pub orphan_age: Duration,
-    /// Names the code that computes results: results are shared only within one version.
+    /// Version of the code that computes results. Results are shared only within one version.
     pub result_version: String,
-    /// Connections to PostgreSQL; one more listens for changes.
+    /// Number of connections to PostgreSQL. One more connection listens for changes.
     pub connections: u32,
-    /// How often watched jobs and the queue are looked at without having been told of a change.
+    /// Interval at which watched jobs and the queue are read again without a notification.
     pub poll_interval: Duration,
-    /// Size of the file beside an SQLite database that is given up first when the disk is full; 0 for none.
+    /// Size of the ballast file beside an SQLite database, which is deleted when the disk is full. 0 means no ballast.
     pub ballast_bytes: u64,
 }
 
@@ -111,26 +111,26 @@ impl Default for StoreOptions {
     }
 }
 
-/// Why the store did not do as asked.
+/// Error of a store operation.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum StoreError {
-    /// The queue holds as many jobs as it may; `own` if it is the owner's share that is used up.
+    /// The queue is full. `own` is true if only the owner's share of it is full.
     #[error("the queue is full")]
     QueueFull { own: bool },
     /// The disk or the database's budget is full.
     #[error("no space left for the database: {0}")]
     NoSpace(String),
-    /// The database cannot be reached or did not answer in time; trying again later may help.
+    /// The database cannot be reached or did not answer in time. Trying again later may help.
     #[error("the database is unavailable: {0}")]
     Unavailable(String),
-    /// Another transaction kept winning.
+    /// The transaction lost against concurrent transactions in every try.
     #[error("the database is contended: {0}")]
     Contended(String),
     #[error("invalid database URL: {0}")]
     Url(String),
     #[error("migrating the database: {0}")]
     Migration(String),
-    /// A defect: a statement the engine refused, or a row that does not read back.
+    /// A defect: the engine refused a statement, or a row cannot be read.
     #[error("database error: {0}")]
     Internal(String),
 }
@@ -144,7 +144,7 @@ impl From<std::io::Error> for StoreError {
     }
 }
 
-/// A handle of the store; clones share it.
+/// Handle of a store. Clones share one store.
 #[derive(Debug, Clone)]
 pub struct Store {
     inner: Arc<Inner>,
@@ -157,9 +157,9 @@ struct Inner {
     changes: Changes,
     files: Option<Files>,
     ballast: Ballast,
-    /// True while the last write found no space.
+    /// True if the last write found no space.
     full: AtomicBool,
-    /// True while the last result file could not be written.
+    /// True if the last result file could not be written.
     results_refused: AtomicBool,
 }
 
@@ -169,10 +169,10 @@ enum Engine {
     Postgres(Arc<postgres::Database>),
 }
 
-/// Opening and closing, and what the rest of the service asks about the store itself.
+/// Opening, closing and health.
 impl Store {
-    /// Opens `sqlite://PATH` (created if missing) or `postgres://USER@HOST/DATABASE` and brings its tables up to date.
-    /// Must run inside a tokio runtime, which then also runs the store's own tasks.
+    /// Opens `sqlite://PATH` (created if missing) or `postgres://USER@HOST/DATABASE` and migrates its tables. Must be
+    /// called inside a tokio runtime, which then also runs the store's own tasks.
     pub async fn open(url: &str, options: StoreOptions) -> Result<Self> {
         let files = options.results.as_deref().map(Files::open).transpose()?;
         let is_postgres = url.starts_with("postgres://") || url.starts_with("postgresql://");
@@ -210,7 +210,7 @@ impl Store {
         Ok(store)
     }
 
-    /// Waits for writes under way, then closes every connection. Later calls fail as `Unavailable`.
+    /// Waits for running writes, then closes every connection. Later calls fail with `Unavailable`.
     pub async fn close(&self) {
         match &self.inner.engine {
             Engine::Sqlite(database) => database.close().await,
@@ -218,14 +218,14 @@ impl Store {
         }
     }
 
-    /// Ok if the database answers and takes new jobs and results.
+    /// Returns `Ok` if the database answers and takes new jobs and results.
     pub async fn check(&self) -> Result<()> {
         self.read(|tx| tx.exists("SELECT 1", &[])).await?;
         self.check_room_for_results()
     }
 
-    /// Ok unless the last attempts to write a job or a result failed for want of room or of a place for results. Workers
-    /// take no job meanwhile, because they could not store its result.
+    /// Returns an error if the last write of a job or a result failed because of missing space or missing result
+    /// storage. Workers claim no job meanwhile, because they could not store its result.
     pub fn check_room_for_results(&self) -> Result<()> {
         if self.inner.full.load(Ordering::Relaxed) || self.inner.ballast.is_given_up() {
             return Err(StoreError::NoSpace("the disk is full".into()));
@@ -236,7 +236,7 @@ impl Store {
         Ok(())
     }
 
-    /// Looks whether result files can be written, and says so in the log if they cannot.
+    /// Checks whether result files can be written, and logs an error if they cannot.
     pub async fn probe_results(&self) {
         let Some(files) = &self.inner.files else { return };
         let probed = files.probe().await;
@@ -248,8 +248,8 @@ impl Store {
         }
     }
 
-    /// Changes whenever a job may have become claimable, on this instance or (PostgreSQL) any other. A worker that found
-    /// nothing waits for this or for the poll interval, whichever is first.
+    /// Returns a signal that changes whenever a job may have become claimable, on this instance or (PostgreSQL) any
+    /// other. A worker that found no job waits for this signal or for the poll interval, whichever comes first.
     pub fn work_signal(&self) -> signal::Receiver<u64> {
         self.inner.changes.work_signal()
     }
@@ -266,9 +266,9 @@ impl Store {
         self.inner.files.as_ref()
     }
 
-    /// Runs `work` in a transaction. All of it is durable when this returns `Ok`, and nothing of it happened otherwise,
-    /// except that nobody can tell what became of a connection lost during the commit. `work` may run more than once,
-    /// so it must not act outside the database.
+    /// Runs `work` in a transaction. If this returns `Ok`, all of it is durable; if it returns an error, none of it
+    /// happened. The exception is a connection lost during the commit, after which the outcome is unknown. `work` may
+    /// run more than once, so it must not act outside the database.
     async fn write<T: Send + 'static>(&self, work: impl Fn(&mut Tx<'_>) -> Result<T> + Send + 'static) -> Result<T> {
         let written = match &self.inner.engine {
             Engine::Sqlite(database) => database.write(work).await,
@@ -282,21 +282,21 @@ impl Store {
             }
             Err(_) => {}
         }
-        let (value, news) = written?;
-        self.publish(news).await;
+        let (value, after_commit) = written?;
+        self.publish(after_commit).await;
         Ok(value)
     }
 
-    async fn publish(&self, news: News) {
-        self.inner.changes.publish(&news);
+    async fn publish(&self, after_commit: AfterCommit) {
+        self.inner.changes.publish(&after_commit);
         if let Some(files) = &self.inner.files {
-            for file in news.unneeded_files {
+            for file in after_commit.unneeded_files {
                 files.remove(file).await;
             }
         }
     }
 
-    /// Runs `work`, which only reads.
+    /// Runs `work`, which must only read.
     async fn read<T: Send + 'static>(&self, work: impl Fn(&mut Tx<'_>) -> Result<T> + Send + 'static) -> Result<T> {
         match &self.inner.engine {
             Engine::Sqlite(database) => database.read(work).await,
@@ -304,7 +304,7 @@ impl Store {
         }
     }
 
-    /// As [`Store::write`], for work that also needs the options.
+    /// Same as [`Store::write`], for work that also needs the options.
     async fn write_with<T: Send + 'static>(
         &self,
         work: impl Fn(&mut Tx<'_>, &StoreOptions) -> Result<T> + Send + 'static,
@@ -313,7 +313,7 @@ impl Store {
         self.write(move |tx| work(tx, &options)).await
     }
 
-    /// Fails while the ballast is given up, so that new jobs do not take the room that accepted ones need.
+    /// Fails while the ballast is deleted, so that new jobs do not take the space that accepted jobs need.
     fn check_ballast(&self) -> Result<()> {
         if self.inner.ballast.is_given_up() {
             return Err(StoreError::NoSpace("the disk is full".into()));
@@ -321,7 +321,7 @@ impl Store {
         Ok(())
     }
 
-    /// Writes a result's file, if it is large.
+    /// Names the result, and writes its file if it is too large for the database.
     async fn prepare(&self, id: &str, attempt: i64, outcome: &Outcome) -> Result<Option<Prepared>> {
         let Outcome::Succeeded { artefact, artefact_hash, .. } = outcome else { return Ok(None) };
         let mut prepared = Prepared { hash: results::name(artefact, *artefact_hash), file: None };
@@ -343,20 +343,21 @@ impl Store {
 
 /// Jobs.
 impl Store {
-    /// Fails with `QueueFull` if one more job of this owner would find no place in the queue.
+    /// Fails with `QueueFull` if the queue has no room for another job of this owner.
     pub async fn check_room(&self, owner: Option<&str>) -> Result<()> {
         let (options, owner) = (Arc::clone(&self.inner.options), owner.map(str::to_owned));
         self.read(move |tx| jobs::check_room(tx, owner.as_deref(), &options)).await
     }
 
-    /// Stores a job. Fails with `QueueFull` if the queue or the owner's share of it is full; a job that takes a kept
-    /// result does not count.
+    /// Stores a job. Fails with `QueueFull` if the queue or the owner's share of it is full. A job that reuses a kept
+    /// result is exempt.
     pub async fn submit(&self, job: NewJob) -> Result<Submitted> {
         self.check_ballast()?;
         self.write_with(move |tx, options| jobs::submit(tx, &job, None, None, options)).await
     }
 
-    /// Stores a job that this process has solved already: submission and end are one write, visible together.
+    /// Stores a job that this process has already solved. Submission and end are one write, so they become visible
+    /// together.
     pub async fn submit_solved(&self, job: NewJob, solved: Solved) -> Result<Submitted> {
         self.check_ballast()?;
         let result = self.prepare(&job.id, 1, &solved.outcome).await?;
@@ -371,28 +372,28 @@ impl Store {
         self.read(move |tx| jobs::get(tx, &id, owner.as_deref())).await
     }
 
-    /// At most `page` jobs, newest first, and the cursor of the next page if there is one. A cursor is the last id of
-    /// the page before, so jobs that come or go between pages neither repeat nor hide others.
+    /// Returns at most `page` jobs, newest first, and the cursor of the next page if there is one. A cursor is the last
+    /// identifier of the previous page, so jobs that come or go between pages neither repeat nor hide others.
     pub async fn list(&self, filter: Filter, page: u32, cursor: Option<&str>) -> Result<(Vec<JobRow>, Option<String>)> {
         let cursor = cursor.map(str::to_owned);
         self.read(move |tx| jobs::list(tx, &filter, page, cursor.as_deref())).await
     }
 
-    /// Cancels a queued or running job at once; any other is returned unchanged. The worker learns of it by its next
-    /// renewal or by watching the job.
+    /// Cancels a queued or running job at once. Returns a finished job unchanged. The worker learns of the cancel by
+    /// its next renewal or by watching the job.
     pub async fn cancel(&self, id: &str, owner: Option<&str>) -> Result<Lookup> {
         let (id, owner) = owned(id, owner);
         self.write_with(move |tx, options| jobs::cancel(tx, &id, owner.as_deref(), options)).await
     }
 
-    /// Removes a job, whatever its status; its result goes with the next sweep unless another job shares it. False if
-    /// there was none.
+    /// Removes a job, whatever its status. The next sweep removes its result unless another job shares it. Returns
+    /// false if the job does not exist.
     pub async fn delete(&self, id: &str, owner: Option<&str>) -> Result<bool> {
         let (id, owner) = owned(id, owner);
         self.write(move |tx| jobs::delete(tx, &id, owner.as_deref())).await
     }
 
-    /// The number of jobs that wait.
+    /// Returns the number of jobs that wait.
     pub async fn queue_length(&self) -> Result<i64> {
         self.read(jobs::queue_length).await
     }
@@ -400,7 +401,7 @@ impl Store {
 
 /// Results.
 impl Store {
-    /// The result of a job that succeeded; `None` for any other id, and for a result that was discarded.
+    /// Returns the result of a succeeded job. Returns `None` for any other identifier and for a discarded result.
     pub async fn artefact(&self, id: &str, owner: Option<&str>) -> Result<Option<Artefact>> {
         let (key, mut missing) = (owned(id, owner), None);
         loop {
@@ -418,7 +419,7 @@ impl Store {
             };
             match bytes {
                 Some(bytes) => return Ok(Some(Artefact { hash: row.hash, bytes, touched_at: row.touched_at })),
-                // The row may have got another file since it was read.
+                // Another write may have given the row a new file since the row was read.
                 None if row.file != missing => missing = row.file,
                 None => {
                     self.write(move |tx| results::stop_sharing(tx, &row.hash)).await?;
@@ -429,7 +430,8 @@ impl Store {
         }
     }
 
-    /// Removes a result whose bytes are damaged. Its jobs keep everything else, and an equal request is solved again.
+    /// Removes a result whose bytes are damaged. Its jobs keep everything else, and the next equal request is solved
+    /// again.
     pub async fn discard(&self, artefact: &Artefact) -> Result<()> {
         let (hash, touched_at) = (artefact.hash.clone(), artefact.touched_at);
         self.write(move |tx| results::discard(tx, &hash, touched_at)).await
@@ -438,10 +440,11 @@ impl Store {
 
 /// Workers.
 impl Store {
-    /// Takes the job whose turn it is, if any, for `lease`. Jobs whose lease ran out go back to the queue first.
+    /// Claims the job whose turn it is for the time `lease`. Returns `None` if no job waits. Jobs whose lease ran out
+    /// go back to the queue first.
     pub async fn claim(&self, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
-        // Reading first keeps idle workers off the one writer of SQLite.
-        let (lost, waiting) = self.read(claims::look).await?;
+        // Idle workers only read, so that they do not occupy SQLite's one writer.
+        let (lost, waiting) = self.read(claims::pending_work).await?;
         if lost {
             self.write_with(claims::recover).await?;
         }
@@ -458,14 +461,14 @@ impl Store {
         self.write(move |tx| claims::renew(tx, &id, attempt, lease)).await
     }
 
-    /// Stores the latest progress (JSON) if the worker still holds the job.
+    /// Stores the latest progress (JSON text) if the worker still holds the job.
     pub async fn progress(&self, id: &str, attempt: i64, progress: &str) -> Result<Renewed> {
         let (id, progress) = (id.to_owned(), progress.to_owned());
         self.write(move |tx| claims::progress(tx, &id, attempt, &progress)).await
     }
 
-    /// Ends the attempt: the outcome and the new status are visible together or not at all. False, and nothing changed,
-    /// if the worker had lost the job.
+    /// Ends the attempt. The outcome and the new status become visible together. If the worker had lost the job,
+    /// changes nothing and returns false.
     pub async fn finish(&self, id: &str, attempt: i64, outcome: Arc<Outcome>) -> Result<bool> {
         let result = self.prepare(id, attempt, &outcome).await?;
         let id = id.to_owned();
@@ -475,8 +478,8 @@ impl Store {
         self.write_with(finish).await
     }
 
-    /// Gives a running job back to the queue, at its old place, without counting a lost lease. False if the worker had
-    /// lost it.
+    /// Puts a running job back to its old place in the queue without counting a lost lease. Returns false if the worker
+    /// had lost the job.
     pub async fn hand_back(&self, id: &str, attempt: i64) -> Result<bool> {
         let id = id.to_owned();
         self.write(move |tx| claims::hand_back(tx, &id, attempt)).await
@@ -485,7 +488,7 @@ impl Store {
 
 /// Batches.
 impl Store {
-    /// Stores a batch, whole. Fails with `QueueFull` if not all of its jobs find a place in the queue.
+    /// Stores a batch as a whole. Fails with `QueueFull` if the queue has no room for all of its jobs.
     pub async fn submit_batch(&self, batch: NewBatch) -> Result<SubmittedBatch> {
         self.check_ballast()?;
         self.write_with(move |tx, options| batches::submit(tx, &batch, options)).await
@@ -496,20 +499,21 @@ impl Store {
         self.read(move |tx| batches::get(tx, &id, owner.as_deref())).await
     }
 
-    /// The jobs of a batch with everything that is known about them, in the order of the submission.
+    /// Returns the complete rows of a batch's jobs, in the order of the submission.
     pub async fn batch_jobs(&self, id: &str) -> Result<Vec<(i64, JobRow)>> {
         let id = id.to_owned();
         self.read(move |tx| batches::jobs_of(tx, &id)).await
     }
 
-    /// Cancels every job of a batch that has not ended. Returns the batch, and the ids of the jobs that it cancelled.
+    /// Cancels every job of a batch that has not ended. Returns the batch and the identifiers of the jobs that it
+    /// cancelled.
     pub async fn cancel_batch(&self, id: &str, owner: Option<&str>) -> Result<(BatchLookup, Vec<String>)> {
         let (id, owner) = owned(id, owner);
         self.write_with(move |tx, options| batches::cancel(tx, &id, owner.as_deref(), options)).await
     }
 
-    /// Removes a batch with its jobs, whatever their status. Returns the ids of the jobs; `None` if there was no such
-    /// batch.
+    /// Removes a batch with its jobs, whatever their status. Returns the identifiers of the jobs, or `None` if the
+    /// batch does not exist.
     pub async fn delete_batch(&self, id: &str, owner: Option<&str>) -> Result<Option<Vec<String>>> {
         let (id, owner) = owned(id, owner);
         self.write(move |tx| batches::delete(tx, &id, owner.as_deref())).await
@@ -518,8 +522,9 @@ impl Store {
 
 /// Callbacks.
 impl Store {
-    /// Takes a callback that is due and counts an attempt; nobody else is given it for `lease`. If the claimer dies it
-    /// is due again after that, so a message may arrive twice, but it is not lost.
+    /// Claims a callback that is due, counts an attempt, and keeps it from other claimers for the time `lease`. If the
+    /// claimer dies, the callback is due again after the lease. A message may therefore arrive twice, but it is not
+    /// lost.
     pub async fn claim_callback(&self, lease: Duration) -> Result<Option<Callback>> {
         if !self.read(callbacks::any_due).await? {
             return Ok(None);
@@ -527,13 +532,13 @@ impl Store {
         self.write(move |tx| callbacks::claim(tx, lease)).await
     }
 
-    /// Forgets a callback that was delivered or is given up.
+    /// Deletes a callback that was delivered or is given up.
     pub async fn settle_callback(&self, callback: &Callback) -> Result<()> {
         let callback = callback.clone();
         self.write(move |tx| callbacks::settle(tx, &callback)).await
     }
 
-    /// Makes a callback whose attempt failed due again after `pause`.
+    /// Makes a callback due again after `pause`, because its attempt failed.
     pub async fn put_off_callback(&self, callback: &Callback, pause: Duration) -> Result<()> {
         let callback = callback.clone();
         self.write(move |tx| callbacks::put_off(tx, &callback, pause)).await
@@ -542,9 +547,9 @@ impl Store {
 
 /// Retention.
 impl Store {
-    /// Expires ended jobs whose time is up or that exceed `max_jobs` or four fifths of `max_bytes`, forgets the oldest
-    /// expired ones, removes results that no job has, and recovers lost leases. Any number of instances may sweep at
-    /// once. On a disk that was full it takes the ballast's room again, if there is enough.
+    /// Expires finished jobs whose time is up or that exceed `max_jobs` or four fifths of `max_bytes`. Then deletes the
+    /// oldest expired identifiers, removes results without a job and recovers lost leases. Any number of instances may
+    /// sweep at once. If the ballast was deleted and the disk has enough space again, restores the ballast.
     pub async fn sweep(&self) -> Result<Swept> {
         let swept = retention::sweep(self).await;
         if let (Engine::Sqlite(database), true) = (&self.inner.engine, self.inner.ballast.is_given_up()) {
@@ -554,9 +559,9 @@ impl Store {
         swept
     }
 
-    /// Puts jobs whose lease has run out back into the queue, or fails them. Returns how many it touched.
+    /// Puts jobs whose lease has run out back into the queue, or fails them. Returns the number of these jobs.
     async fn recover(&self) -> Result<usize> {
-        if self.read(claims::look).await?.0 { self.write_with(claims::recover).await } else { Ok(0) }
+        if self.read(claims::pending_work).await?.0 { self.write_with(claims::recover).await } else { Ok(0) }
     }
 }
 

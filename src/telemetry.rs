@@ -10,7 +10,7 @@ use tracing_subscriber::util::SubscriberInitExt;
 /// Sends logs to standard error, filtered and formatted as configured.
 ///
 /// # Errors
-/// A filter that does not parse, or a subscriber that is already set.
+/// Fails if the filter does not parse, or if a subscriber is already set.
 pub fn init_logs(config: &LogConfig) -> Result<(), String> {
     let filter: Targets = config.level.parse().map_err(|error| format!("log.level: {error}"))?;
     let layer =
@@ -22,34 +22,34 @@ pub fn init_logs(config: &LogConfig) -> Result<(), String> {
     tracing_subscriber::registry().with(layer.with_filter(filter)).try_init().map_err(|error| error.to_string())
 }
 
-/// Names of the metrics. Units last; counters end in `_total`.
+/// Names of the metrics. The unit comes last, and counters end in `_total`.
 pub mod metric {
-    /// Counter: finished jobs by kind and final status. A cancelled job is counted where it was cancelled.
+    /// Counter of finished jobs by kind and final status. A cancelled job is counted by the process that cancelled it.
     pub const JOBS: &str = "plateau_jobs_total";
-    /// Counter: submissions by kind and outcome (created, repeated, rejected, queue_full).
+    /// Counter of submissions by kind and outcome (created, repeated, rejected, queue_full).
     pub const SUBMISSIONS: &str = "plateau_submissions_total";
-    /// Counter: attempts to tell a callback URL, by outcome (delivered, failed, given_up, unwanted).
+    /// Counter of attempts to send a message to a callback URL, by outcome (delivered, failed, given_up, unwanted).
     pub const CALLBACKS: &str = "plateau_callbacks_total";
-    /// Histogram: seconds from claim to finish, by kind and objective.
+    /// Histogram of the seconds from claim to finish, by kind and objective.
     pub const SOLVE_SECONDS: &str = "plateau_solve_seconds";
-    /// Histogram: seconds from submission to claim, by kind.
+    /// Histogram of the seconds from submission to claim, by kind.
     pub const WAIT_SECONDS: &str = "plateau_queue_wait_seconds";
-    /// Gauge: jobs that wait.
+    /// Gauge of the jobs that wait.
     pub const QUEUE_LENGTH: &str = "plateau_queue_length";
-    /// Gauge: jobs that run in this process.
+    /// Gauge of the jobs that run in this process.
     pub const RUNNING: &str = "plateau_jobs_running";
-    /// Gauge, always 1: the version of the program.
+    /// Gauge that is always 1. Its label holds the version of the program.
     pub const BUILD_INFO: &str = "plateau_build_info";
-    /// Counter: HTTP requests by method, route and status.
+    /// Counter of HTTP requests by method, route and status.
     pub const HTTP_REQUESTS: &str = "plateau_http_requests_total";
-    /// Histogram: seconds to the response's head, by method and route.
+    /// Histogram of the seconds until the head of the response is sent, by method and route.
     pub const HTTP_SECONDS: &str = "plateau_http_request_seconds";
 }
 
-/// Installs the recorder; call once per process. The handle renders the text that `GET /metrics` serves.
+/// Installs the recorder. Call it once per process. The returned handle renders the text that `GET /metrics` serves.
 ///
 /// # Errors
-/// A recorder that is already installed.
+/// Fails if a recorder is already installed.
 pub fn init_metrics() -> Result<PrometheusHandle, String> {
     const BUCKETS: [f64; 16] =
         [0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0, 60.0, 600.0];
@@ -59,12 +59,12 @@ pub fn init_metrics() -> Result<PrometheusHandle, String> {
         .map_err(|error| error.to_string())?;
     metrics::describe_counter!(metric::JOBS, "Finished jobs by kind and final status");
     metrics::describe_counter!(metric::SUBMISSIONS, "Submissions by kind and outcome");
-    metrics::describe_counter!(metric::CALLBACKS, "Attempts to tell a callback URL, by outcome");
+    metrics::describe_counter!(metric::CALLBACKS, "Attempts to send a message to a callback URL, by outcome");
     metrics::describe_histogram!(metric::SOLVE_SECONDS, "Seconds from claim to finish");
     metrics::describe_histogram!(metric::WAIT_SECONDS, "Seconds from submission to claim");
     metrics::describe_gauge!(metric::QUEUE_LENGTH, "Jobs that wait");
     metrics::describe_gauge!(metric::RUNNING, "Jobs that run in this process");
-    metrics::describe_gauge!(metric::BUILD_INFO, "The version of the program; the value is always 1");
+    metrics::describe_gauge!(metric::BUILD_INFO, "Version of the program as a label; the value is always 1");
     metrics::gauge!(metric::BUILD_INFO, "version" => env!("CARGO_PKG_VERSION")).set(1.0);
     process::describe();
     metrics::describe_counter!(metric::HTTP_REQUESTS, "HTTP requests by method, route and status");
@@ -72,8 +72,8 @@ pub fn init_metrics() -> Result<PrometheusHandle, String> {
     Ok(handle)
 }
 
-/// Figures of this process, under the names that Prometheus gives them in every program. Read from procfs, so on Linux
-/// only.
+/// Figures of this process, under the names that Prometheus uses in every program. They are read from procfs, so they
+/// exist only on Linux.
 pub mod process {
     use std::fs;
 
@@ -81,12 +81,11 @@ pub mod process {
     const RESIDENT_BYTES: &str = "process_resident_memory_bytes";
     const VIRTUAL_BYTES: &str = "process_virtual_memory_bytes";
     const OPEN_FILES: &str = "process_open_fds";
-    const MOST_FILES: &str = "process_max_fds";
+    const MAX_FILES: &str = "process_max_fds";
     const THREADS: &str = "process_threads";
     const STARTED: &str = "process_start_time_seconds";
 
-    /// Clock ticks in a second in `/proc`: fixed at 100 in the interface of every Linux architecture that Rust
-    /// supports.
+    /// Clock ticks per second in `/proc`. The number is 100 on every Linux architecture that Rust supports.
     const TICKS_PER_SECOND: f64 = 100.0;
 
     pub(super) fn describe() {
@@ -94,15 +93,15 @@ pub mod process {
         metrics::describe_gauge!(RESIDENT_BYTES, "Resident memory of this process");
         metrics::describe_gauge!(VIRTUAL_BYTES, "Virtual memory of this process");
         metrics::describe_gauge!(OPEN_FILES, "Open file descriptors of this process");
-        metrics::describe_gauge!(MOST_FILES, "Limit of open file descriptors");
+        metrics::describe_gauge!(MAX_FILES, "Limit of open file descriptors");
         metrics::describe_gauge!(THREADS, "Threads of this process");
         metrics::describe_gauge!(STARTED, "Start of this process in seconds since 1970");
     }
 
-    /// Brings the figures up to date. A figure that cannot be read keeps its value.
+    /// Updates the figures. A figure that cannot be read keeps its last value.
     pub fn measure() {
         if let Some(figures) = fs::read_to_string("/proc/self/stat").ok().and_then(|stat| Stat::read(&stat)) {
-            // A gauge, because the recorder's counters hold whole numbers only.
+            // A gauge is used because the recorder's counters hold only whole numbers.
             metrics::gauge!(CPU_SECONDS).set(figures.cpu_ticks / TICKS_PER_SECOND);
             metrics::gauge!(THREADS).set(figures.threads);
             metrics::gauge!(VIRTUAL_BYTES).set(figures.virtual_bytes);
@@ -111,15 +110,15 @@ pub mod process {
             }
         }
         if let Some(bytes) = field("/proc/self/status", "VmRSS:") {
-            // Linux writes kibibytes there.
+            // Linux gives this figure in kibibytes.
             metrics::gauge!(RESIDENT_BYTES).set(bytes * 1024.0);
         }
         if let Ok(files) = fs::read_dir("/proc/self/fd") {
-            // One of them is the folder itself while it is read.
+            // One entry is the folder's own descriptor, which is open only while it is read.
             metrics::gauge!(OPEN_FILES).set(files.count().saturating_sub(1) as f64);
         }
-        if let Some(most) = field("/proc/self/limits", "Max open files") {
-            metrics::gauge!(MOST_FILES).set(most);
+        if let Some(maximum) = field("/proc/self/limits", "Max open files") {
+            metrics::gauge!(MAX_FILES).set(maximum);
         }
     }
 
@@ -131,10 +130,10 @@ pub mod process {
     }
 
     impl Stat {
-        /// Reads the fields behind the program's name, which is in parentheses and may hold blanks.
+        /// Parses the fields after the program's name. The name is in parentheses and may contain blanks.
         fn read(stat: &str) -> Option<Self> {
             let fields: Vec<&str> = stat.rsplit_once(')')?.1.split_whitespace().collect();
-            // The first one here is number 3 of proc_pid_stat(5).
+            // The first field after the name is number 3 in proc_pid_stat(5).
             let field = |number: usize| fields.get(number - 3)?.parse::<f64>().ok();
             Some(Self {
                 cpu_ticks: field(14)? + field(15)?,
@@ -149,7 +148,7 @@ pub mod process {
         field("/proc/stat", "btime")
     }
 
-    /// The first number of the line that begins with `name`.
+    /// Returns the first number on the line that begins with `name`.
     fn field(path: &str, name: &str) -> Option<f64> {
         let text = fs::read_to_string(path).ok()?;
         let line = text.lines().find_map(|line| line.strip_prefix(name))?;

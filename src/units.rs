@@ -1,9 +1,10 @@
-//! The client's unit of length and upward axis, which the wire, the stored archive and every download share.
+//! Unit of length and upward axis of the client, shared by the wire, the stored archive and every download.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// The unit of the client's coordinates. Meshes in glTF are in metres, as glTF demands; OBJ, PLY and STL keep the client's unit.
+/// Unit of the client's coordinates. Meshes in glTF are in metres, as glTF demands; OBJ, PLY and STL keep the client's
+/// unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "Units")]
 pub enum Unit {
@@ -33,7 +34,7 @@ impl Unit {
         }
     }
 
-    /// How many millimetres one unit is; exact.
+    /// Returns the number of millimetres in one unit, exactly.
     #[must_use]
     pub fn millimetres(self) -> f64 {
         match self {
@@ -45,7 +46,7 @@ impl Unit {
         }
     }
 
-    /// How many metres one unit is, correctly rounded.
+    /// Returns the number of metres in one unit, correctly rounded.
     #[must_use]
     pub fn metres(self) -> f64 {
         match self {
@@ -58,7 +59,7 @@ impl Unit {
     }
 }
 
-/// Which axis of the client's coordinates points up.
+/// Axis of the client's coordinates that points up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum UpAxis {

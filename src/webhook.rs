@@ -1,12 +1,14 @@
-//! Telling a client's URL of an end: signed messages as Standard Webhooks has them
-//! (<https://github.com/standard-webhooks/standard-webhooks>, specification 1.0), sent to public addresses only.
+//! Sends a signed message to a client's URL when its job or batch has ended, to public addresses only. The messages
+//! follow Standard Webhooks (<https://github.com/standard-webhooks/standard-webhooks>, specification 1.0).
 //!
-//! A URL is a client's word about where this server is to connect. So: https alone, no redirects, no proxy; at every attempt
-//! the name is resolved anew, every address it has must be public ([`address`]) or in a network that the operator allows, and
-//! the connection goes to the very address that was checked, with the certificate checked for the name. The answer's status is
-//! all that is read of it, and it is not shown to the client who named the URL.
+//! The client chooses the URL, so the server must not trust it. Only https is allowed, redirects are not followed, and
+//! no proxy is used. At every attempt the host name is resolved again. Each of its addresses must be public
+//! ([`address`]) or in a network that the operator allows. The connection goes to the address that was checked, and the
+//! certificate is checked for the name. Only the status of the response is read, and it is not shown to the client who
+//! named the URL.
 //!
-//! Every key signs with a secret of its own, derived from the operator's: what one client receives it cannot forge for another.
+//! Every key has its own signing secret, derived from the operator's secret. One client therefore cannot forge messages
+//! for another.
 
 pub mod address;
 
@@ -31,13 +33,13 @@ use tokio_rustls::TlsConnector;
 use url::{Host, Url};
 
 const SECRET_PREFIX: &str = "whsec_";
-/// What Standard Webhooks allows.
+/// Range of secret lengths that Standard Webhooks allows.
 const SECRET_BYTES: std::ops::RangeInclusive<usize> = 24..=64;
 
-/// The operator's secret; each key's is derived from it.
+/// The operator's secret, from which the secret of each key is derived.
 pub struct Secret(Vec<u8>);
 
-// A secret does not belong into a log.
+// Logs must not contain the secret.
 impl fmt::Debug for Secret {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str("Secret")
@@ -45,23 +47,23 @@ impl fmt::Debug for Secret {
 }
 
 impl Secret {
-    /// Reads the configured file; `None` if there is none, which means that webhooks are off.
+    /// Reads the configured file. Returns `None` if no file is configured, which means that webhooks are off.
     ///
     /// # Errors
-    /// A message that names the setting.
+    /// Returns a message that names the setting.
     pub fn load(config: &WebhooksConfig) -> Result<Option<Self>, String> {
         let file = &config.secret_file;
         if file.as_os_str().is_empty() {
             return Ok(None);
         }
-        let wrong = |what: &str| format!("webhooks.secret_file {}: {what}", file.display());
-        let text = std::fs::read_to_string(file).map_err(|error| wrong(&error.to_string()))?;
+        let error = |reason: &str| format!("webhooks.secret_file {}: {reason}", file.display());
+        let text = std::fs::read_to_string(file).map_err(|io| error(&io.to_string()))?;
         let encoded = text.trim().strip_prefix(SECRET_PREFIX).unwrap_or(text.trim());
-        let secret = BASE64.decode(encoded).map_err(|_| wrong("expected whsec_ and base64"))?;
+        let secret = BASE64.decode(encoded).map_err(|_| error("expected whsec_ and base64"))?;
         if SECRET_BYTES.contains(&secret.len()) {
             Ok(Some(Self(secret)))
         } else {
-            Err(wrong("expected 24 to 64 bytes in base64"))
+            Err(error("expected 24 to 64 bytes in base64"))
         }
     }
 
@@ -75,8 +77,8 @@ impl Secret {
         Self::mac(&self.0, &[b"webhooks of ", owner.unwrap_or_default().as_bytes()])
     }
 
-    /// What messages for the jobs of this key are signed with, as its holder's library takes it; without a name, for the jobs
-    /// of a server without keys.
+    /// Returns the secret that signs messages about this key's jobs, in the form that a Standard Webhooks library
+    /// takes. Without a name, returns the secret for the jobs of a server without keys.
     #[must_use]
     pub fn of(&self, owner: Option<&str>) -> String {
         format!("{SECRET_PREFIX}{}", BASE64.encode(self.bytes_of(owner)))
@@ -89,22 +91,22 @@ impl Secret {
     }
 }
 
-/// What is to be sent.
+/// Message to send.
 #[derive(Clone, Copy, Debug)]
 pub struct Message<'m> {
-    /// The same at every attempt, so that a receiver can drop repetitions.
+    /// Identifier of the message. It is the same at every attempt, so that a receiver can drop repetitions.
     pub id: &'m str,
-    /// Whose secret signs it.
+    /// Name of the key whose secret signs the message.
     pub owner: Option<&'m str>,
     pub body: &'m [u8],
 }
 
-/// Why a message did not arrive.
+/// Reason for a failed delivery.
 #[derive(Debug, PartialEq, Eq)]
 pub enum Undelivered {
-    /// The receiver wants no more of these (410).
+    /// The receiver refused further attempts by answering 410.
     Unwanted,
-    /// Worth another attempt.
+    /// The attempt failed and may be repeated.
     Failed(String),
 }
 
@@ -123,10 +125,11 @@ impl fmt::Debug for Sender {
 }
 
 impl Sender {
-    /// `None` if webhooks are off.
+    /// Returns `None` if webhooks are off.
     ///
     /// # Errors
-    /// A message that names the setting: a secret that cannot be read, a network that is none, no root certificates.
+    /// Returns a message that names the setting if the secret cannot be read, a network is invalid, or the system has
+    /// no root certificates.
     pub fn load(config: &WebhooksConfig) -> Result<Option<Self>, String> {
         let Some(secret) = Secret::load(config)? else { return Ok(None) };
         let allowed = allowed(config)?;
@@ -150,10 +153,10 @@ impl Sender {
         Ok(Some(Self { secret, allowed, timeout, tls: TlsConnector::from(Arc::new(tls)) }))
     }
 
-    /// Whether a URL may be told at all; its name is resolved only when it is.
+    /// Checks that messages may be sent to a URL. The host name is resolved only when a message is sent.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// Returns what is wrong with the URL.
     pub fn check(&self, url: &str) -> Result<(), &'static str> {
         self.target(url).map(|_| ())
     }
@@ -185,13 +188,13 @@ impl Sender {
         address::is_public(address) || self.allowed.iter().any(|network| network.contains(address))
     }
 
-    /// One attempt.
+    /// Attempts once to deliver a message.
     ///
     /// # Errors
-    /// [`Undelivered`], unless the receiver answered 2xx in time.
+    /// Returns [`Undelivered`] unless the receiver answers 2xx in time.
     pub async fn send(&self, url: &str, message: Message<'_>, timestamp_s: i64) -> Result<(), Undelivered> {
         let attempt = async {
-            let target = self.target(url).map_err(|what| format!("the URL {what}"))?;
+            let target = self.target(url).map_err(|reason| format!("the URL {reason}"))?;
             self.attempt(&target, message, timestamp_s).await
         };
         let status = match tokio::time::timeout(self.timeout, attempt).await {
@@ -207,16 +210,16 @@ impl Sender {
 
     async fn attempt(&self, target: &Target, message: Message<'_>, timestamp_s: i64) -> Result<StatusCode, String> {
         let address = self.resolve(target).await?;
-        let said = |error: &dyn fmt::Display| error.to_string();
-        let stream = TcpStream::connect(address).await.map_err(|error| said(&error))?;
+        let message_of = |error: &dyn fmt::Display| error.to_string();
+        let stream = TcpStream::connect(address).await.map_err(|error| message_of(&error))?;
         let name = match &target.host {
-            Host::Domain(name) => ServerName::try_from(name.clone()).map_err(|error| said(&error))?,
+            Host::Domain(name) => ServerName::try_from(name.clone()).map_err(|error| message_of(&error))?,
             Host::Ipv4(address) => ServerName::from(IpAddr::from(*address)),
             Host::Ipv6(address) => ServerName::from(IpAddr::from(*address)),
         };
-        let stream = self.tls.connect(name, stream).await.map_err(|error| said(&error))?;
+        let stream = self.tls.connect(name, stream).await.map_err(|error| message_of(&error))?;
         let (mut sender, connection) =
-            hyper::client::conn::http1::handshake(TokioIo::new(stream)).await.map_err(|error| said(&error))?;
+            hyper::client::conn::http1::handshake(TokioIo::new(stream)).await.map_err(|error| message_of(&error))?;
         let timestamp_s = timestamp_s.to_string();
         let request = Request::post(&target.path)
             .header(header::HOST, &target.authority)
@@ -226,20 +229,20 @@ impl Sender {
             .header("webhook-timestamp", &timestamp_s)
             .header("webhook-signature", self.secret.signature(&message, &timestamp_s))
             .body(Full::new(Bytes::copy_from_slice(message.body)))
-            .map_err(|error| said(&error))?;
+            .map_err(|error| message_of(&error))?;
         let mut answer = std::pin::pin!(sender.send_request(request));
         let mut connection = std::pin::pin!(connection);
-        // The connection ends here with the head of the answer; what would follow is nobody's. A receiver that closes right
-        // after its answer has answered all the same.
+        // The connection is dropped after the head of the response, because the body is not used. If the receiver
+        // closes the connection right after its response, the response still counts.
         let answer = tokio::select! {
             answer = &mut answer => answer,
             _ = &mut connection => answer.await,
         };
-        answer.map(|answer| answer.status()).map_err(|error| said(&error))
+        answer.map(|answer| answer.status()).map_err(|error| message_of(&error))
     }
 
-    /// The address to connect to: the first of the name's, all of which must be permitted. A name that has both kinds is not
-    /// told by the public one, so that nothing can be learnt by chance.
+    /// Returns the address to connect to: the first address of the host. If a host name resolves to both public and
+    /// private addresses, the request is refused: the server never picks only the public one.
     async fn resolve(&self, target: &Target) -> Result<SocketAddr, String> {
         let found: Vec<SocketAddr> = match &target.host {
             Host::Ipv4(address) => vec![SocketAddr::from((*address, target.port))],
@@ -256,10 +259,10 @@ impl Sender {
     }
 }
 
-/// Checks the setting.
+/// Parses the setting `webhooks.allowed_networks`.
 ///
 /// # Errors
-/// Names it.
+/// Returns a message that names the setting.
 pub fn allowed(config: &WebhooksConfig) -> Result<Vec<Network>, String> {
     let networks = config.allowed_networks.iter().map(|text| {
         text.parse().map_err(|()| {
@@ -269,7 +272,7 @@ pub fn allowed(config: &WebhooksConfig) -> Result<Vec<Network>, String> {
     networks.collect()
 }
 
-/// Where a message goes.
+/// Parsed address of a receiver.
 #[derive(Debug)]
 struct Target {
     host: Host,
@@ -301,9 +304,9 @@ mod tests {
         }
     }
 
-    /// The example of the specification's reference libraries.
+    /// The secret, message and signature come from the specification's reference libraries.
     #[test]
-    fn a_signature_is_what_the_specification_says() {
+    fn a_signature_equals_the_one_in_the_specification() {
         let secret = BASE64.decode("MfKQ9r8GKYqrTwjUPD8ILPZIo2LaLaSw").unwrap();
         let parts: [&[u8]; 5] =
             [b"msg_p5jXN8AQM9LWM0D4loKWxJek", b".", b"1614265330", b".", br#"{"test": 2432232314}"#];
@@ -320,7 +323,7 @@ mod tests {
     }
 
     #[test]
-    fn only_https_to_public_hosts_is_taken() {
+    fn only_https_urls_of_public_hosts_are_accepted() {
         let strict = sender(&[]);
         for good in ["https://example.org/hook?a=b", "https://93.184.216.34/", "https://[2606:2800:220:1::1]:8443/x"] {
             assert_eq!(strict.check(good), Ok(()), "{good}");
@@ -332,7 +335,7 @@ mod tests {
             ("https://", "not a URL"),
             ("https://me:secret@example.org/", "password"),
             ("https://127.0.0.1/", "public"),
-            // Other ways to write the same.
+            // The next three hosts are other notations of loopback addresses.
             ("https://2130706433/", "public"),
             ("https://0x7f.1/", "public"),
             ("https://0177.0.0.1/", "public"),
@@ -349,7 +352,7 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn a_name_is_checked_by_what_it_resolves_to() {
+    async fn a_host_name_is_refused_if_it_resolves_to_a_private_address() {
         let message = Message { id: "m", owner: None, body: b"{}" };
         let refused = sender(&[]).send("https://localhost:9/", message, 0).await;
         let Err(Undelivered::Failed(why)) = refused else { panic!("{refused:?}") };
@@ -357,7 +360,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wrong_setting_is_named() {
+    fn an_error_message_names_the_wrong_setting() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("secret");
         let load = |text: &str| {

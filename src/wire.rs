@@ -1,10 +1,11 @@
-//! Request and result types: Rust types -> JSON Schema -> OpenAPI, and between the wire and the geometry.
+//! Request and result types, their JSON Schemas for the OpenAPI document, and their conversion to and from the
+//! geometry's types.
 //!
-//! One source of truth for a body: the schema derived from the Rust types is published in the OpenAPI document, and
-//! bodies are validated against that very schema (every error with its JSON Pointer) before serde reads them; long
-//! lists of points alone are read first, and the schema sees how they begin ([`body`]). What a schema cannot say (too
-//! few distinct points, a directrix pair of two single points) is checked next, and what only the geometry knows is
-//! asked of the geometry's own checks. Nothing but this module knows both wire names and geometry types.
+//! The schema derived from the Rust types is published in the OpenAPI document, and bodies are validated against the
+//! same schema before serde reads them. Every error has a JSON Pointer. Long lists of points are read before that, and
+//! the schema sees only their first points ([`body`]). After the schema come checks that a schema cannot express, such
+//! as too few distinct points or two directrices of a single point each. The last checks are the geometry's own.
+//! Besides `jobs/solve.rs`, only this module knows both wire names and geometry types.
 
 pub mod batch;
 pub mod body;
@@ -24,7 +25,7 @@ use plateau_geometry::error::Step;
 use plateau_geometry::{DVec3, Error as GeometryError, InputError};
 use serde_json::Value;
 
-/// At most this many errors of one body are listed.
+/// Number of errors of one body that are listed.
 pub const MAX_ERRORS: usize = 50;
 
 /// One offending value of a body. Values are never echoed.
@@ -42,7 +43,7 @@ impl FieldError {
     }
 }
 
-/// Options of the geometry whose field of the request has another name: there angles are in degrees.
+/// Names of geometry options whose request fields have other names, because the request has angles in degrees.
 const RENAMED: [(&str, &str); 2] =
     [("convexity_tolerance", "convexity_tolerance_deg"), ("degenerate_angle", "degenerate_angle_deg")];
 
@@ -59,20 +60,20 @@ impl From<&InputError> for FieldError {
     }
 }
 
-/// Why a body is not taken.
+/// Reason for refusing a body.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Rejection {
-    /// Not JSON, or an object repeats a key.
+    /// The body is not JSON, or an object repeats a key.
     Malformed(String),
-    /// JSON, but not a request that can be worked on.
+    /// The body is JSON but not a valid request.
     Invalid(Vec<FieldError>),
-    /// A request that would be fine on a server with larger limits.
+    /// The request is valid but exceeds a limit of this server.
     TooLarge(Vec<FieldError>),
 }
 
 impl Rejection {
-    /// With every pointer leading to a value of this body, or to the member that it lacks and whose default does not
-    /// do.
+    /// Shortens each pointer to the first member that the body lacks, if it leads through one. The default of that
+    /// member is then the wrong value.
     fn placed_in(mut self, body: &Value) -> Self {
         if let Self::Invalid(errors) | Self::TooLarge(errors) = &mut self {
             for error in errors {
@@ -124,7 +125,7 @@ impl Kind {
         Self::ALL.into_iter().find(|kind| kind.name() == name)
     }
 
-    /// The fields of its requests that are lists of polylines.
+    /// Returns the names of the request fields that are lists of polylines.
     #[must_use]
     pub fn point_fields(self) -> &'static [&'static str] {
         match self {
@@ -134,7 +135,7 @@ impl Kind {
         }
     }
 
-    /// The path that takes requests of this kind.
+    /// Returns the path that accepts requests of this kind.
     #[must_use]
     pub fn path(self) -> &'static str {
         match self {
@@ -145,34 +146,34 @@ impl Kind {
     }
 }
 
-/// Points, normals and tangents of three coordinates each come to twelve values a point. A value is many times larger
-/// in memory than in the text, so they are counted before any is read.
+/// Refuses bodies with too many values before they are parsed, because a value takes much more memory than its text.
+/// Points, normals and tangents with three coordinates each have twelve values per point.
 fn refuse_too_many_values(body: &[u8], limits: &LimitsConfig) -> Result<(), Rejection> {
-    let most = limits.points.saturating_mul(16).saturating_add(10_000);
-    if body.iter().filter(|&&byte| byte == b',').count() <= most {
+    let max_values = limits.points.saturating_mul(16).saturating_add(10_000);
+    if body.iter().filter(|&&byte| byte == b',').count() <= max_values {
         return Ok(());
     }
     let detail = format!("has more values than a request of {} points can have; see GET /v1/limits", limits.points);
     Err(Rejection::TooLarge(vec![FieldError::new("", detail)]))
 }
 
-/// A request that passed every check that can be made before the work.
+/// A request that passed every check before solving.
 #[derive(Clone, Debug)]
 pub struct Request {
     pub unit: Unit,
     pub up: UpAxis,
-    /// Whether the kept result of an equal request may be taken.
+    /// Whether the kept result of an equal request may be reused.
     pub cache: common::Cache,
     /// The URL that receives a message when the job ends.
     pub callback_url: Option<String>,
-    /// About how much memory solving it takes, result included; rather too much than too little.
+    /// Estimate of the memory that solving takes, including the result. The estimate is an upper bound.
     pub memory_bytes: u64,
-    /// True if solving it takes about a millisecond at most, so that it may keep a thread of the server.
+    /// True if solving takes at most about a millisecond, so that it may run on a thread of the server.
     pub quick: bool,
     pub problem: Problem,
 }
 
-/// What a solver is given.
+/// Input of a solver.
 #[derive(Clone, Debug)]
 pub enum Problem {
     RuledSurface { directrices: Vec<Vec<DVec3>>, options: plateau_geometry::ruled_surface::Options },
@@ -180,7 +181,7 @@ pub enum Problem {
     UniformMesh { domain: plateau_geometry::uniform_mesh::Domain, options: plateau_geometry::uniform_mesh::Options },
 }
 
-/// What the checks of one kind of request say.
+/// Result of the checks of one kind of request.
 #[derive(Debug)]
 struct Checked {
     memory_bytes: u64,
@@ -188,7 +189,7 @@ struct Checked {
     problem: Problem,
 }
 
-/// A request of one kind, checked, as a [`Request`].
+/// Checks a request of one kind and converts it to a [`Request`].
 macro_rules! checked {
     ($request:ident, $limits:expr) => {{
         let Checked { memory_bytes, quick, problem } = $request.check($limits)?;
@@ -205,13 +206,15 @@ macro_rules! checked {
 }
 
 impl Request {
-    /// Reads a body of a known kind: syntax, schema, types, limits, geometry, in this order.
+    /// Reads a body of a known kind. The stages are syntax, schema, types, limits and geometry.
     ///
     /// # Errors
-    /// The first stage that fails reports all it found, at most [`MAX_ERRORS`] and one more (so that a reader knows that some were left out).
+    /// Returns all errors of the first stage that fails, at most [`MAX_ERRORS`] + 1. The extra error shows that some
+    /// were left out.
     pub fn read(kind: Kind, body: &[u8], limits: &LimitsConfig) -> Result<(Self, Body), Rejection> {
         refuse_too_many_values(body, limits)?;
-        // The quick way takes what is right, and knows nothing of what is wrong.
+        // The fast reader accepts only valid bodies and gives no reason for refusing others. They are read again by the
+        // strict reader, which reports every error.
         if let Some(body) = Body::read(body, kind.point_fields())
             && let Ok(request) = Self::of(kind, body.outline(), body.lists(), limits)
         {
@@ -222,11 +225,11 @@ impl Request {
         Ok((request, value.into()))
     }
 
-    /// Reads a body that was stored when it was submitted, so the schema has seen it already. The limits of this process
-    /// may be others than those of the process that took it.
+    /// Reads a body that was validated against the schema when it was submitted. The limits of this process may differ
+    /// from those of the process that accepted it.
     ///
     /// # Errors
-    /// A body that this version does not know, or that exceeds the limits.
+    /// Fails if this version does not know the body, or if it exceeds the limits.
     pub fn read_stored(kind: Kind, body: &[u8], limits: &LimitsConfig) -> Result<Self, Rejection> {
         let unknown = |error: serde_json::Error| Rejection::Malformed(error.to_string());
         let request = match kind {
@@ -246,10 +249,10 @@ impl Request {
         request.within(limits)
     }
 
-    /// Reads a body that names its kind itself, as `plateau solve` takes it.
+    /// Reads a body that names its own kind, as `plateau solve` accepts it.
     ///
     /// # Errors
-    /// As [`Request::read`]; a missing or unknown `kind` is an error at `/kind`.
+    /// Returns the errors of [`Request::read`]. A missing or unknown `kind` is an error at `/kind`.
     pub fn read_with_kind(body: &[u8], limits: &LimitsConfig) -> Result<Self, Rejection> {
         let value = json::parse(body)?;
         let kind = value.get("kind").and_then(Value::as_str).and_then(Kind::from_name).ok_or_else(|| {
@@ -259,13 +262,15 @@ impl Request {
         Self::from_value(kind, &value, limits)
     }
 
+    /// Reads a request of a known kind from a JSON value.
+    ///
     /// # Errors
-    /// As [`Request::read`].
+    /// Returns the errors of [`Request::read`].
     pub fn from_value(kind: Kind, value: &Value, limits: &LimitsConfig) -> Result<Self, Rejection> {
         Self::of(kind, value, &[], limits)
     }
 
-    /// A request from a body's outline and the lists beside it.
+    /// Reads a request from a body's outline and the point lists that were read separately.
     fn of(kind: Kind, outline: &Value, lists: &[PointList], limits: &LimitsConfig) -> Result<Self, Rejection> {
         schema::validate(kind, outline)?;
         let checked = Self::checked(kind, outline, lists, limits);
@@ -291,13 +296,13 @@ impl Request {
         })
     }
 
-    /// Refuses a request that needs more memory than this server gives one job.
+    /// Refuses a request that needs more memory than the limit of one job.
     fn within(self, limits: &LimitsConfig) -> Result<Self, Rejection> {
         if self.memory_bytes <= limits.memory_bytes {
             return Ok(self);
         }
-        let (needed, most) = (self.memory_bytes >> 20, limits.memory_bytes >> 20);
-        let detail = format!("needs about {needed} MiB to solve, more than this server gives one job ({most} MiB)");
+        let (needed, available) = (self.memory_bytes >> 20, limits.memory_bytes >> 20);
+        let detail = format!("needs about {needed} MiB to solve, more than the limit of this server ({available} MiB)");
         Err(Rejection::TooLarge(vec![FieldError::new("", detail)]))
     }
 

@@ -1,4 +1,4 @@
-//! The stored artefact: what goes in comes out, and no bytes can do harm.
+//! The stored artefact: archives read back unchanged, and invalid bytes are refused safely.
 
 #[path = "export/sample.rs"]
 mod sample;
@@ -8,7 +8,7 @@ use plateau_geometry::DVec3;
 use proptest::prelude::*;
 use sha2::{Digest, Sha256};
 
-/// The bytes with a checksum that fits, so that a change reaches the code behind it.
+/// Appends a matching checksum, so that changes to the body are not refused by the checksum alone.
 fn signed(mut body: Vec<u8>) -> Vec<u8> {
     let checksum = Sha256::digest(&body);
     body.extend_from_slice(&checksum);
@@ -22,7 +22,7 @@ fn body(archive: &Archive) -> Vec<u8> {
 }
 
 #[test]
-fn everything_comes_back_and_the_bytes_repeat() {
+fn an_archive_reads_back_unchanged_and_has_the_same_bytes_again() {
     let archive = sample::full();
     let bytes = archive.to_bytes().unwrap();
     assert_eq!(Archive::from_bytes(&bytes).as_ref(), Ok(&archive));
@@ -43,9 +43,10 @@ fn coordinates_keep_every_bit() {
     assert_eq!(read, odd.map(f64::to_bits));
 }
 
-/// Files as this version wrote them first: stored results must open for as long as the version stays the same.
+/// Compares with files that this version wrote first, because stored results must stay readable for as long as the
+/// version stays the same.
 #[test]
-fn the_version_is_frozen() {
+fn the_bytes_of_this_version_are_frozen() {
     for (file, archive) in [("full", sample::full()), ("strip", Archive::new(sample::strip()).unwrap())] {
         let path = format!("{}/tests/export/archive-v4-{file}.bin", env!("CARGO_MANIFEST_DIR"));
         if std::env::var_os("PLATEAU_WRITE_ARCHIVES").is_some() {
@@ -64,7 +65,7 @@ fn a_strip_unrolls_from_its_bridges() {
     let [piece] = pattern.pieces.as_slice() else { panic!("one strip") };
     let (outline, folds) = (&piece.outline, &piece.folds);
     assert_eq!((piece.name.as_str(), outline.len(), folds.len()), ("strip 1", 5, 2));
-    // The outline runs along the first directrix and back along the second; all edges keep their lengths.
+    // The outline runs along the first directrix and back along the second. All edges keep their lengths.
     let solid = [0, 1, 2, 4, 3].map(|k: usize| contents.mesh.vertices[k]);
     for k in 0..5 {
         let (flat, true_length) = (outline[k].distance(outline[(k + 1) % 5]), solid[k].distance(solid[(k + 1) % 5]));
@@ -74,7 +75,8 @@ fn a_strip_unrolls_from_its_bridges() {
         folds.iter().map(|fold| fold.ends).collect::<Vec<_>>(),
         [[outline[1], outline[4]], [outline[1], outline[3]]]
     );
-    // The middle triangle dips below the first: a ridge; wound the other way round it is a valley.
+    // The middle triangle lies below the plane of the first, so the fold is a ridge. With the opposite orientation it
+    // is a valley.
     assert!(folds[0].angle_deg > 1.0, "{}", folds[0].angle_deg);
     let mut back = contents.clone();
     back.mesh.triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));
@@ -98,7 +100,7 @@ fn bridges_that_do_not_unroll_the_mesh_are_refused() {
         &[[0, 3], [1, 3], [1, 4], [2, 4], [0, 1]],
         &[[0, 3], [1, 3], [1, 4], [2, 4], [2, 3]],
     ] {
-        assert!(matches!(with(pairs), Err(Defect::Contents(what)) if what.contains("bridges")), "{pairs:?}");
+        assert!(matches!(with(pairs), Err(Defect::Contents(text)) if text.contains("bridges")), "{pairs:?}");
     }
     let mut far = sample::strip();
     far.mesh.vertices[2].x = 1e60;
@@ -109,7 +111,7 @@ fn bridges_that_do_not_unroll_the_mesh_are_refused() {
 }
 
 #[test]
-fn foreign_newer_cut_and_changed_files_are_told_apart() {
+fn foreign_other_version_truncated_and_changed_files_have_different_errors() {
     let bytes = sample::full().to_bytes().unwrap();
     assert_eq!(Archive::from_bytes(b""), Err(Defect::Magic));
     assert_eq!(Archive::from_bytes(b"glTF and so on"), Err(Defect::Magic));
@@ -129,7 +131,7 @@ fn foreign_newer_cut_and_changed_files_are_told_apart() {
 }
 
 #[test]
-fn a_cut_or_longer_body_under_a_fitting_checksum_is_refused() {
+fn a_body_of_wrong_length_with_a_matching_checksum_is_refused() {
     let body = body(&sample::full());
     for length in 12..body.len() {
         assert!(Archive::from_bytes(&signed(body[..length].to_vec())).is_err(), "cut to {length} bytes");
@@ -139,8 +141,9 @@ fn a_cut_or_longer_body_under_a_fitting_checksum_is_refused() {
 }
 
 #[test]
-fn a_huge_count_is_refused_before_memory_is_asked_for() {
-    // Generator and title are empty, unit and axis the first of each; then a count of 2^62 vertices.
+fn a_huge_count_is_refused_before_memory_is_allocated() {
+    // Generator and title are empty, and unit and axis are the first values. The next number is a count of 2^62
+    // vertices.
     let mut body = b"\x89PLATEAU\x04\0\0\0\0\0\0\0".to_vec();
     body.extend_from_slice(&[0xff; 8]);
     body.push(0x3f);
@@ -148,7 +151,7 @@ fn a_huge_count_is_refused_before_memory_is_asked_for() {
 }
 
 #[test]
-fn unsound_contents_are_refused_by_name() {
+fn the_error_for_invalid_contents_names_the_defect() {
     let curvature = |values: Vec<f64>| Some(MeanCurvature { values, least_range: 0.0 });
     let line = |vertices: Vec<u32>| {
         let lines = Lines::Polylines(vec![Polyline { vertices, closed: false }]);
@@ -172,23 +175,24 @@ fn unsound_contents_are_refused_by_name() {
         let mut contents = sample::roof(1.0, DVec3::ZERO);
         change(&mut contents);
         let defect = Archive::new(contents).unwrap_err();
-        assert!(matches!(defect, Defect::Contents(what) if what.contains(expected)), "{expected}: {defect}");
+        assert!(matches!(defect, Defect::Contents(text) if text.contains(expected)), "{expected}: {defect}");
     }
 }
 
 proptest! {
-    /// Any bytes behind a right start and checksum: an archive that comes back from what it is written as, or a refusal.
+    /// Any bytes after a valid start and before a valid checksum are refused, or give an archive that reads back
+    /// unchanged.
     #[test]
-    fn any_payload_is_read_or_refused(payload in prop::collection::vec(any::<u8>(), 0..400)) {
+    fn any_payload_gives_an_archive_or_an_error(payload in prop::collection::vec(any::<u8>(), 0..400)) {
         let body = [b"\x89PLATEAU\x04\0\0\0".as_slice(), &payload].concat();
         if let Ok(archive) = Archive::from_bytes(&signed(body)) {
             prop_assert_eq!(Archive::from_bytes(&archive.to_bytes().unwrap()), Ok(archive));
         }
     }
 
-    /// A real archive with a few bytes overwritten gets further into the reader than noise does.
+    /// A valid archive with a few bytes overwritten reaches more of the reader than random bytes do.
     #[test]
-    fn any_change_is_read_or_refused(
+    fn any_change_gives_an_archive_or_an_error(
         which in 0..2,
         changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
     ) {

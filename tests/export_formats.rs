@@ -1,4 +1,4 @@
-//! Every download format, read back by a reader of the test's own.
+//! Every download format is read back by an independent reader in this test.
 
 #[path = "export/sample.rs"]
 mod sample;
@@ -8,7 +8,7 @@ use plateau::units::{Unit, UpAxis};
 use plateau_geometry::DVec3;
 use serde_json::{Value, json};
 
-/// A GLB taken apart: its document and its buffer.
+/// Document and buffer of a GLB file.
 struct Glb {
     document: Value,
     buffer: Vec<u8>,
@@ -33,7 +33,7 @@ impl Glb {
         Self { document, buffer }
     }
 
-    /// The bytes of an accessor, `size` for each item.
+    /// Returns the bytes of an accessor, `size` for each item.
     fn items(&self, accessor: &Value, size: usize) -> Vec<&[u8]> {
         let accessor = &self.document["accessors"][accessor.as_u64().unwrap() as usize];
         let view = &self.document["bufferViews"][accessor["bufferView"].as_u64().unwrap() as usize];
@@ -68,7 +68,7 @@ impl Glb {
         DVec3::from_array(serde_json::from_value(nodes[0]["translation"].clone()).unwrap())
     }
 
-    /// Metres, Y up, as a viewer with f64 would place them.
+    /// Returns the positions in metres with Y up, as a viewer with f64 would place them.
     fn world(&self) -> Vec<DVec3> {
         let positions = self.vectors(&self.primitive(0)["attributes"]["POSITION"]);
         positions.into_iter().map(|position| position + self.translation()).collect()
@@ -98,7 +98,8 @@ fn glb_holds_the_mesh_in_metres_with_y_up() {
     }
 }
 
-/// A millimetre roof ten thousand kilometres away, and meshes of nearly any size: f32 loses a ten-millionth of the size at most.
+/// Tests a roof ten thousand kilometres away and meshes of nearly any size. f32 loses at most a ten-millionth of the
+/// size.
 #[test]
 fn glb_keeps_a_ten_millionth_of_the_size_wherever_the_mesh_is() {
     let far = DVec3::new(1e7, -1e7 + 0.125, 3e6);
@@ -115,7 +116,7 @@ fn glb_keeps_a_ten_millionth_of_the_size_wherever_the_mesh_is() {
         let origin =
             DVec3::from_array(serde_json::from_value(glb.document["asset"]["extras"]["origin"].clone()).unwrap());
         let translation = DVec3::new(origin.x, origin.z, -origin.y);
-        assert_eq!(glb.translation(), translation, "the translation is the origin, digit for digit");
+        assert_eq!(glb.translation(), translation, "the translation must equal the origin exactly");
         let positions = glb.vectors(&glb.primitive(0)["attributes"]["POSITION"]);
         for (found, vertex) in positions.iter().zip(&contents.mesh.vertices) {
             let expected = *vertex - origin;
@@ -136,9 +137,9 @@ fn glb_bounds_are_exactly_those_of_the_positions() {
     assert_eq!((&accessor["min"], &accessor["max"]), (&json!(low.to_array()), &json!(high.to_array())));
 }
 
-/// The roof with a triangle and its reverse (their normals cancel), one of no area, and a vertex of no triangle; also
-/// where these vertices start.
-fn odd_places(scale: f64) -> (Contents, usize) {
+/// Returns the roof with a triangle and its reverse, whose normals cancel, a triangle of no area, and a vertex without
+/// a triangle. Also returns the index of the first of these vertices.
+fn with_degenerate_parts(scale: f64) -> (Contents, usize) {
     let mut contents = sample::roof(scale, DVec3::ZERO);
     let apex = contents.mesh.vertices[4];
     let start = contents.mesh.vertices.len();
@@ -150,15 +151,15 @@ fn odd_places(scale: f64) -> (Contents, usize) {
 }
 
 #[test]
-fn glb_normals_are_of_unit_length_at_folds_slivers_and_loose_points() {
+fn glb_normals_have_unit_length_at_folds_slivers_and_loose_points() {
     for scale in [1.0, 1e-29, 1e37] {
-        let (contents, start) = odd_places(scale);
+        let (contents, start) = with_degenerate_parts(scale);
         let glb = Glb::of(&archive(contents));
         let normals = glb.vectors(&glb.primitive(0)["attributes"]["NORMAL"]);
         assert!(normals.iter().all(|normal| (normal.length() - 1.0).abs() < 1e-6), "{normals:?}");
-        assert_eq!(normals[start], DVec3::Z, "the folded triangle's own normal, turned");
-        assert_eq!(normals[start + 6], DVec3::Y, "up where nothing gives a direction");
-        assert!(normals[0].y > 0.0, "the roof's normals point up");
+        assert_eq!(normals[start], DVec3::Z, "the normal must be that of the folded triangle, in glTF's axes");
+        assert_eq!(normals[start + 6], DVec3::Y, "the normal must point up if no triangle gives a direction");
+        assert!(normals[0].y > 0.0, "the roof's normals must point up");
     }
 }
 
@@ -177,7 +178,7 @@ fn glb_colours_run_from_blue_to_red_over_the_stated_range() {
         [[0, 0, 255, 255], [0, 255, 255, 255], [0, 255, 0, 255], [255, 255, 0, 255], [255, 0, 0, 255]];
     assert_eq!(colors, expected.each_ref().map(|color| &color[..]));
 
-    // Rounding far below the tolerance stays blue, and no curvature at all is no division by zero.
+    // Rounding errors far below the tolerance stay blue, and zero curvature causes no division by zero.
     for (values, least_range) in [(vec![1e-12; 5], 1.0), (vec![0.0; 5], 0.0)] {
         contents.mean_curvature = Some(MeanCurvature { values, least_range });
         let glb = Glb::of(&archive(contents.clone()));
@@ -187,12 +188,12 @@ fn glb_colours_run_from_blue_to_red_over_the_stated_range() {
 }
 
 #[test]
-fn glb_lines_are_nodes_of_their_own() {
+fn glb_lines_are_separate_nodes() {
     let archive = sample::full();
     let glb = Glb::of(&archive);
     let nodes = glb.document["nodes"].as_array().unwrap();
     let names: Vec<_> = nodes.iter().map(|node| node["name"].as_str().unwrap()).collect();
-    assert_eq!(names, ["surface", "boundaries", "bridges", "members lattice"], "the empty set has no node");
+    assert_eq!(names, ["surface", "boundaries", "bridges", "members lattice"], "an empty set must have no node");
     assert_eq!(glb.document["scenes"][0]["nodes"], json!([0, 1, 2, 3]));
 
     let strip = glb.primitive(1);
@@ -210,7 +211,7 @@ fn glb_lines_are_nodes_of_their_own() {
 }
 
 #[test]
-fn glb_extras_carry_the_statistics_and_the_way_back_to_the_input() {
+fn glb_extras_have_the_statistics_and_the_vertices_of_the_input() {
     let glb = Glb::of(&sample::full());
     let extras = &glb.document["asset"]["extras"];
     assert_eq!(extras["statistics"], json!({ "area": 1.25, "converged": true }));
@@ -249,7 +250,7 @@ fn base64_decoded(text: &str) -> Vec<u8> {
 }
 
 #[test]
-fn what_f32_cannot_hold_is_refused_and_the_f64_formats_still_work() {
+fn coordinates_beyond_f32_are_refused_by_f32_formats_only() {
     for (scale, offset) in [(1e39, DVec3::ZERO), (1e308, DVec3::ZERO), (1e-40, DVec3::ZERO)] {
         let archive = archive(sample::roof(scale, offset));
         for format in [MeshFormat::Glb, MeshFormat::Gltf] {
@@ -261,7 +262,8 @@ fn what_f32_cannot_hold_is_refused_and_the_f64_formats_still_work() {
     assert!(matches!(MeshFormat::Stl.encode(&archive), Err(Error::OutOfRange { format: "STL", .. })));
 }
 
-/// Coordinates whose shortest texts are awkward: many digits, exponents, a signed zero, far from the origin.
+/// Returns a mesh whose coordinates have awkward shortest texts: many digits, exponents, a signed zero, and a large
+/// offset.
 fn awkward() -> Archive {
     let mut contents = sample::roof(1.0, DVec3::new(500_123.456_789_012_3, 1e7 / 3.0, -0.1));
     contents.mesh.vertices[0] = DVec3::new(f64::MIN_POSITIVE / 8.0, -0.0, 0.1 + 0.2);
@@ -292,7 +294,7 @@ fn obj_reads_back_to_the_same_bits() {
 }
 
 #[test]
-fn obj_has_the_lines_and_its_texts_stay_on_one_line() {
+fn obj_has_the_line_sets_and_each_text_on_one_line() {
     let text = String::from_utf8(MeshFormat::Obj.encode(&sample::full()).unwrap()).unwrap();
     assert!(text.starts_with("# plateau test\n# unit cm, z up\nv "), "{text}");
     assert!(
@@ -327,7 +329,7 @@ fn ply_reads_back_to_the_same_bits() {
 }
 
 #[test]
-fn ply_carries_the_mean_curvature() {
+fn ply_has_the_mean_curvature() {
     let bytes = MeshFormat::Ply.encode(&sample::full()).unwrap();
     let end = bytes.windows(11).position(|w| w == b"end_header\n").unwrap() + 11;
     assert!(
@@ -360,7 +362,8 @@ fn stl_holds_each_triangle_with_its_normal() {
 #[test]
 fn svg_is_true_to_scale_in_millimetres() {
     let text = String::from_utf8(svg::to_svg(&sample::pattern(), sample::full().contents())).unwrap();
-    // 200 x 100 cm above 150 x 100 cm, 10 cm between them, margins of 2% of the larger side (2.1 m): 4.2 cm.
+    // The sheet has 200 x 100 cm above 150 x 100 cm with 10 cm between them. The margins are 2% of the larger side (2.1
+    // m), which is 4.2 cm.
     assert!(text.contains(r#"width="2084.0mm" height="2184.0mm" viewBox="0 0 2084.0 2184.0""#), "{text}");
     assert!(text.contains(r#"d="M42.0,1042.0L2042.0,1042.0L2042.0,42.0L42.0,42.0Z""#), "{text}");
     assert!(
@@ -374,7 +377,7 @@ fn svg_is_true_to_scale_in_millimetres() {
     assert!(text.contains("<title>roof &lt;of&gt; &quot;four&quot; &amp; more — é x</title>"), "{text}");
 }
 
-/// DXF as (group code, value) pairs.
+/// Returns the DXF file as pairs of group code and value.
 fn dxf_pairs() -> Vec<(u16, String)> {
     let text = String::from_utf8(dxf::to_dxf(&sample::pattern(), sample::full().contents())).unwrap();
     let lines: Vec<&str> = text.lines().collect();
@@ -413,7 +416,7 @@ fn dxf_is_true_to_scale_in_the_clients_unit_with_a_layer_for_each_tool() {
     assert_eq!(described.len(), expected.len());
 }
 
-/// A reader refuses a file with two objects of one handle, or a seed that would make it happen.
+/// A reader refuses a file if two objects have the same handle, or if the seed would lead to that.
 #[test]
 fn dxf_handles_are_unique_and_below_the_seed() {
     let pairs = dxf_pairs();
@@ -443,7 +446,8 @@ fn the_khronos_validator_finds_neither_errors_nor_warnings() {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("gltf");
     std::fs::create_dir_all(&folder).unwrap();
     let far = sample::roof(1.0, DVec3::new(1e7, -1e7 + 0.1, 3e6));
-    let archives = [("everything", sample::full()), ("far", archive(far)), ("odd-places", archive(odd_places(1.0).0))];
+    let archives =
+        [("everything", sample::full()), ("far", archive(far)), ("odd-places", archive(with_degenerate_parts(1.0).0))];
     for (name, archive) in archives {
         for format in [MeshFormat::Glb, MeshFormat::Gltf] {
             let bytes = format.encode(&archive).unwrap();
@@ -461,7 +465,7 @@ fn the_khronos_validator_finds_neither_errors_nor_warnings() {
 }
 
 #[test]
-fn every_format_is_found_by_its_name() {
+fn every_format_can_be_looked_up_by_its_name() {
     for format in MeshFormat::ALL {
         assert_eq!(MeshFormat::from_name(format.name()), Some(format));
     }

@@ -1,17 +1,17 @@
-//! Every example of `api/examples` gives the same mesh and the same statistics as when `tests/frozen_examples.txt` was written.
+//! Checks that every example of `api/examples` gives the mesh and the statistics in `tests/frozen_examples.txt`.
 //!
 //! The committed file has one line for each example: a hash of the mesh (bits of all coordinates, triangles) and the
-//! statistics below with all their digits. A change that moves a line on purpose writes the file afresh with
+//! statistics below with all their digits. If a change is meant to change a line, write the file again with
 //!
 //! ```text
 //! UPDATE_FROZEN=1 cargo test --test frozen_examples
 //! ```
 //!
-//! and its commit message says what moved and by how much: the test prints that in either case.
+//! and say in the commit message which figures changed and by how much. The test prints these changes.
 //!
-//! Results depend on the instructions that the processor has: a fused multiply-add rounds once. The file's first line names
-//! them; on other machines the test is skipped with a printed reason. A new C library may move the last digits of sines
-//! and cosines, and with them whole lines: then write the file afresh, in a commit of its own.
+//! Results depend on the instructions of the processor, because a fused multiply-add rounds only once. The file's first
+//! line names them. On other machines the test is skipped with a printed reason. A new C library may change the last
+//! digits of sines and cosines, and thereby whole lines. In that case write the file again in a separate commit.
 
 use plateau::config::LimitsConfig;
 use plateau::jobs::progress::Signal;
@@ -22,7 +22,7 @@ use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// Statistics (JSON Pointers) that a line holds, where the example's kind has them.
+/// Statistics (JSON Pointers) that a line has if the example's kind has them.
 const STATISTICS: [&str; 40] = [
     "/vertices",
     "/nodes",
@@ -70,7 +70,7 @@ fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// What results depend on besides the code.
+/// Returns a description of the machine features that results depend on.
 fn platform() -> String {
     #[cfg(target_arch = "x86_64")]
     let features = [
@@ -93,7 +93,7 @@ fn solved(file: &Path) -> Solved {
     solved.unwrap_or_else(|unsolved| panic!("{name} fails: {unsolved:?}"))
 }
 
-/// `key=value` pairs of one example.
+/// Returns the `key=value` pairs of one example.
 fn figures(solved: &Solved) -> Vec<(String, String)> {
     let mesh = &solved.archive.contents().mesh;
     let mut hash = Sha256::new();
@@ -113,7 +113,7 @@ fn line(name: &str, figures: &[(String, String)]) -> String {
     format!("{name} {}", pairs.join(" "))
 }
 
-/// What differs between two lines of one example, key by key, with the relative change of numbers.
+/// Returns the differences between two lines of one example, by key, with the relative change of numbers.
 fn differences(before: &str, now: &str) -> Vec<String> {
     let pairs = |line: &str| -> BTreeMap<String, String> {
         line.split(' ').skip(1).filter_map(|pair| pair.split_once('=')).map(|(k, v)| (k.into(), v.into())).collect()
@@ -139,7 +139,7 @@ fn differences(before: &str, now: &str) -> Vec<String> {
 }
 
 #[test]
-fn every_example_gives_the_mesh_and_the_statistics_that_are_committed() {
+fn every_example_gives_the_committed_mesh_and_statistics() {
     let golden = root().join("tests/frozen_examples.txt");
     let committed = std::fs::read_to_string(&golden).unwrap_or_default();
     let update = std::env::var_os("UPDATE_FROZEN").is_some();
@@ -182,13 +182,13 @@ fn every_example_gives_the_mesh_and_the_statistics_that_are_committed() {
     }
     assert!(
         moved.is_empty(),
-        "results moved; if that is meant, run UPDATE_FROZEN=1 cargo test --test frozen_examples and say so in the commit:\n{}",
+        "results changed; if that is intended, run UPDATE_FROZEN=1 cargo test --test frozen_examples and give the changes in the commit message:\n{}",
         moved.join("\n")
     );
 }
 
 #[test]
-fn a_moved_figure_is_named_with_its_relative_change() {
+fn a_changed_figure_is_reported_with_its_relative_change() {
     let before = "rings mesh=00aa area=2.0 converged=true";
     assert_eq!(differences(before, before), Vec::<String>::new());
     let now = "rings mesh=00ab area=2.5 converged=true stop_reason=residual";

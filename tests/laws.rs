@@ -1,4 +1,4 @@
-//! The laws of docs/ARCHITECTURE.md, kept by looking at the source and the dependency tree.
+//! Checks the laws of docs/ARCHITECTURE.md by reading the source and the dependency tree.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -25,7 +25,7 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// A file's lines without comments and without what follows its unit tests.
+/// Returns a file's lines without comments and without its unit tests.
 fn code(path: &Path) -> Vec<String> {
     let text = std::fs::read_to_string(path).expect("a source file");
     text.lines()
@@ -71,7 +71,7 @@ fn the_geometry_crate_knows_no_clock_no_thread_and_no_file() {
                 let place = format!("{}:{}", path.display(), number + 1);
                 assert!(
                     !line.contains(word),
-                    "{place}: {word} has no place in the geometry crate (results depend on nothing but arguments)"
+                    "{place}: {word} is not allowed in the geometry crate, whose results depend only on arguments"
                 );
             }
         }
@@ -91,19 +91,20 @@ fn only_problem_rs_knows_the_status_codes_of_failures() {
                 let place = format!("{}:{}", path.display(), number + 1);
                 assert!(
                     name.is_empty() || successes.contains(&name.as_str()),
-                    "{place}: say it with a Failure of http/problem.rs"
+                    "{place}: use a Failure of http/problem.rs instead of a status code"
                 );
             }
         }
     }
 }
 
-/// A source file of the service: its path below `src`, and its code.
+/// A source file of the service, with its path below `src` and its code.
 struct Source {
     path: String,
     code: String,
 }
 
+/// Returns every source file of the service.
 fn service() -> Vec<Source> {
     let folder = root().join("src");
     let source = |path: PathBuf| Source {
@@ -113,22 +114,23 @@ fn service() -> Vec<Source> {
     sources(&folder).into_iter().map(source).collect()
 }
 
+/// Returns source files with the given paths and code, to test the checks themselves.
 fn made_up(files: &[(&str, &str)]) -> Vec<Source> {
     files.iter().map(|(path, code)| Source { path: (*path).into(), code: (*code).into() }).collect()
 }
 
 impl Source {
-    /// The module's path: `["http", "routes", "jobs"]`.
+    /// Returns the path of the file's module, such as `["http", "routes", "jobs"]`.
     fn module(&self) -> Vec<String> {
         self.path.trim_end_matches(".rs").split('/').map(str::to_owned).collect()
     }
 
-    /// The part of the service that the file belongs to.
+    /// Returns the part of the service that the file belongs to.
     fn part(&self) -> String {
         self.module().swap_remove(0)
     }
 
-    /// Every path of this crate that the code names, from the crate's root on.
+    /// Returns every path of this crate that the code names, starting at the crate's root.
     fn named(&self) -> Vec<Vec<String>> {
         let mut named = Vec::new();
         for (at, word) in ["crate::", "super::"].iter().flat_map(|word| self.code.match_indices(word)) {
@@ -152,8 +154,8 @@ impl Source {
     }
 }
 
-/// Adds every path that a use tree stands for: `b::{c, d::e}` below `base` is `base::b::c` and `base::b::d::e`. Returns
-/// what follows the tree.
+/// Adds every path of a use tree: `b::{c, d::e}` below `base` means `base::b::c` and `base::b::d::e`. Returns the text
+/// after the tree.
 fn expand<'a>(mut base: Vec<String>, mut rest: &'a str, paths: &mut Vec<Vec<String>>) -> &'a str {
     loop {
         rest = rest.trim_start();
@@ -167,7 +169,7 @@ fn expand<'a>(mut base: Vec<String>, mut rest: &'a str, paths: &mut Vec<Vec<Stri
                     return list;
                 }
                 let after = expand(base.clone(), list, paths);
-                // Anything else than a name is of no interest.
+                // Text that is not a name is skipped.
                 list = if after.len() == list.len() {
                     &list[list.chars().next().map_or(0, char::len_utf8)..]
                 } else {
@@ -190,7 +192,7 @@ fn expand<'a>(mut base: Vec<String>, mut rest: &'a str, paths: &mut Vec<Vec<Stri
     }
 }
 
-/// Files that know wire names and geometry types, though only `wire` and `jobs/solve.rs` may.
+/// Returns the files that know wire names and geometry types although only `wire` and `jobs/solve.rs` may.
 fn know_wire_and_geometry(files: &[Source]) -> Vec<&str> {
     let knows = |file: &&Source| {
         file.code.contains("plateau_geometry")
@@ -218,7 +220,7 @@ fn nothing_but_wire_and_solve_knows_wire_and_geometry() {
     );
 }
 
-/// Files that re-export what belongs to another part, which hides an arrow from those who read or check them.
+/// Returns re-exports of items of another part. They hide an arrow from readers and from the check of the arrows.
 fn re_export_others(files: &[Source]) -> Vec<String> {
     let mut offences = Vec::new();
     for file in files {
@@ -249,10 +251,11 @@ fn no_part_re_exports_what_belongs_to_another() {
         ("store.rs", "pub use batch::BatchRow;\npub(super) use crate::store::sql::redacted;"),
     ]);
     assert_eq!(re_export_others(&offences), ["jobs.rs: crate::store::", "wire/common.rs: plateau_geometry::DVec3"]);
-    assert_eq!(re_export_others(&service()), [""; 0], "use it where it is needed instead");
+    assert_eq!(re_export_others(&service()), [""; 0], "import the item from its own part where it is needed");
 }
 
-/// A circle of files among those of the given parts, if there is one: each knows the next, and the last one the first.
+/// Returns a circle of files of the given parts, if there is one. Each file of it uses the next, and the last uses the
+/// first.
 fn circle(files: &[Source], parts: &[&str]) -> Option<Vec<String>> {
     let files: Vec<&Source> = files.iter().filter(|file| parts.contains(&file.part().as_str())).collect();
     let modules: Vec<Vec<String>> = files.iter().map(|file| file.module()).collect();
@@ -302,17 +305,17 @@ fn the_files_of_http_and_those_that_wire_it_form_no_circle() {
     let parts = ["app", "auth", "cli", "config", "http", "telemetry"];
     assert_eq!(circle(&circular, &parts).unwrap(), ["app.rs", "http/router.rs", "http/routes/jobs.rs"]);
     assert_eq!(circle(&circular, &["http"]), None);
-    assert_eq!(circle(&service(), &parts), None, "each of these files knows the next");
+    assert_eq!(circle(&service(), &parts), None, "each of these files uses the next");
 }
 
-/// Files that add a route without its entry in the API document.
+/// Returns files that add a route without its entry in the API document.
 fn route_past_the_document(files: &[Source]) -> Vec<&str> {
     let allowed = ["http/resource.rs", "http/router.rs"];
-    let routes = |file: &&Source| [".route(", "axum::routing"].iter().any(|word| file.code.contains(word));
+    let adds_route = |file: &&Source| [".route(", "axum::routing"].iter().any(|word| file.code.contains(word));
     files
         .iter()
         .filter(|file| !allowed.contains(&file.path.as_str()))
-        .filter(routes)
+        .filter(adds_route)
         .map(|file| file.path.as_str())
         .collect()
 }
@@ -329,11 +332,11 @@ fn routes_come_with_their_entry_in_the_document() {
     let direct = router.code.matches(".route(").count();
     assert_eq!(
         direct, 3,
-        "the resources', the base path's redirect and the metrics listener's are the only routes here"
+        "the only routes here belong to the resources, the base path's redirect and the metrics listener"
     );
 }
 
-/// Reasons that the geometry gives for a failure, in every place where it names one.
+/// Returns the reasons for failures that the code names.
 fn reasons(code: &str) -> BTreeSet<String> {
     let literal = |rest: &str| {
         let text = rest.trim_start().strip_prefix('"')?;

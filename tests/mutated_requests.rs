@@ -1,7 +1,7 @@
-//! Requests that went wrong: the examples, mutated at random, from body to archive. Whatever comes in, the answer is a mesh or an
-//! error that names a value; never a panic, never a solve that does not end.
+//! Examples are mutated at random and taken from body to archive. Every request must give a mesh or an error that names
+//! a value. A panic or an endless solve is a defect.
 //!
-//! `PLATEAU_LONG=1` tries twenty times as many, `PLATEAU_SEED` others.
+//! `PLATEAU_LONG=1` tries twenty times as many requests. `PLATEAU_SEED` selects other mutations.
 
 use plateau::config::LimitsConfig;
 use plateau::export::{Archive, MeshFormat};
@@ -32,7 +32,8 @@ const NUMBERS: [f64; 26] = [
     1e69, 5e-324, 1e-160, 1e-300, 1e99, 1e300,
 ];
 
-/// The examples, made small: fewer points would not be another shape, but fewer triangles are quicker.
+/// Returns the examples with few triangles, which are quicker. Their points stay, because fewer points would be another
+/// shape.
 fn examples() -> Vec<Value> {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("api/examples");
     let mut files: Vec<_> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
@@ -53,7 +54,7 @@ fn examples() -> Vec<Value> {
     files.iter().map(read).collect()
 }
 
-/// Every polyline of the request: arrays of arrays of three numbers.
+/// Returns every polyline of the request: every array of arrays of three numbers.
 fn polylines(value: &mut Value) -> Vec<&mut Vec<Value>> {
     let is_point = |value: &Value| value.as_array().is_some_and(|p| p.len() == 3 && p.iter().all(Value::is_number));
     match value {
@@ -69,7 +70,7 @@ fn polylines(value: &mut Value) -> Vec<&mut Vec<Value>> {
     }
 }
 
-/// Every value that is not a container, with the container's slot to overwrite.
+/// Returns every value that is not a container.
 fn leaves(value: &mut Value) -> Vec<&mut Value> {
     match value {
         Value::Array(list) => list.iter_mut().flat_map(leaves).collect(),
@@ -88,13 +89,13 @@ fn each_coordinate(value: &mut Value, mut change: impl FnMut(usize, f64) -> f64)
     }
 }
 
-/// Something that a client, a script or a tired designer might do to a request.
+/// Applies a random change, such as a client, a script or a person might make by mistake.
 fn mutate(request: &mut Value, others: &[Value], random: &mut Random) {
     let other = random.pick(others).clone();
     let number = *random.pick(&NUMBERS);
     let axis = random.below(3);
     match random.below(16) {
-        // One value replaced by another.
+        // One value is replaced by another.
         0 | 1 => {
             let mut all = leaves(request);
             let at = random.below(all.len());
@@ -106,7 +107,7 @@ fn mutate(request: &mut Value, others: &[Value], random: &mut Random) {
                 _ => serde_json::json!(number),
             };
         }
-        // A field of another example, or none.
+        // A field is taken from another example.
         2 | 3 => {
             let fields: Vec<String> = other.as_object().unwrap().keys().filter(|key| *key != "kind").cloned().collect();
             let key = random.pick(&fields).clone();
@@ -116,14 +117,15 @@ fn mutate(request: &mut Value, others: &[Value], random: &mut Random) {
             let keys: Vec<String> = request.as_object().unwrap().keys().filter(|key| *key != "kind").cloned().collect();
             request.as_object_mut().unwrap().remove(random.pick(&keys));
         }
-        // The whole shape: flat, tiny, huge, far away, on a coarse grid, shaken.
+        // The whole shape becomes flat, tiny, huge, far away, rounded or noisy.
         5 => each_coordinate(request, |a, c| if a == axis { 0.0 } else { c }),
         6 => each_coordinate(request, |_, c| c * number),
         7 => each_coordinate(request, |a, c| if a == axis { c + number } else { c }),
         8 => each_coordinate(request, |_, c| c.round()),
         9 => each_coordinate(request, |_, c| c + (random.below(2001) as f64 / 1000.0 - 1.0) * 0.3),
-        // One polyline: a point twice, one moved, two exchanged, one dropped, reversed, cut short.
-        what => {
+        // One polyline gets a repeated point, a moved point, two swapped points or one fewer, or is reversed or cut
+        // short.
+        operation => {
             let mut all = polylines(request);
             if all.is_empty() {
                 return;
@@ -134,7 +136,7 @@ fn mutate(request: &mut Value, others: &[Value], random: &mut Random) {
                 return;
             }
             let (a, b) = (random.below(line.len()), random.below(line.len()));
-            match what {
+            match operation {
                 10 => line.insert(a, line[b].clone()),
                 11 => line[a][axis] = serde_json::json!(line[a][axis].as_f64().unwrap_or(0.0) + number),
                 12 => line.swap(a, b),
@@ -148,11 +150,12 @@ fn mutate(request: &mut Value, others: &[Value], random: &mut Random) {
     }
 }
 
-/// Looks after which a solve is told that its time is over, and after which it is said to hang.
-const PATIENCE: u64 = 100;
-const HANGS: u64 = 10 * PATIENCE;
+/// Number of times that a solver may ask for its signal before it is told that its deadline has passed.
+const CHECKS_BEFORE_DEADLINE: u64 = 100;
+/// Number of times that a solver may ask for its signal before it counts as hanging.
+const CHECKS_UNTIL_HANGING: u64 = 10 * CHECKS_BEFORE_DEADLINE;
 
-/// A body that is read at once, as `POST` does, is what the strict reader and the schema make of it.
+/// Checks that the fast reader of bodies gives the same request as the strict reader and the schema.
 fn both_ways_agree(body: &[u8], limits: &LimitsConfig) -> Result<(), String> {
     let value = json::parse(body).map_err(|rejection| format!("{rejection:?}"))?;
     let Some(kind) = value["kind"].as_str().and_then(Kind::from_name) else { return Ok(()) };
@@ -160,7 +163,7 @@ fn both_ways_agree(body: &[u8], limits: &LimitsConfig) -> Result<(), String> {
         (Ok((one, read)), Ok(other)) => {
             let written = serde_json::to_vec(&read).map_err(|error| error.to_string())?;
             let same = format!("{one:?}") == format!("{other:?}") && json::parse(&written) == Ok(value);
-            // A worker reads what was written without the schema.
+            // A worker reads the serialized request without the schema.
             let stored = Request::read_stored(kind, &written, limits).map_err(|error| format!("stored: {error:?}"))?;
             let same = same && format!("{stored:?}") == format!("{one:?}");
             if same { Ok(()) } else { Err("two ways of reading differ".into()) }
@@ -170,7 +173,7 @@ fn both_ways_agree(body: &[u8], limits: &LimitsConfig) -> Result<(), String> {
     }
 }
 
-/// What became of a body; Err if it should not have.
+/// Returns how a request ended, or an error if it shows a defect.
 fn outcome(body: &[u8], limits: &LimitsConfig) -> Result<&'static str, String> {
     both_ways_agree(body, limits)?;
     let request = match Request::read_with_kind(body, limits) {
@@ -179,7 +182,7 @@ fn outcome(body: &[u8], limits: &LimitsConfig) -> Result<&'static str, String> {
         Err(Rejection::Invalid(errors) | Rejection::TooLarge(errors)) => {
             let document: Value = serde_json::from_slice(body).unwrap();
             for error in &errors {
-                // A missing field is named where it belongs.
+                // A missing field is named below its parent.
                 let parent = error.pointer.rsplit_once('/').map_or("", |(parent, _)| parent);
                 if errors.is_empty() || document.pointer(parent).is_none() || error.detail.is_empty() {
                     return Err(format!("{} is not a place in the request: {}", error.pointer, error.detail));
@@ -191,14 +194,14 @@ fn outcome(body: &[u8], limits: &LimitsConfig) -> Result<&'static str, String> {
     let looks = Cell::new(0);
     let signal = || {
         looks.set(looks.get() + 1);
-        assert!(looks.get() < HANGS, "goes on after its deadline");
-        if looks.get() > PATIENCE { Signal::Deadline } else { Signal::Continue }
+        assert!(looks.get() < CHECKS_UNTIL_HANGING, "the solver continues after its deadline");
+        if looks.get() > CHECKS_BEFORE_DEADLINE { Signal::Deadline } else { Signal::Continue }
     };
     match solve(&request, &signal, &|_| {}) {
         Ok(solved) => {
             let bytes = solved.archive.to_bytes().map_err(|defect| format!("its archive: {defect}"))?;
             Archive::from_bytes(&bytes).map_err(|defect| format!("its archive: {defect}"))?;
-            // A mesh of 1e99 m is refused by glTF, whose coordinates have 32 bits; OBJ holds everything.
+            // glTF refuses a mesh of 1e99 m, because its coordinates have 32 bits. OBJ can hold every mesh.
             let _ = MeshFormat::Glb.encode(&solved.archive);
             MeshFormat::Obj.encode(&solved.archive).map_err(|error| format!("its OBJ: {error}"))?;
             Ok("solved")
@@ -209,13 +212,13 @@ fn outcome(body: &[u8], limits: &LimitsConfig) -> Result<&'static str, String> {
             "deadline" => Ok("interrupted"),
             "invalid-geometry" if error.errors.is_empty() => Err("refused without a reason".into()),
             "invalid-geometry" => Ok("refused by the solver"),
-            kind if error.detail.is_empty() => Err(format!("{kind} without a word")),
+            kind if error.detail.is_empty() => Err(format!("{kind} without a detail")),
             _ => Ok("no result"),
         },
     }
 }
 
-/// The outcome, or the defect with the request that shows it.
+/// Returns how a request ended, or the defect together with the request.
 fn check(body: &[u8], limits: &LimitsConfig) -> Result<&'static str, String> {
     let shown = |defect: &str| format!("{defect}\n{}", String::from_utf8_lossy(body));
     match catch_unwind(AssertUnwindSafe(|| outcome(body, limits))) {
@@ -225,7 +228,7 @@ fn check(body: &[u8], limits: &LimitsConfig) -> Result<&'static str, String> {
 }
 
 #[test]
-fn every_mutated_example_gets_a_mesh_or_an_honest_refusal() {
+fn every_mutated_example_gets_a_mesh_or_an_error() {
     let limits = LimitsConfig {
         points: 3_000,
         triangles: 4_000,

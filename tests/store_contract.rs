@@ -1,5 +1,5 @@
-//! What the store promises, held by both engines. Every case runs on SQLite and, where a server can be started, on
-//! PostgreSQL. A lease of zero has run out at once, so no case waits for a clock.
+//! The promises of the store, tested on both engines. Every case runs on SQLite and, if a server can be started, on
+//! PostgreSQL. A lease of zero runs out at once, so that no case waits for a clock.
 
 mod postgres;
 
@@ -17,7 +17,7 @@ use tempfile::TempDir;
 
 const LEASE: Duration = Duration::from_secs(60);
 const NO_LEASE: Duration = Duration::ZERO;
-/// Longer than any case takes; only a defect runs into it.
+/// Time that is longer than any case takes, so that only a defect exceeds it.
 const TOO_LONG: Duration = Duration::from_secs(20);
 
 #[derive(Clone, Copy, PartialEq)]
@@ -26,23 +26,23 @@ enum Engine {
     Postgres,
 }
 
-/// A database of one case.
+/// Database of one case.
 struct Database {
     url: String,
-    /// Keep the file, or the server, while the case runs.
+    /// These fields keep the file or the server while the case runs.
     _folder: Option<TempDir>,
     _server: Option<Arc<postgres::Postgres>>,
 }
 
 impl Database {
-    /// A fresh database, or `None` where PostgreSQL cannot be had.
+    /// Returns a fresh database, or `None` if PostgreSQL is not installed.
     async fn new(engine: Engine) -> Option<Self> {
         if engine == Engine::Sqlite {
             let folder = tempfile::tempdir().unwrap();
             let url = format!("sqlite://{}/plateau.db", folder.path().display());
             return Some(Self { url, _folder: Some(folder), _server: None });
         }
-        // One server for all the cases; it goes when this process does.
+        // All cases share one server, which ends with this process.
         static SERVER: Mutex<Option<Option<Arc<postgres::Postgres>>>> = Mutex::new(None);
         let server = SERVER
             .lock()
@@ -52,7 +52,7 @@ impl Database {
         Some(Self { url: server.database().await, _folder: None, _server: Some(server) })
     }
 
-    /// Runs a statement behind the store's back.
+    /// Runs a statement without the store.
     async fn execute(&self, text: &'static str) {
         let url = self.url.clone();
         let run = move || match url.strip_prefix("sqlite://") {
@@ -96,46 +96,46 @@ macro_rules! cases {
 cases! {
     a_job_runs_from_queue_to_result,
     a_worker_that_lost_its_lease_changes_nothing,
-    a_job_that_keeps_killing_its_workers_fails_and_says_why,
-    a_job_handed_back_keeps_its_place_and_costs_no_attempt,
-    an_owner_who_floods_the_queue_starves_nobody,
-    a_full_queue_refuses,
+    a_job_whose_workers_keep_dying_fails_with_a_history,
+    a_job_that_was_handed_back_keeps_its_place_and_loses_no_lease,
+    an_owner_with_many_jobs_does_not_delay_other_owners,
+    a_full_queue_refuses_further_jobs,
     a_full_share_refuses_only_its_owner,
     an_idempotency_key_makes_one_job,
     equal_submissions_at_once_make_one_job,
-    cancelling_is_at_once_and_final,
-    a_deleted_job_is_gone_and_its_worker_learns_it,
+    a_cancel_takes_effect_at_once_and_is_final,
+    a_deleted_job_is_missing_and_its_worker_is_told,
     an_owner_sees_no_job_of_another,
     a_list_pages_through_every_job_once,
     equal_requests_share_a_result,
-    a_result_is_not_shared_beyond_owner_version_or_wish,
-    a_result_that_is_not_to_be_shared_is_not,
+    a_result_is_not_shared_with_other_owners_versions_or_bypassing_requests,
+    a_result_of_a_bypassing_request_is_not_shared,
     expired_jobs_are_remembered_as_expired_and_then_forgotten,
-    only_as_many_ended_jobs_are_kept_as_allowed,
+    finished_jobs_beyond_max_jobs_expire,
     a_shared_result_outlives_the_job_that_made_it,
     a_large_result_is_a_file_and_goes_with_its_job,
     a_file_without_a_job_is_swept,
-    results_stay_within_their_bytes,
-    a_sweep_of_many_removes_them_all,
+    results_stay_within_max_bytes,
+    a_sweep_of_many_steps_removes_everything_due,
     a_damaged_result_is_discarded_and_made_again,
     a_fresh_result_replaces_an_equal_one_that_is_damaged,
     a_missing_file_keeps_its_result_from_being_shared,
-    a_row_that_cannot_be_read_hides_no_other,
+    an_unreadable_row_does_not_hide_other_rows,
     a_lease_from_a_clock_that_was_set_back_has_run_out,
     a_job_is_found_by_its_idempotency_key,
     watchers_see_every_status,
-    a_watch_of_a_missing_job_says_so,
+    a_watch_of_a_missing_job_returns_missing,
     another_instance_sees_changes_and_work,
-    many_workers_end_every_job_once,
-    a_reopened_store_has_its_jobs,
-    a_closed_store_says_so,
+    many_workers_finish_every_job_exactly_once,
+    a_reopened_store_still_has_its_jobs,
+    a_closed_store_returns_unavailable,
     the_queue_length_follows_the_queue,
-    a_batch_is_on_disk_whole_or_not_at_all,
-    a_batch_is_its_owners_and_is_gone_with_its_last_job,
-    a_cancelled_batch_has_no_job_that_goes_on,
+    all_jobs_of_a_batch_are_stored_or_none,
+    a_batch_is_hidden_from_other_owners_and_expires_with_its_last_job,
+    cancelling_a_batch_cancels_every_unfinished_job,
     a_callback_is_due_from_the_end_until_it_is_settled,
     a_batchs_callback_is_due_after_its_last_job,
-    many_tellers_take_every_callback_once,
+    concurrent_claimers_get_every_callback_once,
 }
 
 fn job(number: usize) -> NewJob {
@@ -156,7 +156,7 @@ fn job_of(owner: &str, number: usize) -> NewJob {
     NewJob { owner: Some(owner.into()), ..job(number) }
 }
 
-/// A result that is kept once, however often it is made.
+/// Result that is long enough to be stored once, however often it is made.
 static MANY_BYTES: [u8; 40_000] = [7; 40_000];
 
 fn success(artefact: &[u8]) -> Arc<Outcome> {
@@ -187,7 +187,7 @@ async fn find(store: &Store, id: &str) -> JobRow {
     }
 }
 
-/// Claims the next job and ends it with `artefact`.
+/// Claims the next job and ends it with `artefact`. Returns its identifier.
 async fn work_one(store: &Store, artefact: &[u8]) -> String {
     let claimed = store.claim("worker", LEASE).await.unwrap().expect("a job to claim");
     assert!(store.finish(&claimed.id, claimed.attempt, success(artefact)).await.unwrap());
@@ -257,14 +257,14 @@ async fn a_worker_that_lost_its_lease_changes_nothing(database: Database) {
     assert_eq!(store.artefact(&id, None).await.unwrap().unwrap().bytes, b"right");
 }
 
-async fn a_job_that_keeps_killing_its_workers_fails_and_says_why(database: Database) {
+async fn a_job_whose_workers_keep_dying_fails_with_a_history(database: Database) {
     let store = database.open(StoreOptions { max_attempts: 3, ..StoreOptions::default() }).await;
     let id = create(&store, job(1)).await.id;
     for attempt in 1..=3 {
         let claimed = store.claim(&format!("victim {attempt}"), LEASE).await.unwrap().unwrap();
         assert_eq!(claimed.attempt, attempt);
         store.progress(&id, attempt, "{\"phase\":\"smoothing\"}").await.unwrap();
-        // Dies: its lease runs out.
+        // The worker dies, so its lease runs out.
         store.renew(&id, attempt, NO_LEASE).await.unwrap();
     }
     assert_eq!(store.claim("survivor", LEASE).await.unwrap(), None);
@@ -279,7 +279,7 @@ async fn a_job_that_keeps_killing_its_workers_fails_and_says_why(database: Datab
     assert!(failed.expires_at_ms.is_some());
 }
 
-async fn a_job_handed_back_keeps_its_place_and_costs_no_attempt(database: Database) {
+async fn a_job_that_was_handed_back_keeps_its_place_and_loses_no_lease(database: Database) {
     let store = database.open(StoreOptions { max_attempts: 1, ..StoreOptions::default() }).await;
     let first = create(&store, job(1)).await.id;
     create(&store, job(2)).await;
@@ -293,7 +293,7 @@ async fn a_job_handed_back_keeps_its_place_and_costs_no_attempt(database: Databa
     assert_eq!((job.status, job.started_at_ms), (Status::Queued, None));
 }
 
-async fn an_owner_who_floods_the_queue_starves_nobody(database: Database) {
+async fn an_owner_with_many_jobs_does_not_delay_other_owners(database: Database) {
     let store = database.open(StoreOptions::default()).await;
     for number in 0..50 {
         create(&store, job_of("flood", number)).await;
@@ -310,13 +310,13 @@ async fn an_owner_who_floods_the_queue_starves_nobody(database: Database) {
     let place = |id: &String| order.iter().position(|worked| worked == id).expect("started among the next few");
     assert!(place(&small) <= 2, "{order:?}");
     assert!(place(&pair[0]) <= 2 && place(&pair[1]) <= 4, "{order:?}");
-    // The flood is served in its own order, and goes on.
+    // The flood is still served, in its own order.
     let flood: Vec<_> = order.iter().filter(|id| **id != small && !pair.contains(id)).collect();
     assert_eq!(flood.len(), 3);
     assert!(flood.is_sorted());
 }
 
-async fn a_full_queue_refuses(database: Database) {
+async fn a_full_queue_refuses_further_jobs(database: Database) {
     let store = database.open(StoreOptions { queue_limit: 3, ..StoreOptions::default() }).await;
     for number in 0..3 {
         create(&store, job(number)).await;
@@ -325,7 +325,7 @@ async fn a_full_queue_refuses(database: Database) {
     assert_eq!(store.get(&job(3).id, None).await.unwrap(), Lookup::Missing);
     work_one(&store, b"mesh").await;
     create(&store, job(3)).await;
-    // A kept result needs no place in the queue.
+    // A job that reuses a kept result needs no room in the queue.
     let shared = create(&store, NewJob { id: job(4).id, ..job(0) }).await;
     assert_eq!(shared.status, Status::Succeeded);
 }
@@ -347,17 +347,17 @@ async fn an_idempotency_key_makes_one_job(database: Database) {
         other => panic!("{other:?}"),
     }
     assert_eq!(store.submit(NewJob { body_hash: [8; 32], ..keyed(3) }).await.unwrap(), Submitted::KeyConflict);
-    // Another owner's or kind's key is another key.
+    // The same key of another owner or kind is a different key.
     create(&store, NewJob { owner: Some("you".into()), ..keyed(4) }).await;
     create(&store, NewJob { kind: "minimal_surface".into(), ..keyed(5) }).await;
-    // The same job in its current state, even when the queue is full.
+    // The key returns the same job in its current state, even if the queue is full.
     work_one(&store, b"mesh").await;
     create(&store, job(6)).await;
     match store.submit(keyed(7)).await.unwrap() {
         Submitted::Existing(row) => assert_eq!((row.id, row.status), (first.id.clone(), Status::Succeeded)),
         other => panic!("{other:?}"),
     }
-    // The key is kept as long as the job.
+    // The key is kept for as long as the job.
     store.cancel(&job(6).id, None).await.unwrap();
     assert!(store.delete(&first.id, Some("me")).await.unwrap());
     create(&store, NewJob { reuse: false, ..keyed(8) }).await;
@@ -388,7 +388,7 @@ async fn equal_submissions_at_once_make_one_job(database: Database) {
     assert_eq!((created, ids.len()), (1, 1));
 }
 
-async fn cancelling_is_at_once_and_final(database: Database) {
+async fn a_cancel_takes_effect_at_once_and_is_final(database: Database) {
     let store = database.open(StoreOptions::default()).await;
     let (queued, running, done) = (job(1).id, job(2).id, job(0).id);
     create(&store, job(0)).await;
@@ -412,7 +412,7 @@ async fn cancelling_is_at_once_and_final(database: Database) {
     assert_eq!(store.cancel("nothing", None).await.unwrap(), Lookup::Missing);
 }
 
-async fn a_deleted_job_is_gone_and_its_worker_learns_it(database: Database) {
+async fn a_deleted_job_is_missing_and_its_worker_is_told(database: Database) {
     let store = database.open(StoreOptions { orphan_age: Duration::ZERO, ..StoreOptions::default() }).await;
     create(&store, job(1)).await;
     let claimed = store.claim("worker", LEASE).await.unwrap().unwrap();
@@ -426,7 +426,7 @@ async fn a_deleted_job_is_gone_and_its_worker_learns_it(database: Database) {
     let id = work_one(&store, b"mesh").await;
     assert!(store.delete(&id, None).await.unwrap());
     assert_eq!(store.artefact(&id, None).await.unwrap(), None);
-    // Its result is not shared any more, and the bytes go.
+    // The result of a deleted job is not reused, and the sweep removes its bytes.
     assert_eq!(create(&store, NewJob { id: job(3).id, ..job(2) }).await.status, Status::Queued);
     assert_eq!(store.sweep().await.unwrap().artefacts, 1);
 }
@@ -460,7 +460,7 @@ async fn a_list_pages_through_every_job_once(database: Database) {
         let (page, next) = store.list(Filter::default(), 10, cursor.as_deref()).await.unwrap();
         assert!(page.len() <= 10);
         seen.extend(page.into_iter().map(|job| job.id));
-        // A job that comes between two pages is newer than any cursor.
+        // A job that is created between two pages is newer than any cursor.
         if cursor.is_none() {
             create(&store, job(99)).await;
         }
@@ -471,7 +471,7 @@ async fn a_list_pages_through_every_job_once(database: Database) {
     }
     let expected: Vec<_> = (0..25).rev().map(|number| job(number).id).collect();
     assert_eq!(seen, expected);
-    // An exact page has no successor.
+    // A page that ends with the last job has no next page.
     assert_eq!(store.list(Filter::default(), 26, None).await.unwrap().1, None);
 
     store.cancel(&job(4).id, None).await.unwrap();
@@ -501,7 +501,7 @@ async fn equal_requests_share_a_result(database: Database) {
     assert_eq!(statuses(&second), [Status::Queued, Status::Succeeded]);
     assert!(second.started_at_ms.is_some() && second.expires_at_ms.is_some());
     assert_eq!(store.artefact(&second.id, None).await.unwrap().unwrap().bytes, b"mesh");
-    // Many equal bytes made apart are stored once as well.
+    // Equal large results of different jobs are stored only once too.
     let mut made_apart = Vec::new();
     for number in 3..5 {
         create(&store, job(number)).await;
@@ -512,8 +512,8 @@ async fn equal_requests_share_a_result(database: Database) {
     assert_eq!(store.claim("worker", LEASE).await.unwrap(), None);
 }
 
-/// However a job comes onto the disk.
-async fn a_result_that_is_not_to_be_shared_is_not(database: Database) {
+/// Tests jobs that were queued and jobs that were solved before they were stored.
+async fn a_result_of_a_bypassing_request_is_not_shared(database: Database) {
     let store = database.open(StoreOptions::default()).await;
     for (reuse, status) in [(false, Status::Queued), (true, Status::Succeeded)] {
         for way in 0..2 {
@@ -540,7 +540,7 @@ async fn a_result_that_is_not_to_be_shared_is_not(database: Database) {
     }
 }
 
-async fn a_result_is_not_shared_beyond_owner_version_or_wish(database: Database) {
+async fn a_result_is_not_shared_with_other_owners_versions_or_bypassing_requests(database: Database) {
     let store = database.open(StoreOptions::default()).await;
     create(&store, job_of("me", 1)).await;
     work_one(&store, b"mesh").await;
@@ -560,7 +560,7 @@ async fn a_result_is_not_shared_beyond_owner_version_or_wish(database: Database)
     }
     let newer = database.open(StoreOptions { result_version: "next".into(), ..StoreOptions::default() }).await;
     assert_eq!(create(&newer, again()).await.status, Status::Queued);
-    // A result that depends on more than the request is not shared.
+    // A result that depends on more than the request is not reused.
     create(&store, job(50)).await;
     while let Some(claimed) = store.claim("worker", LEASE).await.unwrap() {
         let outcome = Outcome::Succeeded {
@@ -589,7 +589,7 @@ async fn expired_jobs_are_remembered_as_expired_and_then_forgotten(database: Dat
     assert_eq!(store.get(&ended, Some("you")).await.unwrap(), Lookup::Missing);
     assert_eq!(store.cancel(&ended, None).await.unwrap(), Lookup::Expired);
     assert_eq!(store.artefact(&ended, None).await.unwrap(), None);
-    // What waits does not expire.
+    // Waiting jobs do not expire.
     assert_eq!(find(&store, &job(2).id).await.status, Status::Queued);
     assert_eq!(store.list(Filter::default(), 10, None).await.unwrap().0.len(), 1);
     let forgetful = database.open(StoreOptions { expired_retention: Duration::ZERO, ..keep_nothing }).await;
@@ -599,7 +599,7 @@ async fn expired_jobs_are_remembered_as_expired_and_then_forgotten(database: Dat
     assert_eq!(store.get(&ended, None).await.unwrap(), Lookup::Missing);
 }
 
-async fn only_as_many_ended_jobs_are_kept_as_allowed(database: Database) {
+async fn finished_jobs_beyond_max_jobs_expire(database: Database) {
     let store = database.open(StoreOptions { max_jobs: 2, ..StoreOptions::default() }).await;
     let mut ended = Vec::new();
     for number in 0..5 {
@@ -626,7 +626,7 @@ async fn a_shared_result_outlives_the_job_that_made_it(database: Database) {
     assert_eq!(store.sweep().await.unwrap().artefacts, 1);
 }
 
-/// Options that put results of more than eight bytes into `folder`.
+/// Returns options that put results of more than eight bytes into `folder`.
 fn with_files(folder: &TempDir) -> StoreOptions {
     StoreOptions {
         results: Some(folder.path().display().to_string()),
@@ -650,14 +650,14 @@ async fn a_large_result_is_a_file_and_goes_with_its_job(database: Database) {
     assert_eq!(file_count(&folder), 0);
     let large = work_one(&store, &MANY_BYTES).await;
     assert_eq!(file_count(&folder), 1);
-    // Equal bytes are kept once.
+    // Equal bytes are stored only once.
     let twin = work_one(&store, &MANY_BYTES).await;
     assert_eq!(file_count(&folder), 1);
     assert_eq!(store.artefact(&small, None).await.unwrap().unwrap().bytes, b"8 bytes!");
     assert_eq!(store.artefact(&large, None).await.unwrap().unwrap().bytes, MANY_BYTES);
     assert_eq!(store.artefact(&twin, None).await.unwrap(), store.artefact(&large, None).await.unwrap());
 
-    // A late worker leaves no file.
+    // A worker that lost its lease leaves no file.
     create(&store, job(5)).await;
     let stalled = store.claim("stalled", NO_LEASE).await.unwrap().unwrap();
     store.sweep().await.unwrap();
@@ -676,7 +676,7 @@ async fn a_file_without_a_job_is_swept(database: Database) {
     let store = database.open(with_files(&folder)).await;
     create(&store, job(1)).await;
     let id = work_one(&store, b"more than 8 bytes").await;
-    // What workers leave that die before the row commits.
+    // Workers that die before their row is committed leave files like these.
     std::fs::write(folder.path().join("0000000000000000000000000A-1"), b"orphan").unwrap();
     std::fs::write(folder.path().join("0000000000000000000000000B-1.part"), b"orp").unwrap();
     let patient = database.open(StoreOptions { orphan_age: TOO_LONG, ..with_files(&folder) }).await;
@@ -685,8 +685,8 @@ async fn a_file_without_a_job_is_swept(database: Database) {
     assert_eq!(store.artefact(&id, None).await.unwrap().unwrap().bytes, b"more than 8 bytes");
 }
 
-async fn a_sweep_of_many_removes_them_all(database: Database) {
-    // More than one step of everything that goes in steps.
+async fn a_sweep_of_many_steps_removes_everything_due(database: Database) {
+    // The number is larger than one step of every part of the sweep.
     const MANY: usize = 230;
     const KEPT: usize = 10;
     let store = database.open(StoreOptions { max_jobs: KEPT as u64, ..StoreOptions::default() }).await;
@@ -695,10 +695,10 @@ async fn a_sweep_of_many_removes_them_all(database: Database) {
         create(&store, job(number)).await;
         ended.push(work_one(&store, &number.to_le_bytes()).await);
     }
-    // One result that two have, the one before the oldest that stays.
+    // Two jobs share one result, which is one before the oldest that stays.
     let twin = create(&store, NewJob { id: job(MANY).id, ..job(MANY - KEPT) }).await.id;
     let swept = store.sweep().await.unwrap();
-    assert_eq!((swept.expired, swept.artefacts), ((MANY + 1 - KEPT) as u64, 0), "young results stay");
+    assert_eq!((swept.expired, swept.artefacts), ((MANY + 1 - KEPT) as u64, 0), "young results must stay");
     let left: BTreeSet<String> =
         store.list(Filter::default(), 100, None).await.unwrap().0.into_iter().map(|job| job.id).collect();
     assert_eq!(left, ended[MANY + 1 - KEPT..].iter().cloned().chain([twin.clone()]).collect());
@@ -728,13 +728,13 @@ async fn a_damaged_result_is_discarded_and_made_again(database: Database) {
     store.discard(&damaged).await.unwrap();
     assert_eq!(store.artefact(&first, None).await.unwrap(), None);
     assert_eq!(find(&store, &first).await.status, Status::Succeeded);
-    // An equal request does not take it, and its own result serves the earlier jobs again.
+    // An equal request does not reuse the discarded result. Its own result is then also the earlier jobs' result.
     assert_eq!(create(&store, NewJob { id: job(3).id, ..job(1) }).await.status, Status::Queued);
     work_one(&store, &MANY_BYTES).await;
     for id in [&first, &shared.id] {
         assert_eq!(store.artefact(id, None).await.unwrap().unwrap().bytes, MANY_BYTES);
     }
-    // Whoever still holds the damaged bytes does not discard the sound ones.
+    // Discarding the damaged bytes again must not remove the new, sound ones.
     store.discard(&damaged).await.unwrap();
     assert!(store.artefact(&first, None).await.unwrap().is_some());
 }
@@ -774,7 +774,7 @@ async fn a_missing_file_keeps_its_result_from_being_shared(database: Database) {
     assert_eq!(store.artefact(&id, None).await.unwrap().unwrap().bytes, MANY_BYTES);
 }
 
-async fn a_row_that_cannot_be_read_hides_no_other(database: Database) {
+async fn an_unreadable_row_does_not_hide_other_rows(database: Database) {
     let store = database.open(StoreOptions::default()).await;
     for number in 0..5 {
         create(&store, job(number)).await;
@@ -791,7 +791,7 @@ async fn a_lease_from_a_clock_that_was_set_back_has_run_out(database: Database) 
     let store = database.open(StoreOptions::default()).await;
     create(&store, job(1)).await;
     let held = store.claim("before", LEASE).await.unwrap().unwrap();
-    // A step back by less than the lease's length does no harm.
+    // A step back by less than the lease's length changes nothing.
     database.execute("UPDATE jobs SET lease_until = lease_until + 50000, started_at = started_at + 50000").await;
     assert_eq!(store.claim("after", LEASE).await.unwrap(), None);
     database.execute("UPDATE jobs SET lease_until = lease_until + 86400000, started_at = started_at + 86400000").await;
@@ -816,11 +816,11 @@ async fn a_job_is_found_by_its_idempotency_key(database: Database) {
     assert_eq!(of(Some("nobody")).await, Vec::<String>::new());
 }
 
-/// A small file system of its own, which goes when this is dropped.
+/// A separate small file system, which is removed when this value is dropped.
 struct SmallDisk(TempDir);
 
 impl SmallDisk {
-    /// `None`, and a word on standard error, where this process may not mount one.
+    /// Returns `None`, and says so on standard error, if this process may not mount a file system.
     fn mount(mib: u32) -> Option<Self> {
         let folder = tempfile::tempdir().unwrap();
         let mounted = std::process::Command::new("mount")
@@ -842,7 +842,7 @@ impl Drop for SmallDisk {
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
-async fn a_full_disk_mends_itself_once_jobs_expire() {
+async fn a_full_disk_recovers_once_jobs_expire() {
     let Some(disk) = SmallDisk::mount(24) else { return };
     let url = format!("sqlite://{}/plateau.db", disk.0.path().display());
     let options = StoreOptions {
@@ -855,7 +855,7 @@ async fn a_full_disk_mends_itself_once_jobs_expire() {
     store.check().await.unwrap();
     let mut accepted = 0;
     for round in 0..3 {
-        // Results fill the disk, and so do the requests of jobs that wait.
+        // Results and the requests of waiting jobs fill the disk.
         let full = loop {
             accepted += 1;
             let new = NewJob { request: vec![b' '; 50_000], ..job(accepted) };
@@ -865,12 +865,12 @@ async fn a_full_disk_mends_itself_once_jobs_expire() {
             let claimed = store.claim("worker", LEASE).await.unwrap().expect("a job to claim");
             let mut artefact = vec![round as u8; 300_000];
             artefact[..8].copy_from_slice(&accepted.to_le_bytes());
-            // What was accepted still ends: on the room that the ballast gave, at the latest.
+            // An accepted job can still end, at the latest after the ballast has been deleted.
             while store.finish(&claimed.id, claimed.attempt, success(&artefact)).await.is_err() {}
         };
         assert!(matches!(full, StoreError::NoSpace(_)), "{full:?}");
         assert!(store.check().await.is_err());
-        // A server sweeps again and again, because a sweep that comes before the log is copied may find no room.
+        // The sweep is repeated, as a server does, because a sweep before the log is copied may find no space.
         for _ in 0..200 {
             let _ = store.sweep().await;
             if store.check().await.is_ok() {
@@ -885,8 +885,8 @@ async fn a_full_disk_mends_itself_once_jobs_expire() {
     assert!(accepted > 60, "{accepted} jobs on a disk that holds some forty results");
 }
 
-async fn results_stay_within_their_bytes(database: Database) {
-    // Four fifths of 2.5 MB hold two results of 1 MB.
+async fn results_stay_within_max_bytes(database: Database) {
+    // Two results of 1 MB fit into four fifths of 2.5 MB.
     let options = StoreOptions { max_bytes: Some(2_500_000), orphan_age: Duration::ZERO, ..StoreOptions::default() };
     let store = database.open(StoreOptions { max_bytes: None, ..options.clone() }).await;
     let mut ended = Vec::new();
@@ -903,14 +903,14 @@ async fn results_stay_within_their_bytes(database: Database) {
 }
 
 #[tokio::test]
-async fn a_full_database_refuses_and_loses_nothing() {
+async fn a_full_database_refuses_jobs_and_loses_none() {
     let database = Database::new(Engine::Sqlite).await.unwrap();
     let store = database
         .open(StoreOptions { max_bytes: Some(1 << 20), orphan_age: Duration::ZERO, ..StoreOptions::default() })
         .await;
     let large = |number| NewJob { request: vec![b' '; 100_000], ..job(number) };
     let mut accepted = Vec::new();
-    // Some at once, so that a full disk meets a whole group.
+    // Several jobs are submitted at once, so that a whole group of writes finds the disk full.
     'filling: for group in 0..10 {
         let submissions: Vec<_> = (0..4).map(|member| store.submit(large(group * 4 + member))).collect();
         for (member, result) in futures_util::future::join_all(submissions).await.into_iter().enumerate() {
@@ -918,7 +918,11 @@ async fn a_full_database_refuses_and_loses_nothing() {
                 Ok(Submitted::Created(row)) => accepted.push(row.id),
                 Err(StoreError::NoSpace(_)) => {
                     let id = job(group * 4 + member).id;
-                    assert_eq!(store.get(&id, None).await.unwrap(), Lookup::Missing, "half a job");
+                    assert_eq!(
+                        store.get(&id, None).await.unwrap(),
+                        Lookup::Missing,
+                        "a refused job must not be stored"
+                    );
                     if member == 3 {
                         break 'filling;
                     }
@@ -928,7 +932,7 @@ async fn a_full_database_refuses_and_loses_nothing() {
         }
     }
     assert!((1..40).contains(&accepted.len()), "{} accepted", accepted.len());
-    // Everything accepted is there, and space that becomes free is used again.
+    // Every accepted job is stored, and freed space is used again.
     for id in &accepted {
         assert_eq!(find(&store, id).await.status, Status::Queued);
     }
@@ -940,7 +944,7 @@ async fn a_full_database_refuses_and_loses_nothing() {
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
-async fn a_store_outlives_a_restart_of_postgresql() {
+async fn a_store_survives_a_restart_of_postgresql() {
     let Some(server) = postgres::Postgres::start() else { return };
     let options = StoreOptions { poll_interval: Duration::from_millis(20), ..StoreOptions::default() };
     let store = Store::open(&server.database().await, options).await.unwrap();
@@ -953,7 +957,7 @@ async fn a_store_outlives_a_restart_of_postgresql() {
         assert!(matches!(refused, Err(StoreError::Unavailable(_))), "{refused:?}");
     }
     server.start_again();
-    // Old connections are found out and replaced.
+    // The store detects broken connections and replaces them.
     let finished = loop {
         match store.finish(&claimed.id, claimed.attempt, success(b"mesh")).await {
             Ok(finished) => break finished,
@@ -966,7 +970,7 @@ async fn a_store_outlives_a_restart_of_postgresql() {
     create(&store, job(2)).await;
 }
 
-/// Waits until the watched job fulfils `done`.
+/// Waits until the watched job satisfies `done`.
 async fn until(watch: &mut plateau::store::JobWatch, done: impl Fn(&JobRow) -> bool) -> Arc<JobRow> {
     tokio::time::timeout(TOO_LONG, async {
         loop {
@@ -1012,22 +1016,22 @@ async fn watchers_see_every_status(database: Database) {
     }
 }
 
-async fn a_watch_of_a_missing_job_says_so(database: Database) {
+async fn a_watch_of_a_missing_job_returns_missing(database: Database) {
     let store = database.open(StoreOptions::default()).await;
     assert!(matches!(store.watch("nothing", None).await.unwrap(), Err(Lookup::Missing)));
-    // The id is free for a job to come.
+    // A job with the same identifier can still be created.
     let id = create(&store, job(1)).await.id;
     assert!(store.watch(&id, None).await.unwrap().is_ok());
 }
 
 async fn another_instance_sees_changes_and_work(database: Database) {
-    // On SQLite instances find out by polling; on PostgreSQL polling is as good as off here.
+    // On SQLite other instances find changes by polling. On PostgreSQL polling is practically off in this case.
     let poll_interval = if database.url.starts_with("sqlite") { Duration::from_millis(20) } else { TOO_LONG * 10 };
     let options = StoreOptions { poll_interval, ..StoreOptions::default() };
     let (here, there) = (database.open(options.clone()).await, database.open(options).await);
     let mut work = there.work_signal();
     if database.url.starts_with("postgres") {
-        // The listener says so once it stands.
+        // The listener signals once it is connected.
         tokio::time::timeout(TOO_LONG, work.wait_for(|count| *count > 0)).await.unwrap().unwrap();
     }
     let seen = *work.borrow_and_update();
@@ -1043,7 +1047,7 @@ async fn another_instance_sees_changes_and_work(database: Database) {
     assert!(!there.finish(&id, claimed.attempt, success(b"late")).await.unwrap());
 }
 
-async fn many_workers_end_every_job_once(database: Database) {
+async fn many_workers_finish_every_job_exactly_once(database: Database) {
     const JOBS: usize = 120;
     let store = database.open(StoreOptions { max_attempts: 1000, ..StoreOptions::default() }).await;
     let submissions = (0..JOBS).map(|number| {
@@ -1061,7 +1065,7 @@ async fn many_workers_end_every_job_once(database: Database) {
             let mut turn = 0;
             loop {
                 turn += 1;
-                // Every third claim stalls past its lease and tries to answer much later.
+                // Every third claim outlives its lease and tries to finish much later.
                 let stalls = (turn + worker) % 3 == 0;
                 let lease = if stalls { NO_LEASE } else { LEASE };
                 let Some(claimed) = store.claim(&format!("worker {worker}"), lease).await.unwrap() else { break };
@@ -1082,7 +1086,7 @@ async fn many_workers_end_every_job_once(database: Database) {
         late.extend(worker.await.unwrap());
     }
     assert!(!late.is_empty());
-    // Whoever stopped last may have left stalled jobs.
+    // Stalled jobs of the last workers may still be left.
     while let Some(claimed) = store.claim("last", LEASE).await.unwrap() {
         let artefact = [claimed.request.as_slice(), b" solved"].concat();
         assert!(store.finish(&claimed.id, claimed.attempt, success(&artefact)).await.unwrap());
@@ -1100,7 +1104,7 @@ async fn many_workers_end_every_job_once(database: Database) {
     }
 }
 
-async fn a_reopened_store_has_its_jobs(database: Database) {
+async fn a_reopened_store_still_has_its_jobs(database: Database) {
     let store = database.open(StoreOptions::default()).await;
     create(&store, job(1)).await;
     let ended = work_one(&store, b"mesh").await;
@@ -1111,7 +1115,7 @@ async fn a_reopened_store_has_its_jobs(database: Database) {
     assert_eq!(work_one(&store, b"other").await, job(2).id);
 }
 
-async fn a_closed_store_says_so(database: Database) {
+async fn a_closed_store_returns_unavailable(database: Database) {
     let store = database.open(StoreOptions::default()).await;
     store.check().await.unwrap();
     store.close().await;
@@ -1130,7 +1134,7 @@ async fn the_queue_length_follows_the_queue(database: Database) {
 }
 
 #[tokio::test]
-async fn one_refusal_in_a_group_does_not_spoil_the_others() {
+async fn a_refused_write_does_not_affect_the_others_of_its_group() {
     let database = Database::new(Engine::Sqlite).await.unwrap();
     let store = database.open(StoreOptions { queue_limit: 10, ..StoreOptions::default() }).await;
     let submissions: Vec<_> = (0..100).map(|number| store.submit(job(number))).collect();
@@ -1147,7 +1151,7 @@ async fn one_refusal_in_a_group_does_not_spoil_the_others() {
 }
 
 #[tokio::test]
-async fn a_url_of_neither_engine_is_refused() {
+async fn a_url_of_another_database_is_refused() {
     for url in ["mysql://localhost/x", "plateau.db", ""] {
         assert!(matches!(Store::open(url, StoreOptions::default()).await, Err(StoreError::Url(_))), "{url}");
     }
@@ -1179,20 +1183,20 @@ async fn found_batch(store: &Store, id: &str) -> BatchRow {
     }
 }
 
-async fn a_batch_is_on_disk_whole_or_not_at_all(database: Database) {
+async fn all_jobs_of_a_batch_are_stored_or_none(database: Database) {
     let store = database.open(StoreOptions { queue_limit: 5, ..StoreOptions::default() }).await;
     let batch = create_batch(&store, batch_of(None, 1, 0..4)).await;
     let indices: Vec<(i64, &str)> = batch.jobs.iter().map(|job| (job.index, job.id.as_str())).collect();
     let expected: Vec<String> = (0..4).map(|number| job(number).id).collect();
     assert_eq!(indices, (0..4).zip(expected.iter().map(String::as_str)).collect::<Vec<_>>());
-    // One would find room, two do not.
+    // There is room for one more job but not for two.
     let refused = store.submit_batch(batch_of(None, 2, 4..6)).await;
     assert!(matches!(refused, Err(StoreError::QueueFull { own: false })));
     assert_eq!(
         (store.queue_length().await.unwrap(), store.batch("B2", None).await.unwrap()),
         (4, BatchLookup::Missing)
     );
-    // The same key and body: the same batch; with another body: nobody's.
+    // The same key and body return the same batch. The same key with another body is a conflict.
     let again = store.submit_batch(NewBatch { id: "other".into(), ..batch_of(None, 1, 10..12) }).await.unwrap();
     assert_eq!(again, SubmittedBatch::Existing(batch));
     let conflict = NewBatch { body_hash: [9; 32], ..batch_of(None, 1, 10..12) };
@@ -1200,7 +1204,7 @@ async fn a_batch_is_on_disk_whole_or_not_at_all(database: Database) {
     assert_eq!(store.queue_length().await.unwrap(), 4);
 }
 
-async fn a_batch_is_its_owners_and_is_gone_with_its_last_job(database: Database) {
+async fn a_batch_is_hidden_from_other_owners_and_expires_with_its_last_job(database: Database) {
     let store = database.open(StoreOptions { retention: Duration::ZERO, ..StoreOptions::default() }).await;
     let batch = create_batch(&store, batch_of(Some("me"), 1, 0..2)).await;
     assert_eq!(store.batch(&batch.id, Some("you")).await.unwrap(), BatchLookup::Missing);
@@ -1213,14 +1217,14 @@ async fn a_batch_is_its_owners_and_is_gone_with_its_last_job(database: Database)
     }
     assert_eq!(store.batch(&batch.id, Some("me")).await.unwrap(), BatchLookup::Expired);
     assert_eq!(store.batch(&batch.id, Some("you")).await.unwrap(), BatchLookup::Missing);
-    // Deleted is not expired.
+    // A deleted batch is not an expired one.
     let other = create_batch(&store, batch_of(Some("me"), 2, 2..4)).await;
     assert_eq!(store.delete_batch(&other.id, Some("me")).await.unwrap().map(|ids| ids.len()), Some(2));
     assert_eq!(store.batch(&other.id, Some("me")).await.unwrap(), BatchLookup::Missing);
     assert_eq!(store.queue_length().await.unwrap(), 0);
 }
 
-async fn a_cancelled_batch_has_no_job_that_goes_on(database: Database) {
+async fn cancelling_a_batch_cancels_every_unfinished_job(database: Database) {
     let store = database.open(StoreOptions::default()).await;
     let batch = create_batch(&store, batch_of(None, 1, 0..3)).await;
     let ended = store.claim("w", LEASE).await.unwrap().unwrap();
@@ -1248,7 +1252,7 @@ async fn a_callback_is_due_from_the_end_until_it_is_settled(database: Database) 
         (Subject::Job, claimed.id.as_str(), Some("me"))
     );
     assert_eq!((first.url.as_str(), first.attempts), ("https://example.org", 1));
-    // Its claimer died; somebody else has it now, and what the first says counts no more.
+    // The first claimer died. The callback now belongs to the second, so the first cannot settle it any more.
     let second = store.claim_callback(LEASE).await.unwrap().unwrap();
     assert_eq!(second.attempts, 2);
     assert_eq!(store.claim_callback(LEASE).await.unwrap(), None);
@@ -1259,7 +1263,7 @@ async fn a_callback_is_due_from_the_end_until_it_is_settled(database: Database) 
     store.settle_callback(&third).await.unwrap();
     store.put_off_callback(&third, Duration::ZERO).await.unwrap();
     assert_eq!(store.claim_callback(LEASE).await.unwrap(), None);
-    // However it ends: by a shared result, and by a cancel.
+    // A callback is also due after a reused result and after a cancel.
     create(
         &store,
         NewJob { callback_url: Some("https://a.example".into()), request_hash: job(1).request_hash, ..job_of("me", 2) },
@@ -1293,16 +1297,16 @@ async fn a_batchs_callback_is_due_after_its_last_job(database: Database) {
     assert_eq!(store.claim_callback(NO_LEASE).await.unwrap(), None);
 }
 
-async fn many_tellers_take_every_callback_once(database: Database) {
+async fn concurrent_claimers_get_every_callback_once(database: Database) {
     let store = database.open(StoreOptions::default()).await;
     for number in 0..40 {
         create(&store, NewJob { callback_url: Some(format!("https://{number}.example")), ..job(number) }).await;
         store.cancel(&job(number).id, None).await.unwrap();
     }
-    let mut tellers = tokio::task::JoinSet::new();
+    let mut claimers = tokio::task::JoinSet::new();
     for _ in 0..4 {
         let store = store.clone();
-        tellers.spawn(async move {
+        claimers.spawn(async move {
             let mut taken = Vec::new();
             while let Some(callback) = store.claim_callback(LEASE).await.unwrap() {
                 store.settle_callback(&callback).await.unwrap();
@@ -1311,7 +1315,7 @@ async fn many_tellers_take_every_callback_once(database: Database) {
             taken
         });
     }
-    let mut taken: Vec<String> = tellers.join_all().await.concat();
+    let mut taken: Vec<String> = claimers.join_all().await.concat();
     let count = taken.len();
     taken.sort();
     taken.dedup();

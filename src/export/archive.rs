@@ -1,8 +1,8 @@
-//! The stored artefact: one mesh in f64 with everything that the download formats need.
+//! The stored artefact: one mesh in f64 with all data that the download formats need.
 //!
 //! The bytes are the magic `\x89PLATEAU`, the version as a little-endian u32, [`Contents`] in the format of the library
-//! postcard, and the SHA-256 of all that precedes. Vertex numbers are written as the differences from the ones before
-//! them, which are small. The same contents always give the same bytes.
+//! postcard, and the SHA-256 of everything before it. Vertex numbers are stored as differences from the preceding ones,
+//! which are small. The same contents always give the same bytes.
 
 use plateau_geometry::polyline::LARGEST_COORDINATE;
 use plateau_geometry::ruled_surface::strips_of;
@@ -14,29 +14,30 @@ use super::pattern;
 use crate::units::{Unit, UpAxis};
 
 const MAGIC: &[u8; 8] = b"\x89PLATEAU";
-/// The version of the bytes. This program reads and writes no other.
+/// Version of the format. This program reads and writes only this version.
 pub const VERSION: u32 = 4;
 const HEAD_BYTES: usize = MAGIC.len() + 4;
 const CHECKSUM_BYTES: usize = 32;
 
-/// The unsigned mean curvature of each vertex.
+/// Unsigned mean curvature of each vertex.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MeanCurvature {
-    /// One per vertex, 1/unit, finite and not negative.
+    /// One value per vertex in 1/unit, finite and not negative.
     pub values: Vec<f64>,
-    /// The colours run over [0, max(largest value, this)], 1/unit: tolerance / R keeps rounding from looking like curvature.
+    /// Lower bound, in 1/unit, of the upper end of the colour range, so that rounding errors do not look like
+    /// curvature. The solver sets it to tolerance / R.
     pub least_range: f64,
 }
 
 impl MeanCurvature {
-    /// The upper end of the colours' range, 1/unit.
+    /// Returns the upper end of the colour range in 1/unit.
     #[must_use]
     pub fn range(&self) -> f64 {
         self.values.iter().copied().fold(self.least_range, f64::max)
     }
 }
 
-/// Vertices joined in order; a closed one does not repeat its first.
+/// Vertices joined in order. A closed polyline does not repeat its first vertex.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Polyline {
     #[serde(with = "differences")]
@@ -47,9 +48,9 @@ pub struct Polyline {
 /// A number for each segment of a line set, such as its length or force.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SegmentValues {
-    /// Lower case letters, digits and underscores, e.g. `length`.
+    /// Name of lower-case letters, digits and underscores, such as `length`.
     pub name: String,
-    /// Empty for a plain number.
+    /// Unit of the values. Empty for a plain number.
     pub unit: String,
     pub values: Vec<f64>,
 }
@@ -67,50 +68,51 @@ pub enum Lines {
 /// Lines along the mesh that a viewer can switch on.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LineSet {
-    /// `boundaries`, `directrices`, `bridges` or `members`.
+    /// Name of the set: `boundaries`, `junctions`, `directrices`, `bridges` or `members`.
     pub name: String,
-    /// What the lines are made of, or belong to, e.g. `lattice`; empty if the name says it all.
+    /// Subset of the lines with this name, such as `lattice`. Empty if all lines with this name are in one set.
     pub group: String,
     pub lines: Lines,
 }
 
 impl LineSet {
-    /// Name and group in one, e.g. `members lattice`.
+    /// Returns the name and group together, such as `members lattice`.
     #[must_use]
     pub fn full_name(&self) -> String {
         if self.group.is_empty() { self.name.clone() } else { format!("{} {}", self.name, self.group) }
     }
 }
 
-/// What an [`Archive`] holds. Coordinates are in the client's unit and axes.
+/// Data of an [`Archive`]. Coordinates are in the client's unit and axes.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Contents {
-    /// The program and its version.
+    /// Name and version of the program.
     pub generator: String,
-    /// What the mesh is, for a person; one line.
+    /// Description of the mesh for people, on one line.
     pub title: String,
     pub unit: Unit,
     pub up: UpAxis,
-    /// The input's points first, in input order.
+    /// The mesh. Its first vertices are the input's points in input order.
     #[serde(with = "mesh")]
     pub mesh: Mesh,
     pub mean_curvature: Option<MeanCurvature>,
     pub line_sets: Vec<LineSet>,
-    /// For each polyline of the input: the vertex that each of its points became.
+    /// Vertices that the points of each input polyline became.
     #[serde(with = "difference_lists")]
     pub input_vertices: Vec<Vec<u32>>,
-    /// The job's statistics: a JSON value, carried and not looked into.
+    /// Statistics of the job as JSON text, which this module does not interpret.
     pub statistics: String,
-    /// True if the mesh is made of developable strips that unroll: the line set [`pattern::BRIDGES`] has the strips' bridges,
-    /// first to last, and the mesh their triangles in the same order.
+    /// True if the mesh consists of developable strips that can be unrolled. The line set [`pattern::BRIDGES`] then has
+    /// the strips' bridges from first to last, and the mesh has their triangles in the same order.
     pub unrolls: bool,
 }
 
-/// [`Contents`] that were found sound: indices in range, numbers finite, lists of matching length. The formats rely on it.
+/// Validated [`Contents`]: indices are in range, numbers are finite, and lists have matching lengths. The formats rely
+/// on this.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Archive(Contents);
 
-/// Why contents or bytes are not an archive.
+/// Reason why contents or bytes are not an archive.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Defect {
     #[error("not a mesh archive")]
@@ -126,9 +128,11 @@ pub enum Defect {
 }
 
 impl Archive {
+    /// Validates contents. Time is linear in their size.
+    ///
     /// # Errors
-    /// [`Defect::Contents`] says what is wrong: no vertex or triangle, an index out of range, a number that is not finite, lists that do
-    /// not match, statistics that are no JSON, a name that cannot be one. Linear in the size.
+    /// Returns [`Defect::Contents`] if there is no vertex or triangle, an index is out of range, a number is not
+    /// finite, lists do not match, the statistics are not JSON, or a name is invalid.
     pub fn new(contents: Contents) -> Result<Self, Defect> {
         check(&contents).map_err(Defect::Contents)?;
         Ok(Self(contents))
@@ -139,10 +143,10 @@ impl Archive {
         &self.0
     }
 
-    /// The stored form; see the [module](self).
+    /// Returns the stored form, which the [module](self) describes.
     ///
     /// # Errors
-    /// [`Defect::Bytes`], which sound contents do not cause.
+    /// Returns [`Defect::Bytes`], which valid contents never cause.
     pub fn to_bytes(&self) -> Result<Vec<u8>, Defect> {
         let mesh = &self.0.mesh;
         let mut bytes = Vec::with_capacity(256 + 24 * mesh.vertices.len() + 12 * mesh.triangles.len());
@@ -154,17 +158,17 @@ impl Archive {
         Ok(bytes)
     }
 
-    /// The checksum at the end of a stored form: SHA-256 of all before it, so that it names the whole. Zeros for bytes that
-    /// are too short to have one.
+    /// Returns the checksum at the end of a stored form: the SHA-256 of all preceding bytes. It identifies the whole.
+    /// Bytes that are too short to have a checksum give zeros.
     #[must_use]
     pub fn checksum(bytes: &[u8]) -> [u8; CHECKSUM_BYTES] {
         bytes.last_chunk().copied().unwrap_or_default()
     }
 
-    /// Reads the stored form. Safe on any bytes: no more memory is asked for than a small multiple of their length.
+    /// Reads the stored form. Any bytes are safe to read: the memory used is at most a small multiple of their length.
     ///
     /// # Errors
-    /// [`Defect`] if the bytes are not an archive, are damaged, are of another version, or hold unsound contents.
+    /// Returns [`Defect`] if the bytes are not an archive, are damaged, have another version, or have invalid contents.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Defect> {
         if !bytes.starts_with(MAGIC) {
             return Err(Defect::Magic);
@@ -193,7 +197,7 @@ fn unreadable(error: postcard::Error) -> Defect {
 fn check(contents: &Contents) -> Result<(), &'static str> {
     let vertices = &contents.mesh.vertices;
     let exists = |&vertex: &u32| (vertex as usize) < vertices.len();
-    let ensure = |holds: bool, what: &'static str| if holds { Ok(()) } else { Err(what) };
+    let ensure = |holds: bool, defect: &'static str| if holds { Ok(()) } else { Err(defect) };
     let fits = |length: usize| u32::try_from(length).is_ok();
 
     ensure(!vertices.is_empty() && !contents.mesh.triangles.is_empty(), "it has no triangle")?;
@@ -235,7 +239,7 @@ fn check(contents: &Contents) -> Result<(), &'static str> {
     ensure(!contents.unrolls || unrolls(contents), "the bridges are not those of the mesh's strips")
 }
 
-/// True if the mesh is made of the strips that its bridges describe, as far as unrolling relies on it.
+/// Returns true if the mesh consists of the strips that its bridges describe. Only what unrolling relies on is checked.
 fn unrolls(contents: &Contents) -> bool {
     let Some(bridges) = pattern::bridges(contents) else { return false };
     let steps = |strip: &[[u32; 2]]| strip.windows(2).all(|pair| pair[0] != pair[1]);
@@ -245,7 +249,7 @@ fn unrolls(contents: &Contents) -> bool {
         && contents.mesh.vertices.iter().all(|v| v.abs().max_element() <= LARGEST_COORDINATE)
 }
 
-/// A mesh as its vertices and triangles.
+/// Serializes a mesh as its vertices and triangles.
 mod mesh {
     use super::{DVec3, Mesh, difference_groups};
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -264,7 +268,8 @@ mod mesh {
     }
 }
 
-/// Lists of groups of vertex numbers, each number as the difference from the one at its place in the group before.
+/// Serializes lists of groups of vertex numbers. Each number is stored as the difference from the number at the same
+/// position in the previous group.
 mod difference_groups {
     use serde::de::Error;
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -303,7 +308,7 @@ mod difference_groups {
     }
 }
 
-/// Lists of vertex numbers, each as the difference from the one before.
+/// Serializes lists of vertex numbers. Each number is stored as the difference from the previous one.
 mod differences {
     use super::difference_groups;
     use serde::{Deserializer, Serializer};
@@ -319,7 +324,7 @@ mod differences {
     }
 }
 
-/// Lists of lists of vertex numbers.
+/// Serializes lists of lists of vertex numbers.
 mod difference_lists {
     use super::differences;
     use serde::{Deserialize, Deserializer, Serialize, Serializer};

@@ -1,8 +1,9 @@
-//! The flat pattern as DXF (AC1015, AutoCAD 2000), true to scale in the client's unit, which `$INSUNITS` names.
+//! The flat pattern as DXF (AC1015, AutoCAD 2000), true to scale in the client's unit. `$INSUNITS` names the unit.
 //!
-//! Layers `CUT`, `FOLD_MOUNTAIN`, `FOLD_VALLEY`, `FOLD_FLAT` and `LABEL`, so that a cutting program can give each its tool.
-//! AC1015 and not the shorter R12, because R12 cannot say its unit. A crate for DXF would bring an image library along; what a
-//! pattern needs is one closed `LWPOLYLINE` a piece, `LINE` and `TEXT`, and the tables that the format asks of every file.
+//! The layers `CUT`, `FOLD_MOUNTAIN`, `FOLD_VALLEY`, `FOLD_FLAT` and `LABEL` allow a cutting program to use a different
+//! tool for each. AC1015 is used instead of the shorter R12 because R12 cannot name its unit. This module writes the
+//! format itself, because a crate for DXF would add an image library. A pattern needs only one closed `LWPOLYLINE` per
+//! piece, `LINE` and `TEXT`, and the tables that every file must have.
 
 use std::fmt::{Display, Write as _};
 
@@ -23,14 +24,14 @@ const LAYERS: [(&str, u8, &str); 6] = [
     ("LABEL", 3, "CONTINUOUS"),
 ];
 
-/// Handles that other parts of the file refer to, so they are fixed; all others are counted from `FIRST_FREE_HANDLE`.
+/// Fixed handles that other parts of the file refer to. All other handles are counted from `FIRST_FREE_HANDLE`.
 const MODEL_SPACE: u32 = 0x1F;
 const PAPER_SPACE: u32 = 0x1B;
 const ROOT_DICTIONARY: u32 = 0xC;
 const GROUP_DICTIONARY: u32 = 0xD;
 const FIRST_FREE_HANDLE: u32 = 0x30;
 
-/// All pieces on one sheet, as [`Pattern::sheet`] lays them out.
+/// Writes all pieces on one sheet, as [`Pattern::sheet`] lays them out.
 #[must_use]
 pub fn to_dxf(pattern: &Pattern, contents: &Contents) -> Vec<u8> {
     let sheet = pattern.sheet();
@@ -55,7 +56,7 @@ pub fn to_dxf(pattern: &Pattern, contents: &Contents) -> Vec<u8> {
     body.section("OBJECTS", Writer::objects);
     body.pair(0, "EOF");
 
-    // The header names the next free handle, which is known only now.
+    // The header contains the next free handle, so it is written after the body.
     let mut file = Writer { text: String::new(), next_handle: body.next_handle };
     file.pair(999, one_line(&contents.generator));
     file.section("HEADER", |out| {
@@ -93,12 +94,12 @@ impl Writer {
         writeln!(self.text, "{code:>3}\n{value}").expect("writing to memory");
     }
 
-    /// Shortest text that reads back as the same f64.
+    /// Writes the shortest text that reads back as the same f64.
     fn number(&mut self, code: u16, value: f64) {
         self.pair(code, format_args!("{value:?}"));
     }
 
-    /// x under `code`, y under `code + 10`, z = 0 under `code + 20`.
+    /// Writes x under `code`, y under `code + 10` and z = 0 under `code + 20`.
     fn point(&mut self, code: u16, point: DVec2) {
         self.number(code, point.x);
         self.number(code + 10, point.y);
@@ -126,7 +127,7 @@ impl Writer {
         self.pair(code, format_args!("{handle:X}"));
     }
 
-    /// One table; `records` gives each record's fields after its handle and owner.
+    /// Writes a table. `records` writes its records.
     fn table(&mut self, name: &str, count: usize, records: impl FnOnce(&mut Self, u32)) {
         let table = self.new_handle();
         self.pair(0, "TABLE");
@@ -156,7 +157,8 @@ impl Writer {
     fn tables(&mut self, sheet: DVec2) {
         self.table("VPORT", 1, |out, table| {
             out.record("VPORT", "AcDbViewportTableRecord", table, "*ACTIVE");
-            // Lower left and upper right of the window, centre of the view, its height and aspect.
+            // The values are the lower left and upper right of the window, and the centre, height and aspect of the
+            // view.
             for (code, x, y) in [(10, 0.0, 0.0), (11, 1.0, 1.0), (12, 0.5 * sheet.x, 0.5 * sheet.y)] {
                 out.number(code, x);
                 out.number(code + 10, y);
@@ -220,7 +222,7 @@ impl Writer {
         });
     }
 
-    /// Model space and paper space, both empty: the entities have a section of their own.
+    /// Writes model space and paper space. Both blocks are empty, because the entities have their own section.
     fn blocks(&mut self) {
         for (name, record) in [("*MODEL_SPACE", MODEL_SPACE), ("*PAPER_SPACE", PAPER_SPACE)] {
             self.entity("BLOCK", record, "0", "AcDbBlockBegin");
@@ -285,7 +287,7 @@ impl Writer {
     }
 }
 
-/// AC1015 is older than UTF-8 in DXF: other characters are written as `\U+XXXX`.
+/// Returns `text` in ASCII, because AC1015 is older than UTF-8 in DXF. Other characters become `\U+XXXX`.
 fn ascii(text: &str) -> String {
     let mut out = String::new();
     for c in one_line(text).chars() {

@@ -1,17 +1,17 @@
-//! glTF 2.0, binary or JSON with the buffer embedded.
+//! glTF 2.0, as a binary file or as JSON with the buffer embedded.
 //!
-//! - Metres and Y up, as glTF demands: a client's (x, y, z) with z up becomes (x, z, -y).
-//! - Positions are f32 around an origin, the middle of the mesh's box, that every node carries as its translation in f64:
-//!   survey coordinates of 1e7 keep a ten-millionth of the mesh's size. `asset.extras.origin` is the same point in the
-//!   client's unit and axes.
-//! - The surface is node 0; every line set is a node of its own (`LINES`, `LINE_STRIP`) over the same positions, so a
-//!   viewer can switch it. Segments with values have positions of their own and carry the value at both ends.
-//! - `NORMAL` is area-weighted and of unit length everywhere: where no triangle gives a direction, it is the up axis.
-//! - Where three sheets meet each has vertices of its own with its own normals, after all vertices of the mesh.
-//! - `_MEAN_CURVATURE` is in 1/m (clamped to f32); `COLOR_0` runs from blue through green to red over
+//! - Meshes are in metres with Y up, as glTF demands: a client's (x, y, z) with z up becomes (x, z, -y).
+//! - Positions are f32 around an origin, the middle of the mesh's bounding box. Every node has the origin as its f64
+//!   translation. Survey coordinates of 1e7 therefore keep a ten-millionth of the mesh's size. `asset.extras.origin` is
+//!   the same point in the client's unit and axes.
+//! - The surface is node 0. Every line set is a separate node (`LINES`, `LINE_STRIP`) over the same positions, so that
+//!   a viewer can switch it on and off. Segments with values have separate positions and carry the value at both ends.
+//! - `NORMAL` is area-weighted and has unit length everywhere. If no triangle gives a direction, it is the up axis.
+//! - Where three sheets meet, each sheet has its own vertices with their own normals, after all vertices of the mesh.
+//! - `_MEAN_CURVATURE` is in 1/m (clamped to f32). `COLOR_0` runs from blue through green to red over
 //!   `asset.extras.color_range`, interpolated linearly between its stops.
 //!
-//! The document is put together as JSON values: gltf-json's types keep a node's translation in f32.
+//! The document is built from JSON values, because the types of the crate gltf-json keep a node's translation in f32.
 
 use base64::Engine as _;
 use plateau_geometry::mesh::measure;
@@ -31,27 +31,27 @@ const LINES: u32 = 1;
 const LINE_STRIP: u32 = 3;
 const TRIANGLES: u32 = 4;
 
-/// Below this size f32 can no longer tell a ten-millionth of the mesh from zero.
-const LEAST_EXTENT_METRES: f64 = 1e-30;
+/// Smallest supported size of a mesh. Below it, f32 cannot distinguish a ten-millionth of the mesh from zero.
+const MIN_EXTENT_METRES: f64 = 1e-30;
 
-/// Equal steps from low to high, linear RGB.
+/// Colours in equal steps from low to high, in linear RGB.
 const COLOR_STOPS: [[f64; 3]; 5] =
     [[0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
 
-/// Binary glTF: one file with the buffer in it.
+/// Writes binary glTF: one file that includes the buffer.
 ///
 /// # Errors
-/// [`Error::OutOfRange`] if f32 cannot hold the positions, [`Error::TooLarge`] from 4 GiB.
+/// Returns [`Error::OutOfRange`] if f32 cannot hold the positions, and [`Error::TooLarge`] from 4 GiB.
 pub fn to_glb(archive: &Archive) -> Result<Vec<u8>, Error> {
     let (document, buffer) = document(archive)?;
     binary(document, &buffer)
 }
 
-/// Binary glTF of several meshes in one scene, in their places: each is a node of its own name, with its surface and lines as
-/// children and what a single file has in `asset.extras` as the node's `extras`.
+/// Writes binary glTF with several meshes in one scene, each at its own coordinates. Each mesh is a named node whose
+/// children are its surface and lines. The node's `extras` are the `asset.extras` of a single file.
 ///
 /// # Errors
-/// As for [`to_glb`].
+/// Returns the errors of [`to_glb`].
 pub fn to_glb_scene(title: &str, parts: &[(String, Archive)]) -> Result<Vec<u8>, Error> {
     let mut scene = Scene::default();
     let mut roots = Vec::with_capacity(parts.len());
@@ -87,10 +87,10 @@ fn binary(mut document: Value, buffer: &[u8]) -> Result<Vec<u8>, Error> {
     Ok(glb)
 }
 
-/// glTF as JSON text, the buffer embedded as a base64 data URI.
+/// Writes glTF as JSON text with the buffer embedded as a base64 data URI.
 ///
 /// # Errors
-/// As for [`to_glb`].
+/// Returns the errors of [`to_glb`].
 pub fn to_gltf_json(archive: &Archive) -> Result<Vec<u8>, Error> {
     let (mut document, buffer) = document(archive)?;
     let mut uri = String::from("data:application/octet-stream;base64,");
@@ -103,7 +103,7 @@ fn to_text(document: &Value) -> Vec<u8> {
     serde_json::to_vec(document).expect("a JSON value of finite numbers and string keys always has a text")
 }
 
-/// How client coordinates become f32 metres around the origin.
+/// Conversion of client coordinates to f32 metres around the origin.
 struct Frame {
     origin: DVec3,
     metres: f64,
@@ -122,7 +122,7 @@ impl Frame {
         if extent > f64::from(f32::MAX) {
             return fault("it is larger than 3e38 m");
         }
-        if extent > 0.0 && extent < LEAST_EXTENT_METRES {
+        if extent > 0.0 && extent < MIN_EXTENT_METRES {
             return fault("it is smaller than 1e-30 m");
         }
         let frame = Self { origin: 0.5 * bounds.0 + 0.5 * bounds.1, metres, up: contents.up };
@@ -132,7 +132,7 @@ impl Frame {
         Ok(frame)
     }
 
-    /// The client's axes to glTF's: y up.
+    /// Rotates a vector from the client's axes to glTF's, with y up.
     fn turn(&self, vector: DVec3) -> DVec3 {
         match self.up {
             UpAxis::Y => vector,
@@ -149,7 +149,7 @@ impl Frame {
     }
 }
 
-/// The buffer under construction, with the views and accessors into it.
+/// A buffer that is being built, with its views and accessors.
 #[derive(Default)]
 struct Buffer {
     bytes: Vec<u8>,
@@ -158,8 +158,8 @@ struct Buffer {
 }
 
 impl Buffer {
-    /// Appends data as a view and an accessor of their own; gives the accessor's index. Every item is a multiple of four
-    /// bytes, so the alignment that glTF asks for holds by itself.
+    /// Appends data with its own view and accessor, and returns the accessor's index. Every item is a multiple of four
+    /// bytes, so the data is always aligned as glTF demands.
     fn push(&mut self, data: impl Iterator<Item = [u8; 4]>, target: u32, mut accessor: Value) -> usize {
         let offset = self.bytes.len();
         data.for_each(|word| self.bytes.extend_from_slice(&word));
@@ -176,7 +176,7 @@ impl Buffer {
         let (min, max) = positions.iter().fold(start, |(min, max), p| {
             ([0, 1, 2].map(|axis| min[axis].min(p[axis])), [0, 1, 2].map(|axis| max[axis].max(p[axis])))
         });
-        // As f64: an f32 in JSON must read back as exactly the buffer's value.
+        // The bounds are written as f64, so that their text reads back as exactly the f32 values in the buffer.
         let (min, max) = (min.map(f64::from), max.map(f64::from));
         let accessor =
             json!({ "componentType": FLOAT, "type": "VEC3", "count": positions.len(), "min": min, "max": max });
@@ -212,7 +212,7 @@ impl Buffer {
     }
 }
 
-/// Everything but `buffers`, and the buffer.
+/// Returns the document without `buffers`, and the buffer.
 fn document(archive: &Archive) -> Result<(Value, Vec<u8>), Error> {
     let contents = archive.contents();
     let frame = Frame::new(contents)?;
@@ -222,7 +222,7 @@ fn document(archive: &Archive) -> Result<(Value, Vec<u8>), Error> {
     Ok(scene.document(asset, &contents.title, &nodes))
 }
 
-/// A scene under construction.
+/// A scene that is being built.
 #[derive(Default)]
 struct Scene {
     nodes: Vec<Value>,
@@ -232,12 +232,12 @@ struct Scene {
 }
 
 impl Scene {
-    /// Adds a surface and its line sets; gives their nodes.
+    /// Adds a surface and its line sets, and returns their nodes.
     fn add(&mut self, contents: &Contents, frame: &Frame) -> Vec<usize> {
         let Self { nodes, meshes, materials, buffer } = self;
         let first_node = nodes.len();
-        let apart = sheets::apart(&contents.mesh);
-        let mesh = apart.as_ref().map_or(&contents.mesh, |(mesh, _)| mesh);
+        let split = sheets::split_by_sheet(&contents.mesh);
+        let mesh = split.as_ref().map_or(&contents.mesh, |(mesh, _)| mesh);
         let positions: Vec<[f32; 3]> = mesh.vertices.iter().map(|&vertex| frame.position(vertex)).collect();
         let shared = buffer.positions(&positions);
 
@@ -247,7 +247,7 @@ impl Scene {
         });
         if let Some(curvature) = &contents.mean_curvature {
             let per_metre = |value: f64| (value / frame.metres).min(f64::from(f32::MAX)) as f32;
-            let further = apart.iter().flat_map(|(_, source)| &source[curvature.values.len()..]);
+            let further = split.iter().flat_map(|(_, source)| &source[curvature.values.len()..]);
             let further = further.map(|&vertex| curvature.values[vertex as usize]);
             let values: Vec<f64> = curvature.values.iter().copied().chain(further).collect();
             attributes["_MEAN_CURVATURE"] = buffer.scalars(values.iter().map(|&value| per_metre(value))).into();
@@ -309,7 +309,7 @@ fn color_range(curvature: &MeanCurvature, metres: f64) -> Value {
     json!({ "attribute": "_MEAN_CURVATURE", "unit": "1/m", "min": 0.0, "max": finite(curvature.range() / metres), "stops": COLOR_STOPS })
 }
 
-/// JSON has no infinity; 1e308 per millimetre is still said as a number.
+/// Clamps infinity to the largest f64, because JSON has no infinity.
 fn finite(value: f64) -> f64 {
     value.min(f64::MAX)
 }
@@ -318,7 +318,7 @@ fn attribute_name(name: &str) -> String {
     format!("_{}", name.to_ascii_uppercase())
 }
 
-/// The primitives of a line set, their material still to be pushed; none for an empty set.
+/// Returns the primitives of a line set, or none for an empty set. The caller adds the material.
 fn line_primitives(
     set: &LineSet,
     material: usize,
@@ -374,7 +374,7 @@ fn line_color(set: &LineSet) -> [f64; 4] {
     }
 }
 
-/// Blue at 0 to red at `range`; all blue if the range is empty.
+/// Returns the colour of a value, from blue at 0 to red at `range`. If the range is empty, the colour is blue.
 fn color(value: f64, range: f64) -> [u8; 4] {
     let steps = (COLOR_STOPS.len() - 1) as f64;
     let position = if range > 0.0 { (value / range).clamp(0.0, 1.0) * steps } else { 0.0 };
@@ -387,7 +387,8 @@ fn color(value: f64, range: f64) -> [u8; 4] {
     [channel(0), channel(1), channel(2), 255]
 }
 
-/// Unit vertex normals in glTF's axes. Within the sizes that [`Frame`] lets through no square overflows or vanishes.
+/// Returns unit vertex normals in glTF's axes. Within the sizes that [`Frame`] accepts, no square overflows or becomes
+/// zero.
 fn normals(mesh: &Mesh, frame: &Frame) -> Vec<[f32; 3]> {
     let mut normals = measure::vertex_normals(mesh);
     if normals.contains(&DVec3::ZERO) {
@@ -402,7 +403,8 @@ fn normals(mesh: &Mesh, frame: &Frame) -> Vec<[f32; 3]> {
         .collect()
 }
 
-/// Where the triangles' normals cancel out (a full fold), the first triangle that has a direction gives the normal.
+/// Replaces zero normals, which occur where the triangles' normals cancel out (a full fold). The first triangle at the
+/// vertex that has a direction gives the normal.
 fn replace_missing(mesh: &Mesh, normals: &mut [DVec3]) {
     for &triangle in &mesh.triangles {
         let normal = measure::double_area_vector(mesh.corners(triangle)).normalize_or_zero();

@@ -1,22 +1,23 @@
-//! Wavefront OBJ in the client's axes and unit. Every number reads back as exactly the f64 that it was.
+//! Wavefront OBJ in the client's axes and unit. Every number reads back as exactly the same f64.
 
 use std::io::Write as _;
 
 use super::archive::{Archive, Lines};
 
-/// Vertices in archive order (OBJ counts from 1), one object `surface` of triangles, one object per line set.
+/// Writes the vertices in archive order (OBJ counts from 1), one object `surface` of triangles, and one object per line
+/// set.
 #[must_use]
 pub fn to_obj(archive: &Archive) -> Vec<u8> {
     let contents = archive.contents();
     let mut out = Vec::with_capacity(64 * contents.mesh.vertices.len() + 24 * contents.mesh.triangles.len());
-    // Writing to a Vec cannot fail, so `put` needs no error path.
+    // Writing to a Vec cannot fail, so `put` handles no errors.
     macro_rules! put {
         ($($argument:tt)*) => { writeln!(out, $($argument)*).expect("writing to memory") };
     }
     put!("# {}", one_line(&contents.generator));
     put!("# unit {}, {} up", contents.unit.symbol(), contents.up.symbol());
     for vertex in &contents.mesh.vertices {
-        // `{:?}` is the shortest text that reads back as the same f64, with an exponent where that is shorter.
+        // `{:?}` gives the shortest text that reads back as the same f64, with an exponent if that is shorter.
         put!("v {:?} {:?} {:?}", vertex.x, vertex.y, vertex.z);
     }
     put!("o surface");
@@ -47,7 +48,7 @@ fn from_one(index: u32) -> u64 {
     u64::from(index) + 1
 }
 
-/// A comment or a name must not start a line of its own.
+/// Replaces control characters, so that a comment or name stays on one line.
 pub(super) fn one_line(text: &str) -> String {
     text.replace(|c: char| c.is_control(), " ")
 }

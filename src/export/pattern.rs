@@ -1,7 +1,7 @@
-//! The flat pattern of a developable strip: what a cutter cuts and a folder folds.
+//! The flat pattern of a developable strip, with the outline to cut and the lines to fold.
 //!
-//! A strip of triangles unrolls isometrically, so each strip is one [`Piece`] in a plane of its own. The files show all
-//! pieces on one sheet ([`Pattern::sheet`]): each in its own box, the boxes below one another.
+//! A strip of triangles unrolls isometrically, so each strip is one [`Piece`] in its own plane. The files show all
+//! pieces on one sheet ([`Pattern::sheet`]), one below the other.
 
 use plateau_geometry::mesh::measure::double_area_vector;
 use plateau_geometry::ruled_surface::FlatPattern;
@@ -9,7 +9,7 @@ use plateau_geometry::{DVec2, DVec3, Execution, Mesh};
 
 use super::archive::{Contents, Lines};
 
-/// Every strip of a ruled surface, unrolled. Coordinates are in the client's unit.
+/// All strips of a ruled surface, unrolled. Coordinates are in the client's unit.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pattern {
     pub pieces: Vec<Piece>,
@@ -18,11 +18,11 @@ pub struct Pattern {
 /// One unrolled strip.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Piece {
-    /// Printed on the piece, e.g. `strip 1`.
+    /// Text printed on the piece, such as `strip 1`.
     pub name: String,
-    /// The contour to cut, closed, its first point not repeated; at least three points.
+    /// Contour to cut: a closed polygon of at least three points that does not repeat its first point.
     pub outline: Vec<DVec2>,
-    /// The bridges between the first and the last.
+    /// Fold lines: the bridges except the first and the last.
     pub folds: Vec<Fold>,
 }
 
@@ -30,12 +30,12 @@ pub struct Piece {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fold {
     pub ends: [DVec2; 2],
-    /// By how much to fold, degrees in [-180, 180]: positive is a mountain (a ridge seen from the side that the surface's
-    /// normals point to), negative a valley, zero stays flat.
+    /// Fold angle in degrees, in [-180, 180]. A positive angle is a mountain (a ridge, seen from the side that the
+    /// surface's normals point to), a negative angle is a valley, and zero stays flat.
     pub angle_deg: f64,
 }
 
-/// Mountain, valley or flat: what the line types and layers of the files distinguish.
+/// Kind of a fold. The line types and layers of the files depend on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FoldKind {
     Mountain,
@@ -44,7 +44,7 @@ pub enum FoldKind {
 }
 
 impl Fold {
-    /// Folds below a hundredth of a degree are flat: no bending brake knows them.
+    /// Returns the kind. Folds below a hundredth of a degree count as flat, because no bending brake resolves them.
     #[must_use]
     pub fn kind(&self) -> FoldKind {
         match self.angle_deg {
@@ -56,17 +56,17 @@ impl Fold {
 }
 
 impl Piece {
-    /// Smallest and largest coordinates of the piece; outline and folds both count.
+    /// Returns the smallest and largest coordinates of the piece, including its folds.
     fn bounds(&self) -> (DVec2, DVec2) {
         let points = self.outline.iter().copied().chain(self.folds.iter().flat_map(|fold| fold.ends));
         points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), point| (low.min(point), high.max(point)))
     }
 }
 
-/// The line set that says how an open ruled surface unrolls.
+/// Name of the line set whose bridges describe how an open ruled surface unrolls.
 pub const BRIDGES: &str = "bridges";
 
-/// The bridges of a ruled surface.
+/// Returns the bridges of a ruled surface.
 pub(super) fn bridges(contents: &Contents) -> Option<&[[u32; 2]]> {
     contents.line_sets.iter().find(|set| set.name == BRIDGES).and_then(|set| match &set.lines {
         Lines::Segments { pairs, .. } => Some(pairs.as_slice()),
@@ -75,19 +75,19 @@ pub(super) fn bridges(contents: &Contents) -> Option<&[[u32; 2]]> {
 }
 
 impl Contents {
-    /// The flat pattern, if there is one.
+    /// Returns the flat pattern, if there is one.
     #[must_use]
     pub fn flat_pattern(&self) -> Option<Pattern> {
         if !self.unrolls {
             return None;
         }
-        // An archive's bridges were found to be those of strips.
+        // Unrolling cannot fail, because the archive's bridges were validated.
         let flat = FlatPattern::of_bridges(&self.mesh.vertices, bridges(self)?, &Execution::default()).ok()?;
         Some(unrolled(&flat, &self.mesh))
     }
 }
 
-/// The flat strips as pieces to cut and fold. The mesh's triangles are in the order of the strips' own.
+/// Converts the flat strips to pieces with folds. The mesh's triangles must be in the order of the strips.
 fn unrolled(flat: &FlatPattern, mesh: &Mesh) -> Pattern {
     let mut first = 0;
     let pieces = flat.strips.iter().enumerate().map(|(number, strip)| {
@@ -105,7 +105,8 @@ fn unrolled(flat: &FlatPattern, mesh: &Mesh) -> Pattern {
     Pattern { pieces: pieces.collect() }
 }
 
-/// The angle between two neighbouring triangles' normals, positive at a ridge seen from the side that they point to.
+/// Returns the angle between the normals of two neighbouring triangles. It is positive at a ridge, seen from the side
+/// that the normals point to.
 fn fold_angle(mesh: &Mesh, [left, right]: [[u32; 3]; 2], normals: [DVec3; 2]) -> f64 {
     let angle = normals[0].cross(normals[1]).length().atan2(normals[0].dot(normals[1]));
     let beyond = right.into_iter().find(|vertex| !left.contains(vertex)).unwrap_or(right[0]);
@@ -113,7 +114,7 @@ fn fold_angle(mesh: &Mesh, [left, right]: [[u32; 3]; 2], normals: [DVec3; 2]) ->
     if height > 0.0 { -angle } else { angle }
 }
 
-/// All pieces laid out: the lower left corner is the origin, y points up.
+/// Layout of all pieces. The origin is the lower left corner, and y points up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sheet {
     pub pieces: Vec<Piece>,
@@ -121,8 +122,8 @@ pub struct Sheet {
 }
 
 impl Pattern {
-    /// Places the pieces on one sheet, the first at the top, a twentieth of the largest extent between neighbours.
-    /// Pieces are moved, never turned or scaled.
+    /// Places the pieces on one sheet, with the first at the top. The gap between neighbours is a twentieth of the
+    /// largest extent. Pieces are moved, but never turned or scaled.
     #[must_use]
     pub fn sheet(&self) -> Sheet {
         let bounds: Vec<_> = self.pieces.iter().map(Piece::bounds).collect();

@@ -1,9 +1,10 @@
-//! PLY, binary little endian, in the client's axes and unit: `double` coordinates, `mean_curvature` (1/unit) where known.
+//! Binary little-endian PLY in the client's axes and unit. Coordinates are `double`, and `mean_curvature` (1/unit) is
+//! included if known.
 
 use super::archive::Archive;
 use super::obj::one_line;
 
-/// Vertices and triangles in archive order.
+/// Writes the vertices and triangles in archive order.
 #[must_use]
 pub fn to_ply(archive: &Archive) -> Vec<u8> {
     let contents = archive.contents();

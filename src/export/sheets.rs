@@ -1,13 +1,14 @@
-//! A film with junctions for formats that shade by vertex normals: at an edge of three triangles the surface has three
-//! sides, and one normal for all of them would be none.
+//! Splits the vertices of a film with junctions, for formats that shade by vertex normals. At an edge with three
+//! triangles the surface has three sides, so no single normal fits all of them.
 
 use plateau_geometry::Mesh;
 
-/// The mesh with one vertex for each sheet that meets at a vertex: the mesh's own first, the further ones after them; and for
-/// each vertex the one of `mesh` that it stands for. Sheets hang together across edges of two triangles.
+/// Returns a mesh with one vertex for each sheet that meets at a vertex, and for each of its vertices the vertex of
+/// `mesh` that it stands for. The vertices of `mesh` come first and the added ones after them. Triangles belong to one
+/// sheet if they are connected across edges with two triangles.
 ///
-/// `None` for a mesh that needs no further vertices. O(n log n).
-pub fn apart(mesh: &Mesh) -> Option<(Mesh, Vec<u32>)> {
+/// Returns `None` if no vertex needs to be split. Takes O(n log n) time.
+pub fn split_by_sheet(mesh: &Mesh) -> Option<(Mesh, Vec<u32>)> {
     let mut edges: Vec<([u32; 2], usize, usize)> = (0..mesh.triangles.len())
         .flat_map(|t| (0..3).map(move |k| (t, k)))
         .map(|(t, k)| {
@@ -19,7 +20,8 @@ pub fn apart(mesh: &Mesh) -> Option<(Mesh, Vec<u32>)> {
     if !edges.windows(3).any(|three| three[0].0 == three[1].0 && three[1].0 == three[2].0) {
         return None;
     }
-    // Corners 3 t + k of triangles, joined where they are of one vertex and of neighbours in a sheet.
+    // Union-find over the corners 3 t + k of the triangles. Corners at one vertex are joined if their triangles are
+    // neighbours in a sheet.
     let mut leader: Vec<usize> = (0..3 * mesh.triangles.len()).collect();
     for group in edges.chunk_by(|a, b| a.0 == b.0) {
         let &[(ends, t, _), (_, u, _)] = group else { continue };
@@ -33,7 +35,7 @@ pub fn apart(mesh: &Mesh) -> Option<(Mesh, Vec<u32>)> {
     }
     let mut split = mesh.clone();
     let mut source: Vec<u32> = (0..mesh.vertices.len() as u32).collect();
-    // The first sheet at a vertex keeps it.
+    // The first sheet at a vertex keeps the original vertex.
     let mut taken = vec![false; mesh.vertices.len()];
     let mut vertex_of = vec![u32::MAX; leader.len()];
     for corner in 0..leader.len() {
@@ -53,7 +55,7 @@ pub fn apart(mesh: &Mesh) -> Option<(Mesh, Vec<u32>)> {
     Some((split, source))
 }
 
-/// The least corner of a corner's class.
+/// Returns the smallest corner of the class that contains `corner`.
 fn find(leader: &mut [usize], corner: usize) -> usize {
     let mut root = corner;
     while leader[root] != root {
@@ -73,7 +75,7 @@ mod tests {
     use plateau_geometry::mesh::measure::vertex_normals;
 
     #[test]
-    fn three_leaves_of_a_book_have_a_spine_each() {
+    fn three_sheets_at_an_edge_get_their_own_vertices_and_normals() {
         let mut vertices = vec![DVec3::ZERO, DVec3::Z, 2.0 * DVec3::Z];
         let mut triangles = Vec::new();
         let mut normals = Vec::new();
@@ -84,18 +86,18 @@ mod tests {
             normals.push(DVec3::new(-angle.sin(), angle.cos(), 0.0));
         }
         let mesh = Mesh::new(vertices, triangles);
-        let (split, source) = apart(&mesh).unwrap();
+        let (split, source) = split_by_sheet(&mesh).unwrap();
         assert_eq!(split.vertices.len(), 6 + 2 * 3);
         assert_eq!(source[..6], [0, 1, 2, 3, 4, 5]);
         assert!(split.vertices.iter().zip(&source).all(|(&p, &v)| p == mesh.vertices[v as usize]));
         for (triangle, original) in split.triangles.iter().zip(&mesh.triangles) {
             assert_eq!(triangle.map(|v| source[v as usize]), *original);
         }
-        // Each vertex has the normal of its own leaf.
+        // Each vertex has the normal of its own sheet.
         let shaded = vertex_normals(&split);
         for (k, triangle) in split.triangles.iter().enumerate() {
             assert!(triangle.iter().all(|&v| shaded[v as usize].distance(normals[k / 2]) < 1e-15));
         }
-        assert_eq!(apart(&Mesh::new(split.vertices, split.triangles)), None);
+        assert_eq!(split_by_sheet(&Mesh::new(split.vertices, split.triangles)), None);
     }
 }

@@ -1,5 +1,5 @@
-//! Binary STL in the client's axes and unit. The format knows f32 only, and no origin: coordinates far from zero lose
-//! digits, which OBJ and PLY keep.
+//! Binary STL in the client's axes and unit. The format has only f32 and no origin, so coordinates far from zero lose
+//! digits. OBJ and PLY keep all digits.
 
 use plateau_geometry::DVec3;
 use plateau_geometry::mesh::measure;
@@ -7,10 +7,11 @@ use plateau_geometry::mesh::measure;
 use super::Error;
 use super::archive::Archive;
 
-/// Triangles in archive order, their unit normals from the f64 corners (zero for a triangle without area).
+/// Writes the triangles in archive order. Their unit normals come from the f64 corners, and are zero for triangles
+/// without area.
 ///
 /// # Errors
-/// [`Error::OutOfRange`] if a coordinate is beyond f32.
+/// Returns [`Error::OutOfRange`] if a coordinate exceeds f32.
 pub fn to_stl(archive: &Archive) -> Result<Vec<u8>, Error> {
     let mesh = &archive.contents().mesh;
     let beyond = |v: &DVec3| v.abs().max_element() > f64::from(f32::MAX);
@@ -18,7 +19,7 @@ pub fn to_stl(archive: &Archive) -> Result<Vec<u8>, Error> {
         return Err(Error::OutOfRange { format: "STL", detail: "a coordinate is beyond 3e38" });
     }
     let count = u32::try_from(mesh.triangles.len()).expect("an archive has at most 2^32 triangles");
-    // Readers take a file that starts with "solid" for the text format.
+    // The header must not start with "solid", because readers would take the file for the text format.
     let mut header = [b' '; 80];
     let text = format!("binary STL, unit {}, {} up", archive.contents().unit.symbol(), archive.contents().up.symbol());
     header[..text.len()].copy_from_slice(text.as_bytes());
@@ -36,7 +37,7 @@ pub fn to_stl(archive: &Archive) -> Result<Vec<u8>, Error> {
     Ok(out)
 }
 
-/// Scaled to size 1 first, so that no square overflows or vanishes.
+/// Returns the unit normal of a triangle, which is first scaled to size 1, so that no square overflows or becomes zero.
 fn unit_normal([a, b, c]: [DVec3; 3]) -> DVec3 {
     let extent = (b - a).abs().max((c - a).abs()).max_element();
     if extent > 0.0 {

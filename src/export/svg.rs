@@ -1,4 +1,5 @@
-//! The flat pattern as SVG, true to scale: one user unit is one millimetre, on paper and in every cutter's software.
+//! The flat pattern as SVG, true to scale: one user unit is one millimetre, on paper and in the software of every
+//! cutter.
 
 use std::fmt::Write as _;
 
@@ -7,18 +8,19 @@ use plateau_geometry::DVec2;
 use super::archive::Contents;
 use super::pattern::{FoldKind, Pattern, Piece};
 
-/// Each piece a group of its own: the outline solid, mountain folds dash-dotted, valley folds dashed, flat ones dotted. Line
-/// widths are of the screen, not of the pattern, so that a hall and a lampshade both show.
+/// Writes each piece as a group: the outline solid, mountain folds dash-dotted, valley folds dashed and flat folds
+/// dotted. Line widths are relative to the screen instead of the pattern, so that both a hall and a lampshade are
+/// readable.
 #[must_use]
 pub fn to_svg(pattern: &Pattern, contents: &Contents) -> Vec<u8> {
     let millimetres = contents.unit.millimetres();
     let sheet = pattern.sheet();
     let margin = 0.02 * sheet.size.max_element();
-    // SVG's y points down.
+    // SVG's y axis points down.
     let place = |point: DVec2| DVec2::new(point.x + margin, sheet.size.y - point.y + margin) * millimetres;
     let size = (sheet.size + 2.0 * margin) * millimetres;
     let mut out = String::new();
-    // Writing to a String cannot fail, so `put` needs no error path.
+    // Writing to a String cannot fail, so `put` handles no errors.
     macro_rules! put {
         ($($argument:tt)*) => { writeln!(out, $($argument)*).expect("writing to memory") };
     }
@@ -78,7 +80,7 @@ fn class(kind: FoldKind) -> &'static str {
     }
 }
 
-/// Where the label goes: the mean of the outline's points.
+/// Returns the position of the label: the mean of the outline's points.
 pub(super) fn middle(piece: &Piece) -> DVec2 {
     let count = piece.outline.len() as f64;
     piece.outline.iter().map(|&point| point / count).sum()
@@ -88,7 +90,7 @@ pub(super) fn label_height(sheet: DVec2) -> f64 {
     sheet.max_element() / 60.0
 }
 
-/// XML text; control characters, which XML 1.0 forbids, become spaces.
+/// Escapes text for XML. Control characters become spaces, because XML 1.0 forbids them.
 fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

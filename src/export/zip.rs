@@ -1,30 +1,32 @@
-//! ZIP archives (PKWARE APPNOTE 6.3, without its 64-bit extension), written front to back so that an archive need never be in
-//! memory as a whole. Entries are stored as they are: what goes in is made for transfer already, or small.
+//! ZIP archives (PKWARE APPNOTE 6.3, without its 64-bit extension). They are written from front to back, so that an
+//! archive is never in memory as a whole. Entries are not compressed, because they are small or already in a format for
+//! transfer.
 //!
-//! Every date is 1980-01-01, the format's first: the same entries give the same bytes.
+//! Every date is 1980-01-01, the first date of the format, so that the same entries give the same bytes.
 
 use super::Error;
 
 const VERSION: u16 = 20;
-/// Names are UTF-8.
+/// Flag for names in UTF-8.
 const FLAGS: u16 = 1 << 11;
 const STORED: u16 = 0;
 const DATE: u16 = (1 << 5) | 1;
 
-/// An archive under way: what its directory, which comes last, will say.
+/// An archive that is being written. It collects the directory, which comes last.
 #[derive(Debug, Default)]
 pub struct Zip {
     directory: Vec<u8>,
     entries: u16,
-    /// Bytes written so far.
+    /// Number of bytes written so far.
     length: u32,
 }
 
 impl Zip {
-    /// The header of the next entry; the caller writes it, then `bytes`. A name may appear once.
+    /// Returns the header of the next entry. The caller writes the header and then `bytes`. A name must appear only
+    /// once.
     ///
     /// # Errors
-    /// [`Error::TooLarge`] from 4 GiB or 65,535 entries.
+    /// Returns [`Error::TooLarge`] from 4 GiB or 65,535 entries.
     pub fn entry(&mut self, name: &str, bytes: &[u8]) -> Result<Vec<u8>, Error> {
         let too_large = || Error::TooLarge { format: "ZIP" };
         let size = u32::try_from(bytes.len()).map_err(|_| too_large())?;
@@ -37,7 +39,7 @@ impl Zip {
             common.extend_from_slice(&word.to_le_bytes());
         }
         common.extend_from_slice(&name_length.to_le_bytes());
-        // No extra field.
+        // There is no extra field.
         common.extend_from_slice(&0u16.to_le_bytes());
 
         let mut header = b"PK\x03\x04".to_vec();
@@ -49,7 +51,7 @@ impl Zip {
         self.directory.extend_from_slice(b"PK\x01\x02");
         self.directory.extend_from_slice(&VERSION.to_le_bytes());
         self.directory.extend_from_slice(&common);
-        // No comment, first disk, binary, no attributes.
+        // There is no comment, the disk is the first one, the content is binary, and there are no attributes.
         self.directory.extend_from_slice(&[0; 10]);
         self.directory.extend_from_slice(&self.length.to_le_bytes());
         self.directory.extend_from_slice(name.as_bytes());
@@ -58,10 +60,10 @@ impl Zip {
         Ok(header)
     }
 
-    /// The directory, after the last entry.
+    /// Returns the directory, which the caller writes after the last entry.
     ///
     /// # Errors
-    /// As [`Zip::entry`].
+    /// Returns the errors of [`Zip::entry`].
     pub fn end(self) -> Result<Vec<u8>, Error> {
         let directory_length = u32::try_from(self.directory.len()).map_err(|_| Error::TooLarge { format: "ZIP" })?;
         let mut end = self.directory;
@@ -72,7 +74,7 @@ impl Zip {
         }
         end.extend_from_slice(&directory_length.to_le_bytes());
         end.extend_from_slice(&self.length.to_le_bytes());
-        // No comment.
+        // There is no comment.
         end.extend_from_slice(&[0; 2]);
         Ok(end)
     }
@@ -94,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn an_archive_has_its_entries_where_its_directory_says() {
+    fn the_directory_of_an_archive_gives_the_positions_of_its_entries() {
         let bytes = archive(&[("batch.json", b"{}"), ("0000 ü.glb", b"glTF"), ("empty", b"")]);
         let u16_at = |at: usize| u16::from_le_bytes(bytes[at..at + 2].try_into().unwrap()) as usize;
         let u32_at = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()) as usize;
@@ -116,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_format_cannot_address_is_refused() {
+    fn an_archive_too_large_for_the_format_is_refused() {
         let mut zip = Zip { length: u32::MAX - 40, ..Zip::default() };
         assert!(zip.entry("name", b"0123456789").is_err());
         let mut zip = Zip { entries: u16::MAX, ..Zip::default() };

@@ -1,5 +1,4 @@
-//! Which requests are let through: those with a key (where keys are configured), for this host, and not from foreign
-//! pages.
+//! Access checks: the host, the origin of the page and the API key.
 
 use crate::auth::Refusal;
 use crate::config::HttpConfig;
@@ -14,12 +13,12 @@ use std::convert::Infallible;
 use std::net::IpAddr;
 use std::sync::Arc;
 
-/// The name of the key that came with a request; none if this server has no keys.
+/// Name of the key that came with a request. `None` if this server has no keys.
 #[derive(Clone, Debug, Default)]
 pub struct Caller(Option<Arc<str>>);
 
 impl Caller {
-    /// Whose jobs this caller may see; everybody's without one.
+    /// Returns the owner whose jobs this caller may see. `None` means all jobs.
     #[must_use]
     pub fn owner(&self) -> Option<&str> {
         self.0.as_deref()
@@ -34,14 +33,14 @@ impl<S: Sync> FromRequestParts<S> for Caller {
     }
 }
 
-/// True for what anybody may see: the API document, its page, the studio, and whether the server lives.
+/// Returns true for paths that need no key: the API document, its page, the studio and the health checks.
 #[must_use]
 pub fn is_public(path: &str) -> bool {
     let below = |folder: &str| path.strip_prefix(folder).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'));
     path == "/" || path == "/openapi.json" || ["/docs", "/health", "/problems", "/studio"].into_iter().any(below)
 }
 
-/// Lets a request through with its caller, or answers 401 or 429 before anything of its body is read.
+/// Lets a request with a known key through. Otherwise answers 401 or 429 before the body is read.
 pub async fn authenticate(State(app): State<App>, mut request: Request, next: Next) -> Response {
     if is_public(request.uri().path()) {
         return next.run(request).await;
@@ -75,28 +74,31 @@ pub async fn authenticate(State(app): State<App>, mut request: Request, next: Ne
 
 const SEC_FETCH_SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
 
-/// Refuses what a page of a foreign origin sends in order to change something. A browser sends such requests with
-/// whatever access the person in front of it has: to a server on localhost, for example. Browsers name the page's
-/// origin; other clients do not, and are let through.
+/// Refuses requests that change something and come from a page of a foreign origin. A browser sends such requests with
+/// all the access of its user, for example to a server on localhost. Browsers name the page's origin. Other clients do
+/// not, and are let through.
 pub async fn refuse_foreign_pages(State(app): State<App>, request: Request, next: Next) -> Response {
-    let changes_something = ![Method::GET, Method::HEAD, Method::OPTIONS].contains(request.method());
+    let changes_state = ![Method::GET, Method::HEAD, Method::OPTIONS].contains(request.method());
     let host = request.uri().authority().map(|authority| authority.as_str());
-    if changes_something && is_foreign(request.headers(), host, &app.config.http.cors_origins) {
-        return Failure::foreign_page("the page that sends this is not one of this server's; see http.cors_origins")
-            .into_response();
+    if changes_state && is_foreign(request.headers(), host, &app.config.http.cors_origins) {
+        return Failure::foreign_page(
+            "the page that sent this request belongs to another origin; see http.cors_origins",
+        )
+        .into_response();
     }
     next.run(request).await
 }
 
-/// Whether a page of an origin that is neither this server's nor one of `allowed` sent a request. `host` is the host of
-/// the request's URI if that has one; otherwise the header `Host` has it.
+/// Returns true if the request was sent by a page whose origin is neither this server's nor in `allowed`. `host` is the
+/// host of the request's URI; if the URI has none, the header `Host` is used.
 fn is_foreign(headers: &HeaderMap, host: Option<&str>, allowed: &[String]) -> bool {
     let text = |name: &HeaderName| headers.get(name).map(|value| value.to_str().unwrap_or_default());
     let origin = text(&header::ORIGIN);
     if allowed.iter().any(|allowed| allowed == "*" || origin == Some(allowed)) {
         return false;
     }
-    // A browser says best itself whether the page's origin is the request's. It does so over https and to localhost.
+    // The browser itself knows best whether the page and the request have the same origin. It sends `Sec-Fetch-Site`
+    // over https and to localhost.
     match (text(&SEC_FETCH_SITE), origin) {
         (Some(site), _) => !["same-origin", "none"].contains(&site),
         (None, Some(origin)) => {
@@ -107,8 +109,9 @@ fn is_foreign(headers: &HeaderMap, host: Option<&str>, allowed: &[String]) -> bo
     }
 }
 
-/// On a loopback address, only requests to a loopback name (or one that the operator added) are meant for this server:
-/// a page of another site whose name was made to point here must not reach it.
+/// Refuses requests to a foreign host name on a loopback address. An attacker can make the name of a site resolve to a
+/// loopback address; pages of that site must not reach this server. Loopback names and the names of `http.hosts` are
+/// allowed.
 pub async fn check_host(State(app): State<App>, request: Request, next: Next) -> Response {
     let http = &app.config.http;
     let named = request
@@ -139,7 +142,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn foreign_pages_are_known_by_what_the_browser_says_of_them() {
+    fn foreign_pages_are_recognised_by_origin_and_sec_fetch_site() {
         let site = "sec-fetch-site";
         let allowed = ["https://cad.example".to_owned()];
         let foreign = |pairs: &[(&'static str, &'static str)]| {
@@ -155,7 +158,7 @@ mod tests {
             &[("host", "Plateau.Example"), ("origin", "https://plateau.example")],
             &[("host", "a"), ("origin", "http://a"), (site, "same-origin")],
             &[("host", "a"), (site, "none")],
-            // A proxy may change the host; the browser knows better.
+            // A proxy may change the host, so `Sec-Fetch-Site` takes precedence.
             &[("host", "upstream"), ("origin", "https://plateau.example"), (site, "same-origin")],
             &[("host", "a"), ("origin", "https://cad.example"), (site, "cross-site")],
             &[("host", "a"), ("origin", "https://cad.example")],
@@ -180,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn only_loopback_names_and_added_ones_are_ours() {
+    fn only_loopback_names_and_configured_names_are_accepted() {
         let http = HttpConfig { hosts: vec!["plateau.test".into()], ..HttpConfig::default() };
         for own in [
             "localhost",
@@ -203,7 +206,7 @@ mod tests {
     }
 
     #[test]
-    fn public_paths_are_exactly_these() {
+    fn only_pages_health_checks_and_the_api_document_are_public() {
         for path in ["/", "/openapi.json", "/docs", "/docs/", "/studio/main.js", "/health/live", "/problems/not-found"]
         {
             assert!(is_public(path), "{path}");

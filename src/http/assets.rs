@@ -1,4 +1,4 @@
-//! Files that are embedded into the program and served to browsers: the pages and what they load.
+//! Files that are embedded in the program and served to browsers: the pages and the files that they load.
 
 use crate::http::negotiate::{entity_tag, none_match_hits};
 use axum::body::Body;
@@ -13,14 +13,14 @@ pub struct Asset {
     pub bytes: &'static [u8],
 }
 
-/// Answers with a file, or with 304 if the client has it already. `policy` is the page's Content-Security-Policy.
+/// Answers with a file, or with 304 if the client already has it. `policy` is the page's Content-Security-Policy.
 pub fn answer(asset: &Asset, policy: &'static str, headers: &HeaderMap) -> Response<Body> {
     let tag = entity_tag(asset.bytes);
     let unchanged = none_match_hits(headers, &tag);
     let fields = [
         (header::CONTENT_TYPE, asset.media_type.to_owned()),
         (header::ETAG, tag),
-        // A new version of the program has new files under the same names, so a browser asks each time.
+        // A new version of the program has new files under the same names, so browsers must revalidate each time.
         (header::CACHE_CONTROL, "no-cache".to_owned()),
         (header::CONTENT_SECURITY_POLICY, policy.to_owned()),
         (HeaderName::from_static("referrer-policy"), "no-referrer".to_owned()),
@@ -28,11 +28,11 @@ pub fn answer(asset: &Asset, policy: &'static str, headers: &HeaderMap) -> Respo
     if unchanged { (StatusCode::NOT_MODIFIED, fields).into_response() } else { (fields, asset.bytes).into_response() }
 }
 
-/// What a browser may do with a response that is not a page: nothing but show it.
+/// Content-Security-Policy of a response that is not a page: the browser may show it, but loads and runs nothing.
 const NOT_A_PAGE: HeaderValue = HeaderValue::from_static("default-src 'none'; frame-ancestors 'none'");
 
-/// Gives a response the headers that every response has: browsers must not guess its type, and a response without a
-/// policy of its own loads and runs nothing.
+/// Adds the headers that every response has. Browsers must not guess its type, and a response without its own policy
+/// loads and runs nothing.
 pub fn protect(headers: &mut HeaderMap) {
     headers.insert(header::X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
     headers.entry(header::CONTENT_SECURITY_POLICY).or_insert(NOT_A_PAGE);

@@ -1,4 +1,4 @@
-//! Reading a request's body: media type, size, time, and a budget for all bodies in flight.
+//! Reads a request's body, with checks of its media type, its size, the time it takes and the shared memory budget.
 
 use crate::http::problem::Failure;
 use crate::http::state::App;
@@ -9,16 +9,16 @@ use http_body_util::{BodyExt, LengthLimitError, Limited};
 use std::time::Duration;
 use tokio::sync::OwnedSemaphorePermit;
 
-/// Bytes per permit of the budget of bodies in flight.
+/// Number of bytes for each permit of the budget for bodies.
 const PERMIT_BYTES: usize = 1024;
 
-/// Number of permits for a budget of `bytes` bytes.
+/// Returns the number of permits for a budget of `bytes` bytes.
 #[must_use]
 pub fn permits(bytes: usize) -> usize {
     bytes.div_ceil(PERMIT_BYTES)
 }
 
-/// A body. It holds its share of the budget until it is dropped.
+/// A request's body. It holds its share of the budget until it is dropped.
 #[derive(Debug)]
 pub struct Received {
     pub bytes: Bytes,
@@ -28,8 +28,8 @@ pub struct Received {
 /// Reads a JSON body. The headers are checked before the first byte of the body is read.
 ///
 /// # Errors
-/// 415 for another media type or any `Content-Encoding`, 413 for too many bytes, 408 for too slow a client, 503 when the
-/// bodies of other clients use up the budget.
+/// Returns 415 for another media type or any `Content-Encoding`, 413 for too many bytes, 408 if the client is too slow,
+/// and 503 if the bodies of other requests use up the budget.
 pub async fn read_json(app: &App, request: Request<Body>) -> Result<Received, Failure> {
     let (parts, body) = request.into_parts();
     check_media_type(&parts.headers)?;

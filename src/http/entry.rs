@@ -1,13 +1,13 @@
-//! Parts of which the handlers' entries in the API document are made.
+//! Building blocks of the handlers' entries in the API document.
 
 use serde_json::{Map, Value, json};
 
-/// A reference to a component schema.
+/// Returns a reference to a component schema.
 pub fn reference(component: &str) -> Value {
     json!({ "$ref": format!("#/components/schemas/{component}") })
 }
 
-/// A response that is a problem document.
+/// Returns a response that is a problem document.
 pub fn problem(description: &str, headers: &[(&str, &str)]) -> Value {
     let mut response = json!({
         "description": description,
@@ -19,7 +19,7 @@ pub fn problem(description: &str, headers: &[(&str, &str)]) -> Value {
     response
 }
 
-/// Adds the named problem responses to a set of responses, and the one that every operation may give.
+/// Adds the named problem responses to a set of responses, and the 500 that every operation may return.
 pub fn with_problems(mut responses: Value, names: &[(&str, &str)]) -> Value {
     for (status, name) in names {
         responses[status] = json!({ "$ref": format!("#/components/responses/{name}") });
@@ -32,22 +32,22 @@ pub fn json_response(description: &str, component: &str) -> Value {
     json!({ "description": description, "content": { "application/json": { "schema": reference(component) } } })
 }
 
-/// The entry of a GET without parameters that answers 200 with `schema` as `media_type`.
+/// Returns the entry of a GET without parameters that answers 200 with `schema` as `media_type`.
 pub fn plain_get(tag: &str, operation: &str, summary: &str, media_type: &str, schema: &Value) -> Value {
     let ok = json!({ "description": summary, "content": { media_type: { "schema": schema } } });
     json!({ "operationId": operation, "tags": [tag], "summary": summary, "responses": with_problems(json!({ "200": ok }), &[]) })
 }
 
-/// A ULID. Lower-case letters are taken too.
+/// Pattern of a ULID. Lower-case letters are accepted too.
 pub const ULID: &str = "^[0-9A-HJKMNP-TV-Za-hjkmnp-tv-z]{26}$";
 
-/// The path parameter `id` of a job or a batch.
-pub fn id_parameter(what: &str) -> Value {
-    json!({ "name": "id", "in": "path", "required": true, "description": format!("The {what}'s id."),
+/// Returns the path parameter `id` of a job or a batch.
+pub fn id_parameter(resource: &str) -> Value {
+    json!({ "name": "id", "in": "path", "required": true, "description": format!("Identifier of the {resource}."),
         "schema": { "type": "string", "pattern": ULID } })
 }
 
-/// The path parameter `name`, one of `names`.
+/// Returns a path parameter that is one of `names`.
 pub fn name_parameter(parameter: &str, description: &str, names: &[&str]) -> Value {
     json!({ "name": parameter, "in": "path", "required": true, "description": description,
         "schema": { "type": "string", "enum": names } })
@@ -59,11 +59,11 @@ pub fn query_parameter(name: &str, description: &str, schema: Value) -> Value {
 
 pub fn prefer_parameter() -> Value {
     json!({ "name": "Prefer", "in": "header", "required": false,
-        "description": "`wait=N`: wait up to N seconds for the end (RFC 7240). An invalid preference is ignored.",
+        "description": "`wait=N` waits up to N seconds for the end (RFC 7240). An invalid preference is ignored.",
         "schema": { "type": "string" }, "example": "wait=10" })
 }
 
-/// The parameter `format` and the responses of a file that comes in several formats, `(name, media type)` each.
+/// Returns the parameter `format` and the responses of a file in several formats, each given as `(name, media type)`.
 pub fn representation(
     formats: &[(&str, &str)],
     default: &str,
@@ -86,7 +86,7 @@ pub fn representation(
             "200": { "description": description, "headers": headers, "content": content },
             "206": { "description": "The requested range", "headers": headers, "content": content },
             "304": { "description": "`If-None-Match` names the current entity tag" },
-            "416": problem("The range lies outside of the file", &[]),
+            "416": problem("The range lies outside the file", &[]),
         }),
         problems,
     );

@@ -1,10 +1,10 @@
-//! Preferences, accepted media types, entity tags and ranges.
+//! Reads headers about preferences, accepted media types, entity tags and ranges.
 
 use axum::http::{HeaderMap, header};
 use sha2::{Digest, Sha256};
 use std::ops::Range;
 
-/// The `N` of `Prefer: wait=N` (RFC 7240), if there is a valid one; an invalid preference is ignored.
+/// Returns `N` of `Prefer: wait=N` (RFC 7240). Invalid preferences are ignored.
 #[must_use]
 pub fn prefer_wait_s(headers: &HeaderMap) -> Option<u64> {
     headers
@@ -17,8 +17,8 @@ pub fn prefer_wait_s(headers: &HeaderMap) -> Option<u64> {
         .and_then(|(_, value)| value.trim().trim_matches('"').parse().ok())
 }
 
-/// The first of `offered` with the highest quality that `Accept` gives it; the first of all if there is no `Accept`.
-/// `None`: nothing that is offered is accepted.
+/// Returns the index of the media type in `offered` with the highest quality in `Accept`, the first one among equals.
+/// Without `Accept` it is the first of all. Returns `None` if no offered type is accepted.
 #[must_use]
 pub fn accepted(headers: &HeaderMap, offered: &[&str]) -> Option<usize> {
     let values: Vec<&str> = headers.get_all(header::ACCEPT).iter().filter_map(|value| value.to_str().ok()).collect();
@@ -40,7 +40,7 @@ pub fn accepted(headers: &HeaderMap, offered: &[&str]) -> Option<usize> {
         .collect();
     let quality = |media_type: &str| {
         let kind = media_type.split('/').next().unwrap_or_default();
-        // The most specific range that matches decides (RFC 9110, 12.5.1).
+        // The most specific matching range decides (RFC 9110, 12.5.1).
         ranges
             .iter()
             .filter_map(|&(range, quality)| {
@@ -65,7 +65,7 @@ pub fn accepted(headers: &HeaderMap, offered: &[&str]) -> Option<usize> {
     best.map(|(index, _)| index)
 }
 
-/// A strong entity tag: the hash of the representation's bytes.
+/// Returns a strong entity tag, which is the hash of the representation's bytes.
 #[must_use]
 pub fn entity_tag(bytes: &[u8]) -> String {
     let digest = Sha256::digest(bytes);
@@ -73,7 +73,7 @@ pub fn entity_tag(bytes: &[u8]) -> String {
     format!("\"{hex}\"")
 }
 
-/// Whether `If-None-Match` names this tag (weak comparison, RFC 9110 13.1.2).
+/// Returns true if `If-None-Match` names this tag (weak comparison, RFC 9110 13.1.2).
 #[must_use]
 pub fn none_match_hits(headers: &HeaderMap, tag: &str) -> bool {
     headers
@@ -85,7 +85,7 @@ pub fn none_match_hits(headers: &HeaderMap, tag: &str) -> bool {
         .any(|candidate| candidate == "*" || candidate.strip_prefix("W/").unwrap_or(candidate) == tag)
 }
 
-/// The requested part of a representation.
+/// Requested part of a representation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Part {
     Whole,
@@ -93,7 +93,8 @@ pub enum Part {
     Unsatisfiable,
 }
 
-/// Reads `Range` and `If-Range`. Several ranges, other units and anything malformed mean the whole (RFC 9110, 14.2).
+/// Reads `Range` and `If-Range`. Several ranges, other units and malformed values mean the whole representation (RFC
+/// 9110, 14.2).
 #[must_use]
 pub fn part(headers: &HeaderMap, length: usize, tag: &str) -> Part {
     let text = |name| headers.get(name).and_then(|value: &axum::http::HeaderValue| value.to_str().ok());
@@ -137,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wait_is_found_among_other_preferences_and_nonsense_is_ignored() {
+    fn a_wait_is_found_among_other_preferences_and_invalid_ones_are_ignored() {
         assert_eq!(prefer_wait_s(&headers(&[("prefer", "respond-async, wait=10")])), Some(10));
         assert_eq!(prefer_wait_s(&headers(&[("prefer", "Wait = 3 ; x=y")])), Some(3));
         assert_eq!(prefer_wait_s(&headers(&[("prefer", "wait=-1")])), None);
@@ -170,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn an_if_range_of_another_version_means_the_whole() {
+    fn an_if_range_of_another_version_returns_the_whole_file() {
         let asked = headers(&[("range", "bytes=0-3"), ("if-range", "\"old\"")]);
         assert_eq!(part(&asked, 10, "\"new\""), Part::Whole);
     }

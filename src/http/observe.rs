@@ -1,5 +1,5 @@
-//! The middleware around every route: it gives each request an id and a span with that id, counts and times it, and completes
-//! problem documents.
+//! Middleware around every route. It gives each request an identifier and a log span, counts and times the request, and
+//! completes problem documents.
 
 use crate::http::assets;
 use crate::http::problem::{self, Failure};
@@ -15,10 +15,10 @@ use std::sync::Arc;
 use std::time::Instant;
 use tracing::Instrument;
 
-/// The header that carries the request id, in and out.
+/// Header with the identifier of the request, in requests and responses.
 pub const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
 
-/// The client's request id if it is a short printable one, else a new one.
+/// Returns the client's request identifier if it is short and printable, or a new one.
 fn request_id(request: &Request) -> String {
     request
         .headers()
@@ -28,7 +28,7 @@ fn request_id(request: &Request) -> String {
         .map_or_else(|| ulid::Ulid::generate().to_string(), str::to_owned)
 }
 
-/// Observes a request and its answer. `base` is the base path of this server.
+/// Logs, counts and completes a request. `base` is the base path of this server.
 pub async fn observe(State(base): State<Arc<str>>, request: Request, next: Next) -> Response<Body> {
     let started = Instant::now();
     let id = request_id(&request);
@@ -39,9 +39,9 @@ pub async fn observe(State(base): State<Arc<str>>, request: Request, next: Next)
     let answered = AssertUnwindSafe(next.run(request)).catch_unwind().instrument(span.clone()).await;
     let response = answered.unwrap_or_else(|_| {
         span.in_scope(|| tracing::error!("a handler panicked"));
-        Failure::internal("the request ran into a defect of this server").into_response()
+        Failure::internal("the request hit a defect of this server").into_response()
     });
-    let mut response = problem::address(response, &base, &path);
+    let mut response = problem::write_problem(response, &base, &path);
     assets::protect(response.headers_mut());
     if let Ok(value) = HeaderValue::from_str(&id) {
         response.headers_mut().insert(REQUEST_ID, value);
@@ -49,7 +49,8 @@ pub async fn observe(State(base): State<Arc<str>>, request: Request, next: Next)
     let status = response.status().as_u16();
     let elapsed = started.elapsed();
     span.in_scope(|| tracing::info!(status, elapsed_ms = elapsed.as_secs_f64() * 1e3, "answered"));
-    // A client may send any word as a method. Only methods of known routes become labels, so that the number of series is bounded.
+    // A client may send any word as a method. Only methods of known routes become labels, so that the number of time
+    // series is bounded.
     let method = if route == "unmatched" { "any".to_owned() } else { method };
     metrics::counter!(metric::HTTP_REQUESTS, "method" => method.clone(), "route" => route.clone(), "status" => status.to_string())
         .increment(1);

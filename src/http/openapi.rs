@@ -1,7 +1,7 @@
-//! The OpenAPI 3.1 document: paths from the [`router`], whose handlers bring their entries with them, and schemas from
-//! the Rust types ([`wire::schema`](crate::wire::schema)).
+//! The OpenAPI 3.1 document. Its paths come from the [`router`], which lists each handler with its entry, and its
+//! schemas from the Rust types ([`wire::schema`](crate::wire::schema)).
 //!
-//! `api/openapi.json` is this document, committed; `plateau openapi` prints it; a test holds the two together.
+//! `api/openapi.json` is the committed copy of this document. `plateau openapi` prints it, and a test compares both.
 
 use crate::http::access::is_public;
 use crate::http::entry::problem;
@@ -10,7 +10,7 @@ use crate::wire::schema;
 use serde_json::{Map, Value, json};
 use std::sync::LazyLock;
 
-/// The document, pretty-printed, with a final newline: the bytes of `api/openapi.json`.
+/// Returns the document, pretty-printed, with a final newline: the bytes of `api/openapi.json`.
 #[must_use]
 pub fn text() -> &'static str {
     static TEXT: LazyLock<String> = LazyLock::new(|| {
@@ -21,13 +21,14 @@ pub fn text() -> &'static str {
     &TEXT
 }
 
-/// The document as a server below the base path `base` serves it: the document's paths are relative to the base path.
+/// Returns the document as a server below the base path `base` serves it. The document's paths are relative to the base
+/// path.
 #[must_use]
 pub fn served_at(base: &str) -> String {
     text().replacen(SERVER, &format!(r#""url": "{base}/""#), 1)
 }
 
-/// The place of the document that names its server.
+/// Part of the document that names its server.
 const SERVER: &str = r#""url": "/""#;
 
 fn document() -> Value {
@@ -37,30 +38,30 @@ fn document() -> Value {
             "title": "Plateau",
             "version": env!("CARGO_PKG_VERSION"),
             "summary": "Form finding: minimal surfaces, optimal ruled strips and uniform meshes, as glTF meshes with statistics.",
-            "description": "Post boundary polylines or directrices, get a job; follow it, then fetch its mesh. Lengths are in the \
-                request's unit, angles in degrees. Every error is a problem document (RFC 9457). Results are deterministic.",
+            "description": "Post boundary polylines or directrices to create a job. Follow the job, then fetch its mesh. Lengths are in \
+                the request's unit, and angles are in degrees. Every error is a problem document (RFC 9457). Results are deterministic.",
             "license": { "name": "MIT OR Apache-2.0", "identifier": "MIT OR Apache-2.0" },
         },
         "servers": [{ "url": "/" }],
         "tags": [
-            { "name": "solve", "description": "Requests that become jobs" },
+            { "name": "solve", "description": "Requests that create jobs" },
             { "name": "jobs", "description": "Jobs and their meshes" },
             { "name": "batches", "description": "Many requests at once" },
             { "name": "catalogue", "description": "What this server offers" },
-            { "name": "pages", "description": "For browsers" },
-            { "name": "operation", "description": "For operators" },
+            { "name": "pages", "description": "Pages for browsers" },
+            { "name": "operation", "description": "Health checks and metrics for operators" },
         ],
-        // A server without keys asks for none.
+        // The empty alternative stands for a server without keys.
         "security": [{ "key": [] }, {}],
         "paths": paths(),
         "components": {
             "securitySchemes": {
-                "key": { "type": "http", "scheme": "bearer", "description": "A key of this server, as `plateau key new` makes them." },
+                "key": { "type": "http", "scheme": "bearer", "description": "API key of this server, created with `plateau key new`." },
             },
             "schemas": schema::components(),
             "responses": problems(),
             "headers": {
-                "RequestId": { "description": "Names this request in the server's logs.", "schema": { "type": "string" } },
+                "RequestId": { "description": "Identifier of this request in the server's logs.", "schema": { "type": "string" } },
                 "WwwAuthenticate": { "description": "Bearer", "schema": { "type": "string" } },
                 "RetryAfter": { "description": "Seconds to wait.", "schema": { "type": "integer", "minimum": 0 } },
             },
@@ -68,8 +69,8 @@ fn document() -> Value {
     })
 }
 
-/// Every path with its operations, each with the answers that it may get before its handler is asked: the host is
-/// checked, then whether a foreign page wants to change something, then the key.
+/// Returns every path with its operations. Each operation gets the errors of the checks before its handler: first the
+/// host, then foreign pages that want to change something, then the key.
 fn paths() -> Value {
     let response = |name: &str| json!({ "$ref": format!("#/components/responses/{name}") });
     let mut paths = Map::new();
@@ -95,20 +96,20 @@ fn paths() -> Value {
     Value::Object(paths)
 }
 
-/// Status codes whose problem document is documented once for all paths.
+/// Returns the problem documents that are documented once for all paths.
 fn problems() -> Value {
     let mut responses = Map::new();
     for (name, description) in [
-        ("BadRequest", "Malformed JSON, a repeated key, or a query parameter that cannot be used"),
+        ("BadRequest", "Malformed JSON, a repeated key, or an invalid query parameter"),
         ("ForeignPage", "A page of another origin sent the request, and `http.cors_origins` does not name that origin"),
-        ("NotFound", "No such resource"),
+        ("NotFound", "The resource does not exist"),
         ("NotAcceptable", "None of the accepted media types is offered"),
         ("RequestTimeout", "The body did not arrive in time"),
         ("NoMesh", "The job has not ended, or ended without a mesh"),
         ("Gone", "The job has expired"),
-        ("TooLarge", "More bytes, points, triangles or cells than this server takes"),
+        ("TooLarge", "More bytes, points, triangles or cells than this server accepts"),
         ("UnsupportedMediaType", "The body is not plain application/json"),
-        ("Invalid", "The request is well-formed JSON but cannot be worked on; `errors` names each offending value"),
+        ("Invalid", "The request is well-formed JSON but invalid; `errors` names each offending value"),
         ("Misdirected", "The request is for a host that this server does not answer to"),
         ("Failed", "A defect of the server"),
     ] {
@@ -118,8 +119,10 @@ fn problems() -> Value {
     responses
         .insert("QueueFull".into(), problem("The queue is full, or this key has made too many requests", &[retry]));
     responses.insert("RateLimited".into(), problem("This key has made too many requests", &[retry]));
-    responses
-        .insert("Unauthorized".into(), problem("No key of this server", &[("WWW-Authenticate", "WwwAuthenticate")]));
-    responses.insert("Unavailable".into(), problem("The server cannot take this now", &[retry]));
+    responses.insert(
+        "Unauthorized".into(),
+        problem("The request has no valid key of this server", &[("WWW-Authenticate", "WwwAuthenticate")]),
+    );
+    responses.insert("Unavailable".into(), problem("The server cannot accept this request now", &[retry]));
     Value::Object(responses)
 }

@@ -1,4 +1,4 @@
-//! The one place that knows status codes of failures: every error leaves as a problem document (RFC 9457).
+//! The only place that knows the status codes of failures. Every error is sent as a problem document (RFC 9457).
 
 use crate::jobs::JobsError;
 use crate::wire::job::Problem;
@@ -7,7 +7,7 @@ use axum::body::Body;
 use axum::http::{HeaderName, HeaderValue, Response, StatusCode, header};
 use axum::response::IntoResponse;
 
-/// A failed request. The middleware that knows the path fills in `instance`.
+/// A failed request. [`write_problem`] fills in `instance`.
 #[derive(Debug)]
 pub struct Failure {
     status: StatusCode,
@@ -25,7 +25,7 @@ macro_rules! failures {
                 Self::new(StatusCode::$status, $kind, $title, detail.into())
             })*
 
-            /// Every kind of problem that this server answers with: `(status, last part of the type, title)`.
+            /// Every kind of problem that this server sends: `(status, last part of the type, title)`.
             pub const KINDS: &[(u16, &str, &str)] = &[$((StatusCode::$status.as_u16(), $kind, $title)),*];
         }
     };
@@ -33,28 +33,28 @@ macro_rules! failures {
 
 failures! {
     malformed: BAD_REQUEST, "malformed-body", "The body is not well-formed JSON";
-    bad_query: BAD_REQUEST, "bad-query", "A query parameter cannot be used";
-    bad_header: BAD_REQUEST, "bad-header", "A header cannot be used";
-    unauthorized: UNAUTHORIZED, "unauthorized", "A valid API key is needed";
+    bad_query: BAD_REQUEST, "bad-query", "A query parameter is invalid";
+    bad_header: BAD_REQUEST, "bad-header", "A header is invalid";
+    unauthorized: UNAUTHORIZED, "unauthorized", "A valid API key is required";
     foreign_page: FORBIDDEN, "foreign-page", "The request comes from a page of another origin";
-    not_found: NOT_FOUND, "not-found", "There is nothing here";
-    method_not_allowed: METHOD_NOT_ALLOWED, "method-not-allowed", "This path does not take this method";
+    not_found: NOT_FOUND, "not-found", "The resource does not exist";
+    method_not_allowed: METHOD_NOT_ALLOWED, "method-not-allowed", "This path does not support this method";
     not_acceptable: NOT_ACCEPTABLE, "not-acceptable", "None of the accepted media types is offered";
     body_timeout: REQUEST_TIMEOUT, "body-timeout", "The body did not arrive in time";
     no_mesh: CONFLICT, "no-mesh", "The job has no mesh";
     expired: GONE, "expired", "The job has expired";
     lost: GONE, "mesh-lost", "The stored mesh is lost";
-    too_large: PAYLOAD_TOO_LARGE, "too-large", "The request is larger than this server takes";
-    range_not_satisfiable: RANGE_NOT_SATISFIABLE, "range-not-satisfiable", "The range lies outside of the file";
+    too_large: PAYLOAD_TOO_LARGE, "too-large", "The request is larger than this server accepts";
+    range_not_satisfiable: RANGE_NOT_SATISFIABLE, "range-not-satisfiable", "The range lies outside the file";
     unsupported_media_type: UNSUPPORTED_MEDIA_TYPE, "unsupported-media-type", "The body is not plain application/json";
     unwritable: UNPROCESSABLE_ENTITY, "unwritable", "The mesh cannot be written in this format";
-    invalid: UNPROCESSABLE_ENTITY, "invalid-request", "The request cannot be worked on";
+    invalid: UNPROCESSABLE_ENTITY, "invalid-request", "The request is invalid";
     key_conflict: UNPROCESSABLE_ENTITY, "idempotency-key-conflict", "The idempotency key was used with another body";
     rate_limited: TOO_MANY_REQUESTS, "rate-limited", "Too many requests with this key";
     misdirected: MISDIRECTED_REQUEST, "misdirected", "The request is for another host";
     queue_full: TOO_MANY_REQUESTS, "queue-full", "The queue is full";
     internal: INTERNAL_SERVER_ERROR, "internal", "The server failed";
-    unavailable: SERVICE_UNAVAILABLE, "unavailable", "The server cannot take this now";
+    unavailable: SERVICE_UNAVAILABLE, "unavailable", "The server cannot accept this request now";
 }
 
 impl Failure {
@@ -64,7 +64,8 @@ impl Failure {
             StatusCode::TOO_MANY_REQUESTS | StatusCode::SERVICE_UNAVAILABLE => {
                 vec![(header::RETRY_AFTER, HeaderValue::from_static("2"))]
             }
-            // The body may not have been read to its end. The rest must not be read as another request, so the connection ends.
+            // The body may not have been read to its end. The connection is closed, so that the rest is not parsed as
+            // another request.
             StatusCode::PAYLOAD_TOO_LARGE | StatusCode::UNSUPPORTED_MEDIA_TYPE | StatusCode::REQUEST_TIMEOUT => {
                 vec![(header::CONNECTION, HeaderValue::from_static("close"))]
             }
@@ -103,10 +104,10 @@ impl From<JobsError> for Failure {
             JobsError::Rejected(rejection) => rejection.into(),
             JobsError::QueueFull { own: false } => Self::queue_full("too many jobs wait; try again later"),
             JobsError::QueueFull { own: true } => Self::queue_full("too many of your jobs wait; try again later"),
-            JobsError::KeyConflict => Self::key_conflict("this idempotency key came with another body before"),
+            JobsError::KeyConflict => Self::key_conflict("this idempotency key was already used with another body"),
             JobsError::NotFound => Self::not_found("no such job"),
             JobsError::NoBatch => Self::not_found("no such batch"),
-            JobsError::Expired => Self::expired("the job and its mesh were kept for their time and removed"),
+            JobsError::Expired => Self::expired("the job and its mesh were removed when their retention time ended"),
             JobsError::NoMesh(status) => Self::no_mesh(format!("the job is {}", status.name())),
             JobsError::Lost => Self::lost("the stored mesh was damaged and has been removed; submit the request again"),
             JobsError::NoPattern => Self::not_found("only open ruled surfaces have a flat pattern"),
@@ -122,12 +123,12 @@ fn summary(errors: &[FieldError]) -> String {
     match errors {
         [only] if only.pointer.is_empty() => only.detail.clone(),
         [only] => format!("{} {}", only.pointer, only.detail),
-        many if many.len() > MAX_ERRORS => format!("more than {MAX_ERRORS} values cannot be used"),
-        many => format!("{} values cannot be used", many.len()),
+        many if many.len() > MAX_ERRORS => format!("more than {MAX_ERRORS} values are invalid"),
+        many => format!("{} values are invalid", many.len()),
     }
 }
 
-/// Marks a response as a problem document whose `instance` is still to be filled in.
+/// Marks a response as a problem document whose `instance` is not known yet.
 #[derive(Clone, Debug)]
 pub struct Unaddressed(Problem);
 
@@ -155,13 +156,13 @@ impl IntoResponse for Failure {
     }
 }
 
-/// Writes the problem document into a response that is one; every other response passes unchanged. `base` is the base
-/// path of this server, `path` the request's path below it.
-pub fn address(mut response: Response<Body>, base: &str, path: &str) -> Response<Body> {
+/// Writes the problem document into a response marked by [`Failure`]. Other responses stay unchanged. `base` is the
+/// base path of this server, and `path` is the request's path below it.
+pub fn write_problem(mut response: Response<Body>, base: &str, path: &str) -> Response<Body> {
     if let Some(Unaddressed(mut problem)) = response.extensions_mut().remove::<Unaddressed>() {
         problem.kind.insert_str(0, base);
         problem.instance = base.chars().chain(path.chars()).take(300).collect();
-        // A problem is strings and numbers only: writing it cannot fail.
+        // Serialization cannot fail because a problem has only strings and numbers.
         let text = serde_json::to_vec(&problem).unwrap_or_default();
         *response.body_mut() = Body::from(text);
     }

@@ -1,4 +1,4 @@
-//! A path of the server with its handlers and their entries in the API document: neither can be there without the
+//! A path of the server with its handlers and their entries in the API document, so that neither can exist without the
 //! other.
 
 use crate::http::state::App;
@@ -7,7 +7,7 @@ use axum::handler::Handler;
 use axum::routing::{MethodRouter, delete, get, post};
 use serde_json::{Map, Value};
 
-/// A path, its handlers, and what the API document says of them.
+/// A path, its handlers, and their entries in the API document.
 #[derive(Debug)]
 pub struct Resource {
     path: &'static str,
@@ -17,7 +17,7 @@ pub struct Resource {
 }
 
 impl Resource {
-    /// A path as axum and OpenAPI both write it: `/v1/jobs/{id}`.
+    /// Creates a resource at a path in the syntax of axum and OpenAPI: `/v1/jobs/{id}`.
     #[must_use]
     pub fn at(path: &'static str) -> Self {
         Self { path, handlers: MethodRouter::new(), item: Map::new() }
@@ -49,7 +49,7 @@ impl Resource {
         router.route(self.path, self.handlers)
     }
 
-    /// The path, and its item in the API document.
+    /// Returns the path and its item in the API document.
     #[must_use]
     pub fn documented(self) -> (&'static str, Value) {
         (self.path, Value::Object(self.item))

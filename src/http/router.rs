@@ -1,4 +1,4 @@
-//! Every route on one screen.
+//! The routes of the service and the checks in front of them.
 
 use crate::http::problem::Failure;
 use crate::http::resource::Resource;
@@ -19,8 +19,7 @@ use std::time::Duration;
 use tower::util::MapRequest;
 use tower_http::cors::{AllowOrigin, Any, CorsLayer};
 
-/// Every path with its handlers and their entries in the API document. `with_metrics`: whether `/metrics` is among
-/// them.
+/// Returns every path with its handlers and their entries in the API document. `with_metrics` adds `/metrics`.
 #[must_use]
 pub fn resources(with_metrics: bool) -> Vec<Resource> {
     let mut resources = vec![
@@ -59,7 +58,7 @@ pub fn resources(with_metrics: bool) -> Vec<Resource> {
     resources
 }
 
-/// The service: every resource, behind the checks that stand before all of them.
+/// Returns the service: every resource, behind the checks that apply to all of them.
 pub fn router(app: App) -> Router {
     let own_metrics = !app.config.http.metrics_listen.is_empty();
     let origins = app.config.http.cors_origins.clone();
@@ -71,25 +70,25 @@ pub fn router(app: App) -> Router {
             Failure::not_found(format!("no resource at this path ({} bytes long)", uri.path().len()))
         })
         .method_not_allowed_fallback(|| async { Failure::method_not_allowed("see the Allow header") })
-        // The last layer is the outermost: a request is observed, then its host is checked, then CORS answers
-        // preflights (which need no key), then foreign pages are refused, then its key is checked.
+        // The last layer is the outermost. A request is first observed, and then its host is checked. Then CORS answers
+        // preflights, which need no key. Then foreign pages are refused, and last the key is checked.
         .layer(middleware::from_fn_with_state(app.clone(), access::authenticate))
         .layer(middleware::from_fn_with_state(app.clone(), access::refuse_foreign_pages));
-    // Without origins there is no CORS, and OPTIONS is a method like any other.
+    // Without allowed origins there is no CORS layer, and OPTIONS is handled like any other method.
     let routes = if origins.is_empty() { routes } else { routes.layer(cors(&origins)) };
     let routes = routes
         .layer(middleware::from_fn_with_state(app.clone(), access::check_host))
         .layer(middleware::from_fn_with_state(base.clone(), observe::observe))
         .with_state(app);
-    below(&base, routes)
+    mount_below(&base, routes)
 }
 
-/// The same routes below the public base path, for proxies that pass paths on as they are.
-fn below(base: &Arc<str>, routes: Router) -> Router {
+/// Mounts the routes below the public base path too, for proxies that pass paths on unchanged.
+fn mount_below(base: &Arc<str>, routes: Router) -> Router {
     if base.is_empty() {
         return routes;
     }
-    // The studio's and the API page's files are named relative to a folder.
+    // The studio and the API page name their files relative to a folder, so the base path needs a slash at its end.
     let folder = format!("{base}/");
     let base = base.clone();
     let stripped = MapRequest::new(routes, move |mut request: Request| {
@@ -99,7 +98,7 @@ fn below(base: &Arc<str>, routes: Router) -> Router {
     Router::new().route(folder.trim_end_matches('/'), get(Redirect::permanent(&folder))).fallback_service(stripped)
 }
 
-/// The URI without the base path, if it has it.
+/// Returns the URI without the base path, if the URI has it.
 fn without_base(base: &str, uri: &Uri) -> Uri {
     let rest = uri.path_and_query().and_then(|path| path.as_str().strip_prefix(base));
     let Some(rest) = rest.filter(|rest| rest.starts_with('/')) else { return uri.clone() };
@@ -108,13 +107,13 @@ fn without_base(base: &str, uri: &Uri) -> Uri {
     Uri::from_parts(parts).unwrap_or_else(|_| uri.clone())
 }
 
-/// The listener of metrics alone.
+/// Returns the routes of the separate listener for metrics.
 pub fn metrics(jobs: Jobs, handle: PrometheusHandle) -> Router {
     let render = move || async move { health::render(&jobs, &handle).await };
     Router::new().route("/metrics", get(render)).layer(middleware::from_fn_with_state(Arc::from(""), observe::observe))
 }
 
-/// What pages of other origins may do: everything a client may, if the operator named their origin.
+/// Allows pages of the configured origins everything that other clients may do.
 fn cors(origins: &[String]) -> CorsLayer {
     let layer = CorsLayer::new();
     let layer = if origins.iter().any(|origin| origin == "*") {
@@ -150,7 +149,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_whole_segments_are_taken_off() {
+    fn only_whole_segments_of_the_base_path_are_removed() {
         let stripped = |uri: &str| without_base("/plateau", &uri.parse().unwrap()).to_string();
         assert_eq!(stripped("/plateau/v1/jobs?limit=1"), "/v1/jobs?limit=1");
         assert_eq!(stripped("/plateau/"), "/");

@@ -1,4 +1,4 @@
-//! Handlers, by resource, each with its entry in the API document.
+//! Handlers by resource, each with its entry in the API document.
 
 pub mod batches;
 pub mod catalogue;

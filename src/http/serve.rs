@@ -1,7 +1,8 @@
-//! Accepting connections (HTTP/1.1): bounded in number, with a limit on how long a client may take to send its headers.
+//! Accepts HTTP/1.1 connections. Their number is bounded, and clients have limited time to send headers.
 //!
-//! When every place is taken, a newcomer gets the place of the connection that has been idle for longest. A connection
-//! is idle while no request of it is being answered; one that has not sent its request's headers yet counts as idle.
+//! If the maximum number of connections is open, a new one replaces the connection that has been idle for longest. A
+//! connection is idle while no request of it is being answered. A connection that has not sent its request's headers
+//! yet counts as idle.
 
 use crate::config::HttpConfig;
 use axum::Router;
@@ -23,8 +24,8 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{Notify, OwnedSemaphorePermit, Semaphore, watch};
 use tower::ServiceExt;
 
-/// Serves until `shutdown` resolves. Then it goes on accepting for `http.shutdown_notice_ms`, so that those who ask for
-/// readiness see the change, and lets open requests go on for `http.shutdown_grace_ms`.
+/// Serves until `shutdown` completes. After that it accepts connections for another `http.shutdown_notice_ms`, so that
+/// load balancers see the changed readiness. Open requests then get `http.shutdown_grace_ms` to end.
 pub async fn serve(listener: TcpListener, router: Router, config: &HttpConfig, shutdown: impl Future<Output = ()>) {
     let connections = Connections::new(config, router);
     let notice = Duration::from_millis(config.shutdown_notice_ms);
@@ -45,13 +46,13 @@ async fn accept(listener: &TcpListener, connections: &Connections) {
     loop {
         match listener.accept().await {
             Ok((stream, _)) => {
-                // Small answers must not wait for more data to send.
+                // This disables Nagle's algorithm, so that small answers are not delayed.
                 let _ = stream.set_nodelay(true);
-                let place = connections.place().await;
-                connections.start(stream, place);
+                let permit = connections.permit().await;
+                connections.start(stream, permit);
             }
             Err(error) => {
-                // Most likely there are no file descriptors left: other connections must close first.
+                // The most likely cause is a lack of file descriptors, so other connections must close first.
                 tracing::warn!(%error, "cannot accept a connection");
                 tokio::time::sleep(Duration::from_millis(50)).await;
             }
@@ -59,43 +60,44 @@ async fn accept(listener: &TcpListener, connections: &Connections) {
     }
 }
 
-/// The open connections of a listener.
+/// Open connections of a listener.
 struct Connections {
     http: http1::Builder,
     router: Router,
     /// One permit for each connection that may be open.
-    places: Arc<Semaphore>,
-    most: u32,
+    permits: Arc<Semaphore>,
+    max_open: u32,
     open: Arc<Open>,
     closing: watch::Sender<bool>,
 }
 
-/// What is known of each open connection.
+/// Activity of each open connection.
 #[derive(Default)]
 struct Open {
     connections: Mutex<HashMap<u64, Arc<Activity>>>,
-    /// Counts the times that a connection became idle. The connection with the lowest number has been idle for longest.
+    /// Number of times that a connection became idle. The connection with the lowest number has been idle for longest.
     clock: AtomicU64,
     became_idle: Notify,
 }
 
-/// Whether a connection is answering a request.
+/// Activity of a connection.
 struct Activity {
     /// True until the first request arrives.
     fresh: AtomicBool,
-    /// The number that [`Open::clock`] gave when the connection became idle, or [`BUSY`], or [`DISMISSED`].
+    /// Value of [`Open::clock`] when the connection became idle, or [`BUSY`], or [`DISMISSED`].
     idle_since: AtomicU64,
     /// Wakes the connection's task when the connection has been dismissed.
     dismissed: Notify,
 }
 
-/// The connection is answering a request.
+/// Marks a connection that is answering a request.
 const BUSY: u64 = u64::MAX;
-/// The connection was idle and has to make room for another one.
+/// Marks an idle connection that must close to make room for another one.
 const DISMISSED: u64 = u64::MAX - 1;
-/// Time that a dismissed connection has to send the end of its last answer, which may still be in a buffer.
-const FLUSH: Duration = Duration::from_secs(1);
-/// Larger bodies are handed to hyper in pieces, so that a connection stays busy until all but the last pieces are sent.
+/// Time that a dismissed connection has to send the end of its last response, which may still be in a buffer.
+const FLUSH_TIMEOUT: Duration = Duration::from_secs(1);
+/// Size in bytes of the pieces in which hyper gets large bodies. A connection thus stays busy until all but the last
+/// pieces are sent.
 const PIECE_BYTES: usize = 64 << 10;
 
 impl Open {
@@ -107,7 +109,7 @@ impl Open {
         self.clock.fetch_add(1, Ordering::Relaxed)
     }
 
-    /// Dismisses the connection that has been idle for longest. False if none is idle.
+    /// Dismisses the connection that has been idle for longest. Returns false if none is idle.
     fn dismiss_longest_idle(&self) -> bool {
         let connections = self.connections();
         loop {
@@ -115,7 +117,7 @@ impl Open {
             let idle =
                 connections.values().map(|activity| (since(activity), activity)).filter(|(at, _)| *at < DISMISSED);
             let Some((at, activity)) = idle.min_by_key(|(at, _)| *at) else { return false };
-            // A request may have arrived in between; then another connection has to go.
+            // If a request arrived in between, the loop chooses another connection.
             let dismissed = activity.idle_since.compare_exchange(at, DISMISSED, Ordering::Relaxed, Ordering::Relaxed);
             if dismissed.is_ok() {
                 activity.dismissed.notify_one();
@@ -129,36 +131,38 @@ impl Connections {
     fn new(config: &HttpConfig, router: Router) -> Self {
         let mut http = http1::Builder::new();
         http.timer(TokioTimer::new()).header_read_timeout(Duration::from_millis(config.header_timeout_ms));
-        let most = u32::try_from(config.connections).unwrap_or(u32::MAX).min(Semaphore::MAX_PERMITS as u32);
+        let max_open = u32::try_from(config.connections).unwrap_or(u32::MAX).min(Semaphore::MAX_PERMITS as u32);
         Self {
             http,
             router,
-            places: Arc::new(Semaphore::new(most as usize)),
-            most,
+            permits: Arc::new(Semaphore::new(max_open as usize)),
+            max_open,
             open: Arc::default(),
             closing: watch::Sender::new(false),
         }
     }
 
-    /// A place for one more connection: a free one, or that of the connection that has been idle for longest.
-    async fn place(&self) -> OwnedSemaphorePermit {
-        if let Ok(place) = self.places.clone().try_acquire_owned() {
-            return place;
+    /// Waits for a permit for one more connection. If none is free, dismisses the connection that has been idle for
+    /// longest.
+    async fn permit(&self) -> OwnedSemaphorePermit {
+        if let Ok(permit) = self.permits.clone().try_acquire_owned() {
+            return permit;
         }
-        let mut place = std::pin::pin!(self.places.clone().acquire_owned());
+        let mut permit = std::pin::pin!(self.permits.clone().acquire_owned());
         loop {
             let dismissed = self.open.dismiss_longest_idle();
             tokio::select! {
-                place = &mut place => return place.expect("the semaphore is never closed"),
+                permit = &mut permit => return permit.expect("the semaphore is never closed"),
                 () = self.open.became_idle.notified(), if !dismissed => {}
-                // The dismissed connection may have received a request at the same moment.
-                () = tokio::time::sleep(FLUSH), if dismissed => {}
+                // The dismissed connection may have received a request at the same moment, so another one is tried
+                // after a while.
+                () = tokio::time::sleep(FLUSH_TIMEOUT), if dismissed => {}
             }
         }
     }
 
-    /// Serves a connection in a task of its own.
-    fn start(&self, stream: TcpStream, place: OwnedSemaphorePermit) {
+    /// Serves a connection in its own task.
+    fn start(&self, stream: TcpStream, permit: OwnedSemaphorePermit) {
         let open = self.open.clone();
         let number = open.tick();
         let activity = Arc::new(Activity {
@@ -184,11 +188,11 @@ impl Connections {
             let (mut leaving, mut dismissed) = (false, false);
             loop {
                 tokio::select! {
-                    // A client that goes away is no failure of the server.
+                    // A client that closes its connection is not an error.
                     _ = connection.as_mut() => break,
                     _ = closing.wait_for(|closing| *closing), if !leaving => {}
                     () = activity.dismissed.notified(), if !leaving => dismissed = true,
-                    () = tokio::time::sleep(FLUSH), if dismissed => {
+                    () = tokio::time::sleep(FLUSH_TIMEOUT), if dismissed => {
                         if activity.idle_since.load(Ordering::Relaxed) == BUSY {
                             dismissed = false;
                             continue;
@@ -200,19 +204,20 @@ impl Connections {
                 if activity.fresh.load(Ordering::Relaxed) {
                     break;
                 }
-                // The request that is being answered, if there is one, is the last one of this connection.
+                // If a request is being answered, it is the last one of this connection.
                 leaving = true;
                 connection.as_mut().graceful_shutdown();
             }
             open.connections().remove(&number);
-            drop(place);
+            drop(permit);
         });
     }
 
-    /// Ends idle connections at once and others after the request that they are answering; after `grace` all of them.
+    /// Ends idle connections at once, and other connections after their current request. After `grace` the rest is
+    /// dropped.
     async fn close(&self, grace: Duration) {
         self.closing.send_replace(true);
-        if tokio::time::timeout(grace, self.places.acquire_many(self.most)).await.is_err() {
+        if tokio::time::timeout(grace, self.permits.acquire_many(self.max_open)).await.is_err() {
             tracing::warn!("some requests were still open after the grace time");
         }
     }
@@ -236,10 +241,10 @@ async fn answer(router: Router, request: Request<Incoming>, busy: Busy) -> Resul
     Ok(response.map(|body| Answering { body, rest: Bytes::new(), _busy: busy }))
 }
 
-/// The body of an answer, in pieces. Its connection is busy until hyper has taken all of it.
+/// Body of a response, in pieces. The connection is busy until hyper has taken all of it.
 struct Answering {
     body: Body,
-    /// The part of the body's last frame that has not been handed on yet.
+    /// Part of the body's last frame that hyper has not taken yet.
     rest: Bytes,
     _busy: Busy,
 }

@@ -1,4 +1,4 @@
-//! What handlers share.
+//! State that the handlers share.
 
 use crate::auth::Keys;
 use crate::config::Config;
@@ -7,15 +7,15 @@ use metrics_exporter_prometheus::PrometheusHandle;
 use std::sync::Arc;
 use tokio::sync::Semaphore;
 
-/// The state that every handler may use; clones share it.
+/// State that every handler may use. Clones share it.
 #[derive(Clone, Debug)]
 pub struct App {
     pub config: Arc<Config>,
     pub jobs: Jobs,
     pub metrics: PrometheusHandle,
-    /// The budget for request bodies in flight.
+    /// Budget for request bodies that are being read.
     pub bodies: Arc<Semaphore>,
     pub keys: Arc<Keys>,
-    /// The API document, as a server below this base path serves it.
+    /// API document as a server below this base path serves it.
     pub document: Arc<str>,
 }

@@ -1,5 +1,5 @@
-//! One attempt at a job: its solver runs on a thread that stalls nobody, the claim is renewed, progress is stored, and the
-//! outcome is stored when the solver has ended.
+//! One attempt at a job. The solver runs on its own thread, so that it does not stall the async runtime. Meanwhile the
+//! attempt renews the claim and stores progress. When the solver has ended, the attempt stores the outcome.
 
 use super::Jobs;
 use super::progress::{Line, Signal};
@@ -16,12 +16,14 @@ use std::time::{Duration, Instant};
 use tokio::sync::{OwnedSemaphorePermit, oneshot};
 use tracing::{Instrument, Span};
 
-/// Pause after the first failed try to store an outcome; each further one is twice as long, up to a third of the lease.
+/// Pause after the first failed try to store an outcome. Each further pause is twice as long, up to a third of the
+/// lease.
 const FIRST_PAUSE: Duration = Duration::from_millis(50);
-/// Tries to store an outcome that the store refuses for a defect. Other failures pass, so they are tried without end.
+/// Number of tries to store an outcome if the store reports a defect. Other failures of the store pass, so they are
+/// retried without limit.
 const DEFECT_TRIES: usize = 5;
 
-/// An attempt under way: counted, known to cancels, and accounted for at its end.
+/// A running attempt. While it exists, a cancel reaches its solver and the metrics count it.
 #[derive(Debug)]
 pub(super) struct Attempt {
     jobs: Jobs,
@@ -31,14 +33,14 @@ pub(super) struct Attempt {
     started: Instant,
     line: Arc<Line>,
     span: Span,
-    /// A shutdown waits for it.
+    /// Permit that makes a shutdown wait for this attempt.
     _under_way: Option<OwnedSemaphorePermit>,
 }
 
 /// How an attempt ended.
 pub(super) enum End {
     Finished(Status),
-    /// The job was cancelled, deleted or taken over, so nobody wants the outcome.
+    /// The job was cancelled, deleted or taken over, so the outcome is not stored.
     Dropped,
     HandedBack,
 }
@@ -51,10 +53,11 @@ enum Ended {
     Panicked,
 }
 
-/// Receives the outcome of a solver's thread; none if nobody wants it. A thread that ends without sending has panicked.
+/// Receives the outcome of the solver's thread, or `None` if the job was cancelled. A thread that ends without sending
+/// has panicked.
 type Solver = oneshot::Receiver<Option<Outcome>>;
 
-/// Attempts a claimed job.
+/// Runs one attempt at a claimed job.
 pub(super) async fn run(jobs: Jobs, claimed: Claimed, slot: OwnedSemaphorePermit) {
     let attempt = Attempt::begin(&jobs, &claimed.id, &claimed.kind, claimed.attempt, claimed.waited_ms);
     let span = attempt.span.clone();
@@ -91,7 +94,7 @@ impl Attempt {
     pub(super) fn end(self, end: End) {
         let status = match end {
             End::HandedBack => return,
-            // A cancelled job was counted where it was cancelled; a job that another worker took over is counted there.
+            // A cancelled job was counted by its cancel. A job that another worker took over is counted by that worker.
             End::Dropped => {
                 self.span.in_scope(|| tracing::info!("ended without a result"));
                 return;
@@ -104,7 +107,7 @@ impl Attempt {
         metrics::histogram!(metric::SOLVE_SECONDS, "kind" => self.kind.clone()).record(elapsed.as_secs_f64());
     }
 
-    /// Solves on this thread. The caller has a share of the memory for it.
+    /// Solves the request on this thread. The caller must have reserved the memory for it.
     pub(super) fn solve(&self, request: &Request) -> Option<Outcome> {
         let _entered = self.span.enter();
         outcome(guarded(|| solve(request, &self.line)))
@@ -116,15 +119,15 @@ impl Attempt {
         let run = move || {
             let _entered = span.enter();
             let ended = guarded(|| read_and_solve(&jobs, &claimed, &line));
-            // Nobody listens any more if the server is going down.
+            // The receiver is gone if the server is shutting down.
             let _ = sender.send(outcome(ended));
         };
-        // Runs on a thread that an earlier solver left, if there is one; there are as many as slots.
+        // Tokio reuses idle blocking threads, and there are no more of them than solver slots.
         tokio::task::spawn_blocking(run);
         receiver
     }
 
-    /// Keeps the claim alive until the solver ends, and stores the outcome.
+    /// Renews the claim until the solver ends, and then stores the outcome.
     async fn supervise(&self, mut solver: Solver, slot: OwnedSemaphorePermit) -> End {
         let grace = async {
             self.jobs.shutdown().await;
@@ -136,7 +139,7 @@ impl Attempt {
             let _ = (&mut solver).await;
             return self.hand_back().await;
         };
-        // The disk need not keep the next solver waiting.
+        // The slot is released before the outcome is stored, so that the next solver need not wait for the disk.
         drop(slot);
         match ended {
             Some(outcome) => self.store_outcome(outcome, &mut grace).await,
@@ -144,7 +147,8 @@ impl Attempt {
         }
     }
 
-    /// Renews the lease and stores progress until the solver has ended; `None` if a shutdown's grace time ended first.
+    /// Renews the lease and stores progress until the solver has ended. Returns `None` if the shutdown's grace time
+    /// ended first.
     async fn renew_until_solved(
         &self,
         solver: &mut Solver,
@@ -161,7 +165,7 @@ impl Attempt {
                 ended = &mut *solver => return Some(ended.unwrap_or_else(|_| outcome(Ended::Panicked))),
                 _ = progress.tick() => match self.line.take() {
                     Some(progress) => {
-                        // A progress is strings and finite numbers only.
+                        // Serialization cannot fail because a progress has only strings and finite numbers.
                         let text = serde_json::to_string(&progress).unwrap_or_default();
                         store.progress(&self.id, self.number, &text).await
                     }
@@ -182,7 +186,7 @@ impl Attempt {
                 Err(error) => {
                     tracing::warn!(%error, "cannot reach the store");
                     if Instant::now() > held_until {
-                        // Another worker may have the job by now.
+                        // The lease has run out, so another worker may have claimed the job.
                         self.line.stop();
                     }
                 }
@@ -190,8 +194,9 @@ impl Attempt {
         }
     }
 
-    /// Stores an outcome. A store that cannot be written costs no attempt: the outcome is held, the claim is renewed, and
-    /// storing is tried again with growing pauses. The fence of the attempt makes trying again safe.
+    /// Stores an outcome. If the store cannot be written, the attempt holds the outcome, renews the claim and tries
+    /// again with growing pauses, so that no attempt is lost. Trying again is safe because the store checks the
+    /// attempt's number.
     async fn store_outcome(&self, outcome: Outcome, grace: &mut (impl Future<Output = ()> + Unpin)) -> End {
         let (store, lease) = (self.jobs.store(), self.lease());
         let status = outcome.status();
@@ -209,7 +214,8 @@ impl Attempt {
                     }
                 }
             }
-            // A held outcome takes a solver's slot, so that no more of them gather than there are solvers.
+            // A held outcome occupies a solver's slot, so that the number of held outcomes stays at most the number of
+            // solvers.
             let waited = async {
                 let until = tokio::time::Instant::now() + pause;
                 if slot.is_none() {
@@ -277,7 +283,8 @@ fn solve(request: &Request, line: &Line) -> Ended {
     }
 }
 
-/// A solver's panic is a failed job, not a dead worker. Nothing that the solver touched is used afterwards.
+/// Turns a panic of the solver into a failed job, so that the worker survives. Data that the solver touched is not used
+/// afterwards.
 fn guarded(solve: impl FnOnce() -> Ended) -> Ended {
     std::panic::catch_unwind(std::panic::AssertUnwindSafe(solve)).unwrap_or_else(|_| {
         tracing::error!("the solver panicked");
@@ -285,14 +292,14 @@ fn guarded(solve: impl FnOnce() -> Ended) -> Ended {
     })
 }
 
-/// The outcome to store; `None` if nobody wants one.
+/// Returns the outcome to store, or `None` if the job was cancelled.
 fn outcome(ended: Ended) -> Option<Outcome> {
     let error = match ended {
         Ended::Solved(solved) => match solved.archive.to_bytes() {
             Ok(artefact) => {
                 return Some(Outcome::Succeeded {
                     statistics: solved.statistics,
-                    // Warnings are strings only.
+                    // Serialization cannot fail because warnings have only strings.
                     warnings: serde_json::to_string(&solved.warnings).unwrap_or_else(|_| "[]".into()),
                     artefact_hash: Archive::checksum(&artefact),
                     artefact,
@@ -315,7 +322,7 @@ fn outcome(ended: Ended) -> Option<Outcome> {
             JobError::new("solver-panicked", detail, Vec::new())
         }
     };
-    // An error is strings only.
+    // Serialization cannot fail because an error has only strings.
     Some(Outcome::Failed { error: serde_json::to_string(&error).unwrap_or_default() })
 }
 
@@ -324,7 +331,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_solver_that_panics_is_a_failed_job_that_says_so() {
+    fn a_panic_of_the_solver_makes_the_job_fail_with_the_type_solver_panicked() {
         let ended = guarded(|| panic!("a defect"));
         let Some(Outcome::Failed { error }) = outcome(ended) else { panic!("should have failed") };
         let error: JobError = serde_json::from_str(&error).unwrap();
@@ -332,7 +339,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cancelled_solver_has_no_outcome_and_one_past_its_deadline_a_failed_one() {
+    fn a_cancelled_job_has_no_outcome_and_a_missed_deadline_is_a_failed_one() {
         assert!(outcome(Ended::Unsolved(Unsolved::Cancelled)).is_none());
         assert!(matches!(outcome(Ended::Unsolved(Unsolved::deadline())), Some(Outcome::Failed { .. })));
     }

@@ -1,4 +1,4 @@
-//! The meshes of a batch in one file.
+//! One file with all meshes of a batch.
 
 use super::files::File;
 use super::{Jobs, JobsError, view};
@@ -12,7 +12,8 @@ use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use std::collections::VecDeque;
 
-/// Triangles that one archive may hold: at 200 bytes each, the largest that any format takes, they are what a ZIP can address.
+/// Number of triangles that one ZIP may hold. At 200 bytes per triangle, the most that any format takes, this is 4 GB,
+/// the most that a ZIP can address.
 const ARCHIVE_TRIANGLES: u64 = 20_000_000;
 
 pub(super) async fn meshes(jobs: &Jobs, batch: &BatchRow) -> Result<BatchMeshes, JobsError> {
@@ -31,7 +32,7 @@ pub(super) async fn meshes(jobs: &Jobs, batch: &BatchRow) -> Result<BatchMeshes,
     Ok(BatchMeshes { service: jobs.clone(), id: batch.id.clone(), triangles, jobs: parts })
 }
 
-/// The jobs of an ended batch.
+/// Jobs of a batch that has ended.
 #[derive(Debug)]
 pub struct BatchMeshes {
     service: Jobs,
@@ -40,13 +41,13 @@ pub struct BatchMeshes {
     jobs: Vec<(i64, Option<Value>, JobRow)>,
 }
 
-/// The name of a job's part in the scene, and of its file in the archive without the ending.
+/// Name of a job's node in the scene, and of its file in the ZIP without the extension.
 fn part_name(index: i64, kind: &str) -> String {
     format!("{index:04}-{kind}")
 }
 
 impl BatchMeshes {
-    /// Names what a file made of this holds: equal tags, equal bytes.
+    /// Returns a name for the content of the file: equal tags mean equal bytes.
     #[must_use]
     pub fn tag(&self, format: &str) -> String {
         let mut hash = Sha256::new();
@@ -58,18 +59,18 @@ impl BatchMeshes {
         hash.finalize().iter().take(16).map(|byte| format!("{byte:02x}")).collect()
     }
 
-    fn refuse_more_than(&self, most: u64, instead: &str) -> Result<(), JobsError> {
-        if self.triangles <= most {
+    fn refuse_more_than(&self, maximum: u64, instead: &str) -> Result<(), JobsError> {
+        if self.triangles <= maximum {
             return Ok(());
         }
         let has = self.triangles;
-        Err(JobsError::TooMuch(format!("the meshes have {has} triangles, and one file takes {most}; {instead}")))
+        Err(JobsError::TooMuch(format!("the meshes have {has} triangles, and one file takes {maximum}; {instead}")))
     }
 
-    /// All meshes in one scene, each where its coordinates say.
+    /// Returns one scene with all meshes at their own coordinates.
     ///
     /// # Errors
-    /// [`JobsError::TooMuch`], [`JobsError::Unwritable`], or as the store.
+    /// Returns [`JobsError::TooMuch`], [`JobsError::Unwritable`] or an error of the store.
     pub async fn scene(self) -> Result<File, JobsError> {
         self.refuse_more_than(self.service.config().limits.triangles as u64, "take the ZIP")?;
         let mut parts = Vec::new();
@@ -96,12 +97,12 @@ impl BatchMeshes {
         }
     }
 
-    /// A ZIP of all meshes and of what is known of every job (`batch.json`, last), made as it is read: one mesh at a time is in
-    /// memory.
+    /// Returns a ZIP with all meshes and, as the last entry, `batch.json`, which describes every job. The ZIP is
+    /// written while it is read, so that only one mesh at a time is in memory.
     ///
     /// # Errors
-    /// [`JobsError::TooMuch`] at once. In the stream, what keeps it from being completed: a job that was removed meanwhile, or
-    /// the store.
+    /// Returns [`JobsError::TooMuch`] at once. Errors in the stream end it early: a job was removed meanwhile, or the
+    /// store failed.
     pub fn archive(
         self,
         format: MeshFormat,
@@ -131,15 +132,15 @@ impl BatchMeshes {
     }
 }
 
-/// A ZIP under way.
+/// A ZIP that is being written.
 struct Writing {
     service: Jobs,
     id: String,
     format: MeshFormat,
     jobs: VecDeque<(i64, Option<Value>, JobRow)>,
-    /// Until its end is written.
+    /// `None` after the end of the ZIP has been written.
     zip: Option<Zip>,
-    /// For `batch.json`.
+    /// Entries of `batch.json`.
     listed: Vec<Value>,
     pending: VecDeque<Bytes>,
 }
@@ -165,7 +166,8 @@ impl Writing {
                     self.entry(&name, converted.bytes)?;
                     file = Some(name);
                 }
-                // One mesh that this format cannot hold does not cost the others.
+                // A mesh that the format cannot hold is reported in `batch.json`, and the other meshes are still
+                // written.
                 Err(JobsError::Unwritable(error)) => file_error = Some(error.to_string()),
                 Err(error) => return Err(error),
             }

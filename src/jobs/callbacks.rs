@@ -1,6 +1,8 @@
-//! Telling callback URLs that their job or batch has ended: what is due comes from the store, how it is sent is [`webhook`]'s.
+//! Sends a message to the callback URL of each job or batch that has ended. The store names the callbacks that are due;
+//! [`webhook`](crate::webhook) sends them.
 //!
-//! A message says what ended and how; the result is fetched with the client's key. Any number of processes may do this at once.
+//! A message says what ended and with which status. It carries no result, because the client fetches that with its key.
+//! Any number of processes may send callbacks at once.
 
 use super::{Jobs, JobsError};
 use crate::config::WebhooksConfig;
@@ -12,17 +14,19 @@ use std::sync::Arc;
 use std::time::{Duration, SystemTime};
 use tokio::sync::Semaphore;
 
-/// Callbacks are looked for this often.
+/// Interval between two looks for callbacks that are due.
 const POLL: Duration = Duration::from_secs(1);
-/// Attempts under way at once.
-const AT_ONCE: usize = 8;
-const LONGEST_PAUSE: Duration = Duration::from_secs(24 * 3600);
+/// Number of attempts that may run at once.
+const MAX_CONCURRENT: usize = 8;
+/// Upper bound of the pause between two attempts.
+const MAX_PAUSE: Duration = Duration::from_secs(24 * 3600);
 
-/// Attempts callbacks until a shutdown is asked for. Does nothing if webhooks are off.
+/// Sends callbacks until a shutdown is asked for. Returns at once if webhooks are off.
 pub async fn run(jobs: Jobs) {
     let Some(sender) = jobs.webhooks().cloned() else { return };
-    let slots = Arc::new(Semaphore::new(AT_ONCE));
-    // An attempt ends by itself before anybody else is given the same callback.
+    let slots = Arc::new(Semaphore::new(MAX_CONCURRENT));
+    // The lease is longer than the time limit of an attempt, so an attempt ends before another process can claim its
+    // callback.
     let lease = Duration::from_millis(jobs.config().webhooks.timeout_ms) + Duration::from_secs(30);
     while !jobs.is_shutting_down() {
         let Ok(slot) = slots.clone().acquire_owned().await else { return };
@@ -46,12 +50,12 @@ pub async fn run(jobs: Jobs) {
     }
 }
 
-/// How long after attempt number `attempts` the next one comes; `None` if that was the last.
+/// Returns the pause after attempt number `attempts`, or `None` if that attempt was the last.
 fn pause(config: &WebhooksConfig, attempts: i64) -> Option<Duration> {
     let attempts = u32::try_from(attempts).unwrap_or(u32::MAX);
     let first = Duration::from_millis(config.retry_ms);
     let factor = 4u32.checked_pow(attempts.saturating_sub(1)).unwrap_or(u32::MAX);
-    (attempts < config.attempts_max).then(|| first.saturating_mul(factor).min(LONGEST_PAUSE))
+    (attempts < config.attempts_max).then(|| first.saturating_mul(factor).min(MAX_PAUSE))
 }
 
 async fn attempt(jobs: &Jobs, sender: &Sender, callback: &Callback) {
@@ -59,7 +63,8 @@ async fn attempt(jobs: &Jobs, sender: &Sender, callback: &Callback) {
     let (id, attempts) = (&callback.id, callback.attempts);
     let body = match body(jobs, callback).await {
         Ok(body) => body,
-        // Removed meanwhile: there is nothing to tell. The store's trouble passes, and the callback is due again then.
+        // The job was removed meanwhile, or the store is unavailable. In the second case the callback is due again
+        // later.
         Err(error) => {
             tracing::debug!(?error, id, "no callback");
             return;
@@ -70,24 +75,25 @@ async fn attempt(jobs: &Jobs, sender: &Sender, callback: &Callback) {
     let (outcome, settled) = match sender.send(&callback.url, message, now_s).await {
         Ok(()) => ("delivered", store.settle_callback(callback).await),
         Err(Undelivered::Unwanted) => ("unwanted", store.settle_callback(callback).await),
-        Err(Undelivered::Failed(why)) => match pause(&jobs.config().webhooks, attempts) {
+        Err(Undelivered::Failed(reason)) => match pause(&jobs.config().webhooks, attempts) {
             Some(pause) => {
-                tracing::info!(id, attempts, why, next_s = pause.as_secs(), "a callback failed");
+                tracing::info!(id, attempts, reason, next_s = pause.as_secs(), "a callback failed");
                 ("failed", store.put_off_callback(callback, pause).await)
             }
             None => {
-                tracing::warn!(id, attempts, why, "a callback is given up");
+                tracing::warn!(id, attempts, reason, "a callback is given up");
                 ("given_up", store.settle_callback(callback).await)
             }
         },
     };
     metrics::counter!(metric::CALLBACKS, "outcome" => outcome).increment(1);
     if let Err(error) = settled {
-        tracing::warn!(%error, id, "cannot say what became of a callback; it will be attempted again");
+        tracing::warn!(%error, id, "cannot store the outcome of a callback; it will be attempted again");
     }
 }
 
-/// The message: Standard Webhooks' `type`, `timestamp` (of the end) and `data`.
+/// Returns the message with the fields of Standard Webhooks: `type`, `timestamp` (when the job or batch ended) and
+/// `data`.
 async fn body(jobs: &Jobs, callback: &Callback) -> Result<String, JobsError> {
     let owner = callback.owner.as_deref();
     let message = match callback.subject {
@@ -105,7 +111,7 @@ async fn body(jobs: &Jobs, callback: &Callback) -> Result<String, JobsError> {
     Ok(message.to_string())
 }
 
-/// Seconds since 1970 by this process's clock.
+/// Returns the seconds since 1970 by this process's clock.
 fn unix_time_s() -> i64 {
     let since_1970 = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
     i64::try_from(since_1970.as_secs()).unwrap_or(i64::MAX)

@@ -1,6 +1,6 @@
-//! The threads that compute for more than a moment and are no solvers: they read large bodies and write meshes in the formats. A
-//! few, so that neither can take every core from the solvers and the server, nor much memory; the same ones always, since an
-//! allocator keeps for each thread what it once needed.
+//! Threads for computations that take long but are no solvers: reading large bodies and writing meshes in a format.
+//! Their number is small, so that conversions cannot take every core from the solvers and the server, nor much memory.
+//! They are never replaced, because an allocator keeps for each thread the memory that the thread once needed.
 
 use super::JobsError;
 use super::worker::STACK_BYTES;
@@ -13,15 +13,15 @@ type Work = Box<dyn FnOnce() + Send>;
 
 #[derive(Debug)]
 pub struct Converters {
-    /// One for each thread.
-    places: Arc<Semaphore>,
-    /// As many waiting in it at most as there are places.
+    /// One permit for each thread.
+    threads: Arc<Semaphore>,
+    /// Queue of work. A sender holds a permit, so the queue is never longer than the number of threads.
     work: Sender<Work>,
 }
 
-/// One of the threads, until it is used or dropped.
+/// Reservation of one thread, until it is used or dropped.
 #[derive(Debug)]
-pub struct Place<'c> {
+pub struct Reservation<'c> {
     permit: OwnedSemaphorePermit,
     converters: &'c Converters,
 }
@@ -32,34 +32,36 @@ impl Converters {
         let (work, received) = channel();
         let received = Arc::new(Mutex::new(received));
         let started = (0..threads).filter(|_| start(received.clone())).count();
-        let places = Semaphore::new(started);
+        let threads = Semaphore::new(started);
         if started == 0 {
-            places.close();
+            threads.close();
         }
-        Self { places: Arc::new(places), work }
+        Self { threads: Arc::new(threads), work }
     }
 
-    /// Waits for a thread that is free.
+    /// Waits for a free thread and reserves it.
     ///
     /// # Errors
-    /// [`JobsError::Internal`] if there is none at all.
-    pub async fn place(&self) -> Result<Place<'_>, JobsError> {
-        let permit = self.places.clone().acquire_owned().await.map_err(|_| gone())?;
-        Ok(Place { permit, converters: self })
+    /// Returns [`JobsError::Internal`] if no thread could be started.
+    pub async fn reserve(&self) -> Result<Reservation<'_>, JobsError> {
+        let permit = self.threads.clone().acquire_owned().await.map_err(|_| gone())?;
+        Ok(Reservation { permit, converters: self })
     }
 }
 
-impl Place<'_> {
-    /// Runs `work` there. It keeps the place until it has ended, even if the caller goes away, and is not begun for one that has gone.
+impl Reservation<'_> {
+    /// Runs `work` on the reserved thread. The reservation lasts until the work has ended, even if the caller goes
+    /// away. If the caller is gone before the work begins, the work is skipped.
     ///
     /// # Errors
-    /// [`JobsError::Internal`] if it panics.
+    /// Returns [`JobsError::Internal`] if the work panics.
     pub async fn run<T: Send + 'static>(self, work: impl FnOnce() -> T + Send + 'static) -> Result<T, JobsError> {
         let (answer, answered) = oneshot::channel();
         let permit = self.permit;
         let run = move || {
             if !answer.is_closed() {
-                // Nothing that it touched is used after a panic. A caller that went away does not need the answer.
+                // After a panic, data that the work touched is not used. If the caller went away, the answer is
+                // dropped.
                 let _ = answer.send(catch_unwind(AssertUnwindSafe(work)));
             }
             drop(permit);
@@ -72,7 +74,7 @@ impl Place<'_> {
     }
 }
 
-/// Starts a thread, which ends when the sender is gone. False if the machine gives no more.
+/// Starts a thread, which ends when the sender is dropped. Returns false if the system cannot start one.
 fn start(received: Arc<Mutex<Receiver<Work>>>) -> bool {
     let next = move || received.lock().unwrap_or_else(PoisonError::into_inner).recv();
     let run = move || {
@@ -94,14 +96,14 @@ mod tests {
     use futures_util::FutureExt;
 
     #[tokio::test]
-    async fn work_keeps_its_place_when_its_caller_goes_away() {
+    async fn work_keeps_its_thread_reserved_when_its_caller_goes_away() {
         let converters = Converters::new(2);
         let (closed, gate) = channel::<()>();
         let gate = Arc::new(Mutex::new(gate));
         for _ in 0..2 {
             let (begun, beginning) = oneshot::channel();
             let gate = gate.clone();
-            let run = converters.place().await.unwrap().run(move || {
+            let run = converters.reserve().await.unwrap().run(move || {
                 begun.send(()).unwrap();
                 gate.lock().unwrap().recv()
             });
@@ -110,16 +112,16 @@ mod tests {
                 begun = beginning => begun.unwrap(),
             }
         }
-        assert!(converters.place().now_or_never().is_none());
+        assert!(converters.reserve().now_or_never().is_none());
         drop(closed);
-        assert_eq!(converters.place().await.unwrap().run(|| 7).await.unwrap(), 7);
+        assert_eq!(converters.reserve().await.unwrap().run(|| 7).await.unwrap(), 7);
     }
 
     #[tokio::test]
-    async fn a_panic_is_an_error_and_the_thread_goes_on() {
+    async fn a_panic_returns_an_error_and_leaves_the_thread_usable() {
         let converters = Converters::new(1);
-        let panicked = converters.place().await.unwrap().run(|| panic!("as asked")).await;
+        let panicked = converters.reserve().await.unwrap().run(|| panic!("as asked")).await;
         assert!(matches!(panicked, Err(JobsError::Internal(_))));
-        assert_eq!(converters.place().await.unwrap().run(|| 7).await.unwrap(), 7);
+        assert_eq!(converters.reserve().await.unwrap().run(|| 7).await.unwrap(), 7);
     }
 }

@@ -1,4 +1,4 @@
-//! The events of one job, for a client that follows it.
+//! Events of one job, for a client that follows it.
 
 use super::{Jobs, JobsError};
 use crate::status::Status;
@@ -6,34 +6,36 @@ use crate::store::{EventId, JobRow, JobWatch, StatusEvent};
 use serde_json::json;
 use std::collections::VecDeque;
 
-/// Something that happened to a job.
+/// A change of a job's status, or its progress.
 #[derive(Clone, Debug)]
 pub struct Event {
-    /// `attempt.sequence`: later events have later ids.
+    /// Identifier of the form `attempt.sequence`. Later events have larger identifiers.
     pub id: String,
     /// `status` or `progress`.
     pub name: &'static str,
-    /// JSON. Of a `status` event: the job as it was after that change. Of a `progress` event: id, status and progress.
+    /// JSON text. For a `status` event it is the job as it was right after that change. For a `progress` event it has
+    /// the identifier, status and progress.
     pub data: String,
 }
 
-/// The events of a job, from some point on.
+/// Stream of a job's events from a given event on.
 #[derive(Debug)]
 pub struct Events {
     jobs: Jobs,
     watch: JobWatch,
     last: Option<EventId>,
     pending: VecDeque<Event>,
-    /// False until the job has been looked at once.
+    /// False until the job has been read once.
     begun: bool,
     ended: bool,
 }
 
 impl Jobs {
-    /// The events of a job after the one with the id `last`; all of them without one. `None` if the client has seen the final one.
+    /// Returns the events of a job after the one with the identifier `last`, or all events if `last` is absent. Returns
+    /// `None` if the client has seen the final event.
     ///
     /// # Errors
-    /// As [`Jobs::get`].
+    /// Returns the errors of [`Jobs::get`].
     pub async fn events(&self, id: &str, owner: Option<&str>, last: Option<&str>) -> Result<Option<Events>, JobsError> {
         let last: Option<EventId> = last.and_then(|text| text.parse().ok());
         let mut watch = self.watch(id, owner).await?;
@@ -47,8 +49,8 @@ impl Jobs {
 }
 
 impl Events {
-    /// The next event, as soon as there is one. `None` after the final one, once the job is gone, and when this server shuts down:
-    /// the client then comes back with the last id that it has seen.
+    /// Waits for the next event. Returns `None` after the final event, when the job has been removed, and when this
+    /// server shuts down. After a shutdown the client reconnects with the last identifier that it has seen.
     pub async fn next(&mut self) -> Option<Event> {
         loop {
             if let Some(event) = self.pending.pop_front() {
@@ -69,7 +71,7 @@ impl Events {
         }
     }
 
-    /// Queues what happened since the last event: changes of status, and the latest progress, in the order of their ids.
+    /// Queues the status changes and the latest progress since the last event, in the order of their identifiers.
     fn queue(&mut self, row: &JobRow) {
         let mut events: Vec<(EventId, &str, String)> = Vec::new();
         for change in row.events_since(self.last) {
@@ -94,13 +96,13 @@ impl Events {
     }
 }
 
-/// A job as it was right after a change of its status.
+/// Returns the job as it was right after a change of its status.
 fn as_of(row: &JobRow, change: &StatusEvent) -> JobRow {
     let followed = row.events_since(Some(change.id)).next().is_some();
     if !followed {
         return row.clone();
     }
-    // Only the last change of all can be to a final status, so this one was to `queued` or `running`.
+    // Only the last change can be to a final status, so this change was to `queued` or `running`.
     JobRow {
         status: change.status,
         attempt: change.id.attempt,

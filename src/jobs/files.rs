@@ -1,12 +1,12 @@
-//! Files that were made from results lately, kept in memory up to a budget: a mesh never changes, so the file made of it in one
-//! format is the same for every reader, every range and every revalidation.
+//! Cache of files made from results, in memory up to a budget. A stored mesh never changes, so a file made from it in
+//! one format is the same for every reader, range request and revalidation.
 
 use bytes::Bytes;
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// A file and the name of its contents.
+/// A file and a tag that identifies its content.
 #[derive(Clone, Debug)]
 pub struct File {
     pub bytes: Bytes,
@@ -23,7 +23,7 @@ impl File {
     }
 }
 
-/// The stored result's hash, and the name of the format.
+/// Hash of the stored result, and name of the format.
 pub type Key = (Vec<u8>, &'static str);
 
 #[derive(Debug)]
@@ -36,11 +36,11 @@ pub struct Files {
 struct Kept {
     files: HashMap<Key, (File, u64)>,
     bytes: usize,
-    /// Counts uses; the file whose last use is longest ago goes first.
+    /// Number of uses so far. The file with the oldest last use is dropped first.
     clock: u64,
 }
 
-/// What a file takes besides its bytes, so that a budget bounds the number of files as well.
+/// Bytes counted for each file besides its content, so that the budget also limits the number of files.
 const OVERHEAD_BYTES: usize = 1024;
 
 impl Files {
@@ -63,7 +63,8 @@ impl Files {
         })
     }
 
-    /// Keeps a file unless it would take more than half of the budget alone; others make room, longest unused first.
+    /// Keeps a file unless it would take more than half of the budget. Other files are dropped to make room, longest
+    /// unused first.
     pub fn put(&self, key: Key, file: File) {
         let size = file.bytes.len() + OVERHEAD_BYTES;
         if size > self.budget_bytes / 2 {
@@ -92,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn the_file_that_was_not_used_for_longest_makes_room() {
+    fn the_longest_unused_file_is_dropped_first() {
         let files = Files::new(10 * OVERHEAD_BYTES);
         let key = |name| (vec![1], name);
         for name in ["glb", "obj", "ply"] {
@@ -102,7 +103,7 @@ mod tests {
         files.put(key("stl"), file(2 * OVERHEAD_BYTES));
         let there = ["glb", "obj", "ply", "stl"].map(|name| files.get(&key(name)).is_some());
         assert_eq!(there, [true, false, true, true]);
-        // Put twice, counted once.
+        // Replacing a file does not count its bytes twice.
         files.put(key("stl"), file(2 * OVERHEAD_BYTES));
         assert_eq!(files.kept().bytes, 9 * OVERHEAD_BYTES);
     }

@@ -1,10 +1,10 @@
-//! The memory that running solvers may use together: one that would exceed it waits until others have ended.
+//! Memory budget that all running solvers share. A solver that would exceed it waits until others have ended.
 
 use std::sync::{Condvar, Mutex, PoisonError};
 use std::time::Duration;
 
-/// How often a waiting solver looks whether it is still wanted.
-const LOOK: Duration = Duration::from_millis(50);
+/// Interval at which a waiting solver checks whether its job was cancelled or its deadline has passed.
+const CHECK_INTERVAL: Duration = Duration::from_millis(50);
 
 #[derive(Debug)]
 pub struct MemoryBudget {
@@ -13,7 +13,7 @@ pub struct MemoryBudget {
     freed: Condvar,
 }
 
-/// A share of the budget, given back when dropped.
+/// Share of the budget, which is returned when dropped.
 #[derive(Debug)]
 pub struct Share<'b> {
     budget: &'b MemoryBudget,
@@ -26,7 +26,8 @@ impl MemoryBudget {
         Self { total_bytes, used_bytes: Mutex::new(0), freed: Condvar::new() }
     }
 
-    /// Waits on this thread for `bytes` (more than there are at all counts as all) for as long as `wanted` says so.
+    /// Waits on this thread until `bytes` are free, and reserves them. A request for more than the whole budget
+    /// reserves the whole budget. Returns `None` if the memory is not free and `wanted` returns false.
     pub fn share(&self, bytes: u64, wanted: impl Fn() -> bool) -> Option<Share<'_>> {
         let bytes = bytes.min(self.total_bytes);
         let mut used = self.used_bytes.lock().unwrap_or_else(PoisonError::into_inner);
@@ -34,7 +35,7 @@ impl MemoryBudget {
             if !wanted() {
                 return None;
             }
-            used = self.freed.wait_timeout(used, LOOK).unwrap_or_else(PoisonError::into_inner).0;
+            used = self.freed.wait_timeout(used, CHECK_INTERVAL).unwrap_or_else(PoisonError::into_inner).0;
         }
         *used += bytes;
         Some(Share { budget: self, bytes })
@@ -56,29 +57,29 @@ mod tests {
     #[test]
     fn shares_never_exceed_the_budget() {
         let budget = MemoryBudget::new(10);
-        let (running, most) = (AtomicU64::new(0), AtomicU64::new(0));
+        let (running, peak) = (AtomicU64::new(0), AtomicU64::new(0));
         std::thread::scope(|scope| {
             for thread in 0..4 {
-                let (budget, running, most) = (&budget, &running, &most);
+                let (budget, running, peak) = (&budget, &running, &peak);
                 scope.spawn(move || {
                     for round in 0..50 {
                         let bytes = 1 + (thread + round) % 7;
                         let share = budget.share(bytes, || true).expect("always wanted");
-                        most.fetch_max(running.fetch_add(bytes, Ordering::SeqCst) + bytes, Ordering::SeqCst);
+                        peak.fetch_max(running.fetch_add(bytes, Ordering::SeqCst) + bytes, Ordering::SeqCst);
                         running.fetch_sub(bytes, Ordering::SeqCst);
                         drop(share);
                     }
                 });
             }
         });
-        assert!((1..=10).contains(&most.load(Ordering::SeqCst)));
+        assert!((1..=10).contains(&peak.load(Ordering::SeqCst)));
         assert_eq!(*budget.used_bytes.lock().unwrap(), 0);
     }
 
     #[test]
-    fn a_share_that_is_not_wanted_any_more_is_not_waited_for() {
+    fn waiting_for_a_share_ends_when_it_is_no_longer_wanted() {
         let budget = MemoryBudget::new(10);
-        let held = budget.share(1_000, || true).expect("more than all counts as all");
+        let held = budget.share(1_000, || true).expect("a request for more than the budget reserves all of it");
         assert!(budget.share(1, || false).is_none());
         drop(held);
         assert!(budget.share(10, || false).is_some());

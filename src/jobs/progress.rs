@@ -1,4 +1,4 @@
-//! Between a solver's thread and the rest: progress out, cancel in.
+//! Connection between a solver's thread and its attempt: progress goes out, and a cancel goes in.
 
 use crate::wire::job::Progress;
 use std::collections::HashMap;
@@ -6,17 +6,17 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// What a solver is told at each of its looks.
+/// Instruction to a solver, which the solver asks for regularly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Signal {
     Continue,
-    /// Stop: nobody wants the result any more.
+    /// Stop without a result, because the job was cancelled or taken over.
     Cancel,
     /// Stop, and return the best result so far.
     Deadline,
 }
 
-/// What one running solver shares with its worker.
+/// State that a running solver shares with its attempt.
 #[derive(Debug)]
 pub struct Line {
     stop: AtomicBool,
@@ -30,12 +30,12 @@ impl Line {
         Self { stop: AtomicBool::new(false), deadline: Instant::now() + deadline, latest: Mutex::new(None) }
     }
 
-    /// Asks the solver to stop and return nothing.
+    /// Asks the solver to stop without a result.
     pub fn stop(&self) {
         self.stop.store(true, Ordering::Relaxed);
     }
 
-    /// What the solver is to do, asked at each of its looks.
+    /// Returns the current instruction to the solver.
     #[must_use]
     pub fn signal(&self) -> Signal {
         if self.stop.load(Ordering::Relaxed) {
@@ -51,14 +51,14 @@ impl Line {
         *self.latest.lock().unwrap_or_else(PoisonError::into_inner) = Some(progress);
     }
 
-    /// The progress since the last call, if there was any.
+    /// Returns the latest progress if there was any since the last call.
     #[must_use]
     pub fn take(&self) -> Option<Progress> {
         self.latest.lock().unwrap_or_else(PoisonError::into_inner).take()
     }
 }
 
-/// The solvers that run in this process, by job id.
+/// Solvers that run in this process, by job identifier.
 #[derive(Debug, Default)]
 pub struct Running(Mutex<HashMap<String, Arc<Line>>>);
 
@@ -71,7 +71,7 @@ impl Running {
         self.lines().insert(id.into(), line);
     }
 
-    /// Forgets a solver; another attempt of the same job is left alone.
+    /// Removes a solver. If another attempt at the same job is registered, it stays.
     pub fn remove(&self, id: &str, line: &Arc<Line>) {
         let mut lines = self.lines();
         if lines.get(id).is_some_and(|current| Arc::ptr_eq(current, line)) {

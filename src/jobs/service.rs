@@ -1,4 +1,5 @@
-//! Every operation on jobs, on one page. What takes more than a few lines is in the module of its subject.
+//! Every operation on jobs. Operations that take more than a few lines are implemented in the modules named in the
+//! imports.
 
 use super::batch::BatchMeshes;
 use super::converters::Converters;
@@ -21,10 +22,10 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 
-/// Upper bound of the workers and attempts of one process; it has memory for fewer.
-const MOST_UNDER_WAY: u32 = 1 << 24;
+/// Upper bound of the workers and attempts of one process. Memory runs out long before this number.
+const MAX_UNDER_WAY: u32 = 1 << 24;
 
-/// A handle of the jobs; clones share it.
+/// Handle of the job service. Clones share one service.
 #[derive(Clone, Debug)]
 pub struct Jobs(Arc<Inner>);
 
@@ -32,21 +33,21 @@ pub struct Jobs(Arc<Inner>);
 struct Inner {
     store: Store,
     config: Arc<Config>,
-    /// Jobs that run in this process.
+    /// Solvers that run in this process.
     running: Running,
     shutdown: watch::Sender<bool>,
     memory: MemoryBudget,
     converters: Converters,
-    /// Files that conversions made lately.
+    /// Cache of files that conversions have made.
     files: Files,
-    /// One permit for each solver that may run in this process at once, given out in the order of asking.
+    /// One permit for each solver that may run in this process at once. Permits are given out in the order of requests.
     slots: Arc<Semaphore>,
     solvers: usize,
-    /// Workers and attempts that a shutdown waits for.
+    /// One permit for each worker and attempt that a shutdown waits for.
     under_way: Arc<Semaphore>,
-    /// Names this process in attempts.
+    /// Name of this process in the records of attempts.
     process: String,
-    /// Sends messages to callback URLs; `None` if webhooks are off.
+    /// Sender of messages to callback URLs. `None` if webhooks are off.
     webhooks: Option<Arc<Sender>>,
 }
 
@@ -64,7 +65,7 @@ impl Jobs {
             webhooks: webhooks.map(Arc::new),
             slots: Arc::new(Semaphore::new(solvers)),
             solvers,
-            under_way: Arc::new(Semaphore::new(MOST_UNDER_WAY as usize)),
+            under_way: Arc::new(Semaphore::new(MAX_UNDER_WAY as usize)),
             process: ulid::Ulid::generate().to_string(),
             running: Running::default(),
             shutdown: watch::Sender::new(false),
@@ -72,20 +73,21 @@ impl Jobs {
         }))
     }
 
-    /// Starts the workers of this process; they end after a shutdown was asked for.
+    /// Starts the workers of this process. They end after a shutdown was asked for.
     pub fn spawn_workers(&self) {
         for number in 0..self.0.solvers {
             tokio::spawn(worker::run(self.clone(), format!("{}/{number}", self.0.process)));
         }
     }
 
-    /// The number of solvers that may run in this process at once.
+    /// Returns the number of solvers that may run in this process at once.
     #[must_use]
     pub fn solvers(&self) -> usize {
         self.0.solvers
     }
 
-    /// Asks for a shutdown: no job is claimed from now on; running jobs get the grace time and are then handed back.
+    /// Asks for a shutdown. No job is claimed from now on, and running jobs get the grace time before they are handed
+    /// back.
     pub fn shut_down(&self) {
         self.0.shutdown.send_replace(true);
     }
@@ -95,32 +97,34 @@ impl Jobs {
         *self.0.shutdown.borrow()
     }
 
-    /// Resolves once a shutdown was asked for.
+    /// Waits until a shutdown was asked for.
     pub async fn shutdown(&self) {
-        // The sender lives as long as `self`.
+        // Waiting cannot fail, because `self` owns the sender.
         let _ = self.0.shutdown.subscribe().wait_for(|down| *down).await;
     }
 
-    /// Resolves when a shutdown was asked for and no worker or attempt is left: each has ended or was handed back.
+    /// Waits until a shutdown was asked for and every worker and attempt has ended or was handed back.
     pub async fn idle(&self) {
         self.shutdown().await;
-        // The semaphore is never closed; an error would only say that there is nothing to wait for.
-        let _ = self.0.under_way.acquire_many(MOST_UNDER_WAY).await;
+        // Acquiring cannot fail, because the semaphore is never closed.
+        let _ = self.0.under_way.acquire_many(MAX_UNDER_WAY).await;
     }
 }
 
 /// Health.
 impl Jobs {
+    /// Checks that the store answers.
+    ///
     /// # Errors
-    /// [`JobsError::Unavailable`] if the store does not answer, or takes no jobs or no results.
+    /// Returns [`JobsError::Unavailable`] if the store does not answer, or takes no jobs or no results.
     pub async fn check_store(&self) -> Result<(), JobsError> {
         Ok(self.0.store.check().await?)
     }
 
-    /// The number of jobs that wait.
+    /// Returns the number of jobs that wait.
     ///
     /// # Errors
-    /// As the store.
+    /// Returns an error of the store.
     pub async fn queue_length(&self) -> Result<i64, JobsError> {
         Ok(self.0.store.queue_length().await?)
     }
@@ -128,21 +132,20 @@ impl Jobs {
 
 /// Submitting.
 impl Jobs {
-    /// Fails if one more job of this owner would find no place in the queue, so that a body need not be read in vain.
-    /// The submission itself decides.
+    /// Fails early if the queue has no room for another job of this owner, so that the body need not be read. The
+    /// submission checks again and decides.
     ///
     /// # Errors
-    /// [`JobsError::QueueFull`], or as the store.
+    /// Returns [`JobsError::QueueFull`] or an error of the store.
     pub async fn check_room(&self, owner: Option<&str>) -> Result<(), JobsError> {
         Ok(self.0.store.check_room(owner).await?)
     }
 
-    /// Reads a body and stores the job. `waited_for`: the client waits for the end, so a small job may be solved on the
-    /// way.
+    /// Reads a body and stores the job. If `waited_for` is true, the client waits for the end, and a small job may be
+    /// solved during the submission.
     ///
-    /// # Errors
-    /// [`JobsError::Rejected`] names every offending value; [`JobsError::QueueFull`], [`JobsError::KeyConflict`], or as
-    /// the store.
+    /// Returns [`JobsError::Rejected`] with every offending value, [`JobsError::QueueFull`], [`JobsError::KeyConflict`]
+    /// or an error of the store.
     pub async fn submit(
         &self,
         kind: Kind,
@@ -153,10 +156,10 @@ impl Jobs {
         submission::job(self, kind, body, from, waited_for).await
     }
 
-    /// Reads a batch's body and stores its jobs, all or none.
+    /// Reads a batch's body and stores all of its jobs, or none of them.
     ///
     /// # Errors
-    /// As [`Jobs::submit`].
+    /// Returns the errors of [`Jobs::submit`].
     pub async fn submit_batch(&self, body: Bytes, from: Submitter) -> Result<Submitted<Batch>, JobsError> {
         submission::batch(self, body, from).await
     }
@@ -164,16 +167,18 @@ impl Jobs {
 
 /// One job.
 impl Jobs {
+    /// Returns a job.
+    ///
     /// # Errors
-    /// [`JobsError::NotFound`] or [`JobsError::Expired`], else as the store.
+    /// Returns [`JobsError::NotFound`], [`JobsError::Expired`] or an error of the store.
     pub async fn get(&self, id: &str, owner: Option<&str>) -> Result<Job, JobsError> {
         self.view(&*found(self.0.store.get(id, owner).await?)?)
     }
 
-    /// The job as it is when it ends, when the wait is over or when a shutdown begins, whichever is first.
+    /// Waits until the job ends, the wait is over or a shutdown begins, and then returns the job.
     ///
     /// # Errors
-    /// As [`Jobs::get`]; [`JobsError::NotFound`] too if the job is deleted meanwhile.
+    /// Returns the errors of [`Jobs::get`], including [`JobsError::NotFound`] if the job is deleted during the wait.
     pub async fn wait(&self, id: &str, owner: Option<&str>, wait: Duration) -> Result<Job, JobsError> {
         let mut watch = self.watch(id, owner).await?;
         tokio::select! {
@@ -183,8 +188,10 @@ impl Jobs {
         }
     }
 
+    /// Returns a watch that follows the changes of a job.
+    ///
     /// # Errors
-    /// As [`Jobs::get`].
+    /// Returns the errors of [`Jobs::get`].
     pub(super) async fn watch(&self, id: &str, owner: Option<&str>) -> Result<JobWatch, JobsError> {
         self.0.store.watch(id, owner).await?.map_err(|lookup| match lookup {
             Lookup::Expired => JobsError::Expired,
@@ -192,10 +199,11 @@ impl Jobs {
         })
     }
 
-    /// One page of an owner's jobs, newest first; of everybody's without an owner. Jobs whose rows cannot be read are left out and logged.
+    /// Returns one page of an owner's jobs, newest first, or of all jobs if `owner` is `None`. Jobs whose rows cannot
+    /// be read are left out and logged.
     ///
     /// # Errors
-    /// As the store.
+    /// Returns an error of the store.
     pub async fn list(
         &self,
         owner: Option<&str>,
@@ -214,10 +222,10 @@ impl Jobs {
         Ok(JobList { jobs: rows.iter().filter_map(|row| view::summary(base, row)).collect(), next_cursor })
     }
 
-    /// Cancels a queued or running job at once; any other is returned unchanged.
+    /// Cancels a queued or running job at once. Returns a finished job unchanged.
     ///
     /// # Errors
-    /// As [`Jobs::get`].
+    /// Returns the errors of [`Jobs::get`].
     pub async fn cancel(&self, id: &str, owner: Option<&str>) -> Result<Job, JobsError> {
         let before = found(self.0.store.get(id, owner).await?)?;
         let job = self.view(&*found(self.0.store.cancel(id, owner).await?)?)?;
@@ -233,7 +241,7 @@ impl Jobs {
     /// Cancels a job if needed, and removes it with its mesh.
     ///
     /// # Errors
-    /// As [`Jobs::get`].
+    /// Returns the errors of [`Jobs::get`].
     pub async fn delete(&self, id: &str, owner: Option<&str>) -> Result<(), JobsError> {
         if self.0.store.delete(id, owner).await? {
             self.0.running.cancel(id);
@@ -242,12 +250,13 @@ impl Jobs {
         found(self.0.store.get(id, owner).await?).and(Err(JobsError::NotFound))
     }
 
-    /// A file made from a succeeded job's mesh, off the async threads, a bounded number at once. Files are kept for a
-    /// while, so that ranges, revalidations and many readers cost one conversion. `format` names what `convert` does.
+    /// Returns a file made from a succeeded job's mesh. The conversion runs outside the async threads, and the number
+    /// of conversions at once is limited. Files are cached, so that range requests, revalidations and many readers cost
+    /// one conversion. `format` identifies what `convert` does.
     ///
     /// # Errors
-    /// As [`Jobs::get`]; [`JobsError::NoMesh`] unless the job has succeeded; [`JobsError::Lost`] if its mesh was
-    /// damaged; what `convert` says.
+    /// Returns the errors of [`Jobs::get`] and of `convert`, [`JobsError::NoMesh`] unless the job has succeeded, and
+    /// [`JobsError::Lost`] if its mesh was damaged.
     pub async fn convert(
         &self,
         id: &str,
@@ -263,7 +272,7 @@ impl Jobs {
         if let Some(file) = self.0.files.get(&key) {
             return Ok(file);
         }
-        let place = self.0.converters.place().await?;
+        let thread = self.0.converters.reserve().await?;
         // Another conversion may have made the file while this one waited.
         if let Some(file) = self.0.files.get(&key) {
             return Ok(file);
@@ -273,7 +282,7 @@ impl Jobs {
             Ok(archive) => Ok(convert(&archive).map(File::new)),
             Err(defect) => Err((defect, artefact)),
         };
-        let file = match place.run(run).await? {
+        let file = match thread.run(run).await? {
             Ok(converted) => converted?,
             Err((defect, artefact)) => return Err(self.unreadable(&defect, &artefact).await),
         };
@@ -284,21 +293,23 @@ impl Jobs {
 
 /// Batches.
 impl Jobs {
+    /// Returns a batch.
+    ///
     /// # Errors
-    /// [`JobsError::NoBatch`] or [`JobsError::Expired`], else as the store.
+    /// Returns [`JobsError::NoBatch`], [`JobsError::Expired`] or an error of the store.
     pub async fn batch(&self, id: &str, owner: Option<&str>) -> Result<Batch, JobsError> {
         self.view_batch(&found_batch(self.0.store.batch(id, owner).await?)?)
     }
 
-    /// The batch as it is when its last job ends, when the wait is over or when a shutdown begins, whichever is first.
+    /// Waits until the last job of the batch ends, the wait is over or a shutdown begins, and then returns the batch.
     ///
     /// # Errors
-    /// As [`Jobs::batch`].
+    /// Returns the errors of [`Jobs::batch`].
     pub async fn wait_for_batch(&self, id: &str, owner: Option<&str>, wait: Duration) -> Result<Batch, JobsError> {
         let row = found_batch(self.0.store.batch(id, owner).await?)?;
         let all = async {
             for job in row.jobs.iter().filter(|job| !job.status.is_final()) {
-                // A job that was deleted meanwhile is not waited for.
+                // The wait skips jobs that were deleted meanwhile.
                 if let Ok(mut watch) = self.watch(&job.id, owner).await {
                     watch.ended().await;
                 }
@@ -315,7 +326,7 @@ impl Jobs {
     /// Cancels every job of a batch that has not ended.
     ///
     /// # Errors
-    /// As [`Jobs::batch`].
+    /// Returns the errors of [`Jobs::batch`].
     pub async fn cancel_batch(&self, id: &str, owner: Option<&str>) -> Result<Batch, JobsError> {
         let (lookup, cancelled) = self.0.store.cancel_batch(id, owner).await?;
         cancelled.iter().for_each(|id| self.0.running.cancel(id));
@@ -328,7 +339,7 @@ impl Jobs {
     /// Removes a batch with its jobs and their meshes.
     ///
     /// # Errors
-    /// As [`Jobs::batch`].
+    /// Returns the errors of [`Jobs::batch`].
     pub async fn delete_batch(&self, id: &str, owner: Option<&str>) -> Result<(), JobsError> {
         if let Some(jobs) = self.0.store.delete_batch(id, owner).await? {
             jobs.iter().for_each(|id| self.0.running.cancel(id));
@@ -337,17 +348,18 @@ impl Jobs {
         found_batch(self.0.store.batch(id, owner).await?).and(Err(JobsError::NoBatch))
     }
 
-    /// Every mesh of a batch that has ended, to be put into one file.
+    /// Returns every mesh of a batch that has ended, ready to be put into one file.
     ///
     /// # Errors
-    /// As [`Jobs::batch`]; [`JobsError::NoMesh`] unless every job has ended and one has succeeded.
+    /// Returns the errors of [`Jobs::batch`], and [`JobsError::NoMesh`] unless every job has ended and at least one has
+    /// succeeded.
     pub async fn batch_meshes(&self, id: &str, owner: Option<&str>) -> Result<BatchMeshes, JobsError> {
         let row = found_batch(self.0.store.batch(id, owner).await?)?;
         batch::meshes(self, &row).await
     }
 }
 
-/// What the other modules of the jobs use.
+/// Access for the other modules of `jobs`.
 impl Jobs {
     pub(super) fn store(&self) -> &Store {
         &self.0.store
@@ -373,15 +385,15 @@ impl Jobs {
         self.0.webhooks.as_ref()
     }
 
-    /// A permit for something that a shutdown waits for.
+    /// Returns a permit that makes a shutdown wait until it is dropped.
     pub(super) fn under_way(&self) -> Option<OwnedSemaphorePermit> {
         self.0.under_way.clone().try_acquire_owned().ok()
     }
 
-    /// A row as a client sees it.
+    /// Returns a row in the form that clients see.
     ///
     /// # Errors
-    /// [`JobsError::Internal`] if the row holds what this version does not know.
+    /// Returns [`JobsError::Internal`] if this version cannot read the row.
     pub(super) fn view(&self, row: &JobRow) -> Result<Job, JobsError> {
         view::job(&self.0.config.http.public_base_path, row)
     }
@@ -390,16 +402,16 @@ impl Jobs {
         view::batch(&self.0.config.http.public_base_path, row)
     }
 
-    /// Runs something that computes for more than a moment where it stalls nobody.
+    /// Runs a long computation on a converter's thread, so that it does not stall the async runtime.
     pub(super) async fn off_runtime<T: Send + 'static>(
         &self,
         work: impl FnOnce() -> T + Send + 'static,
     ) -> Result<T, JobsError> {
-        self.0.converters.place().await?.run(work).await
+        self.0.converters.reserve().await?.run(work).await
     }
 
-    /// The error for a stored mesh that cannot be read. A damaged one is removed, so that an equal request is solved
-    /// again instead of taking it.
+    /// Returns the error for a stored mesh that cannot be read. If the mesh is damaged, it is removed, so that the next
+    /// equal request is solved again instead of reusing it.
     pub(super) async fn unreadable(&self, defect: &Defect, artefact: &Artefact) -> JobsError {
         tracing::error!(error = %defect, "a stored mesh cannot be read");
         if !matches!(defect, Defect::Magic | Defect::Checksum) {
@@ -412,7 +424,7 @@ impl Jobs {
     }
 }
 
-/// Counts a job that was cancelled here.
+/// Counts a job that this process has cancelled.
 fn count_cancelled(kind: Kind) {
     metrics::counter!(metric::JOBS, "kind" => kind.name(), "status" => "cancelled").increment(1);
 }

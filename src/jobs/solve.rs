@@ -1,5 +1,5 @@
-//! Request -> geometry -> artefact: the one place where a solver is called for a job or for the command line. Beside `wire` it is
-//! the only file that knows both the wire's types and the geometry's.
+//! Turns a request into a stored result. Every solver is called here, for jobs and for the command line. Besides
+//! `wire`, this is the only file that knows both the types of the wire and those of the geometry.
 
 use super::progress::Signal;
 use crate::export::archive::Contents;
@@ -19,25 +19,25 @@ use serde::Serialize;
 /// A solved request.
 #[derive(Debug)]
 pub struct Solved {
-    /// JSON.
+    /// Statistics as JSON text.
     pub statistics: String,
     pub warnings: Vec<JobWarning>,
     pub archive: Archive,
-    /// Whether the same request always gives this result (not when a deadline cut it short).
+    /// Whether the same request always gives this result. False if a deadline cut the solver short.
     pub reproducible: bool,
 }
 
-/// Why a request was not solved.
+/// Reason for having no result.
 #[derive(Debug)]
 pub enum Unsolved {
-    /// The solver was told to stop.
+    /// The job was cancelled.
     Cancelled,
-    /// No valid mesh came out.
+    /// The solver found no valid mesh.
     Failed(JobError),
 }
 
 impl Unsolved {
-    /// The deadline passed before the solver had a valid mesh.
+    /// Returns the error for a deadline that passed before the solver had a valid mesh.
     #[must_use]
     pub fn deadline() -> Self {
         let detail = "the deadline passed before there was a valid mesh; ask for a coarser one";
@@ -60,10 +60,10 @@ impl From<Error> for Unsolved {
     }
 }
 
-/// Solves a request on the calling thread. The solver asks for its signal at least every 50 ms.
+/// Solves a request on the calling thread. The solver calls `signal` at least every 50 ms.
 ///
 /// # Errors
-/// As the solver of its kind.
+/// Returns the error of the solver.
 pub fn solve(request: &Request, signal: &dyn Fn() -> Signal, report: &dyn Fn(Progress)) -> Result<Solved, Unsolved> {
     let signal = || match signal() {
         Signal::Continue => plateau_geometry::Signal::Continue,
@@ -81,7 +81,7 @@ pub fn solve(request: &Request, signal: &dyn Fn() -> Signal, report: &dyn Fn(Pro
 }
 
 fn on_the_wire(progress: plateau_geometry::Progress) -> Progress {
-    // JSON has no NaN: a residual that is not known yet is null.
+    // JSON has no NaN, so a residual that is not finite becomes null.
     let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
     Progress {
         fraction: progress.fraction.clamp(0.0, 1.0),
@@ -104,13 +104,14 @@ fn line_set(name: &str, lines: Lines) -> LineSet {
     LineSet { name: name.into(), group: String::new(), lines }
 }
 
-/// Those of two or more vertices: an apex is no line.
+/// Returns the polylines with two or more vertices. An apex has one vertex and is left out.
 fn polylines(of: &[Vec<u32>], closed: bool) -> Lines {
     let lines = of.iter().filter(|vertices| vertices.len() > 1);
     Lines::Polylines(lines.map(|vertices| Polyline { vertices: vertices.clone(), closed }).collect())
 }
 
-/// Statistics as JSON. A figure that is not finite has no JSON form; it would be a solver's defect and becomes null.
+/// Returns the statistics as JSON. A figure that is not finite would be a solver's defect and becomes null, because
+/// JSON cannot hold it.
 fn to_json(statistics: &impl Serialize) -> Result<String, Error> {
     serde_json::to_string(statistics).map_err(|error| Error::no_result("internal", error.to_string()))
 }
@@ -188,7 +189,7 @@ fn uniform(
 ) -> Result<Solved, Error> {
     let solved = uniform_mesh::solve(domain, options, exec)?;
     let statistics = to_json(&UniformStatistics::of(&solved, options))?;
-    // One material each, so that a viewer can tell the lattice from the rim.
+    // Lattice and rim members are separate groups with their own material, so that a viewer can tell them apart.
     let group = |name: &str, lattice: bool| {
         let of = || (0..solved.members.len()).filter(|&member| solved.lattice_group[member] == lattice);
         let unit = request.unit.symbol().into();

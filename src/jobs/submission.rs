@@ -1,9 +1,9 @@
-//! Submitting: a body is read and checked, then stored, and only then acknowledged.
+//! Submits jobs. A body is read and checked, then stored, and only then acknowledged.
 //!
-//! A client that waits for a small job gets it by a shorter way: the job is solved on the thread that read it and stored
-//! with its result in one write, so that durability costs one disk sync instead of three. Nothing is promised before
-//! that write: the client has no answer yet. A process that dies meanwhile leaves no trace of the submission, as if it
-//! had died reading the body.
+//! A small job whose client waits is solved on the thread that read it, and job and result are stored in one write.
+//! This costs one disk sync instead of three. Nothing is promised before that write, because the client has no answer
+//! yet. If the process dies before the write, the submission leaves no trace, as if the process had died while it read
+//! the body.
 
 use super::attempt::{Attempt, End};
 use super::{Jobs, JobsError, view};
@@ -20,33 +20,33 @@ use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::time::Instant;
 
-/// Bodies above this are parsed off the async threads.
+/// Size in bytes up to which bodies are parsed on the async threads. Larger bodies go to the converters.
 const INLINE_BYTES: usize = 16 << 10;
 
-/// The answer to a submission of a job or of a batch.
+/// Result of submitting a job or a batch.
 #[derive(Debug)]
 pub enum Submitted<T> {
-    /// Did not exist before, and is on disk.
+    /// The submission created a job or batch, which is on disk.
     Created(T),
-    /// The same idempotency key and body made it before.
+    /// An earlier submission with the same idempotency key and body created it.
     Existing(T),
 }
 
-/// Who submits a job.
+/// The client that submits a job.
 #[derive(Debug)]
 pub struct Submitter {
     pub owner: Option<String>,
     pub idempotency_key: Option<String>,
 }
 
-/// A job whose request has not been written out yet: one that is solved at once never needs it.
+/// A job whose request has not been serialized yet. A job that is solved at once is never serialized.
 struct Submission {
     job: NewJob,
     body: Body,
 }
 
 impl Submission {
-    /// With its request as a worker is given it.
+    /// Returns the job with its request in the form that a worker reads.
     fn written(mut self) -> Result<NewJob, JobsError> {
         self.job.request = serde_json::to_vec(&self.body).map_err(|error| JobsError::Internal(error.to_string()))?;
         Ok(self.job)
@@ -84,7 +84,7 @@ async fn read_and_store(
     if waited_for && let Some((attempt, solved)) = solve_here(jobs, &submission.job, &request, submitted_at) {
         let status = solved.outcome.status();
         let stored = jobs.store().submit_solved(submission.job, solved).await;
-        // Otherwise it was refused, or an equal submission that came at the same time was first.
+        // If the submission was refused, or if an equal submission was stored first, this result is not used.
         let created = matches!(stored, Ok(Stored::Created(_)));
         attempt.end(if created { End::Finished(status) } else { End::Dropped });
         return answer(jobs, stored);
@@ -93,8 +93,8 @@ async fn read_and_store(
     answer(jobs, jobs.store().submit(job).await)
 }
 
-/// Solves a small job on this thread, if a slot and the memory for it are free at once. A free slot also means that no
-/// job waits for a solver of this process, so nobody is overtaken.
+/// Solves a small job on this thread if a solver's slot and the memory are free at once. A free slot also means that no
+/// job waits for a solver of this process, so this job overtakes none.
 fn solve_here(jobs: &Jobs, job: &NewJob, request: &Request, submitted_at: Instant) -> Option<(Attempt, Solved)> {
     if !request.quick || jobs.is_shutting_down() {
         return None;
@@ -104,7 +104,8 @@ fn solve_here(jobs: &Jobs, job: &NewJob, request: &Request, submitted_at: Instan
     let started_at = Instant::now();
     let waited_ms = milliseconds(started_at - submitted_at);
     let attempt = Attempt::begin(jobs, &job.id, &job.kind, 1, waited_ms);
-    // There is no outcome if it was cancelled, which nobody can have done yet.
+    // Only a cancelled job has no outcome, and a client cannot cancel this job because it does not know the identifier
+    // yet.
     let outcome = attempt.solve(request)?;
     let (submitted_ms, started_ms) = (milliseconds(submitted_at.elapsed()), milliseconds(started_at.elapsed()));
     Some((attempt, Solved { outcome, submitted_ms, started_ms }))
@@ -153,15 +154,15 @@ async fn read_and_store_batch(jobs: &Jobs, body: Bytes, from: Submitter) -> Resu
     }
 }
 
-/// Fails with `Rejected` if messages cannot be sent to a callback URL, or to none at all.
+/// Returns `Rejected` if webhooks are off, or if messages cannot be sent to the callback URL.
 fn check_callback(jobs: &Jobs, pointer: &str, url: Option<&str>) -> Result<(), JobsError> {
     let Some(url) = url else { return Ok(()) };
     let checked = match jobs.webhooks() {
         Some(sender) => sender.check(url),
-        None => Err("cannot be told: webhooks are off on this server"),
+        None => Err("cannot be used because webhooks are off on this server"),
     };
-    checked.map_err(|what| {
-        JobsError::Rejected(Rejection::Invalid(vec![FieldError::new(format!("{pointer}/callback_url"), what)]))
+    checked.map_err(|reason| {
+        JobsError::Rejected(Rejection::Invalid(vec![FieldError::new(format!("{pointer}/callback_url"), reason)]))
     })
 }
 
@@ -180,7 +181,7 @@ fn milliseconds(duration: std::time::Duration) -> i64 {
     i64::try_from(duration.as_millis()).unwrap_or(i64::MAX)
 }
 
-/// Hash of a body. Equal bodies have equal hashes: the order of keys does not count, and numbers are compared as f64.
+/// Returns the hash of a body. The order of the keys does not change the hash, and numbers are compared as f64.
 fn hash(body: &Body) -> [u8; 32] {
     let mut bytes = Vec::new();
     match body.fields() {
@@ -209,7 +210,7 @@ fn write_text(text: &str, out: &mut Vec<u8>) {
     out.extend_from_slice(text.as_bytes());
 }
 
-/// Writes polylines as [`write`] writes the same arrays of arrays in a value.
+/// Writes polylines exactly as [`write`] writes the same arrays in a value.
 fn write_polylines(polylines: &[Vec<Point>], out: &mut Vec<u8>) {
     tagged(6, polylines.len() as u64, out);
     for polyline in polylines {
@@ -226,7 +227,8 @@ fn write_polylines(polylines: &[Vec<Point>], out: &mut Vec<u8>) {
     }
 }
 
-/// One encoding for each value. Keys are sorted already, and integral numbers are integers (`json::parse`).
+/// Writes a value in its only encoding. The keys are sorted already, and integral numbers are integers (see
+/// `json::parse`).
 fn write(value: &Value, out: &mut Vec<u8>) {
     match value {
         Value::Null => out.push(0),
@@ -254,10 +256,11 @@ fn write(value: &Value, out: &mut Vec<u8>) {
     }
 }
 
-/// The submission of a request that was read from `body`. Fields that do not change the result are left out.
+/// Returns the submission of a request that was read from `body`. Fields that do not change the result are removed from
+/// the body.
 fn submission(request: &Request, mut body: Body, from: Submitter) -> Submission {
     let Submitter { owner, idempotency_key } = from;
-    // The hash is only compared between submissions with a key.
+    // The hash is only compared between submissions with an idempotency key.
     let body_hash = if idempotency_key.is_some() { hash(&body) } else { [0; 32] };
     for name in ["kind", "cache", "callback_url"] {
         body.remove(name);
@@ -282,7 +285,7 @@ mod tests {
     use crate::wire::json::parse;
 
     #[test]
-    fn points_read_apart_hash_as_in_the_value() {
+    fn a_body_has_the_same_hash_whether_its_points_were_read_apart_or_not() {
         let body =
             br#"{"up": "y", "directrices": [[[0, 1.0, -0.0], [1.5, 2e3, 1e30], [1, 2, 3], [0.1, -7, 9007199254740991]],
             [[0, 5, 0], [4, 5, 1], [4, 5, 2], [5, 5, 9]]], "normals": null, "cache": "bypass"}"#;
@@ -300,7 +303,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_bodies_have_equal_hashes_and_others_do_not() {
+    fn equal_bodies_have_equal_hashes_and_different_bodies_different_ones() {
         let of = |text: &str| hash(&parse(text.as_bytes()).unwrap().into());
         for (one, other) in [
             (r#"{"a":1,"b":[2,3]}"#, r#"{ "b": [2.0, 3e0], "a": 1.00 }"#),

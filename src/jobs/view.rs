@@ -1,4 +1,4 @@
-//! Rows of the store as clients see them.
+//! Converts rows of the store into the form that clients see.
 
 use super::JobsError;
 use crate::status::Status;
@@ -11,7 +11,7 @@ use serde::de::DeserializeOwned;
 use serde_json::value::RawValue;
 use std::time::{Duration, SystemTime};
 
-/// A job. `base` is the path that a proxy puts before the paths of this server.
+/// Returns a job. `base` is the path that a proxy puts before the paths of this server.
 pub(super) fn job(base: &str, row: &JobRow) -> Result<Job, JobsError> {
     let unreadable = |what: &str| JobsError::Internal(format!("the stored job's {what} cannot be read"));
     let kind = Kind::from_name(&row.kind).ok_or_else(|| unreadable("kind"))?;
@@ -38,14 +38,14 @@ pub(super) fn job(base: &str, row: &JobRow) -> Result<Job, JobsError> {
         finished_at: row.finished_at_ms.map(timestamp),
         expires_at: row.expires_at_ms.map(timestamp),
         progress,
-        // Read above, so it is JSON.
+        // Parsing cannot fail, because the same text was parsed above.
         statistics: statistics.and_then(|text| RawValue::from_string(text.to_owned()).ok()),
         warnings,
         error,
     })
 }
 
-/// What statistics of any kind say of the way to the result, where they do.
+/// Figures from the statistics of any kind that also appear in the final progress.
 #[derive(Debug, Deserialize)]
 struct Figures {
     iterations: Option<u64>,
@@ -54,7 +54,7 @@ struct Figures {
 }
 
 impl Figures {
-    /// The last word on progress.
+    /// Returns the progress of a finished job.
     fn progress(&self) -> Progress {
         Progress {
             fraction: 1.0,
@@ -70,14 +70,15 @@ pub(super) fn read<T: DeserializeOwned>(text: Option<&str>) -> Result<Option<T>,
     text.map(|text| serde_json::from_str(text).map_err(|_| ())).transpose()
 }
 
-/// Milliseconds since 1970 as RFC 3339 in UTC. Times outside the years 1970 to 9999 become the nearest one inside.
+/// Formats milliseconds since 1970 as RFC 3339 in UTC. Times outside the years 1970 to 9999 become the nearest time
+/// inside.
 fn timestamp(at_ms: i64) -> String {
     const LAST_MS: u64 = 253_402_300_799_999;
     let since_1970 = Duration::from_millis(u64::try_from(at_ms).unwrap_or(0).min(LAST_MS));
     humantime::format_rfc3339_millis(SystemTime::UNIX_EPOCH + since_1970).to_string()
 }
 
-/// A job in a list; `None`, and logged, if this version cannot read it.
+/// Returns a job of a list. If this version cannot read the row, logs it and returns `None`.
 pub(super) fn summary(base: &str, row: &JobRow) -> Option<JobSummary> {
     match job(base, row) {
         Ok(job) => Some(job.into()),

@@ -1,28 +1,28 @@
-//! Workers: each claims one job after the other. What an attempt found is stored while the next one is claimed and
-//! solved, so that the disk keeps no solver waiting.
+//! Workers, each of which claims one job after the other. An attempt stores its outcome while the worker already claims
+//! and solves the next job, so that solvers do not wait for the disk.
 
 use super::{Jobs, attempt};
 use std::time::Duration;
 
-/// The stack of the runtime's threads, which solvers run on, and of the converters. They may recurse (sparse orderings,
-/// Delaunay walks), and address space is cheap.
+/// Stack size of the runtime's threads, which run solvers, and of the converters. Sparse orderings and Delaunay walks
+/// may recurse deeply. A large stack costs only address space.
 pub const STACK_BYTES: usize = 64 << 20;
-/// Time after which a worker looks for a job although it was told of none.
+/// Interval at which an idle worker looks for a job without having been notified of one.
 const IDLE_POLL: Duration = Duration::from_secs(1);
 
-/// Works until a shutdown is asked for. Any number of workers may run, here and in other processes.
+/// Claims jobs until a shutdown is asked for. Any number of workers may run in this process and in others.
 pub(super) async fn run(jobs: Jobs, name: String) {
     let Some(_working) = jobs.under_way() else { return };
     let lease = Duration::from_millis(jobs.config().jobs.lease_ms);
     let mut work = jobs.store().work_signal();
     loop {
-        // Submissions that are solved at once take turns with the jobs of the queue.
+        // Submissions that are solved at once take the same slots as jobs from the queue.
         let Ok(slot) = jobs.slots().acquire_owned().await else { return };
         if jobs.is_shutting_down() {
             return;
         }
         work.borrow_and_update();
-        // A job is not started while its result could not be stored.
+        // No job is started while the store could not take its result.
         let claimed = match jobs.store().check_room_for_results() {
             Ok(()) => jobs.store().claim(&name, lease).await,
             Err(_) => Ok(None),

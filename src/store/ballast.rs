@@ -1,5 +1,5 @@
-//! A file that only takes up room. On a full disk it is given up, so that jobs that have been accepted can end and the
-//! sweep, which writes before it frees anything, can run. New jobs are refused until the file is back.
+//! A file whose only purpose is to occupy disk space. When the disk is full, the file is deleted, so that accepted jobs
+//! can end and the sweep can run, which writes before it frees space. New jobs are refused until the file is back.
 
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -14,7 +14,7 @@ pub(super) struct Ballast {
 }
 
 impl Ballast {
-    /// The ballast of a database, beside its file. Without bytes there is none, and nothing is ever given up.
+    /// Describes the ballast of a database, whose file is beside the database's. With `bytes` = 0 there is no ballast.
     pub(super) fn new(database: &Path, bytes: u64) -> Self {
         let mut name = database.as_os_str().to_owned();
         name.push("-ballast");
@@ -25,25 +25,25 @@ impl Ballast {
         self.given_up.load(Ordering::Relaxed)
     }
 
-    /// Makes room by removing the file.
+    /// Deletes the file to make space.
     pub(super) fn give_up(&self) {
         if self.bytes == 0 || self.given_up.swap(true, Ordering::Relaxed) {
             return;
         }
-        tracing::error!(file = %self.path.display(), "the disk is full: gave up the ballast file; new jobs are refused");
+        tracing::error!(file = %self.path.display(), "the disk is full: deleted the ballast file; new jobs are refused");
         if let Err(error) = fs::remove_file(&self.path) {
             tracing::error!(%error, file = %self.path.display(), "cannot remove the ballast file");
         }
     }
 
-    /// Takes the room again, if the disk has that much and as much again for new jobs.
+    /// Creates the file again if the disk has twice its size free: once for the file and once for new jobs.
     pub(super) fn restore(&self) {
         if self.bytes == 0 || fs::metadata(&self.path).is_ok_and(|file| file.len() == self.bytes) {
             return;
         }
         let written = self.write();
         if written.is_err() {
-            // There may be no file to remove, which is fine.
+            // Removal fails if the file was not created, which does no harm.
             let _ = fs::remove_file(&self.path);
         }
         let failed_before = self.given_up.swap(written.is_err(), Ordering::Relaxed);
@@ -66,7 +66,8 @@ impl Ballast {
             file.write_all(&zeros[..step as usize])?;
             left -= step;
         }
-        // Not synced: file systems set the room aside when it is written, and losing the file in a crash does no harm.
+        // The file is not synced, because file systems allocate the space when it is written, and losing the file in a
+        // crash does no harm.
         file.set_len(self.bytes)
     }
 }

@@ -1,32 +1,32 @@
-//! Batches: jobs that were submitted together. Each is a job like any other; the batch says which they are. A batch is
-//! gone when its last job is.
+//! Batches: jobs that were submitted together. Each is an ordinary job whose row names its batch. A batch disappears
+//! with its last job.
 
-use super::jobs::{self, COLUMNS, JobRow, NewJob, Place, Submitted, drop_request, ending, limit};
+use super::jobs::{self, BatchPlace, COLUMNS, JobRow, NewJob, Submitted, drop_request, ending, limit};
 use super::tx::{Row, Tx};
 use super::{Result, StoreError, StoreOptions, milliseconds};
 use crate::status::Status;
 
-/// A batch that has not been stored yet. Its jobs are stored together or not at all; their own idempotency keys are not
-/// used.
+/// A batch that has not been stored yet. Its jobs are stored together or not at all, and must have no idempotency keys
+/// of their own.
 #[derive(Debug, Clone)]
 pub struct NewBatch {
-    /// Unique, sorting by time.
+    /// Unique identifier that sorts by time.
     pub id: String,
     pub owner: Option<String>,
     /// Unique per owner for as long as the batch is kept.
     pub idempotency_key: Option<String>,
-    /// Compared with that of a later submission with the same idempotency key.
+    /// Hash that is compared with a later submission of the same idempotency key.
     pub body_hash: [u8; 32],
     /// Receives a message once every job has ended.
     pub callback_url: Option<String>,
     pub jobs: Vec<NewJob>,
 }
 
-/// The answer to a batch's submission.
+/// Result of submitting a batch.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum SubmittedBatch {
     Created(BatchRow),
-    /// The batch that the same idempotency key and body made before.
+    /// An earlier submission with the same idempotency key and body created this batch.
     Existing(BatchRow),
     /// The idempotency key was used with another body.
     KeyConflict,
@@ -38,11 +38,11 @@ pub struct BatchRow {
     pub created_at_ms: i64,
     /// Number of jobs at submission; some may have been removed since.
     pub size: i64,
-    /// In the order of the submission.
+    /// Jobs in the order of the submission.
     pub jobs: Vec<BatchJob>,
 }
 
-/// A job of a batch, in short.
+/// Short form of a job of a batch.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct BatchJob {
     pub index: i64,
@@ -52,13 +52,13 @@ pub struct BatchJob {
     pub finished_at_ms: Option<i64>,
 }
 
-/// The answer to a question about a batch's id.
+/// Result of looking up a batch.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum BatchLookup {
     Found(BatchRow),
-    /// The batch was there; its time has run out.
+    /// The batch existed and has expired.
     Expired,
-    /// Never there, deleted, or another owner's.
+    /// The batch never existed, was deleted, or belongs to another owner.
     Missing,
 }
 
@@ -74,7 +74,7 @@ impl BatchJob {
     }
 }
 
-/// Stores a batch, whole. Fails with `QueueFull` if not all of its jobs find a place in the queue.
+/// Stores a batch as a whole. Fails with `QueueFull` if the queue has no room for all of its jobs.
 pub(super) fn submit(tx: &mut Tx<'_>, batch: &NewBatch, options: &StoreOptions) -> Result<SubmittedBatch> {
     let owner = batch.owner.as_deref();
     if let Some(earlier) = earlier_batch(tx, batch)? {
@@ -94,7 +94,7 @@ pub(super) fn submit(tx: &mut Tx<'_>, batch: &NewBatch, options: &StoreOptions) 
         ],
     )?;
     for (index, job) in batch.jobs.iter().enumerate() {
-        let place = Place { batch: &batch.id, index: limit(index as u64) };
+        let place = BatchPlace { batch: &batch.id, index: limit(index as u64) };
         let Submitted::Created(_) = jobs::submit(tx, job, Some(place), None, options)? else {
             return Err(StoreError::Internal("a job of a batch has an idempotency key of its own".into()));
         };
@@ -131,7 +131,7 @@ fn find(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<Option<BatchRo
 
 pub(super) fn get(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<BatchLookup> {
     match find(tx, id, owner)? {
-        // The sweep has not come by since the last job went.
+        // The last job is gone, but the sweep has not removed the batch yet.
         Some(batch) if batch.jobs.is_empty() => return Ok(BatchLookup::Expired),
         Some(batch) => return Ok(BatchLookup::Found(batch)),
         None => {}
@@ -141,7 +141,8 @@ pub(super) fn get(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<Batc
     Ok(if expired { BatchLookup::Expired } else { BatchLookup::Missing })
 }
 
-/// Cancels every job of a batch that has not ended. Returns the batch, and the ids of the jobs that it cancelled.
+/// Cancels every job of a batch that has not ended. Returns the batch and the identifiers of the jobs that it
+/// cancelled.
 pub(super) fn cancel(
     tx: &mut Tx<'_>,
     id: &str,
@@ -154,21 +155,22 @@ pub(super) fn cancel(
         ending(Status::Cancelled)
     );
     let values = [id.into(), milliseconds(options.retention).into(), owner.unwrap_or_default().into()];
-    let cancelled = dropped(tx, &text, &values)?;
+    let cancelled = run_and_drop_requests(tx, &text, &values)?;
     Ok((get(tx, id, owner)?, cancelled))
 }
 
-/// Removes a batch with its jobs, whatever their status. Returns the ids of the jobs; `None` if there was no such batch.
+/// Removes a batch with its jobs, whatever their status. Returns the identifiers of the jobs, or `None` if the batch
+/// does not exist.
 pub(super) fn delete(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<Option<Vec<String>>> {
     let text = "DELETE FROM batches WHERE id = $1 AND ($2 = '' OR owner = $2)";
     if tx.execute(text, &[id.into(), owner.unwrap_or_default().into()])? == 0 {
         return Ok(None);
     }
-    dropped(tx, "DELETE FROM jobs WHERE batch = $1 RETURNING id", &[id.into()]).map(Some)
+    run_and_drop_requests(tx, "DELETE FROM jobs WHERE batch = $1 RETURNING id", &[id.into()]).map(Some)
 }
 
-/// Runs a statement that ends or removes jobs and returns their ids, and drops the requests of these jobs.
-fn dropped(tx: &mut Tx<'_>, text: &str, values: &[super::tx::Value<'_>]) -> Result<Vec<String>> {
+/// Runs a statement that ends or removes jobs, and drops the requests of these jobs. Returns the jobs' identifiers.
+fn run_and_drop_requests(tx: &mut Tx<'_>, text: &str, values: &[super::tx::Value<'_>]) -> Result<Vec<String>> {
     let rows = tx.rows(text, values)?;
     let ids = rows.iter().map(|row| row.get("id")).collect::<Result<Vec<String>>>()?;
     for id in &ids {
@@ -178,14 +180,14 @@ fn dropped(tx: &mut Tx<'_>, text: &str, values: &[super::tx::Value<'_>]) -> Resu
     Ok(ids)
 }
 
-/// The jobs of a batch with everything that is known about them, in the order of the submission.
+/// Returns the complete rows of a batch's jobs, in the order of the submission.
 pub(super) fn jobs_of(tx: &mut Tx<'_>, id: &str) -> Result<Vec<(i64, JobRow)>> {
     let text = format!("SELECT {COLUMNS}, batch_index FROM jobs WHERE batch = $1 ORDER BY batch_index");
     let rows = tx.rows(&text, &[id.into()])?;
     rows.iter().map(|row| Ok((row.get("batch_index")?, JobRow::read(row)?))).collect()
 }
 
-/// Remembers batches without jobs as expired.
+/// Moves batches without jobs to the expired identifiers.
 pub(super) fn forget_empty(tx: &mut Tx<'_>) -> Result<()> {
     let empty = "SELECT id FROM batches WHERE NOT EXISTS (SELECT 1 FROM jobs WHERE batch = batches.id) \
                  LIMIT 200 /* skip locked */";

@@ -12,9 +12,10 @@ use object_store::{ObjectStore, ObjectStoreExt, PutPayload, RetryConfig};
 use super::files::BUCKET_SCHEME;
 use super::{Result, StoreError, milliseconds};
 
-/// Further attempts of a request, and how long they may take together. A failed write is reported in less time than a
-/// lease lasts, so that the worker learns of it while it still owns the job.
+/// Number of retries of a request.
 const RETRIES: usize = 3;
+/// Time limit of all tries of a request together. It is shorter than a lease, so that the worker learns of a failed write
+/// while it still owns the job.
 const PATIENCE: Duration = Duration::from_secs(10);
 
 #[derive(Clone)]
@@ -23,7 +24,7 @@ pub(super) struct Bucket {
     prefix: ObjectPath,
 }
 
-// `objects` knows credentials, so it is not shown.
+// `objects` holds credentials, so it is not shown.
 impl fmt::Debug for Bucket {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.debug_struct("Bucket").field("prefix", &self.prefix).finish_non_exhaustive()
@@ -31,12 +32,13 @@ impl fmt::Debug for Bucket {
 }
 
 impl Bucket {
-    /// `BUCKET/PREFIX`; region, endpoint and credentials come from the environment as for every client of S3
-    /// (`AWS_REGION`, `AWS_ENDPOINT_URL`, `AWS_ACCESS_KEY_ID`, `AWS_SECRET_ACCESS_KEY`, or the machine's role).
-    pub(super) fn open(place: &str) -> Result<Self> {
-        let (name, prefix) = place.split_once('/').unwrap_or((place, ""));
-        let unusable = |error: &dyn fmt::Display| StoreError::Url(format!("{BUCKET_SCHEME}{place}: {error}"));
-        // Fails if the process has a provider already, which is as good.
+    /// Opens `BUCKET/PREFIX`. Region, endpoint and credentials come from the same environment variables as for every S3
+    /// client (`AWS_REGION`, `AWS_ENDPOINT_URL`, `AWS_ACCESS_KEY_ID`, `AWS_SECRET_ACCESS_KEY`) or from the machine's
+    /// role.
+    pub(super) fn open(location: &str) -> Result<Self> {
+        let (name, prefix) = location.split_once('/').unwrap_or((location, ""));
+        let unusable = |error: &dyn fmt::Display| StoreError::Url(format!("{BUCKET_SCHEME}{location}: {error}"));
+        // Installing fails if the process already has a provider, which serves as well.
         let _ = rustls::crypto::ring::default_provider().install_default();
         let retry = RetryConfig { max_retries: RETRIES, retry_timeout: PATIENCE, ..RetryConfig::default() };
         let objects = AmazonS3Builder::from_env().with_bucket_name(name).with_retry(retry).build();
@@ -65,15 +67,15 @@ impl Bucket {
         Ok(self.objects.delete(&self.path(file)).await?)
     }
 
-    /// Names of objects last written longer ago than `age`, by the bucket's clock, which may differ from this machine's
-    /// by less than `age`.
+    /// Returns the names of objects that were last written longer ago than `age`. The bucket's clock may differ from
+    /// this machine's by less than `age`.
     pub(super) async fn older_than(&self, age: Duration) -> Result<Vec<String>> {
         let since_1970 = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
         let (now_ms, age_ms) = (milliseconds(since_1970), milliseconds(age));
         let prefix = Some(&self.prefix).filter(|prefix| !prefix.as_ref().is_empty());
         let objects: Vec<_> = self.objects.list(prefix).try_collect().await?;
         let old = objects.into_iter().filter(|object| now_ms - object.last_modified.timestamp_millis() >= age_ms);
-        // Objects below a further folder belong to somebody else.
+        // Objects in subfolders do not belong to this store.
         let names = old.filter_map(|object| {
             let name = object.location.filename()?.to_owned();
             (self.path(&name) == object.location).then_some(name)
@@ -93,13 +95,13 @@ mod tests {
     use super::*;
 
     #[tokio::test]
-    async fn a_bucket_gives_back_lists_and_removes_what_was_put_into_it() {
+    async fn objects_can_be_written_read_listed_and_removed() {
         let objects: Arc<dyn ObjectStore> = Arc::new(object_store::memory::InMemory::new());
         for prefix in ["", "results/of-ours"] {
             let bucket = Bucket { objects: objects.clone(), prefix: ObjectPath::parse(prefix).unwrap() };
             bucket.write("one-1", b"mesh").await.unwrap();
             bucket.write("two-1", b"other").await.unwrap();
-            // Somebody else's, deeper.
+            // An object in a subfolder belongs to another user of the bucket.
             bucket.objects.put(&bucket.path("else").join("three-1"), PutPayload::from("theirs")).await.unwrap();
             assert_eq!(bucket.read("one-1").await.unwrap().as_deref(), Some(&b"mesh"[..]));
             let mut names = bucket.older_than(Duration::ZERO).await.unwrap();
@@ -113,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bucket_does_not_show_what_it_holds() {
+    fn the_debug_form_of_a_bucket_shows_no_credentials() {
         let objects: Arc<dyn ObjectStore> = Arc::new(object_store::memory::InMemory::new());
         let shown = format!("{:?}", Bucket { objects, prefix: ObjectPath::parse("results").unwrap() });
         assert_eq!(shown, "Bucket { prefix: Path { raw: \"results\" }, .. }");

@@ -1,5 +1,5 @@
-//! Messages to callback URLs. The outbox is the row of the job or batch itself: its message is due once the job or batch
-//! has ended, and stays due until it is settled. It goes with the row when that is removed or expires.
+//! Callbacks: messages to callback URLs. The row of a job or batch is itself the outbox. Its message is due once the
+//! job or batch has ended, and stays due until it is settled. If the row is removed or expires, the message is dropped.
 
 use std::time::Duration;
 
@@ -13,15 +13,15 @@ pub enum Subject {
     Batch,
 }
 
-/// A callback that the claimer is to attempt.
+/// A callback that the claimer must attempt.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Callback {
     pub subject: Subject,
-    /// Of the job or batch.
+    /// Identifier of the job or batch.
     pub id: String,
     pub owner: Option<String>,
     pub url: String,
-    /// Attempts so far, this one included.
+    /// Number of attempts so far, including this one.
     pub attempts: i64,
 }
 
@@ -35,7 +35,7 @@ impl Subject {
         }
     }
 
-    /// SQL that is true of a row whose callback may be attempted now.
+    /// SQL condition for rows whose callback may be attempted now.
     fn due(self) -> &'static str {
         match self {
             Self::Job => "callback_url IS NOT NULL AND finished_at IS NOT NULL AND callback_at <= now_ms()",
@@ -48,7 +48,7 @@ impl Subject {
     }
 }
 
-/// True if a callback may be attempted now.
+/// Returns true if a callback may be attempted now.
 pub(super) fn any_due(tx: &mut Tx<'_>) -> Result<bool> {
     for subject in Subject::ALL {
         if tx.exists(&format!("SELECT 1 FROM {} WHERE {} LIMIT 1", subject.table(), subject.due()), &[])? {
@@ -58,8 +58,8 @@ pub(super) fn any_due(tx: &mut Tx<'_>) -> Result<bool> {
     Ok(false)
 }
 
-/// Takes a callback that is due and counts an attempt; nobody else is given it for `lease`. If the claimer dies it is
-/// due again after that, so a message may arrive twice, but it is not lost.
+/// Claims a callback that is due, counts an attempt, and keeps it from other claimers for the time `lease`. If the
+/// claimer dies, the callback is due again after the lease. A message may therefore arrive twice, but it is not lost.
 pub(super) fn claim(tx: &mut Tx<'_>, lease: Duration) -> Result<Option<Callback>> {
     for subject in Subject::ALL {
         let (table, due) = (subject.table(), subject.due());
@@ -81,14 +81,14 @@ pub(super) fn claim(tx: &mut Tx<'_>, lease: Duration) -> Result<Option<Callback>
     Ok(None)
 }
 
-/// Forgets a callback that was delivered or is given up.
+/// Deletes a callback that was delivered or is given up.
 pub(super) fn settle(tx: &mut Tx<'_>, callback: &Callback) -> Result<()> {
     let table = callback.subject.table();
     let text = format!("UPDATE {table} SET callback_url = NULL WHERE id = $1 AND callback_attempts = $2");
     tx.execute(&text, &[(&callback.id).into(), callback.attempts.into()]).map(|_| ())
 }
 
-/// Makes a callback whose attempt failed due again after `pause`.
+/// Makes a callback due again after `pause`, because its attempt failed.
 pub(super) fn put_off(tx: &mut Tx<'_>, callback: &Callback, pause: Duration) -> Result<()> {
     let table = callback.subject.table();
     let text = format!("UPDATE {table} SET callback_at = now_ms() + $3 WHERE id = $1 AND callback_attempts = $2");

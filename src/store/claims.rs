@@ -1,4 +1,4 @@
-//! Claims: a worker takes a job with an attempt number and a lease, renews the lease, reports progress, and ends the
+//! Claims: a worker claims a job with an attempt number and a lease, renews the lease, reports progress, and ends the
 //! attempt or hands the job back. Every write by a worker carries the attempt number and changes nothing once the job
 //! has moved on.
 
@@ -23,30 +23,30 @@ pub struct Claimed {
     pub waited_ms: i64,
 }
 
-/// The answer to a worker that renews its lease or reports progress.
+/// Result of renewing a lease or reporting progress.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Renewed {
     Held,
-    /// The client does not want the result any more.
+    /// The job was cancelled.
     Cancelled,
     /// The lease ran out and the job moved on, or it was deleted.
     Lost,
 }
 
-/// SQL that is true of a running job whose lease has run out. A lease that ends further ahead than twice its length was
-/// given by a clock that has been set back since, so it counts as run out too; a smaller step back does no harm.
+/// SQL condition for running jobs whose lease has run out. A lease that ends more than twice its length in the future
+/// was given by a clock that has since been set back, so it counts as run out too. Smaller steps back do no harm.
 const LEASE_EXPIRED: &str = "status = 'running' AND (lease_until <= now_ms() OR lease_until > now_ms() + 2 * lease_ms)";
 
-/// Lost leases that one transaction handles.
+/// Number of lost leases that one transaction handles.
 const RECOVERY_STEP: i64 = 100;
 
-/// What there is for a worker to do: whether a lease has run out, and whether a job waits.
-pub(super) fn look(tx: &mut Tx<'_>) -> Result<(bool, bool)> {
+/// Returns whether a lease has run out, and whether a job waits.
+pub(super) fn pending_work(tx: &mut Tx<'_>) -> Result<(bool, bool)> {
     let lost = tx.exists(&format!("SELECT 1 FROM jobs WHERE {LEASE_EXPIRED} LIMIT 1"), &[])?;
     Ok((lost, tx.exists("SELECT 1 FROM jobs WHERE status = 'queued' LIMIT 1", &[])?))
 }
 
-/// Takes the job whose turn it is, if any.
+/// Claims the job whose turn it is, if any.
 pub(super) fn claim(tx: &mut Tx<'_>, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
     let text = format!(
         "UPDATE jobs SET status = 'running', attempt = attempt + 1, sequence = sequence + 1, worker = $1, \
@@ -75,21 +75,22 @@ pub(super) fn claim(tx: &mut Tx<'_>, worker: &str, lease: Duration) -> Result<Op
 pub(super) fn renew(tx: &mut Tx<'_>, id: &str, attempt: i64, lease: Duration) -> Result<Renewed> {
     let text = "UPDATE jobs SET lease_until = now_ms() + $3, lease_ms = $3 \
                 WHERE id = $1 AND attempt = $2 AND status = 'running'";
-    hold(tx, text, id, attempt, milliseconds(lease).into())
+    update_if_held(tx, text, id, attempt, milliseconds(lease).into())
 }
 
-/// Stores the latest progress (JSON) if the worker still holds the job.
+/// Stores the latest progress (JSON text) if the worker still holds the job.
 pub(super) fn progress(tx: &mut Tx<'_>, id: &str, attempt: i64, progress: &str) -> Result<Renewed> {
     let text = "UPDATE jobs SET progress = $3, sequence = sequence + 1, progress_sequence = sequence + 1 \
                 WHERE id = $1 AND attempt = $2 AND status = 'running'";
-    let renewed = hold(tx, text, id, attempt, progress.into())?;
+    let renewed = update_if_held(tx, text, id, attempt, progress.into())?;
     if renewed == Renewed::Held {
         tx.changed(id);
     }
     Ok(renewed)
 }
 
-fn hold(tx: &mut Tx<'_>, text: &str, id: &str, attempt: i64, value: Value<'_>) -> Result<Renewed> {
+/// Runs an update that applies only while the worker holds the job.
+fn update_if_held(tx: &mut Tx<'_>, text: &str, id: &str, attempt: i64, value: Value<'_>) -> Result<Renewed> {
     if tx.execute(text, &[id.into(), attempt.into(), value])? > 0 {
         return Ok(Renewed::Held);
     }
@@ -97,7 +98,7 @@ fn hold(tx: &mut Tx<'_>, text: &str, id: &str, attempt: i64, value: Value<'_>) -
     Ok(if tx.exists(cancelled, &[id.into(), attempt.into()])? { Renewed::Cancelled } else { Renewed::Lost })
 }
 
-/// Ends the attempt. False, and nothing changed, if the worker had lost the job.
+/// Ends the attempt. If the worker had lost the job, changes nothing and returns false.
 pub(super) fn finish(
     tx: &mut Tx<'_>,
     id: &str,
@@ -147,7 +148,7 @@ pub(super) fn finish(
     Ok(true)
 }
 
-/// Assignments that put a running job back into the queue, at its old place.
+/// SQL assignments that put a running job back to its old place in the queue.
 fn requeueing() -> String {
     format!(
         "status = 'queued', sequence = sequence + 1, worker = NULL, lease_until = NULL, started_at = NULL, \
@@ -156,19 +157,19 @@ fn requeueing() -> String {
     )
 }
 
-/// Gives a running job back to the queue without counting a lost lease. False if the worker had lost it.
+/// Puts a running job back into the queue without counting a lost lease. Returns false if the worker had lost the job.
 pub(super) fn hand_back(tx: &mut Tx<'_>, id: &str, attempt: i64) -> Result<bool> {
     let text = format!("UPDATE jobs SET {} WHERE id = $1 AND attempt = $2 AND status = 'running'", requeueing());
     if tx.execute(&text, &[id.into(), attempt.into()])? == 0 {
         return Ok(false);
     }
     tx.changed(id);
-    tx.work();
+    tx.work_available();
     Ok(true)
 }
 
-/// Puts jobs whose lease has run out back into the queue, or fails them if that happened too often. Returns how many
-/// jobs it touched.
+/// Puts jobs whose lease has run out back into the queue, or fails them if that happened too often. Returns the number
+/// of these jobs.
 pub(super) fn recover(tx: &mut Tx<'_>, options: &StoreOptions) -> Result<usize> {
     let lost = tx.rows(
         &format!(
@@ -190,7 +191,7 @@ pub(super) fn recover(tx: &mut Tx<'_>, options: &StoreOptions) -> Result<usize> 
         if count < i64::from(options.max_attempts) {
             let text = format!("UPDATE jobs SET {}, lost_leases = $2, losses = $4 {fence}", requeueing());
             tx.execute(&text, &[(&id).into(), count.into(), attempt.into(), (&losses).into()])?;
-            tx.work();
+            tx.work_available();
         } else {
             let error = workers_lost(count, &losses);
             let text = format!(
@@ -208,7 +209,7 @@ pub(super) fn recover(tx: &mut Tx<'_>, options: &StoreOptions) -> Result<usize> 
     Ok(lost.len())
 }
 
-/// The error of a job whose workers keep dying, as JSON.
+/// Returns the error, as JSON text, of a job whose workers keep dying.
 fn workers_lost(count: i64, losses: &str) -> String {
     let error = json!({
         "type": "/problems/worker-lost",

@@ -1,8 +1,9 @@
-//! Large results outside of the database, in a folder or in a bucket. A file is written whole and durably before the row
-//! that names it commits, never changed, and removed after the row is gone. Its name holds the job and the attempt, so
-//! no two writers ever share one. A file without a row was left by a worker that died in between; the sweep removes it.
+//! Large results outside of the database, in a folder or a bucket. A file is written completely and durably before the
+//! row that names it is committed. It is never changed, and it is removed after the row is gone. Its name contains the
+//! job and the attempt, so two writers never share a file. A file without a row was left by a worker that died in
+//! between, and the sweep removes it.
 //!
-//! The folder is written by this module and not by the library that writes buckets, because that one does not sync.
+//! This module writes folders itself, because the library that writes buckets does not sync files to disk.
 
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -13,9 +14,9 @@ use std::time::Duration;
 use super::bucket::Bucket;
 use super::{Result, StoreError};
 
-/// Begins the setting that names a bucket instead of a folder.
+/// Prefix of a setting that names a bucket instead of a folder.
 pub(super) const BUCKET_SCHEME: &str = "s3://";
-/// A file that is written and removed to see whether results can be stored.
+/// Prefix of the file that is written and removed to test whether results can be stored.
 const PROBE: &str = "probe";
 
 #[derive(Debug, Clone)]
@@ -26,7 +27,7 @@ pub(super) enum Files {
 }
 
 impl Files {
-    /// A folder, created if missing, or `s3://BUCKET/PREFIX`.
+    /// Opens a folder, which is created if missing, or `s3://BUCKET/PREFIX`.
     pub(super) fn open(place: &str) -> Result<Self> {
         if let Some(bucket) = place.strip_prefix(BUCKET_SCHEME) {
             #[cfg(feature = "s3")]
@@ -40,7 +41,7 @@ impl Files {
         Ok(Self::Folder(place.into()))
     }
 
-    /// The bytes of a file; `None` if it is not there.
+    /// Returns the bytes of a file, or `None` if it does not exist.
     pub(super) async fn read(&self, file: &str) -> Result<Option<Vec<u8>>> {
         match self {
             Self::Folder(folder) => {
@@ -69,14 +70,14 @@ impl Files {
 
     /// Writes and removes a small file.
     pub(super) async fn probe(&self) -> Result<()> {
-        // A name of this process's own, since others may probe the same place.
+        // The name contains the process identifier, because other processes may probe the same storage.
         let file = format!("{PROBE}-{}", std::process::id());
         self.write(&file, b"probe").await?;
         self.remove(file).await;
         Ok(())
     }
 
-    /// Removes a file that no row names; one that cannot be removed now is left to the next sweep.
+    /// Removes a file that no row names. If that fails, the next sweep tries again.
     pub(super) async fn remove(&self, file: String) {
         let removed = match self {
             Self::Folder(folder) => {
@@ -87,11 +88,11 @@ impl Files {
             Self::Bucket(bucket) => bucket.remove(&file).await,
         };
         if let Err(error) = removed {
-            tracing::warn!(%error, file, "removing a result file");
+            tracing::warn!(%error, file, "cannot remove a result file");
         }
     }
 
-    /// Names of files last written longer ago than `age`.
+    /// Returns the names of files that were last written longer ago than `age`.
     pub(super) async fn older_than(&self, age: Duration) -> Result<Vec<String>> {
         match self {
             Self::Folder(folder) => {
@@ -111,12 +112,12 @@ fn write_into(folder: &Path, file: &str, bytes: &[u8]) -> io::Result<()> {
         written.write_all(bytes)?;
         written.sync_all()?;
         fs::rename(&unfinished, folder.join(file))?;
-        // The name itself is on disk once the folder is.
+        // The new name is durable only after the folder has been synced.
         File::open(folder)?.sync_all()
     };
     let written = write();
     if written.is_err() {
-        // There may be no file to remove, which is fine.
+        // Removal fails if the file was not created, which does no harm.
         let _ = fs::remove_file(&unfinished);
     }
     written
@@ -126,7 +127,7 @@ fn old_files(folder: &Path, age: Duration) -> io::Result<Vec<String>> {
     let mut old = Vec::new();
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
-        // A file that vanished meanwhile was removed by another process.
+        // A file that disappeared meanwhile was removed by another process.
         let Ok(modified) = entry.metadata().and_then(|metadata| metadata.modified()) else { continue };
         if modified.elapsed().unwrap_or_default() >= age
             && let Ok(name) = entry.file_name().into_string()

@@ -1,10 +1,10 @@
-//! Jobs as rows: submitting, reading, cancelling and deleting them.
+//! Rows of jobs: submission, reading, cancelling and deleting.
 //!
-//! Fairness is start-time fair queueing (Goyal, Vin & Cheng 1996) with every job counted alike. A job's `turn` is one
-//! more than the later of its owner's last waiting turn and the turn before the one served next; the lowest turn is
-//! claimed first, older jobs first among equals. An owner who queues a thousand jobs gets a thousand turns in a row, so
-//! the single job of another owner comes right after the job served next. With one owner this is first come, first
-//! served.
+//! Fairness is start-time fair queueing (Goyal, Vin & Cheng 1996) with equal cost for every job. The job with the
+//! lowest `turn` is claimed first, and among equal turns the older job. A new job's turn is the larger of two numbers:
+//! the turn that is served next, and the last waiting turn of its owner plus one. An owner who queues a thousand jobs
+//! gets a thousand turns in a row, so the single job of another owner is served right after the job that is served
+//! next. With one owner this is first come, first served.
 
 use std::fmt;
 use std::str::FromStr;
@@ -19,46 +19,46 @@ use crate::status::Status;
 /// A job that has not been stored yet.
 #[derive(Debug, Clone)]
 pub struct NewJob {
-    /// Unique, sorting by time.
+    /// Unique identifier that sorts by time.
     pub id: String,
     pub kind: String,
     pub owner: Option<String>,
-    /// The body that a worker is given. A job that was solved before it was stored need not have it.
+    /// Body that a worker reads. It may be empty if the job was solved before it was stored.
     pub request: Vec<u8>,
-    /// Hash of the request: equal requests have equal hashes.
+    /// Hash of the request. Equal requests have equal hashes.
     pub request_hash: [u8; 32],
     /// Unique per owner and kind for as long as the job is kept.
     pub idempotency_key: Option<String>,
-    /// Compared with that of a later submission with the same idempotency key; without a key it is not used.
+    /// Hash that is compared with a later submission of the same idempotency key. It is not used without a key.
     pub body_hash: [u8; 32],
     /// Receives a message once the job has ended.
     pub callback_url: Option<String>,
-    /// True if a kept result of the same owner, request and result version may be taken instead of solving again, and if
-    /// later jobs may take this one's.
+    /// True if this job may reuse a kept result of the same owner, request and result version, and if later jobs may
+    /// reuse this job's result.
     pub reuse: bool,
 }
 
-/// The answer to a submission.
+/// Result of submitting a job.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Submitted {
-    /// A new job: queued, or ended already.
+    /// The job is new. It is queued, or has already ended.
     Created(Box<JobRow>),
-    /// The job that the same idempotency key and body made before.
+    /// An earlier submission with the same idempotency key and body created this job.
     Existing(Box<JobRow>),
     /// The idempotency key was used with another body.
     KeyConflict,
 }
 
-/// How an attempt ended. Texts are JSON.
+/// How an attempt ended. The texts are JSON.
 #[derive(Debug, Clone)]
 pub enum Outcome {
     Succeeded {
         statistics: String,
         warnings: String,
         artefact: Vec<u8>,
-        /// Equal for equal bytes only.
+        /// Hash that is equal only for equal bytes.
         artefact_hash: [u8; 32],
-        /// True if the same request always gives this result, so that later jobs may share it.
+        /// True if the same request always gives this result, so that later jobs may reuse it.
         reusable: bool,
     },
     Failed {
@@ -67,7 +67,7 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// The status of a job that ended like this.
+    /// Returns the status of a job that ended with this outcome.
     #[must_use]
     pub fn status(&self) -> Status {
         match self {
@@ -77,7 +77,7 @@ impl Outcome {
     }
 }
 
-/// The end of a job that was solved before it was stored, and how long ago it was submitted and started, by this
+/// End of a job that was solved before it was stored, with the times since its submission and its start by this
 /// process's clock.
 #[derive(Debug, Clone)]
 pub struct Solved {
@@ -86,10 +86,10 @@ pub struct Solved {
     pub started_ms: i64,
 }
 
-/// Whether later equal requests may take a job's result.
+/// Permission for later equal requests to reuse a job's result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Sharing {
-    /// The client allows it; the result is still to come.
+    /// The client allows it, but the job has no result yet.
     Undecided,
     Allowed,
     /// The client bypassed the cache, or the result depends on more than the request.
@@ -106,14 +106,14 @@ impl Sharing {
     }
 }
 
-/// A job's batch, and the job's place in it.
+/// Batch of a job, and the job's index in it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Place<'b> {
+pub(super) struct BatchPlace<'b> {
     pub(super) batch: &'b str,
     pub(super) index: i64,
 }
 
-/// A point in a job's life, as server-sent events name it: `attempt.sequence`. Later points compare greater.
+/// Point in a job's life, written as `attempt.sequence` in server-sent events. Later points compare greater.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct EventId {
     pub attempt: i64,
@@ -141,7 +141,7 @@ impl FromStr for EventId {
     }
 }
 
-/// A change of status in a job's past.
+/// A change of a job's status.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct StatusEvent {
     pub id: EventId,
@@ -154,18 +154,18 @@ impl StatusEvent {
         Self { id: EventId { attempt, sequence }, status, at_ms }
     }
 
-    /// The line that the column `history` keeps.
+    /// Returns the line that the column `history` keeps.
     fn line(&self) -> String {
         format!("{} {} {} {}\n", self.id.attempt, self.id.sequence, self.status.name(), self.at_ms)
     }
 }
 
-/// SQL for the line that a change of status adds to the history, with the values after the change.
+/// Returns SQL for the history with a line for a change of status. The line has the values after the change.
 pub(super) fn history_line(attempt: &str, status: Status) -> String {
     format!("history || {attempt} || ' ' || (sequence + 1) || ' {} ' || now_ms() || '\n'", status.name())
 }
 
-/// Assignments that end a job, without those that only a success has. `$2` is the retention.
+/// Returns the SQL assignments common to every end of a job. `$2` is the retention.
 pub(super) fn ending(status: Status) -> String {
     format!(
         "status = '{}', sequence = sequence + 1, finished_at = now_ms(), expires_at = now_ms() + $2, \
@@ -191,14 +191,14 @@ pub(super) fn read_status(row: &Row) -> Result<Status> {
     Status::from_name(&name).ok_or_else(|| StoreError::Internal(format!("unknown status {name:?}")))
 }
 
-/// The column `owner` holds an empty text for a job without an owner.
+/// Reads the owner. The column holds an empty text for a job without an owner.
 pub(super) fn read_owner(row: &Row) -> Result<Option<String>> {
     let owner: String = row.get("owner")?;
     Ok((!owner.is_empty()).then_some(owner))
 }
 
-/// A job without its request and its mesh. `progress`, `statistics`, `warnings` and `error` are the JSON texts that
-/// were stored.
+/// Row of a job, without its request and its mesh. `progress`, `statistics`, `warnings` and `error` are JSON texts as
+/// they were stored.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct JobRow {
     pub id: String,
@@ -213,18 +213,18 @@ pub struct JobRow {
     pub finished_at_ms: Option<i64>,
     pub expires_at_ms: Option<i64>,
     pub progress: Option<String>,
-    /// The `sequence` at which `progress` was written; 0 if there is none.
+    /// Value of `sequence` when `progress` was written, or 0 without progress.
     pub progress_sequence: i64,
     pub statistics: Option<String>,
     pub warnings: String,
     pub error: Option<String>,
-    /// Names the artefact's bytes: equal for equal bytes only.
+    /// Hash of the stored result, which is equal only for equal bytes.
     pub artefact: Option<Vec<u8>>,
     /// Every change of status so far, oldest first.
     pub history: Vec<StatusEvent>,
 }
 
-/// The columns that [`JobRow::read`] reads.
+/// Columns that [`JobRow::read`] reads.
 pub(super) const COLUMNS: &str = "id, kind, owner, status, attempt, sequence, created_at, started_at, finished_at, \
      expires_at, progress, progress_sequence, statistics, warnings, error, artefact, history";
 
@@ -251,7 +251,7 @@ impl JobRow {
         })
     }
 
-    /// A job that is queued now.
+    /// Returns the row of a job that is queued now.
     fn queued(job: &NewJob, now_ms: i64) -> Self {
         Self {
             id: job.id.clone(),
@@ -274,18 +274,18 @@ impl JobRow {
         }
     }
 
-    /// The latest point of the job's life.
+    /// Returns the latest point of the job's life.
     #[must_use]
     pub fn event_id(&self) -> EventId {
         EventId { attempt: self.attempt, sequence: self.sequence }
     }
 
-    /// The status changes after `last`, oldest first; all of them without one.
+    /// Returns the status changes after `last`, oldest first, or all changes if `last` is `None`.
     pub fn events_since(&self, last: Option<EventId>) -> impl Iterator<Item = &StatusEvent> {
         self.history.iter().filter(move |event| last.is_none_or(|last| event.id > last))
     }
 
-    /// The latest progress if it came after `last`.
+    /// Returns the latest progress if it is newer than `last`.
     #[must_use]
     pub fn progress_since(&self, last: Option<EventId>) -> Option<(EventId, &str)> {
         let id = EventId { attempt: self.attempt, sequence: self.progress_sequence };
@@ -294,17 +294,17 @@ impl JobRow {
     }
 }
 
-/// The answer to a question about a job id.
+/// Result of looking up a job.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Lookup {
     Found(Box<JobRow>),
-    /// The job was there; its time has run out.
+    /// The job existed and has expired.
     Expired,
-    /// Never there, deleted, or another owner's.
+    /// The job never existed, was deleted, or belongs to another owner.
     Missing,
 }
 
-/// Which jobs a list shows; all by default.
+/// Selection of the jobs in a list. The default selects all jobs.
 #[derive(Debug, Clone, Default)]
 pub struct Filter {
     pub owner: Option<String>,
@@ -313,12 +313,13 @@ pub struct Filter {
     pub idempotency_key: Option<String>,
 }
 
-/// Stores a job, as part of a batch if it has a place in one. In this order of preference, the job is the one that the
-/// same idempotency key made before; it takes a kept result; it ends as `solved` says; or it is queued.
+/// Stores a job, as part of a batch if `place` is given. The first of these cases that applies decides: an earlier
+/// submission with the same idempotency key is returned; a kept result is reused; the job has already been solved; the
+/// job is queued.
 pub(super) fn submit(
     tx: &mut Tx<'_>,
     job: &NewJob,
-    place: Option<Place<'_>>,
+    place: Option<BatchPlace<'_>>,
     solved: Option<(&Solved, Option<&Prepared>)>,
     options: &StoreOptions,
 ) -> Result<Submitted> {
@@ -345,13 +346,13 @@ pub(super) fn submit(
         Some((Solved { outcome: Outcome::Succeeded { artefact, .. }, .. }, Some(result))) if row.attempt == 1 => {
             results::keep(tx, result, artefact)?;
         }
-        // The job has taken a kept result instead.
+        // The job reuses a kept result, so the new result is dropped.
         _ => tx.drop_file(prepared.and_then(|result| result.file.clone())),
     }
     insert(tx, job, &row, turn, sharing, place, &content)?;
     if row.status == Status::Queued {
         tx.insert("requests", &[("job_id", job.id.as_str().into()), ("body", job.request.as_slice().into())])?;
-        tx.work();
+        tx.work_available();
     }
     Ok(Submitted::Created(Box::new(row)))
 }
@@ -369,7 +370,7 @@ pub(super) fn limit(value: u64) -> i64 {
     i64::try_from(value).unwrap_or(i64::MAX)
 }
 
-/// Names the work: equal hashes have equal results.
+/// Returns a hash that identifies the work. Jobs with equal hashes have equal results.
 fn content_hash(version: &str, kind: &str, request_hash: &[u8; 32]) -> [u8; 32] {
     let mut hash = Sha256::new();
     for part in [version.as_bytes(), kind.as_bytes(), request_hash] {
@@ -391,7 +392,7 @@ fn earlier_submission(tx: &mut Tx<'_>, job: &NewJob) -> Result<Option<Submitted>
     Ok(Some(if same { Submitted::Existing(Box::new(JobRow::read(&row)?)) } else { Submitted::KeyConflict }))
 }
 
-/// The newest job of the same owner and content whose result may be taken, if there is one.
+/// Returns the newest job of the same owner and content whose result may be reused, if there is one.
 fn shared_result(tx: &mut Tx<'_>, job: &NewJob, content: &[u8; 32]) -> Result<Option<JobRow>> {
     let text = format!(
         "SELECT {COLUMNS} FROM jobs WHERE owner = $1 AND content_hash = $2 AND sharing = 'allowed' \
@@ -399,12 +400,12 @@ fn shared_result(tx: &mut Tx<'_>, job: &NewJob, content: &[u8; 32]) -> Result<Op
     );
     let Some(row) = tx.row(&text, &[owner_column(job), content.into()])? else { return Ok(None) };
     let row = JobRow::read(&row)?;
-    // The sweep leaves a result alone that was touched lately, so it stays until this transaction is visible.
-    let there = results::touch(tx, row.artefact.as_deref().unwrap_or_default())?;
-    Ok(there.then_some(row))
+    // The sweep leaves recently touched results alone, so the result stays until this transaction is visible.
+    let exists = results::touch(tx, row.artefact.as_deref().unwrap_or_default())?;
+    Ok(exists.then_some(row))
 }
 
-/// A job that ends at once with the result of another job.
+/// Returns the row of a job that reuses the result of another job and ends at once.
 fn ended_with(other: JobRow, job: &NewJob, now_ms: i64, expires_at_ms: i64) -> JobRow {
     JobRow {
         status: Status::Succeeded,
@@ -425,7 +426,7 @@ fn ended_with(other: JobRow, job: &NewJob, now_ms: i64, expires_at_ms: i64) -> J
     }
 }
 
-/// A job that was solved before it was stored.
+/// Returns the row of a job that was solved before it was stored.
 fn ended_as(solved: &Solved, result: Option<&Prepared>, job: &NewJob, now_ms: i64, expires_at_ms: i64) -> JobRow {
     let (created_at_ms, started_at_ms) = (now_ms - solved.submitted_ms, now_ms - solved.started_ms);
     let row = JobRow {
@@ -461,7 +462,7 @@ fn insert(
     row: &JobRow,
     turn: i64,
     sharing: Sharing,
-    place: Option<Place<'_>>,
+    place: Option<BatchPlace<'_>>,
     content: &[u8; 32],
 ) -> Result<()> {
     let history: String = row.history.iter().map(StatusEvent::line).collect();
@@ -497,7 +498,7 @@ fn insert(
     )
 }
 
-/// SQL for the numbers of waiting jobs, in all and of the owner `$1`, counted no further than the limits `$2` and `$3`.
+/// SQL for the number of waiting jobs in total and of the owner `$1`. Counting stops at the limits `$2` and `$3`.
 const WAITING: &str = "(SELECT count(*) FROM (SELECT 1 FROM jobs WHERE status = 'queued' LIMIT $2) AS a) AS waiting, \
      (SELECT count(*) FROM (SELECT 1 FROM jobs WHERE status = 'queued' AND owner = $1 LIMIT $3) AS b) AS own";
 
@@ -511,14 +512,14 @@ fn refuse_if_full(row: &Row, options: &StoreOptions) -> Result<()> {
     Ok(())
 }
 
-/// Fails with `QueueFull` if one more job of this owner would find no place.
+/// Fails with `QueueFull` if the queue has no room for another job of this owner.
 pub(super) fn check_room(tx: &mut Tx<'_>, owner: Option<&str>, options: &StoreOptions) -> Result<()> {
     let limits = (limit(options.queue_limit), limit(options.owner_queue_limit));
     let values = [owner.unwrap_or_default().into(), limits.0.into(), limits.1.into()];
     refuse_if_full(&tx.one(&format!("SELECT {WAITING}"), &values)?, options)
 }
 
-/// The first free turn for the job's owner.
+/// Returns the first free turn for the job's owner.
 fn next_turn(tx: &mut Tx<'_>, job: &NewJob, options: &StoreOptions) -> Result<i64> {
     let text = format!(
         "SELECT {WAITING}, (SELECT min(turn) FROM jobs WHERE status = 'queued') AS served_next, \
@@ -541,8 +542,8 @@ pub(super) fn get(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<Look
     Ok(if tx.exists(gone, &key)? { Lookup::Expired } else { Lookup::Missing })
 }
 
-/// At most `page` jobs, newest first, and the cursor of the next page if there is one. A row that cannot be read is left
-/// out and logged.
+/// Returns at most `page` jobs, newest first, and the cursor of the next page if there is one. A row that cannot be
+/// read is left out and logged.
 pub(super) fn list(
     tx: &mut Tx<'_>,
     filter: &Filter,
@@ -579,7 +580,7 @@ pub(super) fn list(
     Ok((shown.iter().filter_map(read).collect(), next))
 }
 
-/// Cancels a queued or running job; any other is returned unchanged.
+/// Cancels a queued or running job. Returns a finished job unchanged.
 pub(super) fn cancel(tx: &mut Tx<'_>, id: &str, owner: Option<&str>, options: &StoreOptions) -> Result<Lookup> {
     let text = format!(
         "UPDATE jobs SET {} WHERE id = $1 AND ($3 = '' OR owner = $3) AND status IN ('queued', 'running') \
@@ -593,7 +594,7 @@ pub(super) fn cancel(tx: &mut Tx<'_>, id: &str, owner: Option<&str>, options: &S
     Ok(Lookup::Found(Box::new(JobRow::read(&row)?)))
 }
 
-/// Removes a job, whatever its status. False if there was none.
+/// Removes a job, whatever its status. Returns false if the job does not exist.
 pub(super) fn delete(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<bool> {
     let text = "DELETE FROM jobs WHERE id = $1 AND ($2 = '' OR owner = $2)";
     if tx.execute(text, &[id.into(), owner.unwrap_or_default().into()])? == 0 {
@@ -604,12 +605,12 @@ pub(super) fn delete(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<b
     Ok(true)
 }
 
-/// A job's request is needed only until the job ends.
+/// Deletes the job's request, which is needed only until the job ends.
 pub(super) fn drop_request(tx: &mut Tx<'_>, id: &str) -> Result<()> {
     tx.execute("DELETE FROM requests WHERE job_id = $1", &[id.into()]).map(|_| ())
 }
 
-/// The number of jobs that wait.
+/// Returns the number of jobs that wait.
 pub(super) fn queue_length(tx: &mut Tx<'_>) -> Result<i64> {
     tx.one("SELECT count(*) AS queued FROM jobs WHERE status = 'queued'", &[])?.get("queued")
 }
@@ -619,7 +620,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn event_ids_read_back_and_sort_by_attempt_first() {
+    fn event_ids_are_parsed_and_sorted_by_attempt_first() {
         let id: EventId = "2.17".parse().unwrap();
         assert_eq!(id, EventId { attempt: 2, sequence: 17 });
         assert_eq!(id.to_string(), "2.17");

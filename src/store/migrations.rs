@@ -1,8 +1,8 @@
-//! The tables of both engines, brought up to date by numbered scripts.
+//! Numbered scripts that create and update the tables of both engines.
 //!
-//! A migration only ever adds, so that an older version keeps working on a database that a newer one has migrated. The
-//! table of the migrations that were made has the name and the form that the library sqlx gives it, because existing
-//! databases have it.
+//! A migration only adds columns and tables, so that an older version keeps working on a database that a newer one has
+//! migrated. The table of applied migrations has the name and the columns of the library sqlx, because existing
+//! databases have them.
 
 use sha2::{Digest, Sha384};
 
@@ -15,25 +15,25 @@ const MIGRATIONS: [(i64, &str, &str); 3] = [
     (3, "sharing and leases", include_str!("../../migrations/0003_sharing_and_leases.sql")),
 ];
 
-/// Names the advisory lock that lets one process at a time migrate a PostgreSQL database.
+/// SQL that takes the advisory lock, so that only one process at a time migrates a PostgreSQL database.
 const LOCK: &str = "SELECT pg_advisory_xact_lock(7019839175)";
-const KNOWN: &str = "CREATE TABLE IF NOT EXISTS _sqlx_migrations (version BIGINT PRIMARY KEY, \
+const CREATE_TABLE: &str = "CREATE TABLE IF NOT EXISTS _sqlx_migrations (version BIGINT PRIMARY KEY, \
      description TEXT NOT NULL, installed_on TIMESTAMP NOT NULL DEFAULT CURRENT_TIMESTAMP, \
      success BOOLEAN NOT NULL, checksum BYTEA NOT NULL, execution_time BIGINT NOT NULL)";
 
-/// Runs the migrations that the database lacks. The caller commits all of them or none.
+/// Runs the migrations that the database lacks. The caller commits or rolls back all of them together.
 pub(super) fn migrate(tx: &mut Tx<'_>) -> Result<()> {
     if tx.is_postgres() {
         tx.script(LOCK)?;
     }
-    tx.script(KNOWN)?;
+    tx.script(CREATE_TABLE)?;
     for (version, name, text) in MIGRATIONS {
         let checksum = Sha384::digest(text);
         let known = "SELECT checksum FROM _sqlx_migrations WHERE version = $1 AND success";
         match tx.row(known, &[version.into()])? {
             Some(row) if row.get::<Vec<u8>>("checksum")? == checksum.as_slice() => {}
             Some(_) => {
-                let text = format!("migration {version} of this database is not the one that this program has");
+                let text = format!("migration {version} of this database differs from the one in this program");
                 return Err(StoreError::Migration(text));
             }
             None => {

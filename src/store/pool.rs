@@ -1,4 +1,4 @@
-//! A fixed number of threads, each with a database connection of its own that it opens when it first needs it.
+//! A fixed number of threads, each with its own database connection, which is opened at the first use.
 
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -11,15 +11,15 @@ use tokio::sync::{Semaphore, oneshot};
 
 use super::{Result, StoreError};
 
-/// Runs on one of the threads, with that thread's connection once it has been opened.
+/// Work that runs on one of the threads and gets that thread's connection.
 type Work<C> = Box<dyn FnOnce(&mut Option<C>) + Send>;
 type Open<C> = Arc<dyn Fn() -> Result<C> + Send + Sync>;
 
 pub(super) struct Pool<C> {
     open: Open<C>,
     /// One permit for each thread.
-    places: Arc<Semaphore>,
-    /// How long a caller waits for a free thread; without a limit if there is none.
+    threads: Arc<Semaphore>,
+    /// Time that a caller waits for a free thread. `None` means no limit.
     patience: Option<Duration>,
     running: Mutex<Option<Running<C>>>,
 }
@@ -31,7 +31,7 @@ struct Running<C> {
 
 impl<C> fmt::Debug for Pool<C> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.debug_struct("Pool").field("places", &self.places).finish_non_exhaustive()
+        formatter.debug_struct("Pool").field("threads", &self.threads).finish_non_exhaustive()
     }
 }
 
@@ -52,25 +52,25 @@ impl<C: 'static> Pool<C> {
         let handles = (0..threads).map(start).collect::<std::io::Result<Vec<_>>>()?;
         Ok(Self {
             open: Arc::new(open),
-            places: Arc::new(Semaphore::new(threads)),
+            threads: Arc::new(Semaphore::new(threads)),
             patience,
             running: Mutex::new(Some(Running { work, threads: handles })),
         })
     }
 
-    /// Runs `work` on a free thread. The work runs to its end even if the caller goes away.
+    /// Runs `work` on a free thread. The work is completed even if the caller goes away.
     pub(super) async fn run<T: Send + 'static>(
         &self,
         work: impl FnOnce(&mut C) -> Result<T> + Send + 'static,
     ) -> Result<T> {
-        let place = Arc::clone(&self.places).acquire_owned();
-        let place = match self.patience {
-            None => place.await,
-            Some(patience) => tokio::time::timeout(patience, place).await.map_err(|_| {
+        let permit = Arc::clone(&self.threads).acquire_owned();
+        let permit = match self.patience {
+            None => permit.await,
+            Some(patience) => tokio::time::timeout(patience, permit).await.map_err(|_| {
                 StoreError::Unavailable(format!("no database connection was free for {} s", patience.as_secs()))
             })?,
         };
-        let place = place.map_err(|_| closed())?;
+        let permit = permit.map_err(|_| closed())?;
         let (answer, answered) = oneshot::channel();
         let open = Arc::clone(&self.open);
         let run = move |connection: &mut Option<C>| {
@@ -81,12 +81,12 @@ impl<C: 'static> Pool<C> {
                 connection.as_mut().map_or_else(|| Err(closed()), work)
             }));
             let result = result.unwrap_or_else(|_| {
-                // A transaction may be open on it; closing the connection rolls the transaction back.
+                // The connection may have an open transaction. Closing it rolls the transaction back.
                 *connection = None;
                 Err(StoreError::Internal("a statement of the store panicked".into()))
             });
-            drop(place);
-            // A caller that went away does not need its answer.
+            drop(permit);
+            // If the caller went away, the answer is dropped.
             let _ = answer.send(result);
         };
         match &*self.running() {
@@ -96,20 +96,20 @@ impl<C: 'static> Pool<C> {
         answered.await.map_err(|_| closed())?
     }
 
-    /// Waits for the work under way and closes every connection. Later work fails as `Unavailable`.
+    /// Waits for running work and closes every connection. Later work fails with `Unavailable`.
     pub(super) async fn close(&self) {
-        self.places.close();
+        self.threads.close();
         let Some(Running { work, threads }) = self.running().take() else { return };
         drop(work);
         let join = move || threads.into_iter().for_each(|thread| drop(thread.join()));
-        // Fails only while the runtime is shutting down; the threads end by themselves then.
+        // This fails only while the runtime is shutting down. The threads then end by themselves.
         let _ = tokio::task::spawn_blocking(join).await;
     }
 }
 
 impl<C> Pool<C> {
     fn running(&self) -> MutexGuard<'_, Option<Running<C>>> {
-        // Nothing panics while the lock is held.
+        // No thread panics while it holds the lock.
         self.running.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -118,7 +118,7 @@ pub(super) fn closed() -> StoreError {
     StoreError::Unavailable("the store is closed".into())
 }
 
-/// Works until the sender is gone.
+/// Runs work until the sender is dropped.
 fn run<C>(received: &Mutex<Receiver<Work<C>>>) {
     let mut connection = None;
     loop {

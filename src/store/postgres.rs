@@ -1,4 +1,4 @@
-//! PostgreSQL, shared by several machines: a few threads with a connection each, and one more that listens for changes.
+//! PostgreSQL, shared by several machines. A few threads have a connection each, and one more listens for changes.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -20,17 +20,17 @@ pub(super) use postgres::types::FromSql as FromPostgres;
 
 use super::migrations::migrate;
 use super::pool::Pool;
-use super::tx::{News, Tx, Value};
+use super::tx::{AfterCommit, Tx, Value};
 use super::{Result, StoreError, StoreOptions};
 
-/// How long a caller waits for a connection, and a connection for the server.
+/// Time limit for getting a free connection, and for opening a connection to the server.
 const PATIENCE: Duration = Duration::from_secs(5);
-/// Attempts of a transaction that loses a race: a deadlock, or two equal idempotency keys at once.
+/// Number of tries of a transaction that fails because of a deadlock or of two equal idempotency keys at once.
 const TRIES: usize = 5;
 const SESSION_OPTIONS: &str = "-c statement_timeout=60s -c idle_in_transaction_session_timeout=60s";
 const CHANNEL: &str = "plateau_changes";
 const RECONNECT_DELAY: Duration = Duration::from_secs(1);
-/// How often the listening thread looks whether the store has been closed.
+/// Interval at which the listening thread checks whether the store has been closed.
 const LISTEN_STEP: Duration = Duration::from_millis(250);
 
 #[derive(Debug)]
@@ -40,7 +40,7 @@ pub(super) struct Database {
 }
 
 impl Database {
-    /// Connects to `postgres://USER@HOST/DATABASE` and brings its tables up to date.
+    /// Connects to `postgres://USER@HOST/DATABASE` and migrates its tables.
     pub(super) async fn open(url: &str, options: &StoreOptions) -> Result<Self> {
         let config = config(url)?;
         let threads = options.connections.max(1) as usize;
@@ -51,11 +51,11 @@ impl Database {
         Ok(Self { config, sessions })
     }
 
-    /// Runs `work` in a transaction, again if it loses a race.
+    /// Runs `work` in a transaction, and again if the transaction conflicts with another one.
     pub(super) async fn write<T: Send + 'static>(
         &self,
         work: impl Fn(&mut Tx<'_>) -> Result<T> + Send + 'static,
-    ) -> Result<(T, News)> {
+    ) -> Result<(T, AfterCommit)> {
         let transact = move |session: &mut Session| {
             let mut tries = 1;
             loop {
@@ -68,7 +68,7 @@ impl Database {
         self.sessions.run(transact).await
     }
 
-    /// Runs `work`, which only reads.
+    /// Runs `work`, which must only read.
     pub(super) async fn read<T: Send + 'static>(
         &self,
         work: impl Fn(&mut Tx<'_>) -> Result<T> + Send + 'static,
@@ -76,19 +76,19 @@ impl Database {
         self.sessions.run(move |session| session.read(&work)).await
     }
 
-    /// Tells every instance that listens, this one included.
+    /// Notifies every listening instance, including this one.
     pub(super) async fn notify(&self, payload: String) -> Result<()> {
         let text = "SELECT pg_notify($1, $2)";
         self.read(move |tx| tx.execute(text, &[CHANNEL.into(), payload.as_str().into()]).map(|_| ())).await
     }
 
-    /// Starts a thread that hears what changed, here and elsewhere, until the sender of `stopped` is dropped. `heard` is
-    /// called with every payload, and with `None` whenever notifications may have been lost.
+    /// Starts a thread that listens for changes of all instances until the sender of `stopped` is dropped. It calls
+    /// `heard` with every payload, and with `None` whenever notifications may have been lost.
     pub(super) fn listen(&self, stopped: Receiver<()>, heard: impl Fn(Option<&str>) + Send + 'static) -> Result<()> {
         let config = self.config.clone();
         let run = move || loop {
             if let Err(error) = listen_once(&config, &stopped, &heard) {
-                tracing::warn!(%error, "cannot listen for changes; looking for them at intervals meanwhile");
+                tracing::warn!(%error, "cannot listen for changes; polling for them meanwhile");
             }
             if stopped.recv_timeout(RECONNECT_DELAY) == Err(RecvTimeoutError::Disconnected) {
                 return;
@@ -107,7 +107,7 @@ impl Database {
 fn listen_once(config: &Config, stopped: &Receiver<()>, heard: &impl Fn(Option<&str>)) -> Result<()> {
     let mut client = config.connect(NoTls)?;
     client.batch_execute(&format!("LISTEN {CHANNEL}"))?;
-    // Notifications that were sent before the connection stood are lost.
+    // Notifications sent before this connection was opened are lost.
     heard(None);
     while stopped.recv_timeout(Duration::ZERO) != Err(RecvTimeoutError::Disconnected) {
         client.notifications().timeout_iter(LISTEN_STEP).for_each(|notification| {
@@ -121,11 +121,11 @@ fn listen_once(config: &Config, stopped: &Receiver<()>, heard: &impl Fn(Option<&
     Ok(())
 }
 
-/// One connection, opened when it is first needed and again after it broke.
+/// One connection, which is opened at the first use and again after it broke.
 pub(super) struct Session {
     config: Config,
     client: Option<Client>,
-    /// Statements that this connection has prepared, by their text.
+    /// Prepared statements of this connection, by their text.
     statements: HashMap<String, Statement>,
 }
 
@@ -157,10 +157,10 @@ impl Session {
         }
     }
 
-    fn transact<T>(&mut self, work: &impl Fn(&mut Tx<'_>) -> Result<T>) -> Result<(T, News)> {
+    fn transact<T>(&mut self, work: &impl Fn(&mut Tx<'_>) -> Result<T>) -> Result<(T, AfterCommit)> {
         self.drop_broken();
         if let Err(error) = self.script("BEGIN") {
-            // The server has gone since the last statement, and nothing of this transaction has happened.
+            // The server closed the connection since the last statement, and nothing of this transaction has happened.
             self.drop_broken();
             if self.client.is_some() {
                 return Err(error);
@@ -169,8 +169,8 @@ impl Session {
         }
         let mut tx = Tx::postgres(self);
         let worked = work(&mut tx);
-        let news = tx.into_news();
-        let ended = worked.and_then(|value| self.script("COMMIT").map(|()| (value, news)));
+        let after_commit = tx.into_after_commit();
+        let ended = worked.and_then(|value| self.script("COMMIT").map(|()| (value, after_commit)));
         if ended.is_err() && self.script("ROLLBACK").is_err() {
             // The server rolls back when the connection closes.
             self.client = None;
@@ -245,7 +245,7 @@ impl ToSql for Value<'_> {
     }
 
     fn accepts(_: &Type) -> bool {
-        // Statements are prepared with the types of their values.
+        // Statements are prepared with the types of their values, so every type fits.
         true
     }
 
@@ -259,11 +259,11 @@ impl From<postgres::Error> for StoreError {
             None => error.to_string(),
         };
         match error.code().map(SqlState::code) {
-            // disk_full.
+            // 53100 is disk_full.
             Some("53100") => Self::NoSpace(text),
-            // serialization_failure, deadlock_detected, unique_violation.
+            // 40001 is serialization_failure, 40P01 is deadlock_detected, and 23505 is unique_violation.
             Some("40001" | "40P01" | "23505") => Self::Contended(text),
-            // Connection, resource and operator classes.
+            // These classes are connection exceptions, insufficient resources, operator intervention and system errors.
             Some(code) if ["08", "53", "57", "58"].contains(&code.get(..2).unwrap_or_default()) => {
                 Self::Unavailable(text)
             }
@@ -276,13 +276,12 @@ impl From<postgres::Error> for StoreError {
     }
 }
 
-/// How to connect, from the URL. As for other clients of PostgreSQL, the parameter `host` takes the place of the host
-/// before the path, and a password that the URL lacks comes from `PGPASSWORD` or the file `PGPASSFILE` (`~/.pgpass`).
+/// Reads the connection settings from the URL. As in other PostgreSQL clients, the parameter `host` overrides the host
+/// before the path. A password that is not in the URL comes from `PGPASSWORD` or from the file `PGPASSFILE`
+/// (`~/.pgpass`).
 fn config(url: &str) -> Result<Config> {
-    let unusable = |error: postgres::Error| {
-        let why = error.source().map_or_else(|| error.to_string(), ToString::to_string);
-        StoreError::Url(why)
-    };
+    let unusable =
+        |error: postgres::Error| StoreError::Url(error.source().map_or_else(|| error.to_string(), ToString::to_string));
     let mut config = Config::from_str(&with_one_host(url)).map_err(unusable)?;
     if config.get_user().is_none() {
         let user = std::env::var("PGUSER").or_else(|_| std::env::var("USER"));
@@ -297,7 +296,7 @@ fn config(url: &str) -> Result<Config> {
     Ok(config)
 }
 
-/// The URL without the host before its path, if a parameter names another one.
+/// Removes the host before the path from the URL if a parameter names another host.
 fn with_one_host(url: &str) -> Cow<'_, str> {
     let Some((scheme, rest)) = url.split_once("://") else { return Cow::Borrowed(url) };
     let Some((path, query)) = rest.split_once('?') else { return Cow::Borrowed(url) };
@@ -312,7 +311,7 @@ fn with_one_host(url: &str) -> Cow<'_, str> {
     Cow::Owned(format!("{scheme}://{user}/{database}?{query}{port}"))
 }
 
-/// The password for this server in the password file, if there is one.
+/// Returns the password for this server from the password file, if it has one.
 fn stored_password(config: &Config) -> Option<String> {
     let home = || Some(PathBuf::from(std::env::var_os("HOME")?).join(".pgpass"));
     let file = std::env::var_os("PGPASSFILE").map(PathBuf::from).or_else(home)?;
@@ -326,8 +325,8 @@ fn stored_password(config: &Config) -> Option<String> {
     password_for(&text, [&host, &port, config.get_dbname().unwrap_or(user), user])
 }
 
-/// The last field of the first line `host:port:database:user:password` that matches; a field `*` matches everything, and a
-/// backslash takes the meaning from a colon or backslash after it.
+/// Returns the last field of the first line `host:port:database:user:password` that matches. A field `*` matches
+/// everything, and a backslash makes the following colon or backslash an ordinary character.
 fn password_for(text: &str, wanted: [&str; 4]) -> Option<String> {
     text.lines().filter(|line| !line.starts_with('#')).find_map(|line| {
         let (mut fields, mut characters) = (vec![String::new()], line.chars());
@@ -343,7 +342,7 @@ fn password_for(text: &str, wanted: [&str; 4]) -> Option<String> {
     })
 }
 
-/// `url` without its password, wherever it stands, for logs and errors.
+/// Returns `url` without its passwords, for logs and errors.
 #[must_use]
 pub fn redacted(url: &str) -> Cow<'_, str> {
     const PARAMETER: &str = "password=";
@@ -367,7 +366,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_password_is_not_shown() {
+    fn passwords_are_removed_from_urls() {
         assert_eq!(redacted("postgres://me:secret@db:5432/plateau"), "postgres://me:***@db:5432/plateau");
         assert_eq!(redacted("postgres://me:a@b@db/plateau"), "postgres://me:***@db/plateau");
         assert_eq!(redacted("postgres://db/plateau?user=a:b@c"), "postgres://db/plateau?user=a:b@c");
@@ -376,7 +375,7 @@ mod tests {
     }
 
     #[test]
-    fn a_host_parameter_takes_the_place_of_the_host_before_the_path() {
+    fn a_host_parameter_overrides_the_host_before_the_path() {
         for (url, host, port) in [
             ("postgres://me@db/plateau", Host::Tcp("db".into()), Some(5432)),
             ("postgres://me@db:6000/plateau", Host::Tcp("db".into()), Some(6000)),
@@ -394,7 +393,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_line_of_a_password_file_that_matches_counts() {
+    fn the_password_comes_from_the_first_matching_line() {
         let text = "# db:5432:plateau:me:comment\ndb:5432:other:me:one\n*:5432:plateau:me:t\\:w:o\\\\\n*:*:*:*:three\nshort:1\n";
         let password = |host, port, database, user| password_for(text, [host, port, database, user]);
         assert_eq!(password("db", "5432", "plateau", "me").as_deref(), Some("t:w:o\\"));

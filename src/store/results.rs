@@ -1,5 +1,5 @@
-//! Results by the hash of their bytes, shared by every job that has the same: small ones in the row, large ones in a
-//! file that the row names.
+//! Results, named by the hash of their bytes and shared by every job that has the same result. Small results are in the
+//! row; large ones are in a file that the row names.
 
 use std::time::Duration;
 
@@ -10,23 +10,23 @@ use super::{Result, StoreError, milliseconds};
 /// A stored result.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Artefact {
-    /// Names `bytes`: equal for equal bytes only.
+    /// Name of the result, which is equal only for equal bytes.
     pub hash: Vec<u8>,
     pub bytes: Vec<u8>,
-    /// Changes whenever the row does, so that only the damaged bytes that somebody looked at are discarded.
+    /// Time of the row's last change. A damaged result is discarded only if its row has not changed since it was read.
     pub(super) touched_at: i64,
 }
 
-/// A result that can be put into a row.
+/// A result that is ready to be stored in a row.
 #[derive(Debug)]
 pub(super) struct Prepared {
-    /// Its name in the database: never the same for other bytes.
+    /// Name of the result in the database, which differs for different bytes.
     pub(super) hash: [u8; 32],
-    /// The file that holds the bytes; without one they belong into the row.
+    /// File that holds the bytes. If `None`, the bytes go into the row.
     pub(super) file: Option<String>,
 }
 
-/// The row of a job's result.
+/// Row of a job's result.
 #[derive(Debug)]
 pub(super) struct ResultRow {
     pub(super) hash: Vec<u8>,
@@ -35,7 +35,7 @@ pub(super) struct ResultRow {
     pub(super) file: Option<String>,
 }
 
-/// The result of a job that succeeded; `None` for any other id.
+/// Returns the result of a succeeded job, or `None` for any other identifier.
 pub(super) fn find(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<Option<ResultRow>> {
     let text = "SELECT hash, touched_at, body, file FROM jobs JOIN artefacts ON hash = artefact \
                 WHERE id = $1 AND ($2 = '' OR owner = $2)";
@@ -52,11 +52,12 @@ pub(super) fn find(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<Opt
     Ok(Some(found))
 }
 
-/// Results of more bytes are named by their bytes alone, so that equal ones are kept once. The names of others begin with
-/// the time, so that they come in order: an index over names without order costs a page in a random place for each.
+/// Largest size in bytes of results whose names begin with the time. Their names are in order of time, because an index
+/// over unordered names costs a page at a random place for each result. Larger results are named by their hash alone,
+/// so that equal ones are kept only once.
 const NAMED_BY_TIME_BYTES: usize = 32 << 10;
 
-/// The name of a result whose bytes have this hash.
+/// Returns the name of a result whose bytes have this hash.
 pub(super) fn name(artefact: &[u8], hash: [u8; 32]) -> [u8; 32] {
     if artefact.len() > NAMED_BY_TIME_BYTES {
         return hash;
@@ -68,8 +69,7 @@ pub(super) fn name(artefact: &[u8], hash: [u8; 32]) -> [u8; 32] {
     name
 }
 
-/// Stores a success's result. An equal one that is there already is replaced, because nobody has looked whether its
-/// bytes are still sound.
+/// Stores the result of a success. If an equal result exists, it is replaced, because its bytes may be damaged.
 pub(super) fn keep(tx: &mut Tx<'_>, result: &Prepared, artefact: &[u8]) -> Result<()> {
     let text = "INSERT INTO artefacts (hash, size, touched_at, file, body) VALUES ($1, $2, now_ms(), $3, $4) \
                 ON CONFLICT (hash) DO UPDATE SET file = excluded.file, body = excluded.body, touched_at = CASE \
@@ -83,18 +83,18 @@ pub(super) fn keep(tx: &mut Tx<'_>, result: &Prepared, artefact: &[u8]) -> Resul
     tx.execute(text, &[(&result.hash).into(), size.into(), result.file.as_deref().into(), body.into()]).map(|_| ())
 }
 
-/// Marks a result as just taken. False if it is not there.
+/// Marks a result as recently used. Returns false if it does not exist.
 pub(super) fn touch(tx: &mut Tx<'_>, hash: &[u8]) -> Result<bool> {
     Ok(tx.execute("UPDATE artefacts SET touched_at = now_ms() WHERE hash = $1", &[hash.into()])? > 0)
 }
 
-/// Keeps later equal requests from taking a result whose bytes cannot be had.
+/// Keeps later equal requests from reusing a result whose bytes cannot be read.
 pub(super) fn stop_sharing(tx: &mut Tx<'_>, hash: &[u8]) -> Result<()> {
     let text = "UPDATE jobs SET sharing = 'refused' WHERE artefact = $1 AND sharing = 'allowed'";
     tx.execute(text, &[hash.into()]).map(|_| ())
 }
 
-/// Removes a damaged result, unless it has changed since it was read, and keeps later equal requests from taking it.
+/// Removes a damaged result unless it has changed since it was read, and keeps later equal requests from reusing it.
 pub(super) fn discard(tx: &mut Tx<'_>, hash: &[u8], touched_at: i64) -> Result<()> {
     let text = "DELETE FROM artefacts WHERE hash = $1 AND touched_at = $2 RETURNING file";
     let Some(row) = tx.row(text, &[hash.into(), touched_at.into()])? else { return Ok(()) };
@@ -102,7 +102,8 @@ pub(super) fn discard(tx: &mut Tx<'_>, hash: &[u8], touched_at: i64) -> Result<(
     stop_sharing(tx, hash)
 }
 
-/// Removes a result that no job has, unless one took it lately: that job may not be visible yet. False if it stays.
+/// Removes a result without a job. A recently used result stays, because the job that uses it may not be visible yet.
+/// Returns false if the result stays.
 pub(super) fn remove(tx: &mut Tx<'_>, hash: &[u8], orphan_age: Duration) -> Result<bool> {
     let text = "DELETE FROM artefacts WHERE hash = $1 AND touched_at <= now_ms() - $2 \
                 AND NOT EXISTS (SELECT 1 FROM jobs WHERE artefact = $1) RETURNING file";
@@ -111,27 +112,28 @@ pub(super) fn remove(tx: &mut Tx<'_>, hash: &[u8], orphan_age: Duration) -> Resu
     Ok(true)
 }
 
-/// The size of a result that no job has; `None` if one has it.
+/// Returns the size of a result without a job, or `None` if a job has the result.
 pub(super) fn orphan_size(tx: &mut Tx<'_>, hash: &[u8]) -> Result<Option<i64>> {
     let text = "SELECT size FROM artefacts WHERE hash = $1 AND NOT EXISTS (SELECT 1 FROM jobs WHERE artefact = $1)";
     tx.row(text, &[hash.into()])?.map(|row| row.get("size")).transpose()
 }
 
-/// Names of results that no job has, in order, after `last`. Indexes alone answer this: a result's row is long.
-pub(super) fn orphans(tx: &mut Tx<'_>, last: &[u8], most: i64) -> Result<Vec<Vec<u8>>> {
+/// Returns the names of results without a job, in order, after `last`. The query reads only indexes, because the rows
+/// of results are long.
+pub(super) fn orphans(tx: &mut Tx<'_>, last: &[u8], max_count: i64) -> Result<Vec<Vec<u8>>> {
     let text = "SELECT hash FROM artefacts WHERE hash > $1 AND NOT EXISTS (SELECT 1 FROM jobs WHERE artefact = hash) \
                 ORDER BY hash LIMIT $2";
-    tx.rows(text, &[last.into(), most.into()])?.iter().map(|row| row.get("hash")).collect()
+    tx.rows(text, &[last.into(), max_count.into()])?.iter().map(|row| row.get("hash")).collect()
 }
 
-/// Bytes of the results that jobs have.
+/// Returns the total size of the results that jobs have.
 pub(super) fn bytes_in_use(tx: &mut Tx<'_>) -> Result<i64> {
     let text = "SELECT CAST(coalesce(sum(size), 0) AS BIGINT) AS total FROM artefacts \
                 WHERE EXISTS (SELECT 1 FROM jobs WHERE artefact = hash)";
     tx.one(text, &[])?.get("total")
 }
 
-/// Every file that a row names.
+/// Returns the name of every file that a row names.
 pub(super) fn files(tx: &mut Tx<'_>) -> Result<Vec<String>> {
     tx.rows("SELECT file FROM artefacts WHERE file IS NOT NULL", &[])?.iter().map(|row| row.get("file")).collect()
 }

@@ -1,5 +1,6 @@
-//! The sweep: what expires, what is forgotten, and which results nobody needs any more. It works in small transactions
-//! and rests after each for as long as that took, so that it never holds up other writes for long.
+//! The sweep: it expires jobs, deletes old expired identifiers and removes results without a job. It works in small
+//! transactions and pauses after each for as long as the transaction took, so that it never delays other writes for
+//! long.
 
 use std::collections::BTreeSet;
 use std::time::{Duration, Instant};
@@ -11,34 +12,37 @@ use super::{Result, Store, batches, jobs, milliseconds, results};
 const SWEEP_STEP: i64 = 50;
 /// Number of jobs that one transaction expires to get below the byte budget.
 const EVICTION_STEP: i64 = 10;
-/// Number of results without a job that one query looks for.
+/// Number of results without a job that one query returns.
 const ORPHANS_STEP: usize = 200;
-/// Number of incremental-vacuum steps after a sweep that deleted rows, and the pages that each gives back.
+/// Number of incremental-vacuum steps after a sweep that deleted rows.
 const SHRINK_STEPS: usize = 20;
+/// Number of pages that each incremental-vacuum step returns to the file system.
 const SHRINK_PAGES: u32 = 50;
-const LONGEST_REST: Duration = Duration::from_millis(100);
+/// Upper bound of the pause after a transaction.
+const MAX_PAUSE: Duration = Duration::from_millis(100);
 
-/// What a sweep did.
+/// Result of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Swept {
-    /// Jobs that expired.
+    /// Number of jobs that expired.
     pub expired: u64,
-    /// Results that belonged to no job any more.
+    /// Number of removed results that belonged to no job.
     pub artefacts: u64,
-    /// Result files that no job ever took, because their worker died before it could say so.
+    /// Number of removed result files without a row, which were left by workers that died.
     pub files: u64,
-    /// Jobs whose lease had run out.
+    /// Number of jobs whose lease had run out.
     pub recovered: usize,
 }
 
-/// Which jobs a step expires; at most `$1` of them.
+/// Selection of the jobs that a step expires. `$1` limits their number.
 #[derive(Debug, Clone)]
 enum Choice {
-    /// Those whose time is up.
+    /// Jobs whose time is up.
     Due,
-    /// Those that ended before the newest `max_jobs`: the first of them, by expiry and id.
+    /// Jobs beyond the newest `max_jobs` finished ones. The fields are the expiry and identifier of the newest such
+    /// job.
     Surplus { expires_at: i64, id: String },
-    /// Those with a result, oldest first.
+    /// Jobs with a result, oldest first.
     Oldest,
 }
 
@@ -59,13 +63,13 @@ impl Choice {
     }
 }
 
-/// What one step expired.
+/// Result of one step.
 #[derive(Debug)]
 struct Expired {
     jobs: usize,
-    /// Bytes of the results that no job has now.
+    /// Bytes of the results that no job has after this step.
     bytes: i64,
-    /// Results that were removed.
+    /// Number of results that were removed.
     results: u64,
 }
 
@@ -87,18 +91,18 @@ pub(super) async fn sweep(store: &Store) -> Result<Swept> {
         for _ in 0..SHRINK_STEPS {
             let begun = Instant::now();
             store.write(shrink).await?;
-            rest(begun).await;
+            pause_as_long_as(begun).await;
         }
     }
     Ok(swept)
 }
 
-/// Lets other writes through for as long as one took.
-async fn rest(begun: Instant) {
-    tokio::time::sleep(begun.elapsed().min(LONGEST_REST)).await;
+/// Pauses for as long as the last transaction took, so that other writes can run.
+async fn pause_as_long_as(begun: Instant) {
+    tokio::time::sleep(begun.elapsed().min(MAX_PAUSE)).await;
 }
 
-/// The newest of the ended jobs that are too many; `None` if there are none.
+/// Returns the finished jobs beyond the newest `max_jobs`, or `None` if there are none.
 fn surplus(tx: &mut Tx<'_>, max_jobs: i64) -> Result<Option<Choice>> {
     let text = "SELECT expires_at, id FROM jobs WHERE expires_at IS NOT NULL ORDER BY expires_at DESC, id DESC \
                 LIMIT 1 OFFSET $1";
@@ -106,7 +110,7 @@ fn surplus(tx: &mut Tx<'_>, max_jobs: i64) -> Result<Option<Choice>> {
     Ok(Some(Choice::Surplus { expires_at: row.get("expires_at")?, id: row.get("id")? }))
 }
 
-/// Moves some of the chosen jobs to the expired ones and removes the results that no job has then.
+/// Expires some of the selected jobs, and removes the results that no job has afterwards.
 fn expire(tx: &mut Tx<'_>, choice: &Choice, step: i64, orphan_age: Duration) -> Result<Expired> {
     let mut expired = Expired { jobs: 0, bytes: 0, results: 0 };
     let mut orphans = BTreeSet::new();
@@ -140,15 +144,16 @@ async fn expire_some(store: &Store, choice: &Choice, step: i64, swept: &mut Swep
 async fn expire_all(store: &Store, choice: &Choice, swept: &mut Swept) -> Result<()> {
     loop {
         let begun = Instant::now();
-        // Fewer than a step may only say that another instance has locked some.
+        // The loop ends only at 0, because a smaller number than a step may mean that another instance has locked some
+        // rows.
         if expire_some(store, choice, SWEEP_STEP, swept).await?.0 == 0 {
             return Ok(());
         }
-        rest(begun).await;
+        pause_as_long_as(begun).await;
     }
 }
 
-/// Forgets jobs that expired long ago.
+/// Deletes the identifiers of jobs that expired long ago.
 async fn forget(store: &Store) -> Result<()> {
     let age = milliseconds(store.options().expired_retention);
     let oldest = "DELETE FROM expired_jobs WHERE id IN (SELECT id FROM expired_jobs \
@@ -159,14 +164,14 @@ async fn forget(store: &Store) -> Result<()> {
         if forgotten < SWEEP_STEP.unsigned_abs() {
             return Ok(());
         }
-        rest(begun).await;
+        pause_as_long_as(begun).await;
     }
 }
 
-/// Expires the oldest jobs until the results of the others have no more than these bytes.
+/// Expires the oldest jobs until the results of the remaining jobs take at most `max_bytes`.
 async fn evict(store: &Store, max_bytes: i64, swept: &mut Swept) -> Result<()> {
     loop {
-        // All results are looked through for this, so not after every step.
+        // This query scans all results, so it does not run after every step.
         let mut surplus = store.read(results::bytes_in_use).await?.saturating_sub(max_bytes);
         if surplus <= 0 {
             return Ok(());
@@ -178,12 +183,12 @@ async fn evict(store: &Store, max_bytes: i64, swept: &mut Swept) -> Result<()> {
                 return Ok(());
             }
             surplus -= bytes;
-            rest(begun).await;
+            pause_as_long_as(begun).await;
         }
     }
 }
 
-/// Removes results that no job has: of jobs that were deleted, or that expired when the result was young.
+/// Removes results without a job. Their jobs were deleted, or expired when the result was younger than `orphan_age`.
 async fn remove_orphans(store: &Store, swept: &mut Swept) -> Result<()> {
     let orphan_age = store.options().orphan_age;
     let mut last = Vec::new();
@@ -196,7 +201,7 @@ async fn remove_orphans(store: &Store, swept: &mut Swept) -> Result<()> {
                 some.iter().try_fold(0, |count, hash| Ok(count + u64::from(results::remove(tx, hash, orphan_age)?)))
             };
             swept.artefacts += store.write(remove).await?;
-            rest(begun).await;
+            pause_as_long_as(begun).await;
         }
         match orphans.last() {
             Some(hash) if orphans.len() == ORPHANS_STEP => last.clone_from(hash),
@@ -205,7 +210,7 @@ async fn remove_orphans(store: &Store, swept: &mut Swept) -> Result<()> {
     }
 }
 
-/// Removes files that no row names and that are too old to belong to a transaction under way.
+/// Removes files that no row names and that are too old to belong to a running transaction.
 async fn remove_files(store: &Store, swept: &mut Swept) -> Result<()> {
     let Some(files) = store.files() else { return Ok(()) };
     let old = files.older_than(store.options().orphan_age).await?;
@@ -217,7 +222,7 @@ async fn remove_files(store: &Store, swept: &mut Swept) -> Result<()> {
     Ok(())
 }
 
-/// Gives pages that nothing uses any more back to the file system. PostgreSQL does so by itself.
+/// Returns unused pages to the file system. PostgreSQL does this by itself.
 fn shrink(tx: &mut Tx<'_>) -> Result<()> {
     if !tx.is_postgres() {
         tx.rows(&format!("PRAGMA incremental_vacuum({SHRINK_PAGES})"), &[])?;

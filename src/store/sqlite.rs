@@ -1,9 +1,9 @@
-//! SQLite, embedded: one thread that writes, and a few that read.
+//! SQLite, embedded. One thread writes, and a few threads read.
 //!
-//! The writer takes every write that has queued up while the last commit was on its way to the disk and commits them
-//! together, so that durability costs one disk sync a group instead of one a job. If one of them fails, the group is
-//! rolled back and each write is committed by itself. A third kind of thread copies the write-ahead log into the
-//! database, so that writes need not wait for that.
+//! The writer commits together all writes that arrived during the last commit, so that durability costs one disk sync
+//! per group instead of one per write. If a write of a group fails, the group is rolled back and each write is
+//! committed by itself. A third kind of thread copies the write-ahead log into the database, so that writes need not
+//! wait for that.
 
 use std::cell::Cell;
 use std::path::{Path, PathBuf};
@@ -16,25 +16,26 @@ use tokio::sync::{mpsc, oneshot};
 
 use super::migrations::migrate;
 use super::pool::{Pool, closed};
-use super::tx::{News, Tx};
+use super::tx::{AfterCommit, Tx};
 use super::{Result, StoreError, StoreOptions};
 
 /// Upper bound of the writes that share one commit.
 const GROUP_SIZE: usize = 128;
-/// Writes that may wait for the writer before callers wait for a place.
+/// Number of writes that may be queued for the writer. Further callers wait.
 const WRITE_BACKLOG: usize = 1024;
-/// The write-ahead log is cut back to this size once it has been copied into the database.
+/// Size to which the write-ahead log is cut after it has been copied into the database.
 const LOG_KEPT_BYTES: u32 = 64 << 20;
-/// Number of pages that the write-ahead log may grow by before it is copied, beside the writes. Pages of indexes that
-/// many jobs change are then copied once.
-const COPIED_PAGES: u32 = 1024;
+/// Number of pages by which the write-ahead log may grow before it is copied while writes continue. Index pages that
+/// many jobs change are then copied only once.
+const COPY_STEP_PAGES: u32 = 1024;
 /// Length of the write-ahead log, in pages, at which the writer itself copies the rest of it. The log starts again from
-/// its beginning only when all of it has been copied, which never happens beside writes that come without a pause.
-const MOST_PAGES: u32 = 16384;
-/// The writer's page cache. Hashes are indexed, so writes touch pages anywhere in the file.
+/// its beginning only when all of it has been copied, which never happens during writes without a pause.
+const MAX_LOG_PAGES: u32 = 16384;
+/// Size of the writer's page cache. Hashes are indexed, so writes touch pages anywhere in the file.
 const CACHE_KIB: u32 = 8 << 10;
+/// Number of threads that read.
 const READERS: usize = 4;
-/// Prepared statements that a connection keeps; the store has fewer.
+/// Number of prepared statements that a connection keeps. The store has fewer.
 const PREPARED: usize = 128;
 const BUSY_TIMEOUT: Duration = Duration::from_secs(10);
 
@@ -45,7 +46,7 @@ pub(super) struct Database {
 }
 
 impl Database {
-    /// Opens `sqlite://PATH`, creating the file if it is missing, and brings its tables up to date.
+    /// Opens `sqlite://PATH`, creating the file if it is missing, and migrates its tables.
     pub(super) async fn open(url: &str, options: &StoreOptions) -> Result<Self> {
         let path = path(url)?;
         let (writer, messages) = mpsc::channel(WRITE_BACKLOG);
@@ -54,7 +55,7 @@ impl Database {
         let open_both = move || Result::Ok((open_writer(&file, max_bytes)?, Copier::start(&file)?));
         let run = move || match open_both() {
             Ok((connection, copier)) => {
-                // A caller that went away takes its sender along, so the writer ends at once.
+                // If the caller went away, its sender is gone too, so the writer ends at once.
                 let _ = opened.send(Ok(()));
                 write_in_groups(connection, copier, messages);
             }
@@ -69,18 +70,19 @@ impl Database {
         Ok(Self { readers, writer })
     }
 
-    /// Runs `work` in a transaction, which it may share with others. It runs again if one of the others fails.
+    /// Runs `work` in a transaction, which it may share with other writes. If one of the others fails, `work` runs
+    /// again.
     pub(super) async fn write<T: Send + 'static>(
         &self,
         work: impl Fn(&mut Tx<'_>) -> Result<T> + Send + 'static,
-    ) -> Result<(T, News)> {
+    ) -> Result<(T, AfterCommit)> {
         let (answer, answered) = oneshot::channel();
         let pending = Pending { work, result: None, answer };
         self.writer.send(Message::Write(Box::new(pending))).await.map_err(|_| closed())?;
         answered.await.map_err(|_| closed())?
     }
 
-    /// Runs `work`, which only reads.
+    /// Runs `work`, which must only read.
     pub(super) async fn read<T: Send + 'static>(
         &self,
         work: impl Fn(&mut Tx<'_>) -> Result<T> + Send + 'static,
@@ -88,26 +90,26 @@ impl Database {
         self.readers.run(move |connection| work(&mut Tx::sqlite(connection))).await
     }
 
-    /// Copies the whole write-ahead log into the database and gives the log's space back to the file system.
+    /// Copies the whole write-ahead log into the database and returns its space to the file system.
     pub(super) async fn cut_log(&self) -> Result<()> {
         let (answer, answered) = oneshot::channel();
         self.writer.send(Message::CutLog(answer)).await.map_err(|_| closed())?;
         answered.await.map_err(|_| closed())?
     }
 
-    /// Waits for running statements and closes every connection. Everything afterwards fails as `Unavailable`.
+    /// Waits for running statements and closes every connection. Later calls fail with `Unavailable`.
     pub(super) async fn close(&self) {
-        // The writer's connection is the last one, so that SQLite leaves a single file behind.
+        // The writer's connection is closed last, so that SQLite leaves a single file.
         self.readers.close().await;
         let (answer, answered) = oneshot::channel();
         if self.writer.send(Message::Close(answer)).await.is_ok() {
-            // An error only says that the writer had ended already.
+            // An error means that the writer had already ended.
             let _ = answered.await;
         }
     }
 }
 
-/// The database file that a URL names.
+/// Returns the path of the database file that a URL names.
 pub(super) fn path(url: &str) -> Result<PathBuf> {
     let path = url.strip_prefix("sqlite://").or_else(|| url.strip_prefix("sqlite:")).unwrap_or_default();
     if path.is_empty() || path.contains('?') || path.contains(":memory:") {
@@ -125,18 +127,18 @@ fn open(path: &Path, access: OpenFlags) -> Result<Sqlite> {
 
 fn open_writer(path: &Path, max_bytes: Option<u64>) -> Result<Sqlite> {
     let connection = open(path, OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE)?;
-    // `auto_vacuum` only works before the first table exists.
+    // `auto_vacuum` takes effect only before the first table exists.
     connection.execute_batch(&format!(
         "PRAGMA auto_vacuum = INCREMENTAL; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; \
          PRAGMA journal_size_limit = {LOG_KEPT_BYTES}; PRAGMA cache_size = -{CACHE_KIB};"
     ))?;
-    // This hook replaces the engine's own copying of the log, which would make every so many commits wait.
+    // This hook replaces SQLite's own copying of the log, which would delay a commit at regular intervals.
     connection.wal_hook(Some(|_, pages| {
         LOG_PAGES.set(u32::try_from(pages).unwrap_or(u32::MAX));
         Ok(())
     }));
     if let Some(bytes) = max_bytes {
-        // The engine refuses writes beyond this as it does on a full disk.
+        // SQLite refuses writes beyond this size with the same error as on a full disk.
         let size: i64 = connection.query_row("PRAGMA page_size", [], |row| row.get(0))?;
         let pages = i64::try_from(bytes).unwrap_or(i64::MAX) / size.max(1);
         connection.execute_batch(&format!("PRAGMA max_page_count = {pages}"))?;
@@ -145,12 +147,12 @@ fn open_writer(path: &Path, max_bytes: Option<u64>) -> Result<Sqlite> {
     Ok(connection)
 }
 
-/// Runs `work` in a transaction of its own.
+/// Runs `work` in its own transaction.
 fn transact<T>(connection: &Sqlite, work: impl FnOnce(&mut Tx<'_>) -> Result<T>) -> Result<T> {
     execute(connection, "BEGIN IMMEDIATE")?;
     let done = work(&mut Tx::sqlite(connection)).and_then(|value| execute(connection, "COMMIT").map(|()| value));
     if done.is_err() {
-        // Fails if the engine has rolled back by itself, which has the same effect.
+        // This fails if SQLite has already rolled back, which has the same effect.
         let _ = execute(connection, "ROLLBACK");
     }
     done
@@ -170,32 +172,32 @@ enum Message {
 /// A write and the caller that waits for its result.
 trait Write: Send {
     fn run(&mut self, connection: &Sqlite) -> Result<()>;
-    /// Gives the caller the result of the work, once it is known what became of the commit.
+    /// Sends the result of the work to the caller, after the commit has succeeded or failed.
     fn answer(self: Box<Self>, committed: Result<()>);
 }
 
 struct Pending<T, F> {
     work: F,
-    result: Option<(T, News)>,
-    answer: oneshot::Sender<Result<(T, News)>>,
+    result: Option<(T, AfterCommit)>,
+    answer: oneshot::Sender<Result<(T, AfterCommit)>>,
 }
 
 impl<T: Send, F: Fn(&mut Tx<'_>) -> Result<T> + Send> Write for Pending<T, F> {
     fn run(&mut self, connection: &Sqlite) -> Result<()> {
         let mut tx = Tx::sqlite(connection);
         let value = (self.work)(&mut tx)?;
-        self.result = Some((value, tx.into_news()));
+        self.result = Some((value, tx.into_after_commit()));
         Ok(())
     }
 
     fn answer(self: Box<Self>, committed: Result<()>) {
         let Self { result, answer, .. } = *self;
-        // A caller that went away does not need its answer.
+        // If the caller went away, the answer is dropped.
         let _ = answer.send(committed.and_then(|()| result.ok_or_else(closed)));
     }
 }
 
-/// The writer. Ends when the last sender is gone or on `Close`.
+/// Runs on the writer's thread. Ends when the last sender is dropped or on `Close`.
 fn write_in_groups(connection: Sqlite, copier: Copier, mut messages: mpsc::Receiver<Message>) {
     let mut received = Vec::with_capacity(GROUP_SIZE);
     let (mut cutting, mut closing) = (None, None);
@@ -220,14 +222,14 @@ fn write_in_groups(connection: Sqlite, copier: Copier, mut messages: mpsc::Recei
     }
     drop(copier);
     if let Err((_, error)) = connection.close() {
-        tracing::warn!(%error, "closing the database");
+        tracing::warn!(%error, "cannot close the database");
     }
     if let Some(done) = closing {
         let _ = done.send(());
     }
 }
 
-/// Commits a group of writes together, or each by itself if that fails, and answers them.
+/// Commits a group of writes together, or each by itself if that fails, and sends the answers.
 fn commit(connection: &Sqlite, mut group: Vec<Box<dyn Write>>) {
     let together = transact(connection, |_| group.iter_mut().try_for_each(|write| write.run(connection)));
     if together.is_ok() || group.len() == 1 {
@@ -240,30 +242,31 @@ fn commit(connection: &Sqlite, mut group: Vec<Box<dyn Write>>) {
     }
 }
 
-/// Has the log copied if it has grown enough since it was `copied_at` pages long. Returns the new `copied_at`.
+/// Asks the copier to copy the log if it has grown enough since it was `copied_at` pages long. Returns the new
+/// `copied_at`.
 fn copy(connection: &Sqlite, copier: &Copier, copied_at: u32) -> u32 {
     let pages = LOG_PAGES.get();
-    if pages >= MOST_PAGES {
+    if pages >= MAX_LOG_PAGES {
         copy_log(connection);
         return 0;
     }
-    // Shorter steps where the writer is about to copy the rest itself.
-    let step = if pages < MOST_PAGES - COPIED_PAGES { COPIED_PAGES } else { COPIED_PAGES / 8 };
+    // The steps become shorter shortly before the writer would have to copy the rest itself.
+    let step = if pages < MAX_LOG_PAGES - COPY_STEP_PAGES { COPY_STEP_PAGES } else { COPY_STEP_PAGES / 8 };
     if pages >= copied_at && pages - copied_at < step {
         return copied_at;
     }
-    copier.want();
+    copier.request();
     pages
 }
 
 thread_local! {
-    /// Pages in the write-ahead log after the last commit of the writer on this thread.
+    /// Length of the write-ahead log in pages after the last commit of the writer on this thread.
     static LOG_PAGES: Cell<u32> = const { Cell::new(0) };
 }
 
-/// A thread that copies the write-ahead log into the database. Ends when this is dropped.
+/// A thread that copies the write-ahead log into the database. It ends when this value is dropped.
 struct Copier {
-    wanted: Option<SyncSender<()>>,
+    requests: Option<SyncSender<()>>,
     thread: Option<JoinHandle<()>>,
 }
 
@@ -271,35 +274,35 @@ impl Copier {
     fn start(path: &Path) -> Result<Self> {
         let connection = open(path, OpenFlags::SQLITE_OPEN_READ_WRITE)?;
         connection.execute_batch("PRAGMA synchronous = FULL")?;
-        let (wanted, wishes) = sync_channel(1);
+        let (requests, received) = sync_channel(1);
         let run = move || {
-            for () in wishes {
+            for () in received {
                 copy_log(&connection);
             }
         };
         let thread = std::thread::Builder::new().name("sqlite copier".into()).spawn(run)?;
-        Ok(Self { wanted: Some(wanted), thread: Some(thread) })
+        Ok(Self { requests: Some(requests), thread: Some(thread) })
     }
 
-    fn want(&self) {
-        // A full channel means that the thread is about to copy anyway.
-        let _ = self.wanted.as_ref().map(|wanted| wanted.try_send(()));
+    fn request(&self) {
+        // A full channel means that the thread will copy anyway.
+        let _ = self.requests.as_ref().map(|requests| requests.try_send(()));
     }
 }
 
 impl Drop for Copier {
     fn drop(&mut self) {
-        self.wanted = None;
-        // A panic of that thread has been reported, and the log is still there to be copied.
+        self.requests = None;
+        // A panic of that thread has already been reported, and the log is still complete.
         let _ = self.thread.take().map(JoinHandle::join);
     }
 }
 
-/// Copies the part of the log that no reader needs any more, without making anybody wait.
+/// Copies the part of the log that no reader needs any more. No other connection waits for it.
 fn copy_log(connection: &Sqlite) {
     let copied = connection.query_row("PRAGMA wal_checkpoint(PASSIVE)", [], |_| Ok(()));
     if let Err(error) = copied {
-        tracing::warn!(%error, "copying the write-ahead log");
+        tracing::warn!(%error, "cannot copy the write-ahead log");
     }
 }
 
@@ -343,11 +346,11 @@ mod tests {
     }
 
     #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
-    async fn a_write_that_fails_leaves_the_others_of_its_group_alone() {
+    async fn a_failed_write_does_not_affect_the_others_of_its_group() {
         let folder = tempfile::tempdir().unwrap();
         let url = format!("sqlite://{}/a.db", folder.path().display());
         let database = std::sync::Arc::new(Database::open(&url, &StoreOptions::default()).await.unwrap());
-        // While the writer is held up, the other writes gather behind it.
+        // The other writes queue up while the writer is blocked.
         let (begun, beginning) = oneshot::channel();
         let begun = std::sync::Mutex::new(Some(begun));
         let (release, released) = sync_channel::<()>(0);
@@ -372,7 +375,7 @@ mod tests {
                 let database = database.clone();
                 async move { database.write(write).await }
             });
-            // The first poll puts it into the writer's channel.
+            // The first poll puts the write into the writer's channel.
             assert!(write.as_mut().poll(&mut Context::from_waker(Waker::noop())).is_pending());
             writes.push(write);
         }

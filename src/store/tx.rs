@@ -1,8 +1,8 @@
-//! A transaction of either engine: statements, their parameters and their rows.
+//! A transaction of either engine, with its statements, parameters and rows.
 //!
-//! Statements are written once for both engines, with parameters `$1`, `$2`, …. Two marks in a text are replaced:
-//! `now_ms()` becomes the engine's expression for the database's own clock in milliseconds, and the comment
-//! `/* skip locked */` becomes `FOR UPDATE SKIP LOCKED` on PostgreSQL. SQLite has one writer and needs no row locks.
+//! Statements are written once for both engines, with parameters `$1`, `$2`, …. Two marks in a text are replaced.
+//! `now_ms()` becomes an expression for the database's own clock in milliseconds. The comment `/* skip locked */`
+//! becomes `FOR UPDATE SKIP LOCKED` on PostgreSQL; SQLite has one writer and needs no row locks.
 
 use std::collections::BTreeSet;
 use std::rc::Rc;
@@ -21,8 +21,8 @@ const SKIP_LOCKED: &str = "/* skip locked */";
 #[derive(Debug)]
 pub(super) struct Tx<'c> {
     connection: Connection<'c>,
-    /// What follows from the transaction once it has committed.
-    news: News,
+    /// Actions to take after the transaction has been committed.
+    after_commit: AfterCommit,
 }
 
 #[derive(Debug)]
@@ -31,10 +31,10 @@ enum Connection<'c> {
     Postgres(&'c mut Session),
 }
 
-/// What follows from a transaction that has committed.
+/// Actions to take after a transaction has been committed.
 #[derive(Debug, Default)]
-pub(super) struct News {
-    /// Jobs whose watchers are told.
+pub(super) struct AfterCommit {
+    /// Jobs whose watchers must be notified.
     pub(super) jobs: BTreeSet<String>,
     /// True if a job may have become claimable.
     pub(super) work: bool,
@@ -42,7 +42,7 @@ pub(super) struct News {
     pub(super) unneeded_files: Vec<String>,
 }
 
-/// A parameter of a statement. `None` is NULL; the variant is the type, which PostgreSQL wants to know even of a NULL.
+/// A parameter of a statement. `None` means NULL. The variant is the type, which PostgreSQL needs even for a NULL.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Value<'v> {
     Int(Option<i64>),
@@ -111,11 +111,11 @@ impl rusqlite::ToSql for Value<'_> {
 
 impl<'c> Tx<'c> {
     pub(super) fn sqlite(connection: &'c rusqlite::Connection) -> Self {
-        Self { connection: Connection::Sqlite(connection), news: News::default() }
+        Self { connection: Connection::Sqlite(connection), after_commit: AfterCommit::default() }
     }
 
     pub(super) fn postgres(session: &'c mut Session) -> Self {
-        Self { connection: Connection::Postgres(session), news: News::default() }
+        Self { connection: Connection::Postgres(session), after_commit: AfterCommit::default() }
     }
 
     /// Runs a statement and returns its rows.
@@ -138,7 +138,7 @@ impl<'c> Tx<'c> {
         }
     }
 
-    /// Runs a statement that returns at most one row of interest.
+    /// Runs a statement and returns its first row, if any.
     pub(super) fn row(&mut self, text: &str, values: &[Value<'_>]) -> Result<Option<Row>> {
         Ok(self.rows(text, values)?.into_iter().next())
     }
@@ -148,12 +148,12 @@ impl<'c> Tx<'c> {
         self.row(text, values)?.ok_or_else(|| StoreError::Internal(format!("no row from {text:?}")))
     }
 
-    /// True if the statement returns a row.
+    /// Returns true if the statement returns a row.
     pub(super) fn exists(&mut self, text: &str, values: &[Value<'_>]) -> Result<bool> {
         Ok(self.row(text, values)?.is_some())
     }
 
-    /// Runs a statement and returns how many rows it changed.
+    /// Runs a statement and returns the number of rows that it changed.
     pub(super) fn execute(&mut self, text: &str, values: &[Value<'_>]) -> Result<u64> {
         match &mut self.connection {
             Connection::Sqlite(connection) => Ok(prepared(connection, text, values)?.raw_execute()? as u64),
@@ -161,11 +161,11 @@ impl<'c> Tx<'c> {
         }
     }
 
-    /// Inserts a row: each column by its name, beside its value.
+    /// Inserts a row. Each column is given by its name and value.
     pub(super) fn insert(&mut self, table: &str, columns: &[(&str, Value<'_>)]) -> Result<()> {
         let names: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
-        let places: Vec<String> = (1..=columns.len()).map(|place| format!("${place}")).collect();
-        let text = format!("INSERT INTO {table} ({}) VALUES ({})", names.join(", "), places.join(", "));
+        let parameters: Vec<String> = (1..=columns.len()).map(|number| format!("${number}")).collect();
+        let text = format!("INSERT INTO {table} ({}) VALUES ({})", names.join(", "), parameters.join(", "));
         let values: Vec<Value<'_>> = columns.iter().map(|(_, value)| *value).collect();
         self.execute(&text, &values).map(|_| ())
     }
@@ -178,29 +178,29 @@ impl<'c> Tx<'c> {
         }
     }
 
-    /// The database's clock: milliseconds since 1970.
+    /// Returns the database's clock in milliseconds since 1970.
     pub(super) fn now_ms(&mut self) -> Result<i64> {
         self.one("SELECT now_ms() AS now", &[])?.get("now")
     }
 
-    /// Tells whoever watches this job that it has changed.
+    /// Notifies the watchers of this job after the commit.
     pub(super) fn changed(&mut self, id: &str) {
-        self.news.jobs.insert(id.to_owned());
+        self.after_commit.jobs.insert(id.to_owned());
     }
 
-    /// Tells workers that a job may be claimable.
-    pub(super) fn work(&mut self) {
-        self.news.work = true;
+    /// Notifies the workers after the commit that a job may be claimable.
+    pub(super) fn work_available(&mut self) {
+        self.after_commit.work = true;
     }
 
     /// Removes a result file after the commit.
     pub(super) fn drop_file(&mut self, file: Option<String>) {
-        self.news.unneeded_files.extend(file);
+        self.after_commit.unneeded_files.extend(file);
     }
 
-    /// What follows from this transaction once it has committed.
-    pub(super) fn into_news(self) -> News {
-        self.news
+    /// Returns the actions to take after the transaction has been committed.
+    pub(super) fn into_after_commit(self) -> AfterCommit {
+        self.after_commit
     }
 
     pub(super) fn is_postgres(&self) -> bool {
@@ -221,7 +221,7 @@ fn prepared<'c>(
     Ok(statement)
 }
 
-/// SQLite numbers its parameters `?1`; it would take `$1` for a name.
+/// Converts a statement for SQLite, which numbers its parameters `?1` and would read `$1` as a name.
 fn for_sqlite(text: &str) -> String {
     text.replace(CLOCK, SQLITE_CLOCK).replace('$', "?")
 }
@@ -230,7 +230,7 @@ fn for_postgres(text: &str) -> String {
     text.replace(CLOCK, POSTGRES_CLOCK).replace(SKIP_LOCKED, "FOR UPDATE SKIP LOCKED")
 }
 
-/// A row of either engine; its columns are read by name.
+/// A row of either engine. Columns are read by name.
 #[derive(Debug)]
 pub(super) enum Row {
     Sqlite { names: Rc<[String]>, values: Vec<SqliteValue> },
@@ -238,15 +238,16 @@ pub(super) enum Row {
 }
 
 impl Row {
-    /// The value of a column, as `i64`, `String`, `Vec<u8>`, or an `Option` of one of these.
+    /// Returns the value of a column as `i64`, `String`, `Vec<u8>`, or an `Option` of one of these.
     pub(super) fn get<T: FromSqlite + for<'r> FromPostgres<'r>>(&self, column: &str) -> Result<T> {
-        let wrong = |why: &dyn std::fmt::Display| StoreError::Internal(format!("column {column}: {why}"));
+        let unreadable = |reason: &dyn std::fmt::Display| StoreError::Internal(format!("column {column}: {reason}"));
         match self {
             Self::Sqlite { names, values } => {
-                let place = names.iter().position(|name| name == column).ok_or_else(|| wrong(&"not in this row"))?;
-                T::column_result(ValueRef::from(&values[place])).map_err(|error| wrong(&error))
+                let index =
+                    names.iter().position(|name| name == column).ok_or_else(|| unreadable(&"not in this row"))?;
+                T::column_result(ValueRef::from(&values[index])).map_err(|error| unreadable(&error))
             }
-            Self::Postgres(row) => row.try_get(column).map_err(|error| wrong(&error)),
+            Self::Postgres(row) => row.try_get(column).map_err(|error| unreadable(&error)),
         }
     }
 }
@@ -256,7 +257,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_engine_gets_its_own_clock_and_locks() {
+    fn the_marks_become_the_clock_and_the_locks_of_each_engine() {
         let text = "SELECT now_ms() + $2 FROM jobs /* skip locked */";
         assert_eq!(for_sqlite(text), format!("SELECT {SQLITE_CLOCK} + ?2 FROM jobs /* skip locked */"));
         assert_eq!(for_postgres(text), format!("SELECT {POSTGRES_CLOCK} + $2 FROM jobs FOR UPDATE SKIP LOCKED"));

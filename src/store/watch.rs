@@ -1,10 +1,10 @@
-//! News of changes: wake-ups for workers, and one shared view of each watched job.
+//! Notifications of changes: wake-ups for workers, and one shared view of each watched job.
 //!
-//! A thousand watchers of one job cost one read a change, because they share a task that reads the row and a channel
-//! that hands it round. Changes of this process arrive at once. On PostgreSQL those of other instances arrive by
-//! LISTEN/NOTIFY: NOTIFY takes a lock that serialises commits, so it is sent apart from the writes and gathers the
-//! changes of `NOTIFY_INTERVAL`; and because a notification can be lost (a connection that broke, a writer that died
-//! before it sent it), every watched job is also looked at each poll interval.
+//! A thousand watchers of one job cost one read per change, because they share a task that reads the row and a channel
+//! that distributes it. Changes of this process arrive at once. On PostgreSQL, changes of other instances arrive by
+//! LISTEN/NOTIFY. NOTIFY takes a lock that serialises commits, so it is sent apart from the writes and collects the
+//! changes of `NOTIFY_INTERVAL`. A notification can be lost if a connection breaks or a writer dies before it sends it,
+//! so every watched job is also read at each poll interval.
 
 use std::collections::{BTreeSet, HashMap};
 use std::sync::mpsc::{Sender, channel};
@@ -16,29 +16,29 @@ use tokio::task::JoinHandle;
 
 use super::jobs::{JobRow, Lookup};
 use super::postgres::Database as Postgres;
-use super::tx::News;
+use super::tx::AfterCommit;
 use super::{Engine, Result, Store, StoreError};
 
 const NOTIFY_INTERVAL: Duration = Duration::from_millis(20);
-/// PostgreSQL takes payloads below 8000 bytes.
+/// Upper bound of a payload's size. PostgreSQL takes payloads below 8000 bytes.
 const PAYLOAD_BYTES: usize = 7900;
-/// Stands in a payload for "a job may have become claimable".
+/// Line in a payload that means "a job may have become claimable".
 const WORK: &str = "*";
 
 #[derive(Debug)]
 pub(super) struct Changes {
     hub: Arc<Hub>,
     poll_interval: Duration,
-    /// What tells other instances and hears of them; `None` on SQLite.
+    /// Connection to the other instances. `None` on SQLite.
     instances: Option<Instances>,
 }
 
 #[derive(Debug)]
 struct Instances {
-    /// Ids to tell other instances about.
+    /// Identifiers of changed jobs to send to other instances.
     outgoing: mpsc::UnboundedSender<String>,
     notifier: JoinHandle<()>,
-    /// The listening thread ends once this is dropped.
+    /// Dropping this sender ends the listening thread.
     _listening: Sender<()>,
 }
 
@@ -48,7 +48,7 @@ impl Drop for Instances {
     }
 }
 
-/// What this process watches.
+/// The watched jobs of this process, and the signal to its workers.
 #[derive(Debug)]
 struct Hub {
     work: watch::Sender<u64>,
@@ -63,7 +63,7 @@ struct Watched {
 
 impl Hub {
     fn jobs(&self) -> MutexGuard<'_, HashMap<String, Arc<Watched>>> {
-        // Nothing panics while it is held, and a map is never half changed.
+        // No thread panics while it holds the lock, and the map is never half changed.
         self.jobs.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -103,12 +103,12 @@ impl Changes {
         Ok(Self { hub, poll_interval, instances })
     }
 
-    /// Tells watchers and workers, here and elsewhere.
-    pub(super) fn publish(&self, news: &News) {
-        for id in news.jobs.iter().map(String::as_str).chain(news.work.then_some(WORK)) {
+    /// Notifies watchers and workers of this instance and of all others.
+    pub(super) fn publish(&self, after_commit: &AfterCommit) {
+        for id in after_commit.jobs.iter().map(String::as_str).chain(after_commit.work.then_some(WORK)) {
             self.hub.changed(id);
             if let Some(instances) = &self.instances {
-                // Fails only when the store is being closed.
+                // Sending fails only while the store is being closed.
                 let _ = instances.outgoing.send(id.to_owned());
             }
         }
@@ -119,7 +119,7 @@ impl Changes {
     }
 }
 
-/// Tells other instances what changed here, at most once an interval.
+/// Sends changes of this instance to the others, at most once per `NOTIFY_INTERVAL`.
 async fn notify(database: Arc<Postgres>, mut changes: mpsc::UnboundedReceiver<String>) {
     let mut batch = Vec::new();
     while changes.recv_many(&mut batch, usize::MAX).await > 0 {
@@ -136,34 +136,34 @@ async fn notify(database: Arc<Postgres>, mut changes: mpsc::UnboundedReceiver<St
         }
         for payload in payloads {
             if let Err(error) = database.notify(payload).await {
-                tracing::warn!(%error, "telling other instances of changes; they will find out by polling");
+                tracing::warn!(%error, "cannot notify other instances of changes; they will find them by polling");
             }
         }
         tokio::time::sleep(NOTIFY_INTERVAL).await;
     }
 }
 
-/// A shared view of one job. The job is read for as long as somebody holds a view of it.
+/// A shared view of one job. The job is read again for as long as a view of it exists.
 #[derive(Debug)]
 pub struct JobWatch {
     latest: watch::Receiver<Option<Arc<JobRow>>>,
 }
 
 impl JobWatch {
-    /// Returns the job as last read; `None` once it has been deleted or has expired.
+    /// Returns the job as last read, or `None` if it has been deleted or has expired.
     pub fn current(&mut self) -> Option<Arc<JobRow>> {
         self.latest.borrow_and_update().clone()
     }
 
-    /// Waits until the job differs from what `current` last gave. Never returns an error: when nothing can change any
-    /// more (the store was closed) it waits for ever, so give it a time limit.
+    /// Waits until the job differs from the last result of `current`. After the store was closed it waits for ever, so
+    /// callers need a time limit.
     pub async fn changed(&mut self) {
         if self.latest.changed().await.is_err() {
             std::future::pending::<()>().await;
         }
     }
 
-    /// Waits until the job has ended and returns it; `None` if it was deleted or has expired.
+    /// Waits until the job has ended and returns it, or `None` if it was deleted or has expired.
     pub async fn ended(&mut self) -> Option<Arc<JobRow>> {
         loop {
             match self.current() {
@@ -175,19 +175,18 @@ impl JobWatch {
 }
 
 impl Store {
-    /// Watches a job of `owner`'s; any if none is given. The caller gets the job as it is now together with the watch,
-    /// which starts from that state.
+    /// Watches a job of `owner`, or any job if `owner` is `None`. The watch starts with the current state of the job.
     pub async fn watch(&self, id: &str, owner: Option<&str>) -> Result<std::result::Result<JobWatch, Lookup>> {
         let latest = self.subscribe(id).await?;
-        let mine = match (&*latest.borrow(), owner) {
+        let visible = match (&*latest.borrow(), owner) {
             (Some(job), Some(owner)) => job.owner.as_deref() == Some(owner),
             (Some(_), None) => true,
             (None, _) => false,
         };
-        if mine { Ok(Ok(JobWatch { latest })) } else { self.get(id, owner).await.map(Err) }
+        if visible { Ok(Ok(JobWatch { latest })) } else { self.get(id, owner).await.map(Err) }
     }
 
-    /// The channel on which the task of this job hands round what it reads; starts the task if there is none.
+    /// Returns the channel on which the task of this job distributes the row. Starts the task if there is none.
     async fn subscribe(&self, id: &str) -> Result<watch::Receiver<Option<Arc<JobRow>>>> {
         let hub = &self.changes().hub;
         if let Some(watched) = hub.jobs().get(id) {
@@ -199,7 +198,7 @@ impl Store {
             return Ok(watched.latest.subscribe());
         }
         let watched = Arc::new(Watched { changed: Notify::new(), latest: watch::Sender::new(found) });
-        // The row may have changed between the read and the registration.
+        // The row may have changed between reading it and registering the watch.
         watched.changed.notify_one();
         let latest = watched.latest.subscribe();
         jobs.insert(id.to_owned(), Arc::clone(&watched));
@@ -216,7 +215,7 @@ async fn read(store: &Store, id: &str) -> Result<Option<Arc<JobRow>>> {
     })
 }
 
-/// Reads a watched job whenever it changed, until nobody watches.
+/// Reads a watched job whenever it changed, until it has no watchers.
 async fn refresh(store: Store, id: String, watched: Arc<Watched>) {
     let hub = Arc::clone(&store.changes().hub);
     let poll_interval = store.changes().poll_interval;
@@ -228,7 +227,7 @@ async fn refresh(store: Store, id: String, watched: Arc<Watched>) {
         }
         {
             let mut jobs = hub.jobs();
-            // Under the lock, so that nobody subscribes in between.
+            // This check holds the lock, so that no watcher can subscribe in between.
             if watched.latest.receiver_count() == 0 {
                 jobs.remove(&id);
                 return;
@@ -243,8 +242,8 @@ async fn refresh(store: Store, id: String, watched: Arc<Watched>) {
                     changed
                 });
             }
-            Err(StoreError::Unavailable(error)) => tracing::warn!(%error, job = %id, "reading a watched job"),
-            Err(error) => tracing::error!(%error, job = %id, "reading a watched job"),
+            Err(StoreError::Unavailable(error)) => tracing::warn!(%error, job = %id, "cannot read a watched job"),
+            Err(error) => tracing::error!(%error, job = %id, "cannot read a watched job"),
         }
     }
 }

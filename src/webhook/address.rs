@@ -1,10 +1,11 @@
-//! Which addresses are anybody's to be connected to: those that IANA's special-purpose registries (RFC 6890 and its
-//! successors) mark as globally reachable, and are not a way to write, map or translate another one.
+//! Decides whether an address is public. Public addresses are those that IANA's special-purpose registries (RFC 6890
+//! and its successors) mark as globally reachable. Addresses that map, translate or embed another address do not count
+//! as public.
 
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr};
 use std::str::FromStr;
 
-/// `10.0.0.0/8`
+/// A network such as `10.0.0.0/8`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Network {
     address: IpAddr,
@@ -63,7 +64,7 @@ const NOT_PUBLIC_V4: [Network; 16] = [
     Network::v4(192, 0, 0, 24),
     // Documentation.
     Network::v4(192, 0, 2, 24),
-    // Relays to IPv6.
+    // Relay anycast from 6to4 to IPv6.
     Network::v4(192, 88, 99, 24),
     // Private.
     Network::v4(192, 168, 0, 16),
@@ -80,17 +81,18 @@ const NOT_PUBLIC_V4: [Network; 16] = [
     Network::v4(192, 175, 48, 24),
 ];
 
-/// All that is public is in here: unspecified, loopback, mapped (`::ffff:0:0/96`), translated (`64:ff9b::/96`,
-/// `64:ff9b:1::/48`), unique local (`fc00::/7`), link-local (`fe80::/10`) and multicast (`ff00::/8`) are not.
+/// Every public IPv6 address is in this network. The unspecified and loopback addresses are outside it, and so are
+/// mapped (`::ffff:0:0/96`), translated (`64:ff9b::/96`, `64:ff9b:1::/48`), unique local (`fc00::/7`), link-local
+/// (`fe80::/10`) and multicast (`ff00::/8`) addresses.
 const UNICAST_V6: Network = Network::v6(0x2000, 0, 0, 3);
 
 const NOT_PUBLIC_V6: [Network; 4] = [
-    // Protocol assignments, Teredo among them.
+    // Protocol assignments, including Teredo.
     Network::v6(0x2001, 0, 0, 23),
     // Documentation.
     Network::v6(0x2001, 0xdb8, 0, 32),
     Network::v6(0x3fff, 0, 0, 20),
-    // 6to4: an IPv4 address in disguise.
+    // 6to4, which embeds an IPv4 address.
     Network::v6(0x2002, 0, 0, 16),
 ];
 
@@ -108,7 +110,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn addresses_of_nobody_in_particular_are_not_public() {
+    fn special_purpose_addresses_are_not_public() {
         for address in [
             "0.0.0.0",
             "0.1.2.3",
@@ -157,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn everybody_elses_are() {
+    fn other_addresses_are_public() {
         for address in [
             "1.1.1.1",
             "9.255.255.255",
@@ -183,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn networks_read_and_hold_what_they_say() {
+    fn a_network_contains_exactly_the_addresses_with_its_prefix() {
         let network = |text: &str| text.parse::<Network>();
         assert!(network("10.0.0.0/8").unwrap().contains("10.9.8.7".parse().unwrap()));
         assert!(!network("10.0.0.0/8").unwrap().contains("11.0.0.0".parse().unwrap()));

@@ -1,4 +1,4 @@
-//! `POST /v1/batches`: many requests at once, each as its own path takes it but with its `kind`.
+//! `POST /v1/batches`: many requests at once, each with its `kind`.
 
 use super::job::Links;
 use super::{FieldError, Kind, MAX_ERRORS, Rejection, Request, json, schema};
@@ -8,20 +8,20 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-/// The longest `callback_url`.
+/// Largest length of a `callback_url` in bytes.
 pub const URL_BYTES: usize = 2000;
 
-/// A batch's body that passed every check that can be made before the work.
+/// A batch's body that passed every check before solving.
 #[derive(Debug)]
 pub struct BatchRequest {
-    /// Each request with the value that it was read from.
+    /// Each request with the JSON value that it was read from.
     pub requests: Vec<(Request, Value)>,
     pub callback_url: Option<String>,
-    /// All of it.
+    /// The whole body.
     pub value: Value,
 }
 
-/// The published schema of the body.
+/// Returns the published schema of the body.
 pub(super) fn request_schema() -> Value {
     let kinds = Kind::ALL.map(|kind| {
         let request = format!("#/components/schemas/{}", schema::request_component(kind));
@@ -30,13 +30,13 @@ pub(super) fn request_schema() -> Value {
     });
     json!({
         "type": "object",
-        "description": "Requests of any kinds. Each becomes a job of its own.",
+        "description": "Requests of any kinds. Each becomes a separate job.",
         "required": ["requests"],
         "additionalProperties": false,
         "properties": {
             "requests": {
                 "type": "array", "minItems": 1, "items": { "anyOf": kinds },
-                "description": "Each request names its `kind`. `GET /v1/limits` has the largest number.",
+                "description": "Each request names its `kind`. `GET /v1/limits` shows how many requests a batch may have.",
             },
             "callback_url": {
                 "type": ["string", "null"], "maxLength": URL_BYTES, "default": null,
@@ -47,9 +47,10 @@ pub(super) fn request_schema() -> Value {
 }
 
 impl BatchRequest {
+    /// Reads and checks all requests of a batch.
+    ///
     /// # Errors
-    /// As [`Request::read`], with pointers from the body's root. All requests are checked, so that the answer names what is
-    /// wrong with any of them.
+    /// Returns the errors of [`Request::read`] for all requests, with pointers from the body's root.
     pub fn read(body: &[u8], limits: &LimitsConfig) -> Result<Self, Rejection> {
         super::refuse_too_many_values(body, limits)?;
         let mut value = json::parse(body)?;
@@ -61,7 +62,7 @@ impl BatchRequest {
         }
         let (mut requests, mut invalid, mut too_large) = (Vec::with_capacity(items.len()), Vec::new(), Vec::new());
         for (index, item) in items.into_iter().enumerate() {
-            // The outline says that each has a known kind.
+            // The outline was validated, so each request has a known kind.
             let Some(kind) = item["kind"].as_str().and_then(Kind::from_name) else { continue };
             match Request::from_value(kind, &item, limits) {
                 Ok(request) => requests.push((request, item)),
@@ -93,7 +94,7 @@ fn within(index: usize, errors: Vec<FieldError>) -> impl Iterator<Item = FieldEr
     errors.into_iter().map(move |error| FieldError::new(format!("/requests/{index}{}", error.pointer), error.detail))
 }
 
-/// Summary of a job of a batch. Its `self` link leads to the whole job.
+/// Short form of a job of a batch. Its `self` link leads to the full job.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct BatchJob {
     /// Index of the job's request in the batch, counted from 0.
@@ -125,7 +126,7 @@ pub struct BatchLinks {
 }
 
 impl BatchLinks {
-    /// `base` is what a proxy puts before the paths of this server; empty without one.
+    /// Returns the links of a batch. `base` is the path that a proxy puts before the paths of this server.
     #[must_use]
     pub fn of(base: &str, id: &str) -> Self {
         let this = format!("{base}/v1/batches/{id}");
@@ -136,17 +137,17 @@ impl BatchLinks {
 /// Requests that were submitted together, and the state of their jobs.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Batch {
-    /// A ULID: sorts by time of submission.
+    /// ULID, which sorts by time of submission.
     pub id: String,
-    /// `queued` until the first job starts, then `running` until the last has ended; then `failed` if any has failed,
-    /// else `cancelled` if any was cancelled, else `succeeded`.
+    /// `queued` until the first job starts, then `running` until the last job has ended. The final status is `failed`
+    /// if any job has failed, otherwise `cancelled` if any was cancelled, otherwise `succeeded`.
     pub status: Status,
-    /// RFC 3339, UTC.
+    /// Time of submission (RFC 3339, UTC).
     pub created_at: String,
-    /// Time at which the last job ended; null until then.
+    /// Time at which the last job ended. Null until then.
     pub finished_at: Option<String>,
     pub counts: BatchCounts,
-    /// In the order of the requests. A job that was deleted or has expired is not among them.
+    /// Jobs in the order of the requests. Jobs that were deleted or have expired are left out.
     pub jobs: Vec<BatchJob>,
     pub links: BatchLinks,
 }
@@ -167,7 +168,7 @@ impl BatchCounts {
         counts
     }
 
-    /// The status of the whole.
+    /// Returns the status of the batch.
     #[must_use]
     pub fn status(&self) -> Status {
         let ended = self.succeeded + self.failed + self.cancelled;
@@ -186,7 +187,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_status_of_the_whole_follows_from_its_parts() {
+    fn the_status_of_a_batch_follows_from_its_jobs() {
         use Status::{Cancelled, Failed, Queued, Running, Succeeded};
         for (parts, whole) in [
             (&[Queued, Queued][..], Queued),

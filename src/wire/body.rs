@@ -1,5 +1,5 @@
-//! A request's body as it was read: a JSON value, and beside it its long lists of points. A value holds every point in
-//! a piece of memory of its own, which takes longer than all else in reading a strip.
+//! Body of a request: a JSON value, with its long lists of points stored separately. In a JSON value every point is a
+//! separate allocation, and these allocations take longer than all other steps of reading a strip.
 
 use super::common::Point;
 use super::json::Strict;
@@ -8,25 +8,25 @@ use serde::{Serialize, Serializer, ser::SerializeMap};
 use serde_json::{Map, Value};
 use std::fmt;
 
-/// Points of each polyline that stay in the outline: as many as a schema asks for at least.
-const KEPT: usize = 3;
+/// Number of points of each polyline that stay in the outline: the largest minimum that a schema demands.
+const OUTLINE_POINTS: usize = 3;
 
-/// A body: an object, most often.
+/// Body of a request, which is normally a JSON object.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// Of the lists beside it, it has the first [`KEPT`] points of each polyline.
+    /// The value, with only the first [`OUTLINE_POINTS`] points of each polyline in `lists`.
     outline: Value,
     lists: Vec<PointList>,
 }
 
-/// The polylines of one field of a body.
+/// Polylines of one field of a body.
 #[derive(Clone, Debug)]
 pub struct PointList {
     pub field: &'static str,
     pub polylines: Vec<Vec<Point>>,
 }
 
-/// A field's value, wherever it is kept.
+/// Value of a field, from the outline or from the point lists.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[serde(untagged)]
 pub enum Field<'a> {
@@ -41,8 +41,8 @@ impl From<Value> for Body {
 }
 
 impl Body {
-    /// Reads an object whose `fields`, where they are there, are lists of polylines. `None` if it is not, or not JSON:
-    /// [`super::json::parse`] says what is wrong, if anything is.
+    /// Reads an object whose `fields` are lists of polylines. Returns `None` for every other body;
+    /// [`super::json::parse`] then finds the errors, if there are any.
     pub(super) fn read(body: &[u8], fields: &'static [&'static str]) -> Option<Self> {
         let mut deserializer = serde_json::Deserializer::from_slice(body);
         let read = deserializer.deserialize_map(Reader { fields }).ok()?;
@@ -50,7 +50,7 @@ impl Body {
         Some(read)
     }
 
-    /// All of it but the points further on in [`lists`](Self::lists).
+    /// Returns the body without the points that are only in [`lists`](Self::lists).
     #[must_use]
     pub fn outline(&self) -> &Value {
         &self.outline
@@ -61,14 +61,14 @@ impl Body {
         &self.lists
     }
 
-    /// Takes a field out that is no list of points.
+    /// Removes a field that is not a list of points.
     pub fn remove(&mut self, field: &str) {
         if let Some(fields) = self.outline.as_object_mut() {
             fields.remove(field);
         }
     }
 
-    /// The fields of an object, in order of their names; `None` for other values.
+    /// Returns the fields of an object in the order of their names, or `None` if the body is not an object.
     #[must_use]
     pub fn fields(&self) -> Option<impl ExactSizeIterator<Item = (&str, Field<'_>)>> {
         Some(self.outline.as_object()?.iter().map(|(name, value)| {
@@ -110,7 +110,7 @@ impl<'de> Visitor<'de> for Reader {
                     None => Value::Null,
                     Some(polylines) => {
                         let kept = polylines.iter().map(|line| {
-                            line.iter().take(KEPT).map(|point| Value::from(point.to_vec())).collect::<Value>()
+                            line.iter().take(OUTLINE_POINTS).map(|point| Value::from(point.to_vec())).collect::<Value>()
                         });
                         let kept = kept.collect();
                         lists.push(PointList { field, polylines });
@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn a_body_is_written_as_it_was_read() {
+    fn a_body_is_serialized_as_it_was_read() {
         for text in [
             r#"{"rails": [[[0, 1.5, -2e3], [1, 2, 3], [4, 5, 6], [0.1, 0.2, 7]], [], [[1e-300, 0, 9]]], "b": {"c": [1, null]}, "a": "x"}"#,
             r#"{"normals": null, "rails": []}"#,
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_unusual_is_left_to_the_strict_reader() {
+    fn invalid_and_unusual_bodies_are_refused_by_the_fast_reader() {
         for text in [
             "",
             "[]",
@@ -176,17 +176,17 @@ mod tests {
         }
     }
 
-    /// A schema sees the first points only, so it must not ask for more, nor anything of a coordinate but that it is a
-    /// number.
+    /// The schema sees only the first points. It must therefore not demand more points, and it must demand only numbers
+    /// as coordinates.
     #[test]
-    fn schemas_ask_no_more_of_points_than_the_outline_shows() {
+    fn schemas_check_only_the_points_that_are_in_the_outline() {
         let mut seen = 0;
         for kind in Kind::ALL {
             for field in kind.point_fields() {
                 let list = &schema::components()[schema::request_component(kind)]["properties"][field];
                 let line = &list["items"];
                 let point = &line["items"];
-                assert!(line["minItems"].as_u64().unwrap_or(0) <= KEPT as u64, "{field}");
+                assert!(line["minItems"].as_u64().unwrap_or(0) <= OUTLINE_POINTS as u64, "{field}");
                 assert_eq!((point["minItems"].as_u64(), point["maxItems"].as_u64()), (Some(3), Some(3)), "{field}");
                 let known = ["type", "items", "minItems", "description", "default"];
                 for part in [list, line] {

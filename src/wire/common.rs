@@ -1,11 +1,11 @@
-//! What requests of every kind share: points and the use of kept results.
+//! Types that requests of every kind share: points and the use of kept results.
 
 use super::{FieldError, Rejection};
 use plateau_geometry::DVec3;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// A point `[x, y, z]` in the client's own axes and unit.
+/// A point `[x, y, z]` in the client's axes and unit.
 pub type Point = [f64; 3];
 
 /// Whether the result of an equal earlier request may be returned. Results are deterministic, so it has the same bytes.
@@ -19,7 +19,7 @@ pub enum Cache {
     Bypass,
 }
 
-/// Points of the wire as points of the geometry.
+/// Converts points of the wire to points of the geometry.
 #[must_use]
 pub fn points(polyline: &[Point]) -> Vec<DVec3> {
     polyline.iter().map(|&point| DVec3::from_array(point)).collect()
@@ -30,14 +30,14 @@ pub fn polylines(polylines: &[Vec<Point>]) -> Vec<Vec<DVec3>> {
     polylines.iter().map(|polyline| points(polyline)).collect()
 }
 
-/// Refuses more than `max_points` points in all.
+/// Refuses polylines that together have more than `max_points` points.
 ///
 /// # Errors
-/// [`Rejection::TooLarge`] at the field.
+/// Returns [`Rejection::TooLarge`] at the field.
 pub fn check_point_count(field: &str, polylines: &[Vec<Point>], max_points: usize) -> Result<(), Rejection> {
     let count: usize = polylines.iter().map(Vec::len).sum();
     if count > max_points {
-        let detail = format!("has more points than this server takes ({max_points}); see GET /v1/limits");
+        let detail = format!("has more points than this server accepts ({max_points}); see GET /v1/limits");
         return Err(Rejection::TooLarge(vec![FieldError::new(field, detail)]));
     }
     Ok(())

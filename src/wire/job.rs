@@ -1,4 +1,4 @@
-//! A job as a client sees it.
+//! Jobs in the form that clients see.
 
 use super::{FieldError, Kind};
 use crate::status::Status;
@@ -23,15 +23,15 @@ pub struct Progress {
 /// A warning about the input or the result of a job that succeeded.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct JobWarning {
-    /// Stable, snake case.
+    /// Stable name in snake case.
     pub code: String,
     pub detail: String,
 }
 
-/// The reason of a failure: what was wrong with the geometry, and what to try.
+/// Reason for a failure: what was wrong with the geometry, and what to try.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct JobError {
-    /// A URI reference that names the kind of failure; stable.
+    /// Stable URI reference that identifies the kind of failure.
     #[serde(rename = "type")]
     pub kind: String,
     pub title: String,
@@ -39,17 +39,17 @@ pub struct JobError {
     pub errors: Vec<FieldError>,
 }
 
-/// The kinds of failed jobs: the last part of an error's `type`, and its title.
+/// Kinds of failed jobs: the last part of an error's `type`, and its title.
 pub const FAILURES: &[(&str, &str)] = &[
     ("deadline", "The deadline passed"),
     ("degenerate-boundary", "The boundary has no usable initial mesh"),
     ("internal", "The server failed"),
-    ("invalid-geometry", "The geometry cannot be worked on"),
-    ("invalid-mesh", "The solver left an invalid mesh"),
+    ("invalid-geometry", "The geometry is invalid"),
+    ("invalid-mesh", "The solver produced an invalid mesh"),
     ("no-initial-mesh", "The boundary has no initial mesh"),
-    ("no-room-for-interior-vertices", "The boundary has no room for the interior vertices"),
+    ("no-room-for-interior-vertices", "The boundary is too small for the interior vertices"),
     ("not-flattenable", "The surface cannot be flattened"),
-    ("refused", "This worker's limits or version do not take the request"),
+    ("refused", "The request exceeds this worker's limits or is unknown to its version"),
     ("self-intersecting-boundary", "The boundary crosses itself"),
     ("solver-panicked", "The solver failed"),
     ("too-large", "The mesh is too large"),
@@ -58,11 +58,13 @@ pub const FAILURES: &[(&str, &str)] = &[
 ];
 
 impl JobError {
-    /// An error of one of the kinds of [`FAILURES`].
+    /// Creates an error of one of the kinds of [`FAILURES`].
     #[must_use]
     pub fn new(kind: &str, detail: impl Into<String>, errors: Vec<FieldError>) -> Self {
-        let title =
-            FAILURES.iter().find(|(name, _)| *name == kind).map_or("No valid mesh came out", |(_, title)| title);
+        let title = FAILURES
+            .iter()
+            .find(|(name, _)| *name == kind)
+            .map_or("The solver found no valid mesh", |(_, title)| title);
         Self { kind: format!("/problems/{kind}"), title: title.into(), detail: detail.into(), errors }
     }
 }
@@ -72,10 +74,10 @@ impl JobError {
 pub struct Links {
     #[serde(rename = "self")]
     pub this: String,
-    /// Absent from failed and cancelled jobs.
+    /// Address of the mesh. Absent from failed and cancelled jobs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mesh: Option<String>,
-    /// Ruled surfaces only; absent from failed and cancelled jobs.
+    /// Address of the flat pattern. Only ruled surfaces have it, and it is absent from failed and cancelled jobs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pattern: Option<String>,
     pub events: String,
@@ -83,7 +85,7 @@ pub struct Links {
 }
 
 impl Links {
-    /// The links of a job on a server below the base path `base`, which is empty or like `/plateau`.
+    /// Returns the links of a job on a server below the base path `base`, which is empty or has the form `/plateau`.
     #[must_use]
     pub fn of(base: &str, id: &str, kind: Kind, status: Status) -> Self {
         let this = format!("{base}/v1/jobs/{id}");
@@ -101,18 +103,18 @@ impl Links {
 /// A job: an accepted request and its state.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Job {
-    /// A ULID: sorts by time of submission.
+    /// ULID, which sorts by time of submission.
     pub id: String,
     pub kind: Kind,
     pub status: Status,
-    /// RFC 3339, UTC.
+    /// Time of submission (RFC 3339, UTC).
     pub created_at: String,
     pub started_at: Option<String>,
     pub finished_at: Option<String>,
     /// Time at which the job and its mesh are removed.
     pub expires_at: Option<String>,
     pub progress: Progress,
-    /// Null until the job has succeeded; its fields depend on the kind.
+    /// Null until the job has succeeded. The fields depend on the kind.
     #[schemars(schema_with = "statistics_schema")]
     pub statistics: Option<Box<RawValue>>,
     pub warnings: Vec<JobWarning>,
@@ -121,14 +123,14 @@ pub struct Job {
     pub links: Links,
 }
 
-/// A job of a list: everything but its statistics.
+/// A job of a list, without its statistics.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct JobSummary {
-    /// A ULID: sorts by time of submission.
+    /// ULID, which sorts by time of submission.
     pub id: String,
     pub kind: Kind,
     pub status: Status,
-    /// RFC 3339, UTC.
+    /// Time of submission (RFC 3339, UTC).
     pub created_at: String,
     pub started_at: Option<String>,
     pub finished_at: Option<String>,
@@ -177,11 +179,11 @@ pub struct JobList {
 /// A problem document, RFC 9457.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Problem {
-    /// A URI reference that names the kind of problem; stable.
+    /// Stable URI reference that identifies the kind of problem.
     #[serde(rename = "type")]
     pub kind: String,
     pub title: String,
-    /// The HTTP status, repeated.
+    /// HTTP status of the response.
     #[schemars(range(min = 400, max = 599))]
     pub status: u16,
     pub detail: String,

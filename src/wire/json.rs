@@ -1,8 +1,8 @@
-//! Reading a JSON body into a value, strictly.
+//! Strict parser of JSON bodies.
 //!
-//! Promised: duplicate keys are refused, a number that is not finite in f64 is refused with its pointer, and an
-//! integral number is an integer however it was written (`2050.0` is 2050; -0.0 stays a float). Nesting is bounded by
-//! serde_json (128).
+//! Duplicate keys are refused. A number that is not finite in f64 is refused with its pointer. An integral number
+//! becomes an integer however it was written (`2050.0` becomes 2050), except that -0.0 stays a float. serde_json limits
+//! the nesting to 128 levels.
 
 use super::{FieldError, Rejection};
 use serde::de::{DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor};
@@ -12,7 +12,8 @@ use std::fmt;
 /// Parses a body.
 ///
 /// # Errors
-/// [`Rejection::Malformed`] if it is not JSON or repeats a key, [`Rejection::Invalid`] if a number overflows f64.
+/// Returns [`Rejection::Malformed`] if the body is not JSON or repeats a key, and [`Rejection::Invalid`] if a number
+/// overflows f64.
 pub fn parse(body: &[u8]) -> Result<Value, Rejection> {
     let mut deserializer = serde_json::Deserializer::from_slice(body);
     let outcome = Strict.deserialize(&mut deserializer).and_then(|value| deserializer.end().map(|()| value));
@@ -29,7 +30,7 @@ pub fn parse(body: &[u8]) -> Result<Value, Rejection> {
     })
 }
 
-/// The integer that a number is, if it is one: exact below 2^53; -0.0 keeps its sign by staying a float.
+/// Returns the integer that equals `value`, if there is one below 2^53. -0.0 stays a float, so that it keeps its sign.
 #[must_use]
 pub fn integral(value: f64) -> Option<i64> {
     let is_integral = value.abs() < 9_007_199_254_740_992.0 && value as i64 as f64 == value;
@@ -41,7 +42,7 @@ fn offset_of(body: &[u8], line: usize, column: usize) -> usize {
     (start + column).min(body.len())
 }
 
-/// The JSON Pointer of the value that byte `end` lies in. The text before `end` is known to be well-formed.
+/// Returns the JSON Pointer of the value that contains byte `end`. The text before `end` is well-formed.
 fn pointer_at(body: &[u8], end: usize) -> String {
     enum Level {
         Array(usize),
@@ -86,7 +87,7 @@ fn pointer_at(body: &[u8], end: usize) -> String {
         .collect()
 }
 
-/// Reads any value as [`parse`] does.
+/// Reads any value by the rules of [`parse`].
 pub(super) struct Strict;
 
 impl<'de> DeserializeSeed<'de> for Strict {
@@ -124,7 +125,7 @@ impl<'de> Visitor<'de> for Strict {
         Ok(Value::Null)
     }
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Value, A::Error> {
-        // A point has three coordinates.
+        // Most arrays are points with three coordinates.
         let mut list = Vec::with_capacity(3);
         while let Some(value) = seq.next_element_seed(Strict)? {
             list.push(value);
@@ -157,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn an_overflowing_number_is_named_by_its_pointer() {
+    fn the_error_for_an_overflowing_number_has_its_pointer() {
         let body = br#"{"x/y": {"s": "a,[\"", "z": 1}, "boundaries": [[[0,0,0],
             [1, 1e999, 0]]]}"#;
         let Err(Rejection::Invalid(errors)) = parse(body) else { panic!("should be refused") };
@@ -180,14 +181,14 @@ mod tests {
 
     proptest! {
         #[test]
-        fn any_bytes_are_read_or_refused(body in proptest::collection::vec(any::<u8>(), 0..200)) {
+        fn no_bytes_make_the_parser_panic(body in proptest::collection::vec(any::<u8>(), 0..200)) {
             let _ = parse(&body);
         }
 
         #[test]
-        fn any_json_like_text_is_read_or_refused(body in r#"[\[\]{}",:0-9eE+. \\a-c-]{0,60}"#) {
+        fn no_json_like_text_makes_the_parser_panic(body in r#"[\[\]{}",:0-9eE+. \\a-c-]{0,60}"#) {
             let _ = parse(body.as_bytes());
-            // The pointer search must survive a cut anywhere.
+            // The pointer search must not panic wherever the text is cut.
             for end in 0..=body.len() {
                 let _ = pointer_at(body.as_bytes(), end);
             }

@@ -1,4 +1,4 @@
-//! What can be asked for, what it may cost, and ready requests.
+//! Catalogue of the service: objectives, limits and example requests.
 
 use super::Kind;
 use crate::config::Config;
@@ -16,7 +16,7 @@ pub struct Objective {
     pub minimises: &'static str,
     /// Unit of the objective's value, where `u` is the client's unit.
     pub unit: &'static str,
-    /// Author, section, equation.
+    /// Author, section and equation.
     pub source: &'static str,
     /// Names of the request's fields that change the solution.
     pub options: Vec<&'static str>,
@@ -81,13 +81,13 @@ impl Limits {
     }
 }
 
-/// A ready request.
+/// An example request.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Example {
     pub name: &'static str,
     pub kind: Kind,
     pub title: &'static str,
-    /// Post it to the path of its kind.
+    /// Request to post to the path of its kind.
     pub request: Value,
 }
 
@@ -103,7 +103,7 @@ pub struct ExampleList {
     pub examples: Vec<ExampleSummary>,
 }
 
-/// `(name, title, text of api/examples/NAME.json)`. Each file is a request with its `kind`, and a test replays each.
+/// `(name, title, text of api/examples/NAME.json)`. Each file is a request with its `kind`. A test sends each.
 const FILES: &[(&str, &str, &str)] = &[
     ("two-rails", "A strip between rails of three and two points", include_str!("../../api/examples/two-rails.json")),
     (
@@ -196,7 +196,7 @@ const FILES: &[(&str, &str, &str)] = &[
     ),
     (
         "scherk-relaxation",
-        "Scherk's surface by Chen-Cai-Zheng's processes in an order of the caller's, both tolerances",
+        "Scherk's surface by Chen-Cai-Zheng's processes in a custom order, with both tolerances",
         include_str!("../../api/examples/scherk-relaxation.json"),
     ),
     (
@@ -206,7 +206,7 @@ const FILES: &[(&str, &str, &str)] = &[
     ),
     (
         "contour-stack",
-        "Five closed contours, unequal point counts",
+        "Five closed contours with unequal numbers of points",
         include_str!("../../api/examples/contour-stack.json"),
     ),
     ("wang-tang-i", "Two wavy rails (Wang and Tang, example I)", include_str!("../../api/examples/wang-tang-i.json")),
@@ -265,7 +265,7 @@ const FILES: &[(&str, &str, &str)] = &[
     ("vault", "A cylindrical vault (NURBS) with at most eight lengths", include_str!("../../api/examples/vault.json")),
 ];
 
-/// All examples, in the order of the list.
+/// Returns all examples in the order of the list.
 #[must_use]
 pub fn examples() -> &'static [Example] {
     static EXAMPLES: LazyLock<Vec<Example>> = LazyLock::new(|| {

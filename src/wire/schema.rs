@@ -1,4 +1,4 @@
-//! The JSON Schemas of the Rust types, and validation of bodies against them.
+//! JSON Schemas of the Rust types, and validation of bodies against them.
 
 use super::{FieldError, Kind, MAX_ERRORS, Rejection};
 use jsonschema::error::ValidationErrorKind;
@@ -9,7 +9,7 @@ use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
 use std::sync::LazyLock;
 
-/// The component schemas of the OpenAPI document, by name.
+/// Returns the component schemas of the OpenAPI document by name.
 #[must_use]
 pub fn components() -> &'static Map<String, Value> {
     static COMPONENTS: LazyLock<Map<String, Value>> = LazyLock::new(|| {
@@ -23,7 +23,7 @@ pub fn components() -> &'static Map<String, Value> {
         let mut components = generator.take_definitions(true);
         components.insert(BATCH.into(), super::batch::request_schema());
         for schema in components.values_mut() {
-            tidy(schema);
+            remove_unsigned_formats(schema);
         }
         components
     });
@@ -40,21 +40,22 @@ fn requests(generator: &mut SchemaGenerator) {
     add::<super::uniform_mesh::UniformMeshRequest>(generator);
 }
 
-/// Formats that OpenAPI tools warn about say nothing that type, minimum and maximum do not.
-fn tidy(schema: &mut Value) {
+/// Removes unsigned-integer formats, because OpenAPI tools warn about them. The type, minimum and maximum already say
+/// the same.
+fn remove_unsigned_formats(schema: &mut Value) {
     match schema {
         Value::Object(map) => {
             if map.get("format").and_then(Value::as_str).is_some_and(|format| format.starts_with("uint")) {
                 map.remove("format");
             }
-            map.values_mut().for_each(tidy);
+            map.values_mut().for_each(remove_unsigned_formats);
         }
-        Value::Array(list) => list.iter_mut().for_each(tidy),
+        Value::Array(list) => list.iter_mut().for_each(remove_unsigned_formats),
         _ => {}
     }
 }
 
-/// The component name of a kind's request.
+/// Returns the component name of a kind's request.
 #[must_use]
 pub fn request_component(kind: Kind) -> &'static str {
     match kind {
@@ -64,13 +65,14 @@ pub fn request_component(kind: Kind) -> &'static str {
     }
 }
 
-/// The component name of a batch's body.
+/// Component name of a batch's body.
 pub const BATCH: &str = "BatchRequest";
 
-/// Validates a batch's body but for what its requests hold beyond their kind: each is validated against its own schema.
+/// Validates a batch's body and the kind of each request. The other fields of a request are validated later against the
+/// request's own schema.
 ///
 /// # Errors
-/// As [`validate`].
+/// Returns the errors of [`validate`].
 pub fn validate_outline(value: &Value) -> Result<(), Rejection> {
     static VALIDATOR: LazyLock<Validator> = LazyLock::new(|| {
         let mut schema = components()[BATCH].clone();
@@ -104,21 +106,21 @@ fn validator(kind: Kind) -> &'static Validator {
     &VALIDATORS[kind as usize]
 }
 
-/// Values of a body whose errors are gathered all at once: the validator makes every error before it hands out the
-/// first, half a kilobyte each.
-const VALUES_AT_ONCE: usize = 20_000;
+/// Number of values up to which a body is validated as a whole. The validator creates all errors, half a kilobyte each,
+/// before it returns the first one, so larger bodies are validated in part.
+const MAX_VALUES_AT_ONCE: usize = 20_000;
 
 /// Validates a body against the published schema of its kind.
 ///
 /// # Errors
-/// Every violation with its pointer, cut off one past [`MAX_ERRORS`]. Of a body with very many values only the first part that
-/// has a violation is reported.
+/// Returns every violation with its pointer, at most [`MAX_ERRORS`] + 1. For a body with very many values, only the
+/// violations of the first part that has one are returned.
 pub fn validate(kind: Kind, value: &Value) -> Result<(), Rejection> {
     let validator = validator(kind);
     if validator.is_valid(value) {
         return Ok(());
     }
-    let part = if count(value) > VALUES_AT_ONCE { Some(first_wrong_part(validator, value)) } else { None };
+    let part = if count(value) > MAX_VALUES_AT_ONCE { Some(first_invalid_part(validator, value)) } else { None };
     let mut errors = Vec::new();
     for error in validator.iter_errors(part.as_ref().unwrap_or(value)) {
         collect(&error, &mut errors);
@@ -145,7 +147,8 @@ fn longest(value: &Value) -> usize {
     }
 }
 
-/// `value` with the first `length` elements of each of its arrays. Pointers into it are pointers into the whole.
+/// Returns `value` with the first `length` elements of each of its arrays. Pointers into the prefix are also pointers
+/// into `value`.
 fn prefix(value: &Value, length: usize) -> Value {
     match value {
         Value::Array(elements) => elements.iter().take(length).map(|element| prefix(element, length)).collect(),
@@ -156,32 +159,32 @@ fn prefix(value: &Value, length: usize) -> Value {
     }
 }
 
-/// The prefix of an invalid value up to about its first violation: short enough that what it adds to a valid prefix is
-/// at most about [`VALUES_AT_ONCE`] values. No schema asks for an array of more than 32 elements.
-fn first_wrong_part(validator: &Validator, value: &Value) -> Value {
+/// Returns a prefix of an invalid value that contains about its first violation. It has at most about
+/// [`MAX_VALUES_AT_ONCE`] values more than a valid prefix. No schema requires an array of more than 32 elements.
+fn first_invalid_part(validator: &Validator, value: &Value) -> Value {
     let longest = longest(value);
-    let (mut valid, mut wrong) = (0, 32.min(longest));
-    while wrong < longest && validator.is_valid(&prefix(value, wrong)) {
-        valid = wrong;
-        wrong = (2 * wrong).min(longest);
+    let (mut valid, mut invalid) = (0, 32.min(longest));
+    while invalid < longest && validator.is_valid(&prefix(value, invalid)) {
+        valid = invalid;
+        invalid = (2 * invalid).min(longest);
     }
-    let mut part = prefix(value, wrong);
+    let mut part = prefix(value, invalid);
     let mut values = count(&part);
     let mut values_of_valid = count(&prefix(value, valid));
-    while wrong - valid > 1 && values - values_of_valid > VALUES_AT_ONCE {
-        let middle = valid + (wrong - valid) / 2;
+    while invalid - valid > 1 && values - values_of_valid > MAX_VALUES_AT_ONCE {
+        let middle = valid + (invalid - valid) / 2;
         let shorter = prefix(value, middle);
         if validator.is_valid(&shorter) {
             (valid, values_of_valid) = (middle, count(&shorter));
         } else {
-            (wrong, values, part) = (middle, count(&shorter), shorter);
+            (invalid, values, part) = (middle, count(&shorter), shorter);
         }
     }
     part
 }
 
-/// Adds an error's leaves. Of a union's branches the one that came closest speaks: its first error lies deepest, so the
-/// value was of that branch's type.
+/// Adds the innermost errors of an error. For a union, these are the errors of the branch whose first error lies
+/// deepest, because the value matched the type of that branch.
 fn collect(error: &ValidationError<'_>, errors: &mut Vec<FieldError>) {
     if errors.len() > MAX_ERRORS {
         return;
@@ -200,7 +203,7 @@ fn collect(error: &ValidationError<'_>, errors: &mut Vec<FieldError>) {
                     .min()
             };
             let Some(branch) = context.iter().max_by_key(|branch| depth(branch)) else { return };
-            // Two branches that both fail on the type alone: naming one of them would mislead.
+            // If all branches fail on the type alone, naming one of them would mislead.
             let all_types = context.iter().all(|branch| branch.iter().all(|error| !type_matched(error)));
             if all_types {
                 let detail = "is of a type that is not allowed here";
@@ -213,7 +216,7 @@ fn collect(error: &ValidationError<'_>, errors: &mut Vec<FieldError>) {
             for name in unexpected {
                 let name = name.replace('~', "~0").replace('/', "~1");
                 let pointer = format!("{}/{name}", error.instance_path().as_str());
-                // A long key is not echoed in full either.
+                // Long keys are not echoed in full.
                 let pointer = if pointer.len() > 200 { error.instance_path().as_str().to_owned() } else { pointer };
                 errors.push(FieldError::new(pointer, "is not a known field"));
                 if errors.len() > MAX_ERRORS {
@@ -232,7 +235,7 @@ fn collect(error: &ValidationError<'_>, errors: &mut Vec<FieldError>) {
     }
 }
 
-/// The values of a union all of whose branches are named values: an enumeration in which each has its description.
+/// Returns the values of a union whose branches are all named values: an enumeration whose values have descriptions.
 fn allowed_names(branches: &[Vec<ValidationError<'_>>]) -> Option<Vec<String>> {
     let mut names = Vec::new();
     for branch in branches {
@@ -250,12 +253,12 @@ fn type_matched(error: &ValidationError<'_>) -> bool {
     !matches!(error.kind(), ValidationErrorKind::Type { .. })
 }
 
-/// Reads a value that passed its schema.
+/// Deserializes a value that passed its schema.
 ///
 /// # Errors
-/// What the schema let through and serde does not, with its pointer.
+/// Returns values that passed the schema but that serde refuses, with their pointers.
 pub fn deserialize<T: DeserializeOwned>(value: &Value) -> Result<T, Rejection> {
-    // Keeping track of the path takes as long as reading does, and hardly anything fails here.
+    // The path is tracked only after a failure, because tracking takes as long as reading, and failures are rare here.
     if let Ok(read) = T::deserialize(value) {
         return Ok(read);
     }
@@ -269,7 +272,7 @@ pub fn deserialize<T: DeserializeOwned>(value: &Value) -> Result<T, Rejection> {
                 _ => String::new(),
             })
             .collect();
-        Rejection::Invalid(vec![FieldError::new(pointer, "cannot be read as what the schema asks for")])
+        Rejection::Invalid(vec![FieldError::new(pointer, "does not have the form that the schema requires")])
     })
 }
 
@@ -285,7 +288,7 @@ mod tests {
     }
 
     #[test]
-    fn of_very_many_wrong_values_the_first_are_named() {
+    fn the_first_of_very_many_wrong_values_are_named() {
         let many = vec![json!(["x", null, {}]); 50_000];
         let found = pointers(&json!({ "directrices": [many, [[0, 0, 0]]] }));
         assert_eq!(found.len(), MAX_ERRORS + 1);
@@ -303,7 +306,7 @@ mod tests {
     }
 
     #[test]
-    fn an_unknown_name_is_answered_with_the_known_ones() {
+    fn the_error_for_an_unknown_name_lists_the_known_names() {
         let boundary = json!([[0, 0, 0], [1, 0, 0], [0, 1, 0]]);
         let refused = |field: &str, value: Value| match validate(
             Kind::MinimalSurface,
@@ -326,7 +329,7 @@ mod tests {
     }
 
     #[test]
-    fn a_point_with_very_many_coordinates_is_named() {
+    fn the_error_for_a_point_with_very_many_coordinates_has_its_pointer() {
         let point: Vec<u32> = (0..100_000).collect();
         assert_eq!(pointers(&json!({ "directrices": [[point], [[0, 0, 0], [1, 0, 0]]] })), ["/directrices/0/0"]);
     }

@@ -1,4 +1,4 @@
-//! Processes of the real binary on one database.
+//! Processes of the real program on one database.
 
 use reqwest::{Client, Response, StatusCode};
 use serde_json::{Value, json};
@@ -8,14 +8,14 @@ use tempfile::TempDir;
 use tokio::io::{AsyncBufReadExt, BufReader};
 use tokio::process::{Child, Command};
 
-/// One process; dropping it kills it.
+/// One process, which is killed when this value is dropped.
 pub struct Process {
     child: Child,
-    /// Where it answers HTTP; empty for a worker.
+    /// Base URL of its HTTP server. Empty for a worker.
     pub url: String,
 }
 
-/// What the processes share.
+/// State that the processes share.
 pub struct Cluster {
     database: String,
     /// Keeps the data folder of an embedded store.
@@ -25,14 +25,14 @@ pub struct Cluster {
 }
 
 impl Cluster {
-    /// On `database`, or on an embedded store of its own.
+    /// Uses `database`, or a new embedded store.
     pub fn new(database: Option<String>) -> Self {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let data = folder.path().join("data").display().to_string();
         Self { database: database.unwrap_or_default(), _folder: folder, data, settings: Vec::new() }
     }
 
-    /// With a setting for every process started from now on.
+    /// Adds a setting for every process started from now on.
     pub fn set(mut self, name: &'static str, value: impl ToString) -> Self {
         self.settings.push((name, value.to_string()));
         self
@@ -47,7 +47,7 @@ impl Cluster {
         command
     }
 
-    /// `plateau serve` with so many workers.
+    /// Starts `plateau serve` with this number of workers.
     pub async fn serve(&self, workers: usize) -> Process {
         let mut child = self.command("serve", workers).stdout(Stdio::piped()).spawn().expect("the binary starts");
         let stdout = child.stdout.take().expect("standard output is piped");
@@ -56,7 +56,7 @@ impl Cluster {
         Process { child, url }
     }
 
-    /// `plateau worker` with so many workers.
+    /// Starts `plateau worker` with this number of workers.
     pub fn worker(&self, workers: usize) -> Process {
         let child = self.command("worker", workers).stdout(Stdio::null()).spawn().expect("the binary starts");
         Process { child, url: String::new() }
@@ -64,18 +64,18 @@ impl Cluster {
 }
 
 impl Process {
-    /// SIGKILL: no handler runs, nothing is flushed.
+    /// Sends SIGKILL, so that no handler runs and nothing is flushed.
     pub async fn kill(&mut self) {
         self.child.kill().await.expect("the process dies");
     }
 
-    /// SIGTERM.
+    /// Sends SIGTERM.
     pub async fn terminate(&self) {
         let id = self.child.id().expect("the process runs").to_string();
         assert!(Command::new("kill").args(["-TERM", &id]).status().await.expect("kill runs").success());
     }
 
-    /// Waits for the end after `terminate`.
+    /// Waits for the end of the process after `terminate`.
     pub async fn ended(&mut self) -> std::process::ExitStatus {
         self.child.wait().await.expect("an exit status")
     }
@@ -98,7 +98,7 @@ impl Process {
         response.json().await.expect("JSON")
     }
 
-    /// The job once it has ended.
+    /// Waits until the job has ended, and returns it.
     pub async fn ended_job(&self, client: &Client, id: &str) -> Value {
         for _ in 0..30 {
             let request = client.get(format!("{}/v1/jobs/{id}", self.url)).header("prefer", "wait=10");
@@ -111,12 +111,13 @@ impl Process {
     }
 }
 
-/// Where a request is posted.
+/// Returns the path to which a request is posted.
 pub fn path(body: &Value) -> &'static str {
     if body.get("boundaries").is_some() { "/v1/minimal-surfaces" } else { "/v1/ruled-surfaces" }
 }
 
-/// A film of about so many triangles on a frame of four segments, another for each `variant`; solved anew each time.
+/// Returns a film of about this number of triangles on a frame of four segments. Each `variant` is a different request,
+/// and none reuses a kept result.
 pub fn film(triangles: usize, variant: usize) -> Value {
     let height = 0.1 + variant as f64 * 0.01;
     let frame = [[0.0, 0.0, 0.0], [1.0, 0.0, height], [1.0, 1.0, 0.0], [0.0, 1.0, height]];
@@ -124,12 +125,13 @@ pub fn film(triangles: usize, variant: usize) -> Value {
 }
 
 pub fn client() -> Client {
-    // The TLS that it could speak needs to be told of its cryptography; an error says that it has been.
+    // The TLS library of the client needs a cryptography provider. Installing it fails if it has already been
+    // installed.
     let _ = rustls::crypto::ring::default_provider().install_default();
     Client::builder().timeout(Duration::from_secs(60)).build().expect("a client")
 }
 
-/// A strip of `n` × `n` grid cells, another for each `variant`; solved anew each time.
+/// Returns a strip of `n` × `n` grid cells. Each `variant` is a different request, and none reuses a kept result.
 pub fn strip(n: usize, variant: usize) -> Value {
     let rail = |y: f64, phase: f64| -> Vec<[f64; 3]> {
         (0..n)
@@ -137,7 +139,7 @@ pub fn strip(n: usize, variant: usize) -> Value {
             .map(|t| [10.0 * t, y + (9.0 * t + phase).sin(), (7.0 * t).cos() + variant as f64 * 0.01])
             .collect()
     };
-    // The least area of a large strip is found in no time; the least bending visits every cell.
+    // The minimal area of a large strip is found almost at once. The minimal bending energy needs every cell.
     let objective = if n < 1000 { "minimal_area" } else { "minimal_bending_energy" };
     json!({ "directrices": [rail(0.0, 0.0), rail(4.0, 1.0)], "objective": objective, "cache": "bypass" })
 }

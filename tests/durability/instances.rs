@@ -1,4 +1,4 @@
-//! Two HTTP instances and two workers on one PostgreSQL; shutdown and second start.
+//! Two HTTP instances and two workers on one PostgreSQL database, shutdown and restart.
 
 use crate::cluster::{self, Cluster, Process};
 use crate::postgres::Postgres;
@@ -7,10 +7,10 @@ use reqwest::Client;
 use serde_json::Value;
 use std::time::{Duration, Instant};
 
-/// Longer than anything here takes; only a defect runs into it.
+/// Time that is longer than any step takes, so that only a defect exceeds it.
 const TOO_LONG: Duration = Duration::from_secs(60);
 
-/// Server-sent events of one job: name and data.
+/// Stream of the server-sent events of one job.
 struct Events {
     stream: futures_util::stream::BoxStream<'static, reqwest::Result<bytes::Bytes>>,
     text: String,
@@ -23,7 +23,7 @@ impl Events {
         Self { stream: response.bytes_stream().boxed(), text: String::new() }
     }
 
-    /// The next event; `None` at the end of the stream.
+    /// Returns the name and data of the next event, or `None` at the end of the stream.
     async fn next(&mut self) -> Option<(String, Value)> {
         loop {
             if let Some((event, rest)) = self.text.split_once("\n\n") {
@@ -34,7 +34,7 @@ impl Events {
                 self.text = rest.to_owned();
                 match found {
                     Some(event) => return Some(event),
-                    // A comment.
+                    // An event without data is a comment.
                     None => continue,
                 }
             }
@@ -43,7 +43,7 @@ impl Events {
         }
     }
 
-    /// Reads on until a status event says `status`.
+    /// Reads events until a status event has this status.
     async fn until_status(&mut self, status: &str) {
         while let Some((name, data)) = self.next().await {
             if name == "status" && data["status"] == status {
@@ -55,13 +55,13 @@ impl Events {
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
-async fn any_instance_shows_and_cancels_what_any_worker_works_on() {
+async fn any_instance_shows_and_cancels_the_jobs_of_any_worker() {
     let Some(postgres) = Postgres::start() else { return };
     let cluster = Cluster::new(Some(postgres.database().await)).set("PLATEAU_JOBS__PROGRESS_INTERVAL_MS", 50);
     let (a, b) = (cluster.serve(0).await, cluster.serve(0).await);
     let client = cluster::client();
 
-    // Nobody works yet: the job waits.
+    // No worker runs yet, so the job waits.
     let long = a.post(&client, &cluster::strip(15_000, 0)).await;
     let id = long["id"].as_str().unwrap();
     assert_eq!(long["status"], "queued");
@@ -80,10 +80,10 @@ async fn any_instance_shows_and_cancels_what_any_worker_works_on() {
     assert_eq!(response.json::<Value>().await.unwrap()["status"], "cancelled");
     events.until_status("cancelled").await;
     println!("cancelled on A, seen on B after {} ms", asked.elapsed().as_millis());
-    assert_eq!(events.next().await.map(|(name, _)| name), None, "the final event is the last");
+    assert_eq!(events.next().await.map(|(name, _)| name), None, "the final event must be the last");
     assert_eq!(b.get_json(&client, &format!("/v1/jobs/{id}")).await["status"], "cancelled");
 
-    // The workers are free again, and an answer found by either is everybody's.
+    // The workers take other jobs again, and every instance serves the results of any worker.
     let short = b.post(&client, &cluster::strip(30, 1)).await;
     let id = short["id"].as_str().unwrap();
     assert_eq!(a.ended_job(&client, id).await["status"], "succeeded");
@@ -95,7 +95,7 @@ async fn any_instance_shows_and_cancels_what_any_worker_works_on() {
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
-async fn a_terminated_server_hands_its_jobs_back_and_the_next_one_finishes_them() {
+async fn a_terminated_server_hands_back_its_jobs_and_the_next_server_finishes_them() {
     let cluster = Cluster::new(None).set("PLATEAU_HTTP__SHUTDOWN_GRACE_MS", 200).set("PLATEAU_JOBS__ATTEMPTS_MAX", 1);
     let mut first = cluster.serve(1).await;
     let client = cluster::client();
@@ -108,7 +108,7 @@ async fn a_terminated_server_hands_its_jobs_back_and_the_next_one_finishes_them(
 
     let second = cluster.serve(1).await;
     for job in [&running, &queued] {
-        // One lost lease would have failed them: they were handed back.
+        // The jobs were handed back, because a single lost lease would have failed them.
         assert_eq!(second.ended_job(&client, job["id"].as_str().unwrap()).await["status"], "succeeded");
     }
     let events = second.get(&client, &format!("/v1/jobs/{id}/events")).await.text().await.unwrap();

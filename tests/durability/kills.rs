@@ -1,5 +1,5 @@
-//! Processes killed at random moments under load: every accepted job ends exactly once, with the mesh that an undisturbed
-//! server makes of the same request. Ten kills each; a hundred with `PLATEAU_LONG=1`.
+//! Processes are killed at random moments under load. Every accepted job must end exactly once, with the mesh that an
+//! undisturbed server makes of the same request. Each test kills ten times, or a hundred times with `PLATEAU_LONG=1`.
 
 use crate::cluster::{self, Cluster, Process};
 use crate::postgres::Postgres;
@@ -12,15 +12,15 @@ use std::time::Duration;
 use tokio::task::JoinSet;
 
 const CLIENTS: usize = 6;
-/// Different requests; a mesh is compared with the one of its request.
+/// Number of different requests. Each mesh is compared with the reference mesh of its request.
 const SHAPES: usize = 12;
 
 fn kills() -> usize {
     if std::env::var_os("PLATEAU_LONG").is_some() { 100 } else { 10 }
 }
 
-/// Shapes from a millisecond's work to a good part of a second's, so that kills find jobs in every state; all of them
-/// quickly posted.
+/// Returns a request whose solution takes between a millisecond and a good part of a second, so that kills find jobs in
+/// every state. All requests are quick to post.
 fn shape(number: usize) -> Value {
     match number % 6 {
         0 => cluster::strip(20, number),
@@ -32,7 +32,7 @@ fn shape(number: usize) -> Value {
     }
 }
 
-/// The meshes of all shapes from a server that nobody disturbs.
+/// Returns the meshes of all shapes from an undisturbed server.
 async fn references() -> Vec<Vec<u8>> {
     let cluster = Cluster::new(None);
     let server = cluster.serve(2).await;
@@ -54,9 +54,10 @@ async fn mesh(server: &Process, client: &Client, id: &str) -> Vec<u8> {
     response.bytes().await.unwrap().to_vec()
 }
 
-/// Clients that post until told to stop, each submission with a key of its own, repeated until it is acknowledged.
+/// Clients that post until they are told to stop. Each submission has its own idempotency key and is repeated until it
+/// is acknowledged.
 struct Load {
-    /// Where the server answers at the moment.
+    /// Current address of the server.
     url: Arc<RwLock<String>>,
     stop: Arc<AtomicBool>,
     accepted: Arc<AtomicUsize>,
@@ -79,15 +80,16 @@ impl Load {
         url.clone_into(&mut self.url.write().unwrap());
     }
 
-    /// Waits for a few more acceptances, however slow the machine: there is to be something that a kill can hit.
-    async fn goes_on(&self) {
+    /// Waits until a few more jobs have been accepted, however slow the machine is, so that a kill finds work to
+    /// interrupt.
+    async fn some_are_accepted(&self) {
         let seen = self.accepted.load(Ordering::Relaxed);
         while self.accepted.load(Ordering::Relaxed) < seen + 4 {
             tokio::time::sleep(Duration::from_millis(2)).await;
         }
     }
 
-    /// What was accepted: shape and job id by idempotency key.
+    /// Returns the accepted submissions: shape and job identifier by idempotency key.
     async fn finish(mut self) -> BTreeMap<String, (usize, String)> {
         self.stop.store(true, Ordering::Relaxed);
         let mut accepted = BTreeMap::new();
@@ -114,7 +116,7 @@ async fn post_until_told(
         let body = shape(shape_number);
         let id = loop {
             let to = format!("{}{}", url.read().unwrap(), cluster::path(&body));
-            // Most do not wait, some do, so that there is always something to work on and never too much.
+            // Most submissions do not wait and some do, so that there is always work but never too much.
             let wait = if count % 4 == 3 { "wait=2" } else { "wait=0" };
             let request = client.post(to).header("idempotency-key", &key).header("prefer", wait).json(&body);
             let Ok(response) = request.send().await else {
@@ -123,7 +125,7 @@ async fn post_until_told(
             };
             match response.status() {
                 StatusCode::OK | StatusCode::ACCEPTED => {
-                    // Killed between head and body: not acknowledged yet.
+                    // If the server was killed between head and body, the job is not acknowledged yet.
                     let Ok(job) = response.json::<Value>().await else { continue };
                     break job["id"].as_str().unwrap().to_owned();
                 }
@@ -137,7 +139,7 @@ async fn post_until_told(
     accepted
 }
 
-/// Moments to strike at: a fixed pseudo-random sequence, but what it hits is up to the machine.
+/// Pseudo-random pauses before kills. The sequence is fixed, but the state that a kill finds depends on the machine.
 struct Moments(u64);
 
 impl Moments {
@@ -155,19 +157,19 @@ async fn every_job_ended_once(server: &Process, accepted: &BTreeMap<String, (usi
         let job = server.ended_job(&client, id).await;
         assert_eq!(job["status"], "succeeded", "{job:#}");
         assert!(mesh(server, &client, id).await == references[*shape_number], "{id}: another mesh");
-        // The whole of its history: one success at the end, and nothing after it.
+        // The complete history must have one success at the end and nothing after it.
         let events = server.get(&client, &format!("/v1/jobs/{id}/events")).await.text().await.unwrap();
         let ids: Vec<&str> = events.lines().filter_map(|line| line.strip_prefix("id:")).map(str::trim).collect();
         assert_eq!(events.matches(r#""status":"succeeded""#).count(), 1, "{events}");
         let attempt = ids.last().unwrap().split('.').next().unwrap().parse().unwrap();
         *attempts.entry(attempt).or_default() += 1;
-        // The key still names this job.
+        // The key must still return this job.
         let body = shape(*shape_number);
         let request = client.post(format!("{}{}", server.url, cluster::path(&body))).header("idempotency-key", key);
         let again: Value = request.json(&body).send().await.unwrap().json().await.unwrap();
         assert_eq!(again["id"].as_str(), Some(id.as_str()), "{key}");
     }
-    // One job for each submission: none made twice by a repetition, none that nobody asked for.
+    // Each submission has exactly one job: repetitions created none, and there are no others.
     let mut listed = BTreeSet::new();
     let mut cursor = String::new();
     loop {
@@ -184,11 +186,12 @@ async fn every_job_ended_once(server: &Process, accepted: &BTreeMap<String, (usi
         kills(),
         listed.len()
     );
-    assert!(accepted.len() > kills(), "there was load");
+    assert!(accepted.len() > kills(), "there must be more jobs than kills");
 }
 
 fn hardened(database: Option<String>) -> Cluster {
-    // A second is the shortest lease; jobs here are killed more often than any poisonous one.
+    // A lease of one second is the shortest allowed. The limit of attempts is high, because jobs are killed often in
+    // this test.
     Cluster::new(database).set("PLATEAU_JOBS__LEASE_MS", 1000).set("PLATEAU_JOBS__ATTEMPTS_MAX", 1000)
 }
 
@@ -198,7 +201,7 @@ async fn server_killed(database: Option<String>, what: &str) {
     let load = Load::start(&server.url);
     let mut moments = Moments(7);
     for _ in 0..kills() {
-        load.goes_on().await;
+        load.some_are_accepted().await;
         moments.next().await;
         server.kill().await;
         server = cluster.serve(2).await;
@@ -228,7 +231,7 @@ async fn workers_killed_while_the_server_lives_lose_nothing() {
     let load = Load::start(&server.url);
     let mut moments = Moments(11);
     for count in 0..kills() {
-        load.goes_on().await;
+        load.some_are_accepted().await;
         moments.next().await;
         let worker = &mut workers[count % 2];
         worker.kill().await;
@@ -247,10 +250,10 @@ async fn postgresql_stopped_and_started_again_loses_nothing() {
     let load = Load::start(&server.url);
     let mut moments = Moments(13);
     for count in 0..kills() {
-        load.goes_on().await;
+        load.some_are_accepted().await;
         moments.next().await;
         postgres.stop();
-        // With the database away, a process may die as well.
+        // While the database is stopped, a process may be killed too.
         match count % 3 {
             1 => worker.kill().await,
             2 => server.kill().await,

@@ -1,4 +1,4 @@
-//! Several processes on one database, and what becomes of jobs when some of them die.
+//! Several processes on one database, some of which are killed.
 
 mod cluster;
 mod instances;

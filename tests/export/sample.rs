@@ -1,4 +1,4 @@
-//! Archives for the export tests: everything that one can hold, at any place and size.
+//! Sample archives for the export tests, with every kind of content, at any position and size.
 
 use plateau::export::{
     Archive, Contents, Fold, LineSet, Lines, MeanCurvature, Pattern, Piece, Polyline, SegmentValues,
@@ -6,7 +6,7 @@ use plateau::export::{
 use plateau::units::{Unit, UpAxis};
 use plateau_geometry::{DVec2, DVec3, Mesh};
 
-/// A roof of four triangles over a unit square, its apex off the middle, scaled and moved.
+/// Returns a roof of four triangles over a unit square, with its apex off the centre, scaled and moved.
 pub fn roof(scale: f64, offset: DVec3) -> Contents {
     let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.1], [1.0, 1.0, 0.0], [0.0, 1.0, 0.1], [0.4, 0.6, 0.7]];
     let vertices = corners.iter().map(|&corner| offset + scale * DVec3::from_array(corner)).collect();
@@ -22,7 +22,7 @@ pub fn roof(scale: f64, offset: DVec3) -> Contents {
     }
 }
 
-/// A strip of three triangles, which unrolls.
+/// Returns a strip of three triangles, which can be unrolled.
 #[allow(dead_code, reason = "not every test that takes samples unrolls one")]
 pub fn strip() -> Contents {
     let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.5], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [2.0, 1.5, 0.25]];
@@ -43,7 +43,7 @@ pub fn strip() -> Contents {
     }
 }
 
-/// The roof in centimetres with every part of an archive filled in.
+/// Returns the roof in centimetres with every part of an archive filled in.
 pub fn full() -> Archive {
     let mut contents = roof(250.0, DVec3::new(3.0, -5.0, 0.25));
     contents.unit = Unit::Centimetre;
@@ -73,7 +73,7 @@ pub fn full() -> Archive {
     Archive::new(contents).expect("the sample is sound")
 }
 
-/// A flat pattern of two rectangles with every kind of fold, to be drawn beside [`full`].
+/// Returns a flat pattern of two rectangles with every kind of fold, in the unit of [`full`].
 #[allow(dead_code, reason = "not every test that takes samples draws a pattern")]
 pub fn pattern() -> Pattern {
     let fold = |x: f64, angle_deg: f64| Fold { ends: [DVec2::new(x, 0.0), DVec2::new(x, 100.0)], angle_deg };

@@ -1,4 +1,4 @@
-//! Who may do what: keys, ownership, shares, other origins, other hosts.
+//! Access to the server: keys, ownership, shares of the queue, foreign origins and foreign hosts.
 
 use crate::app::{self, MINIMAL, RULED, TestApp, small_film};
 use reqwest::{Method, RequestBuilder, StatusCode};
@@ -64,7 +64,7 @@ async fn a_key_is_needed_for_all_but_the_public_pages() {
         assert_eq!(response.headers()["content-type"], "application/problem+json");
         assert_ne!(guarded.status(&guarded.alice, Method::GET, path).await, StatusCode::UNAUTHORIZED, "{path}");
     }
-    // The body of a request without a key is not even looked at.
+    // The body of a request without a key is not read.
     let response = app.request(Method::POST, RULED).body("not JSON").send().await.unwrap();
     assert_eq!(response.status(), StatusCode::UNAUTHORIZED);
     for wrong in ["plateau_0", "", &guarded.alice[..guarded.alice.len() - 1]] {
@@ -98,7 +98,7 @@ async fn a_key_never_sees_jobs_of_another_by_any_route() {
     assert_eq!((list(alice).await, list(bob).await), (1, 0));
     assert_eq!(guarded.status(alice, Method::GET, &format!("{own}/mesh")).await, StatusCode::OK);
 
-    // Nor a batch.
+    // Batches are hidden from other keys too.
     let request = guarded.request(alice, Method::POST, "/v1/batches").header("prefer", "wait=60");
     let request = request.json(&serde_json::json!({ "requests": [strip] }));
     let batch: Value = request.send().await.unwrap().json().await.unwrap();
@@ -115,7 +115,7 @@ async fn a_key_never_sees_jobs_of_another_by_any_route() {
     }
     assert_eq!(guarded.status(alice, Method::DELETE, of_alice).await, StatusCode::NO_CONTENT);
 
-    // Idempotency keys are each one's own as well.
+    // Each key has its own idempotency keys.
     let post = async |key: &str, body: &Value| {
         let request = guarded.request(key, Method::POST, MINIMAL).header("idempotency-key", "one").json(body);
         request.send().await.unwrap()
@@ -126,7 +126,7 @@ async fn a_key_never_sees_jobs_of_another_by_any_route() {
     assert_ne!(second.json::<Value>().await.unwrap()["id"], first["id"]);
     assert_eq!(post(alice, &small_film(0.2)).await.status(), StatusCode::UNPROCESSABLE_ENTITY);
 
-    // An equal request finds the kept result of its own key, not of another.
+    // A request reuses only results of its own key.
     let repeated = guarded.request(alice, Method::POST, RULED).json(&strip).send().await.unwrap();
     assert_eq!(repeated.json::<Value>().await.unwrap()["status"], "succeeded");
     let anew = guarded.request(bob, Method::POST, RULED).json(&strip).send().await.unwrap();
@@ -140,7 +140,7 @@ async fn a_key_that_floods_the_queue_neither_fills_it_nor_starves_others() {
     let (alice, bob) = (&guarded.alice, &guarded.bob);
     let mut accepted = 0;
     let refused = loop {
-        // Quick to post, slow to solve.
+        // These films are quick to post and slow to solve.
         let mut film = small_film(0.1 + f64::from(accepted) * 0.001);
         film["resolution"]["triangles"] = 30_000.into();
         let response = guarded.request(alice, Method::POST, MINIMAL).json(&film).send().await.unwrap();
@@ -151,7 +151,7 @@ async fn a_key_that_floods_the_queue_neither_fills_it_nor_starves_others() {
     };
     assert_eq!(refused.status(), StatusCode::TOO_MANY_REQUESTS);
     assert!(refused.headers().contains_key("retry-after"));
-    assert!((10..20).contains(&accepted), "half of the queue and what ran meanwhile, not {accepted}");
+    assert!((10..20).contains(&accepted), "half of the queue plus the jobs that ran meanwhile, not {accepted}");
     guarded.solve(bob, RULED, &app::example("wavy-strip")).await;
     let list = guarded.request(alice, Method::GET, "/v1/jobs?status=queued&limit=200").send().await.unwrap();
     let waiting = list.json::<Value>().await.unwrap()["jobs"].as_array().unwrap().len();
@@ -159,7 +159,7 @@ async fn a_key_that_floods_the_queue_neither_fills_it_nor_starves_others() {
 }
 
 #[tokio::test]
-async fn a_key_has_a_rate() {
+async fn the_requests_of_a_key_are_limited_per_minute() {
     let guarded = Guarded::start(&[("PLATEAU_AUTH__REQUESTS_PER_MINUTE", "3")]).await;
     let (alice, bob) = (&guarded.alice, &guarded.bob);
     for _ in 0..3 {
@@ -211,7 +211,7 @@ async fn a_loopback_server_answers_to_loopback_names_only() {
 }
 
 #[tokio::test]
-async fn without_keys_only_loopback_is_listened_on() {
+async fn a_server_without_keys_listens_only_on_loopback_addresses() {
     let folder = tempfile::tempdir().unwrap();
     let data = folder.path().join("data");
     let mut command = app::binary();
@@ -220,21 +220,21 @@ async fn without_keys_only_loopback_is_listened_on() {
     assert_eq!(output.status.code(), Some(2));
     let message = String::from_utf8(output.stderr).unwrap();
     assert!(message.contains("auth.keys_file") && message.contains("auth.open_without_keys"), "{message}");
-    assert!(!data.exists(), "nothing was begun");
+    assert!(!data.exists(), "the data folder was not created");
 }
 
 #[tokio::test]
-async fn keys_come_and_go_with_the_keys_file() {
+async fn changes_of_the_keys_file_take_effect() {
     let guarded = Guarded::start(&[]).await;
     let (carol, line) = new_key("carol").await;
     assert_eq!(guarded.status(&carol, Method::GET, "/v1/jobs").await, StatusCode::UNAUTHORIZED);
     std::fs::write(guarded.secrets.path().join("keys"), format!("{line}\n")).unwrap();
-    // The file is looked at once a second.
+    // The server checks the file once a second.
     while guarded.status(&carol, Method::GET, "/v1/jobs").await != StatusCode::OK {
         tokio::time::sleep(std::time::Duration::from_millis(50)).await;
     }
     assert_eq!(guarded.status(&guarded.alice, Method::GET, "/v1/jobs").await, StatusCode::UNAUTHORIZED);
-    // Without any key left nobody is let in, rather than everybody.
+    // Without any key in the file, every request is refused.
     std::fs::write(guarded.secrets.path().join("keys"), "").unwrap();
     while guarded.status(&carol, Method::GET, "/v1/jobs").await != StatusCode::UNAUTHORIZED {
         tokio::time::sleep(std::time::Duration::from_millis(50)).await;
@@ -243,7 +243,7 @@ async fn keys_come_and_go_with_the_keys_file() {
 }
 
 #[tokio::test]
-async fn a_foreign_page_changes_nothing() {
+async fn requests_of_a_foreign_page_cannot_change_anything() {
     let app =
         TestApp::start_with(&[("PLATEAU_WORKERS", "0"), ("PLATEAU_HTTP__CORS_ORIGINS", "https://cad.example")]).await;
     let job: Value = app.post(MINIMAL, &small_film(0.1)).await.json().await.unwrap();
@@ -260,7 +260,8 @@ async fn a_foreign_page_changes_nothing() {
         }
     }
     assert_eq!(app.get_json(this).await["status"], "queued");
-    // A look changes nothing, and the server's own pages, named origins and other programs may do everything.
+    // A foreign page may read. The server's own pages, pages of allowed origins and other programs may also change
+    // things.
     let look = app.request(Method::GET, this).header("sec-fetch-site", "cross-site").send().await.unwrap();
     assert_eq!(look.status(), StatusCode::OK);
     let own = app.url.clone();

@@ -1,4 +1,4 @@
-//! The one way in which tests start a server.
+//! The only way in which tests start a server.
 
 use reqwest::{Method, RequestBuilder, Response, StatusCode};
 use serde_json::{Value, json};
@@ -21,13 +21,13 @@ pub fn binary() -> Command {
     command
 }
 
-/// A client; the TLS that it could speak needs to be told of its cryptography, once in a process.
+/// Returns a client. Its TLS library needs a cryptography provider, which is installed once per process.
 pub fn client() -> reqwest::Client {
     client_builder().build().expect("a client")
 }
 
 pub fn client_builder() -> reqwest::ClientBuilder {
-    // An error says that it has been told.
+    // Installing fails if the provider has already been installed.
     let _ = rustls::crypto::ring::default_provider().install_default();
     reqwest::Client::builder()
 }
@@ -41,7 +41,7 @@ impl TestApp {
         Self::start_with(&[]).await
     }
 
-    /// Starts with environment variables on top of the defaults.
+    /// Starts a server with environment variables in addition to the defaults.
     pub async fn start_with(environment: &[(&str, &str)]) -> Self {
         Self::start_in(tempfile::tempdir().expect("a temporary folder"), environment).await
     }
@@ -84,7 +84,7 @@ impl TestApp {
         self.request(Method::POST, path).header("prefer", "wait=60").json(body).send().await.expect("an answer")
     }
 
-    /// Posts, waits, and demands success.
+    /// Posts a request, waits for the job's end, and fails unless the job has succeeded.
     pub async fn solve(&self, path: &str, body: &Value) -> Value {
         let job: Value = self.post_waiting(path, body).await.json().await.expect("JSON");
         let job = self.ended(job).await;
@@ -92,7 +92,7 @@ impl TestApp {
         job
     }
 
-    /// Waits for a job's end, however long that takes.
+    /// Waits for a job's end without a time limit.
     pub async fn ended(&self, mut job: Value) -> Value {
         while ["queued", "running"].contains(&job["status"].as_str().expect("a job")) {
             let this = job["links"]["self"].as_str().expect("a link");
@@ -102,7 +102,7 @@ impl TestApp {
         job
     }
 
-    /// Resident memory of the server, bytes.
+    /// Returns the resident memory of the server in bytes.
     pub fn memory(&self) -> u64 {
         let id = self.child.id().expect("the server runs");
         let status = std::fs::read_to_string(format!("/proc/{id}/status")).expect("procfs");
@@ -110,24 +110,24 @@ impl TestApp {
         line.split_whitespace().nth(1).expect("a number").parse::<u64>().expect("a number") * 1024
     }
 
-    /// SIGTERM.
+    /// Sends SIGTERM.
     pub async fn terminate(&self) {
         let id = self.child.id().expect("the server runs").to_string();
         assert!(Command::new("kill").args(["-TERM", &id]).status().await.expect("kill").success());
     }
 
-    /// SIGTERM, and the exit status.
+    /// Sends SIGTERM and returns the exit status.
     pub async fn stop(self) -> (std::process::ExitStatus, TempDir) {
         self.terminate().await;
         self.exited().await
     }
 
-    /// The exit status of a server that was told to stop.
+    /// Waits for a server that was told to stop, and returns its exit status.
     pub async fn exited(mut self) -> (std::process::ExitStatus, TempDir) {
         (self.child.wait().await.expect("an exit status"), self.folder)
     }
 
-    /// SIGKILL.
+    /// Sends SIGKILL.
     pub async fn kill(mut self) -> TempDir {
         self.child.kill().await.expect("the server dies");
         self.folder
@@ -161,12 +161,13 @@ pub fn path_of(kind: &str) -> &'static str {
     }
 }
 
-/// A square film with one corner lifted by `height`: small and quick; each height is another body.
+/// Returns a square film with one corner lifted by `height`. It is small and quick to solve, and each height is a
+/// different request.
 pub fn small_film(height: f64) -> Value {
     json!({ "boundaries": [[[0, 0, 0], [1, 0, height], [1, 1, 0], [0, 1, height]]], "resolution": { "triangles": 100 } })
 }
 
-/// A strip whose grid takes a solver seconds: `n` × `n` cells.
+/// Returns a strip with a grid of `n` × `n` cells, which takes a solver seconds.
 pub fn large_strip(n: usize) -> Value {
     let rail = |y: f64, phase: f64| -> Vec<[f64; 3]> {
         (0..n).map(|k| k as f64 / n as f64).map(|t| [10.0 * t, y + (9.0 * t + phase).sin(), (7.0 * t).cos()]).collect()
@@ -174,7 +175,7 @@ pub fn large_strip(n: usize) -> Value {
     json!({ "directrices": [rail(0.0, 0.0), rail(4.0, 1.0)], "objective": "minimal_bending_energy" })
 }
 
-/// A film whose solver would go on for hours.
+/// Returns a film whose solver would run for hours.
 pub fn endless_film(height: f64) -> Value {
     let mut film = small_film(height);
     film["solver"] = "vertex_relaxation".into();
@@ -199,7 +200,7 @@ pub async fn problem(response: Response, status: u16) -> Value {
     problem
 }
 
-/// The pointers of a problem's errors.
+/// Returns the pointers of a problem's errors.
 pub fn pointers(problem: &Value) -> Vec<&str> {
     problem["errors"]
         .as_array()

@@ -1,4 +1,5 @@
-//! Behind a proxy: every address that the server hands out begins with the public base path, kept by the proxy or not.
+//! Operation behind a proxy. Every address that the server sends begins with the public base path, whether or not the
+//! proxy removes it from requests.
 
 use crate::app::{MINIMAL, TestApp, client_builder, problem, small_film};
 use reqwest::{Method, StatusCode, redirect};
@@ -29,7 +30,7 @@ async fn every_address_begins_with_the_base_path_and_works_with_and_without_it()
     }
     problem(app.get("/tools/plateau/v1/jobs/none").await, 404).await;
     assert_eq!(app.get("/tools/plateaux/v1/jobs").await.status(), StatusCode::NOT_FOUND);
-    // The studio's files are named relative to a folder.
+    // The studio names its files relative to a folder, so the base path needs a slash at its end.
     let client = client_builder().redirect(redirect::Policy::none()).build().unwrap();
     let response = client.request(Method::GET, format!("{}/tools/plateau", app.url)).send().await.unwrap();
     assert_eq!(

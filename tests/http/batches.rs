@@ -1,4 +1,4 @@
-//! Many requests at once: one status, one file.
+//! Batches: many requests at once, with one status and one file.
 
 use crate::app::{TestApp, example, large_strip, pointers, problem, root, small_film};
 use reqwest::{Method, StatusCode};
@@ -13,7 +13,7 @@ fn film(height: f64) -> Value {
     film
 }
 
-/// All three kinds.
+/// Returns a batch with all three kinds of request.
 fn mixed() -> Value {
     json!({ "requests": [film(0.3), example("wavy-strip"), example("courtyard"), film(0.5)] })
 }
@@ -26,7 +26,7 @@ async fn solved(app: &TestApp, body: &Value) -> Value {
 }
 
 #[tokio::test]
-async fn a_batch_is_jobs_with_one_status() {
+async fn a_batch_has_ordinary_jobs_and_one_status() {
     let app = TestApp::start().await;
     let response = app.post(BATCHES, &mixed()).await;
     assert_eq!(response.status(), StatusCode::ACCEPTED);
@@ -46,7 +46,7 @@ async fn a_batch_is_jobs_with_one_status() {
         let whole = app.get_json(job["links"]["self"].as_str().unwrap()).await;
         assert_eq!((&whole["id"], &whole["kind"], &whole["status"]), (&job["id"], &job["kind"], &job["status"]));
     }
-    // Each is a job like any other, in the list too.
+    // The jobs of a batch are listed like any other job.
     assert_eq!(app.get_json("/v1/jobs").await["jobs"].as_array().unwrap().len(), 4);
     assert_eq!(app.request(Method::DELETE, &location).send().await.unwrap().status(), StatusCode::NO_CONTENT);
     problem(app.get(&location).await, 404).await;
@@ -66,7 +66,7 @@ async fn the_meshes_come_as_one_archive() {
     assert_eq!((unchanged.status(), &unchanged.headers()["etag"]), (StatusCode::NOT_MODIFIED, &tag));
     assert_eq!(app.get(meshes).await.bytes().await.unwrap(), bytes);
 
-    // Read by somebody else's implementation.
+    // The archive is read by an independent implementation.
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("batch.zip");
     std::fs::write(&path, &bytes).unwrap();
@@ -136,7 +136,7 @@ async fn the_meshes_come_as_one_scene() {
 }
 
 #[tokio::test]
-async fn a_batch_is_taken_whole_or_not_at_all() {
+async fn all_requests_of_a_batch_are_accepted_or_none() {
     let app = TestApp::start_with(&[("PLATEAU_WORKERS", "0"), ("PLATEAU_JOBS__QUEUE_LENGTH", "3")]).await;
     let mut wrong = film(0.1);
     wrong["boundaries"][0][1][2] = "x".into();
@@ -148,7 +148,7 @@ async fn a_batch_is_taken_whole_or_not_at_all() {
 }
 
 #[tokio::test]
-async fn a_batch_is_cancelled_as_one() {
+async fn cancelling_a_batch_cancels_all_its_jobs() {
     let app = TestApp::start_with(&[("PLATEAU_WORKERS", "1")]).await;
     let mut strip = large_strip(30_000);
     strip["kind"] = "ruled_surface".into();
@@ -159,7 +159,7 @@ async fn a_batch_is_cancelled_as_one() {
     let cancelled: Value = app.request(Method::POST, &link("cancel")).send().await.unwrap().json().await.unwrap();
     assert_eq!((cancelled["status"].as_str(), cancelled["counts"]["cancelled"].as_u64()), (Some("cancelled"), Some(3)));
     problem(app.get(&link("meshes")).await, 409).await;
-    // The worker is free for others at once.
+    // The worker takes other jobs at once.
     app.solve("/v1/minimal-surfaces", &small_film(0.9)).await;
 }
 
@@ -176,7 +176,7 @@ async fn the_same_key_and_body_give_the_same_batch() {
 }
 
 #[tokio::test]
-async fn a_missing_batch_is_called_a_batch() {
+async fn the_error_for_a_missing_batch_names_a_batch() {
     let app = TestApp::start().await;
     for path in ["/v1/batches/01J00000000000000000000000", "/v1/batches/none"] {
         assert_eq!(problem(app.get(path).await, 404).await["detail"], "no such batch");

@@ -11,7 +11,8 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-/// As much of S3 as holds objects: PUT, GET and DELETE by path, for requests that are signed with the right key's name.
+/// A small S3 server with PUT, GET and DELETE by path. It accepts requests that are signed with the name of the right
+/// key.
 #[derive(Clone, Default)]
 struct Bucket {
     objects: Arc<Mutex<BTreeMap<String, Bytes>>>,
@@ -28,7 +29,7 @@ impl Bucket {
         (bucket, url)
     }
 
-    /// The results' objects. The server's probe comes and goes at any time and is no result.
+    /// Returns the names of the results' objects. The server's probe object may exist at any time and is left out.
     fn names(&self) -> Vec<String> {
         let objects = self.objects.lock().unwrap();
         objects.keys().filter(|name| !name.contains("/probe-")).cloned().collect()
@@ -80,7 +81,7 @@ async fn start(url: &str) -> TestApp {
     TestApp::start_with(&settings).await
 }
 
-/// Waits until the server is ready, or is not.
+/// Waits until the server's readiness is `ready`.
 async fn until_ready(app: &TestApp, ready: bool) {
     while (app.get("/health/ready").await.status() == 200) != ready {
         tokio::time::sleep(Duration::from_millis(20)).await;
@@ -104,7 +105,7 @@ async fn large_results_are_objects_and_a_bucket_that_refuses_costs_no_attempt() 
     until_ready(&app, false).await;
     let path = held["links"]["self"].as_str().unwrap();
     assert_eq!(app.get_json(path).await["status"], "running");
-    // Other jobs are taken but not started.
+    // Other jobs are accepted but not started.
     let waiting: Value = app.post(MINIMAL, &small_film(0.5)).await.json().await.unwrap();
     *bucket.refuses.lock().unwrap() = false;
     for job in [&held, &waiting] {
@@ -112,14 +113,14 @@ async fn large_results_are_objects_and_a_bucket_that_refuses_costs_no_attempt() 
         let ended: Value = wait.send().await.unwrap().json().await.unwrap();
         assert_eq!(ended["status"], "succeeded", "{ended:#}");
         let events = app.get(job["links"]["events"].as_str().unwrap()).await.text().await.unwrap();
-        assert!(events.contains("id: 1.") && !events.contains("id: 2."), "one attempt: {events}");
+        assert!(events.contains("id: 1.") && !events.contains("id: 2."), "the job needed only one attempt: {events}");
     }
     until_ready(&app, true).await;
     assert_eq!(bucket.names().len(), 3);
 }
 
 #[tokio::test]
-async fn a_bucket_that_refuses_from_the_start_is_found_out_before_any_job() {
+async fn a_bucket_that_refuses_writes_is_detected_at_the_start() {
     let (bucket, url) = Bucket::start().await;
     *bucket.refuses.lock().unwrap() = true;
     let app = start(&url).await;

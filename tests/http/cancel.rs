@@ -1,4 +1,4 @@
-//! Cancelling and deleting, seen at once by the client and soon by the solver, which would go on for hours.
+//! Cancelling and deleting: the client sees the effect at once, and the solver, which would run for hours, stops soon.
 
 use crate::app::{MINIMAL, RULED, TestApp, endless_film, large_strip, problem, small_film};
 use reqwest::Method;
@@ -29,7 +29,7 @@ async fn a_running_job_is_cancelled_at_once_and_its_solver_stops() {
     assert_eq!(answer.status(), 200);
     assert_eq!(answer.json::<Value>().await.unwrap()["status"], "cancelled");
     until_running(&app, 0).await;
-    // Idempotent, and the worker is free again.
+    // Cancelling is idempotent, and the worker takes the next job.
     let again: Value = app.request(Method::POST, &cancel).send().await.unwrap().json().await.unwrap();
     assert_eq!(again["status"], "cancelled");
     problem(app.get(&mesh).await, 409).await;
@@ -51,7 +51,7 @@ async fn a_queued_job_is_cancelled_and_never_runs() {
 }
 
 #[tokio::test]
-async fn a_finished_job_is_unchanged_by_cancel_and_gone_after_delete() {
+async fn cancelling_leaves_a_finished_job_unchanged_and_deleting_removes_it() {
     let app = TestApp::start().await;
     let job = app.solve(MINIMAL, &small_film(0.3)).await;
     let this = job["links"]["self"].as_str().unwrap();
@@ -75,7 +75,7 @@ async fn deleting_a_running_job_stops_its_solver() {
 }
 
 #[tokio::test]
-async fn a_deadline_ends_a_solve_with_the_truth() {
+async fn a_job_without_a_mesh_at_its_deadline_fails_with_the_type_deadline() {
     let app = TestApp::start_with(&[("PLATEAU_JOBS__DEADLINE_MS", "50"), ("PLATEAU_WORKERS", "1")]).await;
     let job: Value = app.post_waiting(RULED, &large_strip(30_000)).await.json().await.unwrap();
     assert_eq!((job["status"].as_str(), job["error"]["type"].as_str()), (Some("failed"), Some("/problems/deadline")));

@@ -1,10 +1,10 @@
-//! What the server offers.
+//! The catalogue: objectives, limits, pages and kinds of problems.
 
 use crate::app::TestApp;
 use reqwest::header;
 
 #[tokio::test]
-async fn objectives_name_formula_unit_and_source() {
+async fn objectives_have_a_formula_a_unit_and_a_source() {
     let app = TestApp::start().await;
     let list = app.get_json("/v1/objectives").await;
     let objectives = list["objectives"].as_array().unwrap();
@@ -31,14 +31,17 @@ async fn limits_are_the_configured_ones() {
 }
 
 #[tokio::test]
-async fn the_pages_load_without_anything_from_elsewhere() {
+async fn the_pages_load_nothing_from_other_hosts() {
     let app = TestApp::start().await;
     for path in ["/", "/docs"] {
         let response = app.get(path).await;
         assert_eq!(response.status(), 200, "{path}");
         assert!(response.headers()[header::CONTENT_TYPE].to_str().unwrap().starts_with("text/html"));
         let html = response.text().await.unwrap();
-        assert!(!html.contains("src=\"http") && !html.contains("href=\"http"), "{path} loads something from elsewhere");
+        assert!(
+            !html.contains("src=\"http") && !html.contains("href=\"http"),
+            "{path} loads something from another host"
+        );
     }
     let script = app.get("/docs/start.js").await.text().await.unwrap();
     assert!(script.contains("../openapi.json") && script.contains("validatorUrl: \"none\""), "{script}");
@@ -47,7 +50,7 @@ async fn the_pages_load_without_anything_from_elsewhere() {
 }
 
 #[tokio::test]
-async fn every_answer_tells_browsers_to_guess_nothing_and_to_run_nothing_foreign() {
+async fn every_response_has_the_headers_that_protect_browsers() {
     let app = TestApp::start().await;
     for path in ["/", "/docs/", "/docs/swagger-ui.css", "/studio/missing", "/openapi.json", "/problems/not-found", "/x"]
     {
@@ -63,7 +66,7 @@ async fn every_answer_tells_browsers_to_guess_nothing_and_to_run_nothing_foreign
 }
 
 #[tokio::test]
-async fn a_problem_type_leads_to_what_it_means() {
+async fn the_address_in_a_problem_type_explains_it() {
     let app = TestApp::start().await;
     let missing = app.get("/nowhere").await.json::<serde_json::Value>().await.unwrap();
     let text = app.get(missing["type"].as_str().unwrap()).await.text().await.unwrap();

@@ -1,4 +1,4 @@
-//! The command line: solve without a server, print the document, refuse wrong settings.
+//! The command line: solving without a server, printing the API document, and refusing wrong settings.
 
 use crate::app::{binary, example, root};
 use serde_json::{Value, json};
@@ -47,7 +47,7 @@ async fn the_command_line_and_the_server_give_the_same_bytes() {
 }
 
 #[tokio::test]
-async fn a_request_that_cannot_be_worked_on_is_explained() {
+async fn the_error_for_an_invalid_request_has_its_pointer() {
     let folder = tempfile::tempdir().unwrap();
     let (request, output) = (folder.path().join("request.json"), folder.path().join("x.glb"));
     std::fs::write(
@@ -98,7 +98,7 @@ async fn a_valid_configuration_passes_its_check() {
 
 #[cfg(not(feature = "s3"))]
 #[tokio::test]
-async fn a_program_without_buckets_says_so() {
+async fn a_program_without_bucket_support_refuses_a_bucket() {
     let folder = tempfile::tempdir().unwrap();
     let mut command = binary();
     command

@@ -1,17 +1,17 @@
-//! More connections than the server has places for.
+//! More connections than the server allows.
 
 use crate::app::{MINIMAL, TestApp, small_film};
 use serde_json::Value;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::TcpStream;
 
-const PLACES: usize = 8;
+const CONNECTIONS: usize = 8;
 
 async fn start(workers: &str) -> TestApp {
     TestApp::start_with(&[
         ("PLATEAU_WORKERS", workers),
-        ("PLATEAU_HTTP__CONNECTIONS", &PLACES.to_string()),
-        // No connection ends by itself during the test.
+        ("PLATEAU_HTTP__CONNECTIONS", &CONNECTIONS.to_string()),
+        // The timeout is so long that no connection ends by itself during the test.
         ("PLATEAU_HTTP__HEADER_TIMEOUT_MS", "600000"),
     ])
     .await
@@ -21,7 +21,7 @@ async fn connect(app: &TestApp) -> TcpStream {
     TcpStream::connect(app.url.strip_prefix("http://").unwrap()).await.unwrap()
 }
 
-/// Asks whether the server lives, on this connection.
+/// Sends a request on this connection. Returns false if the server closes it.
 async fn ask(stream: &mut TcpStream) -> bool {
     stream.write_all(b"GET /health/live HTTP/1.1\r\nHost: localhost\r\n\r\n").await.unwrap();
     let mut answer = Vec::new();
@@ -40,19 +40,19 @@ async fn is_closed(stream: &mut TcpStream) -> bool {
 }
 
 #[tokio::test]
-async fn a_newcomer_takes_the_place_of_the_longest_idle_connection() {
+async fn a_new_connection_replaces_the_longest_idle_one() {
     let app = start("0").await;
-    // Of these the first has said nothing, the second half a request, and the others have been answered.
+    // The first connection has sent nothing, the second has sent half a request, and the others have been answered.
     let mut silent = connect(&app).await;
     let mut half = connect(&app).await;
     half.write_all(b"GET /health/live HTTP/1.1\r\nHost:").await.unwrap();
     let mut answered = Vec::new();
-    for _ in 2..PLACES {
+    for _ in 2..CONNECTIONS {
         let mut stream = connect(&app).await;
         assert!(ask(&mut stream).await);
         answered.push(stream);
     }
-    // The client of this test has a connection of its own to nobody yet: three newcomers make three go.
+    // The HTTP client of this test has not connected yet, so three new connections replace three old ones.
     let mut newcomers = Vec::new();
     for _ in 0..3 {
         let mut stream = connect(&app).await;
@@ -62,7 +62,7 @@ async fn a_newcomer_takes_the_place_of_the_longest_idle_connection() {
     assert!(is_closed(&mut silent).await && is_closed(&mut half).await);
     assert!(is_closed(&mut answered[0]).await);
     for stream in answered[1..].iter_mut().chain(&mut newcomers) {
-        assert!(ask(stream).await, "was not the longest idle one");
+        assert!(ask(stream).await, "a connection was closed that was not the longest idle one");
     }
 }
 
@@ -72,14 +72,14 @@ async fn a_connection_that_is_being_answered_is_not_dropped() {
     let job: Value = app.post(MINIMAL, &small_film(0.1)).await.json().await.unwrap();
     let events = job["links"]["events"].as_str().unwrap();
     let mut watchers = Vec::new();
-    for _ in 0..PLACES - 1 {
+    for _ in 0..CONNECTIONS - 1 {
         let mut stream = connect(&app).await;
         let request = format!("GET {events} HTTP/1.1\r\nHost: localhost\r\n\r\n");
         stream.write_all(request.as_bytes()).await.unwrap();
         assert!(stream.read(&mut [0; 64]).await.unwrap() > 0);
         watchers.push(stream);
     }
-    // One place is left, and the connections here follow each other on it.
+    // One connection is left for all of the following, one after the other.
     for _ in 0..20 {
         assert!(ask(&mut connect(&app).await).await);
     }

@@ -1,4 +1,4 @@
-//! Every class of error, each as a problem document that names the value.
+//! Every class of error, as a problem document that points to the wrong value.
 
 use crate::app::{MINIMAL, RULED, TestApp, example, large_strip, pointers, problem, small_film};
 use reqwest::{Method, StatusCode, header};
@@ -25,14 +25,14 @@ async fn malformed_json_and_repeated_keys_are_400() {
 }
 
 #[tokio::test]
-async fn a_number_beyond_f64_is_named() {
+async fn the_error_for_a_number_beyond_f64_has_its_pointer() {
     let app = TestApp::start().await;
     let problem = problem(raw(&app, r#"{"boundaries":[[[0,0,0],[1,0,0],[0,1e999,0]]]}"#).await, 422).await;
     assert_eq!(pointers(&problem), ["/boundaries/0/2/1"]);
 }
 
 #[tokio::test]
-async fn each_wrong_value_of_a_body_is_named() {
+async fn each_wrong_value_of_a_body_gets_an_error_with_its_pointer() {
     let app = TestApp::start().await;
     let square = json!([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]);
     let cases = [
@@ -90,7 +90,7 @@ async fn too_large_is_413_by_bytes_points_triangles_and_cells() {
     ])
     .await;
     problem(raw(&app, " ".repeat(20_001)).await, 413).await;
-    // Without a length the body is cut off where it grows too large.
+    // A body without a declared length is refused as soon as it exceeds the limit.
     let chunks = futures_util::stream::iter((0..30).map(|_| Ok::<_, std::io::Error>(" ".repeat(1000))));
     problem(raw(&app, reqwest::Body::wrap_stream(chunks)).await, 413).await;
     let response = app.post(MINIMAL, &example("helicoid")).await;
@@ -144,7 +144,7 @@ async fn unknown_paths_and_jobs_are_404_and_wrong_methods_405() {
 }
 
 #[tokio::test]
-async fn bad_queries_and_headers_are_400_and_impossible_media_types_406() {
+async fn invalid_queries_and_headers_are_400_and_unavailable_media_types_406() {
     let app = TestApp::start().await;
     for query in
         ["status=odd", "kind=odd", "limit=0", "limit=201", "limit=x", "cursor=x", "colour=1", "limit=1&limit=2"]
@@ -160,15 +160,15 @@ async fn bad_queries_and_headers_are_400_and_impossible_media_types_406() {
 }
 
 #[tokio::test]
-async fn geometry_that_has_no_surface_is_a_failed_job_that_says_why_or_a_422() {
+async fn geometry_without_a_surface_is_422_or_a_failed_job_with_a_pointer() {
     let app = TestApp::start().await;
-    // Where a default does not do, the pointer ends at the member that would have to be given.
+    // If a default value is wrong, the pointer ends at the missing member.
     let mut defaulted = example("helicoid");
     defaulted["initial_mesh"] = json!("rings");
     defaulted["boundaries"][0].as_array_mut().unwrap().pop();
     defaulted.as_object_mut().unwrap().remove("resolution");
     assert_eq!(pointers(&problem(app.post(MINIMAL, &defaulted).await, 422).await), ["/resolution"]);
-    // Chen-Cai-Zheng's rings cannot have an odd number of free parities: the count is impossible.
+    // Rings with an odd number of triangles are impossible (Chen-Cai-Zheng).
     let mut request = example("helicoid");
     request["initial_mesh"] = json!("rings");
     request["resolution"] = json!({ "triangles": 2051 });

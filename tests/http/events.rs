@@ -1,4 +1,4 @@
-//! Server-sent events: status, progress, one final status; replay after a reconnect.
+//! Server-sent events: status changes, progress, one final status, and replay after a reconnect.
 
 use crate::app::{MINIMAL, RULED, TestApp, large_strip, problem, small_film};
 use futures_util::StreamExt;
@@ -30,7 +30,7 @@ fn number(id: &str) -> (u64, u64) {
 }
 
 #[tokio::test]
-async fn a_job_is_followed_from_its_queue_to_its_end() {
+async fn the_events_of_a_job_run_from_queued_to_its_end() {
     let app = TestApp::start_with(&[("PLATEAU_JOBS__PROGRESS_INTERVAL_MS", "20")]).await;
     let job: Value = app.post(RULED, &large_strip(5000)).await.json().await.unwrap();
     let events = job["links"]["events"].as_str().unwrap();
@@ -45,7 +45,7 @@ async fn a_job_is_followed_from_its_queue_to_its_end() {
     assert_eq!((last.name.as_str(), last.data["status"].as_str()), ("status", Some("succeeded")));
     assert!(last.data["statistics"]["area"].is_number());
     assert_eq!(list.iter().filter(|event| event.data["status"] == "succeeded").count(), 1);
-    assert!(list.windows(2).all(|pair| number(&pair[0].id) < number(&pair[1].id)), "ids rise: {list:?}");
+    assert!(list.windows(2).all(|pair| number(&pair[0].id) < number(&pair[1].id)), "the ids must increase: {list:?}");
     let progress: Vec<f64> = list
         .iter()
         .filter(|event| event.name == "progress")
@@ -53,7 +53,7 @@ async fn a_job_is_followed_from_its_queue_to_its_end() {
         .collect();
     assert!(!progress.is_empty() && progress.is_sorted(), "{progress:?}");
 
-    // A reconnect replays what came after, and after the final event there is nothing.
+    // A reconnect replays the events after the given one. After the final event the answer is 204.
     let reconnect = |id: String| app.request(Method::GET, events).header("last-event-id", id).send();
     let replay = parse(&reconnect(list[0].id.clone()).await.unwrap().text().await.unwrap());
     assert_eq!(replay.last().unwrap().id, last.id);
@@ -62,14 +62,14 @@ async fn a_job_is_followed_from_its_queue_to_its_end() {
 }
 
 #[tokio::test]
-async fn a_finished_job_tells_its_end_at_once() {
+async fn the_events_of_a_finished_job_are_sent_at_once() {
     let app = TestApp::start().await;
     let job = app.solve(MINIMAL, &small_film(0.7)).await;
     let list = parse(&app.get(job["links"]["events"].as_str().unwrap()).await.text().await.unwrap());
     assert_eq!(list.last().unwrap().data, job);
     let statuses: Vec<&str> = list.iter().map(|event| event.data["status"].as_str().unwrap()).collect();
     assert_eq!(statuses, ["queued", "running", "succeeded"]);
-    // Each is the job as it was then.
+    // Each status event has the job as it was then.
     for event in &list {
         let fields = |value: &Value| value.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
         assert_eq!((&event.data["id"], fields(&event.data)), (&job["id"], fields(&job)), "{}", event.data);

@@ -1,11 +1,11 @@
-//! Every example is replayed, and what comes out is looked at.
+//! Every example is solved, and its results are checked.
 
 use crate::app::{TestApp, example, example_names, path_of, root};
 use serde_json::Value;
 use std::process::Command;
 
 #[tokio::test]
-async fn every_example_succeeds_and_every_format_comes_out() {
+async fn every_example_succeeds_and_can_be_downloaded_in_every_format() {
     let app = TestApp::start().await;
     let folder = tempfile::tempdir().unwrap();
     let mut files = Vec::new();
@@ -25,7 +25,7 @@ async fn every_example_succeeds_and_every_format_comes_out() {
             }
         }
     }
-    // The Khronos validator says what a stranger's viewer would.
+    // The Khronos validator checks that any viewer can read the files.
     let script = root().join("scripts/validate-gltf.mjs");
     if !root().join("scripts/node_modules/gltf-validator").exists() {
         println!("SKIPPED: the Khronos validator is not installed; scripts/test installs it");
@@ -41,17 +41,17 @@ async fn every_example_succeeds_and_every_format_comes_out() {
 }
 
 #[tokio::test]
-async fn the_helicoid_is_what_the_reference_says_and_keeps_its_186_points() {
+async fn the_helicoid_has_the_reference_area_and_keeps_its_186_points() {
     let app = TestApp::start().await;
     let request = example("helicoid");
     let job = app.solve("/v1/minimal-surfaces", &request).await;
     let statistics = &job["statistics"];
     let area = statistics["area"].as_f64().unwrap();
     assert!((area / 535.0748 - 1.0).abs() < 1e-3, "{area}");
-    // Exact for `rings`, within a tenth for what `auto` chooses.
+    // The number of triangles is exact for `rings`, and within a tenth for the initial mesh that `auto` chooses.
     assert!((1845..=2255).contains(&statistics["triangles"].as_u64().unwrap()));
     assert_eq!((statistics["euler_characteristic"].as_i64(), statistics["converged"].as_bool()), (Some(1), Some(true)));
-    // OBJ keeps the client's axes and every digit: the first 186 vertices are the given points, exactly.
+    // OBJ keeps the client's axes and every digit, so the first 186 vertices equal the given points exactly.
     let obj = app.get(&format!("{}?format=obj", job["links"]["mesh"].as_str().unwrap())).await.text().await.unwrap();
     let vertices: Vec<Vec<f64>> = obj
         .lines()
@@ -65,7 +65,7 @@ async fn the_helicoid_is_what_the_reference_says_and_keeps_its_186_points() {
 }
 
 #[tokio::test]
-async fn the_examples_are_served_as_they_stand_in_the_repository() {
+async fn the_server_returns_the_examples_of_the_repository() {
     let app = TestApp::start().await;
     let list = app.get_json("/v1/examples").await;
     let mut names: Vec<&str> =

@@ -1,4 +1,4 @@
-//! The options of minimal surfaces, each through the running server.
+//! The options of minimal surfaces, each tested on a running server.
 
 use crate::app::{MINIMAL, TestApp, example, pointers, problem};
 use serde_json::{Value, json};
@@ -12,7 +12,7 @@ async fn solved(app: &TestApp, base: &Value, changes: &Value) -> Value {
 }
 
 #[tokio::test]
-async fn every_solver_and_objective_runs_and_says_which_rule_stopped_it() {
+async fn every_solver_and_objective_runs_and_gives_its_stop_reason() {
     let app = TestApp::start().await;
     let rings = example("two-rings");
     let coarse = json!({ "triangles": 1000 });
@@ -40,7 +40,7 @@ async fn every_solver_and_objective_runs_and_says_which_rule_stopped_it() {
 }
 
 #[tokio::test]
-async fn the_rings_carry_the_extrapolated_area_and_a_morse_index() {
+async fn the_statistics_of_the_rings_have_an_extrapolated_area_and_a_morse_index() {
     let app = TestApp::start().await;
     let statistics = solved(&app, &example("two-rings"), &json!({})).await;
     let (limit, error) = (&statistics["extrapolated_area"]["area"], &statistics["extrapolated_area"]["error_estimate"]);
@@ -53,7 +53,7 @@ async fn the_rings_carry_the_extrapolated_area_and_a_morse_index() {
 }
 
 #[tokio::test]
-async fn rings_too_far_apart_are_told_so_and_two_discs_are_the_best_film() {
+async fn rings_too_far_apart_have_no_connected_film_and_two_discs_are_best() {
     let app = TestApp::start().await;
     let ring = |z: f64| -> Vec<[f64; 3]> {
         (0..48).map(|k| std::f64::consts::TAU * f64::from(k) / 48.0).map(|a| [a.cos(), a.sin(), z]).collect()
@@ -64,13 +64,13 @@ async fn rings_too_far_apart_are_told_so_and_two_discs_are_the_best_film() {
     assert_eq!(statistics["components"], 2);
     let spanning = &statistics["spanning"];
     assert_eq!(spanning["connected_film_exists"], false);
-    // The critical gap over the diameter is 0.6627, so 0.828 of this gap of 1.6.
+    // The critical gap is 0.6627 of the diameter, which is 0.828 of this gap of 1.6.
     let fraction = spanning["largest_gap_fraction"].as_f64().unwrap();
     assert!((fraction - 2.0 * 0.6627 / 1.6).abs() < 0.02, "{fraction}");
 }
 
 #[tokio::test]
-async fn what_no_mesh_can_have_is_refused_by_name() {
+async fn impossible_processes_get_an_error_with_their_pointer() {
     let app = TestApp::start().await;
     let mut request = example("tent");
     request["processes"] = json!([["edge_swapping"]]);
@@ -81,14 +81,14 @@ async fn what_no_mesh_can_have_is_refused_by_name() {
 }
 
 #[tokio::test]
-async fn rings_of_radius_10_hold_at_height_12_and_come_apart_at_14_with_a_log_of_the_pinch() {
+async fn rings_of_radius_10_stay_connected_at_height_12_and_pinch_at_height_14() {
     let app = TestApp::start().await;
-    // Of two regular 36-gons in circles of radius 10.
+    // Area of two regular 36-gons in circles of radius 10.
     let two_discs = 3600.0 * 10f64.to_radians().sin();
     let near = solved(&app, &example("rings-12-free"), &json!({})).await;
     assert_eq!((&near["components"], &near["pinches"]), (&json!(1), &json!([])));
     assert!((near["area"].as_f64().unwrap() - 699.5).abs() < 1.0 && near["stability"]["stable"] == true);
-    // The catenoid is the second of the two candidates, and stable.
+    // The catenoid is the second of the two candidates, and it is stable.
     let best = solved(&app, &example("rings-12-best"), &json!({})).await;
     assert!((best["area"].as_f64().unwrap() - two_discs).abs() < 1e-3);
     let catenoid = &best["spanning"]["topologies"][1];
@@ -111,7 +111,7 @@ async fn rings_of_radius_10_hold_at_height_12_and_come_apart_at_14_with_a_log_of
 }
 
 #[tokio::test]
-async fn the_least_of_every_candidate_is_returned_and_each_area_shown() {
+async fn the_candidate_of_least_area_is_returned_and_all_areas_are_listed() {
     let app = TestApp::start().await;
     for (name, candidates, films) in [
         ("three-rings", 5, json!([[0], [1, 2]])),
@@ -129,7 +129,7 @@ async fn the_least_of_every_candidate_is_returned_and_each_area_shown() {
 }
 
 #[tokio::test]
-async fn a_film_with_a_triple_junction_comes_out_in_every_format() {
+async fn a_film_with_a_triple_junction_can_be_downloaded_in_every_format() {
     let app = TestApp::start().await;
     let request = example("three-half-circles");
     let job = app.solve(MINIMAL, &request).await;
@@ -151,7 +151,7 @@ async fn a_film_with_a_triple_junction_comes_out_in_every_format() {
         let path = format!("{}?format={name}", job["links"]["mesh"].as_str().unwrap());
         app.get(&path).await.bytes().await.unwrap()
     };
-    // OBJ: the curve's vertices lie on the diameter from pole to pole, each once.
+    // OBJ: the curve's vertices are on the diameter from pole to pole, and each occurs once.
     let obj = String::from_utf8(format("obj").await.to_vec()).unwrap();
     let positions: Vec<Vec<f64>> = obj
         .lines()
@@ -164,8 +164,7 @@ async fn a_film_with_a_triple_junction_comes_out_in_every_format() {
     let header = String::from_utf8_lossy(&ply[..400.min(ply.len())]).into_owned();
     assert!(header.contains(&format!("element vertex {vertices}")) && header.contains(&format!("face {triangles}")));
     assert_eq!(format("stl").await.len(), 84 + 50 * triangles);
-    // glTF: three sheets have a vertex each where they meet, with normals of their own; the junction is a line of its
-    // own.
+    // glTF: where three sheets meet, each sheet has its own vertex and normal. The junction is a separate line.
     let gltf: Value = serde_json::from_slice(&format("gltf").await).unwrap();
     let names: Vec<&Value> = gltf["nodes"].as_array().unwrap().iter().map(|node| &node["name"]).collect();
     assert_eq!(names, ["surface", "boundaries", "junctions"]);

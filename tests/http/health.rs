@@ -1,4 +1,4 @@
-//! Health, metrics, request ids.
+//! Health checks, metrics and request identifiers.
 
 use crate::app::{MINIMAL, TestApp, endless_film, small_film};
 use reqwest::Method;
@@ -47,7 +47,7 @@ async fn metrics_count_jobs_requests_and_the_queue() {
 }
 
 #[tokio::test]
-async fn a_request_id_comes_back_and_a_strange_one_is_replaced() {
+async fn a_request_id_is_returned_and_an_invalid_one_is_replaced() {
     let app = TestApp::start().await;
     let ask = |id: &'static str| app.request(Method::GET, "/health/live").header("x-request-id", id).send();
     assert_eq!(ask("my-id-7").await.unwrap().headers()["x-request-id"], "my-id-7");
@@ -64,7 +64,7 @@ async fn cancelled_jobs_are_counted_once_whether_they_ran_or_waited() {
     for job in [&running, &queued, &running] {
         app.request(Method::POST, job["links"]["cancel"].as_str().unwrap()).send().await.unwrap();
     }
-    // Once this one has ended, the worker has let go of the first.
+    // After this job has ended, the worker has finished with the first one.
     app.solve(MINIMAL, &small_film(0.3)).await;
     let text = app.get("/metrics").await.text().await.unwrap();
     let mut jobs: Vec<&str> = text.lines().filter(|line| line.starts_with("plateau_jobs_total{")).collect();

@@ -1,4 +1,4 @@
-//! `Idempotency-Key`: a request that is sent again is one job.
+//! `Idempotency-Key`: sending a request again creates no second job.
 
 use crate::app::{MINIMAL, TestApp, problem, small_film};
 use reqwest::{Method, Response};

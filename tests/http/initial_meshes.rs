@@ -13,7 +13,7 @@ async fn refused(app: &TestApp, body: &Value) -> Vec<String> {
 }
 
 #[tokio::test]
-async fn resolutions_are_met_and_impossible_ones_are_named() {
+async fn resolutions_are_met_and_impossible_ones_get_an_error_with_their_pointer() {
     let app = TestApp::start().await;
     for (resolution, of) in [
         (json!({ "triangles": 900 }), "triangles"),
@@ -24,7 +24,8 @@ async fn resolutions_are_met_and_impossible_ones_are_named() {
         let statistics = &job["statistics"];
         let reached = match of {
             "triangles" => statistics["triangles"].as_f64().unwrap() / 900.0,
-            // Interior vertices by Euler's formula, with boundary edges of about the mean length.
+            // The expected number of triangles follows from Euler's formula, with boundary edges of about the mean
+            // length.
             "vertices" => statistics["triangles"].as_f64().unwrap() / 880.0,
             _ => statistics["edge_lengths"]["mean"].as_f64().unwrap() / 0.05,
         };

@@ -1,4 +1,4 @@
-//! Listing jobs.
+//! Lists of jobs, identifiers, and the links and errors of failed jobs.
 
 use crate::app::{MINIMAL, RULED, TestApp, example, problem, small_film};
 use reqwest::Method;
@@ -44,7 +44,7 @@ async fn a_list_has_no_statistics() {
 }
 
 #[tokio::test]
-async fn a_job_whose_id_never_arrived_is_found_by_its_idempotency_key() {
+async fn a_job_can_be_found_by_its_idempotency_key() {
     let app = TestApp::start_with(&[("PLATEAU_WORKERS", "0")]).await;
     let post = |key: &'static str, height: f64| {
         app.request(Method::POST, MINIMAL).header("idempotency-key", key).json(&small_film(height)).send()
@@ -69,7 +69,7 @@ async fn an_id_may_be_written_in_lower_case() {
 }
 
 #[tokio::test]
-async fn a_failed_job_says_where_its_failure_is_explained_and_links_to_no_mesh() {
+async fn a_failed_job_links_to_an_explanation_and_to_no_mesh() {
     let settings = [("PLATEAU_JOBS__DEADLINE_MS", "1"), ("PLATEAU_HTTP__PUBLIC_BASE_PATH", "/plateau")];
     let app = TestApp::start_with(&settings).await;
     let mut film = small_film(0.1);

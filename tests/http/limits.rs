@@ -1,9 +1,9 @@
-//! What is full is said to be full.
+//! Limits: a full queue and slow clients.
 
 use crate::app::{MINIMAL, TestApp, problem, small_film};
 
 #[tokio::test]
-async fn a_full_queue_is_429_with_retry_after_and_takes_jobs_again_once_there_is_room() {
+async fn a_full_queue_is_429_with_retry_after_until_there_is_room() {
     let app = TestApp::start_with(&[("PLATEAU_WORKERS", "0"), ("PLATEAU_JOBS__QUEUE_LENGTH", "3")]).await;
     let mut links = Vec::new();
     for k in 0..3 {
@@ -19,7 +19,7 @@ async fn a_full_queue_is_429_with_retry_after_and_takes_jobs_again_once_there_is
 }
 
 #[tokio::test]
-async fn a_client_that_sends_its_body_too_slowly_is_408() {
+async fn a_body_that_is_sent_too_slowly_is_408() {
     let app = TestApp::start_with(&[("PLATEAU_HTTP__BODY_TIMEOUT_MS", "100")]).await;
     let never = futures_util::stream::pending::<Result<Vec<u8>, std::io::Error>>();
     let request = app.request(reqwest::Method::POST, MINIMAL).header("content-type", "application/json");

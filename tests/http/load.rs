@@ -1,6 +1,6 @@
-//! Many clients at once: no lost job, no wrong mesh, bounded memory, 429 rather than growth.
+//! Many clients at once: no job is lost, every mesh is right, memory is bounded, and a full queue is answered with 429.
 //!
-//! Five seconds here; `scripts/load` runs a minute (PLATEAU_LOAD_S).
+//! The test takes five seconds. `scripts/load` runs it for a minute (PLATEAU_LOAD_S).
 
 use crate::app::{MINIMAL, RULED, TestApp, small_film};
 use reqwest::Method;
@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 const CLIENTS: u64 = 64;
 const MEGABYTE: u64 = 1 << 20;
 
-/// A strip whose optimal area is known: `k + 1` points a side on a rectangle of 1 × `height`.
+/// Returns a strip whose optimal area is known: a rectangle of 1 × `height` with `k + 1` points on each side.
 fn rectangle(k: u64, height: f64) -> Value {
     let rail = |y: f64| -> Vec<[f64; 3]> { (0..=k).map(|i| [i as f64 / k as f64, y, 0.0]).collect() };
     json!({ "directrices": [rail(0.0), rail(height)] })
@@ -35,7 +35,7 @@ async fn sixty_four_clients_lose_nothing_and_memory_stays_flat() {
                     if started.elapsed() > duration {
                         break;
                     }
-                    // Every body is another one, so that nothing is answered from a kept result.
+                    // Every body is different, so that no request reuses a kept result.
                     let height = 1.0 + (client * 100_000 + round) as f64 * 1e-7;
                     let film = round % 8 == 0;
                     let (path, body) =
@@ -63,7 +63,8 @@ async fn sixty_four_clients_lose_nothing_and_memory_stays_flat() {
             })
         })
         .collect();
-    // Memory after the first fifth of the time against the end: caches and pools have filled by then.
+    // The final memory is compared with the memory after the first fifth of the time, when caches and pools have been
+    // filled.
     tokio::time::sleep(duration / 5).await;
     let early = app.memory();
     let mut ids = Vec::new();
@@ -76,7 +77,7 @@ async fn sixty_four_clients_lose_nothing_and_memory_stays_flat() {
     assert!(done > 0);
     assert!(late < early + 96 * MEGABYTE, "memory grew from {early} to {late} bytes");
 
-    // Every job is there, once, and succeeded.
+    // Every job is listed once and has succeeded.
     let mut statuses: BTreeMap<String, String> = BTreeMap::new();
     let mut path = "/v1/jobs?limit=200".to_owned();
     loop {

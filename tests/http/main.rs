@@ -1,4 +1,4 @@
-//! Tests against a running server: the real binary, a free port, a real store in a folder of its own.
+//! Tests against a running server: the real program on a free port, with a real store in its own folder.
 
 mod access;
 mod app;

@@ -1,9 +1,9 @@
-//! The mesh's formats, entity tags and ranges; the flat pattern.
+//! Formats, entity tags and ranges of the mesh, and the flat pattern.
 
 use crate::app::{MINIMAL, RULED, TestApp, example, problem, small_film};
 use reqwest::{Method, Response};
 
-async fn asked(app: &TestApp, path: &str, headers: &[(&'static str, &str)]) -> Response {
+async fn get_with(app: &TestApp, path: &str, headers: &[(&'static str, &str)]) -> Response {
     let request =
         headers.iter().fold(app.request(Method::GET, path), |request, (name, value)| request.header(*name, *value));
     request.send().await.unwrap()
@@ -15,7 +15,7 @@ async fn format_beats_accept_and_glb_is_the_default() {
     let job = app.solve(MINIMAL, &small_film(0.21)).await;
     let mesh = job["links"]["mesh"].as_str().unwrap();
     let media_type = async |query: &str, accept: &str| {
-        let response = asked(&app, &format!("{mesh}{query}"), &[("accept", accept)]).await;
+        let response = get_with(&app, &format!("{mesh}{query}"), &[("accept", accept)]).await;
         assert_eq!(response.status(), 200);
         assert_eq!(response.headers()["vary"], "Accept");
         response.headers()["content-type"].to_str().unwrap().to_owned()
@@ -30,30 +30,30 @@ async fn format_beats_accept_and_glb_is_the_default() {
 }
 
 #[tokio::test]
-async fn a_known_entity_tag_saves_the_transfer_and_ranges_add_up() {
+async fn a_known_entity_tag_gives_304_and_ranges_join_to_the_whole() {
     let app = TestApp::start().await;
     let job = app.solve(MINIMAL, &small_film(0.22)).await;
     let mesh = job["links"]["mesh"].as_str().unwrap();
     let whole = app.get(mesh).await;
     let tag = whole.headers()["etag"].to_str().unwrap().to_owned();
     let bytes = whole.bytes().await.unwrap();
-    let unchanged = asked(&app, mesh, &[("if-none-match", &tag)]).await;
+    let unchanged = get_with(&app, mesh, &[("if-none-match", &tag)]).await;
     assert_eq!((unchanged.status().as_u16(), unchanged.headers()["etag"].to_str().unwrap()), (304, tag.as_str()));
     let obj = app.get(&format!("{mesh}?format=obj")).await;
     assert_ne!(obj.headers()["etag"], tag.as_str());
-    let first = asked(&app, mesh, &[("range", "bytes=0-99")]).await;
+    let first = get_with(&app, mesh, &[("range", "bytes=0-99")]).await;
     assert_eq!(first.status(), 206);
     assert_eq!(first.headers()["content-range"], format!("bytes 0-99/{}", bytes.len()));
-    let rest = asked(&app, mesh, &[("range", "bytes=100-"), ("if-range", &tag)]).await;
+    let rest = get_with(&app, mesh, &[("range", "bytes=100-"), ("if-range", &tag)]).await;
     let joined = [first.bytes().await.unwrap(), rest.bytes().await.unwrap()].concat();
     assert!(joined == bytes);
-    let beyond = asked(&app, mesh, &[("range", "bytes=999999999-")]).await;
+    let beyond = get_with(&app, mesh, &[("range", "bytes=999999999-")]).await;
     assert_eq!(beyond.headers()["content-range"], format!("bytes */{}", bytes.len()));
     problem(beyond, 416).await;
 }
 
 #[tokio::test]
-async fn an_open_strip_has_a_flat_pattern_and_nothing_else_does() {
+async fn only_an_open_strip_has_a_flat_pattern() {
     let app = TestApp::start().await;
     let job = app.solve(RULED, &example("wavy-strip")).await;
     let flat = &job["statistics"]["flat_pattern"];
@@ -93,7 +93,7 @@ async fn units_and_axes_are_the_clients_in_obj_and_metres_y_up_in_gltf() {
 }
 
 #[tokio::test]
-async fn a_damaged_mesh_is_said_to_be_lost_and_an_equal_request_is_solved_again() {
+async fn a_damaged_mesh_is_410_and_an_equal_request_is_solved_again() {
     let app = TestApp::start().await;
     let job = app.solve(MINIMAL, &small_film(0.77)).await;
     let path = app.folder.path().join("data/plateau.sqlite");

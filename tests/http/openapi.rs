@@ -1,11 +1,11 @@
-//! The API document: committed, served and printed are one.
+//! The API document: the committed, the printed and the served one are equal.
 
 use crate::app::{TestApp, binary, root};
 use reqwest::Method;
 use serde_json::Value;
 
 #[tokio::test]
-async fn the_committed_document_is_the_one_that_is_served_and_printed() {
+async fn the_committed_document_equals_the_served_and_the_printed_one() {
     let committed = std::fs::read_to_string(root().join("api/openapi.json")).unwrap_or_default();
     let printed = String::from_utf8(binary().arg("openapi").output().await.unwrap().stdout).unwrap();
     assert!(
@@ -47,9 +47,10 @@ async fn every_reference_resolves_and_every_response_is_described() {
     }
 }
 
-/// Every documented path takes exactly the documented methods, and every parameter of a path is described.
+/// Checks that every documented path accepts exactly the documented methods, and that every parameter of a path is
+/// described.
 #[tokio::test]
-async fn the_server_takes_the_methods_that_the_document_has() {
+async fn the_server_accepts_exactly_the_documented_methods() {
     let app = TestApp::start().await;
     let document = app.get_json("/openapi.json").await;
     for (path, item) in document["paths"].as_object().unwrap() {

@@ -5,7 +5,7 @@ use reqwest::Method;
 use serde_json::Value;
 
 #[tokio::test]
-async fn without_a_wait_a_job_is_promised() {
+async fn a_request_without_a_wait_is_answered_with_202() {
     let app = TestApp::start().await;
     let response = app.post(MINIMAL, &small_film(0.4)).await;
     assert_eq!(response.status(), 202);
@@ -24,7 +24,7 @@ async fn without_a_wait_a_job_is_promised() {
 }
 
 #[tokio::test]
-async fn a_wait_that_ends_too_soon_is_the_usual_promise() {
+async fn a_wait_that_ends_before_the_job_is_answered_with_202() {
     let app = TestApp::start().await;
     let request = app.request(Method::POST, RULED).header("prefer", "wait=0").json(&large_strip(2000));
     let response = request.send().await.unwrap();
@@ -35,10 +35,10 @@ async fn a_wait_that_ends_too_soon_is_the_usual_promise() {
 }
 
 #[tokio::test]
-async fn a_wish_beyond_the_servers_longest_wait_is_cut_and_an_invalid_one_ignored() {
+async fn a_wait_beyond_the_servers_limit_is_cut_and_an_invalid_one_is_ignored() {
     let app = TestApp::start_with(&[("PLATEAU_HTTP__WAIT_MAX_S", "5")]).await;
-    let post = |wish: &'static str, height: f64| {
-        app.request(Method::POST, MINIMAL).header("prefer", wish).json(&small_film(height)).send()
+    let post = |preference: &'static str, height: f64| {
+        app.request(Method::POST, MINIMAL).header("prefer", preference).json(&small_film(height)).send()
     };
     let response = post("wait=100000", 0.5).await.unwrap();
     assert_eq!(

@@ -1,10 +1,10 @@
-//! A job accepted is a job answered: over a shutdown, and over a death.
+//! An accepted job is solved even if the server is shut down or killed.
 
 use crate::app::{MINIMAL, RULED, TestApp, large_strip, small_film};
 use serde_json::Value;
 
 #[tokio::test]
-async fn a_second_start_finishes_what_a_shutdown_handed_back() {
+async fn a_restarted_server_finishes_jobs_that_a_shutdown_handed_back() {
     let settings = [("PLATEAU_WORKERS", "1"), ("PLATEAU_HTTP__SHUTDOWN_GRACE_MS", "50")];
     let app = TestApp::start_with(&settings).await;
     let running: Value = app.post(RULED, &large_strip(12_000)).await.json().await.unwrap();
@@ -18,7 +18,7 @@ async fn a_second_start_finishes_what_a_shutdown_handed_back() {
 }
 
 #[tokio::test]
-async fn a_second_start_finishes_what_a_killed_server_left() {
+async fn a_restarted_server_finishes_the_jobs_of_a_killed_one() {
     let settings = [("PLATEAU_WORKERS", "1"), ("PLATEAU_JOBS__LEASE_MS", "1000")];
     let app = TestApp::start_with(&settings).await;
     let jobs = [app.post(RULED, &large_strip(12_000)).await, app.post(MINIMAL, &small_film(0.32)).await];

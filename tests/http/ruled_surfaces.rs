@@ -1,5 +1,5 @@
-//! Ruled surfaces over HTTP: every option does what it says, wrong ones are named, and a hundred million cells are
-//! answered, followed and cancelled.
+//! Ruled surfaces over HTTP: every option has its effect, errors point to wrong values, and a strip of a hundred
+//! million cells is solved, followed and cancelled.
 
 use crate::app::{RULED, TestApp, large_strip, pointers, problem};
 use futures_util::StreamExt;
@@ -46,7 +46,7 @@ async fn every_objective_is_best_in_its_own_column_of_the_comparison() {
     for (objective, column) in columns {
         let own = rows.iter().find(|row| row["objective"] == objective).unwrap();
         assert!(rows.iter().all(|row| number(own, column) <= number(row, column) + 1e-12), "{objective}");
-        // Asked for by name it gives the same.
+        // The same objective chosen alone gives the same result.
         let body = with(strip(), json!({ "objective": objective, "normals": normals }));
         let alone = app.solve(RULED, &body).await["statistics"].clone();
         assert_eq!((&alone["objective"], &alone["objective_value"]), (&json!(objective), &own["objective_value"]));
@@ -76,7 +76,7 @@ async fn weights_make_a_sum_between_its_terms() {
 }
 
 #[tokio::test]
-async fn direction_sampling_caps_and_an_apex_are_taken() {
+async fn direction_sampling_caps_and_an_apex_have_their_effect() {
     let app = TestApp::start().await;
     let mut reversed = strip();
     reversed["directrices"][1].as_array_mut().unwrap().reverse();
@@ -121,7 +121,7 @@ async fn repeated_points_are_merged_with_a_warning_and_mapped() {
 }
 
 #[tokio::test]
-async fn wrong_values_are_named() {
+async fn wrong_values_get_an_error_with_their_pointer() {
     let app = TestApp::start().await;
     let cases = [
         (json!({ "directrices": [[[0, 0, 0], [1, 0, 0]]] }), "/directrices"),
@@ -157,7 +157,7 @@ async fn wrong_values_are_named() {
     }
     let huge = with(strip(), json!({ "sampling": { "by": "parameter", "samples": 10_000_000 } }));
     assert_eq!(pointers(&problem(app.post(RULED, &huge).await, 413).await), ["/sampling/samples"]);
-    // What only the solver finds out is the job's error.
+    // Errors that only the solver can find are errors of the job.
     let mut bent = ring(12, 0.0);
     bent[3][2] = 0.5;
     let body = json!({ "directrices": [bent, ring(9, 1.0)], "closed": true, "caps": "flat" });
@@ -169,7 +169,7 @@ async fn wrong_values_are_named() {
 }
 
 #[tokio::test]
-async fn a_hundred_million_cells_are_answered_followed_and_cancelled() {
+async fn a_strip_of_a_hundred_million_cells_is_solved_followed_and_cancelled() {
     let app = TestApp::start_with(&[("PLATEAU_JOBS__PROGRESS_INTERVAL_MS", "10"), ("PLATEAU_WORKERS", "1")]).await;
     let body = with(large_strip(10_000), json!({ "objective": "minimal_bending_energy" }));
     let job: Value = app.post(RULED, &body).await.json().await.unwrap();
@@ -186,7 +186,7 @@ async fn a_hundred_million_cells_are_answered_followed_and_cancelled() {
     let on_the_way = fractions.iter().filter(|&&fraction| fraction > 0.0 && fraction < 1.0).count();
     assert!(on_the_way >= 3 && fractions.is_sorted(), "{fractions:?}");
 
-    // Again, and cancelled as soon as it reports progress.
+    // The second job is cancelled as soon as it reports progress.
     let body = with(large_strip(10_000), json!({ "objective": "minimal_mean_curvature_variation" }));
     let begun = Instant::now();
     let job: Value = app.post(RULED, &body).await.json().await.unwrap();
@@ -202,7 +202,8 @@ async fn a_hundred_million_cells_are_answered_followed_and_cancelled() {
         }
         seen.push_str(&String::from_utf8_lossy(&events.next().await.expect("more events").unwrap()));
     };
-    // What is left of the work at the speed so far, however busy the machine is.
+    // The time for the rest of the work is estimated from the progress so far, so that the test holds on a busy
+    // machine.
     let left = begun.elapsed().div_f64(fraction.max(0.01)).mul_f64(1.0 - fraction);
     let asked = Instant::now();
     let answer = app.request(Method::POST, job["links"]["cancel"].as_str().unwrap()).send().await.unwrap();

@@ -1,15 +1,15 @@
-//! A shutdown: readiness goes off while the listener still takes connections, and nobody who waits holds it up or goes
-//! unanswered.
+//! Shutdown: readiness goes off while the listener still accepts connections. Waiting clients get an answer and do not
+//! delay the end.
 
 use crate::app::{MINIMAL, TestApp, problem, small_film};
 use reqwest::{Method, StatusCode};
 use serde_json::{Value, json};
 
-/// Longer than any test takes; only a defect waits for it.
+/// Time that is longer than any test takes, so that only a defect makes a test wait for it.
 const FOR_EVER_MS: &str = "3600000";
 
 #[tokio::test]
-async fn a_client_that_waits_gets_its_job_as_it_is() {
+async fn a_waiting_client_gets_the_current_state_of_its_job() {
     let settings = [
         ("PLATEAU_WORKERS", "0"),
         ("PLATEAU_HTTP__WAIT_MAX_S", "3600"),
@@ -25,7 +25,7 @@ async fn a_client_that_waits_gets_its_job_as_it_is() {
     let batch = wait(Method::POST, "/v1/batches").json(&batch).send();
     let waiting = wait(Method::GET, this).send();
     let stop = async {
-        // The two submissions wait once their jobs are there.
+        // Both submissions wait once their jobs are listed.
         while app.get_json("/v1/jobs").await["jobs"].as_array().unwrap().len() < 3 {}
         app.terminate().await;
     };
@@ -39,12 +39,15 @@ async fn a_client_that_waits_gets_its_job_as_it_is() {
 }
 
 #[tokio::test]
-async fn a_watcher_does_not_hold_up_a_shutdown() {
+async fn a_watcher_does_not_delay_a_shutdown() {
     let app = TestApp::start_with(&[("PLATEAU_WORKERS", "0"), ("PLATEAU_HTTP__SHUTDOWN_GRACE_MS", FOR_EVER_MS)]).await;
     let job: Value = app.post(MINIMAL, &small_film(0.1)).await.json().await.unwrap();
     let events = app.get(job["links"]["events"].as_str().unwrap()).await;
     app.terminate().await;
-    assert!(events.text().await.unwrap().contains("\"status\":\"queued\""), "the stream ends whole");
+    assert!(
+        events.text().await.unwrap().contains("\"status\":\"queued\""),
+        "the stream must end with a complete event"
+    );
     let (status, _folder) = app.exited().await;
     assert_eq!(status.code(), Some(0));
 }
@@ -54,7 +57,7 @@ async fn readiness_goes_off_before_the_listener_closes() {
     let app = TestApp::start_with(&[("PLATEAU_HTTP__SHUTDOWN_NOTICE_MS", FOR_EVER_MS)]).await;
     assert_eq!(app.get("/health/ready").await.status(), StatusCode::OK);
     app.terminate().await;
-    // Each look is a new connection, as a load balancer's is.
+    // Each check is a new connection, like those of a load balancer.
     let look = || async {
         let client = crate::app::client();
         client.get(format!("{}/health/ready", app.url)).send().await.expect("the listener is open")

@@ -1,10 +1,10 @@
-//! The studio's files as the server gives them out; `scripts/studio` drives the page itself.
+//! The studio's files as the server sends them. `scripts/studio` tests the page itself.
 
 use crate::app::{TestApp, problem};
 use reqwest::{Method, header};
 
 #[tokio::test]
-async fn the_page_finds_every_file_that_it_names() {
+async fn the_server_has_every_file_that_the_page_names() {
     let app = TestApp::start().await;
     let mut wanted = vec!["/".to_owned()];
     let mut seen = Vec::new();
@@ -55,7 +55,7 @@ async fn a_file_that_has_not_changed_is_not_sent_again() {
     assert!(again.bytes().await.unwrap().is_empty());
 }
 
-/// The page that is made to be embedded may be framed by any site, the one that edits by none.
+/// Checks that any site may show the embedded view in a frame, and that no site may do so with the editing page.
 #[tokio::test]
 async fn only_the_embedded_view_may_be_framed() {
     let app = TestApp::start().await;

@@ -1,4 +1,4 @@
-//! Uniform meshes over HTTP: statistics, members in the glTF, and what is refused.
+//! Uniform meshes over HTTP: statistics, members in the glTF, and errors.
 
 use crate::app::{TestApp, UNIFORM, example, pointers, problem};
 use serde_json::{Value, json};
@@ -8,7 +8,7 @@ fn square() -> Value {
 }
 
 #[tokio::test]
-async fn a_square_is_answered_with_table_1_and_its_own_points_first() {
+async fn the_mesh_of_a_square_has_the_rows_of_table_1_and_the_squares_points_first() {
     let app = TestApp::start().await;
     let body = json!({ "domain": { "polygon": square() }, "edge_length": 1, "objective": "most_equal_edges" });
     let job = app.solve(UNIFORM, &body).await;
@@ -29,7 +29,7 @@ async fn a_square_is_answered_with_table_1_and_its_own_points_first() {
 }
 
 #[tokio::test]
-async fn members_carry_their_lengths_and_lattice_and_rim_have_materials_of_their_own() {
+async fn members_have_their_lengths_and_lattice_and_rim_have_separate_materials() {
     let app = TestApp::start().await;
     let job = app.solve(UNIFORM, &example("latticed-roof")).await;
     let document = app.get_json(&format!("{}?format=gltf", job["links"]["mesh"].as_str().unwrap())).await;
@@ -40,7 +40,7 @@ async fn members_carry_their_lengths_and_lattice_and_rim_have_materials_of_their
     for (name, count) in [("members lattice", lattice), ("members rim", rim)] {
         let mesh = document["meshes"].as_array().unwrap().iter().find(|mesh| mesh["name"] == name).expect(name);
         let primitive = &mesh["primitives"][0];
-        // Mode 1 is LINES: two ends a member, each with the member's length.
+        // Mode 1 is LINES. Each member has two ends, and both carry the member's length.
         assert_eq!(primitive["mode"], 1);
         let lengths = &document["accessors"][primitive["attributes"]["_LENGTH"].as_u64().unwrap() as usize];
         assert_eq!(lengths["count"].as_u64().unwrap(), 2 * count);
@@ -50,7 +50,7 @@ async fn members_carry_their_lengths_and_lattice_and_rim_have_materials_of_their
 }
 
 #[tokio::test]
-async fn each_wrong_value_is_named() {
+async fn each_wrong_value_gets_an_error_with_its_pointer() {
     let app = TestApp::start().await;
     let mut warped = square();
     warped[2][2] = json!(1);
@@ -98,7 +98,7 @@ async fn each_wrong_value_is_named() {
 }
 
 #[tokio::test]
-async fn a_polygon_that_crosses_itself_fails_with_the_place() {
+async fn a_polygon_that_crosses_itself_fails_with_a_pointer() {
     let app = TestApp::start().await;
     let bow_tie = json!([[0, 0, 0], [4, 4, 0], [4, 0, 0], [0, 7, 0]]);
     let body = json!({ "domain": { "polygon": bow_tie }, "edge_length": 1 });
@@ -110,7 +110,7 @@ async fn a_polygon_that_crosses_itself_fails_with_the_place() {
 }
 
 #[tokio::test]
-async fn an_edge_length_is_all_that_a_domain_needs_and_units_reach_the_mesh() {
+async fn a_domain_needs_only_an_edge_length_and_units_do_not_change_the_statistics() {
     let app = TestApp::start().await;
     let in_metres = json!({ "domain": { "polygon": square() }, "edge_length": 2 });
     let in_feet = json!({ "domain": { "polygon": square() }, "edge_length": 2, "units": "ft", "up": "y" });
@@ -119,10 +119,10 @@ async fn an_edge_length_is_all_that_a_domain_needs_and_units_reach_the_mesh() {
     assert_eq!(metres["statistics"]["objective"], "most_equal_edges");
 }
 
-/// Katoh, Ohsaki and Xu's Table 1 rebuilt, row by row, on the committed roofs and film; `--nocapture` prints it. Their
+/// Rebuilds Katoh, Ohsaki and Xu's Table 1 row by row on the committed roofs and film; `--nocapture` prints it. Their
 /// optimisation takes the lattice group's deviation from 0.2780 to 0.1915 (0.69) and its range from 1.9929 to 1.0492
-/// (0.53), with 774 of 954 members in it and one of the rim stretched to 13.4; ours has to do as well with every rim
-/// member in [5, 10].
+/// (0.53). It has 774 of 954 members in the group, and one member of the rim is stretched to 13.4. Our optimisation
+/// must do as well with every rim member in [5, 10].
 #[tokio::test]
 async fn table_1_is_rebuilt_on_roofs_and_film() {
     let app = TestApp::start().await;
@@ -161,7 +161,7 @@ async fn table_1_is_rebuilt_on_roofs_and_film() {
         if name == "latticed-roof" {
             assert!((925.0..=975.0).contains(&figure("optimised_nodes", "all", "count")), "about 950 members");
         }
-        // No member is too long, and those below 5 are where the surface has no room for the lattice.
+        // No member is too long. Members below 5 occur only where the surface is too curved for the lattice.
         assert!(figure("optimised_nodes", "all", "max") <= 10.0 * (1.0 + 1e-8) && smallest_angle > 20.0, "{name}");
         let out = statistics["out_of_range"].as_array().unwrap();
         assert!(out.iter().all(|edge| edge["why"] == "curvature" && edge["length"].as_f64().unwrap() < 5.0), "{name}");

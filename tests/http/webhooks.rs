@@ -1,4 +1,4 @@
-//! Callback URLs: told of an end over TLS, signed, tried again, and never led to where they have no business.
+//! Callback URLs: messages are sent over TLS, signed and retried, and never go to private addresses.
 
 use crate::app::{self, MINIMAL, RULED, TestApp, large_strip, pointers, problem, small_film};
 use base64::Engine as _;
@@ -20,7 +20,7 @@ use tokio_rustls::rustls::crypto::ring;
 use tokio_rustls::rustls::pki_types::PrivateKeyDer;
 
 const SECRET: &str = "whsec_MfKQ9r8GKYqrTwjUPD8ILPZIo2LaLaSw";
-/// Longer than anything here takes; only a defect runs into it.
+/// Time that is longer than any step takes, so that only a defect exceeds it.
 const TOO_LONG: Duration = Duration::from_secs(30);
 
 /// A request as the receiver got it.
@@ -45,7 +45,7 @@ impl Received {
     }
 }
 
-/// An HTTPS server for `localhost` that answers with the given heads in turn, the last one for ever.
+/// An HTTPS server for `localhost` that sends the given responses in turn and then repeats the last one.
 struct Receiver {
     url: String,
     folder: TempDir,
@@ -107,7 +107,7 @@ impl Receiver {
             ("PLATEAU_WEBHOOKS__SECRET_FILE", secret.as_str()),
             ("PLATEAU_WEBHOOKS__ALLOWED_NETWORKS", "127.0.0.0/8,::1/128"),
             ("PLATEAU_WEBHOOKS__RETRY_MS", "1"),
-            // On a busy machine no attempt is to fail for want of time.
+            // The timeout is so long that no attempt fails because the machine is busy.
             ("PLATEAU_WEBHOOKS__TIMEOUT_MS", "60000"),
             ("SSL_CERT_FILE", roots.as_str()),
         ];
@@ -122,7 +122,7 @@ impl Receiver {
     }
 }
 
-/// What `plateau key webhooks` prints for a key.
+/// Returns the output of `plateau key webhooks` for a key.
 async fn secret_of(receiver: &Receiver, name: &[&str]) -> String {
     let mut command = app::binary();
     command.env("PLATEAU_WEBHOOKS__SECRET_FILE", receiver.file("secret")).args(["key", "webhooks"]).args(name);
@@ -135,7 +135,8 @@ fn film(url: &str) -> Value {
     film
 }
 
-async fn delivered(app: &TestApp, outcome: &str, count: u32) {
+/// Waits until the metrics count `count` callbacks with this outcome.
+async fn until_counted(app: &TestApp, outcome: &str, count: u32) {
     let expected = format!("plateau_callbacks_total{{outcome=\"{outcome}\"}} {count}");
     let started = Instant::now();
     loop {
@@ -150,7 +151,7 @@ async fn delivered(app: &TestApp, outcome: &str, count: u32) {
 }
 
 #[tokio::test]
-async fn the_end_of_a_job_is_told_signed_and_repeated_until_it_is_heard() {
+async fn a_signed_message_is_repeated_until_the_receiver_accepts_it() {
     let mut receiver =
         Receiver::start(&["500 Oops", "302 Found\r\nlocation: https://localhost/", "204 No Content"]).await;
     let app = receiver.app(&[]).await;
@@ -169,17 +170,17 @@ async fn the_end_of_a_job_is_told_signed_and_repeated_until_it_is_heard() {
             json!({ "id": job["id"], "kind": "minimal_surface", "status": "succeeded", "links": job["links"] })
         );
     }
-    delivered(&app, "delivered", 1).await;
-    delivered(&app, "failed", 2).await;
-    assert!(receiver.received.try_recv().is_err(), "once it was heard it is not told again");
-    // A kept result of an earlier job is an end too; the URL is no part of what is asked for.
+    until_counted(&app, "delivered", 1).await;
+    until_counted(&app, "failed", 2).await;
+    assert!(receiver.received.try_recv().is_err(), "an accepted message must not be repeated");
+    // A job that reuses a kept result sends its message too, because the URL is not part of the request's hash.
     let again: Value = app.post(MINIMAL, &film(&receiver.url)).await.json().await.unwrap();
     assert_eq!(again["status"], "succeeded");
     assert_eq!(receiver.next().await.json()["data"]["id"], again["id"]);
 }
 
 #[tokio::test]
-async fn a_cancelled_job_and_a_batch_are_told_with_the_secret_of_their_key() {
+async fn messages_about_a_cancelled_job_and_a_batch_are_signed_with_the_secret_of_their_key() {
     let mut receiver = Receiver::start(&["200 OK"]).await;
     let (key, line) = crate::access::new_key("alice").await;
     std::fs::write(receiver.file("keys"), line).unwrap();
@@ -215,16 +216,16 @@ async fn a_cancelled_job_and_a_batch_are_told_with_the_secret_of_their_key() {
 }
 
 #[tokio::test]
-async fn a_message_that_nobody_wants_or_hears_is_given_up() {
+async fn a_message_that_is_refused_or_fails_too_often_is_given_up() {
     let mut receiver = Receiver::start(&["410 Gone", "500 Oops"]).await;
     let app = receiver.app(&[("PLATEAU_WEBHOOKS__ATTEMPTS_MAX", "2")]).await;
     app.solve(MINIMAL, &film(&receiver.url)).await;
-    delivered(&app, "unwanted", 1).await;
+    until_counted(&app, "unwanted", 1).await;
     let mut other = film(&receiver.url);
     other["cache"] = "bypass".into();
     app.solve(MINIMAL, &other).await;
-    delivered(&app, "failed", 1).await;
-    delivered(&app, "given_up", 1).await;
+    until_counted(&app, "failed", 1).await;
+    until_counted(&app, "given_up", 1).await;
     for _ in 0..3 {
         receiver.next().await;
     }
@@ -232,23 +233,23 @@ async fn a_message_that_nobody_wants_or_hears_is_given_up() {
 }
 
 #[tokio::test]
-async fn a_certificate_that_nobody_vouches_for_is_told_nothing() {
+async fn a_receiver_with_an_untrusted_certificate_gets_no_message() {
     let mut stranger = Receiver::start(&["200 OK"]).await;
     let trusted = Receiver::start(&["200 OK"]).await;
     let app = trusted.app(&[("PLATEAU_WEBHOOKS__ATTEMPTS_MAX", "1")]).await;
     app.solve(MINIMAL, &film(&stranger.url)).await;
-    delivered(&app, "given_up", 1).await;
+    until_counted(&app, "given_up", 1).await;
     assert!(stranger.received.try_recv().is_err());
 }
 
 #[tokio::test]
-async fn a_name_that_leads_inside_is_told_nothing() {
+async fn a_name_that_resolves_to_a_private_address_gets_no_message() {
     let mut receiver = Receiver::start(&["200 OK"]).await;
     let settings = [("PLATEAU_WEBHOOKS__ALLOWED_NETWORKS", "10.0.0.0/8"), ("PLATEAU_WEBHOOKS__ATTEMPTS_MAX", "1")];
     let app = receiver.app(&settings).await;
-    // Taken, since the name is resolved only at the attempt; then it is this machine.
+    // The request is accepted because the name is resolved only at the attempt. It then resolves to this machine.
     app.solve(MINIMAL, &film(&receiver.url)).await;
-    delivered(&app, "given_up", 1).await;
+    until_counted(&app, "given_up", 1).await;
     assert!(receiver.received.try_recv().is_err());
     for inside in ["https://127.0.0.1/", "https://[::1]/", "http://example.org/", "https://169.254.169.254/latest"] {
         let refused = problem(app.post(MINIMAL, &film(inside)).await, 422).await;
@@ -262,7 +263,7 @@ async fn a_name_that_leads_inside_is_told_nothing() {
 }
 
 #[tokio::test]
-async fn webhooks_are_off_until_there_is_a_secret() {
+async fn webhooks_are_off_without_a_secret_file() {
     let app = TestApp::start().await;
     assert_eq!(app.get_json("/v1/limits").await["webhooks"], false);
     let refused = problem(app.post(MINIMAL, &film("https://example.org/")).await, 422).await;

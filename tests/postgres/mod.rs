@@ -1,9 +1,10 @@
-//! A PostgreSQL server of the tests' own: a fresh cluster in a temporary folder, reached by its socket only.
+//! A PostgreSQL server for tests: a fresh cluster in a temporary folder, reachable only by its socket.
 //!
-//! The binaries come from `PLATEAU_POSTGRES_BIN` (a folder; `scripts/test` sets it where it had to fetch them), from
-//! Debian's `/usr/lib/postgresql`, or from the PATH. Without any of them there is no server and the caller skips.
+//! The programs come from `PLATEAU_POSTGRES_BIN` (a folder, which `scripts/test` sets if it had to fetch them), from
+//! Debian's `/usr/lib/postgresql`, or from the PATH. If none has them, there is no server and the caller skips its
+//! test.
 
-// Each test binary uses what it needs.
+// Each test binary uses only a part of this module.
 #![allow(dead_code)]
 
 use std::fs;
@@ -13,7 +14,8 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// A running server. Dropping it, or the end of this process however it comes, stops the server and removes its data.
+/// A running server. The server stops and its data is removed when this value is dropped or when this process ends in
+/// any way.
 #[derive(Debug)]
 pub struct Postgres {
     folder: PathBuf,
@@ -25,7 +27,7 @@ pub struct Postgres {
 }
 
 impl Postgres {
-    /// Starts a server, or says on standard error why there is none.
+    /// Starts a server. If that is impossible, says why on standard error and returns `None`.
     pub fn start() -> Option<Self> {
         let Some(binaries) = binaries() else {
             eprintln!(
@@ -34,7 +36,7 @@ impl Postgres {
             return None;
         };
         let folder = tempfile::Builder::new().prefix("plateau-postgres-").tempdir().expect("a temporary folder").keep();
-        // PostgreSQL refuses to run as root, so root lends the folder to another user.
+        // PostgreSQL refuses to run as root, so root gives the folder to another user.
         let user = is_root().then(|| {
             let user = if id_of("postgres").is_some() { "postgres" } else { "nobody" };
             let lent = Command::new("chown").arg(user).arg(&folder).status().expect("chown runs").success();
@@ -75,13 +77,13 @@ impl Postgres {
         Some(server)
     }
 
-    /// Stops the server as an administrator would who is in a hurry: open transactions are rolled back.
+    /// Stops the server in fast mode: open transactions are rolled back.
     pub fn stop(&self) {
         self.say("stop");
         self.expect("stopped");
     }
 
-    /// Starts a stopped server again, with its data.
+    /// Starts a stopped server again with its data.
     pub fn start_again(&self) {
         self.say("start");
         self.expect("started");
@@ -96,7 +98,7 @@ impl Postgres {
         let mut line = String::new();
         self.answers.lock().unwrap().read_line(&mut line).expect("the shell answers");
         let log = || fs::read_to_string(self.folder.join("log")).unwrap_or_default();
-        assert_eq!(line.trim_end(), answer, "PostgreSQL did not get there: {}", log());
+        assert_eq!(line.trim_end(), answer, "PostgreSQL did not answer as expected: {}", log());
     }
 
     /// Creates an empty database and returns its URL.

@@ -1,4 +1,4 @@
-//! `/v1/batches`: many requests at once, one status, one file.
+//! `/v1/batches`: many requests at once, with one status and one file.
 
 use super::jobs::{checked, parameters};
 use super::mesh::{answer as file_answer, choose_named, describe};
@@ -24,13 +24,13 @@ use futures_util::TryStreamExt;
 use serde_json::{Value, json};
 use std::time::Duration;
 
-/// Formats of a batch's meshes: `(name, media type)`.
+/// Formats of a batch's meshes, as `(name, media type)`.
 pub const FORMATS: [(&str, &str); 2] = [("zip", "application/zip"), ("glb", "model/gltf-binary")];
 
 pub async fn submit(State(app): State<App>, caller: Caller, request: Request<Body>) -> Result<Response, Failure> {
     let wait_s = granted_wait_s(&app, request.headers());
     let key = idempotency_key(request.headers())?;
-    // The idempotency key may name a batch that exists already, so a full queue is no reason to refuse.
+    // If there is an idempotency key, it may name an existing batch, so a full queue is no reason to refuse.
     if key.is_none() {
         app.jobs.check_room(caller.owner()).await?;
     }
@@ -62,13 +62,13 @@ pub fn submit_entry() -> Value {
     let examples = json!({ "mixed": { "summary": "A strip and a film", "value": example } });
     let mut post = submission_entry(schema::BATCH, "Batch", examples);
     post["operationId"] = "postBatch".into();
-    post["summary"] = "Many requests at once: all are taken or none".into();
+    post["summary"] = "Submits many requests at once; either all are accepted or none".into();
     post["responses"]["202"]["links"] =
         json!({ "batch": { "operationId": "getBatch", "parameters": { "id": "$response.body#/id" } } });
     post
 }
 
-/// The entry of an operation on one batch.
+/// Returns the entry of an operation on one batch.
 fn one(operation: &str, summary: &str, parameters: &[Value], responses: Value, problems: &[(&str, &str)]) -> Value {
     let parameters = [&[id_parameter("batch")], parameters].concat();
     let always = [("404", "NotFound"), ("410", "Gone"), ("503", "Unavailable")];
@@ -97,7 +97,7 @@ pub async fn get(
 
 pub fn get_entry() -> Value {
     let ok = json!({ "200": json_response("The batch as it is now, or as it ended within the wait", "Batch") });
-    one("getBatch", "The batch: one status, and its jobs", &[prefer_parameter()], ok, &[])
+    one("getBatch", "The batch with its status and its jobs", &[prefer_parameter()], ok, &[])
 }
 
 pub async fn cancel(State(app): State<App>, caller: Caller, Path(id): Path<String>) -> Result<Json<Batch>, Failure> {
@@ -116,7 +116,7 @@ pub async fn delete(State(app): State<App>, caller: Caller, Path(id): Path<Strin
 
 pub fn delete_entry() -> Value {
     let removed = json!({ "204": { "description": "Removed" } });
-    one("deleteBatch", "Cancels what has not ended, removes jobs and meshes", &[], removed, &[])
+    one("deleteBatch", "Cancels jobs that have not ended, and removes all jobs and meshes", &[], removed, &[])
 }
 
 pub async fn meshes(
@@ -145,7 +145,8 @@ pub async fn meshes(
     let mut response = if none_match_hits(&headers, &tag) {
         StatusCode::NOT_MODIFIED.into_response()
     } else {
-        // If the archive cannot be completed, the connection ends early, so that the client sees that the file is not whole.
+        // If the archive cannot be completed, the connection is closed early, so that the client sees that the file is
+        // incomplete.
         let archive = meshes.archive(mesh_format)?.map_err(|error| std::io::Error::other(format!("{error:?}")));
         Response::new(Body::from_stream(archive))
     };
@@ -154,12 +155,11 @@ pub async fn meshes(
 }
 
 pub fn meshes_entry() -> Value {
-    let description =
-        "A ZIP of every mesh with `batch.json`, which says what became of each request; or all meshes in one GLB scene";
+    let description = "A ZIP with every mesh and `batch.json`, which describes the job of each request; or all meshes in one GLB scene";
     let (format, responses) = representation(&FORMATS, "zip", description, &[]);
     let mesh_format = query_parameter(
         "mesh_format",
-        "Format of the meshes of a ZIP. The default is `glb`. A scene is always GLB.",
+        "Format of the meshes in a ZIP. The default is `glb`. A scene is always GLB.",
         json!({ "type": "string", "enum": MeshFormat::ALL.map(MeshFormat::name) }),
     );
     let problems = [("400", "BadRequest"), ("406", "NotAcceptable"), ("409", "NoMesh"), ("422", "Invalid")];

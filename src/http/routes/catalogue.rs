@@ -1,4 +1,4 @@
-//! What this server offers: objectives, limits, examples, the API document and its page.
+//! The server's catalogue: objectives, limits, examples, the API document and the kinds of problems.
 
 use crate::http::entry::{json_response, name_parameter, plain_get, reference, with_problems};
 use crate::http::problem::Failure;
@@ -17,7 +17,13 @@ pub async fn objectives() -> Json<ObjectiveList> {
 }
 
 pub fn objectives_entry() -> Value {
-    plain_get("catalogue", "listObjectives", "What can be asked for", "application/json", &reference("ObjectiveList"))
+    plain_get(
+        "catalogue",
+        "listObjectives",
+        "Objectives that a request can choose",
+        "application/json",
+        &reference("ObjectiveList"),
+    )
 }
 
 pub async fn limits(State(app): State<App>) -> Json<Limits> {
@@ -25,7 +31,13 @@ pub async fn limits(State(app): State<App>) -> Json<Limits> {
 }
 
 pub fn limits_entry() -> Value {
-    plain_get("catalogue", "getLimits", "What one request may cost here", "application/json", &reference("Limits"))
+    plain_get(
+        "catalogue",
+        "getLimits",
+        "Limits of this server for one request",
+        "application/json",
+        &reference("Limits"),
+    )
 }
 
 pub async fn examples() -> Json<ExampleList> {
@@ -33,7 +45,13 @@ pub async fn examples() -> Json<ExampleList> {
 }
 
 pub fn examples_entry() -> Value {
-    plain_get("catalogue", "listExamples", "Ready requests", "application/json", &reference("ExampleList"))
+    plain_get(
+        "catalogue",
+        "listExamples",
+        "Names and titles of the example requests",
+        "application/json",
+        &reference("ExampleList"),
+    )
 }
 
 pub async fn example(Path(name): Path<String>) -> Result<Json<&'static Example>, Failure> {
@@ -43,8 +61,8 @@ pub async fn example(Path(name): Path<String>) -> Result<Json<&'static Example>,
 
 pub fn example_entry() -> Value {
     let names: Vec<&str> = objectives::examples().iter().map(|example| example.name).collect();
-    json!({ "operationId": "getExample", "tags": ["catalogue"], "summary": "A ready request",
-        "parameters": [name_parameter("name", "The example's name.", &names)],
+    json!({ "operationId": "getExample", "tags": ["catalogue"], "summary": "An example request",
+        "parameters": [name_parameter("name", "Name of the example.", &names)],
         "responses": with_problems(json!({ "200": json_response("The request", "Example") }), &[("404", "NotFound")]) })
 }
 
@@ -56,7 +74,7 @@ pub fn openapi_entry() -> Value {
     plain_get("catalogue", "getOpenApi", "This document", "application/json", &json!({ "type": "object" }))
 }
 
-/// What the `type` of a problem document or of a failed job's error leads to.
+/// Describes the `type` of a problem document or of a failed job's error.
 pub async fn problem_kind(Path(name): Path<String>) -> Result<String, Failure> {
     let mut text = String::new();
     for (status, _, title) in Failure::KINDS.iter().filter(|(_, kind, _)| *kind == name) {
@@ -74,10 +92,10 @@ pub fn problem_kind_entry() -> Value {
     names.extend(FAILURES.iter().map(|&(kind, _)| kind));
     names.sort_unstable();
     names.dedup();
-    let summary = "What the `type` of a problem document, or of a failed job's error, means";
+    let summary = "Meaning of the `type` of a problem document or of a failed job's error";
     let ok = json!({ "description": "A status code or `failed job`, and the title",
         "content": { "text/plain": { "schema": { "type": "string" } } } });
     json!({ "operationId": "getProblem", "tags": ["catalogue"], "summary": summary,
-        "parameters": [name_parameter("name", "The last part of the type.", &names)],
+        "parameters": [name_parameter("name", "Last part of the type.", &names)],
         "responses": with_problems(json!({ "200": ok }), &[("404", "NotFound")]) })
 }

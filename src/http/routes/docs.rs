@@ -1,4 +1,4 @@
-//! `GET /docs/`: Swagger UI with this server's API document, embedded into the program so that it works offline.
+//! `GET /docs/`: Swagger UI with this server's API document, embedded in the program so that it works offline.
 
 use crate::http::assets::{self, Asset};
 use crate::http::entry::{name_parameter, plain_get, with_problems};
@@ -8,8 +8,8 @@ use axum::http::HeaderMap;
 use axum::response::{Redirect, Response};
 use serde_json::{Value, json};
 
-/// The page loads its own files only and talks to this server only. Swagger UI's style sheet has its icons in `data:`
-/// URLs.
+/// Content-Security-Policy of the page, which loads only its own files and connects only to this server. Swagger UI's
+/// style sheet has its icons in `data:` URLs.
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; \
     base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
@@ -29,13 +29,13 @@ const ASSETS: &[Asset] = assets! {
     "NOTICE": "text/plain; charset=utf-8",
 };
 
-/// The page's files are named relative to its folder, so it is served with a slash at the end.
+/// Redirects to the page with a slash at the end of its path, because the page names its files relative to its folder.
 pub async fn redirect() -> Redirect {
     Redirect::to("docs/")
 }
 
 pub fn redirect_entry() -> Value {
-    json!({ "operationId": "findDocs", "tags": ["pages"], "summary": "Leads to `/docs/`",
+    json!({ "operationId": "findDocs", "tags": ["pages"], "summary": "Redirects to `/docs/`",
         "responses": with_problems(json!({ "303": { "description": "The page is at `/docs/`" } }), &[]) })
 }
 
@@ -44,7 +44,7 @@ pub async fn page(headers: HeaderMap) -> Result<Response, Failure> {
 }
 
 pub fn page_entry() -> Value {
-    let summary = "A page to read and try the API, working offline";
+    let summary = "A page to read and try the API, which works offline";
     plain_get("pages", "getDocs", summary, "text/html; charset=utf-8", &json!({ "type": "string" }))
 }
 
@@ -57,7 +57,7 @@ pub fn file_entry() -> Value {
     let file = json!({ "description": "The file", "content": { "*/*": { "schema": { "type": "string", "format": "binary" } } } });
     let responses = json!({ "200": file, "304": { "description": "`If-None-Match` names the current entity tag" } });
     json!({ "operationId": "getDocsFile", "tags": ["pages"], "summary": "A file of the API page",
-        "parameters": [name_parameter("file", "The file's name.", &names)],
+        "parameters": [name_parameter("file", "Name of the file.", &names)],
         "responses": with_problems(responses, &[("404", "NotFound")]) })
 }
 

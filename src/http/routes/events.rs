@@ -15,11 +15,11 @@ use serde_json::{Value, json};
 use std::convert::Infallible;
 use std::time::Duration;
 
-/// How soon a client that lost the stream should come back.
+/// Time after which a client that lost the stream should reconnect.
 const RETRY: Duration = Duration::from_secs(2);
 
-/// Status changes and progress as they come. `Last-Event-ID` replays what was missed; after the final event the answer
-/// is 204.
+/// Sends status changes and progress as they happen. `Last-Event-ID` replays missed events. After the final event the
+/// answer is 204.
 pub async fn events(
     State(app): State<App>,
     caller: Caller,
@@ -39,7 +39,7 @@ pub async fn events(
     Ok(response)
 }
 
-/// The events as they go over the wire; the first one says how soon to come back.
+/// Converts events to server-sent events. The first one carries the reconnection time.
 fn written(events: Events) -> impl Stream<Item = Result<Event, Infallible>> {
     stream::unfold((events, true), |(mut events, first)| async move {
         let event = events.next().await?;
@@ -57,16 +57,17 @@ pub fn events_entry() -> Value {
             "properties": {
                 "id": { "type": "string", "description": "`attempt.sequence`" },
                 "event": { "type": "string", "enum": ["status", "progress"] },
-                "data": { "type": "string", "description": "JSON. Of a `status` event: the job as it was after that change. \
-                    Of a `progress` event: an object with the job's `id`, `status` and `progress`." },
+                "data": { "type": "string", "description": "JSON text. For a `status` event it is the job as it was right after that change. \
+                    For a `progress` event it is an object with the job's `id`, `status` and `progress`." },
                 "retry": { "type": "integer", "minimum": 0 },
             },
         } } },
     });
     let last = json!({ "name": "Last-Event-ID", "in": "header", "required": false,
-        "description": "The last id that was seen, `attempt.sequence`; after the final one the answer is 204.",
+        "description": "Identifier of the last event that the client saw, `attempt.sequence`. After the final event the answer is 204.",
         "schema": { "type": "string" } });
-    let responses = json!({ "200": stream, "204": { "description": "Nothing follows: the final event was seen" } });
+    let responses =
+        json!({ "200": stream, "204": { "description": "The client has seen the final event, so no event follows" } });
     json!({
         "operationId": "getEvents", "tags": ["jobs"], "summary": "Progress as server-sent events",
         "parameters": [id_parameter("job"), last],

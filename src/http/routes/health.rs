@@ -1,4 +1,4 @@
-//! For containers: alive, ready, metrics.
+//! Health checks and metrics, for containers and monitoring.
 
 use crate::http::entry::{plain_get, with_problems};
 use crate::http::problem::Failure;
@@ -17,7 +17,7 @@ pub async fn live() -> Json<Value> {
 }
 
 pub fn live_entry() -> Value {
-    entry("getLive", "The process answers", &[])
+    entry("getLive", "Checks that the process answers", &[])
 }
 
 fn entry(operation: &str, summary: &str, problems: &[(&str, &str)]) -> Value {
@@ -27,7 +27,7 @@ fn entry(operation: &str, summary: &str, problems: &[(&str, &str)]) -> Value {
         "responses": with_problems(json!({ "200": ok }), problems) })
 }
 
-/// 503 while shutting down, and while the store does not answer.
+/// Answers 503 while the server is shutting down and while the store does not answer.
 pub async fn ready(State(app): State<App>) -> Result<Json<Value>, Failure> {
     if app.jobs.is_shutting_down() {
         return Err(Failure::unavailable("the server is shutting down"));
@@ -37,7 +37,7 @@ pub async fn ready(State(app): State<App>) -> Result<Json<Value>, Failure> {
 }
 
 pub fn ready_entry() -> Value {
-    entry("getReady", "The store answers and jobs are taken", &[("503", "Unavailable")])
+    entry("getReady", "Checks that the store answers and jobs are accepted", &[("503", "Unavailable")])
 }
 
 pub async fn metrics(State(app): State<App>) -> Result<Response, Failure> {
@@ -48,7 +48,7 @@ pub fn metrics_entry() -> Value {
     plain_get("operation", "getMetrics", "Metrics as Prometheus text", "text/plain", &json!({ "type": "string" }))
 }
 
-/// The metrics of this process, and of the queue that it shares with others.
+/// Returns the metrics of this process and the length of the shared queue.
 pub async fn render(jobs: &Jobs, handle: &PrometheusHandle) -> Result<Response, Failure> {
     metrics::gauge!(metric::QUEUE_LENGTH).set(jobs.queue_length().await? as f64);
     process::measure();

@@ -1,4 +1,4 @@
-//! `/v1/jobs`: list, look, wait, cancel, delete.
+//! `/v1/jobs`: lists, shows, waits for, cancels and deletes jobs.
 
 use super::submit::{granted_wait_s, is_idempotency_key, with_wait};
 use crate::http::access::Caller;
@@ -16,14 +16,14 @@ use axum::response::{IntoResponse, Response};
 use serde_json::{Value, json};
 use std::time::Duration;
 
-/// Ids are ULIDs, kept in upper case and taken in either. Anything else names no job and is not worth asking the store
-/// about.
+/// Returns an identifier in upper case, as the store keeps it. Identifiers are ULIDs in either case. Any other text
+/// names no job, so the store is not asked.
 pub fn checked(id: &str) -> Result<String, Failure> {
     let valid = id.len() == 26 && id.bytes().all(|byte| byte.is_ascii_alphanumeric());
     if valid { Ok(id.to_ascii_uppercase()) } else { Err(Failure::not_found("no such job")) }
 }
 
-/// The parameters of a query, each known and at most once.
+/// Returns the parameters of a query. Unknown and repeated parameters are errors.
 pub fn parameters<const N: usize>(query: Option<&str>, names: [&str; N]) -> Result<[Option<String>; N], Failure> {
     let mut values = [const { None }; N];
     for (name, value) in url::form_urlencoded::parse(query.unwrap_or_default().as_bytes()) {
@@ -43,7 +43,7 @@ pub async fn list(State(app): State<App>, caller: Caller, RawQuery(query): RawQu
     let names = ["status", "kind", "idempotency_key", "limit", "cursor"];
     let [status, kind, idempotency_key, limit, cursor] = parameters(query.as_deref(), names)?;
     let status = status
-        .map(|name| Status::from_name(&name).ok_or_else(|| Failure::bad_query("status is not one of a job's states")))
+        .map(|name| Status::from_name(&name).ok_or_else(|| Failure::bad_query("status is not a job status")))
         .transpose()?;
     let kind = kind
         .map(|name| Kind::from_name(&name).ok_or_else(|| Failure::bad_query("kind is not a kind of job")))
@@ -74,7 +74,7 @@ pub fn list_entry() -> Value {
             query_parameter("kind", "Only jobs of this kind.", kinds),
             query_parameter("idempotency_key", "Only jobs that were submitted with this `Idempotency-Key`.", key),
             query_parameter("limit", "Maximum number of jobs on the page. The default is 50.", json!({ "type": "integer", "minimum": 1, "maximum": 200 })),
-            query_parameter("cursor", "`next_cursor` of the page before.", json!({ "type": "string", "pattern": ULID })),
+            query_parameter("cursor", "`next_cursor` of the previous page.", json!({ "type": "string", "pattern": ULID })),
         ],
         "responses": with_problems(json!({ "200": json_response("One page of jobs", "JobList") }), &[("400", "BadRequest"), ("503", "Unavailable")]),
     })
@@ -101,10 +101,10 @@ pub async fn get(
 
 pub fn get_entry() -> Value {
     let ok = json!({ "200": json_response("The job as it is now, or as it ended within the wait", "Job") });
-    one("getJob", "The job: status, progress, statistics, links", &[prefer_parameter()], ok)
+    one("getJob", "The job with its status, progress, statistics and links", &[prefer_parameter()], ok)
 }
 
-/// The entry of an operation on one job.
+/// Returns the entry of an operation on one job.
 fn one(operation: &str, summary: &str, parameters: &[Value], responses: Value) -> Value {
     let parameters = [&[id_parameter("job")], parameters].concat();
     let problems = [("404", "NotFound"), ("410", "Gone"), ("503", "Unavailable")];
@@ -118,7 +118,7 @@ pub async fn cancel(State(app): State<App>, caller: Caller, Path(id): Path<Strin
 
 pub fn cancel_entry() -> Value {
     let ok = json!({ "200": json_response("The job", "Job") });
-    one("cancelJob", "Cancels a queued or running job; a finished one is unchanged", &[], ok)
+    one("cancelJob", "Cancels a queued or running job; a finished job stays unchanged", &[], ok)
 }
 
 pub async fn delete(State(app): State<App>, caller: Caller, Path(id): Path<String>) -> Result<StatusCode, Failure> {
@@ -127,5 +127,10 @@ pub async fn delete(State(app): State<App>, caller: Caller, Path(id): Path<Strin
 }
 
 pub fn delete_entry() -> Value {
-    one("deleteJob", "Cancels if needed, removes job and mesh", &[], json!({ "204": { "description": "Removed" } }))
+    one(
+        "deleteJob",
+        "Cancels the job if needed, and removes it with its mesh",
+        &[],
+        json!({ "204": { "description": "Removed" } }),
+    )
 }

@@ -43,7 +43,7 @@ pub fn mesh_entry() -> Value {
         "parameters": [id_parameter("job"), format], "responses": responses })
 }
 
-/// The problems of every file that is made from a job's mesh.
+/// Problems that any file made from a job's mesh may have.
 const FILE_PROBLEMS: [(&str, &str); 6] = [
     ("400", "BadRequest"),
     ("404", "NotFound"),
@@ -78,13 +78,14 @@ pub fn pattern_entry() -> Value {
         "parameters": [id_parameter("job"), format], "responses": responses })
 }
 
-/// `?format=` beats `Accept`; without either the first format that is offered.
+/// Returns the index of the chosen format. `?format=` takes precedence over `Accept`. Without both, the first format is
+/// chosen.
 fn choose(query: Option<&str>, headers: &HeaderMap, names: &[&str], media_types: &[&str]) -> Result<usize, Failure> {
     let [format] = parameters(query, ["format"])?;
     choose_named(format, headers, names, media_types)
 }
 
-/// Does what [`choose`] does with a `format` that has been read from the query.
+/// Same as [`choose`], with a `format` that has already been read from the query.
 pub fn choose_named(
     format: Option<String>,
     headers: &HeaderMap,
@@ -97,11 +98,11 @@ pub fn choose_named(
             names.iter().position(|known| *known == name).ok_or_else(known)
         }
         None => accepted(headers, media_types)
-            .ok_or_else(|| Failure::not_acceptable(format!("offered are: {}", media_types.join(", ")))),
+            .ok_or_else(|| Failure::not_acceptable(format!("the offered media types are: {}", media_types.join(", ")))),
     }
 }
 
-/// The file, a range of it, or that it has not changed.
+/// Answers with the file, with a range of it, or with 304.
 pub fn answer(headers: &HeaderMap, file: &File, media_type: &'static str, name: &str) -> Response {
     let tag = format!("\"{}\"", file.tag);
     let length = file.bytes.len();
@@ -131,7 +132,7 @@ pub fn answer(headers: &HeaderMap, file: &File, media_type: &'static str, name: 
     response
 }
 
-/// Sets the headers of an answer with a file, or of a 304 in its place.
+/// Sets the headers of a response with a file, or of a 304.
 pub fn describe(response: &mut Response, tag: &str, media_type: &str, name: &str) {
     if response.status() != StatusCode::NOT_MODIFIED {
         insert(response, header::CONTENT_TYPE, media_type);
@@ -139,7 +140,7 @@ pub fn describe(response: &mut Response, tag: &str, media_type: &str, name: &str
     }
     insert(response, header::ETAG, tag);
     insert(response, header::VARY, "Accept");
-    // A job's mesh never changes, but the server decides at each request who may read it.
+    // A job's mesh never changes, but the server checks at each request who may read it.
     insert(response, header::CACHE_CONTROL, "private, no-cache");
 }
 

@@ -1,8 +1,9 @@
-//! `GET /` and `GET /studio/{file}`: the studio, embedded into the binary.
+//! `GET /` and `GET /studio/{file}`: the studio, embedded in the program.
 //!
-//! The files are those of `web/dist`, which `npm run build` in `web/` makes from the sources beside it. They are committed,
-//! so that cargo alone builds the service, and a test builds them again and compares the bytes. Nothing is fetched from
-//! anywhere else. The files name each other and the API relative to the page, so a proxy may put the service below a prefix.
+//! The files come from `web/dist`, which `npm run build` in `web/` makes from the sources beside it. They are
+//! committed, so that cargo alone builds the service, and a test builds them again and compares the bytes. Nothing is
+//! loaded from another host. The files name each other and the API relative to the page, so a proxy may put the service
+//! below a path.
 
 use crate::http::entry::{name_parameter, plain_get, with_problems};
 use crate::http::negotiate::{entity_tag, none_match_hits};
@@ -14,10 +15,11 @@ use serde_json::{Value, json};
 
 const HTML: &str = "text/html; charset=utf-8";
 
-/// Only this service's own files and data; images may come from downloads that the page holds in memory.
+/// Start of the Content-Security-Policy. It allows only this service's own files and data, and images that the page
+/// holds in memory for downloads.
 const POLICY: &str = "default-src 'self'; img-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors ";
 
-/// The page that other sites may show in a frame. It only shows: nothing on it changes anything.
+/// Page that other sites may show in a frame. This is safe because the page only displays and changes nothing.
 const EMBEDDED: &str = "embed.html";
 
 macro_rules! assets {
@@ -26,7 +28,7 @@ macro_rules! assets {
     };
 }
 
-/// `(file of web/dist/, media type, bytes)`.
+/// Embedded files, as `(file of web/dist/, media type, bytes)`.
 const ASSETS: &[(&str, &str, &[u8])] = assets! {
     "index.html": HTML,
     "embed.html": HTML,
@@ -43,7 +45,7 @@ pub async fn page(headers: HeaderMap) -> Result<Response, Failure> {
 }
 
 pub fn page_entry() -> Value {
-    let summary = "The studio: a page to draw, solve and look";
+    let summary = "The studio, a page to draw, solve and inspect surfaces";
     plain_get("pages", "getStudio", summary, HTML, &json!({ "type": "string" }))
 }
 
@@ -56,7 +58,7 @@ pub fn file_entry() -> Value {
     let file = json!({ "description": "The file", "content": { "*/*": { "schema": { "type": "string", "format": "binary" } } } });
     let responses = json!({ "200": file, "304": { "description": "`If-None-Match` names the current entity tag" } });
     json!({ "operationId": "getStudioFile", "tags": ["pages"], "summary": "A file of the studio",
-        "parameters": [name_parameter("file", "The file's name.", &names)],
+        "parameters": [name_parameter("file", "Name of the file.", &names)],
         "responses": with_problems(responses, &[("404", "NotFound")]) })
 }
 
@@ -69,7 +71,7 @@ fn asset(name: &str, headers: &HeaderMap) -> Result<Response, Failure> {
     let fields = [
         (header::CONTENT_TYPE, media_type.to_owned()),
         (header::ETAG, tag),
-        // A new binary brings new files under the same names: ask each time, and mostly hear 304.
+        // A new version of the program has new files under the same names, so browsers must revalidate each time.
         (header::CACHE_CONTROL, "no-cache".to_owned()),
         (header::CONTENT_SECURITY_POLICY, policy),
         (header::X_CONTENT_TYPE_OPTIONS, "nosniff".to_owned()),
@@ -93,7 +95,7 @@ mod tests {
         assert_eq!(files, embedded);
     }
 
-    /// The page works offline: what it loads is its own. Names of XML namespaces and addresses in prose are not loaded.
+    /// Checks that the pages work offline. Names of XML namespaces and addresses in prose are not loaded.
     #[test]
     fn no_page_and_no_style_loads_from_another_host() {
         for (name, media_type, bytes) in ASSETS {

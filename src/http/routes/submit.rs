@@ -1,4 +1,4 @@
-//! `POST /v1/{kind}`: submits a request, and waits for its job if the client prefers that.
+//! `POST /v1/{kind}`: submits a request, and waits for its job if the client asks for that.
 
 use crate::http::access::Caller;
 use crate::http::body;
@@ -46,7 +46,7 @@ async fn submit(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) 
     let wait_s = granted_wait_s(app, request.headers());
     let key = idempotency_key(request.headers())?;
     match app.jobs.check_room(caller.owner()).await {
-        // The idempotency key may name a job that exists already, so a full queue is no reason to refuse.
+        // The idempotency key may name an existing job, so a full queue is no reason to refuse.
         Err(JobsError::QueueFull { .. }) if key.is_some() => {}
         room => room?,
     }
@@ -65,30 +65,31 @@ async fn submit(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) 
         }
         _ => job,
     };
-    // A finished job is answered with 200 if the client waits or if the job existed before; a new job without a wait with 202.
+    // A finished job is answered with 200 if the client waits or if the job already existed. A new job is answered with
+    // 202 if the client does not wait.
     let finished = job.status.is_final() && (wait_s.is_some() || !created);
     let status = if finished { StatusCode::OK } else { StatusCode::ACCEPTED };
     let location = job.links.this.clone();
     Ok(with_wait(answer(status, &location, job), wait_s))
 }
 
-/// Longer requests (each would be hundreds of lines of coordinates) are at `GET /v1/examples/{name}` only.
-const LONGEST_EXAMPLE_BYTES: usize = 1200;
+/// Length in bytes of the longest example in the API document. Longer examples have hundreds of lines of coordinates
+/// and are only at `GET /v1/examples/{name}`.
+const MAX_EXAMPLE_BYTES: usize = 1200;
 
 pub fn entry(kind: Kind) -> Value {
     let (id, summary) = match kind {
-        Kind::RuledSurface => ("postRuledSurface", "Directrices and an objective: the globally optimal ruled strip"),
-        Kind::MinimalSurface => {
-            ("postMinimalSurface", "Boundary polylines and a resolution: the minimal surface that spans them")
+        Kind::RuledSurface => {
+            ("postRuledSurface", "Finds the globally optimal ruled strip between directrices for an objective")
         }
-        Kind::UniformMesh => (
-            "postUniformMesh",
-            "A polygon, a patch or a film and a length: a mesh with as many equal edges as possible",
-        ),
+        Kind::MinimalSurface => ("postMinimalSurface", "Finds the minimal surface that spans boundary polylines"),
+        Kind::UniformMesh => {
+            ("postUniformMesh", "Finds a mesh of a polygon, patch or film with as many equal edges as possible")
+        }
     };
     let examples: Map<String, Value> = ready_requests()
         .iter()
-        .filter(|example| example.kind == kind && example.request.to_string().len() <= LONGEST_EXAMPLE_BYTES)
+        .filter(|example| example.kind == kind && example.request.to_string().len() <= MAX_EXAMPLE_BYTES)
         .map(|example| (example.name.into(), json!({ "summary": example.title, "value": example.request })))
         .collect();
     let mut post = submission_entry(schema::request_component(kind), "Job", Value::Object(examples));
@@ -99,18 +100,18 @@ pub fn entry(kind: Kind) -> Value {
     post
 }
 
-/// The entry of a POST of `body` that answers with `answer`, whose end the client may wait for.
+/// Returns the entry of a POST of `body` that answers with `answer`. The client may wait for the end.
 pub fn submission_entry(body: &str, answer: &str, examples: Value) -> Value {
-    let what = answer.to_lowercase();
-    let location = json!({ "description": format!("The {what}."), "schema": { "type": "string" } });
+    let resource = answer.to_lowercase();
+    let location = json!({ "description": format!("Address of the {resource}."), "schema": { "type": "string" } });
     let wait = json!({ "description": "The wait that was granted.", "schema": { "type": "string" } });
     let finished = json!({
-        "description": format!("With `Prefer: wait`: the {what} ended in time (read its `status`); or the same idempotency key was used before with this body."),
+        "description": format!("The {resource} ended within the time of `Prefer: wait` (read its `status`), or this idempotency key was used before with this body."),
         "headers": { "Preference-Applied": wait, "Location": location },
         "content": { "application/json": { "schema": reference(answer) } },
     });
     let accepted = json!({
-        "description": format!("The {what} is on disk and will be worked on."),
+        "description": format!("The {resource} is stored on disk and will be solved."),
         "headers": { "Location": location, "Retry-After": { "$ref": "#/components/headers/RetryAfter" }, "Preference-Applied": wait },
         "content": { "application/json": { "schema": reference(answer) } },
     });
@@ -119,7 +120,7 @@ pub fn submission_entry(body: &str, answer: &str, examples: Value) -> Value {
         "parameters": [
             prefer_parameter(),
             { "name": "Idempotency-Key", "in": "header", "required": false,
-              "description": format!("The same key with the same body gives the same {what}; with another body 422. Printable ASCII."),
+              "description": format!("Printable ASCII text. The same key with the same body returns the same {resource}; with another body the answer is 422."),
               "schema": { "type": "string", "minLength": 1, "maxLength": 200, "pattern": "^[!-~]+$" } },
         ],
         "requestBody": { "required": true, "content": { "application/json": { "schema": reference(body), "examples": examples } } },
@@ -143,7 +144,7 @@ pub fn answer(status: StatusCode, location: &str, taken: impl Serialize) -> Resp
     response
 }
 
-/// The wait that the client prefers, cut to this server's maximum.
+/// Returns the wait that the client prefers, limited to this server's maximum.
 pub fn granted_wait_s(app: &App, headers: &HeaderMap) -> Option<u64> {
     prefer_wait_s(headers).map(|wait_s| wait_s.min(app.config.http.wait_max_s))
 }
