@@ -1,5 +1,5 @@
-//! What the load benchmark compares the service with: an axum handler that parses the same body and answers bytes of the
-//! same length (`/bare`), and one that solves the request in place as well (`/solve`). Neither queues nor stores anything.
+//! Two axum handlers with which the load benchmark compares the service. `/bare` parses the same body and answers bytes of
+//! the same length. `/solve` also solves the request. Both neither queue nor store anything.
 //!
 //! Usage: bare_handler ADDRESS:PORT ANSWER-FILE
 
@@ -15,7 +15,7 @@ use plateau::jobs::solve;
 use plateau::wire::{Kind, Request};
 use std::error::Error;
 
-/// The answer to every request: a finished job as the service gives it.
+/// Answer to every request: a finished job in the form that the service returns.
 type Answer = Bytes;
 
 async fn bare(State(answer): State<Answer>, body: Bytes) -> impl IntoResponse {

@@ -170,7 +170,7 @@ impl Keys {
         self.known.read().unwrap_or_else(PoisonError::into_inner).keys.len()
     }
 
-    /// True if requests need a key.
+    /// Returns true if requests need a key.
     #[must_use]
     pub fn required(&self) -> bool {
         self.known.read().unwrap_or_else(PoisonError::into_inner).required

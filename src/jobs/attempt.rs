@@ -318,7 +318,7 @@ fn outcome(ended: Ended) -> Option<Outcome> {
             JobError::new("refused", "see errors", errors)
         }
         Ended::Panicked => {
-            let detail = "the solver ran into a defect of this server; the request is not to blame";
+            let detail = "the solver hit a defect of this server; the request is not the cause";
             JobError::new("solver-panicked", detail, Vec::new())
         }
     };

@@ -44,7 +44,7 @@ impl Converters {
     /// # Errors
     /// Returns [`JobsError::Internal`] if no thread could be started.
     pub async fn reserve(&self) -> Result<Reservation<'_>, JobsError> {
-        let permit = self.threads.clone().acquire_owned().await.map_err(|_| gone())?;
+        let permit = self.threads.clone().acquire_owned().await.map_err(|_| no_threads())?;
         Ok(Reservation { permit, converters: self })
     }
 }
@@ -66,8 +66,8 @@ impl Reservation<'_> {
             }
             drop(permit);
         };
-        self.converters.work.send(Box::new(run)).map_err(|_| gone())?;
-        answered.await.map_err(|_| gone())?.map_err(|_| {
+        self.converters.work.send(Box::new(run)).map_err(|_| no_threads())?;
+        answered.await.map_err(|_| no_threads())?.map_err(|_| {
             tracing::error!("a conversion panicked");
             JobsError::Internal("a conversion ran into a defect of this server".into())
         })
@@ -86,8 +86,8 @@ fn start(received: Arc<Mutex<Receiver<Work>>>) -> bool {
     started.inspect_err(|error| tracing::error!(%error, "starting a thread")).is_ok()
 }
 
-fn gone() -> JobsError {
-    JobsError::Internal("this server cannot compute any more".into())
+fn no_threads() -> JobsError {
+    JobsError::Internal("this server has no thread for conversions".into())
 }
 
 #[cfg(test)]

@@ -14,8 +14,8 @@ use super::{Result, StoreError, milliseconds};
 
 /// Number of retries of a request.
 const RETRIES: usize = 3;
-/// Time limit of all tries of a request together. It is shorter than a lease, so that the worker learns of a failed write
-/// while it still owns the job.
+/// Time limit of all tries of a request together. It is shorter than a lease, so that the worker learns of a failed
+/// write while it still owns the job.
 const PATIENCE: Duration = Duration::from_secs(10);
 
 #[derive(Clone)]
