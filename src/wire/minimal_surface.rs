@@ -1,4 +1,5 @@
-//! `POST /v1/minimal-surfaces`: the request and its way to the geometry; [`statistics`] is the way back.
+//! `POST /v1/minimal-surfaces`: the request and its conversion to the geometry's types. [`statistics`] converts the
+//! result.
 
 mod statistics;
 
@@ -14,7 +15,7 @@ use plateau_geometry::minimal_surface as geometry;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// Boundary polygons and the options of the surface that spans them.
+/// Boundary polygons, and options for the surface that spans them.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MinimalSurfaceRequest {
@@ -40,7 +41,7 @@ pub struct MinimalSurfaceRequest {
     pub boundaries: Vec<Vec<Point>>,
     #[serde(default)]
     pub objective: Objective,
-    /// How the area is minimised.
+    /// Method that minimises the area.
     #[serde(default)]
     pub solver: Solver,
     #[serde(default)]
@@ -53,7 +54,7 @@ pub struct MinimalSurfaceRequest {
     pub constraints: Constraints,
     #[serde(default)]
     pub topology: Topology,
-    /// The residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged.
+    /// Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged.
     #[serde(default = "default_tolerance")]
     #[schemars(range(min = 0, max = 1))]
     pub tolerance: f64,
@@ -66,7 +67,8 @@ pub struct MinimalSurfaceRequest {
     #[serde(default)]
     #[schemars(range(min = 0, max = 1))]
     pub fairing_tolerance: Option<f64>,
-    /// Stages of `vertex_relaxation` in order, each repeated until its tolerance. Null means the paper's stages.
+    /// Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
+    /// stages.
     #[serde(default)]
     #[schemars(length(min = 1, max = 16), inner(length(min = 1, max = 16)))]
     pub processes: Option<Vec<Vec<Process>>>,
@@ -76,10 +78,11 @@ pub struct MinimalSurfaceRequest {
     pub max_iterations: Option<u32>,
     #[serde(default)]
     pub on_unstable: OnUnstable,
-    /// How `pinkall_polthier` solves its systems.
+    /// Method by which `pinkall_polthier` solves its linear systems.
     #[serde(default)]
     pub linear_solver: LinearSolver,
-    /// `pinkall_polthier` and `topology: free` remove triangles with an angle below this, in degrees. 0 removes none.
+    /// Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
+    /// angle. 0 removes none.
     #[serde(default = "default_degenerate_angle_deg")]
     #[schemars(range(min = 0, max = 20))]
     pub degenerate_angle_deg: f64,
@@ -124,7 +127,7 @@ pub enum Objective {
     MinimalMeanCurvature,
 }
 
-/// Method that minimises the area. `auto` takes the best of the others for the request.
+/// Method that minimises the area. `auto` chooses the best of the others for the request.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Solver {
@@ -134,20 +137,20 @@ pub enum Solver {
     VertexRelaxation,
     /// Bento, Cavalcanti.
     PinkallPolthier,
-    /// In normal heights, with the Morse index.
+    /// Newton's method in normal heights, which also gives the Morse index.
     Newton,
 }
 
-/// Resolution of the mesh: exactly one of the three fields.
+/// Resolution of the mesh, given by exactly one of the three fields.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("minProperties" = 1, "maxProperties" = 1))]
 pub struct Resolution {
-    /// Number of triangles: exact for `rings` with `keep`, else within 10%.
+    /// Number of triangles. It is exact for `rings` with `keep`, and otherwise met within 10%.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(with = "u32", range(min = 1, max = 1_000_000_000))]
     pub triangles: Option<u32>,
-    /// Mean edge length, in the request's unit.
+    /// Mean edge length in the request's unit.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(with = "f64", extend("exclusiveMinimum" = 0))]
     pub edge_length: Option<f64>,
@@ -163,8 +166,7 @@ impl Default for Resolution {
     }
 }
 
-/// Whether points may be added on the segments of the boundary (`refine`), or the mesh has the polygon's vertices only
-/// (`keep`).
+/// Sampling of the boundary. `refine` may add points on its segments, and `keep` uses only the polygon's vertices.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum BoundarySampling {
@@ -173,7 +175,7 @@ pub enum BoundarySampling {
     Keep,
 }
 
-/// The mesh that the solver starts from: made here, or the client's own.
+/// Mesh that the solver starts from: built by the service, or supplied by the client.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub enum InitialMesh {
@@ -187,32 +189,32 @@ impl Default for InitialMesh {
     }
 }
 
-/// Construction of the initial mesh. The statistics name the one that `auto` chose.
+/// Construction of the initial mesh. The statistics name the construction that `auto` chose.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum MadeMesh {
-    /// The best of the others for these boundaries.
+    /// Chooses the best of the others for these boundaries.
     Auto,
-    /// Delaunay triangles in the plane, where the projection is simple.
+    /// Delaunay triangulation in a plane onto which the boundary projects without crossing itself.
     Planar,
-    /// Delaunay triangles in a round disc, mapped harmonically.
+    /// Delaunay triangulation of a round disc, mapped harmonically.
     Disk,
-    /// Chen, Cai, Zheng 3.4.
+    /// Rings of vertices (Chen, Cai, Zheng, section 3.4).
     Rings,
     /// Liu, Wang.
     Barycentres,
 }
 
-/// The client's own initial mesh: an oriented manifold whose boundary loops are `boundaries`, with or without further
-/// vertices on their segments. Or a film whose sheets meet three by three along edges with three triangles: its edges
-/// with one triangle must then be the segments of `boundaries`, which may share points. `resolution` means nothing in
-/// either case.
+/// The client's own initial mesh. It is either an oriented manifold whose boundary loops are `boundaries`, with or
+/// without further vertices on their segments, or a film whose sheets meet three by three along edges with three
+/// triangles. In a film, the edges with one triangle must be the segments of `boundaries`, which may share points.
+/// `resolution` has no effect in either case.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GivenMesh {
     #[schemars(length(min = 3))]
     pub vertices: Vec<Point>,
-    /// Vertex numbers, counted from 0.
+    /// Vertex indices of each triangle, counted from 0.
     #[schemars(length(min = 1), inner(inner(range(min = 0, max = 4_294_967_295u32))))]
     pub triangles: Vec<[u32; 3]>,
 }
@@ -228,8 +230,8 @@ pub struct Constraints {
     pub polylines: Vec<Vec<Point>>,
 }
 
-/// `fixed`: the initial mesh's; `free`: necks may pinch; `best`: every spanning topology is solved, the least is
-/// returned.
+/// `fixed` keeps the topology of the initial mesh. `free` allows necks to pinch. `best` solves every spanning topology
+/// and returns the surface of least area.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Topology {
@@ -239,7 +241,7 @@ pub enum Topology {
     Best,
 }
 
-/// Treatment of a stationary surface that is not a local minimum: `report` says so in a warning, `descend` leaves it
+/// Treatment of a stationary surface that is not a local minimum. `report` adds a warning, and `descend` leaves it
 /// along its most unstable mode.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -249,7 +251,8 @@ pub enum OnUnstable {
     Descend,
 }
 
-/// Elimination every time, or conjugate gradients with elimination where they do not converge.
+/// Linear solver. `direct` always uses elimination. `conjugate_gradients` uses elimination only if the conjugate
+/// gradients do not converge.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum LinearSolver {
@@ -268,41 +271,41 @@ pub enum Process {
 }
 
 impl MinimalSurfaceRequest {
-    /// Takes the points of a field that was read apart.
+    /// Takes the points of a field that was read separately.
     pub(super) fn take(&mut self, list: &PointList) {
         if list.field == "boundaries" {
             self.boundaries.clone_from(&list.polylines);
         }
     }
 
-    /// Checks what the schema cannot say, and returns the request in the geometry's terms.
+    /// Makes the checks that the schema cannot express, and converts the request to the geometry's types.
     ///
     /// # Errors
-    /// Every offending value.
+    /// Returns every offending value.
     pub(super) fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
         common::check_point_count("/boundaries", &self.boundaries, limits.points)?;
         let too_many = |pointer: &str, detail: String| Err(Rejection::TooLarge(vec![FieldError::new(pointer, detail)]));
         if self.resolution.triangles.is_some_and(|count| count as usize > limits.triangles) {
-            let detail = format!("is more than this server makes ({}); see GET /v1/limits", limits.triangles);
+            let detail = format!("is more than this server allows ({}); see GET /v1/limits", limits.triangles);
             return too_many("/resolution/triangles", detail);
         }
         if self.resolution.interior_vertices.is_some_and(|count| count as usize > limits.triangles / 2) {
-            let detail = format!("is more than this server makes ({}); see GET /v1/limits", limits.triangles / 2);
+            let detail = format!("is more than this server allows ({}); see GET /v1/limits", limits.triangles / 2);
             return too_many("/resolution/interior_vertices", detail);
         }
         common::check_point_count("/constraints/polylines", &self.constraints.polylines, limits.points)?;
         if self.constraints.points.len() > limits.points {
-            let detail = format!("has more points than this server takes ({}); see GET /v1/limits", limits.points);
+            let detail = format!("has more points than this server accepts ({}); see GET /v1/limits", limits.points);
             return too_many("/constraints/points", detail);
         }
         if let InitialMesh::Given(mesh) = &self.initial_mesh
             && mesh.triangles.len().max(mesh.vertices.len()) > limits.triangles
         {
-            let detail = format!("is larger than this server takes ({} triangles)", limits.triangles);
+            let detail = format!("is larger than this server accepts ({} triangles)", limits.triangles);
             return too_many("/initial_mesh", detail);
         }
         if self.max_iterations.is_some_and(|count| count > limits.iterations) {
-            let detail = format!("is more than this server runs ({}); see GET /v1/limits", limits.iterations);
+            let detail = format!("is more than this server allows ({}); see GET /v1/limits", limits.iterations);
             return too_many("/max_iterations", detail);
         }
         let errors = self.combinations();
@@ -314,7 +317,7 @@ impl MinimalSurfaceRequest {
         let estimate = geometry::estimate_triangles(&boundaries, &options);
         if estimate > limits.triangles as f64 {
             let detail =
-                format!("asks for about {estimate:.0} triangles, more than this server makes ({})", limits.triangles);
+                format!("asks for about {estimate:.0} triangles, more than this server allows ({})", limits.triangles);
             return too_many("/resolution", detail);
         }
         Ok(Checked {
@@ -324,12 +327,12 @@ impl MinimalSurfaceRequest {
         })
     }
 
-    /// About how much memory solving it takes.
+    /// Returns an estimate of the memory that solving takes.
     fn memory_bytes(&self, triangles: f64) -> u64 {
-        // Measured as the process's peak, mesh written out included: 650 bytes a triangle at most for area and
-        // Dirichlet energy (100,000 and 400,000 triangles, every solver), 6,740 for the least squares, whose normal
-        // matrix is dense with neighbours of neighbours. The rest is slack for factors, which grow a little faster than
-        // the mesh.
+        // The figures were measured as the process's peak, including writing the mesh. Area and Dirichlet energy take
+        // at most 650 bytes per triangle (100,000 and 400,000 triangles, every solver). The least squares take 6,740,
+        // because their normal matrix also connects neighbours of neighbours. The margin is for sparse factors, which
+        // grow a little faster than the mesh.
         let a_triangle = match self.objective {
             Objective::MinimalArea | Objective::MinimalDirichletEnergy => 1_000.0,
             Objective::MinimalMeanCurvature => 8_000.0,
@@ -337,7 +340,7 @@ impl MinimalSurfaceRequest {
         (triangles * a_triangle) as u64
     }
 
-    /// The geometry's own terms for this request.
+    /// Converts the request to the geometry's types.
     fn to_geometry(&self) -> (Vec<Vec<plateau_geometry::DVec3>>, geometry::Options) {
         let resolution = match self.resolution {
             Resolution { triangles: Some(count), .. } => geometry::Resolution::Triangles(count as usize),
@@ -376,7 +379,7 @@ impl MinimalSurfaceRequest {
         (common::polylines(&self.boundaries), options)
     }
 
-    /// What is minimised and how, where [`combinations`](Self::combinations) finds no fault.
+    /// Returns the method for the objective and the solver, which [`combinations`](Self::combinations) has checked.
     fn method(&self) -> geometry::Method {
         let linear_solver = match self.linear_solver {
             LinearSolver::Direct => geometry::LinearSolver::Direct,
@@ -428,7 +431,7 @@ impl MinimalSurfaceRequest {
         }
     }
 
-    /// Fields whose values do not go together.
+    /// Returns errors for fields whose values cannot be combined.
     fn combinations(&self) -> Vec<FieldError> {
         let mut errors = Vec::new();
         let solves = match self.objective {
@@ -437,7 +440,7 @@ impl MinimalSurfaceRequest {
             Objective::MinimalMeanCurvature => matches!(self.solver, Solver::Auto),
         };
         if !solves {
-            errors.push(FieldError::new("/solver", "does not solve this objective: auto does"));
+            errors.push(FieldError::new("/solver", "does not solve this objective; use auto"));
         }
         let area = matches!(self.objective, Objective::MinimalArea);
         let takes_topology = match self.topology {
@@ -446,14 +449,15 @@ impl MinimalSurfaceRequest {
             Topology::Best => area && matches!(self.solver, Solver::Auto | Solver::Newton),
         };
         if !takes_topology {
-            let detail = "is for the minimal area, under auto, newton and (free alone) pinkall_polthier";
+            let detail =
+                "requires the minimal area with the solver auto or newton, or for `free` also pinkall_polthier";
             errors.push(FieldError::new("/topology", detail));
         }
         errors
     }
 }
 
-/// The objectives of this kind.
+/// Returns the objectives of this kind.
 #[must_use]
 pub fn objectives() -> Vec<ObjectiveDoc> {
     geometry::Objective::ALL

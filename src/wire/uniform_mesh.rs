@@ -1,4 +1,4 @@
-//! `POST /v1/uniform-meshes`: the request, its statistics, and the way to the geometry and back.
+//! `POST /v1/uniform-meshes`: the request, its statistics, and their conversion to and from the geometry's types.
 
 use super::common::{self, Cache, Point};
 use super::minimal_surface::{AngleRange, Spread};
@@ -13,10 +13,10 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-/// Edges outside [ℓ, 2ℓ] that are listed one by one; `out_of_range_edges` counts them all.
+/// Number of members outside [ℓ, 2ℓ] that are listed individually. `out_of_range_edges` counts all of them.
 const LISTED_EDGES: usize = 200;
 
-/// A domain, and the edge length of its mesh.
+/// A domain and the edge length of its mesh.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct UniformMeshRequest {
@@ -38,7 +38,8 @@ pub struct UniformMeshRequest {
     #[serde(default)]
     pub up: UpAxis,
     pub domain: Domain,
-    /// ℓ: the length of as many members as possible, and the least length of all, in the request's unit.
+    /// Edge length ℓ in the request's unit: the length of as many members as possible, and the smallest length of all
+    /// members.
     #[schemars(range(max = 1e15), extend("exclusiveMinimum" = 0))]
     pub edge_length: f64,
     #[serde(default)]
@@ -49,18 +50,19 @@ pub struct UniformMeshRequest {
     /// Aim of moving the nodes.
     #[serde(default)]
     pub optimise: Optimise,
-    /// With `optimise: lengths`: how many lengths may stand for all members.
+    /// Largest number of different member lengths. It is used only with `optimise: lengths`.
     #[serde(default)]
     #[schemars(range(min = 1, max = 1000))]
     pub max_distinct_lengths: Option<u32>,
-    /// Lengths that differ by no more are equal, in the request's unit; null: a thousandth of the edge length.
+    /// Largest difference between lengths that count as equal, in the request's unit. Null means a thousandth of the
+    /// edge length.
     #[serde(default)]
     #[schemars(range(min = 0, max = 1e15))]
     pub length_tolerance: Option<f64>,
-    /// What the members outside the lattice group may do while nodes move.
+    /// Lengths that members outside the lattice group may take while the nodes move.
     #[serde(default)]
     pub rim: Rim,
-    /// Rectangles along u and v of the auxiliary triangulation of a patch.
+    /// Number of rectangles along u and v in the auxiliary triangulation of a patch.
     #[serde(default = "default_auxiliary_grid")]
     #[schemars(inner(range(min = 2, max = 400)))]
     pub auxiliary_grid: [u32; 2],
@@ -80,7 +82,7 @@ pub enum UniformMeshKind {
     UniformMesh,
 }
 
-/// What to mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs`, `boundaries`.
+/// Domain of the mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs` and `boundaries`.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("minProperties" = 1, "maxProperties" = 2))]
@@ -99,7 +101,7 @@ pub struct Domain {
     #[serde(default)]
     #[schemars(with = "Nurbs")]
     pub nurbs: Option<Nurbs>,
-    /// Closed polygons; the domain is the minimal surface that spans them.
+    /// Closed polygons. The domain is the minimal surface that spans them.
     #[serde(default)]
     #[schemars(with = "Vec<Vec<Point>>", length(min = 1), inner(length(min = 3)))]
     pub boundaries: Option<Vec<Vec<Point>>>,
@@ -109,7 +111,7 @@ pub struct Domain {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Bezier {
-    /// Rows along u of points along v.
+    /// Control points: rows along u, each with the points along v.
     #[schemars(length(min = 2), inner(length(min = 2)))]
     pub control_points: Vec<Vec<Point>>,
 }
@@ -118,18 +120,18 @@ pub struct Bezier {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Nurbs {
-    /// Along u and along v.
+    /// Degrees along u and along v.
     #[schemars(inner(range(min = 1, max = 60)))]
     pub degrees: [u32; 2],
-    /// Along u and along v: control points + degree + 1 each, not falling.
+    /// Knots along u and along v: control points + degree + 1 each, in non-decreasing order.
     pub knots: [Vec<f64>; 2],
-    /// Rows along u of points along v.
+    /// Control points: rows along u, each with the points along v.
     #[schemars(length(min = 2), inner(length(min = 2)))]
     pub control_points: Vec<Vec<Point>>,
-    /// In the shape of the control points; null: all equal.
+    /// Weights in the shape of the control points. Null means equal weights.
     #[serde(default)]
     pub weights: Option<Vec<Vec<f64>>>,
-    /// Trimmed patches are not offered: only null or an empty list is taken.
+    /// Trimmed patches are not supported, so only null or an empty list is accepted.
     #[serde(default)]
     pub trim_curves: Option<Vec<Value>>,
 }
@@ -145,8 +147,8 @@ pub enum Objective {
     MostEqualEdges,
 }
 
-/// `nodes`: members of the lattice as near to the edge length as they get. `lengths`: after that, at most
-/// `max_distinct_lengths` lengths for all members.
+/// `nodes` brings the members of the lattice as near to the edge length as possible. `lengths` then also reduces all
+/// members to at most `max_distinct_lengths` lengths.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Optimise {
@@ -155,7 +157,8 @@ pub enum Optimise {
     Lengths,
 }
 
-/// `bounded`: they stay between the edge length and its double wherever that is possible. `free`: as in the paper.
+/// `bounded` keeps the members between the edge length and its double wherever possible. `free` does not limit them, as
+/// in the paper.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Rim {
@@ -165,7 +168,7 @@ pub enum Rim {
 }
 
 impl Domain {
-    /// How many points it has in all, and where to complain if there are too many.
+    /// Returns the number of points, and the field for an error if there are too many.
     fn point_count(&self) -> (usize, &'static str) {
         let count = |rows: &[Vec<Point>]| rows.iter().map(Vec::len).sum::<usize>();
         match self {
@@ -189,10 +192,10 @@ impl Domain {
             return invalid("/domain", format!("needs exactly one of: {names}"));
         }
         if self.polygon.is_none() && !self.holes.is_empty() {
-            return invalid("/domain/holes", "only a polygon has holes".into());
+            return invalid("/domain/holes", "is only allowed with a polygon".into());
         }
         if self.nurbs.as_ref().and_then(|patch| patch.trim_curves.as_ref()).is_some_and(|curves| !curves.is_empty()) {
-            let detail = "trimmed patches are not offered: split the patch along its parameter lines, or give its outline \
+            let detail = "trimmed patches are not supported: split the patch along its parameter lines, or give its outline \
                 as `boundaries`";
             return invalid("/domain/nurbs/trim_curves", detail.into());
         }
@@ -221,27 +224,30 @@ impl Domain {
 }
 
 impl UniformMeshRequest {
-    /// Checks what the schema cannot say, and returns the request in the geometry's terms.
+    /// Makes the checks that the schema cannot express, and converts the request to the geometry's types.
     ///
     /// # Errors
-    /// Every offending value.
+    /// Returns every offending value.
     pub(super) fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
         self.domain.check()?;
         let (points, field) = self.domain.point_count();
         if points > limits.points {
-            let detail = format!("has more points than this server takes ({}); see GET /v1/limits", limits.points);
+            let detail = format!("has more points than this server accepts ({}); see GET /v1/limits", limits.points);
             return Err(Rejection::TooLarge(vec![FieldError::new(field, detail)]));
         }
         let invalid = |pointer: &str, detail: &str| Err(Rejection::Invalid(vec![FieldError::new(pointer, detail)]));
         if self.optimise == Optimise::Lengths && !self.optimise_nodes {
-            return invalid("/optimise_nodes", "must be true where lengths are to be optimised: it is nodes that move");
+            return invalid(
+                "/optimise_nodes",
+                "must be true with `optimise: lengths`, because lengths are optimised by moving nodes",
+            );
         }
         match (self.optimise, self.max_distinct_lengths) {
             (Optimise::Lengths, None) => {
                 return invalid("/max_distinct_lengths", "is required with `optimise: lengths`");
             }
             (Optimise::Nodes, Some(_)) => {
-                return invalid("/max_distinct_lengths", "means something with `optimise: lengths` only");
+                return invalid("/max_distinct_lengths", "is only allowed with `optimise: lengths`");
             }
             _ => {}
         }
@@ -249,7 +255,7 @@ impl UniformMeshRequest {
         let estimate = geometry::estimate(&domain, &options)?.triangles;
         if estimate > limits.triangles as f64 {
             let detail = format!(
-                "asks for up to {estimate:.0} triangles, more than this server makes ({}); see GET /v1/limits",
+                "asks for up to {estimate:.0} triangles, more than this server allows ({}); see GET /v1/limits",
                 limits.triangles
             );
             return Err(Rejection::TooLarge(vec![FieldError::new("/edge_length", detail)]));
@@ -262,7 +268,7 @@ impl UniformMeshRequest {
         })
     }
 
-    /// The geometry's own terms for this request.
+    /// Converts the request to the geometry's types.
     fn to_geometry(&self) -> (geometry::Domain, geometry::Options) {
         let optimise = match (self.optimise_nodes, self.optimise, self.max_distinct_lengths) {
             (false, ..) => geometry::Optimise::None,
@@ -286,16 +292,17 @@ impl UniformMeshRequest {
         (self.domain.to_geometry(), options)
     }
 
-    /// About how much memory solving takes: a triangle costs some 600 bytes with its members, their lengths and the archive,
-    /// and on a surface as much again for the sparse factor; a film's own mesh is bounded.
+    /// Returns an estimate of the memory that solving takes. A triangle costs about 600 bytes with its members, their
+    /// lengths and the archive, and on a surface as much again for the sparse factor. The mesh of a film has a bounded
+    /// size.
     fn memory_bytes(&self, triangles: f64) -> u64 {
         let a_triangle = if self.domain.polygon.is_some() { 600.0 } else { 1500.0 };
         (triangles * a_triangle) as u64 + (64 << 20)
     }
 }
 
-/// For each polyline of a polygon the vertices that its points became; empty for other domains, whose points are not
-/// nodes.
+/// Returns the vertices that the points of each polyline of a polygon became. The list is empty for other domains,
+/// because their points are not nodes.
 #[must_use]
 pub fn input_vertices(domain: &geometry::Domain, mesh: &geometry::UniformMesh) -> Vec<Vec<u32>> {
     let geometry::Domain::Polygon { outer, holes } = domain else { return Vec::new() };
@@ -304,7 +311,7 @@ pub fn input_vertices(domain: &geometry::Domain, mesh: &geometry::UniformMesh) -
     lengths.map(|length| vertices.by_ref().take(length).collect()).collect()
 }
 
-/// The objectives of this kind.
+/// Returns the objectives of this kind.
 #[must_use]
 pub fn objectives() -> Vec<ObjectiveDoc> {
     geometry::Objective::ALL
@@ -328,7 +335,7 @@ pub fn objectives() -> Vec<ObjectiveDoc> {
         .collect()
 }
 
-/// Count, minimum, mean, maximum and standard deviation of a group of lengths; zeros for an empty one.
+/// Count, minimum, mean, maximum and standard deviation of a group of lengths. All are 0 for an empty group.
 #[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
 pub struct GroupLengths {
     pub count: usize,
@@ -350,9 +357,9 @@ impl From<plateau_geometry::mesh::measure::Spread> for GroupLengths {
 pub struct StageGroup {
     #[serde(flatten)]
     pub lengths: GroupLengths,
-    /// Members within the tolerance of the edge length.
+    /// Number of members within the tolerance of the edge length.
     pub equal_edges: usize,
-    /// The least number of lengths for all of them, those of one kind differing by at most the tolerance.
+    /// Smallest number of lengths for all members if lengths that differ by at most the tolerance count as one.
     pub distinct_lengths: usize,
 }
 
@@ -362,17 +369,18 @@ impl From<geometry::statistics::Group> for StageGroup {
     }
 }
 
-/// A row pair of Katoh, Ohsaki and Xu's Table 1.
+/// One stage of the computation: a pair of rows of Katoh, Ohsaki and Xu's Table 1.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Stage {
-    /// `auxiliary_surface`, `auxiliary_plane`, `plane`, `surface`, `optimised_nodes` or `shared_lengths`.
+    /// Name of the stage: `auxiliary_surface`, `auxiliary_plane`, `plane`, `surface`, `optimised_nodes` or
+    /// `shared_lengths`.
     pub name: &'static str,
     pub all: StageGroup,
     /// Null for the auxiliary triangulation.
     pub lattice: Option<StageGroup>,
 }
 
-/// Bin k counts lengths from `from + k width` up to the next.
+/// Histogram of lengths. Bin k counts lengths from `from` + k · `width` up to the next bin.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct LengthHistogram {
     pub from: f64,
@@ -384,9 +392,9 @@ pub struct LengthHistogram {
 #[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
 pub struct SharedLengths {
     pub lengths: usize,
-    /// Largest difference between a member and the length that stands for it.
+    /// Largest difference between a member's length and the shared length that replaces it.
     pub deviation: f64,
-    /// Largest difference before the nodes moved.
+    /// The same difference before the nodes moved.
     pub deviation_before: f64,
 }
 
@@ -395,23 +403,23 @@ pub struct SharedLengths {
 pub struct OutOfRange {
     pub vertices: [u32; 2],
     pub length: f64,
-    /// `short_side`, `sharp_corner`, `narrow`, `curvature`, `optimised` or `unfinished`.
+    /// Reason: `short_side`, `sharp_corner`, `narrow`, `curvature`, `optimised` or `unfinished`.
     pub why: &'static str,
 }
 
-/// Statistics of a uniform mesh. Lengths in the request's unit, angles in degrees.
+/// Statistics of a uniform mesh. Lengths are in the request's unit, and angles are in degrees.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct UniformStatistics {
     pub objective: &'static str,
-    /// Nodes for `fewest_nodes`, lattice edges for `most_equal_edges`.
+    /// Number of nodes for `fewest_nodes`, and number of lattice edges for `most_equal_edges`.
     pub objective_value: usize,
     pub nodes: usize,
     pub triangles: usize,
     pub edges: usize,
     pub edge_lengths: Spread,
-    /// Members of the lattice.
+    /// Lengths of the members of the lattice.
     pub lattice_edges: GroupLengths,
-    /// Members within the tolerance of the edge length.
+    /// Number of members within the tolerance of the edge length.
     pub equal_edges: usize,
     pub distinct_lengths: usize,
     /// Tolerance of `equal_edges` and `distinct_lengths`.
@@ -426,11 +434,12 @@ pub struct UniformStatistics {
     pub length_histogram: LengthHistogram,
     /// Entry k is the number of nodes with k members.
     pub valence_histogram: Vec<usize>,
-    /// Polygons: no mesh with members of at most twice the edge length has fewer nodes. Null for curved domains.
+    /// For polygons, a lower bound of the number of nodes of any mesh with members of at most twice the edge length.
+    /// Null for curved domains.
     pub node_lower_bound: Option<usize>,
     /// Rows of Katoh, Ohsaki and Xu's Table 1, stage by stage.
     pub stages: Vec<Stage>,
-    /// With `optimise: lengths`: deviation against the number of lengths, as far as it was tried.
+    /// With `optimise: lengths`, the deviation for each number of lengths that was tried.
     pub shared_lengths: Vec<SharedLengths>,
 }
 
