@@ -107,7 +107,8 @@ impl StabilityMethod {
 pub struct ExtrapolatedArea {
     /// The limit, in u².
     pub area: f64,
-    /// Estimate of the error: the distance of the limit from the finer of the two areas.
+    /// Estimate of the error: the distance of the limit from the finer of the two areas, and twice that at a re-entrant
+    /// corner.
     pub error_estimate: f64,
 }
 
