@@ -60,3 +60,42 @@ fn points_a_millionth_of_the_radius_apart_leave_a_film_that_converges() {
     assert!((statistics["area"].as_f64().unwrap() - 3.261_83).abs() < 1e-3, "{}", statistics["area"]);
     assert!(!has(&warnings, "not_converged"), "{warnings:?}");
 }
+
+/// A connected film of this area that does not cross itself.
+fn is_connected_film(name: &str, area: f64) {
+    let (statistics, warnings) = solved(name);
+    let found = statistics["area"].as_f64().unwrap();
+    assert!((found / area - 1.0).abs() < 5e-3, "{name}: {found} for {area}, {warnings:?}");
+    assert_eq!(statistics["converged"], true);
+    assert_eq!((&statistics["components"], &statistics["self_intersections"]), (&1.into(), &0.into()));
+    assert!(warnings.is_empty(), "{name}: {warnings:?}");
+}
+
+#[test]
+fn five_to_eight_rings_that_face_outwards_have_a_connected_film() {
+    is_connected_film("loops_bipyr5_0.97_fixed", 3.718);
+    is_connected_film("loops_cube_0.97_fixed", 3.760);
+    is_connected_film("loops_octa_0.97_best", 2.140);
+}
+
+#[test]
+fn a_film_past_its_limit_that_a_coarse_mesh_still_holds_is_said_to_be_near_it() {
+    let (statistics, warnings) = solved("film_ring_past_critical");
+    assert_eq!(statistics["stability"]["stable"], true);
+    assert!(has(&warnings, "near_critical"), "{warnings:?}");
+}
+
+#[test]
+fn the_extrapolated_area_at_a_notch_allows_for_what_finer_meshes_reach() {
+    let (statistics, _) = solved("slit_3d_3000");
+    let figure = |name: &str| statistics["extrapolated_area"][name].as_f64().unwrap();
+    let (area, error) = (figure("area"), figure("error_estimate"));
+    assert!(area - error <= 4.108_672 && area + error >= 4.108_0, "{area} {error}");
+}
+
+#[test]
+fn a_film_with_one_side_is_refused_in_words() {
+    let path = format!("{}/tests/cases/moebius_own.json", env!("CARGO_MANIFEST_DIR"));
+    let refused = Request::read_with_kind(&std::fs::read(path).expect("a case"), &LimitsConfig::default()).unwrap_err();
+    assert!(format!("{refused:?}").contains("has one side only, as a Möbius band"), "{refused:?}");
+}

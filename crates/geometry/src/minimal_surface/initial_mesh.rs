@@ -17,7 +17,8 @@ use super::estimate::estimate_triangles;
 use super::options::{BoundarySampling, InitialMesh, Options, Resolution};
 use crate::error::InputError;
 use crate::mesh::film::Film;
-use crate::{DVec3, Error, Execution, Place};
+use crate::mesh::self_intersections::{Order, self_intersections};
+use crate::{DVec3, Error, Execution, Interruption, Place};
 use barycentres::candidate_mesh;
 use domain::{Frame, Shape};
 use pins::Pins;
@@ -35,7 +36,8 @@ pub enum InitialMeshKind {
     Disk,
     /// Two boundaries: Delaunay triangles in a round annulus, mapped harmonically.
     Annulus,
-    /// Three and more: Delaunay triangles in a disc with round holes, mapped harmonically.
+    /// Three and more: Delaunay triangles between the loops as they are seen from a point in their middle, or in a disc
+    /// with round holes, mapped harmonically.
     SphereWithHoles,
     /// Chen, Cai, Zheng's rings.
     Rings,
@@ -96,7 +98,26 @@ pub(super) fn build(
             2 => InitialMeshKind::Annulus,
             _ => InitialMeshKind::SphereWithHoles,
         };
-        let start = attempt(Shape::disc(boundaries))?.map_err(|error| refusal(boundaries, error, false))?;
+        let mut arrangements = Shape::arrangements(boundaries);
+        let last = arrangements.pop().expect("there is always the disc");
+        let mut crossing = None;
+        for arrangement in arrangements {
+            if let Ok(start) = attempt(arrangement)?
+                && is_in_one_piece(&start.film)
+            {
+                if !crosses_itself(&start.film, exec)? {
+                    return Ok((start, kind));
+                }
+                crossing.get_or_insert(start);
+            }
+        }
+        let start = match (attempt(last)?, crossing) {
+            (Ok(start), None) => start,
+            (Ok(start), Some(_)) if !crosses_itself(&start.film, exec)? => start,
+            // All of them cross themselves: the first one is as good as any.
+            (_, Some(first)) => first,
+            (Err(error), None) => return Err(refusal(boundaries, error, false)),
+        };
         Ok((start, kind))
     };
     match &options.initial_mesh {
@@ -165,6 +186,17 @@ pub(super) fn check(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), 
         }
         _ => Ok(()),
     }
+}
+
+/// Whether a film is a sphere with one hole for each of its boundaries.
+fn is_in_one_piece(film: &Film) -> bool {
+    let holes = film.boundaries.len() as i64;
+    film.topology.components() == 1 && film.topology.euler_characteristic() == 2 - holes
+}
+
+fn crosses_itself(film: &Film, exec: &Execution) -> Result<bool, Interruption> {
+    let found = self_intersections(&film.vertices, film.triangles(), Order::Spatial, u64::MAX, exec)?;
+    Ok(found.pairs > 0)
 }
 
 /// A boundary counts as plane if its distances from the plane are below this fraction of its extent. A larger value

@@ -107,16 +107,20 @@ impl StabilityMethod {
 pub struct ExtrapolatedArea {
     /// The limit, in u².
     pub area: f64,
-    /// Estimate of the error: the distance of the limit from the finer of the two areas.
+    /// Estimate of the error: the distance of the limit from the finer of the two areas, and twice that at a re-entrant
+    /// corner.
     pub error_estimate: f64,
 }
 
 impl ExtrapolatedArea {
     /// Extrapolates from the areas of two minimal meshes on one boundary polygon. The finer mesh has half the edge
-    /// length.
-    pub(crate) fn new(coarse: f64, fine: f64) -> Self {
-        let correction = (coarse - fine) / 3.0;
-        Self { area: fine - correction, error_estimate: correction.abs() }
+    /// length. The error of an area is taken to be of an order between `order` and 2; see
+    /// [`extrapolation`](super::extrapolation).
+    pub(crate) fn new(coarse: f64, fine: f64, order: f64) -> Self {
+        let correction = |order: f64| (coarse - fine) / (order.exp2() - 1.0);
+        let correction = 0.5 * (correction(2.0) + correction(order));
+        let corrections = if order < 2.0 { 2.0 } else { 1.0 };
+        Self { area: fine - correction, error_estimate: corrections * correction.abs() }
     }
 }
 

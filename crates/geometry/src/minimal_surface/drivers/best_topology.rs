@@ -40,7 +40,7 @@ impl SpanningComparison {
     pub(crate) fn warnings(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();
         if !self.connected_film_exists {
-            let mut detail = String::from("no film that connects all boundaries holds");
+            let mut detail = String::from("no film that connects all boundaries was found");
             if let Some(fraction) = self.largest_gap_fraction {
                 detail += &format!("; one would at up to {fraction:.3} of the gap between the two");
             }

@@ -19,6 +19,7 @@ use crate::equilibrium::v_cycle::VCycleSteps;
 use crate::mesh::film::Film;
 use crate::mesh::measure;
 use crate::minimal_surface::estimate::{area_of_fans, estimate_triangles, triangles_of_length};
+use crate::minimal_surface::extrapolation::order;
 use crate::minimal_surface::initial_mesh;
 use crate::minimal_surface::options::{BoundarySampling, InitialMesh, OnUnstable, Options, Resolution};
 use crate::minimal_surface::run::{ExtrapolatedArea, Stability, StabilityMethod, StopReason, geometric_part};
@@ -192,7 +193,7 @@ fn climb(
                 return Ok(None);
             }
             if places.same_polygon {
-                solve.extrapolated_area = Some(ExtrapolatedArea::new(coarse_area, state.energy));
+                solve.extrapolated_area = Some(ExtrapolatedArea::new(coarse_area, state.energy, order(film)));
             } else if film.triangles().len() <= EXTRAPOLATED_TRIANGLES {
                 hierarchy.push(matrix, parents);
                 solve.extrapolated_area = ExtrapolatedArea::of(film, &pattern, &hierarchy, solve.radius, solve.exec)?;

@@ -3,7 +3,7 @@
 use super::sampling::Sampled;
 use super::strip::Matching;
 use crate::{DVec3, polyline};
-use glam::DVec2;
+use glam::{DMat3, DVec2};
 use std::f64::consts::TAU;
 
 /// An orthonormal frame: `origin + x e₁ + y e₂ + z n`.
@@ -23,12 +23,8 @@ impl Frame {
         let all: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
         let origin = polyline::mean(&all);
         let spread = all.iter().map(|p| p.distance_squared(origin)).fold(0.0, f64::max);
-        let area_vector = |points: &Vec<DVec3>| -> DVec3 {
-            let centre = polyline::mean(points);
-            (0..points.len()).map(|k| (points[k] - centre).cross(points[(k + 1) % points.len()] - centre)).sum()
-        };
         let mut normal = DVec3::ZERO;
-        for vector in boundaries.iter().map(area_vector) {
+        for vector in boundaries.iter().map(|points| area_vector(points)) {
             if vector.length() > normal.length() * (1.0 + 1e-9) {
                 normal = vector;
             }
@@ -86,6 +82,119 @@ pub(super) enum Shape {
     /// The outer boundary becomes the unit circle and every other one a smaller circle inside. Arc length is preserved
     /// on each loop up to a factor.
     Disc { outer: usize, holes: Vec<Hole> },
+    /// Projected onto a sphere around a common centre, and from there stereographically.
+    Sphere(Directions),
+}
+
+/// A stereographic projection of the directions from a centre: the direction `pole` goes to infinity, and the widest
+/// boundary, which lies round the pole, encloses the others.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Directions {
+    centre: DVec3,
+    x: DVec3,
+    y: DVec3,
+    pole: DVec3,
+    /// Length in the plane per length in the stereographic projection of the unit sphere: the boundaries reach 1.
+    stretch: f64,
+    /// Mean distance of the boundaries' points from the centre.
+    distance: f64,
+    /// The boundary round the pole.
+    outer: usize,
+}
+
+/// The boundaries reach at most this far in the stereographic projection: a point nearer to the pole (by a quarter of a
+/// degree) would crowd all others.
+const FARTHEST: f64 = 500.0;
+
+impl Directions {
+    /// `None` if a boundary passes through the centre or the pole.
+    fn new(boundaries: &[Vec<DVec3>], centre: DVec3) -> Option<Self> {
+        let unit = |p: &DVec3| (*p - centre).try_normalize();
+        let mut outer = 0;
+        let mut axes = Vec::with_capacity(boundaries.len());
+        for (k, points) in boundaries.iter().enumerate() {
+            let directions: Vec<DVec3> = points.iter().map(unit).collect::<Option<_>>()?;
+            let resultant = polyline::mean(&directions);
+            // The wider a loop, the shorter the mean of its directions.
+            axes.push(resultant);
+            if k > 0 && resultant.length() < axes[outer].length() * (1.0 - 1e-9) {
+                outer = k;
+            }
+        }
+        let pole = axes[outer].try_normalize()?;
+        let x = (boundaries[outer][0] - centre).reject_from_normalized(pole).try_normalize()?;
+        let count: usize = boundaries.iter().map(Vec::len).sum();
+        let distance = boundaries.iter().flatten().map(|p| p.distance(centre)).sum::<f64>() / count as f64;
+        let mut projection = Self { centre, x, y: pole.cross(x), pole, stretch: 1.0, distance, outer };
+        let farthest = boundaries.iter().flatten().map(|&p| projection.project(p).length()).fold(0.0, f64::max);
+        if !(farthest > 0.0 && farthest <= FARTHEST) {
+            return None;
+        }
+        projection.stretch = 1.0 / farthest;
+        Some(projection)
+    }
+
+    fn project(&self, point: DVec3) -> DVec2 {
+        let direction = (point - self.centre).normalize_or_zero();
+        self.stretch * DVec2::new(direction.dot(self.x), direction.dot(self.y)) / (1.0 - direction.dot(self.pole))
+    }
+
+    /// Circles at the places of the boundaries. Each runs as its boundary is seen to run, and starts so that its points lie
+    /// as nearly as they can in the directions in which they are seen.
+    fn circles(&self, boundaries: &[Vec<DVec3>]) -> Shape {
+        let seen: Vec<Vec<DVec2>> =
+            boundaries.iter().map(|points| points.iter().map(|&p| self.project(p)).collect()).collect();
+        // The outer circle starts at the angle 0 and runs counter-clockwise.
+        let (start, turn) = circle_through(&boundaries[self.outer], &seen[self.outer], DVec2::ZERO);
+        let upright = |p: DVec2| {
+            let turned = DVec2::from_angle(-start).rotate(p);
+            DVec2::new(turned.x, turn * turned.y)
+        };
+        let places: Vec<Vec<DVec2>> = seen.iter().map(|points| points.iter().map(|&p| upright(p)).collect()).collect();
+        let centre = |k: usize| {
+            let mean = places[k].iter().sum::<DVec2>() / places[k].len() as f64;
+            mean.clamp_length_max(0.9)
+        };
+        let others: Vec<usize> = (0..boundaries.len()).filter(|&k| k != self.outer).collect();
+        let hole = |&boundary: &usize| {
+            let here = centre(boundary);
+            let neighbours = others.iter().filter(|&&k| k != boundary).map(|&k| 0.5 * here.distance(centre(k)));
+            let room = neighbours.fold(1.0 - here.length(), f64::min);
+            let seen = places[boundary].iter().map(|p| p.distance(here)).sum::<f64>() / places[boundary].len() as f64;
+            let radius = seen.clamp(0.2 * room, 0.6 * room);
+            let (start, turn) = circle_through(&boundaries[boundary], &places[boundary], here);
+            Hole { boundary, centre: here, radius, start, turn }
+        };
+        Shape::Disc { outer: self.outer, holes: others.iter().map(hole).collect() }
+    }
+
+    /// Length in the plane per length in space, at the mean distance from the centre.
+    fn scale(&self, p: DVec2) -> f64 {
+        let p = p / self.stretch;
+        0.5 * (1.0 + p.length_squared()) * self.stretch / self.distance
+    }
+}
+
+/// The point nearest to the axes of all boundaries (through the mean, along the area vector), if there is one not farther
+/// out than the boundaries: rings that face outwards on a sphere give its centre.
+fn meeting_point(boundaries: &[Vec<DVec3>]) -> Option<DVec3> {
+    let mut matrix = DMat3::ZERO;
+    let mut right = DVec3::ZERO;
+    for points in boundaries {
+        let mean = polyline::mean(points);
+        let axis = area_vector(points).try_normalize()?;
+        let across = DMat3::IDENTITY - DMat3::from_cols(axis * axis.x, axis * axis.y, axis * axis.z);
+        matrix += across;
+        right += across * mean;
+    }
+    let farthest = boundaries.iter().flatten().map(|p| p.length()).fold(0.0, f64::max);
+    let parallel = matrix.determinant() < 1e-3 * (boundaries.len() as f64).powi(3) / 27.0;
+    (!parallel).then(|| matrix.inverse() * right).filter(|point| point.length() < farthest)
+}
+
+fn area_vector(points: &[DVec3]) -> DVec3 {
+    let centre = polyline::mean(points);
+    (0..points.len()).map(|k| (points[k] - centre).cross(points[(k + 1) % points.len()] - centre)).sum()
 }
 
 /// The circle inside the unit disc that a boundary becomes.
@@ -101,6 +210,28 @@ pub(super) struct Hole {
 }
 
 impl Shape {
+    /// Whether the plane's lengths are unlike those in space, so that a mesh has to be evened out there.
+    pub fn is_mapped(&self) -> bool {
+        !matches!(self, Self::Plane(_))
+    }
+
+    /// The ways to lay out boundaries in space, the most trusted first.
+    ///
+    /// Three and more boundaries are places on a sphere: as they are seen from a common centre; as circles at those
+    /// places, if seen from there they cross; as circles on one ring.
+    pub fn arrangements(boundaries: &[Vec<DVec3>]) -> Vec<Self> {
+        let mut arrangements = Vec::new();
+        if boundaries.len() > 2 {
+            let means: Vec<DVec3> = boundaries.iter().map(|points| polyline::mean(points)).collect();
+            let centres = meeting_point(boundaries).into_iter().chain([polyline::mean(&means)]);
+            let seen: Vec<Directions> = centres.filter_map(|centre| Directions::new(boundaries, centre)).collect();
+            arrangements.extend(seen.iter().map(|&directions| Self::Sphere(directions)));
+            arrangements.extend(seen.iter().map(|directions| directions.circles(boundaries)));
+        }
+        arrangements.push(Self::disc(boundaries));
+        arrangements
+    }
+
     /// A disc for one boundary. Of several boundaries the longest is outside, and the others are inside, each facing it
     /// as in space.
     pub fn disc(boundaries: &[Vec<DVec3>]) -> Self {
@@ -156,6 +287,7 @@ impl Shape {
             .enumerate()
             .map(|(k, boundary)| match self {
                 Self::Plane(frame) => boundary.points.iter().map(|&p| frame.project(p)).collect(),
+                Self::Sphere(directions) => boundary.points.iter().map(|&p| directions.project(p)).collect(),
                 Self::Disc { holes, .. } => {
                     let unit = Hole { boundary: k, centre: DVec2::ZERO, radius: 1.0, start: 0.0, turn: 1.0 };
                     holes.iter().find(|hole| hole.boundary == k).unwrap_or(&unit).place(&boundary.points)
@@ -168,6 +300,7 @@ impl Shape {
     pub fn scale<'a>(&'a self, boundaries: &[Vec<DVec3>]) -> Box<dyn Fn(DVec2) -> f64 + 'a> {
         match self {
             Self::Plane(_) => Box::new(|_| 1.0),
+            Self::Sphere(directions) => Box::new(|p| directions.scale(p)),
             Self::Disc { outer, holes } => {
                 let on = |k: usize, radius: f64| TAU * radius / polyline::length(&boundaries[k], true);
                 let outside = on(*outer, 1.0);
@@ -201,6 +334,21 @@ impl Hole {
             })
             .collect()
     }
+}
+
+/// The angle at which a circle round a point has to start, and which way round it has to run, for its points at the
+/// boundary's shares of arc length to lie in the directions of the places.
+fn circle_through(boundary: &[DVec3], places: &[DVec2], centre: DVec2) -> (f64, f64) {
+    let next = |k: usize| (k + 1) % places.len();
+    let area: f64 = (0..places.len()).map(|k| (places[k] - centre).perp_dot(places[next(k)] - centre)).sum();
+    let turn = if area < 0.0 { -1.0 } else { 1.0 };
+    let total = polyline::length(boundary, true);
+    let (mut along, mut sum) = (0.0, DVec2::ZERO);
+    for (k, &place) in places.iter().enumerate() {
+        sum += DVec2::from_angle(-turn * TAU * along / total).rotate((place - centre).normalize_or_zero());
+        along += boundary[k].distance(boundary[next(k)]);
+    }
+    (sum.to_angle(), turn)
 }
 
 fn reversed(matching: &Matching) -> bool {

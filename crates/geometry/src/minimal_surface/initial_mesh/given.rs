@@ -5,7 +5,7 @@ use crate::error::InputError;
 use crate::mesh::edit::orient_along;
 use crate::mesh::film::Film;
 use crate::mesh::measure::is_degenerate;
-use crate::mesh::topology::{NONE, Topology};
+use crate::mesh::topology::{Defect, NONE, Topology};
 use crate::{DVec3, Error, Mesh, Place};
 
 /// Largest distance of an additional boundary vertex from its segment, as a fraction of the length of the segment. A
@@ -38,7 +38,12 @@ pub(super) fn build(mesh: &Mesh, boundaries: &[Vec<DVec3>], pins: &Pins) -> Resu
     if !errors.is_empty() {
         return Err(Error::Input(errors));
     }
-    let topology = mesh.check().map_err(|defect| refuse(&format!("must be an oriented manifold: {defect}")))?;
+    let topology = mesh.check().map_err(|defect| match defect {
+        Defect::NonManifoldEdge { .. } if is_one_sided(&mesh.triangles) => {
+            refuse("has one side only, as a Möbius band: no solver here takes a film that cannot be oriented")
+        }
+        defect => refuse(&format!("must be an oriented manifold: {defect}")),
+    })?;
     let loops = topology.boundary_loops();
     if loops.len() != boundaries.len() {
         let detail = format!("has {} boundary loops, there are {} boundaries", loops.len(), boundaries.len());
@@ -78,6 +83,40 @@ pub(super) fn build(mesh: &Mesh, boundaries: &[Vec<DVec3>], pins: &Pins) -> Resu
     let mut film = Film::new(vertices, &triangles, loops).expect("renaming keeps a manifold");
     fix(&mut film, pins)?;
     Ok(film)
+}
+
+/// Whether no edge has more than two triangles, and yet the triangles cannot be turned so that neighbours run along their
+/// edge in opposite directions.
+fn is_one_sided(triangles: &[[u32; 3]]) -> bool {
+    let mut sides: Vec<([u32; 2], usize, bool)> = Vec::with_capacity(3 * triangles.len());
+    for (t, &[a, b, c]) in triangles.iter().enumerate() {
+        sides.extend([[a, b], [b, c], [c, a]].map(|[a, b]| ([a.min(b), a.max(b)], t, a < b)));
+    }
+    sides.sort_unstable();
+    if sides.windows(3).any(|three| three[0].0 == three[2].0) {
+        return false;
+    }
+    let mut neighbours: Vec<Vec<(usize, bool)>> = vec![Vec::new(); triangles.len()];
+    for pair in sides.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+        let turns = pair[0].2 == pair[1].2;
+        neighbours[pair[0].1].push((pair[1].1, turns));
+        neighbours[pair[1].1].push((pair[0].1, turns));
+    }
+    let mut turned: Vec<Option<bool>> = vec![None; triangles.len()];
+    for start in 0..triangles.len() {
+        let mut stack = vec![(start, turned[start].unwrap_or(false))];
+        while let Some((triangle, turn)) = stack.pop() {
+            match turned[triangle] {
+                Some(known) if known != turn => return true,
+                Some(_) => {}
+                None => {
+                    turned[triangle] = Some(turn);
+                    stack.extend(neighbours[triangle].iter().map(|&(next, turns)| (next, turn != turns)));
+                }
+            }
+        }
+    }
+    false
 }
 
 /// A boundary loop in the direction of the polygon, and the positions of the polygon's points in it.

@@ -86,11 +86,11 @@ impl Pins {
     ) -> Result<Vec<DVec2>, Interruption> {
         let place = |&point: &DVec3| match (shape, mapped) {
             (Shape::Plane(frame), _) => Ok(frame.project(point)),
-            (Shape::Disc { .. }, Some((film, flat))) => {
+            (Shape::Disc { .. } | Shape::Sphere(_), Some((film, flat))) => {
                 exec.look(film.triangles().len() as u64)?;
                 Ok(nearest(film, flat, point))
             }
-            (Shape::Disc { .. }, None) => Ok(DVec2::ZERO),
+            (Shape::Disc { .. } | Shape::Sphere(_), None) => Ok(DVec2::ZERO),
         };
         self.points.iter().map(place).collect()
     }

@@ -2,11 +2,11 @@
 //! into space.
 //!
 //! 1. The boundaries become polygons in the plane: their projections if these are simple, else circles of the same arc
-//!    length.
+//!    length. Three and more boundaries are laid out as they are seen from a point between them.
 //! 2. The domain is meshed with sizes that are graded to the spacing of the boundary
 //!    ([`plane_mesh`](super::plane_mesh)). The size is adjusted until the resolution is met.
 //! 3. The mesh is mapped into space. A plane boundary needs no map. For a projected boundary the heights are extended
-//!    harmonically. From circles all coordinates are harmonic; with Delaunay triangles the weights are positive, so
+//!    harmonically. Otherwise all coordinates are harmonic; with Delaunay triangles the weights are positive, so
 //!    this is a convex combination map (Tutte 1963, Floater 1997).
 //! 4. A fine mesh is made as a coarse one and a number of regular subdivisions.
 
@@ -221,9 +221,9 @@ impl Spanning<'_> {
 
     /// The number of triangles that an edge length stands for on a mapped mesh, whose area is known in space only.
     fn resolution_in_space(&self) -> Result<Option<Resolution>, NoFilm> {
-        let (Shape::Disc { .. }, Resolution::EdgeLength(_)) = (&self.shape, self.options.resolution) else {
+        if !self.shape.is_mapped() || !matches!(self.options.resolution, Resolution::EdgeLength(_)) {
             return Ok(None);
-        };
+        }
         let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
         let resolution = Resolution::Triangles(FINEST_MAPPED.max(8 * boundary));
         let coarse = Options { resolution, boundary_sampling: BoundarySampling::Keep, ..self.options.clone() };
@@ -249,7 +249,7 @@ impl Spanning<'_> {
         }
         let mapped = match &self.shape {
             Shape::Plane(_) => None,
-            Shape::Disc { .. } => {
+            Shape::Disc { .. } | Shape::Sphere(_) => {
                 let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
                 let resolution = Resolution::Triangles(FINEST_MAPPED.max(8 * boundary));
                 let coarse = Options { resolution, boundary_sampling: BoundarySampling::Keep, ..self.options.clone() };
@@ -345,7 +345,7 @@ impl Spanning<'_> {
         // grading.
         let mut grading = GRADING;
         let mut coarsest = self.layout(self.largest_size(), grading, pinned)?;
-        if matches!(self.shape, Shape::Plane(_)) {
+        if !matches!(self.shape, Shape::Disc { .. }) {
             coarsest.domain.check_simple()?;
         }
         // Only the area in the plane is known yet. The area in space is about that divided by the square of the scale.
@@ -548,7 +548,7 @@ impl Spanning<'_> {
         }
         flip_to_delaunay(film);
         let count = film.triangles().len() as f64;
-        let mapped = matches!(self.shape, Shape::Disc { .. });
+        let mapped = self.shape.is_mapped();
         if count > LARGEST_RESAMPLED || (!mapped && measure::angle_range(&film.mesh()).0 >= GOOD_ANGLE) {
             return Ok(());
         }
@@ -593,7 +593,7 @@ impl Spanning<'_> {
                 let fixed = self.constraints.points.iter().chain(self.constraints.polylines.iter().flatten());
                 frame.largest_height(self.boundaries) <= limit && fixed.into_iter().all(|&p| frame.height(p) <= limit)
             }
-            Shape::Disc { .. } => false,
+            Shape::Disc { .. } | Shape::Sphere(_) => false,
         }
     }
 
@@ -615,7 +615,7 @@ impl Spanning<'_> {
                     vertices[v] = frame.lift(in_plane[v]) + height * frame.normal;
                 }
             }
-            Shape::Disc { .. } => harmonic(in_plane, triangles, fixed, vertices, self.exec)?,
+            Shape::Disc { .. } | Shape::Sphere(_) => harmonic(in_plane, triangles, fixed, vertices, self.exec)?,
         }
         Ok(())
     }
