@@ -27,7 +27,7 @@ pub struct Options {
     pub normals: Option<Vec<Vec<DVec3>>>,
     /// Tangents along the directrices, in their shape; fitted if not given (eq. 13 and 14).
     pub tangents: Option<Vec<Vec<DVec3>>>,
-    /// Solve for every objective and fill [`RuledSurface::comparison`].
+    /// Solve for every objective and fill [`RuledSurface::comparison`](crate::ruled_surface::RuledSurface::comparison).
     pub all_objectives: bool,
     /// How directrices are resampled before the solve; as given by default.
     pub sampling: Option<Sampling>,

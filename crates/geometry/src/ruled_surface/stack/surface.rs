@@ -18,7 +18,7 @@ pub struct RuledSurface {
     pub directrices: Vec<Vec<u32>>,
     /// For each input point its vertex: merged points share one, resampled ones name the nearest along the directrix.
     pub input_vertices: Vec<Vec<u32>>,
-    /// Which directrices [`Direction::Auto`] reversed.
+    /// Which directrices [`Direction::Auto`](crate::ruled_surface::Direction::Auto) reversed.
     pub reversed: Vec<bool>,
     /// Figures of the whole stack, caps not counted.
     pub statistics: Statistics,
