@@ -233,7 +233,7 @@ class AsyncPlateau:
         return AsyncResult(self, job, ply)
 
     async def _solve(self, request: Dict[str, Any], watch: Watch, timeout: Optional[float]) -> AsyncResult[Any]:
-        return await self._run(flows.solve(self._result, request, watch, timeout, self.patience))
+        return await self._run(flows.solve(self._result, request, watch, timeout, self.patience, first_wait_s=0))
 
     async def _post(self, path: str) -> Any:
         return (await self._run(flows.call(flows.Call("POST", path), self.patience))).json()
@@ -258,9 +258,18 @@ class AsyncPlateau:
             return None
         if isinstance(step, flows.Call):
             limit = httpx.Timeout(self._timeout, read=self._timeout + step.longer_s)
-            return await self._http.request(
-                step.method, step.path, params=step.params, headers=step.headers, content=step.body, timeout=limit
+            sending = asyncio.ensure_future(
+                self._http.request(
+                    step.method, step.path, params=step.params, headers=step.headers, content=step.body, timeout=limit
+                )
             )
+            try:
+                return await (asyncio.shield(sending) if step.whole else sending)
+            except asyncio.CancelledError:
+                if step.whole:
+                    await asyncio.wait([sending])
+                    sending.exception()
+                raise
         reader = flows.EventReader(step.hear)
         limit = httpx.Timeout(self._timeout, read=step.silence_s)
         async with self._http.stream("GET", step.path, headers=step.headers, timeout=limit) as response:

@@ -227,7 +227,7 @@ class Plateau:
         return Result(self, job, ply)
 
     def _solve(self, request: Dict[str, Any], watch: Watch, timeout: Optional[float]) -> Result[Any]:
-        return self._run(flows.solve(self._result, request, watch, timeout, self.patience))
+        return self._run(flows.solve(self._result, request, watch, timeout, self.patience, first_wait_s=1))
 
     def _post(self, path: str) -> Any:
         return (self._run(flows.call(flows.Call("POST", path), self.patience))).json()

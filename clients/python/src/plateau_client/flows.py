@@ -49,6 +49,8 @@ class Call(NamedTuple):
     body: Optional[bytes] = None
     longer_s: float = 0.0
     """Seconds that the server may take in addition to the usual time."""
+    whole: bool = False
+    """Carried out to its end even if the caller is cancelled: a job must be known before it can be cancelled."""
 
 
 class Listen(NamedTuple):
@@ -162,14 +164,16 @@ def submit(request: Dict[str, Any], key: str, wait_s: int, patience_s: float) ->
     headers = {"Content-Type": "application/json", "Idempotency-Key": key}
     if wait_s > 0:
         headers["Prefer"] = f"wait={wait_s}"
-    posted = Call("POST", PATHS[kind], {}, headers, to_json(request), longer_s=wait_s)
+    posted = Call("POST", PATHS[kind], {}, headers, to_json(request), longer_s=wait_s, whole=True)
     response = yield from call(posted, patience_s)
     return cast("Job", response.json())
 
 
 def wait(job: Job, watch: Watch, deadline: Optional[float], patience_s: float) -> Flow[Job]:
     """Waits until a job has ended, however it ended."""
-    if watch and job["status"] not in ENDED:
+    if watch and job["status"] in ENDED:
+        watch(job["progress"])
+    elif watch:
         job = yield from _listen(job, watch, deadline, patience_s)
     while job["status"] not in ENDED:
         left = _left(deadline)
@@ -262,9 +266,14 @@ def lines(job_id: str, patience_s: float) -> Flow[Dict[str, Any]]:
 
 
 def solve(
-    make: Callable[[Job, bytes], T], request: Dict[str, Any], watch: Watch, timeout: Optional[float], patience_s: float
+    make: Callable[[Job, bytes], T],
+    request: Dict[str, Any],
+    watch: Watch,
+    timeout: Optional[float],
+    patience_s: float,
+    first_wait_s: int,
 ) -> Flow[T]:
-    """Submits, waits, and gets the mesh.
+    """Submits, waits, and gets the mesh. The answer to the submission may wait `first_wait_s` for the end.
 
     A caller that stops waiting (Ctrl-C, a cancelled task, a timeout, an exception of its own function) cancels the job.
     """
@@ -272,7 +281,7 @@ def solve(
     end = deadline(timeout)
     job: Optional[Job] = None
     try:
-        job = yield from submit(request, key, 0 if watch else 1, patience_s)
+        job = yield from submit(request, key, 0 if watch else first_wait_s, patience_s)
         job = yield from wait(job, watch, end, patience_s)
     except (GeneratorExit, errors.ProblemError):
         raise

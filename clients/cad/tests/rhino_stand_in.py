@@ -1,0 +1,82 @@
+"""A stand-in for Rhino, since Rhino itself is not to be had where the tests run. It is not Rhino.
+
+It gives `plateau_rhino.py` the few names of RhinoCommon, rhinoscriptsyntax and scriptcontext that the script uses, with
+the signatures of McNeel's documentation, and does their work by rhino3dm, McNeel's own openNURBS.
+"""
+
+import sys
+import types
+
+import rhino3dm
+
+
+class Curve:
+    """RhinoCommon's Curve over one of rhino3dm."""
+
+    def __init__(self, inner):
+        self.inner = inner
+        self.IsClosed = inner.IsClosed
+        self.PointAt = inner.PointAt
+
+    def TryGetPolyline(self):
+        """Python.NET gives `out` parameters as a tuple."""
+        polyline = self.inner.TryGetPolyline() if self.inner.IsPolyline() else None
+        return (False, None) if polyline is None else (True, [polyline[index] for index in range(polyline.Count)])
+
+    def DivideByCount(self, count, include_ends):
+        """Equal parameter steps instead of equal lengths; as in Rhino, a closed curve has no second end."""
+        assert include_ends
+        start, end = self.inner.Domain.T0, self.inner.Domain.T1
+        return [start + (end - start) * i / count for i in range(count if self.IsClosed else count + 1)]
+
+
+class Vertices:
+    """RhinoCommon's vertex list, which keeps f64 only if it is told to."""
+
+    def __init__(self, inner):
+        self.inner = inner
+        self.UseDoublePrecisionVertices = False
+
+    def Add(self, x, y, z):
+        return (self.inner.AddPoint3d if self.UseDoublePrecisionVertices else self.inner.Add)(x, y, z)
+
+
+class Mesh:
+    """RhinoCommon's Mesh over rhino3dm's."""
+
+    def __init__(self):
+        self.inner = rhino3dm.Mesh()
+        self.Vertices = Vertices(self.inner.Vertices)
+        self.Faces, self.Normals, self.Compact = self.inner.Faces, self.inner.Normals, self.inner.Compact
+
+
+class Document:
+    """The active document: curves by id, meshes that were added, and a unit."""
+
+    def __init__(self):
+        self.ModelUnitSystem = "Rhino.UnitSystem.Meters"
+        self.picked, self.meshes, self.said, self.escape = [], [], [], False
+        self.Objects = types.SimpleNamespace(AddMesh=self.add)
+        self.Views = types.SimpleNamespace(Redraw=lambda: None)
+
+    def add(self, mesh):
+        self.meshes.append(mesh.inner)
+        return len(self.meshes)
+
+
+def install():
+    """Puts the stand-in's modules in the place of Rhino's and returns the document."""
+    document = Document()
+    app = types.SimpleNamespace(WriteLine=document.said.append, SetCommandPrompt=lambda text: None)
+    names = {
+        "Rhino": {"RhinoApp": app, "Geometry": types.SimpleNamespace(Mesh=Mesh)},
+        "rhinoscriptsyntax": {
+            "GetObjects": lambda prompt, filter, preselect: list(range(len(document.picked))),
+            "coercecurve": lambda index: Curve(document.picked[index]),
+        },
+        "scriptcontext": {"doc": document, "escape_test": lambda throw: document.escape},
+    }
+    for name, contents in names.items():
+        sys.modules[name] = types.ModuleType(name)
+        vars(sys.modules[name]).update(contents)
+    return document

@@ -1,0 +1,112 @@
+"""The add-on under the real bpy, without a window: PLATEAU_URL names the server. Run by `scripts/test --long`."""
+
+import json
+import os
+import sys
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import plateau_blender  # noqa: E402
+
+SURVEY = (2_600_123.25, 1_200_456.5, 431.25)
+"""Exact in f32, as every place of a Blender object is."""
+
+
+def fresh_scene(metres_per_unit):
+    bpy.ops.object.select_all(action="SELECT")
+    bpy.ops.object.delete()
+    bpy.context.scene.unit_settings.system = "METRIC"
+    bpy.context.scene.unit_settings.scale_length = metres_per_unit
+
+
+def add_curve(points, place, cyclic, kind="POLY"):
+    data = bpy.data.curves.new("curve", "CURVE")
+    data.dimensions = "3D"
+    spline = data.splines.new(kind)
+    spline.points.add(len(points) - 1)
+    for point, coordinates in zip(spline.points, points):
+        point.co = (*coordinates, 1.0)
+    spline.use_cyclic_u = cyclic
+    thing = bpy.data.objects.new("curve", data)
+    thing.location = place
+    bpy.context.collection.objects.link(thing)
+    thing.select_set(True)
+    return thing
+
+
+def solved(**options):
+    bpy.context.view_layer.update()
+    assert bpy.ops.object.plateau(url=os.environ["PLATEAU_URL"], **options) == {"FINISHED"}
+    made = bpy.context.view_layer.objects.active
+    return made, json.loads(made["plateau_statistics"])
+
+
+def world(thing):
+    own = np.array([vertex.co for vertex in thing.data.vertices], dtype=np.float64)
+    return own + np.array(thing.location, dtype=np.float64)
+
+
+def test_two_open_curves_become_a_strip_in_the_document_s_units_and_place():
+    for metres in (1.0, 0.001, 0.3048, 0.5):
+        for place in ((0.0, 0.0, 0.0), SURVEY):
+            fresh_scene(metres)
+            rails = [[(0, 0, 0), (1, 0, 0.25), (2, 0, 0)], [(0, 1, 0), (1, 1.5, 0.5), (2, 1, 0.5)]]
+            for rail in rails:
+                add_curve(rail, place, cyclic=False)
+            made, statistics = solved(surface="AUTO", objective="minimal_twist")
+            assert made.type == "MESH" and len(made.data.polygons) == statistics["triangles"] == 4
+            expected = np.array(rails, dtype=np.float64).reshape(-1, 3) + place
+            found = world(made)
+            order = [int(np.argmin(np.linalg.norm(found - point, axis=1))) for point in expected]
+            assert np.abs(found[order] - expected).max() < 1e-6, (metres, place)
+            unit = metres if metres == 0.5 else 1.0  # half a metre is none of the service's units: it works in metres
+            own = sum(polygon.area for polygon in made.data.polygons)
+            assert abs(own * unit**2 - statistics["area"]) < 1e-5 * statistics["area"]
+
+
+def test_two_rings_become_a_film_at_survey_coordinates():
+    angles = np.linspace(0, 2 * np.pi, 48, endpoint=False)
+    for place in ((0.0, 0.0, 0.0), SURVEY):
+        fresh_scene(1.0)
+        for height in (0.0, 0.8):
+            add_curve([(np.cos(a), np.sin(a), height) for a in angles], place, cyclic=True)
+        made, statistics = solved(triangles=2000)
+        assert statistics["converged"] and abs(len(made.data.polygons) - 2000) <= 200
+        low, high = world(made).min(axis=0), world(made).max(axis=0)
+        assert np.abs(low - place - [-1, -1, 0]).max() < 1e-5 and np.abs(high - place - [1, 1, 0.8]).max() < 1e-5
+
+
+def test_a_smooth_curve_is_taken_as_blender_draws_it():
+    fresh_scene(1.0)
+    thing = add_curve([(1, 0, 0), (1, 1, 1), (-1, 1, 0), (-1, -1, 1), (1, -1, 0)], (5, 6, 7), cyclic=True, kind="NURBS")
+    made, statistics = solved(triangles=500)
+    assert statistics["converged"] and made.location == thing.location
+
+
+def test_what_cannot_be_solved_is_said():
+    fresh_scene(1.0)
+    add_curve([(0, 0, 0), (1, 0, 0)], (0, 0, 0), cyclic=False)
+    for options, text in (({}, "needs two curves"), ({"surface": "MINIMAL"}, "needs closed curves")):
+        try:
+            bpy.ops.object.plateau(url=os.environ["PLATEAU_URL"], **options)
+        except RuntimeError as error:
+            assert text in str(error)
+        else:
+            raise AssertionError("no error")
+    add_curve([(0, 1, 0), (1, 1, 0)], (0, 0, 0), cyclic=False)
+    try:
+        bpy.ops.object.plateau(url="http://127.0.0.1:9")
+    except RuntimeError as error:
+        assert "cannot be reached" in str(error)
+
+
+if __name__ == "__main__":
+    plateau_blender.register()
+    for name, test in list(globals().items()):
+        if name.startswith("test_"):
+            test()
+            print("passed:", name)
+    plateau_blender.unregister()

@@ -1,0 +1,85 @@
+"""The Rhino script against rhino3dm and a stand-in for Rhino (rhino_stand_in.py)."""
+
+import json
+import os
+import sys
+import urllib.request
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import rhino_stand_in  # noqa: E402
+
+document = rhino_stand_in.install()
+import plateau_rhino  # noqa: E402
+import rhino3dm  # noqa: E402
+
+SURVEY = (2_600_123.123456789, 1_200_456.987654321, 431.25)
+
+
+def fresh(*curves, unit="Meters"):
+    document.picked, document.meshes[:], document.said[:], document.escape = list(curves), [], [], False
+    document.ModelUnitSystem = f"Rhino.UnitSystem.{unit}"
+
+
+def polyline(points, place=(0.0, 0.0, 0.0)):
+    made = rhino3dm.Polyline(len(points))
+    for point in points:
+        made.Add(*(value + by for value, by in zip(point, place)))
+    return made.ToPolylineCurve()
+
+
+def statistics():
+    with urllib.request.urlopen(os.environ["PLATEAU_URL"] + "/v1/jobs?limit=1") as response:
+        path = json.load(response)["jobs"][0]["links"]["self"]
+    with urllib.request.urlopen(os.environ["PLATEAU_URL"] + path) as response:
+        return json.load(response)
+
+
+def test_two_open_curves_become_a_strip_at_survey_coordinates_exactly():
+    rails = [[(0, 0, 0), (1, 0, 0.2), (2, 0, 0)], [(0, 1, 0), (2, 1, 0.5)]]
+    fresh(*(polyline(rail, SURVEY) for rail in rails), unit="Millimeters")
+    assert plateau_rhino.main() == 1, document.said
+    (mesh,) = document.meshes
+    assert mesh.IsValid and len(mesh.Faces) == 3 and len(mesh.Normals) == 5
+    expected = [[value + by for value, by in zip(point, SURVEY)] for rail in rails for point in rail]
+    found = [mesh.Vertices.Point3dAt(index) for index in range(5)]
+    assert [[point.X, point.Y, point.Z] for point in found] == expected
+    assert statistics()["kind"] == "ruled_surface"
+
+
+def test_two_rings_become_a_film():
+    ring = rhino3dm.Circle(rhino3dm.Point3d(0, 0, 0), 1.0).ToNurbsCurve()
+    other = rhino3dm.Circle(rhino3dm.Point3d(0, 0, 0.8), 1.0).ToNurbsCurve()
+    fresh(ring, other)
+    assert plateau_rhino.main() == 1, document.said
+    job = statistics()
+    assert job["statistics"]["converged"] and job["statistics"]["boundary_loops"] == 2
+    assert len(document.meshes[0].Faces) == job["statistics"]["triangles"]
+
+
+def test_a_closed_polyline_is_not_given_twice_at_its_end():
+    fresh(polyline([(0, 0, 0), (8, 0, 3), (8, 8, 0), (0, 8, 3), (0, 0, 0)]))
+    assert plateau_rhino.main() == 1 and document.said == []
+
+
+def test_what_cannot_be_solved_is_said():
+    line = polyline([(0, 0, 0), (1, 0, 0)])
+    fresh(line)
+    assert plateau_rhino.main() is None and "two open curves" in document.said[0]
+    fresh(line, line, unit="Miles")
+    assert plateau_rhino.main() is None and "Miles" in document.said[0]
+    fresh(polyline([(0, 0, 0), (1, 0, 0), (2, 0, 0), (0, 0, 0)]))
+    assert plateau_rhino.main() is None and "/boundaries" in document.said[0], document.said
+
+
+def test_escape_cancels_the_job():
+    fresh(polyline([(0, 0, 0), (8, 0, 3), (8, 8, 0), (0, 8, 3.5), (0, 0, 0)]))
+    document.escape = True
+    assert plateau_rhino.main() is None and document.said == ["Plateau: cancelled"]
+
+
+if __name__ == "__main__":
+    for name, test in list(globals().items()):
+        if name.startswith("test_"):
+            test()
+            print("passed:", name)

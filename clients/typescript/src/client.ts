@@ -1,0 +1,377 @@
+/** The client. */
+import { type CurveLike, curves, points, toJson } from './curves.js';
+import { ConnectionFailed, JobCancelled, JobFailed, problemOf } from './errors.js';
+import { readEvents } from './events.js';
+import { Mesh, readLines } from './mesh.js';
+import type {
+  JobInfo, JobSummary, Kind, Limits, MeshFormat, MinimalStatistics, MinimalSurfaceOptions, ObjectiveList, PatternFormat,
+  Progress, Request, RuledStatistics, RuledSurfaceOptions, StatisticsOf, Status, UniformMeshOptions, UniformStatistics,
+} from './types.js';
+
+export interface PlateauOptions {
+  /** The server with its public base path. Default: PLATEAU_URL of Node's environment, then http://127.0.0.1:8080. */
+  url?: string;
+  /** Default: PLATEAU_API_KEY of Node's environment. */
+  apiKey?: string;
+  /** Milliseconds for which a request is tried again while the server is busy. Default: 60,000. */
+  patienceMs?: number;
+  fetch?: typeof fetch;
+}
+
+export interface SolveControl {
+  /** Called with each step of the solver. */
+  onProgress?: (progress: Progress) => void;
+  /** Aborting stops the wait and cancels the job on the server. */
+  signal?: AbortSignal;
+}
+
+interface Sending {
+  method?: string;
+  headers?: Record<string, string>;
+  body?: string;
+  signal?: AbortSignal | undefined;
+}
+
+const PATHS: Record<Kind, string> = {
+  ruled_surface: 'v1/ruled-surfaces',
+  minimal_surface: 'v1/minimal-surfaces',
+  uniform_mesh: 'v1/uniform-meshes',
+};
+
+/** Seconds that one request waits for a job's end; the server may grant less. */
+const LONG_POLL_S = 20;
+/** Seconds that the answer to a submission waits for the end, so that a small request takes one round trip. */
+const SHORT_WAIT_S = 1;
+/** An event stream that says nothing for so long is opened again. The server sends a comment every 15 s. */
+const SILENCE_MS = 45_000;
+const RECONNECT_MS = 1000;
+/** How often a request that got no answer is sent. Submissions carry an Idempotency-Key, so none is done twice. */
+const ATTEMPTS = 4;
+
+const hasEnded = (status: Status) => status === 'succeeded' || status === 'failed' || status === 'cancelled';
+
+/** A mesh whose files and curves can still be fetched from the server. */
+export class Result<Statistics> extends Mesh<Statistics> {
+  readonly #client: Plateau;
+
+  constructor(client: Plateau, job: JobInfo, ply: ArrayBuffer) {
+    super(job, ply);
+    this.#client = client;
+  }
+
+  /** The mesh in a format, or the flat pattern of a ruled surface (`svg`, `dxf`). */
+  download(format: MeshFormat | PatternFormat = 'glb'): Promise<ArrayBuffer> {
+    return this.#client.download(this.id, format);
+  }
+
+  /** The curves on the mesh by name (boundaries, directrices, bridges, members…), as indices of vertices. */
+  async lines(): Promise<Map<string, Uint32Array[]>> {
+    return readLines(new TextDecoder().decode(await this.download('obj')));
+  }
+}
+
+/** A job on the server. `info` is what the server last said of it. */
+export class Job<Statistics = unknown> {
+  readonly #client: Plateau;
+
+  constructor(client: Plateau, public info: JobInfo) {
+    this.#client = client;
+  }
+
+  get id(): string {
+    return this.info.id;
+  }
+
+  get status(): Status {
+    return this.info.status;
+  }
+
+  async refresh(): Promise<JobInfo> {
+    return (this.info = await this.#client.getJson<JobInfo>(`v1/jobs/${this.id}`));
+  }
+
+  /** Waits for the end and gets the mesh. Aborting the signal stops the wait; the job goes on. */
+  async wait(control: SolveControl = {}): Promise<Result<Statistics>> {
+    this.info = await this.#client.waitFor(this.info, control);
+    return this.#client.resultOf<Statistics>(this.info);
+  }
+
+  /** Cancels the job; a job that has ended stays as it is. */
+  async cancel(): Promise<JobInfo> {
+    return (this.info = await this.#client.cancel(this.id));
+  }
+
+  /** Removes the job and its mesh from the server. */
+  async delete(): Promise<void> {
+    await this.#client.send(`v1/jobs/${this.id}`, { method: 'DELETE' });
+  }
+}
+
+/** A Plateau server. */
+export class Plateau {
+  readonly url: string;
+  readonly #patienceMs: number;
+  readonly #headers: Record<string, string>;
+  readonly #fetch: typeof fetch;
+
+  constructor(options: PlateauOptions = {}) {
+    const environment = (globalThis as { process?: { env?: Record<string, string | undefined> } }).process?.env ?? {};
+    this.url = (options.url || environment['PLATEAU_URL'] || 'http://127.0.0.1:8080').replace(/\/+$/, '');
+    const key = options.apiKey ?? environment['PLATEAU_API_KEY'];
+    this.#headers = key ? { Authorization: `Bearer ${key}` } : {};
+    this.#patienceMs = options.patienceMs ?? 60_000;
+    this.#fetch = options.fetch ?? ((input, init) => globalThis.fetch(input, init));
+  }
+
+  /** The best triangulated strip between each pair of neighbouring directrices. */
+  async ruledSurface(
+    directrices: readonly CurveLike[], options: RuledSurfaceOptions = {}, control?: SolveControl,
+  ): Promise<Result<RuledStatistics>> {
+    return this.solve({ kind: 'ruled_surface', directrices: curves('directrices', directrices), ...options }, control);
+  }
+
+  /** The minimal surface that spans closed boundaries. */
+  async minimalSurface(
+    boundaries: readonly CurveLike[], options: MinimalSurfaceOptions = {}, control?: SolveControl,
+  ): Promise<Result<MinimalStatistics>> {
+    return this.solve({ kind: 'minimal_surface', boundaries: curves('boundaries', boundaries), ...options }, control);
+  }
+
+  /** A mesh of nearly equal members on a polygon, given as a curve, or on any domain of the API. */
+  async uniformMesh(
+    domain: CurveLike | (Request & { kind: 'uniform_mesh' })['domain'], edgeLength: number,
+    options: UniformMeshOptions = {}, control?: SolveControl,
+  ): Promise<Result<UniformStatistics>> {
+    const isCurve = Array.isArray(domain) || ArrayBuffer.isView(domain);
+    const given = isCurve ? { polygon: points(domain as CurveLike) } : (domain as { polygon?: number[][] });
+    return this.solve({ kind: 'uniform_mesh', domain: given, edge_length: edgeLength, ...options }, control);
+  }
+
+  /** Solves a request with its `kind` in it, such as those of `GET /v1/examples`. */
+  async solve<R extends Request>(request: R, control: SolveControl = {}): Promise<Result<StatisticsOf<R>>> {
+    const { signal, onProgress } = control;
+    signal?.throwIfAborted();
+    const key = crypto.randomUUID();
+    const posted = this.#post(request, key, onProgress ? 0 : SHORT_WAIT_S);
+    let job: JobInfo | undefined;
+    try {
+      job = await abortable(posted, signal);
+      job = await this.waitFor(job, control);
+    } catch (error) {
+      if (job) await this.cancel(job.id).catch(() => undefined);
+      else if (signal?.aborted) void this.#giveUp(posted, key);
+      throw error;
+    }
+    return this.resultOf<StatisticsOf<R>>(job, signal);
+  }
+
+  /** Submits a request and returns the job at once. */
+  async submit<R extends Request>(request: R, idempotencyKey?: string): Promise<Job<StatisticsOf<R>>> {
+    return new Job(this, await this.#post(request, idempotencyKey ?? crypto.randomUUID(), 0));
+  }
+
+  /** For dragging: of the requests that are solved through it only the newest counts. */
+  live(): Live {
+    return new Live(this);
+  }
+
+  /** A job by its id. */
+  async job(id: string): Promise<Job> {
+    return new Job(this, await this.getJson<JobInfo>(`v1/jobs/${id}`));
+  }
+
+  /** All jobs, newest first, page by page. */
+  async *jobs(filter: { status?: Status; kind?: Kind; idempotency_key?: string } = {}): AsyncGenerator<JobSummary> {
+    let cursor: string | null | undefined;
+    do {
+      const query = new URLSearchParams({ ...filter, ...(cursor ? { cursor } : {}) });
+      const page = await this.getJson<{ jobs: JobSummary[]; next_cursor?: string | null }>(`v1/jobs?${query}`);
+      yield* page.jobs;
+      cursor = page.next_cursor;
+    } while (cursor);
+  }
+
+  async cancel(id: string): Promise<JobInfo> {
+    return (await this.send(`v1/jobs/${id}/cancel`, { method: 'POST' })).json() as Promise<JobInfo>;
+  }
+
+  async download(id: string, format: MeshFormat | PatternFormat = 'glb', signal?: AbortSignal): Promise<ArrayBuffer> {
+    const part = format === 'svg' || format === 'dxf' ? 'pattern' : 'mesh';
+    return (await this.send(`v1/jobs/${id}/${part}?format=${format}`, { signal })).arrayBuffer();
+  }
+
+  objectives(): Promise<ObjectiveList> {
+    return this.getJson('v1/objectives');
+  }
+
+  limits(): Promise<Limits> {
+    return this.getJson('v1/limits');
+  }
+
+  /** The request of an example, its `kind` in it, ready for `solve`. */
+  async example(name: string): Promise<Request> {
+    const found = await this.getJson<{ kind: Kind; request: object }>(`v1/examples/${name}`);
+    return { kind: found.kind, ...found.request } as Request;
+  }
+
+  /** Waits until a job has ended, however it ended. */
+  async waitFor(job: JobInfo, control: SolveControl): Promise<JobInfo> {
+    const { signal, onProgress } = control;
+    if (onProgress && hasEnded(job.status)) onProgress(job.progress);
+    else if (onProgress) job = await this.#listen(job, onProgress, signal);
+    while (!hasEnded(job.status)) {
+      const response = await this.send(`v1/jobs/${job.id}`, { headers: { Prefer: `wait=${LONG_POLL_S}` }, signal });
+      job = (await response.json()) as JobInfo;
+    }
+    return job;
+  }
+
+  /** The mesh of a job that has ended; throws how it ended if there is none. */
+  async resultOf<Statistics>(job: JobInfo, signal?: AbortSignal): Promise<Result<Statistics>> {
+    if (job.status === 'failed') throw new JobFailed(job);
+    if (job.status === 'cancelled') throw new JobCancelled(job);
+    return new Result<Statistics>(this, job, await this.download(job.id, 'ply', signal));
+  }
+
+  async getJson<T>(path: string): Promise<T> {
+    return (await this.send(path)).json() as Promise<T>;
+  }
+
+  /** Sends a request. Waits and tries again while the server is busy or cannot be reached; throws what it refuses. */
+  async send(path: string, sending: Sending = {}): Promise<Response> {
+    const deadline = Date.now() + this.#patienceMs;
+    for (let attempt = 1; ; ) {
+      let response: Response;
+      try {
+        response = await this.#fetchOnce(path, sending);
+      } catch (error) {
+        sending.signal?.throwIfAborted();
+        if (attempt++ >= ATTEMPTS) throw new ConnectionFailed(`${this.url} cannot be reached`, { cause: error });
+        await pause(100 * 3 ** (attempt - 1), sending.signal);
+        continue;
+      }
+      if (response.ok) return response;
+      const retryAfterMs = 1000 * Number(response.headers.get('retry-after') ?? Number.NaN);
+      const pauseMs = Math.max(200, retryAfterMs);
+      const isBusy = response.status === 429 || response.status === 503;
+      if (!isBusy || Number.isNaN(pauseMs) || Date.now() + pauseMs >= deadline) throw await problemOf(response);
+      await response.body?.cancel();
+      await pause(pauseMs, sending.signal);
+    }
+  }
+
+  #fetchOnce(path: string, sending: Sending): Promise<Response> {
+    const init: RequestInit = { method: sending.method ?? 'GET', headers: { ...this.#headers, ...sending.headers } };
+    if (sending.body !== undefined) init.body = sending.body;
+    if (sending.signal) init.signal = sending.signal;
+    return this.#fetch(`${this.url}/${path}`, init);
+  }
+
+  async #post(request: Request, key: string, waitS: number): Promise<JobInfo> {
+    const headers: Record<string, string> = { 'Content-Type': 'application/json', 'Idempotency-Key': key };
+    if (waitS > 0) headers['Prefer'] = `wait=${waitS}`;
+    const response = await this.send(PATHS[request.kind], { method: 'POST', headers, body: toJson(request) });
+    return (await response.json()) as JobInfo;
+  }
+
+  /** Cancels a job whose submission is not answered yet: at once by its key, and again when the answer is there. */
+  async #giveUp(posted: Promise<JobInfo>, key: string): Promise<void> {
+    try {
+      for await (const job of this.jobs({ idempotency_key: key })) await this.cancel(job.id);
+      const job = await posted;
+      if (!hasEnded(job.status)) await this.cancel(job.id);
+    } catch {
+      // The submission was refused, or the server cannot be reached: nothing runs that could be cancelled from here.
+    }
+  }
+
+  /** Follows the events of a job. Reconnects where the stream breaks. */
+  async #listen(job: JobInfo, onProgress: (progress: Progress) => void, signal?: AbortSignal): Promise<JobInfo> {
+    let lastId = '';
+    for (let broken = 0; !hasEnded(job.status); ) {
+      const silence = new AbortController();
+      let timer = setTimeout(() => silence.abort(), SILENCE_MS);
+      const onAbort = () => silence.abort(signal?.reason);
+      signal?.addEventListener('abort', onAbort);
+      let ownFault: { error: unknown } | undefined;
+      try {
+        const headers: Record<string, string> = { Accept: 'text/event-stream' };
+        if (lastId) headers['Last-Event-ID'] = lastId;
+        const response = await this.send(`v1/jobs/${job.id}/events`, { headers, signal: silence.signal });
+        if (response.status === 200 && response.body) {
+          for await (const event of readEvents(response.body)) {
+            clearTimeout(timer);
+            timer = setTimeout(() => silence.abort(), SILENCE_MS);
+            broken = 0;
+            lastId = event.id;
+            const said = JSON.parse(event.data) as JobInfo;
+            if (event.event === 'status') job = said;
+            try {
+              onProgress(said.progress);
+            } catch (error) {
+              ownFault = { error };
+              throw error;
+            }
+            if (hasEnded(job.status)) return job;
+          }
+        }
+        job = await this.getJson<JobInfo>(`v1/jobs/${job.id}`);
+      } catch (error) {
+        signal?.throwIfAborted();
+        const isLost = error instanceof TypeError || silence.signal.aborted;
+        if (ownFault || !isLost || ++broken >= ATTEMPTS) throw error;
+        await pause(RECONNECT_MS, signal);
+      } finally {
+        clearTimeout(timer);
+        signal?.removeEventListener('abort', onAbort);
+      }
+    }
+    return job;
+  }
+}
+
+/** Solves a stream of requests of which only the newest counts. A newer request cancels the older one's job. */
+export class Live {
+  readonly #client: Plateau;
+  #newest = new AbortController();
+
+  constructor(client: Plateau) {
+    this.#client = client;
+  }
+
+  /** The mesh, or null if a newer request came before it was there. */
+  async solve<R extends Request>(
+    request: R, control: Omit<SolveControl, 'signal'> = {},
+  ): Promise<Result<StatisticsOf<R>> | null> {
+    this.#newest.abort();
+    const own = (this.#newest = new AbortController());
+    try {
+      const result = await this.#client.solve(request, { ...control, signal: own.signal });
+      return own.signal.aborted ? null : result;
+    } catch (error) {
+      if (own.signal.aborted) return null;
+      throw error;
+    }
+  }
+
+  /** Cancels the newest request; its `solve` returns null. */
+  stop(): void {
+    this.#newest.abort();
+  }
+}
+
+/** A promise that is left alone when the signal aborts; what it stands for goes on. */
+function abortable<T>(promise: Promise<T>, signal?: AbortSignal): Promise<T> {
+  if (!signal) return promise;
+  return new Promise((resolve, reject) => {
+    const onAbort = () => reject(signal.reason as Error);
+    signal.addEventListener('abort', onAbort, { once: true });
+    promise.then(resolve, reject).finally(() => signal.removeEventListener('abort', onAbort));
+  });
+}
+
+function pause(milliseconds: number, signal?: AbortSignal): Promise<void> {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const elapsed = new Promise<void>((resolve) => (timer = setTimeout(resolve, milliseconds)));
+  return abortable(elapsed, signal).finally(() => clearTimeout(timer));
+}

@@ -1,0 +1,93 @@
+/** Every way in which a request can fail. */
+import type { FieldError, JobInfo, Problem } from './types.js';
+
+/** Base class of all errors of this package. An aborted signal's own reason is passed on as it is. */
+export class PlateauError extends Error {
+  constructor(message: string, options?: ErrorOptions) {
+    super(message, options);
+    this.name = new.target.name;
+  }
+}
+
+interface ProblemFacts {
+  title: string;
+  detail: string;
+  type?: string | undefined;
+  errors?: readonly FieldError[] | undefined;
+  errors_omitted?: boolean | undefined;
+}
+
+/** The server refused a request. The message holds its reason and every pointer. */
+export class ProblemError extends PlateauError {
+  readonly title: string;
+  readonly detail: string;
+  readonly type: string;
+  /** JSON Pointers (RFC 6901) into the request, each with what is wrong there. */
+  readonly errors: readonly FieldError[];
+  /** True if there are more errors than `errors` holds. */
+  readonly errorsOmitted: boolean;
+
+  constructor(
+    problem: ProblemFacts,
+    /** HTTP status, or null if the client itself found the fault. */
+    readonly status: number | null = null,
+    /** The request's id in the server's log. */
+    readonly requestId: string | null = null,
+  ) {
+    const { title, detail, type = 'about:blank', errors = [], errors_omitted = false } = problem;
+    const lines = errors.map((error) => `\n  ${error.pointer || '(the whole request)'}: ${error.detail}`);
+    super(`${title}${detail && `: ${detail}`}${lines.join('')}${errors_omitted ? '\n  … and more' : ''}`);
+    this.title = title;
+    this.detail = detail;
+    this.type = type;
+    this.errors = errors;
+    this.errorsOmitted = errors_omitted;
+  }
+}
+
+/** Values of the request cannot be used (400, 413, 415, 422, or found before sending). See `errors`. */
+export class InvalidRequest extends ProblemError {}
+/** The API key is missing or wrong (401), or may not do this (403). */
+export class Unauthorized extends ProblemError {}
+/** There is no such job, or it has expired (404, 410). */
+export class NotFound extends ProblemError {}
+/** The queue is full or the rate is used up (429, 503), and stayed so for as long as the client tried again. */
+export class Busy extends ProblemError {}
+/** The server failed (5xx). */
+export class ServerError extends ProblemError {}
+
+/** The solver found no valid mesh. `detail` and `errors` say what was wrong and what to try. */
+export class JobFailed extends ProblemError {
+  constructor(readonly job: JobInfo) {
+    super(job.error ?? { title: 'The job failed', detail: '' });
+  }
+}
+
+/** The job was cancelled by another than its caller. */
+export class JobCancelled extends PlateauError {
+  constructor(readonly job: JobInfo) {
+    super(`job ${job.id} was cancelled`);
+  }
+}
+
+/** The server cannot be reached. */
+export class ConnectionFailed extends PlateauError {}
+
+const BY_STATUS: Record<number, typeof ProblemError> = {
+  400: InvalidRequest, 413: InvalidRequest, 415: InvalidRequest, 422: InvalidRequest,
+  401: Unauthorized, 403: Unauthorized, 404: NotFound, 410: NotFound, 429: Busy, 503: Busy,
+};
+
+/** The error for an answer that is a failure. */
+export async function problemOf(response: Response): Promise<ProblemError> {
+  const text = await response.text();
+  let problem: ProblemFacts = { title: `HTTP ${response.status}`, detail: text.slice(0, 200) };
+  try {
+    const found = JSON.parse(text) as Partial<Problem>;
+    if (typeof found.title === 'string' && typeof found.detail === 'string') problem = found as Problem;
+  } catch {
+    // Not a problem document: a proxy answered.
+  }
+  const Class = BY_STATUS[response.status] ?? (response.status >= 500 ? ServerError : ProblemError);
+  return new Class(problem, response.status, response.headers.get('x-request-id'));
+}

@@ -1,0 +1,98 @@
+/** The mesh of a job as typed arrays. */
+import type { JobInfo, JobWarning, Units, UpAxis } from './types.js';
+
+/**
+ * A triangle mesh in the axes and the unit of its request. The coordinates are the very f64 numbers that the solver
+ * ended with, at survey coordinates too.
+ */
+export class Mesh<Statistics> {
+  /** x y z of each vertex. The request's own points come first, in their order. */
+  readonly vertices: Float64Array;
+  /** Three indices of vertices for each triangle. */
+  readonly triangles: Uint32Array;
+  /** Per vertex, 1/unit; null for kinds that have none. */
+  readonly meanCurvature: Float64Array | null;
+  readonly unit: Units;
+  readonly up: UpAxis;
+  /** How good the mesh is; its fields depend on the kind. */
+  readonly statistics: Statistics;
+
+  constructor(
+    /** The finished job: times, links, warnings. */
+    readonly job: JobInfo,
+    ply: ArrayBuffer,
+  ) {
+    this.statistics = job.statistics as Statistics;
+    const read = readPly(ply);
+    this.vertices = read.vertices;
+    this.triangles = read.triangles;
+    this.meanCurvature = read.meanCurvature;
+    this.unit = read.unit as Units;
+    this.up = read.up as UpAxis;
+  }
+
+  get id(): string {
+    return this.job.id;
+  }
+
+  /** What the server wants the caller to know, each with a `code` and a `detail`. */
+  get warnings(): JobWarning[] {
+    return this.job.warnings;
+  }
+
+  /** Middle of the mesh's box. For programs that keep f32: the vertices are near to it, however far it is from zero. */
+  get origin(): [number, number, number] {
+    const low = [Infinity, Infinity, Infinity];
+    const high = [-Infinity, -Infinity, -Infinity];
+    this.vertices.forEach((value, index) => {
+      const axis = index % 3;
+      low[axis] = Math.min(low[axis]!, value);
+      high[axis] = Math.max(high[axis]!, value);
+    });
+    const middle = (axis: number) => 0.5 * low[axis]! + 0.5 * high[axis]!;
+    return [middle(0), middle(1), middle(2)];
+  }
+}
+
+/** Reads the server's binary PLY: the format that keeps f64 coordinates and the mean curvature. */
+export function readPly(buffer: ArrayBuffer) {
+  const bytes = new Uint8Array(buffer);
+  const text = new TextDecoder().decode(bytes.subarray(0, 4096));
+  const end = text.indexOf('end_header\n');
+  if (end < 0) throw new Error('the PLY file has no header');
+  const header = text.slice(0, end).split('\n').map((line) => line.split(' '));
+  const columns = header.filter((line) => line[0] === 'property' && line[1] === 'double').map((line) => line[2]);
+  const count = (element: string) => Number(header.find((line) => line[0] === 'element' && line[1] === element)?.[2]);
+  const [, , unit = '', up = ''] = header.find((line) => line[0] === 'comment' && line[1] === 'unit') ?? [];
+
+  const view = new DataView(buffer);
+  let offset = new TextEncoder().encode(text.slice(0, end)).length + 'end_header\n'.length;
+  const vertices = new Float64Array(3 * count('vertex'));
+  const curvature = columns.indexOf('mean_curvature');
+  const meanCurvature = curvature < 0 ? null : new Float64Array(count('vertex'));
+  for (let vertex = 0; 3 * vertex < vertices.length; vertex++, offset += 8 * columns.length) {
+    for (let axis = 0; axis < 3; axis++) vertices[3 * vertex + axis] = view.getFloat64(offset + 8 * axis, true);
+    if (meanCurvature) meanCurvature[vertex] = view.getFloat64(offset + 8 * curvature, true);
+  }
+  const triangles = new Uint32Array(3 * count('face'));
+  for (let triangle = 0; 3 * triangle < triangles.length; triangle++, offset += 13) {
+    for (let corner = 0; corner < 3; corner++) {
+      triangles[3 * triangle + corner] = view.getUint32(offset + 1 + 4 * corner, true);
+    }
+  }
+  return { vertices, triangles, meanCurvature, unit: unit.replace(',', ''), up };
+}
+
+/** The curves of an OBJ file by the names of their sets, as indices of vertices. */
+export function readLines(obj: string): Map<string, Uint32Array[]> {
+  const sets = new Map<string, Uint32Array[]>();
+  let name = '';
+  for (const line of obj.split('\n')) {
+    if (line.startsWith('o ')) name = line.slice(2);
+    if (!line.startsWith('l ')) continue;
+    const set = sets.get(name) ?? [];
+    set.push(Uint32Array.from(line.slice(2).split(' '), (index) => Number(index) - 1));
+    sets.set(name, set);
+  }
+  return sets;
+}

@@ -1,0 +1,42 @@
+/** Names for the types of the API document. */
+import type { components } from './openapi.js';
+
+type Schemas = components['schemas'];
+
+export type Kind = Schemas['Kind'];
+export type Status = Schemas['Status'];
+export type Units = Schemas['Units'];
+export type UpAxis = Schemas['UpAxis'];
+export type JobInfo = Schemas['Job'];
+export type JobSummary = Schemas['JobSummary'];
+export type JobWarning = Schemas['JobWarning'];
+export type Progress = Schemas['Progress'];
+export type Limits = Schemas['Limits'];
+export type ObjectiveList = Schemas['ObjectiveList'];
+export type FieldError = Schemas['FieldError'];
+export type Problem = Schemas['Problem'];
+export type RuledStatistics = Schemas['RuledStatistics'];
+export type MinimalStatistics = Schemas['MinimalStatistics'];
+export type UniformStatistics = Schemas['UniformStatistics'];
+
+export type RuledSurfaceOptions = Omit<Schemas['RuledSurfaceRequest'], 'kind' | 'directrices'>;
+export type MinimalSurfaceOptions = Omit<Schemas['MinimalSurfaceRequest'], 'kind' | 'boundaries'>;
+export type UniformMeshOptions = Omit<Schemas['UniformMeshRequest'], 'kind' | 'domain' | 'edge_length'>;
+
+/** A request with its kind, as `GET /v1/examples` has them. */
+export type Request =
+  | (Omit<Schemas['RuledSurfaceRequest'], 'kind'> & { kind: 'ruled_surface' })
+  | (Omit<Schemas['MinimalSurfaceRequest'], 'kind'> & { kind: 'minimal_surface' })
+  | (Omit<Schemas['UniformMeshRequest'], 'kind'> & { kind: 'uniform_mesh' });
+
+/** What the statistics of a request's mesh are. */
+export type StatisticsOf<R extends { kind: Kind }> = R['kind'] extends 'ruled_surface'
+  ? RuledStatistics
+  : R['kind'] extends 'minimal_surface'
+    ? MinimalStatistics
+    : R['kind'] extends 'uniform_mesh'
+      ? UniformStatistics
+      : RuledStatistics | MinimalStatistics | UniformStatistics;
+
+export type MeshFormat = 'glb' | 'gltf' | 'obj' | 'ply' | 'stl';
+export type PatternFormat = 'svg' | 'dxf';

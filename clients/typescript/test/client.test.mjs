@@ -1,0 +1,231 @@
+// The client against a real server: solve, progress, cancel, errors by pointer, live dragging.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Vector3 } from 'three';
+import {
+  Busy, ConnectionFailed, InvalidRequest, JobCancelled, JobFailed, NotFound, Plateau, Unauthorized,
+} from 'plateau-client';
+import { toBufferGeometry } from 'plateau-client/three';
+import { startServer } from './server.mjs';
+
+const TENT = [[0, 0, 0], [8, 0, 3], [8, 8, 0], [0, 8, 3]];
+const SURVEY = [2_600_123.123456789, 1_200_456.987654321, 431.25];
+
+let server;
+let client;
+before(async () => {
+  server = await startServer();
+  client = new Plateau({ url: server.url });
+});
+after(() => server.stop());
+
+const later = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+const moved = (by) => TENT.map((point) => point.map((value, axis) => value + by[axis]));
+/** A request that takes seconds, never the same twice with different shifts. */
+const large = (shift) => ({
+  kind: 'minimal_surface', boundaries: [moved([0, 0, shift])], resolution: { triangles: 150_000 }, cache: 'bypass',
+});
+
+async function nothingRuns() {
+  for (let i = 0; i < 100; i++) {
+    const busy = await Promise.all(['queued', 'running'].map((status) => collect(client.jobs({ status }))));
+    if (busy.flat().length === 0) return true;
+    await later(100);
+  }
+  return false;
+}
+
+async function collect(iterable) {
+  const all = [];
+  for await (const item of iterable) all.push(item);
+  return all;
+}
+
+/** A fetch that passes requests on and lets `meddle` change what comes back. */
+function lossy(meddle) {
+  const seen = [];
+  const own = async (input, init) => {
+    seen.push({ url: String(input), ...init });
+    return meddle(seen.length, await fetch(input, init), seen.at(-1));
+  };
+  return { seen, client: (options) => new Plateau({ url: server.url, fetch: own, ...options }) };
+}
+
+test('every kind is solved', async () => {
+  const rails = [TENT.slice(0, 2), [[0, 8, 3], [4, 8, 2], [8, 8, 0]]];
+  const strip = await client.ruledSurface(rails, { objective: 'minimal_twist' });
+  const film = await client.minimalSurface([TENT], { resolution: { triangles: 2000 }, units: 'mm' });
+  const floor = await client.uniformMesh([[0, 0, 0], [30, 0, 0], [30, 20, 0], [0, 20, 0]], 2.5);
+  assert.equal(strip.triangles.length, 3 * strip.statistics.triangles);
+  assert.equal(strip.meanCurvature, null);
+  assert.equal(film.vertices.length, 3 * film.statistics.vertices);
+  assert.equal(film.meanCurvature.length, film.statistics.vertices);
+  assert.deepEqual([film.unit, film.up], ['mm', 'z']);
+  assert.equal(floor.vertices.length, 3 * floor.statistics.nodes);
+  assert.deepEqual([...(await floor.lines()).keys()], ['members_lattice', 'members_rim']);
+  assert.ok(new TextDecoder().decode(await strip.download('svg')).startsWith('<svg'));
+  assert.equal(new TextDecoder().decode((await film.download('glb')).slice(0, 4)), 'glTF');
+});
+
+test("vertices are the solver's own numbers, at survey coordinates too", async () => {
+  const film = await client.minimalSurface([moved(SURVEY)], { resolution: { triangles: 500 } });
+  assert.deepEqual([...film.vertices.subarray(0, 12)], moved(SURVEY).flat());
+  const obj = new TextDecoder().decode(await film.download('obj'));
+  const read = [...obj.matchAll(/^v (\S+) (\S+) (\S+)$/gm)].flatMap((match) => match.slice(1).map(Number));
+  assert.deepEqual([...film.vertices], read);
+});
+
+test('curves may be vectors of three.js and typed arrays', async () => {
+  const areas = [TENT, TENT.map((point) => new Vector3(...point)), new Float64Array(TENT.flat())];
+  const options = { resolution: { triangles: 200 } };
+  const films = await Promise.all(areas.map((curve) => client.minimalSurface([curve], options)));
+  assert.equal(new Set(films.map((film) => film.statistics.area)).size, 1);
+});
+
+test('a geometry for three.js keeps its place and its size', async () => {
+  const film = await client.minimalSurface([moved(SURVEY)], { resolution: { triangles: 500 } });
+  for (const [up, turned] of [['z', (v) => v], ['y', ([x, y, z]) => [x, z, -y]]]) {
+    const geometry = toBufferGeometry(film, { up });
+    const { origin, unit } = geometry.userData;
+    assert.equal(unit, 'm');
+    const position = geometry.getAttribute('position');
+    for (const vertex of [0, 57, position.count - 1]) {
+      const near = [position.getX(vertex), position.getY(vertex), position.getZ(vertex)];
+      const placed = near.map((value, axis) => value + origin[axis]);
+      const expected = turned([...film.vertices.subarray(3 * vertex, 3 * vertex + 3)]);
+      assert.ok(placed.every((value, axis) => Math.abs(value - expected[axis]) < 1e-6), `${placed} and ${expected}`);
+    }
+    assert.equal(geometry.getIndex().count, film.triangles.length);
+    assert.equal(geometry.getAttribute('mean_curvature').count, position.count);
+    assert.ok(geometry.getAttribute('normal').count === position.count);
+  }
+});
+
+test('examples are solved as they are served', async () => {
+  for (const name of ['helicoid-liu-wang', 'two-rails', 'courtyard']) {
+    const mesh = await client.solve(await client.example(name));
+    assert.equal(mesh.triangles.length, 3 * mesh.statistics.triangles);
+  }
+});
+
+test('progress rises to the end', async () => {
+  const seen = [];
+  await client.solve(large(0.001), { onProgress: (progress) => seen.push(progress.fraction) });
+  assert.ok(seen.length >= 4);
+  assert.deepEqual(seen, seen.toSorted((a, b) => a - b));
+  assert.equal(seen.at(-1), 1);
+});
+
+test('a job is cancelled by whoever has its handle', async () => {
+  const job = await client.submit(large(0.002));
+  assert.equal((await job.cancel()).status, 'cancelled');
+  await assert.rejects(job.wait(), JobCancelled);
+  await job.delete();
+  await assert.rejects(job.refresh(), NotFound);
+});
+
+test('who stops waiting cancels the job', async () => {
+  for (const delay of [0, 5, 300, 1500]) {
+    const controller = new AbortController();
+    const solved = client.solve(large(0.003 + delay), { signal: controller.signal });
+    setTimeout(() => controller.abort(new Error('enough')), delay);
+    await assert.rejects(solved, /enough/);
+  }
+  const own = new Error('my own fault');
+  await assert.rejects(client.solve(large(0.004), { onProgress: () => { throw own; } }), own);
+  const timed = client.solve(large(0.005), { onProgress: () => {}, signal: AbortSignal.timeout(300) });
+  await assert.rejects(timed, { name: 'TimeoutError' });
+  assert.ok(await nothingRuns());
+});
+
+test('errors lead to the values', async () => {
+  const wrong = { resolution: { triangles: -5 }, units: 'MM' };
+  const refused = await client.minimalSurface([TENT], wrong).catch((error) => error);
+  assert.ok(refused instanceof InvalidRequest);
+  assert.equal(refused.status, 422);
+  assert.deepEqual(refused.errors.map((error) => error.pointer).sort(), ['/resolution/triangles', '/units']);
+  assert.match(refused.message, /\/units: /);
+  assert.ok(refused.requestId);
+
+  const local = await client.minimalSurface([TENT, [[0, 0, 0], [1, NaN, 0], [1, 1, 0]]]).catch((error) => error);
+  assert.ok(local instanceof InvalidRequest);
+  assert.equal(local.status, null);
+  assert.equal(local.errors[0].pointer, '/boundaries/1/1/1');
+  await assert.rejects(client.minimalSurface([new Float64Array(4)]), /\/boundaries\/0: expected x y z of each point/);
+
+  const twisted = [[0, 0, 0], [30, 20, 0], [30, 0, 0], [0, 20, 0]];
+  const failed = await client.uniformMesh(twisted, 2.5).catch((error) => error);
+  assert.ok(failed instanceof JobFailed || failed instanceof InvalidRequest);
+  assert.ok(failed.detail);
+});
+
+test('only the newest of a drag is delivered', async () => {
+  const live = client.live();
+  const solved = [];
+  for (let step = 0; step < 20; step++) { // ten requests a second
+    solved.push(live.solve(large(0.01 + step / 1000)));
+    await later(100);
+  }
+  const started = performance.now();
+  const films = await Promise.all(solved);
+  const seconds = (performance.now() - started) / 1000;
+  assert.ok(films.slice(0, -1).every((film) => film === null));
+  assert.ok(Math.abs(films.at(-1).vertices[2] - 0.029) < 1e-12);
+  const again = performance.now();
+  await client.solve(large(0.5));
+  const alone = (performance.now() - again) / 1000;
+  console.log(`last request to last film ${seconds.toFixed(2)} s, one film alone ${alone.toFixed(2)} s`);
+  assert.ok(seconds < 3 * alone + 5);
+  assert.ok(await nothingRuns());
+});
+
+test('an answer that is lost is asked for again and nothing is solved twice', async () => {
+  const { seen, client: make } = lossy((number, response) => {
+    if (number === 1) throw new TypeError('fetch failed');
+    return response;
+  });
+  const film = await make().minimalSurface([TENT]);
+  const posts = seen.filter((request) => request.method === 'POST');
+  assert.equal(posts.length, 2);
+  assert.equal(posts[0].headers['Idempotency-Key'], posts[1].headers['Idempotency-Key']);
+  const jobs = await collect(client.jobs({ idempotency_key: posts[0].headers['Idempotency-Key'] }));
+  assert.deepEqual(jobs.map((job) => job.id), [film.id]);
+});
+
+test('a stream that breaks goes on where it was', async () => {
+  const { seen, client: make } = lossy((number, response, request) => {
+    const streams = seen.filter((one) => one.url.endsWith('/events'));
+    if (!request.url.endsWith('/events') || streams.length > 1) return response;
+    const reader = response.body.getReader();
+    let chunks = 0;
+    const cut = new ReadableStream({
+      async pull(controller) {
+        if (chunks++ > 0) controller.error(new TypeError('terminated'));
+        else controller.enqueue((await reader.read()).value);
+      },
+    });
+    return new Response(cut, { headers: response.headers });
+  });
+  const phases = [];
+  await make().solve(large(0.006), { onProgress: (progress) => phases.push(progress.phase) });
+  const streams = seen.filter((one) => one.url.endsWith('/events'));
+  assert.ok(streams.length >= 2);
+  assert.match(streams[1].headers['Last-Event-ID'], /^\d+\.\d+$/);
+  assert.equal(phases.at(-1), 'finished');
+});
+
+test('a busy server is asked again for as long as the patience lasts', async () => {
+  const busy = () => lossy((number, response) => {
+    if (number > 2) return response;
+    const problem = { title: 'The queue is full', status: 429, detail: 'later' };
+    return new Response(JSON.stringify(problem), { status: 429, headers: { 'retry-after': '0' } });
+  });
+  assert.ok((await busy().client().minimalSurface([TENT])).statistics.converged);
+  await assert.rejects(busy().client({ patienceMs: 0 }).minimalSurface([TENT]), Busy);
+});
+
+test('a server that is not there, and an answer without a problem document', async () => {
+  await assert.rejects(new Plateau({ url: 'http://127.0.0.1:9' }).limits(), ConnectionFailed);
+  const { client: make } = lossy(() => new Response('<html>', { status: 401 }));
+  await assert.rejects(make().limits(), Unauthorized);
+});

@@ -1,0 +1,104 @@
+// The package itself: generated types, a tarball in a fresh folder, the README's code, a browser.
+import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
+import { existsSync } from 'node:fs';
+import { cp, mkdir, mkdtemp, readFile, readdir, rm, symlink, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
+import { build } from 'esbuild';
+import { startServer } from './server.mjs';
+
+const ROOT = fileURLToPath(new URL('..', import.meta.url));
+const CHECKOUT = fileURLToPath(new URL('../../..', import.meta.url));
+const TSC = join(ROOT, 'node_modules/typescript/bin/tsc');
+
+/** Runs a program; its output is in the error if it fails. */
+async function run(command, ...rest) {
+  const options = typeof rest.at(-1) === 'object' ? rest.pop() : {};
+  try {
+    return (await promisify(execFile)(command, rest, { cwd: ROOT, ...options })).stdout;
+  } catch (error) {
+    throw new Error(`${command} ${rest.join(' ')}\n${error.stdout}${error.stderr}`);
+  }
+}
+
+let server;
+before(async () => (server = await startServer()));
+after(() => server.stop());
+
+test('the types are those of the API document', async () => {
+  await run(process.execPath, 'generate.mjs', '--check');
+});
+
+test('a fresh folder installs the package; the code of its pages compiles strictly and runs there', async (context) => {
+  const folder = await mkdtemp(join(tmpdir(), 'plateau-package-'));
+  context.after(() => rm(folder, { recursive: true, force: true }));
+  const inFolder = { cwd: folder, env: { ...process.env, PLATEAU_URL: server.url } };
+  await run('npm', 'pack', '--ignore-scripts', '--pack-destination', folder);
+  const [tarball] = await readdir(folder);
+  await writeFile(join(folder, 'package.json'), '{ "type": "module" }');
+  await run('npm', 'install', '--no-audit', '--no-fund', '--omit=peer', join(folder, tarball), inFolder);
+  const installed = await readdir(join(folder, 'node_modules'));
+  assert.deepEqual(installed.filter((name) => !name.startsWith('.')), ['plateau-client']);
+
+  const pages = [join(ROOT, 'README.md'), join(CHECKOUT, 'README.md'), join(CHECKOUT, 'docs/clients.md')];
+  const text = (await Promise.all(pages.map((page) => readFile(page, 'utf8')))).join('\n');
+  const blocks = [...text.matchAll(/```ts\n(.*?)```/gs)].map((match) => match[1]);
+  assert.ok(blocks.length >= 8);
+  for (const [index, block] of blocks.entries()) await writeFile(join(folder, `block${index}.ts`), `${block}\nexport {};\n`);
+
+  // The first block runs with nothing else installed; the others may use three.js and the types of Node.js.
+  const strict = ['--strict', '--target', 'es2022', '--module', 'nodenext', '--skipLibCheck', 'false'];
+  await run(process.execPath, TSC, ...strict, '--lib', 'es2022,dom', 'block0.ts', inFolder);
+  await run(process.execPath, 'block0.js', inFolder);
+  await mkdir(join(folder, 'node_modules/@types'));
+  for (const name of ['three', '@types/three']) {
+    await symlink(join(ROOT, 'node_modules', name), join(folder, 'node_modules', name));
+  }
+  await cp(join(ROOT, 'test/node.d.ts'), join(folder, 'node.d.ts'));
+  const others = blocks.slice(1).map((_, index) => `block${index + 1}.ts`);
+  const lenient = [...strict.slice(0, -1), 'true', '--lib', 'es2022,dom'];
+  await run(process.execPath, TSC, ...lenient, 'node.d.ts', ...others, inFolder);
+  for (const name of others) await run(process.execPath, name.replace('.ts', '.js'), inFolder);
+  assert.equal((await readFile(join(folder, 'strip.glb'))).subarray(0, 4).toString(), 'glTF');
+});
+
+const playwright = join(CHECKOUT, 'scripts/node_modules/playwright-core/index.mjs');
+const chromium = process.env.CHROMIUM || ['/usr/bin/chromium', '/usr/bin/google-chrome'].find(existsSync);
+const missing = existsSync(playwright) ? !chromium && 'no Chromium' : 'the browser driver of scripts/ is not installed';
+
+test('a browser solves, follows progress and drags', { skip: missing }, async () => {
+  const contents = `export * from './dist/index.js'; export * from './dist/three.js';`;
+  const bundle = await build({
+    stdin: { contents, resolveDir: ROOT }, bundle: true, write: false, format: 'iife', globalName: 'client',
+  });
+  const driver = await import(playwright);
+  const browser = await driver.chromium.launch({ executablePath: chromium, args: ['--no-sandbox'] });
+  try {
+    const page = await browser.newPage();
+    await page.goto(server.url);
+    await page.evaluate(`${bundle.outputFiles[0].text}; globalThis.client = client;`);
+    const seen = await page.evaluate(async () => {
+      const { Plateau, toBufferGeometry } = globalThis.client;
+      const plateau = new Plateau({ url: location.origin });
+      const ring = (height) => [[[0, 0, 0], [8, 0, height], [8, 8, 0], [0, 8, 3]]];
+      const phases = [];
+      const film = await plateau.minimalSurface(ring(3), {}, { onProgress: (progress) => phases.push(progress.phase) });
+      const live = plateau.live();
+      const drag = (height) => live.solve({ kind: 'minimal_surface', boundaries: ring(height) });
+      const dragged = (await Promise.all([4, 5, 6].map(drag))).map((mesh) => mesh?.vertices[5] ?? null);
+      const refused = await plateau.minimalSurface([[[0, 0, 0]]]).catch((error) => error.errors[0].pointer);
+      const positions = toBufferGeometry(film).getAttribute('position').count;
+      return { phases, vertices: film.vertices.length, positions, dragged, refused };
+    });
+    assert.equal(seen.phases.at(-1), 'finished');
+    assert.equal(seen.vertices, 3 * seen.positions);
+    assert.deepEqual(seen.dragged, [null, null, 6]);
+    assert.equal(seen.refused, '/boundaries/0');
+  } finally {
+    await browser.close();
+  }
+});
