@@ -7,7 +7,6 @@ use super::{Checked, FieldError, Kind, Problem, Rejection};
 use crate::config::LimitsConfig;
 use crate::units::{Unit, UpAxis};
 use plateau_geometry::uniform_mesh as geometry;
-use plateau_geometry::uniform_mesh::parametric_surface;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -207,7 +206,7 @@ impl Domain {
             Self { bezier: Some(patch), .. } => {
                 geometry::Domain::Bezier { control_points: common::polylines(&patch.control_points) }
             }
-            Self { nurbs: Some(patch), .. } => geometry::Domain::Nurbs(parametric_surface::Nurbs {
+            Self { nurbs: Some(patch), .. } => geometry::Domain::Nurbs(geometry::Nurbs {
                 degrees: patch.degrees.map(|degree| degree as usize),
                 knots: patch.knots.clone(),
                 control_points: common::polylines(&patch.control_points),
@@ -277,9 +276,9 @@ impl UniformMeshRequest {
             },
             length_tolerance: self.length_tolerance,
             optimise,
-            rim: match self.rim {
-                Rim::Bounded => geometry::Rim::Bounded,
-                Rim::Free => geometry::Rim::Free,
+            transition: match self.rim {
+                Rim::Bounded => geometry::Transition::Bounded,
+                Rim::Free => geometry::Transition::Free,
             },
             auxiliary_grid: self.auxiliary_grid,
         };
@@ -452,7 +451,7 @@ impl UniformStatistics {
             all: stage.all.into(),
             lattice: stage.lattice.map(Into::into),
         };
-        let shared = |row: &geometry::lengths::LengthsRow| SharedLengths {
+        let shared = |row: &geometry::LengthsRow| SharedLengths {
             lengths: row.lengths,
             deviation: row.deviation,
             deviation_before: row.deviation_before,

@@ -84,11 +84,21 @@ impl<'a> Execution<'a> {
         (self.report)(progress);
     }
 
-    /// Runs a part of a solve, whose own progress from 0 to 1 is reported as going from `from` to `to`. Its looks count
-    /// here.
-    pub fn part<R>(&self, [from, to]: [f64; 2], work: impl FnOnce(&Execution) -> R) -> R {
+    /// Runs a part of a solve, whose own progress from 0 to 1 is reported as going from the first
+    /// number of `span` to the second. Its looks count here.
+    pub fn part<R>(&self, span: [f64; 2], work: impl FnOnce(&Execution) -> R) -> R {
+        self.section(None, span, work)
+    }
+
+    /// The same as [`part`](Self::part) with every report under the name of one phase.
+    pub fn part_as<R>(&self, phase: &'static str, span: [f64; 2], work: impl FnOnce(&Execution) -> R) -> R {
+        self.section(Some(phase), span, work)
+    }
+
+    fn section<R>(&self, phase: Option<&'static str>, [from, to]: [f64; 2], work: impl FnOnce(&Execution) -> R) -> R {
         let report = |progress: Progress| {
-            self.report(Progress { fraction: from + (to - from) * progress.fraction, ..progress });
+            let fraction = from + (to - from) * progress.fraction.clamp(0.0, 1.0);
+            self.report(Progress { fraction, phase: phase.unwrap_or(progress.phase), ..progress });
         };
         let part = Execution::new(self.signal, &report);
         let result = work(&part);

@@ -1,8 +1,9 @@
 //! Uniform meshes of patches and films: what must hold on any surface, closed forms, shared lengths.
 
 use plateau_geometry::mesh::measure;
-use plateau_geometry::uniform_mesh::parametric_surface::Nurbs;
-use plateau_geometry::uniform_mesh::{Domain, Objective, Optimise, Options, Rim, UniformMesh, Why, solve};
+use plateau_geometry::uniform_mesh::{
+    Domain, Nurbs, Objective, Optimise, Options, Transition, UniformMesh, Why, solve,
+};
 use plateau_geometry::{DVec2, DVec3, Error, Execution, Interruption, Signal};
 
 fn run(domain: &Domain, options: &Options) -> Result<UniformMesh, Error> {
@@ -160,7 +161,7 @@ fn the_rim_stays_within_its_bounds_unless_it_is_free() {
     let before = bounded.stages[3].lattice.unwrap().lengths;
     let after = bounded.stages[4].lattice.unwrap().lengths;
     assert!(after.std_dev < 0.8 * before.std_dev);
-    let free = run(&bezier(roof()), &Options { rim: Rim::Free, ..options(4.0) }).unwrap();
+    let free = run(&bezier(roof()), &Options { transition: Transition::Free, ..options(4.0) }).unwrap();
     check(&free, 4.0);
     let squares = |result: &UniformMesh| -> f64 {
         let lattice = result.lengths.iter().zip(&result.lattice_group).filter(|&(_, &lattice)| lattice);

@@ -111,7 +111,7 @@ impl Nurbs {
     }
 
     /// The same patch moved by -`centre`, then divided by `unit`.
-    pub(super) fn centred(&self, centre: DVec3, unit: f64) -> Self {
+    pub(in crate::uniform_mesh) fn centred(&self, centre: DVec3, unit: f64) -> Self {
         let control_points =
             self.control_points.iter().map(|row| row.iter().map(|&p| (p - centre) / unit).collect()).collect();
         Self { control_points, ..self.clone() }

@@ -9,7 +9,7 @@ use crate::execution::{Execution, Interruption, Progress};
 use crate::sparse::{Symbolic, SymmetricMatrix};
 
 /// What is minimised over the positions of the nodes 0..n.
-pub(super) trait Problem {
+pub(in crate::uniform_mesh) trait Problem {
     /// Pairs of nodes that share a residual.
     fn couplings(&self) -> &[[u32; 2]];
     /// ½ Σ r², infinite where the positions are not allowed.
@@ -26,7 +26,7 @@ pub(super) trait Problem {
 
 /// JᵀJ and Jᵀr on a fixed pattern.
 #[derive(Debug)]
-pub(super) struct Normal {
+pub(in crate::uniform_mesh) struct Normal {
     matrix: SymmetricMatrix,
     pub gradient: Vec<DVec2>,
     /// For coupling k between i and j: where row 2i holds j's columns, and row 2j holds i's.
@@ -114,7 +114,7 @@ impl Normal {
 /// The part of a step, at most 1, that takes no triangle more than nine tenths of the way to where it loses its area.
 ///
 /// Without it one triangle about to flip would shorten the steps of the whole mesh by way of the damping.
-pub(super) fn step_before_flip(triangles: impl Iterator<Item = [(DVec2, DVec2); 3]>) -> f64 {
+pub(in crate::uniform_mesh) fn step_before_flip(triangles: impl Iterator<Item = [(DVec2, DVec2); 3]>) -> f64 {
     let mut most = 1.0 / 0.9;
     for [(a, da), (b, db), (c, dc)] in triangles {
         let ((u, du), (v, dv)) = ((b - a, db - da), (c - a, dc - da));
@@ -135,7 +135,7 @@ pub(super) fn step_before_flip(triangles: impl Iterator<Item = [(DVec2, DVec2); 
 
 /// When to stop, and how to say where one is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Settings {
+pub(in crate::uniform_mesh) struct Settings {
     pub phase: &'static str,
     /// The part of the whole solve's progress that this run stands for.
     pub span: (f64, f64),
@@ -146,7 +146,7 @@ pub(super) struct Settings {
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Outcome {
+pub(in crate::uniform_mesh) struct Outcome {
     pub energy: f64,
     pub iterations: usize,
     pub interrupted: Option<Interruption>,
@@ -155,7 +155,7 @@ pub(super) struct Outcome {
 /// Lowers the problem's energy from `x`, which must be allowed, until steps gain less than the tolerance.
 ///
 /// Looks at `execution` once a step tried (one sparse factorisation). On an interruption `x` is the best so far.
-pub(super) fn minimise(
+pub(in crate::uniform_mesh) fn minimise(
     problem: &mut dyn Problem,
     x: &mut Vec<DVec2>,
     settings: Settings,

@@ -12,16 +12,18 @@
 //! along the surface, as many as keep every piece at ℓ or more both on the surface and in the plane. Lengths are in ℓ and
 //! around the surface's centre throughout.
 
-use super::Options;
-use super::flatten::{self, Locator};
-use super::parametric_surface::Nurbs;
-use super::plane::Outline;
-use super::sides::{Division, Sides, is_sharp, pieces};
+use super::flatten;
+use super::nurbs::Nurbs;
 use crate::error::{Error, InputError, Place, Step, Warning};
-use crate::execution::{Execution, Interruption, Progress, Signal};
+use crate::execution::Execution;
 use crate::mesh::topology::Topology;
 use crate::minimal_surface;
+use crate::plane::location::Locator;
 use crate::polyline::mean;
+use crate::uniform_mesh::edges::{edges, topology};
+use crate::uniform_mesh::options::Options;
+use crate::uniform_mesh::plane::mesh::Outline;
+use crate::uniform_mesh::plane::sides::{Division, Sides, is_sharp, pieces};
 use crate::{DVec2, DVec3, Mesh};
 
 /// Samples along one auxiliary edge when the length of a side is measured.
@@ -35,7 +37,7 @@ const FILM_TRIANGLES: f64 = 60_000.0;
 
 /// The surface that nodes move on, as a map from a plane of parameters.
 #[derive(Clone, Debug)]
-pub(super) enum Surface {
+pub(in crate::uniform_mesh) enum Surface {
     /// The plane itself: parameters are coordinates.
     Plane,
     /// Parameters in \[0, 1\]².
@@ -77,7 +79,7 @@ impl Surface {
 
 /// A surface with its auxiliary triangulation, before flattening.
 #[derive(Debug)]
-pub(super) struct Auxiliary {
+pub(in crate::uniform_mesh) struct Auxiliary {
     centre: DVec3,
     unit: f64,
     pub mesh: Mesh,
@@ -120,11 +122,11 @@ impl Auxiliary {
             .flat_map(|(i, j)| [[at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)]])
             .collect();
         let mesh = Mesh::new(vertices, triangles);
-        let topology = super::assemble::topology(mesh.vertices.clone(), &mesh.triangles)?;
+        let topology = topology(mesh.vertices.clone(), &mesh.triangles)?;
         let apart = |a: u32, b: u32| mesh.vertices[a as usize].distance(mesh.vertices[b as usize]);
         let size = mesh.vertices.iter().map(|p| p.length()).fold(0.0, f64::max);
         let tiny = 1e-9 * size;
-        if flatten::edges(&topology).iter().any(|&[a, b]| apart(a, b) <= tiny) {
+        if edges(&topology).iter().any(|&[a, b]| apart(a, b) <= tiny) {
             return Err(Error::input(
                 place.clone(),
                 "a side collapses or the patch folds onto itself: leave out the pole",
@@ -165,24 +167,12 @@ impl Auxiliary {
         execution: &Execution<'_>,
     ) -> Result<Self, Error> {
         let unit = options.edge_length;
-        let target =
-            unit * FILM_EDGE.max((super::film_area(boundaries) / (unit * unit) * 2.31 / FILM_TRIANGLES).sqrt());
-        let film_options = minimal_surface::Options::new(minimal_surface::Resolution::EdgeLength(target));
+        let film_options = film_options(boundaries, options);
         minimal_surface::check(boundaries, &film_options).map_err(below_domain)?;
-        let film = {
-            let signal = || match execution.look(0) {
-                Ok(()) => Signal::Continue,
-                Err(Interruption::Cancelled) => Signal::Cancel,
-                Err(Interruption::DeadlinePassed) => Signal::Deadline,
-            };
-            let report = |p: Progress| {
-                let fraction = span.0 + (span.1 - span.0) * p.fraction.clamp(0.0, 1.0);
-                execution.report(Progress { fraction, phase: "film", ..p });
-            };
-            minimal_surface::solve(boundaries, &film_options, &Execution::new(&signal, &report))
-                .map_err(below_domain)?
-        };
-        let topology = super::assemble::topology(film.mesh.vertices.clone(), &film.mesh.triangles)?;
+        let film = execution
+            .part_as("film", [span.0, span.1], |part| minimal_surface::solve(boundaries, &film_options, part))
+            .map_err(below_domain)?;
+        let topology = topology(film.mesh.vertices.clone(), &film.mesh.triangles)?;
         let centre = mean(&film.mesh.vertices);
         let mesh =
             Mesh::new(film.mesh.vertices.iter().map(|&p| (p - centre) / unit).collect(), film.mesh.triangles.clone());
@@ -307,7 +297,7 @@ impl Auxiliary {
 
 /// The boundary's nodes in the plane, in the parameters and on the surface.
 #[derive(Debug, Default)]
-pub(super) struct Boundary {
+pub(in crate::uniform_mesh) struct Boundary {
     pub outline: Outline,
     pub parameters: Vec<DVec2>,
     pub positions: Vec<DVec3>,
@@ -379,7 +369,7 @@ impl Line {
 /// How a film is asked for.
 fn film_options(boundaries: &[Vec<DVec3>], options: &Options) -> minimal_surface::Options {
     let unit = options.edge_length;
-    let target = unit * FILM_EDGE.max((super::film_area(boundaries) / (unit * unit) * 2.31 / FILM_TRIANGLES).sqrt());
+    let target = unit * FILM_EDGE.max((film_area(boundaries) / (unit * unit) * 2.31 / FILM_TRIANGLES).sqrt());
     minimal_surface::Options::new(minimal_surface::Resolution::EdgeLength(target))
 }
 
@@ -387,7 +377,7 @@ fn film_options(boundaries: &[Vec<DVec3>], options: &Options) -> minimal_surface
 ///
 /// # Errors
 /// Its errors, with places below /domain.
-pub(super) fn check_film(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
+pub(in crate::uniform_mesh) fn check_film(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
     minimal_surface::check(boundaries, &film_options(boundaries, options)).map_err(below_domain)
 }
 
@@ -411,4 +401,14 @@ fn below_domain(error: Error) -> Error {
         Error::NoResult { reason, detail, places } => Error::NoResult { reason, detail, places: below(places) },
         Error::Interrupted(interruption) => Error::Interrupted(interruption),
     }
+}
+
+/// The fans from each boundary to its mean together bound the least area of a film with these boundaries from above.
+pub(in crate::uniform_mesh) fn film_area(boundaries: &[Vec<DVec3>]) -> f64 {
+    let fan = |points: &Vec<DVec3>| -> f64 {
+        let centre = mean(points);
+        let around = points.iter().zip(points.iter().cycle().skip(1));
+        around.map(|(&a, &b)| 0.5 * (a - centre).cross(b - centre).length()).sum()
+    };
+    boundaries.iter().map(fan).sum()
 }

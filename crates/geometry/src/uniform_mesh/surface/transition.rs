@@ -12,14 +12,13 @@
 //!
 //! Beyond the paper, which keeps the plane's rim and whose Table 1 shows what it comes to (a member of 13.4 for ℓ = 5).
 
-use super::Rim as Freedom;
-use super::assemble::topology;
-use super::curved::Surface;
-use super::flatten;
-use super::refine_on_surface::{Aim, OnSurface, refine};
-use super::triangulation::{Border, Constraint, Sight, Triangulation, side};
+use super::auxiliary::Surface;
+use super::move_nodes::{Aim, OnSurface, refine};
 use crate::execution::{Execution, Interruption};
 use crate::mesh::topology::NONE;
+use crate::plane::triangulation::{Border, Constraint, Sight, Triangulation, side};
+use crate::uniform_mesh::edges::{edges, topology};
+use crate::uniform_mesh::options::Transition as Freedom;
 use crate::{DVec2, DVec3};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -43,7 +42,7 @@ const RIM_WEIGHT: f64 = 10.0;
 
 /// Moves the inner nodes ([`refine`]) and, unless the rim is free, rebuilds the rim for where they have come to, as long as
 /// both together gain. Says whether members have changed, and what cut the work short.
-pub(super) fn fit(
+pub(in crate::uniform_mesh) fn fit(
     nodes: &mut OnSurface<'_>,
     freedom: Freedom,
     (from, to): (f64, f64),
@@ -96,7 +95,7 @@ fn misfit(nodes: &OnSurface<'_>) -> f64 {
 ///
 /// # Errors
 /// The interruption; nothing has changed then.
-pub(super) fn rebuild<'a>(
+pub(in crate::uniform_mesh) fn rebuild<'a>(
     nodes: &OnSurface<'a>,
     execution: &Execution<'_>,
 ) -> Result<Option<OnSurface<'a>>, Interruption> {
@@ -152,7 +151,7 @@ pub(super) fn rebuild<'a>(
     result.positions.extend_from_slice(&rim.positions[fixed_count..]);
     result.triangles.extend(rim.flat.corners.iter().map(|t| t.map(|v| part[v as usize])));
     let Ok(topology) = topology(result.positions.clone(), &result.triangles) else { return Ok(None) };
-    result.members = flatten::edges(&topology);
+    result.members = edges(&topology);
     let in_group = |&[a, b]: &[u32; 2]| core.group.binary_search(&[a.min(b), a.max(b)]).is_ok();
     result.lattice_group = result.members.iter().map(in_group).collect();
     if result.lattice_group.iter().filter(|&&lattice| lattice).count() != core.group.len() {

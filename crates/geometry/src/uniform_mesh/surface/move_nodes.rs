@@ -5,11 +5,11 @@
 //! 2. Members of the rim are kept in [ℓ, 2ℓ]: a member beyond a bound adds the square of a weighted excess, and the bound is
 //!    shifted by the excess left over (Powell's and Hestenes' multipliers), until none is left.
 //!
-//! Our departures: the paper's own optimum stretched a rim member to 13.4 for ℓ = 5, hence step 2 ([`Rim::Free`](super::Rim::Free)
-//! leaves it out) and the rebuilding of the rim in [`rim`](super::rim); a step that would flip a triangle in the parameter plane is refused; the damping is the surface's metric, so that
+//! Our departures: the paper's own optimum stretched a rim member to 13.4 for ℓ = 5, hence step 2 ([`Transition::Free`](crate::uniform_mesh::Transition::Free)
+//! leaves it out) and the rebuilding of the rim in [`transition`](super::transition); a step that would flip a triangle in the parameter plane is refused; the damping is the surface's metric, so that
 //! the result does not depend on how the patch is parametrised.
 
-use super::curved::Surface;
+use super::auxiliary::Surface;
 use super::least_squares::{Normal, Problem, Settings, minimise, step_before_flip};
 use crate::execution::{Execution, Interruption};
 use crate::{DVec2, DVec3};
@@ -28,7 +28,7 @@ const ATTEMPTS: usize = 3;
 
 /// What a member's length is to be, in ℓ.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Aim {
+pub(in crate::uniform_mesh) enum Aim {
     /// As near to this as possible.
     At(f64),
     /// Within [1, 2].
@@ -38,7 +38,7 @@ pub(super) enum Aim {
 
 /// The mesh on the surface: parameters and positions of its nodes, lengths in ℓ.
 #[derive(Clone, Debug)]
-pub(super) struct OnSurface<'a> {
+pub(in crate::uniform_mesh) struct OnSurface<'a> {
     pub surface: &'a Surface,
     pub parameters: Vec<DVec2>,
     pub positions: Vec<DVec3>,
@@ -241,7 +241,7 @@ impl Problem for Moving<'_, '_> {
 /// Where the surface is curved so strongly that some rim members can reach no length within [ℓ, 2ℓ], those may keep the
 /// length they start with; more weight on them would only spoil the lattice. Returns what cut the work short, if anything
 /// did; `nodes` is then the best so far.
-pub(super) fn refine(
+pub(in crate::uniform_mesh) fn refine(
     nodes: &mut OnSurface<'_>,
     aims: &[Aim],
     phase: &'static str,

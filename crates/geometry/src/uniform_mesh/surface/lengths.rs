@@ -8,19 +8,9 @@
 //! This for a ladder of k up to the largest allowed, each from the same start; it ends with the first k whose intervals are
 //! no wider than the tolerance. Members between two boundary nodes cannot change and count all the same.
 
-use super::refine_on_surface::{Aim, OnSurface, refine};
+use super::move_nodes::{Aim, OnSurface, refine};
 use crate::execution::{Execution, Interruption};
-
-/// What one number of lengths costs in deviation.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LengthsRow {
-    /// Number of different lengths.
-    pub lengths: usize,
-    /// Largest difference between a member and the length that stands for it.
-    pub deviation: f64,
-    /// The same before any node moved for it.
-    pub deviation_before: f64,
-}
+use crate::uniform_mesh::report::LengthsRow;
 
 /// The numbers of lengths that are tried: 1, 2, 3, 4, 6, 8, 12, 16, 24, ... and the largest allowed.
 fn ladder(most: usize) -> Vec<usize> {
@@ -78,7 +68,7 @@ fn sorted(nodes: &OnSurface<'_>) -> Vec<f64> {
 ///
 /// # Errors
 /// What cut the work short; `nodes` and the rows are then the best so far.
-pub(super) fn share_lengths(
+pub(in crate::uniform_mesh) fn share_lengths(
     nodes: &mut OnSurface<'_>,
     most: usize,
     tolerance: f64,
