@@ -124,14 +124,17 @@ pub(super) fn assemble(
 pub(super) fn finish(
     mut result: UniformMesh,
     interrupted: bool,
+    shortfall: Option<String>,
     first: Vec<Warning>,
     options: &Options,
     execution: &Execution<'_>,
 ) -> Result<UniformMesh, Error> {
-    result.converged = !interrupted;
+    result.converged = !interrupted && shortfall.is_none();
     result.warnings.splice(0..0, first);
     if interrupted {
         let detail = "the deadline passed: edges may be longer than 2ℓ, nodes not yet optimal";
+        result.warnings.push(Warning::new("not_converged", detail));
+    } else if let Some(detail) = shortfall {
         result.warnings.push(Warning::new("not_converged", detail));
     } else if options.objective == Objective::MostEqualEdges && result.statistics.lattice_edges.count == 0 {
         let detail = "no lattice edge fits: the domain is too narrow for this length";

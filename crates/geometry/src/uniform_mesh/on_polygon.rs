@@ -74,7 +74,7 @@ pub(super) fn on_polygon(
     result.shared_lengths = shared;
     result.statistics.node_lower_bound = Some(polygon.node_lower_bound());
     result.input_vertices = polygon.input_vertices;
-    finish(result, interrupted, polygon.warnings, options, execution)
+    finish(result, interrupted, None, polygon.warnings, options, execution)
 }
 
 fn planar_error(failure: Failure, polygon: &Polygon) -> Error {

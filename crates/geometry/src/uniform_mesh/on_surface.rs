@@ -5,27 +5,145 @@ use super::measure::{Table, assemble, finish, is_in_range, lattice_group};
 use super::options::{Optimise, Options};
 use super::plane::mesh::{self, Failure, Outline, deadline};
 use super::plane::sides::Division;
-use super::report::{LengthsRow, UniformMesh, Why};
-use super::surface::auxiliary::{Auxiliary, Boundary};
+use super::report::{LengthsRow, Method, UniformMesh, Why};
+use super::surface::auxiliary::{Auxiliary, Boundary, Centred};
+use super::surface::deviation::{compare, shortfall};
 use super::surface::flatten;
 use super::surface::lengths::share_lengths;
-use super::surface::move_nodes::OnSurface;
+use super::surface::move_nodes::{OnSurface, Sheet};
+use super::surface::nurbs::Nurbs;
+use super::surface::on_reference;
+use super::surface::reference::{Bond, Reference};
 use super::surface::transition::fit;
-use crate::error::Error;
-use crate::execution::Execution;
+use crate::error::{Error, Place, Warning};
+use crate::execution::{Execution, Interruption};
+use crate::mesh::measure;
 use crate::plane::location::Locator;
 use crate::{DVec3, Mesh};
 use std::rc::Rc;
 
-/// Steps 2 to 5 of [`auxiliary`](super::surface::auxiliary); `from` is the progress made so far.
-pub(super) fn on_surface(
-    auxiliary: &Auxiliary,
-    from: f64,
+/// A NURBS patch, meshed and measured. `place` is where it stands in the input.
+pub(super) fn on_patch(
+    patch: &Nurbs,
+    place: &Place,
     options: &Options,
     execution: &Execution<'_>,
 ) -> Result<UniformMesh, Error> {
+    patch.check(place)?;
+    let centred = Centred::of(patch, options.edge_length);
+    let area = centred.patch.area();
+    if !(area.is_finite() && area > 0.0) {
+        return Err(Error::input(place.clone(), "has no area"));
+    }
+    let auxiliary = Auxiliary::of_patch(&centred, options);
+    let flat = auxiliary.as_ref().map(|auxiliary| {
+        execution.part([0.0, 0.5], |part| flattened(auxiliary, area, options, part))
+    });
+    choose(flat, Vec::new(), options, execution, |part| {
+        let reference = Reference::of_patch(&centred.patch, place)?;
+        let at = |p: DVec3| centred.centre + p * options.edge_length;
+        on_reference(&reference, &[], &[], at, options, part)
+    })
+}
+
+/// The minimal surface of these boundaries, meshed and measured.
+pub(super) fn on_film(
+    boundaries: &[Vec<DVec3>],
+    options: &Options,
+    execution: &Execution<'_>,
+) -> Result<UniformMesh, Error> {
+    let auxiliary = Auxiliary::of_film(boundaries, options, (0.0, 0.4), execution)?;
+    let area = measure::area(&auxiliary.mesh);
+    let flat = execution.part([0.4, 0.7], |part| flattened(&auxiliary, area, options, part));
+    choose(Some(flat), auxiliary.warnings.clone(), options, execution, |part| {
+        let reference =
+            Reference::of_film(auxiliary.mesh.clone(), auxiliary.topology.clone(), &auxiliary.corners());
+        on_reference(&reference, &auxiliary.exact, &auxiliary.inputs, |p| auxiliary.place(p), options, part)
+    })
+}
+
+/// The flattened mesh if it is right, else the one made on the surface itself.
+fn choose(
+    flat: Option<Result<(UniformMesh, bool), Error>>,
+    warnings: Vec<Warning>,
+    options: &Options,
+    execution: &Execution<'_>,
+    on_surface: impl FnOnce(&Execution) -> Result<(UniformMesh, bool), Error>,
+) -> Result<UniformMesh, Error> {
+    let flat = match flat {
+        Some(Err(Error::Interrupted(interruption))) => return Err(Error::Interrupted(interruption)),
+        Some(Ok((result, interrupted))) => {
+            if interrupted || shortfall(&result, options).is_none() {
+                return finish(result, interrupted, None, warnings, options, execution);
+            }
+            Some(result)
+        }
+        Some(Err(_)) | None => None,
+    };
+    let (result, interrupted) = match execution.part([0.7, 0.99], on_surface) {
+        Ok(made) => made,
+        // The deadline leaves the flattened mesh, if there is one, for what it is.
+        Err(error) => match (error, flat) {
+            (Error::Interrupted(Interruption::DeadlinePassed), Some(flat)) => (flat, true),
+            (error, _) => return Err(error),
+        },
+    };
+    let shortfall = shortfall(&result, options);
+    finish(result, interrupted, shortfall, warnings, options, execution)
+}
+
+/// The domain meshed on the surface itself, and whether the deadline cut that short. `exact`: positions of some of the
+/// reference's vertices in the caller's coordinates; `inputs`: the vertices of the input's points.
+fn on_reference(
+    reference: &Reference,
+    exact: &[(u32, DVec3)],
+    inputs: &[u32],
+    at: impl Fn(DVec3) -> DVec3,
+    options: &Options,
+    execution: &Execution<'_>,
+) -> Result<(UniformMesh, bool), Error> {
     let shares = matches!(options.optimise, Optimise::Lengths { .. });
-    let at = |part: f64| from + (1.0 - from) * part;
+    let optimise = options.optimise != Optimise::None;
+    let end = if shares { 0.6 } else { 1.0 };
+    let (mut nodes, stopped) =
+        on_reference::mesh(reference, options.objective, optimise, (0.0, end), execution)?;
+    let mut interrupted = deadline(stopped.map_or(Ok(()), Err))?;
+    let mut table = Table::new(options);
+    let stage = if optimise { "optimised_nodes" } else { "surface" };
+    table.row(stage, &nodes.lengths(), Some(&nodes.lattice_group));
+    let mut shared = Vec::new();
+    if let Optimise::Lengths { most } = options.optimise
+        && !interrupted
+    {
+        (shared, interrupted) = share(&mut nodes, most, &mut table, (end, 1.0), execution)?;
+    }
+    let surface_fit = compare(&nodes, reference.area, options.edge_length, Method::OnSurface);
+    let mut vertices: Vec<DVec3> = nodes.positions.iter().map(|&p| at(p)).collect();
+    let corner = |v: u32| nodes.parameters[..nodes.fixed].iter().position(|place| place.bond == Bond::Fixed(v));
+    for &(v, position) in exact {
+        if let Some(node) = corner(v) {
+            vertices[node] = position;
+        }
+    }
+    let input_vertices = inputs.iter().map(|&v| corner(v).map(|node| node as u32)).collect();
+    let OnSurface { triangles, members, lattice_group, .. } = nodes;
+    let mut result = assemble(Mesh::new(vertices, triangles), members, lattice_group, options, |_| Why::Curvature);
+    result.stages = table.stages;
+    result.shared_lengths = shared;
+    result.input_vertices = input_vertices;
+    result.statistics.surface = Some(surface_fit);
+    Ok((result, interrupted))
+}
+
+/// Steps 2 to 5 of [`auxiliary`](super::surface::auxiliary), and whether the deadline cut them short.
+fn flattened(
+    auxiliary: &Auxiliary,
+    area: f64,
+    options: &Options,
+    execution: &Execution<'_>,
+) -> Result<(UniformMesh, bool), Error> {
+    let shares = matches!(options.optimise, Optimise::Lengths { .. });
+    let at = |part: f64| part;
     let auxiliary_edges = edges(&auxiliary.topology);
     let mut plane = auxiliary.start()?;
     execution.look(auxiliary_edges.len() as u64)?;
@@ -82,6 +200,7 @@ pub(super) fn on_surface(
         (shared, interrupted) = share(&mut nodes, most, &mut table, span, execution)?;
     }
 
+    let surface_fit = compare(&nodes, area, options.edge_length, Method::Flattened);
     let mut vertices: Vec<DVec3> = nodes.positions.iter().map(|&p| auxiliary.place(p)).collect();
     for &(node, p) in &boundary.exact {
         vertices[node as usize] = p;
@@ -106,12 +225,13 @@ pub(super) fn on_surface(
     result.stages = table.stages;
     result.shared_lengths = shared;
     result.input_vertices = boundary.input_vertices;
-    finish(result, interrupted, auxiliary.warnings.clone(), options, execution)
+    result.statistics.surface = Some(surface_fit);
+    Ok((result, interrupted))
 }
 
 /// [`share_lengths`] with its row of the table; the second value says whether the deadline passed.
-pub(super) fn share(
-    nodes: &mut OnSurface<'_>,
+pub(super) fn share<S: Sheet>(
+    nodes: &mut OnSurface<'_, S>,
     most: usize,
     table: &mut Table,
     span: (f64, f64),

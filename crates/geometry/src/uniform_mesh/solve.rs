@@ -1,11 +1,11 @@
 //! The entry points: bounds of the cost, the checks before any work, and the solve.
 
 use super::on_polygon::on_polygon;
-use super::on_surface::on_surface;
+use super::on_surface::{on_film, on_patch};
 use super::options::{Domain, Optimise, Options};
 use super::plane::polygon::{self, Polygon};
 use super::report::UniformMesh;
-use super::surface::auxiliary::{self, Auxiliary, film_area};
+use super::surface::auxiliary::{self, film_area};
 use super::surface::nurbs::Nurbs;
 use crate::DVec2;
 use crate::error::{Error, InputError, Place};
@@ -130,16 +130,9 @@ pub fn solve(domain: &Domain, options: &Options, execution: &Execution<'_>) -> R
         Domain::Polygon { outer, holes } => on_polygon(outer, holes, options, execution),
         Domain::Bezier { control_points } => {
             let place = Place::field("domain").then("bezier");
-            let patch = Nurbs::bezier(control_points.clone());
-            on_surface(&Auxiliary::of_patch(&patch, &place, options)?, 0.0, options, execution)
+            on_patch(&Nurbs::bezier(control_points.clone()), &place, options, execution)
         }
-        Domain::Nurbs(patch) => {
-            let place = Place::field("domain").then("nurbs");
-            on_surface(&Auxiliary::of_patch(patch, &place, options)?, 0.0, options, execution)
-        }
-        Domain::Boundaries(boundaries) => {
-            let film = Auxiliary::of_film(boundaries, options, (0.0, 0.4), execution)?;
-            on_surface(&film, 0.4, options, execution)
-        }
+        Domain::Nurbs(patch) => on_patch(patch, &Place::field("domain").then("nurbs"), options, execution),
+        Domain::Boundaries(boundaries) => on_film(boundaries, options, execution),
     }
 }

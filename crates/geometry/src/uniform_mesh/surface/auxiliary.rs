@@ -77,6 +77,23 @@ impl Surface {
     }
 }
 
+/// A patch around its centre, in units of ℓ.
+#[derive(Debug)]
+pub(in crate::uniform_mesh) struct Centred {
+    pub centre: DVec3,
+    /// ℓ.
+    pub unit: f64,
+    pub patch: Nurbs,
+}
+
+impl Centred {
+    pub fn of(patch: &Nurbs, unit: f64) -> Self {
+        let points: Vec<DVec3> = patch.control_points.iter().flatten().copied().collect();
+        let centre = mean(&points);
+        Self { centre, unit, patch: patch.centred(centre, unit) }
+    }
+}
+
 /// A surface with its auxiliary triangulation, before flattening.
 #[derive(Debug)]
 pub(in crate::uniform_mesh) struct Auxiliary {
@@ -89,9 +106,9 @@ pub(in crate::uniform_mesh) struct Auxiliary {
     /// The sides of each boundary loop as paths of auxiliary vertices, with the surface on the left.
     sides: Vec<Vec<Vec<u32>>>,
     /// For each auxiliary vertex that is a corner, its given position where there is one.
-    exact: Vec<(u32, DVec3)>,
+    pub exact: Vec<(u32, DVec3)>,
     /// For each input point its auxiliary vertex.
-    inputs: Vec<u32>,
+    pub inputs: Vec<u32>,
     pub warnings: Vec<Warning>,
 }
 
@@ -101,16 +118,10 @@ impl Auxiliary {
         self.centre + p * self.unit
     }
 
-    /// The patch over `grid[0]` × `grid[1]` rectangles.
-    ///
-    /// # Errors
-    /// A patch that fails its check, collapses somewhere, or closes on itself.
-    pub fn of_patch(patch: &Nurbs, place: &Place, options: &Options) -> Result<Self, Error> {
-        patch.check(place)?;
-        let points: Vec<DVec3> = patch.control_points.iter().flatten().copied().collect();
-        let centre = mean(&points);
-        let unit = options.edge_length;
-        let patch = patch.centred(centre, unit);
+    /// The patch over `grid[0]` × `grid[1]` rectangles. `None` if it collapses somewhere or closes on itself: it cannot be
+    /// laid into the plane then.
+    pub fn of_patch(centred: &Centred, options: &Options) -> Option<Self> {
+        let Centred { centre, unit, patch } = centred;
         let [nu, nv] = options.auxiliary_grid.map(|n| n as usize);
         let parameters: Vec<DVec2> = (0..=nu)
             .flat_map(|i| (0..=nv).map(move |j| DVec2::new(i as f64 / nu as f64, j as f64 / nv as f64)))
@@ -122,20 +133,17 @@ impl Auxiliary {
             .flat_map(|(i, j)| [[at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)]])
             .collect();
         let mesh = Mesh::new(vertices, triangles);
-        let topology = topology(mesh.vertices.clone(), &mesh.triangles)?;
+        let topology = topology(mesh.vertices.clone(), &mesh.triangles).ok()?;
         let apart = |a: u32, b: u32| mesh.vertices[a as usize].distance(mesh.vertices[b as usize]);
         let size = mesh.vertices.iter().map(|p| p.length()).fold(0.0, f64::max);
         let tiny = 1e-9 * size;
         if edges(&topology).iter().any(|&[a, b]| apart(a, b) <= tiny) {
-            return Err(Error::input(
-                place.clone(),
-                "a side collapses or the patch folds onto itself: leave out the pole",
-            ));
+            return None;
         }
         let closed = (0..=nv).all(|j| apart(at(0, j), at(nu, j)) <= tiny)
             || (0..=nu).all(|i| apart(at(i, 0), at(i, nv)) <= tiny);
         if closed {
-            return Err(Error::input(place.clone(), "the patch closes on itself: split it along a seam"));
+            return None;
         }
         let sides = vec![
             (0..=nu).map(|i| at(i, 0)).collect(),
@@ -143,12 +151,12 @@ impl Auxiliary {
             (0..=nu).rev().map(|i| at(i, nv)).collect(),
             (0..=nv).rev().map(|j| at(0, j)).collect(),
         ];
-        Ok(Self {
-            centre,
-            unit,
+        Some(Self {
+            centre: *centre,
+            unit: *unit,
             mesh,
             topology,
-            patch: Some((patch, parameters)),
+            patch: Some((patch.clone(), parameters)),
             sides: vec![sides],
             exact: Vec::new(),
             inputs: Vec::new(),
@@ -207,6 +215,11 @@ impl Auxiliary {
         };
         let warnings = film.warnings.into_iter().map(said).collect();
         Ok(Self { centre, unit, mesh, topology, patch: None, sides, exact, inputs, warnings })
+    }
+
+    /// The vertices where sides meet.
+    pub fn corners(&self) -> Vec<u32> {
+        self.sides.iter().flatten().map(|side| side[0]).collect()
     }
 
     /// Where flattening starts.

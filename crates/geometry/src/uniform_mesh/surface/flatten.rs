@@ -29,6 +29,8 @@ struct Flattening<'a> {
 }
 
 impl Problem for Flattening<'_> {
+    type Place = DVec2;
+
     fn couplings(&self) -> &[[u32; 2]] {
         self.edges
     }
@@ -53,16 +55,15 @@ impl Problem for Flattening<'_> {
         }
     }
 
-    fn largest_step(&self, x: &[DVec2], step: &[DVec2]) -> f64 {
-        step_before_flip(self.triangles.iter().map(|t| t.map(|v| (x[v as usize], step[v as usize]))))
+    fn advance(&self, x: &[DVec2], step: &[DVec2], to: &mut [DVec2]) {
+        let most = step_before_flip(self.triangles.iter().map(|t| t.map(|v| (x[v as usize], step[v as usize]))));
+        for (node, place) in to.iter_mut().enumerate() {
+            *place = x[node] + step[node] * most;
+        }
     }
 
     fn metric(&self, _node: usize) -> [f64; 3] {
         [self.metric, 0.0, self.metric]
-    }
-
-    fn restrict(&self, x: DVec2) -> DVec2 {
-        x
     }
 }
 

@@ -10,18 +10,18 @@ use crate::sparse::{Symbolic, SymmetricMatrix};
 
 /// What is minimised over the positions of the nodes 0..n.
 pub(in crate::uniform_mesh) trait Problem {
+    /// Where a node stands.
+    type Place: Clone;
     /// Pairs of nodes that share a residual.
     fn couplings(&self) -> &[[u32; 2]];
     /// ½ Σ r², infinite where the positions are not allowed.
-    fn energy(&mut self, x: &[DVec2]) -> f64;
+    fn energy(&mut self, x: &[Self::Place]) -> f64;
     /// Adds every residual with its derivatives; returns nothing that `energy` does not.
-    fn assemble(&mut self, x: &[DVec2], normal: &mut Normal);
+    fn assemble(&mut self, x: &[Self::Place], normal: &mut Normal);
     /// The metric of a node's displacements (xx, xy, yy), positive definite.
     fn metric(&self, node: usize) -> [f64; 3];
-    /// How much of a step may be taken, at most 1; see [`step_before_flip`].
-    fn largest_step(&self, x: &[DVec2], step: &[DVec2]) -> f64;
-    /// Moves a position back into the domain.
-    fn restrict(&self, x: DVec2) -> DVec2;
+    /// Writes to `to` the places after as much of the step as may be taken; see [`step_before_flip`].
+    fn advance(&self, x: &[Self::Place], step: &[DVec2], to: &mut [Self::Place]);
 }
 
 /// JᵀJ and Jᵀr on a fixed pattern.
@@ -155,9 +155,9 @@ pub(in crate::uniform_mesh) struct Outcome {
 /// Lowers the problem's energy from `x`, which must be allowed, until steps gain less than the tolerance.
 ///
 /// Looks at `execution` once a step tried (one sparse factorisation). On an interruption `x` is the best so far.
-pub(in crate::uniform_mesh) fn minimise(
-    problem: &mut dyn Problem,
-    x: &mut Vec<DVec2>,
+pub(in crate::uniform_mesh) fn minimise<P: Problem>(
+    problem: &mut P,
+    x: &mut Vec<P::Place>,
     settings: Settings,
     execution: &Execution<'_>,
 ) -> Outcome {
@@ -192,10 +192,7 @@ pub(in crate::uniform_mesh) fn minimise(
                 for (node, vector) in moves.iter_mut().enumerate() {
                     *vector = DVec2::new(step[2 * node], step[2 * node + 1]);
                 }
-                let most = problem.largest_step(x, &moves);
-                for (node, position) in trial.iter_mut().enumerate() {
-                    *position = problem.restrict(x[node] + moves[node] * most);
-                }
+                problem.advance(x, &moves, &mut trial);
                 let there = problem.energy(&trial);
                 if there < energy {
                     quiet = if energy - there <= settings.tolerance * energy { quiet + 1 } else { 0 };

@@ -8,7 +8,7 @@
 //! This for a ladder of k up to the largest allowed, each from the same start; it ends with the first k whose intervals are
 //! no wider than the tolerance. Members between two boundary nodes cannot change and count all the same.
 
-use super::move_nodes::{Aim, OnSurface, refine};
+use super::move_nodes::{Aim, OnSurface, Sheet, refine};
 use crate::execution::{Execution, Interruption};
 use crate::uniform_mesh::report::LengthsRow;
 
@@ -57,7 +57,7 @@ fn cover(sorted: &[f64], count: usize) -> (f64, Vec<f64>) {
     (half, intervals.iter().map(|(from, to)| 0.5 * (from + to)).collect())
 }
 
-fn sorted(nodes: &OnSurface<'_>) -> Vec<f64> {
+fn sorted<S: Sheet>(nodes: &OnSurface<'_, S>) -> Vec<f64> {
     let mut lengths = nodes.lengths();
     lengths.sort_unstable_by(f64::total_cmp);
     lengths
@@ -68,8 +68,8 @@ fn sorted(nodes: &OnSurface<'_>) -> Vec<f64> {
 ///
 /// # Errors
 /// What cut the work short; `nodes` and the rows are then the best so far.
-pub(in crate::uniform_mesh) fn share_lengths(
-    nodes: &mut OnSurface<'_>,
+pub(in crate::uniform_mesh) fn share_lengths<S: Sheet>(
+    nodes: &mut OnSurface<'_, S>,
     most: usize,
     tolerance: f64,
     (from, to): (f64, f64),

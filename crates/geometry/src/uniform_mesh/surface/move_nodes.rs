@@ -36,13 +36,89 @@ pub(in crate::uniform_mesh) enum Aim {
     Free,
 }
 
-/// The mesh on the surface: parameters and positions of its nodes, lengths in ℓ.
-#[derive(Clone, Debug)]
-pub(in crate::uniform_mesh) struct OnSurface<'a> {
-    pub surface: &'a Surface,
-    pub parameters: Vec<DVec2>,
+/// A surface on which nodes move, by displacements with two coordinates each.
+pub(in crate::uniform_mesh) trait Sheet {
+    /// Where a node stands.
+    type Place: Copy + std::fmt::Debug;
+    /// The change of energy, relative to it, below which a run ends.
+    fn tolerance(&self) -> f64;
+    /// Point of the surface, and its derivatives by the two coordinates of a displacement.
+    fn evaluate(&self, place: Self::Place) -> [DVec3; 3];
+    /// Whether triangles that were not flipped before are not flipped now. `at` gives places and positions.
+    fn are_upright(&self, triangles: &[[u32; 3]], at: &dyn Fn(u32) -> (Self::Place, DVec3)) -> bool;
+    /// Writes to `to` the places of the moving nodes, which are those from `fixed` on, after as much of the step as may
+    /// be taken. `triangles` are those with a moving corner.
+    fn advance(&self, mesh: &Moved<'_, Self::Place>, step: &[DVec2], to: &mut [Self::Place]);
+    /// The point of the surface below the middle of a triangle, and the surface's unit normal there.
+    fn below(&self, corners: [Self::Place; 3], middle: DVec3) -> (DVec3, DVec3);
+}
+
+/// The moving part of a mesh.
+#[derive(Debug)]
+pub(in crate::uniform_mesh) struct Moved<'a, P> {
+    /// Places of the nodes before `fixed`.
+    pub standing: &'a [P],
+    /// Places of the others.
+    pub moving: &'a [P],
+    pub fixed: usize,
+    pub triangles: &'a [[u32; 3]],
+}
+
+impl Sheet for Surface {
+    type Place = DVec2;
+
+    fn tolerance(&self) -> f64 {
+        // Across a film's facets the derivatives jump, and with them the last digits of the least.
+        if matches!(self, Self::Film { .. }) { 1e-5 } else { 1e-9 }
+    }
+
+    fn evaluate(&self, place: DVec2) -> [DVec3; 3] {
+        Self::evaluate(self, place)
+    }
+
+    fn are_upright(&self, triangles: &[[u32; 3]], at: &dyn Fn(u32) -> (DVec2, DVec3)) -> bool {
+        triangles.iter().all(|&[a, b, c]| {
+            let a = at(a).0;
+            (at(b).0 - a).perp_dot(at(c).0 - a) > 0.0
+        })
+    }
+
+    fn advance(&self, mesh: &Moved<'_, DVec2>, step: &[DVec2], to: &mut [DVec2]) {
+        let of = |v: u32| match (v as usize).checked_sub(mesh.fixed) {
+            Some(k) => (mesh.moving[k], step[k]),
+            None => (mesh.standing[v as usize], DVec2::ZERO),
+        };
+        let most = step_before_flip(mesh.triangles.iter().map(|t| t.map(of)));
+        for (node, place) in to.iter_mut().enumerate() {
+            *place = self.restrict(mesh.moving[node] + step[node] * most);
+        }
+    }
+
+    fn below(&self, corners: [DVec2; 3], middle: DVec3) -> (DVec3, DVec3) {
+        let mut p = corners.into_iter().sum::<DVec2>() / 3.0;
+        // Gauss and Newton's method for the nearest point; the start is close.
+        for _ in 0..3 {
+            let [x, du, dv] = Self::evaluate(self, p);
+            let (off, uu, uv, vv) = (middle - x, du.dot(du), du.dot(dv), dv.dot(dv));
+            let (ou, ov) = (off.dot(du), off.dot(dv));
+            let step = DVec2::new(ou * vv - ov * uv, ov * uu - ou * uv) / (uu * vv - uv * uv);
+            if !step.is_finite() {
+                break;
+            }
+            p = self.restrict(p + step);
+        }
+        let [x, du, dv] = Self::evaluate(self, p);
+        (x, du.cross(dv).normalize_or_zero())
+    }
+}
+
+/// The mesh on the surface: places and positions of its nodes, lengths in ℓ.
+#[derive(Debug)]
+pub(in crate::uniform_mesh) struct OnSurface<'a, S: Sheet> {
+    pub surface: &'a S,
+    pub parameters: Vec<S::Place>,
     pub positions: Vec<DVec3>,
-    /// The first so many nodes are on the boundary and stay.
+    /// Number of leading nodes that stay where they are.
     pub fixed: usize,
     pub triangles: Vec<[u32; 3]>,
     pub members: Vec<[u32; 2]>,
@@ -50,14 +126,28 @@ pub(in crate::uniform_mesh) struct OnSurface<'a> {
     pub lattice_group: Vec<bool>,
 }
 
-impl OnSurface<'_> {
+impl<S: Sheet> Clone for OnSurface<'_, S> {
+    fn clone(&self) -> Self {
+        Self {
+            surface: self.surface,
+            parameters: self.parameters.clone(),
+            positions: self.positions.clone(),
+            fixed: self.fixed,
+            triangles: self.triangles.clone(),
+            members: self.members.clone(),
+            lattice_group: self.lattice_group.clone(),
+        }
+    }
+}
+
+impl<S: Sheet> OnSurface<'_, S> {
     pub fn lengths(&self) -> Vec<f64> {
         self.members.iter().map(|&[a, b]| self.positions[a as usize].distance(self.positions[b as usize])).collect()
     }
 }
 
-struct Moving<'a, 'b> {
-    nodes: &'a OnSurface<'b>,
+struct Moving<'a, 'b, S: Sheet> {
+    nodes: &'a OnSurface<'b, S>,
     /// Members with at least one moving end: their number in `members`.
     active: Vec<usize>,
     /// Among them those with two, as pairs of moving nodes, and their place in `active`.
@@ -76,8 +166,8 @@ struct Moving<'a, 'b> {
     metrics: Vec<[f64; 3]>,
 }
 
-impl<'a, 'b> Moving<'a, 'b> {
-    fn new(nodes: &'a OnSurface<'b>, aims: &'a [Aim]) -> Self {
+impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
+    fn new(nodes: &'a OnSurface<'b, S>, aims: &'a [Aim]) -> Self {
         let fixed = nodes.fixed as u32;
         let active: Vec<usize> = (0..nodes.members.len())
             .filter(|&m| aims[m] != Aim::Free && nodes.members[m].iter().any(|&v| v >= fixed))
@@ -161,24 +251,22 @@ impl<'a, 'b> Moving<'a, 'b> {
     }
 }
 
-impl Problem for Moving<'_, '_> {
+impl<S: Sheet> Problem for Moving<'_, '_, S> {
+    type Place = S::Place;
+
     fn couplings(&self) -> &[[u32; 2]] {
         &self.pairs
     }
 
-    fn energy(&mut self, x: &[DVec2]) -> f64 {
-        let parameter = |v: u32| match (v as usize).checked_sub(self.nodes.fixed) {
-            Some(k) => x[k],
-            None => self.nodes.parameters[v as usize],
+    fn energy(&mut self, x: &[S::Place]) -> f64 {
+        self.here = x.iter().map(|&p| Sheet::evaluate(self.nodes.surface, p)).collect();
+        let at = |v: u32| match (v as usize).checked_sub(self.nodes.fixed) {
+            Some(k) => (x[k], self.here[k][0]),
+            None => (self.nodes.parameters[v as usize], self.nodes.positions[v as usize]),
         };
-        let upright = |&[a, b, c]: &[u32; 3]| {
-            let a = parameter(a);
-            (parameter(b) - a).perp_dot(parameter(c) - a) > 0.0
-        };
-        if !self.triangles.iter().all(upright) {
+        if !self.nodes.surface.are_upright(&self.triangles, &at) {
             return f64::INFINITY;
         }
-        self.here = x.iter().map(|&p| self.nodes.surface.evaluate(p)).collect();
         (0..self.active.len())
             .map(|k| {
                 let (r, _) = self.residual(k, self.length(k));
@@ -187,8 +275,8 @@ impl Problem for Moving<'_, '_> {
             .sum()
     }
 
-    fn assemble(&mut self, x: &[DVec2], normal: &mut Normal) {
-        self.here = x.iter().map(|&p| self.nodes.surface.evaluate(p)).collect();
+    fn assemble(&mut self, x: &[S::Place], normal: &mut Normal) {
+        self.here = x.iter().map(|&p| Sheet::evaluate(self.nodes.surface, p)).collect();
         for (metric, [_, du, dv]) in self.metrics.iter_mut().zip(&self.here) {
             *metric = [du.dot(*du), du.dot(*dv), dv.dot(*dv)];
         }
@@ -216,12 +304,15 @@ impl Problem for Moving<'_, '_> {
         }
     }
 
-    fn largest_step(&self, x: &[DVec2], step: &[DVec2]) -> f64 {
-        let of = |v: u32| match (v as usize).checked_sub(self.nodes.fixed) {
-            Some(k) => (x[k], step[k]),
-            None => (self.nodes.parameters[v as usize], DVec2::ZERO),
+    fn advance(&self, x: &[S::Place], step: &[DVec2], to: &mut [S::Place]) {
+        let nodes = self.nodes;
+        let mesh = Moved {
+            standing: &nodes.parameters[..nodes.fixed],
+            moving: x,
+            fixed: nodes.fixed,
+            triangles: &self.triangles,
         };
-        step_before_flip(self.triangles.iter().map(|t| t.map(of)))
+        nodes.surface.advance(&mesh, step, to);
     }
 
     fn metric(&self, node: usize) -> [f64; 3] {
@@ -230,10 +321,6 @@ impl Problem for Moving<'_, '_> {
         let little = 1e-9 * (xx + yy) + f64::MIN_POSITIVE;
         [xx + little, xy, yy + little]
     }
-
-    fn restrict(&self, x: DVec2) -> DVec2 {
-        self.nodes.surface.restrict(x)
-    }
 }
 
 /// Moves the inner nodes so that the members come as near to their aims as they get.
@@ -241,14 +328,14 @@ impl Problem for Moving<'_, '_> {
 /// Where the surface is curved so strongly that some rim members can reach no length within [ℓ, 2ℓ], those may keep the
 /// length they start with; more weight on them would only spoil the lattice. Returns what cut the work short, if anything
 /// did; `nodes` is then the best so far.
-pub(in crate::uniform_mesh) fn refine(
-    nodes: &mut OnSurface<'_>,
+pub(in crate::uniform_mesh) fn refine<S: Sheet>(
+    nodes: &mut OnSurface<'_, S>,
     aims: &[Aim],
     phase: &'static str,
     (from, to): (f64, f64),
     execution: &Execution<'_>,
 ) -> Option<Interruption> {
-    let start: Vec<DVec2> = nodes.parameters[nodes.fixed..].to_vec();
+    let start: Vec<S::Place> = nodes.parameters[nodes.fixed..].to_vec();
     let mut moving = Moving::new(nodes, aims);
     let before = (moving.deviation(&start), moving.excess());
     let given: Vec<f64> = (0..moving.active.len()).map(|k| moving.length(k)).collect();
@@ -288,9 +375,9 @@ pub(in crate::uniform_mesh) fn refine(
     interrupted
 }
 
-impl Moving<'_, '_> {
+impl<S: Sheet> Moving<'_, '_, S> {
     /// ½ Σ (L - aim)² over the members that have a length to aim at.
-    fn deviation(&mut self, x: &[DVec2]) -> f64 {
+    fn deviation(&mut self, x: &[S::Place]) -> f64 {
         self.energy(x);
         let aimed = |k: &usize| matches!(self.aims[self.active[*k]], Aim::At(_));
         let term = |k: usize| 0.5 * self.residual(k, self.length(k)).0.powi(2);
@@ -300,13 +387,12 @@ impl Moving<'_, '_> {
     /// One run of the method of multipliers from `x`.
     fn multipliers(
         &mut self,
-        x: &mut Vec<DVec2>,
+        x: &mut Vec<S::Place>,
         phase: &'static str,
         (from, to): (f64, f64),
         execution: &Execution<'_>,
     ) -> Option<Interruption> {
-        // Across a film's facets the derivatives jump, and with them the last digits of the least.
-        let tolerance = if matches!(self.nodes.surface, Surface::Film { .. }) { 1e-5 } else { 1e-9 };
+        let tolerance = self.nodes.surface.tolerance();
         self.weight = WEIGHT;
         self.shifts.fill([0.0; 2]);
         let (mut last, mut stalled) = (f64::INFINITY, 0);

@@ -10,6 +10,9 @@ use crate::{DVec2, DVec3};
 /// Degrees beyond this are refused: nothing is drawn with them, and their tables are evaluated in O(degree²).
 const LARGEST_DEGREE: usize = 60;
 
+/// Cells along a parameter, at least two a knot span, by which a patch's area is integrated.
+const AREA_CELLS: usize = 48;
+
 /// A NURBS patch without trimming curves. Knot vectors may run over any interval; the parameters u, v here run over \[0, 1\].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Nurbs {
@@ -115,6 +118,33 @@ impl Nurbs {
         let control_points =
             self.control_points.iter().map(|row| row.iter().map(|&p| (p - centre) / unit).collect()).collect();
         Self { control_points, ..self.clone() }
+    }
+
+    /// The patch's area, by Gauss's rule with three points a cell along each parameter.
+    pub(in crate::uniform_mesh) fn area(&self) -> f64 {
+        let rule: [Vec<(f64, f64)>; 2] = [0, 1].map(|axis| {
+            let (knots, degree) = (&self.knots[axis], self.degrees[axis]);
+            let (low, high) = (knots[degree], knots[knots.len() - degree - 1]);
+            let mut ends: Vec<f64> = knots.iter().filter(|&&knot| knot >= low && knot <= high).copied().collect();
+            ends.dedup();
+            let cells = (AREA_CELLS / (ends.len() - 1)).max(2);
+            let spans = ends.windows(2).map(|pair| ((pair[0] - low) / (high - low), (pair[1] - low) / (high - low)));
+            spans
+                .flat_map(|(from, to)| {
+                    let width = (to - from) / cells as f64;
+                    (0..cells).flat_map(move |k| {
+                        let middle = from + (k as f64 + 0.5) * width;
+                        let off = 0.5 * width * 0.6f64.sqrt();
+                        [(middle - off, 5.0), (middle, 8.0), (middle + off, 5.0)].map(|(t, w)| (t, w * width / 18.0))
+                    })
+                })
+                .collect()
+        });
+        let density = |u: f64, v: f64| {
+            let [_, du, dv] = self.evaluate(DVec2::new(u, v));
+            du.cross(dv).length()
+        };
+        rule[0].iter().map(|&(u, w)| w * rule[1].iter().map(|&(v, w)| w * density(u, v)).sum::<f64>()).sum()
     }
 
     /// Point and derivatives by u and v at parameters in \[0, 1\]². The patch must have passed [`check`](Self::check).

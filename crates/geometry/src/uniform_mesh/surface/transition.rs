@@ -43,14 +43,14 @@ const RIM_WEIGHT: f64 = 10.0;
 /// Moves the inner nodes ([`refine`]) and, unless the rim is free, rebuilds the rim for where they have come to, as long as
 /// both together gain. Says whether members have changed, and what cut the work short.
 pub(in crate::uniform_mesh) fn fit(
-    nodes: &mut OnSurface<'_>,
+    nodes: &mut OnSurface<'_, Surface>,
     freedom: Freedom,
     (from, to): (f64, f64),
     execution: &Execution<'_>,
 ) -> (bool, Option<Interruption>) {
     let rounds = if freedom == Freedom::Free { 0 } else { REBUILDS };
     let part = |k: usize| from + (to - from) * k as f64 / (rounds + 1) as f64;
-    let move_nodes = |nodes: &mut OnSurface<'_>, round: usize| {
+    let move_nodes = |nodes: &mut OnSurface<'_, Surface>, round: usize| {
         let rim = if freedom == Freedom::Free { Aim::Free } else { Aim::Within };
         let aim = |&lattice: &bool| if lattice { Aim::At(1.0) } else { rim };
         let aims: Vec<Aim> = nodes.lattice_group.iter().map(aim).collect();
@@ -82,7 +82,7 @@ pub(in crate::uniform_mesh) fn fit(
 }
 
 /// How far the lattice is from ℓ and the rim from [ℓ, 2ℓ]: half the sum of squares in ℓ, the rim's [`RIM_WEIGHT`] times.
-fn misfit(nodes: &OnSurface<'_>) -> f64 {
+fn misfit(nodes: &OnSurface<'_, Surface>) -> f64 {
     let lengths = nodes.lengths();
     let term = |(&length, &lattice): (&f64, &bool)| {
         let off = if lattice { length - 1.0 } else { (1.0 - length).max(length - 2.0).max(0.0) };
@@ -96,9 +96,9 @@ fn misfit(nodes: &OnSurface<'_>) -> f64 {
 /// # Errors
 /// The interruption; nothing has changed then.
 pub(in crate::uniform_mesh) fn rebuild<'a>(
-    nodes: &OnSurface<'a>,
+    nodes: &OnSurface<'a, Surface>,
     execution: &Execution<'_>,
-) -> Result<Option<OnSurface<'a>>, Interruption> {
+) -> Result<Option<OnSurface<'a, Surface>>, Interruption> {
     execution.look(nodes.triangles.len() as u64)?;
     let core = Core::of(nodes);
     let parameters: Vec<DVec2> = core.nodes.iter().map(|&v| nodes.parameters[v as usize]).collect();
@@ -171,7 +171,7 @@ struct Core {
 }
 
 impl Core {
-    fn of(nodes: &OnSurface<'_>) -> Self {
+    fn of(nodes: &OnSurface<'_, Surface>) -> Self {
         let mut kept: Vec<bool> = (0..nodes.positions.len()).map(|v| v < nodes.fixed).collect();
         let lattice =
             || nodes.members.iter().zip(&nodes.lattice_group).filter(|&(_, &lattice)| lattice).map(|(m, _)| m);
