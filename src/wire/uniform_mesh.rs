@@ -398,6 +398,34 @@ pub struct OutOfRange {
     pub why: &'static str,
 }
 
+/// The mesh beside the curved surface that it stands for. All nodes lie on the surface.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct SurfaceFit {
+    /// `flattened`: laid into the plane, meshed there and carried back. `on_surface`: meshed on the surface itself, because
+    /// it cannot be laid into the plane with a bounded distortion.
+    pub method: &'static str,
+    /// The surface's own area.
+    pub area: f64,
+    /// The mesh's area less the surface's, relative to the surface's.
+    pub area_error: f64,
+    /// Largest distance from the middle of a triangle to the surface.
+    pub distance_max: f64,
+    /// Largest angle between the normals of a triangle and of the surface below its middle.
+    pub normal_deviation_max_deg: f64,
+}
+
+impl From<geometry::SurfaceFit> for SurfaceFit {
+    fn from(fit: geometry::SurfaceFit) -> Self {
+        Self {
+            method: fit.method.name(),
+            area: fit.area,
+            area_error: fit.area_error,
+            distance_max: fit.distance_max,
+            normal_deviation_max_deg: fit.normal_deviation_max.to_degrees(),
+        }
+    }
+}
+
 /// Statistics of a uniform mesh. Lengths in the request's unit, angles in degrees.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct UniformStatistics {
@@ -420,7 +448,11 @@ pub struct UniformStatistics {
     pub out_of_range_reasons: BTreeMap<&'static str, usize>,
     /// The first 200 members that are out of range.
     pub out_of_range: Vec<OutOfRange>,
+    /// False if the deadline cut the work short, or if the surface is curved too strongly for this edge length: the area is
+    /// off by more than 1%, a triangle faces away, or edges or angles are far out of range. `not_converged` says by how much.
     pub converged: bool,
+    /// Curved domains: the mesh beside its surface. Null for polygons.
+    pub surface: Option<SurfaceFit>,
     pub angles_deg: AngleRange,
     pub length_histogram: LengthHistogram,
     /// Entry k is the number of nodes with k members.
@@ -471,6 +503,7 @@ impl UniformStatistics {
             out_of_range_reasons: reasons,
             out_of_range: listed.collect(),
             converged: mesh.converged,
+            surface: statistics.surface.map(Into::into),
             angles_deg: AngleRange { min: statistics.angles.0.to_degrees(), max: statistics.angles.1.to_degrees() },
             length_histogram: LengthHistogram {
                 from: statistics.length_histogram.from,

@@ -22,6 +22,10 @@ use crate::plane::location::Locator;
 use crate::{DVec3, Mesh};
 use std::rc::Rc;
 
+/// Largest root mean square of the relative change of the auxiliary edges' lengths when the surface is laid into the plane.
+/// Beyond it the mesh is made on the surface itself: what the plane makes of ℓ is no longer near ℓ in space.
+const LARGEST_STRAIN: f64 = 0.12;
+
 /// A NURBS patch, meshed and measured. `place` is where it stands in the input.
 pub(super) fn on_patch(
     patch: &Nurbs,
@@ -36,9 +40,9 @@ pub(super) fn on_patch(
         return Err(Error::input(place.clone(), "has no area"));
     }
     let auxiliary = Auxiliary::of_patch(&centred, options);
-    let flat = auxiliary.as_ref().map(|auxiliary| {
-        execution.part([0.0, 0.5], |part| flattened(auxiliary, area, options, part))
-    });
+    let flat = auxiliary
+        .as_ref()
+        .map(|auxiliary| execution.part([0.0, 0.5], |part| flattened(auxiliary, area, options, part)));
     choose(flat, Vec::new(), options, execution, |part| {
         let reference = Reference::of_patch(&centred.patch, place)?;
         let at = |p: DVec3| centred.centre + p * options.edge_length;
@@ -56,8 +60,7 @@ pub(super) fn on_film(
     let area = measure::area(&auxiliary.mesh);
     let flat = execution.part([0.4, 0.7], |part| flattened(&auxiliary, area, options, part));
     choose(Some(flat), auxiliary.warnings.clone(), options, execution, |part| {
-        let reference =
-            Reference::of_film(auxiliary.mesh.clone(), auxiliary.topology.clone(), &auxiliary.corners());
+        let reference = Reference::of_film(auxiliary.mesh.clone(), auxiliary.topology.clone(), &auxiliary.corners());
         on_reference(&reference, &auxiliary.exact, &auxiliary.inputs, |p| auxiliary.place(p), options, part)
     })
 }
@@ -105,8 +108,7 @@ fn on_reference(
     let shares = matches!(options.optimise, Optimise::Lengths { .. });
     let optimise = options.optimise != Optimise::None;
     let end = if shares { 0.6 } else { 1.0 };
-    let (mut nodes, stopped) =
-        on_reference::mesh(reference, options.objective, optimise, (0.0, end), execution)?;
+    let (mut nodes, stopped) = on_reference::mesh(reference, options.objective, optimise, (0.0, end), execution)?;
     let mut interrupted = deadline(stopped.map_or(Ok(()), Err))?;
     let mut table = Table::new(options);
     let stage = if optimise { "optimised_nodes" } else { "surface" };
@@ -143,13 +145,17 @@ fn flattened(
     execution: &Execution<'_>,
 ) -> Result<(UniformMesh, bool), Error> {
     let shares = matches!(options.optimise, Optimise::Lengths { .. });
-    let at = |part: f64| part;
     let auxiliary_edges = edges(&auxiliary.topology);
     let mut plane = auxiliary.start()?;
     execution.look(auxiliary_edges.len() as u64)?;
-    let outcome = flatten::flatten(&auxiliary.mesh, &auxiliary_edges, &mut plane, (at(0.0), at(0.3)), execution);
+    let outcome = flatten::flatten(&auxiliary.mesh, &auxiliary_edges, &mut plane, (0.0, 0.3), execution);
     if let Some(interruption) = outcome.interrupted {
         return Err(Error::Interrupted(interruption));
+    }
+    let strain = (2.0 * outcome.energy / auxiliary_edges.len() as f64).sqrt();
+    if strain.is_nan() || strain > LARGEST_STRAIN {
+        let detail = "the surface cannot be laid into the plane with a bounded distortion";
+        return Err(Error::no_result("not_flattenable", detail));
     }
     let locator = Rc::new(Locator::new(&plane, &auxiliary.mesh.triangles));
     let surface = auxiliary.surface(&plane, &locator);
@@ -157,7 +163,7 @@ fn flattened(
     let mut boundaries: Vec<Boundary> = Division::candidates(options.objective).iter().map(divided).collect();
     boundaries.dedup_by_key(|boundary| boundary.positions.len());
     let outlines: Vec<&Outline> = boundaries.iter().map(|boundary| &boundary.outline).collect();
-    let meshed = mesh::mesh(&outlines, options.objective, (at(0.3), at(0.6)), execution);
+    let meshed = mesh::mesh(&outlines, options.objective, (0.3, 0.6), execution);
     let (which, flat) = meshed.map_err(|failure| {
         let detail = "the surface folds over itself when it is laid into the plane: split it into several";
         match failure {
@@ -186,7 +192,7 @@ fn flattened(
     let (mut shared, mut interrupted) = (Vec::new(), flat.interrupted);
     let (middle, end) = if shares { (0.7, 0.98) } else { (0.98, 0.98) };
     if options.optimise != Optimise::None && !interrupted {
-        let (rebuilt, stopped) = fit(&mut nodes, options.transition, (at(0.6), at(middle)), execution);
+        let (rebuilt, stopped) = fit(&mut nodes, options.transition, (0.6, middle), execution);
         interrupted = deadline(stopped.map_or(Ok(()), Err))?;
         if rebuilt {
             before = nodes.lengths();
@@ -196,7 +202,7 @@ fn flattened(
     if let Optimise::Lengths { most } = options.optimise
         && !interrupted
     {
-        let span = (at(middle), at(end));
+        let span = (middle, end);
         (shared, interrupted) = share(&mut nodes, most, &mut table, span, execution)?;
     }
 

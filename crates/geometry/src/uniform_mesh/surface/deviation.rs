@@ -63,9 +63,8 @@ pub(in crate::uniform_mesh) fn shortfall(result: &UniformMesh, options: &Options
     // A free transition zone and shared lengths may take any length, and so may nodes that did not move.
     let bounded = options.optimise == Optimise::Nodes && options.transition == Transition::Bounded;
     let far = result.out_of_range.iter().filter(|edge| matches!(edge.why, Why::Curvature | Why::Optimised));
-    let (low, high) = far.fold((f64::INFINITY, 0.0), |(low, high), edge| {
-        (f64::min(low, edge.length), f64::max(high, edge.length))
-    });
+    let (low, high) =
+        far.fold((f64::INFINITY, 0.0), |(low, high), edge| (f64::min(low, edge.length), f64::max(high, edge.length)));
     let (low, high) = (low / options.edge_length, high / options.edge_length);
     if bounded && low < LIMITS.lengths.0 {
         reasons.push(format!("the shortest edge is {low:.2} of the edge length"));
@@ -78,5 +77,6 @@ pub(in crate::uniform_mesh) fn shortfall(result: &UniformMesh, options: &Options
     if smallest < LIMITS.angle && !excused {
         reasons.push(format!("the smallest angle is {:.2} degrees", smallest.to_degrees()));
     }
-    (!reasons.is_empty()).then(|| format!("{}: the surface is curved too strongly for this edge length", reasons.join(", ")))
+    (!reasons.is_empty())
+        .then(|| format!("{}: the surface is curved too strongly for this edge length", reasons.join(", ")))
 }

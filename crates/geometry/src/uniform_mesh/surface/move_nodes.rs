@@ -36,12 +36,25 @@ pub(in crate::uniform_mesh) enum Aim {
     Free,
 }
 
+/// Bounds of one optimisation.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::uniform_mesh) struct Effort {
+    /// Most runs, each with wider bounds for the members that the one before could not bring into theirs.
+    pub attempts: usize,
+    /// Most rounds of multipliers in each.
+    pub rounds: usize,
+    /// Most steps in each of those.
+    pub iterations: usize,
+    /// The change of energy, relative to it, below which the steps end.
+    pub tolerance: f64,
+}
+
 /// A surface on which nodes move, by displacements with two coordinates each.
 pub(in crate::uniform_mesh) trait Sheet {
     /// Where a node stands.
     type Place: Copy + std::fmt::Debug;
-    /// The change of energy, relative to it, below which a run ends.
-    fn tolerance(&self) -> f64;
+    /// How long the optimisation tries.
+    fn effort(&self) -> Effort;
     /// Point of the surface, and its derivatives by the two coordinates of a displacement.
     fn evaluate(&self, place: Self::Place) -> [DVec3; 3];
     /// Whether triangles that were not flipped before are not flipped now. `at` gives places and positions.
@@ -67,9 +80,10 @@ pub(in crate::uniform_mesh) struct Moved<'a, P> {
 impl Sheet for Surface {
     type Place = DVec2;
 
-    fn tolerance(&self) -> f64 {
+    fn effort(&self) -> Effort {
         // Across a film's facets the derivatives jump, and with them the last digits of the least.
-        if matches!(self, Self::Film { .. }) { 1e-5 } else { 1e-9 }
+        let tolerance = if matches!(self, Self::Film { .. }) { 1e-5 } else { 1e-9 };
+        Effort { attempts: ATTEMPTS, rounds: ROUNDS, iterations: 60, tolerance }
     }
 
     fn evaluate(&self, place: DVec2) -> [DVec3; 3] {
@@ -340,8 +354,9 @@ pub(in crate::uniform_mesh) fn refine<S: Sheet>(
     let before = (moving.deviation(&start), moving.excess());
     let given: Vec<f64> = (0..moving.active.len()).map(|k| moving.length(k)).collect();
     let (mut x, mut interrupted) = (start.clone(), None);
-    for attempt in 0..ATTEMPTS {
-        let part = |k: usize| from + (to - from) * k as f64 / ATTEMPTS as f64;
+    let attempts = nodes.surface.effort().attempts;
+    for attempt in 0..attempts {
+        let part = |k: usize| from + (to - from) * k as f64 / attempts as f64;
         x.clone_from(&start);
         interrupted = moving.multipliers(&mut x, phase, (part(attempt), part(attempt + 1)), execution);
         moving.energy(&x);
@@ -392,13 +407,14 @@ impl<S: Sheet> Moving<'_, '_, S> {
         (from, to): (f64, f64),
         execution: &Execution<'_>,
     ) -> Option<Interruption> {
-        let tolerance = self.nodes.surface.tolerance();
+        let Effort { rounds, iterations, tolerance, .. } = self.nodes.surface.effort();
         self.weight = WEIGHT;
         self.shifts.fill([0.0; 2]);
         let (mut last, mut stalled) = (f64::INFINITY, 0);
-        for round in 0..ROUNDS {
-            let part = |k: usize| from + (to - from) * k as f64 / ROUNDS as f64;
-            let settings = Settings { phase, span: (part(round), part(round + 1)), max_iterations: 60, tolerance };
+        for round in 0..rounds {
+            let part = |k: usize| from + (to - from) * k as f64 / rounds as f64;
+            let settings =
+                Settings { phase, span: (part(round), part(round + 1)), max_iterations: iterations, tolerance };
             let outcome = minimise(self, x, settings, execution);
             if outcome.interrupted.is_some() {
                 return outcome.interrupted;

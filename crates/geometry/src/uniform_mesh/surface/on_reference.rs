@@ -11,7 +11,7 @@
 //! [`Objective::FewestNodes`] has no lattice group: all members are brought into [ℓ, 2ℓ], starting from the largest
 //! triangles for which that is possible.
 
-use super::move_nodes::{Aim, Moved, OnSurface, Sheet, refine};
+use super::move_nodes::{Aim, Effort, Moved, OnSurface, Sheet, refine};
 use super::reference::{Bond, Place, Reference};
 use super::remesh::{Net, Size};
 use crate::execution::{Execution, Interruption};
@@ -24,10 +24,10 @@ use crate::{DVec2, DVec3};
 ///
 /// Fewest nodes: edges come out between 0.8 and 4/3 of the size, which fills [ℓ, 2ℓ] at 1.45; strongly curved places take
 /// the shortest edges that the range allows. Most equal edges: the mean of the edges outside the group exceeds ℓ.
-const FEWEST: Size = Size { largest: 1.45, least: 1.2, turn: 0.5 };
-const EQUAL: Size = Size { largest: 1.08, least: 1.08, turn: 1.0 };
+const FEWEST: Size = Size { largest: 1.45, least: 1.12, turn: 0.2 };
+const EQUAL: Size = Size { largest: 1.06, least: 1.06, turn: 1.0 };
 /// Rounds of moving the nodes and mending members out of range.
-const ROUNDS: usize = 5;
+const ROUNDS: usize = 3;
 /// Longest displacement of a node in one step, in ℓ.
 const LONGEST_STEP: f64 = 0.35;
 /// Members within this range, in ℓ, may belong to the lattice group.
@@ -40,8 +40,8 @@ const SEARCH: usize = 300;
 impl Sheet for Reference {
     type Place = Place;
 
-    fn tolerance(&self) -> f64 {
-        1e-6
+    fn effort(&self) -> Effort {
+        Effort { attempts: 1, rounds: 6, iterations: 12, tolerance: 1e-4 }
     }
 
     fn evaluate(&self, place: Place) -> [DVec3; 3] {

@@ -10,7 +10,7 @@
 
 use super::nurbs::Nurbs;
 use crate::error::{Error, Place as InputPlace};
-use crate::mesh::measure::double_area_vector;
+use crate::mesh::measure::{self, double_area_vector, vertex_normals};
 use crate::mesh::topology::{NONE, Topology, next};
 use crate::uniform_mesh::edges::topology;
 use crate::{DVec2, DVec3, Mesh};
@@ -49,6 +49,8 @@ const CREASE: f64 = 0.35;
 const CORNER_TURN: f64 = std::f64::consts::FRAC_PI_6;
 /// Points nearer than this fraction of the surface's size coincide.
 const COINCIDENT: f64 = 1e-9;
+/// Below this sine of the angle between a patch's derivatives there is no normal to be had from them.
+const SINGULAR: f64 = 1e-3;
 /// Largest number of edges that one walk crosses; a guard against an endless walk around a degenerate vertex.
 const LONGEST_WALK: usize = 2000;
 
@@ -130,7 +132,10 @@ impl Reference {
     /// [`Error::Input`] at `place`: the patch collapses to a line, or touches itself along more than a seam.
     pub fn of_patch(patch: &Nurbs, place: &InputPlace) -> Result<Self, Error> {
         let tessellation = tessellate(patch).ok_or_else(|| {
-            Error::input(place.clone(), "part of the patch collapses to a line or folds onto itself: leave that part out")
+            Error::input(
+                place.clone(),
+                "part of the patch collapses to a line or folds onto itself: leave that part out",
+            )
         })?;
         let Tessellation { mesh, parameters, lines, corners } = tessellation;
         let topology = topology(mesh.vertices.clone(), &mesh.triangles).map_err(|_| {
@@ -167,7 +172,7 @@ impl Reference {
                 0.5 * (b - a).perp_dot(c - a).abs() * sum / 3.0
             })
             .sum();
-        let area = if f64::is_finite(area) { area } else { crate::mesh::measure::area(&mesh) };
+        let area = if f64::is_finite(area) { area } else { measure::area(&mesh) };
         Ok(Self::assemble(mesh, topology, Some((patch.clone(), parameters)), stops, flags, area))
     }
 
@@ -176,7 +181,7 @@ impl Reference {
         let stops = topology.twin.iter().map(|&twin| twin == NONE).collect();
         let mut flags = vec![false; mesh.vertices.len()];
         corners.iter().for_each(|&v| flags[v as usize] = true);
-        let area = crate::mesh::measure::area(&mesh);
+        let area = measure::area(&mesh);
         Self::assemble(mesh, topology, None, stops, flags, area)
     }
 
@@ -188,7 +193,26 @@ impl Reference {
         corner: Vec<bool>,
         area: f64,
     ) -> Self {
-        let normals = crate::mesh::measure::vertex_normals(&mesh);
+        let mut normals = vertex_normals(&mesh);
+        if let Some((patch, parameters)) = &patch {
+            // The patch's own normals, but for creases and poles, where the mean of the facets serves.
+            let mut on_stop = vec![false; mesh.vertices.len()];
+            for h in (0..topology.twin.len() as u32).filter(|&h| stops[h as usize] && topology.twin[h as usize] != NONE)
+            {
+                on_stop[topology.from(h) as usize] = true;
+            }
+            for (triangle, corners) in mesh.triangles.iter().zip(parameters) {
+                for (&v, &p) in triangle.iter().zip(corners) {
+                    let [_, du, dv] = patch.evaluate(p);
+                    let cross = du.cross(dv);
+                    let normal = cross.normalize_or_zero();
+                    let regular = cross.length() > SINGULAR * du.length() * dv.length();
+                    if regular && !on_stop[v as usize] && normal.dot(normals[v as usize]) > 0.5 {
+                        normals[v as usize] = normal;
+                    }
+                }
+            }
+        }
         let mut curvature = vec![0.0f64; mesh.vertices.len()];
         for h in 0..topology.twin.len() as u32 {
             let (a, b) = (topology.from(h) as usize, topology.to(h) as usize);
@@ -348,7 +372,8 @@ impl Reference {
     pub fn tangent(&self, curve: u32, at: f64) -> DVec3 {
         let length = self.curves[curve as usize].length();
         let step = 1e-3 * length.min(1.0);
-        let [low, high] = [(at - step).max(0.0), (at + step).min(length)].map(|at| self.point(self.on_curve(curve, at)));
+        let [low, high] =
+            [(at - step).max(0.0), (at + step).min(length)].map(|at| self.point(self.on_curve(curve, at)));
         (high - low).normalize_or_zero()
     }
 
@@ -557,8 +582,11 @@ fn lines(patch: &Nurbs) -> ([Vec<f64>; 2], [Vec<usize>; 2]) {
 fn tessellate(patch: &Nurbs) -> Option<Tessellation> {
     let ([us, vs], creases) = lines(patch);
     let (nu, nv) = (us.len() - 1, vs.len() - 1);
-    let points: Vec<DVec3> =
-        us.iter().flat_map(|&u| vs.iter().map(move |&v| (u, v))).map(|(u, v)| patch.evaluate(DVec2::new(u, v))[0]).collect();
+    let points: Vec<DVec3> = us
+        .iter()
+        .flat_map(|&u| vs.iter().map(move |&v| (u, v)))
+        .map(|(u, v)| patch.evaluate(DVec2::new(u, v))[0])
+        .collect();
     let index = |i: usize, j: usize| i * (nv + 1) + j;
     let size = points.iter().map(|p| p.length()).fold(0.0, f64::max);
     let tiny = COINCIDENT * size;

@@ -306,8 +306,7 @@ impl<'a> Net<'a> {
                 ([Bond::Fixed(_), Bond::Curve { .. }], Some(_)) => (b, a, self.places[a as usize]),
                 _ => continue,
             };
-            let near: Vec<u32> =
-                self.ring(a).into_iter().chain(self.ring(b)).chain([a, b]).collect();
+            let near: Vec<u32> = self.ring(a).into_iter().chain(self.ring(b)).chain([a, b]).collect();
             if near.iter().any(|&v| touched[v as usize]) || !self.can_collapse(leaves, stays, h) {
                 continue;
             }
@@ -513,7 +512,9 @@ impl<'a> Net<'a> {
     }
 
     pub fn star_is_upright(&self, v: u32) -> bool {
-        self.topology.outgoing_half_edges(v).all(|h| self.triangle_is_upright(self.topology.triangles()[h as usize / 3]))
+        self.topology
+            .outgoing_half_edges(v)
+            .all(|h| self.triangle_is_upright(self.topology.triangles()[h as usize / 3]))
     }
 
     /// Numbers the nodes: corners, then nodes on the boundary, then those on creases, then the free ones.
