@@ -24,7 +24,7 @@ use std::rc::Rc;
 
 /// Largest root mean square of the relative change of the auxiliary edges' lengths when the surface is laid into the plane.
 /// Beyond it the mesh is made on the surface itself: what the plane makes of ℓ is no longer near ℓ in space.
-const LARGEST_STRAIN: f64 = 0.12;
+const LARGEST_STRAIN: f64 = 0.25;
 
 /// A NURBS patch, meshed and measured. `place` is where it stands in the input.
 pub(super) fn on_patch(
@@ -83,13 +83,12 @@ fn choose(
         }
         Some(Err(_)) | None => None,
     };
-    let (result, interrupted) = match execution.part([0.7, 0.99], on_surface) {
-        Ok(made) => made,
-        // The deadline leaves the flattened mesh, if there is one, for what it is.
-        Err(error) => match (error, flat) {
-            (Error::Interrupted(Interruption::DeadlinePassed), Some(flat)) => (flat, true),
-            (error, _) => return Err(error),
-        },
+    let (result, interrupted) = match (execution.part([0.7, 0.99], on_surface), flat) {
+        (Ok(made), _) => made,
+        (Err(Error::Interrupted(Interruption::Cancelled)), _) => return Err(Interruption::Cancelled.into()),
+        // Nothing better was found, or not in time: the flattened mesh goes for what it is.
+        (Err(error), Some(flat)) => (flat, matches!(error, Error::Interrupted(_))),
+        (Err(error), None) => return Err(error),
     };
     let shortfall = shortfall(&result, options);
     finish(result, interrupted, shortfall, warnings, options, execution)

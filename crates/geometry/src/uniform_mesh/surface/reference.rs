@@ -294,8 +294,7 @@ impl Reference {
             }
         }
         // Loops without a corner get one.
-        for k in 0..at_vertex.len() {
-            let (v, h) = at_vertex[k];
+        for &(v, h) in &at_vertex {
             if !used[h as usize] {
                 self.corner[v as usize] = true;
                 trace(v, h, &self.corner, &mut used);
