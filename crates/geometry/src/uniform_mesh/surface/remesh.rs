@@ -11,6 +11,7 @@
 use super::reference::{Bond, Place, Reference};
 use crate::DVec3;
 use crate::execution::{Execution, Interruption};
+use crate::mesh::edit::may_collapse;
 use crate::mesh::measure::double_area_vector;
 use crate::mesh::topology::{NONE, Topology, next, previous};
 
@@ -307,7 +308,7 @@ impl<'a> Net<'a> {
                 _ => continue,
             };
             let near: Vec<u32> = self.ring(a).into_iter().chain(self.ring(b)).chain([a, b]).collect();
-            if near.iter().any(|&v| touched[v as usize]) || !self.can_collapse(leaves, stays, h) {
+            if near.iter().any(|&v| touched[v as usize]) || !may_collapse(&self.topology, leaves, stays) {
                 continue;
             }
             let point = self.reference.point(meeting.spot);
@@ -370,27 +371,6 @@ impl<'a> Net<'a> {
             }
         }
         ring
-    }
-
-    /// The link condition: the ends have no common neighbours but the opposite corners of the edge's triangles, an inner
-    /// edge does not join two boundary vertices, and no corner is left without a triangle.
-    fn can_collapse(&self, from: u32, to: u32, h: u32) -> bool {
-        let topology = &self.topology;
-        let twin = topology.twin[h as usize];
-        let opposite: Vec<u32> = [h, twin].into_iter().filter(|&h| h != NONE).map(|h| topology.opposite(h)).collect();
-        if twin != NONE && topology.is_boundary(from) && topology.is_boundary(to) {
-            return false;
-        }
-        if opposite.len() == 2 && opposite[0] == opposite[1] {
-            return false;
-        }
-        let others = self.ring(to);
-        let ring = self.ring(from);
-        ring.iter().filter(|v| others.contains(v)).all(|v| opposite.contains(v))
-            && opposite.iter().all(|&v| {
-                let degree = topology.outgoing_half_edges(v).count();
-                degree > 3 || (topology.is_boundary(v) && degree > 1)
-            })
     }
 
     /// Whether the triangles of `v` without `other` stay upright, and their edges short enough, when `v` moves.
