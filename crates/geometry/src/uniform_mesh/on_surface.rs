@@ -127,8 +127,11 @@ fn on_reference(
         }
     }
     let input_vertices = inputs.iter().map(|&v| corner(v).map(|node| node as u32)).collect();
-    let OnSurface { triangles, members, lattice_group, .. } = nodes;
-    let mut result = assemble(Mesh::new(vertices, triangles), members, lattice_group, options, |_| Why::Curvature);
+    let lengths = nodes.lengths();
+    let OnSurface { triangles, members, lattice_group, parameters, .. } = nodes;
+    let ends: Vec<[u32; 2]> = members.clone();
+    let why = |member: usize| reference.why(ends[member].map(|v| parameters[v as usize]), lengths[member]);
+    let mut result = assemble(Mesh::new(vertices, triangles), members, lattice_group, options, why);
     result.stages = table.stages;
     result.shared_lengths = shared;
     result.input_vertices = input_vertices;

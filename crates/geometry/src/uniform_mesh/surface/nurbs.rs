@@ -150,14 +150,14 @@ impl Nurbs {
     /// Point and derivatives by u and v at parameters in \[0, 1\]². The patch must have passed [`check`](Self::check).
     #[must_use]
     pub fn evaluate(&self, parameters: DVec2) -> [DVec3; 3] {
-        let (i, bu) = basis(&self.knots[0], self.degrees[0], parameters.x);
-        let (j, bv) = basis(&self.knots[1], self.degrees[1], parameters.y);
+        let [bu, bv] = [(0, parameters.x), (1, parameters.y)]
+            .map(|(axis, parameter)| basis(&self.knots[axis], self.degrees[axis], parameter));
         // Sums over the basis of weight · point and weight: value, derivative by u, derivative by v.
         let (mut points, mut weights) = ([DVec3::ZERO; 3], [0.0; 3]);
-        for (k, &(nu, du)) in bu.iter().enumerate() {
-            for (l, &(nv, dv)) in bv.iter().enumerate() {
-                let weight = self.weights.as_ref().map_or(1.0, |weights| weights[i + k][j + l]);
-                let point = self.control_points[i + k][j + l];
+        for (k, &(nu, du)) in bu.functions().iter().enumerate() {
+            for (l, &(nv, dv)) in bv.functions().iter().enumerate() {
+                let weight = self.weights.as_ref().map_or(1.0, |weights| weights[bu.first + k][bv.first + l]);
+                let point = self.control_points[bu.first + k][bv.first + l];
                 for (slot, b) in [nu * nv, du * nv, nu * dv].into_iter().enumerate() {
                     points[slot] += point * (b * weight);
                     weights[slot] += b * weight;
@@ -169,38 +169,53 @@ impl Nurbs {
     }
 }
 
-/// First control point that counts at `t` in \[0, 1\], and each basis function that does with its derivative by `t`.
-fn basis(knots: &[f64], degree: usize, t: f64) -> (usize, Vec<(f64, f64)>) {
+/// The basis functions that do not vanish at one parameter.
+struct Basis {
+    /// Number of the first one, which is that of its control point.
+    first: usize,
+    count: usize,
+    /// Value and derivative of each.
+    functions: [(f64, f64); LARGEST_DEGREE + 1],
+}
+
+impl Basis {
+    fn functions(&self) -> &[(f64, f64)] {
+        &self.functions[..self.count]
+    }
+}
+
+/// The basis functions at `t` in \[0, 1\], with derivatives by `t`.
+fn basis(knots: &[f64], degree: usize, t: f64) -> Basis {
     let count = knots.len() - degree - 1;
     let (low, high) = (knots[degree], knots[count]);
     let x = (low + (high - low) * t).clamp(low, high);
     // The last span that starts at or before x and is not empty; the end belongs to the last one.
     let span = (knots[degree + 1..=count].partition_point(|&knot| knot <= x) + degree).min(count - 1);
     let span = (degree..=span).rev().find(|&k| knots[k] < knots[k + 1]).unwrap_or(span);
-    // Column r of the triangle holds the r + 1 functions of degree r.
-    let mut values = vec![1.0];
-    let mut lower = Vec::new();
+    // After round r the first r + 1 values are the functions of degree r; `lower` keeps those of degree - 1.
+    let (mut values, mut lower) = ([0.0; LARGEST_DEGREE + 1], [0.0; LARGEST_DEGREE]);
+    values[0] = 1.0;
     for r in 1..=degree {
-        let mut next = vec![0.0; r + 1];
-        for (k, &value) in values.iter().enumerate() {
-            let (left, right) = (knots[span + 1 - r + k], knots[span + 1 + k]);
-            let share = value / (right - left);
-            next[k] += (right - x) * share;
-            next[k + 1] += (x - left) * share;
-        }
         if r == degree {
-            lower = values;
+            lower[..r].copy_from_slice(&values[..r]);
         }
-        values = next;
+        let mut carried = 0.0;
+        for k in 0..r {
+            let (left, right) = (knots[span + 1 - r + k], knots[span + 1 + k]);
+            let share = values[k] / (right - left);
+            values[k] = carried + (right - x) * share;
+            carried = (x - left) * share;
+        }
+        values[r] = carried;
     }
-    let degree_f = degree as f64;
-    let derivative = |k: usize| {
-        let term = |k: usize| lower[k] / (knots[span + 1 + k] - knots[span + 1 - degree + k]);
-        let rising = if k > 0 { term(k - 1) } else { 0.0 };
-        let falling = if k < degree { term(k) } else { 0.0 };
-        degree_f * (rising - falling) * (high - low)
-    };
-    (span - degree, values.iter().enumerate().map(|(k, &value)| (value, derivative(k))).collect())
+    let mut functions = [(0.0, 0.0); LARGEST_DEGREE + 1];
+    let mut rising = 0.0;
+    for k in 0..=degree {
+        let falling = if k < degree { lower[k] / (knots[span + 1 + k] - knots[span + 1 - degree + k]) } else { 0.0 };
+        functions[k] = (values[k], degree as f64 * (rising - falling) * (high - low));
+        rising = falling;
+    }
+    Basis { first: span - degree, count: degree + 1, functions }
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ use crate::error::{Error, Place as InputPlace};
 use crate::mesh::measure::{self, double_area_vector, vertex_normals};
 use crate::mesh::topology::{NONE, Topology, next};
 use crate::uniform_mesh::edges::topology;
+use crate::uniform_mesh::report::Why;
 use crate::{DVec2, DVec3, Mesh};
 
 /// The constants of the triangulation of a patch.
@@ -47,6 +48,8 @@ const GRID: Grid = Grid {
 const CREASE: f64 = 0.35;
 /// A vertex of a curve is a corner if the curve turns by more than this angle, radians.
 const CORNER_TURN: f64 = std::f64::consts::FRAC_PI_6;
+/// An edge across a sharp corner is out of range because of the corner if its ends are nearer to it than this, in ℓ.
+const NEAR_CORNER: f64 = 3.0;
 /// Points nearer than this fraction of the surface's size coincide.
 const COINCIDENT: f64 = 1e-9;
 /// Below this sine of the angle between a patch's derivatives there is no normal to be had from them.
@@ -365,6 +368,64 @@ impl Reference {
             if against { (to, from) } else { (from, to) }
         };
         self.curves[curve as usize].edges.iter().map(ends).collect()
+    }
+
+    /// The smallest angle at a vertex between curves, or around it where there is none, radians.
+    pub fn angle_at(&self, vertex: u32) -> f64 {
+        let at = |v: u32| self.mesh.vertices[v as usize];
+        let (mut sectors, mut begins_on_curve) = (vec![0.0], true);
+        for (k, h) in self.topology.outgoing_half_edges(vertex).enumerate() {
+            if k == 0 {
+                begins_on_curve = self.stops[h as usize];
+            } else if self.stops[h as usize] {
+                sectors.push(0.0);
+            }
+            let sides = [self.topology.to(h), self.topology.opposite(h)].map(|v| at(v) - at(vertex));
+            *sectors.last_mut().expect("starts with one sector") += sides[0].angle_between(sides[1]);
+        }
+        // The sector in whose middle the turn began ends where the turn does.
+        if !begins_on_curve && let [first, .., last] = &mut sectors[..] {
+            *last += *first;
+            *first = f64::INFINITY;
+        }
+        sectors.into_iter().fold(f64::INFINITY, f64::min)
+    }
+
+    /// The curves that a node stands on.
+    fn curves_of(&self, bond: Bond) -> Vec<u32> {
+        match bond {
+            Bond::Free => Vec::new(),
+            Bond::Curve { curve, .. } => vec![curve],
+            Bond::Fixed(v) => {
+                (0..self.curves.len() as u32).filter(|&c| self.curves[c as usize].ends.contains(&v)).collect()
+            }
+        }
+    }
+
+    /// Why an edge of this length, in ℓ, between two nodes is outside [ℓ, 2ℓ].
+    pub fn why(&self, ends: [Place; 2], length: f64) -> Why {
+        let [first, second] = ends.map(|place| self.curves_of(place.bond));
+        if length > 1.0 || first.is_empty() || second.is_empty() {
+            return Why::Curvature;
+        }
+        let curve = |c: u32| &self.curves[c as usize];
+        let shared: Vec<u32> = first.iter().copied().filter(|c| second.contains(c)).collect();
+        if shared.iter().any(|&c| curve(c).length() < 1.0) {
+            return Why::ShortSide;
+        }
+        let sharp = |&v: &u32| {
+            let corner = self.mesh.vertices[v as usize];
+            let near = ends.iter().all(|place| self.point(place.spot).distance(corner) < NEAR_CORNER);
+            near && self.angle_at(v) < std::f64::consts::FRAC_PI_2
+        };
+        let also_second = |v: &u32| second.iter().any(|&c| curve(c).ends.contains(v));
+        if first.iter().flat_map(|&c| curve(c).ends).filter(also_second).any(|v| sharp(&v)) {
+            Why::SharpCorner
+        } else if shared.is_empty() {
+            Why::Narrow
+        } else {
+            Why::Curvature
+        }
     }
 
     /// The unit tangent of a curve.
