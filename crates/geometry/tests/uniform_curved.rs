@@ -83,7 +83,9 @@ fn closed_patches_and_poles_are_meshed() {
     ];
     for (name, patch, edge_length, euler, loops, area) in cases {
         for objective in Objective::ALL {
+            let clock = std::time::Instant::now();
             let result = run(&Domain::Nurbs(patch.clone()), edge_length, objective).unwrap();
+            eprintln!("TIME {name} {} {} {:?}", objective.name(), result.statistics.nodes, clock.elapsed());
             check(&result, edge_length);
             let fit = result.statistics.surface.unwrap();
             assert!(result.converged && fit.method == Method::OnSurface, "{name}: {:?}", result.warnings);

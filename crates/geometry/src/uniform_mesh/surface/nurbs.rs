@@ -9,6 +9,8 @@ use crate::{DVec2, DVec3};
 
 /// Degrees beyond this are refused: nothing is drawn with them, and their tables are evaluated in O(degree²).
 const LARGEST_DEGREE: usize = 60;
+/// Degrees below this, nearly all that are drawn with, are evaluated in small tables.
+const COMMON: usize = 8;
 
 /// Cells along a parameter, at least two a knot span, by which a patch's area is integrated.
 const AREA_CELLS: usize = 48;
@@ -150,14 +152,24 @@ impl Nurbs {
     /// Point and derivatives by u and v at parameters in \[0, 1\]². The patch must have passed [`check`](Self::check).
     #[must_use]
     pub fn evaluate(&self, parameters: DVec2) -> [DVec3; 3] {
-        let [bu, bv] = [(0, parameters.x), (1, parameters.y)]
-            .map(|(axis, parameter)| basis(&self.knots[axis], self.degrees[axis], parameter));
+        if self.degrees[0].max(self.degrees[1]) < COMMON {
+            self.evaluate_with::<COMMON>(parameters)
+        } else {
+            self.evaluate_with::<{ LARGEST_DEGREE + 1 }>(parameters)
+        }
+    }
+
+    /// [`evaluate`](Self::evaluate) for degrees below N.
+    fn evaluate_with<const N: usize>(&self, parameters: DVec2) -> [DVec3; 3] {
+        let (mut bu, mut bv) = ([(0.0, 0.0); N], [(0.0, 0.0); N]);
+        let i = basis(&self.knots[0], self.degrees[0], parameters.x, &mut bu);
+        let j = basis(&self.knots[1], self.degrees[1], parameters.y, &mut bv);
         // Sums over the basis of weight · point and weight: value, derivative by u, derivative by v.
         let (mut points, mut weights) = ([DVec3::ZERO; 3], [0.0; 3]);
-        for (k, &(nu, du)) in bu.functions().iter().enumerate() {
-            for (l, &(nv, dv)) in bv.functions().iter().enumerate() {
-                let weight = self.weights.as_ref().map_or(1.0, |weights| weights[bu.first + k][bv.first + l]);
-                let point = self.control_points[bu.first + k][bv.first + l];
+        for (k, &(nu, du)) in bu[..=self.degrees[0]].iter().enumerate() {
+            for (l, &(nv, dv)) in bv[..=self.degrees[1]].iter().enumerate() {
+                let weight = self.weights.as_ref().map_or(1.0, |weights| weights[i + k][j + l]);
+                let point = self.control_points[i + k][j + l];
                 for (slot, b) in [nu * nv, du * nv, nu * dv].into_iter().enumerate() {
                     points[slot] += point * (b * weight);
                     weights[slot] += b * weight;
@@ -169,23 +181,21 @@ impl Nurbs {
     }
 }
 
-/// The basis functions that do not vanish at one parameter.
-struct Basis {
-    /// Number of the first one, which is that of its control point.
-    first: usize,
-    count: usize,
-    /// Value and derivative of each.
-    functions: [(f64, f64); LARGEST_DEGREE + 1],
+/// A sine below this between a patch's derivatives, or a derivative below this fraction of the largest one along its
+/// parameter, leaves no normal to be had from them: at a pole rounding decides its direction.
+const SINGULAR: [f64; 2] = [1e-3, 1e-9];
+
+/// The unit normal u × v of derivatives. `largest` are the lengths of the patch's largest derivatives by u and by v.
+pub(in crate::uniform_mesh) fn unit_normal(du: DVec3, dv: DVec3, largest: [f64; 2]) -> Option<DVec3> {
+    let (cross, lengths) = (du.cross(dv), [du.length(), dv.length()]);
+    let regular = cross.length() > SINGULAR[0] * lengths[0] * lengths[1]
+        && (0..2).all(|axis| lengths[axis] > SINGULAR[1] * largest[axis]);
+    if regular { cross.try_normalize() } else { None }
 }
 
-impl Basis {
-    fn functions(&self) -> &[(f64, f64)] {
-        &self.functions[..self.count]
-    }
-}
-
-/// The basis functions at `t` in \[0, 1\], with derivatives by `t`.
-fn basis(knots: &[f64], degree: usize, t: f64) -> Basis {
+/// Writes to `functions` value and derivative by `t` of the degree + 1 basis functions that do not vanish at `t` in
+/// \[0, 1\]. Returns the number of the first one, which is that of its control point.
+fn basis<const N: usize>(knots: &[f64], degree: usize, t: f64, functions: &mut [(f64, f64); N]) -> usize {
     let count = knots.len() - degree - 1;
     let (low, high) = (knots[degree], knots[count]);
     let x = (low + (high - low) * t).clamp(low, high);
@@ -193,11 +203,11 @@ fn basis(knots: &[f64], degree: usize, t: f64) -> Basis {
     let span = (knots[degree + 1..=count].partition_point(|&knot| knot <= x) + degree).min(count - 1);
     let span = (degree..=span).rev().find(|&k| knots[k] < knots[k + 1]).unwrap_or(span);
     // After round r the first r + 1 values are the functions of degree r; `lower` keeps those of degree - 1.
-    let (mut values, mut lower) = ([0.0; LARGEST_DEGREE + 1], [0.0; LARGEST_DEGREE]);
+    let (mut values, mut lower) = ([0.0; N], [0.0; N]);
     values[0] = 1.0;
     for r in 1..=degree {
         if r == degree {
-            lower[..r].copy_from_slice(&values[..r]);
+            lower = values;
         }
         let mut carried = 0.0;
         for k in 0..r {
@@ -208,14 +218,13 @@ fn basis(knots: &[f64], degree: usize, t: f64) -> Basis {
         }
         values[r] = carried;
     }
-    let mut functions = [(0.0, 0.0); LARGEST_DEGREE + 1];
     let mut rising = 0.0;
     for k in 0..=degree {
         let falling = if k < degree { lower[k] / (knots[span + 1 + k] - knots[span + 1 - degree + k]) } else { 0.0 };
         functions[k] = (values[k], degree as f64 * (rising - falling) * (high - low));
         rising = falling;
     }
-    Basis { first: span - degree, count: degree + 1, functions }
+    span - degree
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@
 
 use super::move_nodes::{Aim, Effort, Moved, OnSurface, Sheet, refine};
 use super::reference::{Bond, Place, Reference};
-use super::remesh::{Net, Size};
+use super::remesh::{Collapse, Net, Size, longest_squared};
 use crate::execution::{Execution, Interruption};
 use crate::mesh::measure::double_area_vector;
 use crate::uniform_mesh::edges::edges;
@@ -34,6 +34,9 @@ const LONGEST_STEP: f64 = 0.35;
 const GROUP: std::ops::RangeInclusive<f64> = 0.7..=1.4;
 /// Members out of [ℓ, 2ℓ] by less than this, in ℓ, are left to the next move of the nodes.
 const SLIGHT: f64 = 0.02;
+/// Least altitude of a triangle as a fraction of its longest side, seen along the surface's normal, that a move may leave.
+/// Without it nodes are pressed flat against the boundary.
+const THINNEST: f64 = 0.03;
 /// How many nodes the search for a free degree of freedom visits.
 const SEARCH: usize = 300;
 
@@ -121,10 +124,11 @@ impl Sheet for Reference {
 }
 
 impl Reference {
-    /// Whether a triangle faces as the surface does at its corners.
+    /// Whether a triangle faces as the surface does at its corners, and is no sliver.
     fn is_upright(&self, corners: [(Place, DVec3); 3]) -> bool {
         let mean: DVec3 = corners.iter().map(|(place, _)| self.normal(place.spot)).sum();
-        double_area_vector(corners.map(|corner| corner.1)).dot(mean) > 0.0
+        let corners = corners.map(|corner| corner.1);
+        double_area_vector(corners).dot(mean) > THINNEST * longest_squared(corners) * mean.length()
     }
 }
 
@@ -271,7 +275,7 @@ fn mend(net: &mut Net<'_>) -> bool {
     let mut short: Vec<u32> = (0..count(net)).filter(|&h| net.length(h) < 1.0 - SLIGHT).collect();
     short.sort_by(|&a, &b| net.length(a).total_cmp(&net.length(b)).then(a.cmp(&b)));
     short.truncate(short.len().min(net.places.len() / 50 + 1));
-    net.collapse_edges(&short, 1.9);
+    net.collapse_edges(&short, Collapse::Middle, 1.9);
     net.flip_to_delaunay();
     net.topology.triangles() != before
 }

@@ -8,7 +8,7 @@
 //! Edges on the boundary and on creases (lines where a patch has no common tangent plane) end a walk. They are joined to
 //! curves between corners. A node on a curve has one degree of freedom, the length along it.
 
-use super::nurbs::Nurbs;
+use super::nurbs::{Nurbs, unit_normal};
 use crate::error::{Error, Place as InputPlace};
 use crate::mesh::measure::{self, double_area_vector, vertex_normals};
 use crate::mesh::topology::{NONE, Topology, next};
@@ -52,8 +52,6 @@ const CORNER_TURN: f64 = std::f64::consts::FRAC_PI_6;
 const NEAR_CORNER: f64 = 3.0;
 /// Points nearer than this fraction of the surface's size coincide.
 const COINCIDENT: f64 = 1e-9;
-/// Below this sine of the angle between a patch's derivatives there is no normal to be had from them.
-const SINGULAR: f64 = 1e-3;
 /// Largest number of edges that one walk crosses; a guard against an endless walk around a degenerate vertex.
 const LONGEST_WALK: usize = 2000;
 
@@ -204,15 +202,18 @@ impl Reference {
             {
                 on_stop[topology.from(h) as usize] = true;
             }
-            for (triangle, corners) in mesh.triangles.iter().zip(parameters) {
-                for (&v, &p) in triangle.iter().zip(corners) {
-                    let [_, du, dv] = patch.evaluate(p);
-                    let cross = du.cross(dv);
-                    let normal = cross.normalize_or_zero();
-                    let regular = cross.length() > SINGULAR * du.length() * dv.length();
-                    if regular && !on_stop[v as usize] && normal.dot(normals[v as usize]) > 0.5 {
-                        normals[v as usize] = normal;
-                    }
+            let mut derivatives = Vec::with_capacity(3 * parameters.len());
+            let mut largest = [0.0; 2];
+            for [_, du, dv] in parameters.iter().flatten().map(|&p| patch.evaluate(p)) {
+                largest = [f64::max(largest[0], du.length()), f64::max(largest[1], dv.length())];
+                derivatives.push((du, dv));
+            }
+            for (&v, &(du, dv)) in mesh.triangles.iter().flatten().zip(&derivatives) {
+                if let Some(normal) = unit_normal(du, dv, largest)
+                    && !on_stop[v as usize]
+                    && normal.dot(normals[v as usize]) > 0.5
+                {
+                    normals[v as usize] = normal;
                 }
             }
         }
@@ -574,15 +575,12 @@ fn lines(patch: &Nurbs) -> ([Vec<f64>; 2], [Vec<usize>; 2]) {
         all
     });
     // Points and normals at the samples; at a pole there is no normal.
-    let at: Vec<Vec<(DVec3, Option<DVec3>)>> = samples[0]
+    let evaluated: Vec<Vec<[DVec3; 3]>> =
+        samples[0].iter().map(|&u| samples[1].iter().map(|&v| patch.evaluate(DVec2::new(u, v))).collect()).collect();
+    let largest = [1, 2].map(|k| evaluated.iter().flatten().map(|sample| sample[k].length()).fold(0.0, f64::max));
+    let at: Vec<Vec<(DVec3, Option<DVec3>)>> = evaluated
         .iter()
-        .map(|&u| {
-            let here = |&v: &f64| {
-                let [p, du, dv] = patch.evaluate(DVec2::new(u, v));
-                (p, du.cross(dv).try_normalize())
-            };
-            samples[1].iter().map(here).collect()
-        })
+        .map(|row| row.iter().map(|&[p, du, dv]| (p, unit_normal(du, dv, largest))).collect())
         .collect();
     let (nu, nv) = (samples[0].len(), samples[1].len());
     let area: f64 = (1..nu)

@@ -31,6 +31,9 @@ struct Remeshing {
     sweeps: usize,
     /// Least cosine between a triangle's normal and the mean of the surface's normals at its corners.
     upright: f64,
+    /// Least altitude of a triangle as a fraction of its longest side. Smaller ones have no direction that could be compared
+    /// with the surface's.
+    thinnest: f64,
     /// Opposite angles may add up to 180° and this much, radians, before the edge flips.
     flat: f64,
     /// Sweeps over all edges in which edges flip.
@@ -45,6 +48,7 @@ const REMESHING: Remeshing = Remeshing {
     rounds: 12,
     sweeps: 3,
     upright: 0.1,
+    thinnest: 1e-3,
     flat: 1e-6,
     flip_sweeps: 10,
 };
@@ -66,6 +70,15 @@ impl Size {
     }
 }
 
+/// Where the ends of a collapsed edge meet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::uniform_mesh) enum Collapse {
+    /// At one end. Needs no walk on the surface.
+    End,
+    /// Half way between them.
+    Middle,
+}
+
 /// A mesh whose nodes stand on the reference.
 #[derive(Clone, Debug)]
 pub(in crate::uniform_mesh) struct Net<'a> {
@@ -78,6 +91,11 @@ pub(in crate::uniform_mesh) struct Net<'a> {
     pub along: Vec<([u32; 2], u32)>,
     size: Size,
     sizes: Vec<f64>,
+}
+
+/// The square of a triangle's longest side.
+pub(in crate::uniform_mesh) fn longest_squared([a, b, c]: [DVec3; 3]) -> f64 {
+    a.distance_squared(b).max(b.distance_squared(c)).max(c.distance_squared(a))
 }
 
 /// An edge's ends in order.
@@ -159,7 +177,8 @@ impl<'a> Net<'a> {
     fn is_upright(&self, corners: [DVec3; 3], normals: [DVec3; 3]) -> bool {
         let normal = double_area_vector(corners);
         let mean: DVec3 = normals.iter().sum();
-        normal.dot(mean) > REMESHING.upright * normal.length() * mean.length() && normal.length() > 0.0
+        normal.dot(mean) > REMESHING.upright * normal.length() * mean.length()
+            && normal.length() > REMESHING.thinnest * longest_squared(corners)
     }
 
     fn triangle_is_upright(&self, triangle: [u32; 3]) -> bool {
@@ -278,45 +297,49 @@ impl<'a> Net<'a> {
     }
 
     /// Collapses the edges that are too short, shortest first, in places that do not touch. Returns how many.
-    fn collapse(&mut self) -> usize {
+    fn collapse(&mut self, to: Collapse) -> usize {
         let edges = self.ranked(|h| REMESHING.short * self.size_at(h) / self.length(h).max(f64::MIN_POSITIVE));
-        self.collapse_edges(&edges, REMESHING.long)
+        self.collapse_edges(&edges, to, REMESHING.long)
     }
 
     /// Collapses these edges where no edge becomes longer than `long` sizes. Returns how many.
-    pub fn collapse_edges(&mut self, edges: &[u32], long: f64) -> usize {
+    pub fn collapse_edges(&mut self, edges: &[u32], to: Collapse, long: f64) -> usize {
         let mut touched = vec![false; self.places.len()];
         let mut gone: Vec<Option<u32>> = vec![None; self.places.len()];
         let mut count = 0;
         for &h in edges {
             let (a, b) = (self.topology.from(h), self.topology.to(h));
+            if touched[a as usize] || touched[b as usize] {
+                continue;
+            }
             let curve = self.curve_of(a, b);
+            let middle = || if to == Collapse::Middle { self.middle(a, b) } else { None };
             let bonds = [a, b].map(|v| self.places[v as usize].bond);
             let (leaves, stays, meeting) = match (bonds, curve) {
-                ([Bond::Free, Bond::Free], _) => match self.middle(a, b) {
-                    Some(place) => (a, b, place),
-                    None => (a, b, self.places[b as usize]),
-                },
+                ([Bond::Free, Bond::Free], _) => (a, b, middle().unwrap_or(self.places[b as usize])),
                 ([Bond::Free, _], _) => (a, b, self.places[b as usize]),
                 ([_, Bond::Free], _) => (b, a, self.places[a as usize]),
-                ([Bond::Curve { .. }, Bond::Curve { .. }], Some(_)) => match self.middle(a, b) {
-                    Some(place) => (a, b, place),
-                    None => continue,
-                },
+                ([Bond::Curve { .. }, Bond::Curve { .. }], Some(_)) => {
+                    (a, b, middle().unwrap_or(self.places[b as usize]))
+                }
                 ([Bond::Curve { .. }, Bond::Fixed(_)], Some(_)) => (a, b, self.places[b as usize]),
                 ([Bond::Fixed(_), Bond::Curve { .. }], Some(_)) => (b, a, self.places[a as usize]),
                 _ => continue,
             };
-            let near: Vec<u32> = self.ring(a).into_iter().chain(self.ring(b)).chain([a, b]).collect();
+            // A collapse onto an end that stays where it is changes only the triangles around the other.
+            let moves = meeting != self.places[stays as usize];
+            let mut near = self.ring(leaves);
+            near.extend([a, b]);
+            if moves {
+                near.extend(self.ring(stays));
+            }
             if near.iter().any(|&v| touched[v as usize]) || !may_collapse(&self.topology, leaves, stays) {
                 continue;
             }
             let point = self.reference.point(meeting.spot);
             let normal = self.reference.normal(meeting.spot);
-            let fits = [(leaves, stays), (stays, leaves)]
-                .iter()
-                .all(|&(v, other)| self.keeps_shape(v, other, point, normal, long));
-            if !fits {
+            let fits = |v: u32, other: u32| self.keeps_shape(v, other, point, normal, long);
+            if !fits(leaves, stays) || (moves && !fits(stays, leaves)) {
                 continue;
             }
             near.iter().for_each(|&v| touched[v as usize] = true);
@@ -532,7 +555,7 @@ impl<'a> Net<'a> {
         for pass in 0..REMESHING.coarsening_passes {
             execution.look(4 * self.places.len() as u64)?;
             let before = self.places.len() as f64;
-            let removed = self.collapse() as f64;
+            let removed = self.collapse(Collapse::End) as f64;
             self.flip_to_delaunay();
             if pass % 2 == 1 {
                 self.relax(1);
@@ -544,7 +567,7 @@ impl<'a> Net<'a> {
         for _ in 0..REMESHING.rounds {
             execution.look(20 * self.places.len() as u64)?;
             self.split();
-            self.collapse();
+            self.collapse(Collapse::Middle);
             self.flip_to_delaunay();
             self.relax(REMESHING.sweeps);
             self.flip_to_delaunay();
