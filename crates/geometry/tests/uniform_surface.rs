@@ -70,7 +70,7 @@ fn check(result: &UniformMesh, edge_length: f64) {
         assert!(a.count == b.count && (a.std_dev - b.std_dev).abs() < 1e-9 * edge_length);
         assert!((a.min - b.min).abs() < 1e-9 * edge_length && (a.max - b.max).abs() < 1e-9 * edge_length);
     }
-    let out = result.lengths.iter().filter(|&&l| !(0.999_999_99..=2.000_000_01).contains(&(l / edge_length))).count();
+    let out = result.lengths.iter().filter(|&&l| !(0.999_999_998..=2.000_000_004).contains(&(l / edge_length))).count();
     assert_eq!(out, result.out_of_range.len());
     assert!(result.out_of_range.iter().all(|edge| edge.why != Why::Unfinished));
 }

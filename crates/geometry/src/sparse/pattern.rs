@@ -233,7 +233,7 @@ impl BlockPattern {
             return Some(Place { row, length, before: None });
         }
         let neighbours = &self.neighbour[self.first[v as usize] as usize..self.first[v as usize + 1] as usize];
-        let &(_, before) = neighbours.iter().find(|&&(other, _)| other == w)?;
+        let (_, before) = neighbours[neighbours.binary_search_by_key(&w, |&(other, _)| other).ok()?];
         Some(Place { row, length, before: Some(before) })
     }
 }

@@ -10,11 +10,12 @@
 //! The paper names no method. Our departure: steps that would flip a triangle are refused, as the energy alone does not see
 //! a fold.
 
-use super::least_squares::{Normal, Outcome, Problem, Settings, minimise, step_before_flip};
+use super::least_squares::{Outcome, Settings, minimise, step_before_flip};
 use crate::error::Error;
 use crate::execution::Execution;
 use crate::mesh::topology::Topology;
 use crate::plane::frame::Frame;
+use crate::sparse::levenberg_marquardt::{LeastSquares, NormalEquations};
 use crate::sparse::{Symbolic, SymmetricMatrix};
 use crate::uniform_mesh::edges::edges;
 use crate::{DVec2, DVec3, Mesh, mesh::measure};
@@ -28,11 +29,11 @@ struct Flattening<'a> {
     metric: f64,
 }
 
-impl Problem for Flattening<'_> {
+impl LeastSquares<2> for Flattening<'_> {
     type Place = DVec2;
 
-    fn couplings(&self) -> &[[u32; 2]] {
-        self.edges
+    fn couplings(&self, couple: &mut dyn FnMut(&[u32])) {
+        self.edges.iter().for_each(|edge| couple(edge));
     }
 
     fn energy(&mut self, x: &[DVec2]) -> f64 {
@@ -46,24 +47,26 @@ impl Problem for Flattening<'_> {
         self.edges.iter().zip(self.lengths).map(term).sum()
     }
 
-    fn assemble(&mut self, x: &[DVec2], normal: &mut Normal) {
-        for (k, (&[a, b], &length)) in self.edges.iter().zip(self.lengths).enumerate() {
+    fn assemble(&mut self, x: &[DVec2], normal: &mut NormalEquations<2>) {
+        for (&[a, b], &length) in self.edges.iter().zip(self.lengths) {
             let edge = x[b as usize] - x[a as usize];
             let now = edge.length();
             let g = edge / (now * length);
-            normal.add_pair(k, [a, b], now / length - 1.0, -g, g);
+            normal.add(now / length - 1.0, &[a, b], &[(-g).into(), g.into()]);
         }
     }
 
-    fn advance(&self, x: &[DVec2], step: &[DVec2], to: &mut [DVec2]) {
-        let most = step_before_flip(self.triangles.iter().map(|t| t.map(|v| (x[v as usize], step[v as usize]))));
+    fn advance(&self, x: &[DVec2], step: &[[f64; 2]], to: &mut [DVec2]) -> f64 {
+        let moved = |v: u32| (x[v as usize], DVec2::from(step[v as usize]));
+        let most = step_before_flip(self.triangles.iter().map(|t| t.map(moved)));
         for (node, place) in to.iter_mut().enumerate() {
-            *place = x[node] + step[node] * most;
+            *place = x[node] + DVec2::from(step[node]) * most;
         }
+        most
     }
 
-    fn metric(&self, _node: usize) -> [f64; 3] {
-        [self.metric, 0.0, self.metric]
+    fn metric(&self, _node: usize) -> [[f64; 2]; 2] {
+        [[self.metric, 0.0], [0.0, self.metric]]
     }
 }
 

@@ -75,6 +75,7 @@ pub(in crate::uniform_mesh) fn share_lengths<S: Sheet>(
     (from, to): (f64, f64),
     execution: &Execution<'_>,
 ) -> (Vec<LengthsRow>, Option<Interruption>) {
+    let effort = nodes.surface.effort();
     let start = nodes.clone();
     let before = sorted(&start);
     let ladder = ladder(most);
@@ -94,7 +95,7 @@ pub(in crate::uniform_mesh) fn share_lengths<S: Sheet>(
             };
             let aims: Vec<Aim> = here.lengths().into_iter().map(|length| Aim::At(nearest(length))).collect();
             let step = rung * ROUNDS + round;
-            interrupted = refine(&mut here, &aims, "share_lengths", (part(step), part(step + 1)), execution);
+            interrupted = refine(&mut here, &aims, effort, "share_lengths", (part(step), part(step + 1)), execution);
             let (deviation, better) = cover(&sorted(&here), count);
             middles = better;
             idle = if deviation < best.0 * 0.999 { 0 } else { idle + 1 };

@@ -10,8 +10,9 @@
 //! the result does not depend on how the patch is parametrised.
 
 use super::auxiliary::Surface;
-use super::least_squares::{Normal, Problem, Settings, minimise, step_before_flip};
+use super::least_squares::{Settings, minimise, step_before_flip};
 use crate::execution::{Execution, Interruption};
+use crate::sparse::levenberg_marquardt::{LeastSquares, NormalEquations};
 use crate::{DVec2, DVec3};
 
 /// Rim members aim a little inside their bounds, so that what the multipliers leave over is still within.
@@ -43,8 +44,8 @@ pub(in crate::uniform_mesh) struct Effort {
     pub attempts: usize,
     /// Most rounds of multipliers in each.
     pub rounds: usize,
-    /// Most steps in each of those.
-    pub iterations: usize,
+    /// Most steps tried in each of those.
+    pub iterations: u64,
     /// The change of energy, relative to it, below which the steps end.
     pub tolerance: f64,
 }
@@ -57,11 +58,11 @@ pub(in crate::uniform_mesh) trait Sheet {
     fn effort(&self) -> Effort;
     /// Point of the surface, and its derivatives by the two coordinates of a displacement.
     fn evaluate(&self, place: Self::Place) -> [DVec3; 3];
-    /// Whether triangles that were not flipped before are not flipped now. `at` gives places and positions.
+    /// Whether none of the triangles is flipped. `at` gives places and positions.
     fn are_upright(&self, triangles: &[[u32; 3]], at: &dyn Fn(u32) -> (Self::Place, DVec3)) -> bool;
     /// Writes to `to` the places of the moving nodes, which are those from `fixed` on, after as much of the step as may
-    /// be taken. `triangles` are those with a moving corner.
-    fn advance(&self, mesh: &Moved<'_, Self::Place>, step: &[DVec2], to: &mut [Self::Place]);
+    /// be taken, and returns how much that is. `triangles` are those with a moving corner.
+    fn advance(&self, mesh: &Moved<'_, Self::Place>, step: &[DVec2], to: &mut [Self::Place]) -> f64;
     /// The point of the surface below the middle of a triangle, and the surface's unit normal there.
     fn below(&self, corners: [Self::Place; 3], middle: DVec3) -> (DVec3, DVec3);
 }
@@ -97,7 +98,7 @@ impl Sheet for Surface {
         })
     }
 
-    fn advance(&self, mesh: &Moved<'_, DVec2>, step: &[DVec2], to: &mut [DVec2]) {
+    fn advance(&self, mesh: &Moved<'_, DVec2>, step: &[DVec2], to: &mut [DVec2]) -> f64 {
         let of = |v: u32| match (v as usize).checked_sub(mesh.fixed) {
             Some(k) => (mesh.moving[k], step[k]),
             None => (mesh.standing[v as usize], DVec2::ZERO),
@@ -106,6 +107,7 @@ impl Sheet for Surface {
         for (node, place) in to.iter_mut().enumerate() {
             *place = self.restrict(mesh.moving[node] + step[node] * most);
         }
+        most
     }
 
     fn below(&self, corners: [DVec2; 3], middle: DVec3) -> (DVec3, DVec3) {
@@ -164,16 +166,13 @@ struct Moving<'a, 'b, S: Sheet> {
     nodes: &'a OnSurface<'b, S>,
     /// Members with at least one moving end: their number in `members`.
     active: Vec<usize>,
-    /// Among them those with two, as pairs of moving nodes, and their place in `active`.
-    pairs: Vec<[u32; 2]>,
-    pair_of: Vec<Option<usize>>,
     aims: &'a [Aim],
     /// For each active member the bounds that it has if it is in the rim.
     bounds: Vec<[f64; 2]>,
     /// For each active member the shifts of its lower and upper bound, 0 or positive.
     shifts: Vec<[f64; 2]>,
     weight: f64,
-    /// Triangles with a moving corner.
+    /// Triangles with a moving corner that are upright at the start, and stay so.
     triangles: Vec<[u32; 3]>,
     /// Position and derivatives of the moving nodes where they were last evaluated.
     here: Vec<[DVec3; 3]>,
@@ -186,23 +185,14 @@ impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
         let active: Vec<usize> = (0..nodes.members.len())
             .filter(|&m| aims[m] != Aim::Free && nodes.members[m].iter().any(|&v| v >= fixed))
             .collect();
-        let (mut pairs, mut pair_of) = (Vec::new(), Vec::new());
-        for &m in &active {
-            let [a, b] = nodes.members[m];
-            let both = a >= fixed && b >= fixed;
-            pair_of.push(both.then_some(pairs.len()));
-            if both {
-                pairs.push([a - fixed, b - fixed]);
-            }
-        }
-        let triangles = nodes.triangles.iter().filter(|t| t.iter().any(|&v| v >= fixed)).copied().collect();
+        let at = |v: u32| (nodes.parameters[v as usize], nodes.positions[v as usize]);
+        let guarded = |t: &&[u32; 3]| t.iter().any(|&v| v >= fixed) && nodes.surface.are_upright(&[**t], &at);
+        let triangles = nodes.triangles.iter().filter(guarded).copied().collect();
         let (bounds, shifts) = (vec![[1.0, 2.0]; active.len()], vec![[0.0; 2]; active.len()]);
         let moving = nodes.parameters.len() - nodes.fixed;
         Self {
             nodes,
             active,
-            pairs,
-            pair_of,
             aims,
             bounds,
             shifts,
@@ -265,11 +255,17 @@ impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
     }
 }
 
-impl<S: Sheet> Problem for Moving<'_, '_, S> {
+impl<S: Sheet> LeastSquares<2> for Moving<'_, '_, S> {
     type Place = S::Place;
 
-    fn couplings(&self) -> &[[u32; 2]] {
-        &self.pairs
+    fn couplings(&self, couple: &mut dyn FnMut(&[u32])) {
+        let fixed = self.nodes.fixed as u32;
+        for &member in &self.active {
+            let [a, b] = self.nodes.members[member];
+            if a >= fixed && b >= fixed {
+                couple(&[a - fixed, b - fixed]);
+            }
+        }
     }
 
     fn energy(&mut self, x: &[S::Place]) -> f64 {
@@ -289,7 +285,7 @@ impl<S: Sheet> Problem for Moving<'_, '_, S> {
             .sum()
     }
 
-    fn assemble(&mut self, x: &[S::Place], normal: &mut Normal) {
+    fn assemble(&mut self, x: &[S::Place], normal: &mut NormalEquations<2>) {
         self.here = x.iter().map(|&p| Sheet::evaluate(self.nodes.surface, p)).collect();
         for (metric, [_, du, dv]) in self.metrics.iter_mut().zip(&self.here) {
             *metric = [du.dot(*du), du.dot(*dv), dv.dot(*dv)];
@@ -303,41 +299,41 @@ impl<S: Sheet> Problem for Moving<'_, '_, S> {
                 continue;
             }
             let direction = edge * (slope / length);
-            let derivative = |v: u32| {
+            let derivative = |v: u32, direction: DVec3| {
                 (v as usize).checked_sub(self.nodes.fixed).map(|node| {
                     let [_, du, dv] = self.here[node];
-                    (node, DVec2::new(du.dot(direction), dv.dot(direction)))
+                    (node as u32, [du.dot(direction), dv.dot(direction)])
                 })
             };
-            match (derivative(a), derivative(b), self.pair_of[k]) {
-                (Some((_, ga)), Some((_, gb)), Some(pair)) => normal.add_pair(pair, self.pairs[pair], r, -ga, gb),
-                (Some((node, g)), None, _) => normal.add_single(node, r, -g),
-                (None, Some((node, g)), _) => normal.add_single(node, r, g),
-                _ => {}
+            match (derivative(a, -direction), derivative(b, direction)) {
+                (Some((a, by_a)), Some((b, by_b))) => normal.add(r, &[a, b], &[by_a, by_b]),
+                (Some((node, by_node)), None) | (None, Some((node, by_node))) => normal.add(r, &[node], &[by_node]),
+                (None, None) => {}
             }
         }
     }
 
-    fn advance(&self, x: &[S::Place], step: &[DVec2], to: &mut [S::Place]) {
+    fn advance(&self, x: &[S::Place], step: &[[f64; 2]], to: &mut [S::Place]) -> f64 {
         let nodes = self.nodes;
+        let step: Vec<DVec2> = step.iter().map(|&step| step.into()).collect();
         let mesh = Moved {
             standing: &nodes.parameters[..nodes.fixed],
             moving: x,
             fixed: nodes.fixed,
             triangles: &self.triangles,
         };
-        nodes.surface.advance(&mesh, step, to);
+        nodes.surface.advance(&mesh, &step, to)
     }
 
-    fn metric(&self, node: usize) -> [f64; 3] {
+    fn metric(&self, node: usize) -> [[f64; 2]; 2] {
         let [xx, xy, yy] = self.metrics[node];
         // A patch may have a point without a tangent plane; a little of the trace keeps the metric definite there.
         let little = 1e-9 * (xx + yy) + f64::MIN_POSITIVE;
-        [xx + little, xy, yy + little]
+        [[xx + little, xy], [xy, yy + little]]
     }
 }
 
-/// Moves the inner nodes so that the members come as near to their aims as they get.
+/// Moves the inner nodes so that the members come as near to their aims as they get with that effort.
 ///
 /// Where the surface is curved so strongly that some rim members can reach no length within [ℓ, 2ℓ], those may keep the
 /// length they start with; more weight on them would only spoil the lattice. Returns what cut the work short, if anything
@@ -345,6 +341,7 @@ impl<S: Sheet> Problem for Moving<'_, '_, S> {
 pub(in crate::uniform_mesh) fn refine<S: Sheet>(
     nodes: &mut OnSurface<'_, S>,
     aims: &[Aim],
+    effort: Effort,
     phase: &'static str,
     (from, to): (f64, f64),
     execution: &Execution<'_>,
@@ -354,11 +351,10 @@ pub(in crate::uniform_mesh) fn refine<S: Sheet>(
     let before = (moving.deviation(&start), moving.excess());
     let given: Vec<f64> = (0..moving.active.len()).map(|k| moving.length(k)).collect();
     let (mut x, mut interrupted) = (start.clone(), None);
-    let attempts = nodes.surface.effort().attempts;
-    for attempt in 0..attempts {
-        let part = |k: usize| from + (to - from) * k as f64 / attempts as f64;
+    for attempt in 0..effort.attempts {
+        let part = |k: usize| from + (to - from) * k as f64 / effort.attempts as f64;
         x.clone_from(&start);
-        interrupted = moving.multipliers(&mut x, phase, (part(attempt), part(attempt + 1)), execution);
+        interrupted = moving.multipliers(&mut x, effort, phase, (part(attempt), part(attempt + 1)), execution);
         moving.energy(&x);
         if interrupted.is_some() || moving.excess() <= ENOUGH {
             break;
@@ -403,11 +399,11 @@ impl<S: Sheet> Moving<'_, '_, S> {
     fn multipliers(
         &mut self,
         x: &mut Vec<S::Place>,
+        Effort { rounds, iterations, tolerance, .. }: Effort,
         phase: &'static str,
         (from, to): (f64, f64),
         execution: &Execution<'_>,
     ) -> Option<Interruption> {
-        let Effort { rounds, iterations, tolerance, .. } = self.nodes.surface.effort();
         self.weight = WEIGHT;
         self.shifts.fill([0.0; 2]);
         let (mut last, mut stalled) = (f64::INFINITY, 0);

@@ -6,7 +6,7 @@
 //!    which every node has to serve at most two (a node on a curve one): a system with as many equations as unknowns.
 //! 3. The paper's optimisation ([`refine`]): the nodes move on the surface to the least Σ (L - ℓ)² over the group, all
 //!    other members within [ℓ, 2ℓ].
-//! 4. Members that are still out of range are split or collapsed, and the nodes move again.
+//! 4. Members that are still out of range are split or collapsed, and the nodes move again. The last move takes its time.
 //!
 //! [`Objective::FewestNodes`] has no lattice group: all members are brought into [ℓ, 2ℓ], starting from the largest
 //! triangles for which that is possible.
@@ -16,6 +16,7 @@ use super::reference::{Bond, Place, Reference};
 use super::remesh::{Collapse, Net, Size, longest_squared};
 use crate::execution::{Execution, Interruption};
 use crate::mesh::measure::double_area_vector;
+use crate::mesh::topology::{next, previous};
 use crate::uniform_mesh::edges::edges;
 use crate::uniform_mesh::options::Objective;
 use crate::{DVec2, DVec3};
@@ -28,6 +29,8 @@ const FEWEST: Size = Size { largest: 1.45, least: 1.12, turn: 0.2 };
 const EQUAL: Size = Size { largest: 1.06, least: 1.06, turn: 1.0 };
 /// Rounds of moving the nodes and mending members out of range.
 const ROUNDS: usize = 3;
+/// Rounds of multipliers in each of these moves.
+const BRIEF: usize = 2;
 /// Longest displacement of a node in one step, in ℓ.
 const LONGEST_STEP: f64 = 0.35;
 /// Members within this range, in ℓ, may belong to the lattice group.
@@ -36,7 +39,10 @@ const GROUP: std::ops::RangeInclusive<f64> = 0.7..=1.4;
 const SLIGHT: f64 = 0.02;
 /// Least altitude of a triangle as a fraction of its longest side, seen along the surface's normal, that a move may leave.
 /// Without it nodes are pressed flat against the boundary.
-const THINNEST: f64 = 0.03;
+const THINNEST: f64 = 0.12;
+/// An edge that cannot flip, is longer than the first (in ℓ) and is seen from a node at more than the second (radians) is
+/// split, so that the node may join it.
+const SEEN_WIDE: (f64, f64) = (1.5, 2.4);
 /// How many nodes the search for a free degree of freedom visits.
 const SEARCH: usize = 300;
 
@@ -44,7 +50,7 @@ impl Sheet for Reference {
     type Place = Place;
 
     fn effort(&self) -> Effort {
-        Effort { attempts: 1, rounds: 6, iterations: 12, tolerance: 1e-4 }
+        Effort { attempts: 1, rounds: 6, iterations: 20, tolerance: 1e-4 }
     }
 
     fn evaluate(&self, place: Place) -> [DVec3; 3] {
@@ -63,7 +69,7 @@ impl Sheet for Reference {
         triangles.iter().all(|t| self.is_upright(t.map(at)))
     }
 
-    fn advance(&self, mesh: &Moved<'_, Place>, step: &[DVec2], to: &mut [Place]) {
+    fn advance(&self, mesh: &Moved<'_, Place>, step: &[DVec2], to: &mut [Place]) -> f64 {
         let displaced = |k: usize, part: f64| {
             let here = mesh.moving[k];
             let step = step[k] * part;
@@ -105,6 +111,7 @@ impl Sheet for Reference {
                 }
             }
         }
+        parts.iter().sum::<f64>() / parts.len() as f64
     }
 
     fn below(&self, corners: [Place; 3], middle: DVec3) -> (DVec3, DVec3) {
@@ -153,16 +160,19 @@ pub(in crate::uniform_mesh) fn mesh<'a>(
     if !optimise {
         return Ok((best, None));
     }
+    let part = |k: usize| from + (to - from) * k as f64 / (ROUNDS + 1) as f64;
+    let move_nodes = |nodes: &mut OnSurface<'a, Reference>, rounds: usize, k: usize| {
+        let aim = |&lattice: &bool| if lattice { Aim::At(1.0) } else { Aim::Within };
+        let aims: Vec<Aim> = nodes.lattice_group.iter().map(aim).collect();
+        let effort = Effort { rounds, ..reference.effort() };
+        refine(nodes, &aims, effort, "optimise_nodes", (part(k), part(k + 1)), execution)
+    };
     let mut least = f64::INFINITY;
     for round in 0..ROUNDS {
-        let part = |k: usize| from + (to - from) * k as f64 / ROUNDS as f64;
         let mut here = nodes(&mut net, objective);
-        let aim = |&lattice: &bool| if lattice { Aim::At(1.0) } else { Aim::Within };
-        let aims: Vec<Aim> = here.lattice_group.iter().map(aim).collect();
-        let interrupted = refine(&mut here, &aims, "optimise_nodes", (part(round), part(round + 1)), execution);
+        let interrupted = move_nodes(&mut here, BRIEF, round);
         let misfit = misfit(&here);
-        let changed = misfit < least;
-        if changed {
+        if misfit < least {
             least = misfit;
             best = here.clone();
         }
@@ -176,7 +186,8 @@ pub(in crate::uniform_mesh) fn mesh<'a>(
             break;
         }
     }
-    Ok((best, None))
+    let interrupted = move_nodes(&mut best, reference.effort().rounds, ROUNDS);
+    Ok((best, interrupted))
 }
 
 /// The net's nodes as nodes that move, with the lattice group for the lengths as they are.
@@ -269,7 +280,15 @@ fn misfit(nodes: &OnSurface<'_, Reference>) -> f64 {
 fn mend(net: &mut Net<'_>) -> bool {
     let count = |net: &Net<'_>| net.topology.twin.len() as u32;
     let before = net.topology.triangles().to_vec();
-    let mut long: Vec<u32> = (0..count(net)).filter(|&h| net.length(h) > 2.0 + SLIGHT).collect();
+    let seen_wide = |h: u32| {
+        let corners = [h, next(h), previous(h)].map(|h| net.positions[net.topology.from(h) as usize]);
+        let [a, b, apex] = corners;
+        net.curve_of(net.topology.from(h), net.topology.to(h)).is_some()
+            && a.distance(b) > SEEN_WIDE.0
+            && (a - apex).angle_between(b - apex) > SEEN_WIDE.1
+    };
+    let too_long = |&h: &u32| net.length(h) > 2.0 + SLIGHT || seen_wide(h);
+    let mut long: Vec<u32> = (0..count(net)).filter(too_long).collect();
     long.sort_by(|&a, &b| net.length(b).total_cmp(&net.length(a)).then(a.cmp(&b)));
     net.split_edges(&long);
     let mut short: Vec<u32> = (0..count(net)).filter(|&h| net.length(h) < 1.0 - SLIGHT).collect();

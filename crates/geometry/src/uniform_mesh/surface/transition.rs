@@ -13,7 +13,7 @@
 //! Beyond the paper, which keeps the plane's rim and whose Table 1 shows what it comes to (a member of 13.4 for ℓ = 5).
 
 use super::auxiliary::Surface;
-use super::move_nodes::{Aim, OnSurface, refine};
+use super::move_nodes::{Aim, OnSurface, Sheet, refine};
 use crate::execution::{Execution, Interruption};
 use crate::mesh::topology::NONE;
 use crate::plane::triangulation::{Border, Constraint, Sight, Triangulation, side};
@@ -54,7 +54,7 @@ pub(in crate::uniform_mesh) fn fit(
         let rim = if freedom == Freedom::Free { Aim::Free } else { Aim::Within };
         let aim = |&lattice: &bool| if lattice { Aim::At(1.0) } else { rim };
         let aims: Vec<Aim> = nodes.lattice_group.iter().map(aim).collect();
-        refine(nodes, &aims, "optimise_nodes", (part(round), part(round + 1)), execution)
+        refine(nodes, &aims, nodes.surface.effort(), "optimise_nodes", (part(round), part(round + 1)), execution)
     };
     let (mut rebuilt, mut interrupted) = (false, move_nodes(nodes, 0));
     let mut best = misfit(nodes);
