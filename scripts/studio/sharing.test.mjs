@@ -49,6 +49,21 @@ test('a link restores the request and the camera in another browser', async () =
   await context.close();
 });
 
+test('a link that is put into the address of an open studio is opened, and undo goes back', async () => {
+  const { page } = studio;
+  await studio.open('catenoid');
+  const catenoid = await request(page);
+  const link = await copied(page, 'Link');
+  await studio.open('tent');
+  const tent = await request(page);
+  await page.evaluate((hash) => { location.hash = hash; }, new URL(link).hash);
+  await page.waitForFunction((text) => JSON.stringify(window.studio.request()) === text, JSON.stringify(catenoid));
+  await solved(page);
+  assert.deepEqual(await request(page), catenoid);
+  await page.click('#undo');
+  assert.deepEqual(await request(page), tent);
+});
+
 test('a damaged link says so and opens the page all the same', async () => {
   const { page } = studio;
   await page.goto(`${studio.url}/#s=abcdefg`);

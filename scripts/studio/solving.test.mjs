@@ -120,6 +120,48 @@ test('a recent job opens with its drawing', async () => {
   assert.deepEqual(await request(page), strip);
 });
 
+test('the page is busy from the press that opens something until it is shown, or has failed', async () => {
+  const { page } = studio;
+  await studio.open('wavy-strip');
+  const strip = await request(page);
+  const busy = () => page.getAttribute('body', 'aria-busy');
+  /** Holds what the page asks of an address until it is let go. */
+  const hold = async (address, end = (route) => route.continue()) => {
+    let release;
+    const gate = new Promise((resolve) => { release = resolve; });
+    await page.route(address, async (route) => { await gate; await end(route); });
+    return async () => { release(); await page.waitForFunction(() => document.body.getAttribute('aria-busy') === 'false'); await page.unroute(address); };
+  };
+  const openTent = async () => {
+    await page.click('#open-gallery');
+    await page.click('#gallery [data-example="tent"]');
+  };
+
+  const refused = await hold('**/v1/examples/tent', (route) => route.abort());
+  await openTent();
+  assert.equal(await busy(), 'true', 'an example that is being fetched');
+  await refused();
+  assert.match(await page.textContent('#problem'), /cannot be reached/);
+  assert.deepEqual(await request(page), strip, 'a failure changes nothing');
+
+  const [{ links: { self } }] = (await (await fetch(`${studio.url}/v1/jobs?limit=1`)).json()).jobs;
+  const fetched = await hold(`**${self}`);
+  await page.click('#open-recent');
+  await page.locator('#recent-list button:not(:disabled)').first().click();
+  assert.equal(await busy(), 'true', 'a recent job that is being fetched');
+  await fetched();
+
+  const slow = await hold('**/v1/examples/tent');
+  await openTent();
+  await page.click('#open-gallery');
+  await page.click('#gallery [data-example="vault"]');
+  await page.waitForFunction(() => 'domain' in window.studio.request());
+  assert.equal(await busy(), 'true', 'the first is still under way');
+  await slow();
+  assert.ok('domain' in await request(page), 'of two openings the later one wins');
+  await solved(page);
+});
+
 test('each objective of a strip is a tile with its own picture, and one is taken', async () => {
   const { page } = studio;
   await studio.open('wang-tang-v');

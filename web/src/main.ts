@@ -48,7 +48,7 @@ const THEMES: Record<string, { sketch: SketchLook; look: Look; grid: [string, nu
   },
 };
 
-interface Run { job: Job | null; since: number; cancelled: boolean; dragging: boolean; request: string; kind: Kind }
+interface Run { job: Job | null; since: number; cancelled: boolean; dragging: boolean; request: string; kind: Kind; title: string | null; generation: number }
 
 let openapi: OpenApi = {};
 let objectives: Objective[] = [];
@@ -63,12 +63,17 @@ let viewing = false;
 let colour = 'plain';
 let current: Quantity | null = null;
 let run: Run | null = null;
-let wanted = false;
+/** Where the next run gets its job: from the document as it is then, or from a job that is there already. */
+let next: ((started: Run) => Promise<Job>) | null = null;
+/** Counts replacements of the whole document: what was asked before one is not shown after it. */
+let generation = 0;
 let lastDuration = 0;
 let mode: 'model' | 'compare' | 'flat' = 'model';
 let staleTimer = 0;
 let pendingJob: string | null = null;
 let serverFaulty = new Set<string>();
+/** Whether the camera came with the document, so that its first result does not move it. */
+let cameraGiven = false;
 
 const look: Look = { ...THEMES.light!.look };
 const stage = new Stage($<HTMLCanvasElement>('view'), () => ({
@@ -294,44 +299,83 @@ function readSurface(point: { x: number; y: number; z: number; toArray(): Vec3 }
   label(current && value !== null ? reading(current, value) : where, x, y, point.toArray());
 }
 
+// ---- What is under way ----
+
+/** Openings and runs that have begun and not ended. */
+let underWay = 0;
+/** Counts openings, so that of two at a time the later one wins. */
+let openings = 0;
+
+/** The page is busy from the press that begins some work until its end, however it ends. */
+async function whileBusy<T>(work: () => Promise<T>): Promise<T> {
+  underWay += 1;
+  document.body.setAttribute('aria-busy', 'true');
+  try {
+    return await work();
+  } finally {
+    underWay -= 1;
+    document.body.setAttribute('aria-busy', String(underWay > 0));
+  }
+}
+
+/** Opens what `fetch` brings, unless something else is being opened by then; failures are shown. */
+const open = <T>(fetch: () => Promise<T>, use: (found: T) => void, fail: (error: unknown) => void = showProblem): Promise<void> => whileBusy(async () => {
+  openings += 1;
+  const own = openings;
+  try {
+    const found = await fetch();
+    if (own === openings) use(found);
+  } catch (error) {
+    if (own === openings) fail(error);
+  }
+});
+
 // ---- Solving ----
 
 const say = (text: string): void => { $('status').textContent = text; };
 
-/** One job at a time; in live mode what changed meanwhile is solved next. */
-async function solve(): Promise<void> {
-  wanted = true;
+/** Solves the document; in live mode what changed meanwhile is solved next. */
+const solve = (): Promise<void> => start(({ kind, request }) => api.submit(KINDS[kind].path, JSON.parse(request)));
+
+/** Follows a job that belongs to the document as it is: after a reload, or from the list of recent jobs. */
+const adopt = (job: Job): Promise<void> => start(() => Promise.resolve(job));
+
+/** One job at a time: while one runs, the last that was asked for waits. */
+async function start(submit: (started: Run) => Promise<Job>): Promise<void> {
+  next = submit;
   if (run) {
-    if (performance.now() - run.since > PATIENCE_MS) void cancel();
+    if (run.generation !== generation || performance.now() - run.since > PATIENCE_MS) void cancel();
     return;
   }
-  while (wanted) {
-    wanted = false;
-    const { kind, request } = doc();
-    const started: Run = { job: null, since: performance.now(), cancelled: false, dragging: dragging(), request: JSON.stringify(request), kind };
-    run = started;
-    busy(true);
-    try {
-      await carryOut(started, () => api.submit(KINDS[kind].path, JSON.parse(started.request)));
-    } catch (error) {
-      if (!wanted) {
-        showProblem(error);
-        say('Not solved.');
+  await whileBusy(async () => {
+    showRunning(true);
+    while (next) {
+      const from = next;
+      next = null;
+      const { kind, request, title } = doc();
+      run = { job: null, since: performance.now(), cancelled: false, dragging: dragging(), request: JSON.stringify(request), kind, title, generation };
+      try {
+        await carryOut(run, from);
+      } catch (error) {
+        if (!next) {
+          showProblem(error);
+          say('Not solved.');
+        }
+      } finally {
+        run = null;
       }
-    } finally {
-      run = null;
     }
-  }
-  busy(false);
-  showStale();
+    showRunning(false);
+    showStale();
+  });
 }
 
 const dragging = (): boolean => document.querySelector('canvas:active') !== null;
 
 /** Takes a job from its submission, or from wherever it is, to its end. */
-async function carryOut(started: Run, submit: () => Promise<Job>): Promise<void> {
+async function carryOut(started: Run, submit: (started: Run) => Promise<Job>): Promise<void> {
   if (!started.dragging) say('Solving…');
-  started.job = await submit();
+  started.job = await submit(started);
   hideProblem();
   if (started.cancelled) started.job = await api.cancel(started.job);
   if (!api.hasEnded(started.job)) {
@@ -357,24 +401,24 @@ async function carryOut(started: Run, submit: () => Promise<Job>): Promise<void>
   pendingJob = null;
   const { job } = started;
   if (job.status === 'failed') {
-    if (wanted) return;
+    if (next) return;
     showProblem(job.error ?? {});
     say('Not solved.');
   } else if (job.status === 'cancelled') {
-    if (!wanted) say('Cancelled.');
+    if (!next) say('Cancelled.');
   } else {
     const mesh = await parseMesh(await api.getBytes(`${job.links.mesh}?format=glb`));
-    if (doc().kind !== started.kind || viewing) return;
+    if (started.generation !== generation || viewing) return;
     const superseded = shown?.dragging && shown.job.id !== job.id ? shown.job : null;
     lastDuration = (performance.now() - started.since) / 1000;
     show(job, mesh, started.request, started.dragging);
     if (superseded) api.remove(superseded).catch(() => {});
-    if (!started.dragging) rememberJob(job, started.request);
+    if (!started.dragging) rememberJob(job, started);
   }
   keep();
 }
 
-function busy(is: boolean): void {
+function showRunning(is: boolean): void {
   $('cancel').hidden = !is;
   const bar = $<HTMLProgressElement>('progress');
   // A job of a moment needs no bar: one that blinks disturbs.
@@ -382,7 +426,6 @@ function busy(is: boolean): void {
   if (is) busyTimer = window.setTimeout(() => { bar.hidden = false; }, 300);
   else bar.hidden = true;
   if (is) bar.removeAttribute('value');
-  document.body.setAttribute('aria-busy', String(is));
 }
 let busyTimer = 0;
 
@@ -437,7 +480,8 @@ function show(job: Job, mesh: ResultMesh, solved: string, whileDragging = false)
   showQuantities(mesh, job.kind, request);
   stage.measure();
   stage.rememberWhetherAllIsSeen();
-  if (first) stage.fit(false);
+  if (first && !cameraGiven) stage.fit(false);
+  cameraGiven = false;
   showLayers();
 
   $('nothing').hidden = true;
@@ -627,6 +671,8 @@ function toast(text: string): void {
 /** Replaces the document, as one step that can be undone. */
 function replace(kind: Kind, request: Request, title: string | null, { direction = undefined as Vec3 | undefined } = {}): void {
   viewing = false;
+  cameraGiven = false;
+  generation += 1;
   const same = shown?.job.kind === kind;
   history.edit((document) => Object.assign(document, { kind, request, title, draft: null }));
   tools.selection = [];
@@ -635,14 +681,15 @@ function replace(kind: Kind, request: Request, title: string | null, { direction
   load(direction ? { direction } : {});
 }
 
-async function openExample(name: string): Promise<void> {
-  const example = await api.getJson<{ kind: Kind; title: string; request: Request }>(`/v1/examples/${encodeURIComponent(name)}`);
+interface Example { kind: Kind; title: string; request: Request }
+
+const openExample = (name: string): Promise<void> => open(() => api.getJson<Example>(`/v1/examples/${encodeURIComponent(name)}`), (example) => {
   const { kind: _, ...request } = example.request;
   forget();
   replace(example.kind, request, example.title);
   changed();
   if (!$<HTMLInputElement>('live').checked) say('Ready.');
-}
+});
 
 function startBlank(kind: Kind): void {
   forget();
@@ -681,15 +728,10 @@ const extent = (points: Vec3[]): number => {
   return Math.hypot(...spans);
 };
 
-async function take(reader: Promise<Opened>, name: string): Promise<void> {
-  try {
-    const opened = await reader;
-    if ('lines' in opened) takeLines(opened.lines, opened.format, opened.metres, name);
-    else takeRequest(opened.request, name);
-  } catch (error) {
-    showProblem({ title: name ? `${name} cannot be opened` : 'This cannot be opened', detail: error instanceof Error ? error.message : String(error) });
-  }
-}
+const take = (read: () => Promise<Opened>, name: string): Promise<void> => open(read, (opened) => {
+  if ('lines' in opened) takeLines(opened.lines, opened.format, opened.metres, name);
+  else takeRequest(opened.request, name);
+}, (error) => showProblem({ title: name ? `${name} cannot be opened` : 'This cannot be opened', detail: error instanceof Error ? error.message : String(error) }));
 
 function takeRequest(request: Request, title: string | null): void {
   const { kind: named, ...rest } = request;
@@ -749,7 +791,9 @@ function worldPose(): Pose {
   return { eye: eye.map((value, axis) => value + shift[axis]!) as Vec3, target: target.map((value, axis) => value + shift[axis]!) as Vec3 };
 }
 
+/** Puts the camera where a link or the last visit had it; the first result leaves it there. */
 function placeWorld({ eye, target }: Pose): void {
+  cameraGiven = true;
   const shift = new Frame([0, 0, 0], doc().request).toScene(host.frame.origin);
   stage.place({ eye: eye.map((value, axis) => value - shift[axis]!) as Vec3, target: target.map((value, axis) => value - shift[axis]!) as Vec3 }, false);
   stage.rememberWhetherAllIsSeen();
@@ -765,9 +809,9 @@ function recentJobs(): RecentJob[] {
   }
 }
 
-function rememberJob(job: Job, request: string): void {
+function rememberJob(job: Job, { request, title }: Run): void {
   if (embedded || request.length > 200_000) return;
-  const list = [{ id: job.id, title: doc().title, kind: job.kind, request }, ...recentJobs().filter((each) => each.id !== job.id)].slice(0, 20);
+  const list = [{ id: job.id, title, kind: job.kind, request }, ...recentJobs().filter((each) => each.id !== job.id)].slice(0, 20);
   try {
     localStorage.setItem(RECENT, JSON.stringify(list));
   } catch {
@@ -788,7 +832,7 @@ async function showRecent(): Promise<void> {
       open.setAttribute('aria-label', `Open ${mine?.title ?? job.kind} of ${job.created_at}`);
       open.addEventListener('click', () => {
         $<HTMLDialogElement>('recent').close();
-        openJob(job, mine).catch(showProblem);
+        void openJob(job, mine);
       });
       return el('tr', {}, el('th', { scope: 'row' }, mine?.title ?? KINDS[job.kind].label), el('td', {}, job.status), el('td', {}, new Date(job.created_at).toLocaleString()), el('td', {}, open));
     });
@@ -798,16 +842,21 @@ async function showRecent(): Promise<void> {
   }
 }
 
-async function openJob(listed: Job, mine: RecentJob | undefined): Promise<void> {
+/** With its drawing, where this browser knows it; else the mesh alone. */
+const openJob = (listed: Job, mine: RecentJob | undefined): Promise<void> => open(async () => {
   const job = await api.getJson<Job>(listed.links.self);
+  const mesh = mine || job.status !== 'succeeded' ? null : await parseMesh(await api.getBytes(`${job.links.mesh}?format=glb`));
+  return { job, mesh };
+}, ({ job, mesh }) => {
   if (mine) {
     forget();
     replace(mine.kind, JSON.parse(mine.request) as Request, mine.title);
-    adopt(job);
-    return;
-  }
-  if (job.status !== 'succeeded') return;
-  const mesh = await parseMesh(await api.getBytes(`${job.links.mesh}?format=glb`));
+    void adopt(job);
+  } else if (mesh) viewMesh(job, mesh);
+  else say('This job has no result yet, and this browser does not know its drawing.');
+});
+
+function viewMesh(job: Job, mesh: ResultMesh): void {
   viewing = true;
   forget();
   const { unit, up } = mesh.extras as { unit?: string; up?: string };
@@ -820,29 +869,21 @@ async function openJob(listed: Job, mine: RecentJob | undefined): Promise<void> 
   showEverything();
 }
 
-/** Follows a job that belongs to the document as it is: after a reload, or from the list of recent jobs. */
-function adopt(job: Job): void {
-  if (run) return;
-  const started: Run = { job, since: performance.now(), cancelled: false, dragging: false, request: JSON.stringify(doc().request), kind: doc().kind };
-  run = started;
-  busy(true);
-  carryOut(started, () => Promise.resolve(job)).catch(showProblem).finally(() => {
-    run = null;
-    busy(false);
-    showStale();
-    if (wanted) void solve();
-  });
-}
-
 const FORMS = ['Link', 'Embed', 'curl', 'Python', 'TypeScript'] as const;
 
+let shares = 0;
+
+/** The text in one of its forms; form and text change together, so that what is copied is what its button says. */
 async function showShare(form: (typeof FORMS)[number]): Promise<void> {
+  shares += 1;
+  const own = shares;
   const { kind, request, title } = doc();
   const shared = { kind, request, title, camera: worldPose(), colour };
-  $('share-forms').replaceChildren(...FORMS.map((each) => el('button', { type: 'button', 'aria-pressed': String(each === form), onclick: () => void showShare(each) }, each)));
   const text = form === 'Link' ? await share.linkOf(shared)
     : form === 'Embed' ? await share.embedOf(shared)
       : form === 'curl' ? share.curl(kind, request) : form === 'Python' ? share.python(kind, request) : share.typescript(kind, request);
+  if (own !== shares) return;
+  $('share-forms').replaceChildren(...FORMS.map((each) => el('button', { type: 'button', 'aria-pressed': String(each === form), onclick: () => void showShare(each) }, each)));
   $<HTMLTextAreaElement>('share-text').value = text;
   $('copied').textContent = '';
 }
@@ -874,7 +915,7 @@ function switchKind(kind: Kind): void {
   if (kept) {
     replace(kind, kept.request, kept.title);
     changed();
-  } else if (first) openExample(FIRST_OF[kind] ?? first.name).catch(showProblem);
+  } else if (first) void openExample(FIRST_OF[kind] ?? first.name);
   else startBlank(kind);
 }
 
@@ -898,7 +939,7 @@ function setTheme(theme: string): void {
 function wire(): void {
   const on = (id: string, event: string, act: (event: Event) => unknown): void => $(id).addEventListener(event, (each) => { void act(each); });
   on('solve', 'click', () => (isWhole(doc().kind, doc().request) ? solve() : say(hint())));
-  on('cancel', 'click', () => { wanted = false; return cancel(); });
+  on('cancel', 'click', () => { next = null; return cancel(); });
   on('live', 'change', () => $<HTMLInputElement>('live').checked && isStale() && solve());
   on('draw', 'click', () => (tools.drawing ? tools.stopDrawing() : tools.startDrawing()));
   on('undo', 'click', () => restore(() => history.undo()));
@@ -964,7 +1005,7 @@ function wire(): void {
   on('open-file', 'click', () => file.click());
   on('file', 'change', async () => {
     const [chosen] = file.files ?? [];
-    if (chosen) await take(openFile(chosen), chosen.name);
+    if (chosen) await take(() => openFile(chosen), chosen.name);
     file.value = '';
   });
   wireDropAndPaste();
@@ -1007,10 +1048,14 @@ function wire(): void {
     if (value) sessionStorage.setItem('api-key', value);
     else sessionStorage.removeItem('api-key');
     $<HTMLDialogElement>('settings').close();
-    if (!ready) void start();
+    if (!ready) void arrive();
   });
   document.addEventListener('keydown', shortcut);
   window.addEventListener('pagehide', keepNow);
+  // A link that is put into the address of an open studio changes its hash alone.
+  window.addEventListener('hashchange', () => {
+    if (location.hash.startsWith('#s=') && ready) void open(linked, (found) => { if (found) openKept(found); });
+  });
 }
 
 function showPanel(name: string): void {
@@ -1029,15 +1074,15 @@ function wireDropAndPaste(): void {
     document.body.classList.remove('dropping');
     const [file] = event.dataTransfer?.files ?? [];
     const text = event.dataTransfer?.getData('text/plain') ?? '';
-    if (file) void take(openFile(file), file.name);
-    else if (text) void take(openText(text), '');
+    if (file) void take(() => openFile(file), file.name);
+    else if (text) void take(() => openText(text), '');
   });
   document.addEventListener('paste', (event) => {
     if ((event.target as HTMLElement).matches('input, textarea')) return;
     const [file] = event.clipboardData?.files ?? [];
     const text = event.clipboardData?.getData('text/plain') ?? '';
-    if (file) void take(openFile(file), file.name);
-    else if (text.trim() !== '') void take(openText(text), '');
+    if (file) void take(() => openFile(file), file.name);
+    else if (text.trim() !== '') void take(() => openText(text), '');
     else return;
     event.preventDefault();
   });
@@ -1063,26 +1108,42 @@ function shortcut(event: KeyboardEvent): void {
 
 interface Kept { kind: Kind; request: Request; draft?: Vec3[] | null; title?: string | null; camera?: Pose; colour?: string; job?: string | null }
 
-/** What to begin with: a link's content, what was being worked on, an example that the address names; null for none of them. */
-async function begin(): Promise<Kept | null> {
+/** What the link in the address holds; null without one, and, said in a note, for a damaged one. */
+async function linked(): Promise<Kept | null> {
   const [, packed] = /^#s=(.+)$/.exec(location.hash) ?? [];
-  if (packed) {
-    try {
-      const found = await share.unpack(packed) as Kept;
-      if (!embedded) window.history.replaceState(null, '', location.pathname + location.search);
-      if (found.kind in KINDS && found.request !== null && typeof found.request === 'object') return found;
-    } catch {
-      // Said below.
-    }
-    toast('This link is damaged: it does not hold a request.');
+  if (!packed) return null;
+  try {
+    const found = await share.unpack(packed) as Kept;
+    if (!embedded) window.history.replaceState(null, '', location.pathname + location.search);
+    if (found.kind in KINDS && found.request !== null && typeof found.request === 'object') return found;
+  } catch {
+    // Said below.
   }
+  toast('This link is damaged: it does not hold a request.');
+  return null;
+}
+
+/** What to begin with: a link's content, or what was being worked on; null if there is neither or the address names an example. */
+async function begin(): Promise<Kept | null> {
+  const found = await linked();
+  if (found) return found;
   if (new URLSearchParams(location.search).has('example') || embedded) return null;
   try {
-    const found = JSON.parse(sessionStorage.getItem(WORK) ?? localStorage.getItem(WORK) ?? 'null') as Kept | null;
-    return found && found.kind in KINDS ? found : null;
+    const work = JSON.parse(sessionStorage.getItem(WORK) ?? localStorage.getItem(WORK) ?? 'null') as Kept | null;
+    return work && work.kind in KINDS ? work : null;
   } catch {
     return null;
   }
+}
+
+/** A link's content in a studio that is open: one step that can be undone. */
+function openKept({ kind, request, title, camera, colour: kept }: Kept): void {
+  forget();
+  colour = kept ?? 'plain';
+  replace(kind, request, title ?? null);
+  if (camera) placeWorld(camera);
+  changed();
+  if (!isWhole(kind, request)) say('');
 }
 
 /** What a first visit sees: a canopy on a ring that rises and falls. */
@@ -1097,7 +1158,7 @@ const HERO: Kept = {
   },
 };
 
-async function start(): Promise<void> {
+const arrive = (): Promise<void> => whileBusy(async () => {
   $('problem').hidden = true;
   try {
     const [document, { objectives: known }, { examples: ready_made }, kept] = await Promise.all([
@@ -1107,7 +1168,7 @@ async function start(): Promise<void> {
     showKinds();
     $('gallery-list').replaceChildren(...gallery(examples, ({ name }) => {
       $<HTMLDialogElement>('gallery').close();
-      openExample(name).catch(showProblem);
+      void openExample(name);
     }));
     ready = true;
     if (kept) {
@@ -1116,13 +1177,12 @@ async function start(): Promise<void> {
       load();
       if (kept.camera) placeWorld(kept.camera);
       const job = kept.job ? await api.getJson<Job>(`/v1/jobs/${kept.job}`).catch(() => null) : null;
-      if (job && job.status !== 'cancelled' && job.status !== 'failed') adopt(job);
+      if (job && job.status !== 'cancelled' && job.status !== 'failed') await adopt(job);
       else if (isWhole(kept.kind, kept.request) && doc().draft === null) await solve();
-      if (kept.camera) placeWorld(kept.camera);
     } else {
       const name = new URLSearchParams(location.search).get('example');
       const example = examples.find((each) => each.name === name);
-      const found = example ? await api.getJson<{ kind: Kind; title: string; request: Request }>(`/v1/examples/${encodeURIComponent(example.name)}`) : HERO;
+      const found = example ? await api.getJson<Example>(`/v1/examples/${encodeURIComponent(example.name)}`) : HERO;
       const { kind: _, ...request } = found.request;
       Object.assign(history.document, { kind: found.kind, request, title: found.title });
       load({ direction: FIRST_VIEW });
@@ -1135,7 +1195,7 @@ async function start(): Promise<void> {
     say('Not ready.');
     if (error instanceof api.Problem && error.status === 401) $<HTMLDialogElement>('settings').showModal();
   }
-}
+});
 
 wire();
 // A picture of the model alone, as the gallery has them: no ground.
@@ -1148,7 +1208,7 @@ if (storedKey) {
   $<HTMLInputElement>('api-key').value = storedKey;
   api.setKey(storedKey);
 }
-void start();
+void arrive();
 
 /** For tests, and for whoever opens the console: what is shown, where it is drawn, and how often. */
 Object.assign(window, {

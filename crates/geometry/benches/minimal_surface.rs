@@ -1,9 +1,9 @@
 //! Minimal surfaces from the raw boundary to the finished statistics with stability, one core.
 //!
-//! `cargo bench -p plateau-geometry --bench minimal_surface` measures 2k, 20k, 200k and 1M triangles. With
-//! `-- --case rings 200000` one case is solved three times (once from 500k on) and printed as a JSON line: the least processor time in
-//! seconds (Linux; elsewhere elapsed time), and the process's peak memory. `benches/minimal_surface_peers.py` runs
-//! that beside what people use today.
+//! `cargo bench -p plateau-geometry --bench minimal_surface` measures 2k, 20k, 200k and 1M triangles. With `-- --case
+//! rings 200000` one case is solved three times (once from 500k on) and printed as a JSON line: the least processor
+//! time in seconds (on Linux; elsewhere elapsed time), and the peak memory of the process.
+//! `benches/minimal_surface_peers.py` runs it beside other programs.
 
 #[path = "../tests/boundaries/mod.rs"]
 mod boundaries;
@@ -14,7 +14,7 @@ use plateau_geometry::{DVec3, Execution};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// The boundary of a structured mesh of about `triangles` squares' halves, as fine as that mesh.
+/// The boundary of a structured mesh of about this number of triangles, with the same spacing as that mesh.
 fn boundary(name: &str, triangles: f64) -> Option<Vec<Vec<DVec3>>> {
     match name {
         "helicoid" => {

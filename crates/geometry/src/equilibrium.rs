@@ -33,7 +33,7 @@ pub(crate) mod stability;
 mod tests;
 pub(crate) mod v_cycle;
 
-pub use body::{Body, Defect, Report, Stability};
+pub use body::{Body, BodyDefect, Report, Stability};
 pub use constraint::Constraint;
 pub use freedom::{Freedom, Support};
 pub use newton::{Aim, Outcome, Settings};

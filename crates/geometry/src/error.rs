@@ -1,9 +1,9 @@
-//! Errors, and where in the input their causes stand.
+//! Errors, and the places in the input that caused them.
 
 use crate::execution::Interruption;
 use std::fmt;
 
-/// A step on the way to an offending value: a field's name or an index into a list.
+/// One step of a [`Place`]: the name of a field or an index into a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
     /// A field of this name.
@@ -12,9 +12,9 @@ pub enum Step {
     Index(usize),
 }
 
-/// Where in a solver's input a value stands, for example `boundaries`, 0, 17.
+/// The place of a value in the input of a solver, for example `boundaries`, 0, 17.
 ///
-/// Fields are named as the arguments and options of this crate are; a caller turns a place into a pointer of its own.
+/// Fields are named like the arguments and options of this crate. A caller maps a place to its own names.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Place(pub Vec<Step>);
 
@@ -24,13 +24,13 @@ impl Place {
     pub fn field(name: &'static str) -> Self {
         Self(vec![Step::Field(name)])
     }
-    /// This place, one index further down.
+    /// This place extended by an index.
     #[must_use]
     pub fn at(mut self, index: usize) -> Self {
         self.0.push(Step::Index(index));
         self
     }
-    /// This place, one field further down.
+    /// This place extended by a field.
     #[must_use]
     pub fn then(mut self, name: &'static str) -> Self {
         self.0.push(Step::Field(name));
@@ -50,12 +50,12 @@ impl fmt::Display for Place {
     }
 }
 
-/// A value that the solver cannot work with, and why. The value itself is never echoed.
+/// A value that the solver cannot work with, and the reason. The value itself is not repeated.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputError {
-    /// Where the value stands.
+    /// The place of the value.
     pub place: Place,
-    /// The fault, for a person.
+    /// Description of the fault.
     pub detail: String,
 }
 
@@ -69,15 +69,16 @@ impl InputError {
 /// Why a solver returned no mesh.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Error {
-    /// The input is not what the solver's documentation asks for. Found before the work starts wherever possible.
+    /// The input does not meet the requirements in the documentation of the solver. It is found before the work starts
+    /// wherever possible.
     Input(Vec<InputError>),
-    /// The input is well formed, but no valid mesh came out of it.
+    /// The input is well formed, but no valid mesh could be made.
     NoResult {
         /// A short name of the reason, stable, in snake case: `self_intersecting_boundary`.
         reason: &'static str,
-        /// The fault of the geometry and what to try, for a person.
+        /// Description of the fault in the geometry, and what to try.
         detail: String,
-        /// The values that caused it, where they are known.
+        /// The values that caused it, if they are known.
         places: Vec<InputError>,
     },
     /// The caller asked to stop, or its deadline passed before there was a valid mesh.
@@ -120,12 +121,12 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// Something about the input or the result that the caller should know although the solve went through.
+/// A fact about the input or the result that the caller should know although the solve succeeded.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Warning {
-    /// Stable, snake case: `folds`, `merged_points`, `not_converged`.
+    /// A stable name in snake case: `folds`, `merged_points`, `not_converged`.
     pub code: &'static str,
-    /// The fact, for a person.
+    /// Description of the fact.
     pub detail: String,
 }
 

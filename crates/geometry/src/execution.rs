@@ -1,12 +1,12 @@
-//! Progress out, cancel in: one small synchronous value that every solver is handed.
+//! The channel between a solver and its caller: progress is reported, and a request to stop is received.
 
 use std::cell::Cell;
 use std::fmt;
 
-/// The caller's wish to a running solver.
+/// The request of the caller to a running solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Signal {
-    /// Go on.
+    /// Continue.
     Continue,
     /// Stop and return nothing.
     Cancel,
@@ -23,7 +23,7 @@ pub enum Interruption {
     DeadlinePassed,
 }
 
-/// How far a solver has come.
+/// The progress of a solver.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
     /// 0 to 1, never falling within one solve.
@@ -32,17 +32,17 @@ pub struct Progress {
     pub phase: &'static str,
     /// Number of iterations so far, as the phase counts them.
     pub iteration: u64,
-    /// The value of what is minimised, where it is known.
+    /// The value of the objective, if it is known.
     pub objective_value: Option<f64>,
-    /// The residual, where it is known.
+    /// The residual, if it is known.
     pub residual: Option<f64>,
 }
 
-/// The line between a solver and its caller.
+/// The channel between a solver and its caller.
 ///
-/// A solver calls [`look`](Self::look) at least every 50 ms on real hardware (one sparse factorisation apart) and says
-/// how much work it has done since; tests read [`largest_work_between_looks`](Self::largest_work_between_looks), so
-/// that the promise is kept without a clock.
+/// A solver calls [`look`](Self::look) at least every 50 ms on real hardware, except during one sparse factorisation,
+/// and passes the amount of work since the last look. Tests read
+/// [`largest_work_between_looks`](Self::largest_work_between_looks), which checks this promise without a clock.
 pub struct Execution<'a> {
     signal: &'a dyn Fn() -> Signal,
     report: &'a dyn Fn(Progress),
@@ -58,13 +58,13 @@ impl fmt::Debug for Execution<'_> {
 }
 
 impl<'a> Execution<'a> {
-    /// Asks `signal` at every look, and hands progress to `report`.
+    /// Makes an execution that calls `signal` at every look and passes progress to `report`.
     pub fn new(signal: &'a dyn Fn() -> Signal, report: &'a dyn Fn(Progress)) -> Self {
         Self { signal, report, work: Cell::new(0), largest_work: Cell::new(0), looks: Cell::new(0) }
     }
 
-    /// Asks whether to go on. `work` is the number of elementary operations (cells, triangles visited) since the last
-    /// look.
+    /// Asks the caller whether to continue. `work` is the number of elementary operations (visited cells or triangles)
+    /// since the last look.
     ///
     /// # Errors
     /// The interruption, if the caller wants the solver to stop.
@@ -79,13 +79,13 @@ impl<'a> Execution<'a> {
         }
     }
 
-    /// Tells the caller how far the solver has come.
+    /// Reports progress to the caller.
     pub fn report(&self, progress: Progress) {
         (self.report)(progress);
     }
 
-    /// Runs a part of a solve, whose own progress from 0 to 1 is reported as going from the first
-    /// number of `span` to the second. Its looks count here.
+    /// Runs a part of a solve. The progress of the part, from 0 to 1, is reported as an interval of the whole progress,
+    /// from the first number of `span` to the second. Its looks are counted here too.
     pub fn part<R>(&self, span: [f64; 2], work: impl FnOnce(&Execution) -> R) -> R {
         self.section(None, span, work)
     }
@@ -108,7 +108,7 @@ impl<'a> Execution<'a> {
         result
     }
 
-    /// All the work that was told to [`look`](Self::look) so far.
+    /// Total work that was passed to [`look`](Self::look).
     pub fn work(&self) -> u64 {
         self.work.get()
     }
@@ -118,7 +118,7 @@ impl<'a> Execution<'a> {
         self.looks.get()
     }
 
-    /// The most work that was done between two looks.
+    /// Largest amount of work between two looks.
     pub fn largest_work_between_looks(&self) -> u64 {
         self.largest_work.get()
     }

@@ -1,7 +1,7 @@
 //! Minimal surfaces, optimal ruled strips and uniform meshes.
 //!
-//! Each kind of surface has a module with a front door `solve`: it takes slices and options, and an [`Execution`]
-//! through which progress goes out and a cancel comes in. It returns a mesh with statistics and warnings.
+//! Each kind of surface has a module with a function `solve`. It takes slices, options, and an [`Execution`] for
+//! progress and cancellation. It returns a mesh with statistics and warnings.
 //!
 //! ```
 //! use plateau_geometry::minimal_surface::{Options, Resolution, solve};
@@ -18,11 +18,11 @@
 //!
 //! # Glossary
 //! - *Polyline*: points in order, `&[DVec3]`; a closed one does not repeat its first point.
-//! - *Boundary loop*: a closed polyline that bounds a surface. Boundary vertices never move.
+//! - *Boundary loop*: a closed polyline that bounds a surface. Boundary vertices do not move.
 //! - *Mesh*: an indexed, oriented triangle mesh ([`mesh::Mesh`]) in double precision.
 //! - *Half-edge*: one side of an edge, in one triangle and with its direction ([`mesh::topology`]).
-//! - *Flipped triangle*: its normal points against those of its vertices. *Degenerate*: its least altitude vanishes
-//!   beside its longest edge.
+//! - *Flipped triangle*: its normal points against the normals of its vertices. *Degenerate triangle*: its shortest
+//!   altitude is below 1e-10 of its longest edge.
 //! - *Film*: a mesh between boundary loops while a solver works on it. *Sheet*: a part of a film between junctions.
 //!   *Junction*: a curve along which three sheets meet.
 //! - *Residual*: the largest mean curvature times the radius of the boundary, from the gradient of the area.

@@ -4,6 +4,7 @@
 pub mod check;
 pub mod complex;
 pub(crate) mod crossing;
+mod cut;
 pub mod edit;
 pub(crate) mod film;
 pub mod measure;

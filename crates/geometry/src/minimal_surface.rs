@@ -37,10 +37,12 @@ mod estimate;
 mod extrapolation;
 mod harmonic;
 mod initial_mesh;
+mod junction_statistics;
 mod options;
 mod outcome;
 mod request;
 mod run;
+mod solved_film;
 mod solvers;
 mod statistics;
 mod triple_junction;
@@ -49,6 +51,7 @@ pub use crate::remesh::thin_triangles::Pinch;
 pub use curvature::Curvature;
 pub use estimate::estimate_triangles;
 pub use initial_mesh::InitialMeshKind;
+pub use junction_statistics::JunctionStatistics;
 pub use options::{
     BoundarySampling, Constraints, Description, FreeTopology, InitialMesh, LARGEST_COUNT, LinearSolver, LiuWang,
     Method, Newton, Objective, OnUnstable, Options, PinkallPolthier, Process, Resolution, Solver, TopologyRule,
@@ -59,7 +62,6 @@ pub use run::{
     ExtrapolatedArea, HistoryRow, SpanningComparison, SpanningTopology, Stability, StabilityMethod, StopReason,
 };
 pub use statistics::{MeanCurvature, Statistics};
-pub use triple_junction::JunctionStatistics;
 
 use crate::mesh::complex::has_junctions;
 use crate::mesh::film::Film;
@@ -68,6 +70,7 @@ use drivers::{best_topology, free_topology, nested};
 use outcome::finish;
 use request::Input;
 use run::Run;
+use solved_film::SolvedFilm;
 use solvers::{chen_cai_zheng, dirichlet, liu_wang, newton as default_solver, pinkall_polthier};
 
 /// Spans the boundaries (closed polygons that do not repeat their first point) with a mesh that makes the objective
@@ -105,17 +108,17 @@ pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> 
         }
         _ => None,
     };
-    let (film, kind, initial_area, run) = match solved {
+    let solved = match solved {
         Some(solved) => solved,
         None => {
             let (start, kind) = initial_mesh::build(&input.centred, options, exec)?;
             let mut film = start.refined(exec)?;
             let initial_area = film.area();
             let run = relax(&mut film, options, exec)?;
-            (film, kind, initial_area, run)
+            SolvedFilm { film, kind, initial_area, run }
         }
     };
-    finish(input, film, kind, initial_area, run, given)
+    finish(input, solved, given)
 }
 
 /// Runs the solver that is asked for from an initial mesh of the full size.

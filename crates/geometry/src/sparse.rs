@@ -1,7 +1,7 @@
-//! Sparse symmetric linear systems: one pattern, many matrices, factorised as L D Lᵀ with the inertia read off D.
+//! Sparse symmetric linear systems: one pattern, many matrices, factorised as L D Lᵀ. The inertia is read off D.
 //!
-//! Everything runs on the calling thread ([`Par::Seq`]), so results do not depend on the number of cores, and every
-//! solution is checked against its right-hand side before it is handed out.
+//! Everything runs on the calling thread ([`Par::Seq`]), so that results do not depend on the number of cores. Every
+//! solution is checked against its right-hand side before it is returned.
 
 mod conjugate_gradients;
 pub(crate) mod levenberg_marquardt;
@@ -20,23 +20,24 @@ use faer::sparse::linalg::cholesky::{
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side};
 
-/// A solution whose residual exceeds this fraction of ‖A‖‖x‖ + ‖b‖ (largest entries) is refined, then refused.
+/// A solution whose residual exceeds this fraction of ‖A‖‖x‖ + ‖b‖ (largest entries) is refined once, and then refused.
+/// A larger value accepts less accurate solutions.
 const RESIDUAL_TOLERANCE: f64 = 1e-9;
 
-/// Why a linear system has no trustworthy solution.
+/// Why a linear system has no reliable solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LinearError {
     /// An entry is infinite or not a number.
     NotFinite,
     /// A pivot vanished: the matrix is singular to working precision.
     Singular,
-    /// The solution does not satisfy the system, refinement included.
+    /// The solution does not satisfy the system, even after refinement.
     Inaccurate,
     /// The factor has more entries than 32-bit indices or memory can hold.
     TooLarge,
 }
 
-/// A sparse symmetric matrix with both halves stored, row by row; the diagonal comes first in its row, the other
+/// A sparse symmetric matrix. Both halves are stored, row by row. The diagonal comes first in its row; the other
 /// columns follow in any order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SymmetricMatrix {
@@ -83,7 +84,8 @@ impl SymmetricMatrix {
     }
 }
 
-/// Signs of a symmetric matrix's eigenvalues (Sylvester: those of D in L D Lᵀ).
+/// Numbers of negative and positive eigenvalues of a symmetric matrix. By Sylvester's law they are those of D in L D
+/// Lᵀ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Inertia {
     pub negative: usize,
@@ -97,15 +99,16 @@ impl Inertia {
     }
 }
 
-/// The symbolic half of a factorisation: fill-reducing order and pattern of L, valid for every matrix of one pattern.
+/// The symbolic part of a factorisation: the fill-reducing order and the pattern of L. It is valid for every matrix of
+/// one pattern.
 #[derive(Debug)]
 pub struct Symbolic {
     inner: SymbolicCholesky<u32>,
 }
 
 impl Symbolic {
-    /// Analyses a pattern. With `order` (the old index at each new position, a permutation) given it is used, else
-    /// approximate minimum degree is.
+    /// Analyses a pattern. `order` gives the old index at each new position, a permutation. If it is `None`,
+    /// approximate minimum degree determines the order.
     ///
     /// # Errors
     /// [`LinearError::TooLarge`].
@@ -135,16 +138,17 @@ impl Symbolic {
         self.inner.nrows()
     }
 
-    /// Number of stored entries of L: the memory and, squared over the order, the work of one factorisation.
+    /// Number of stored entries of L. It determines the memory of a factorisation; its square over the order determines
+    /// the work.
     #[must_use]
     pub fn factor_entries(&self) -> usize {
         self.inner.len_val()
     }
 
-    /// Factorises a matrix of the analysed pattern as L D Lᵀ without pivoting, indefinite ones included.
+    /// Factorises a matrix of the analysed pattern, which may be indefinite, as L D Lᵀ without pivoting.
     ///
-    /// Without pivoting the factor of an indefinite matrix may lose digits; [`Factorisation::solve`] then refines or
-    /// refuses.
+    /// Without pivoting the factor of an indefinite matrix may lose digits. [`Factorisation::solve`] then refines the
+    /// solution or refuses it.
     ///
     /// # Errors
     /// [`LinearError::NotFinite`], [`LinearError::Singular`] or [`LinearError::TooLarge`].
@@ -152,7 +156,7 @@ impl Symbolic {
         self.factorise_into(matrix, Vec::new())
     }
 
-    /// The same as [`factorise`](Self::factorise) in the storage of an earlier factorisation ([`Factorisation::into_storage`]).
+    /// As [`factorise`](Self::factorise), in the storage of an earlier factorisation ([`Factorisation::into_storage`]).
     ///
     /// # Errors
     /// As [`factorise`](Self::factorise).
@@ -184,8 +188,8 @@ impl Symbolic {
         Ok(Factorisation { symbolic: self, matrix, values, inertia })
     }
 
-    /// Applies the inverse of the matrix whose factor is `values` ([`Factorisation::into_storage`]), without the check:
-    /// for preconditioners.
+    /// Applies the inverse of the matrix whose factor is `values` ([`Factorisation::into_storage`]). The result is not
+    /// checked; this is for preconditioners.
     pub fn apply(&self, values: &[f64], right_hand_sides: &mut [f64]) {
         let n = self.inner.nrows();
         if n == 0 {
@@ -202,7 +206,7 @@ impl Symbolic {
         );
     }
 
-    /// Signs of D; `None` if a pivot is zero or not finite.
+    /// Signs of D. `None` if a pivot is zero or not finite.
     fn inertia(&self, values: &[f64]) -> Option<Inertia> {
         let mut inertia = Inertia { negative: 0, positive: 0 };
         let mut count = |pivot: f64| {
@@ -249,14 +253,14 @@ impl Factorisation<'_> {
         self.inertia
     }
 
-    /// Gives the factor's memory back for the next factorisation.
+    /// Returns the memory of the factor for the next factorisation.
     #[must_use]
     pub fn into_storage(self) -> Vec<f64> {
         self.values
     }
 
-    /// Overwrites `right_hand_sides` (column after column) with the solutions and checks each of them; refines once
-    /// where needed.
+    /// Overwrites `right_hand_sides` (column after column) with the solutions. Each solution is checked, and refined
+    /// once where needed.
     ///
     /// # Errors
     /// [`LinearError::Inaccurate`] if a solution is not finite or does not satisfy its system;
@@ -292,7 +296,8 @@ impl Factorisation<'_> {
         Ok(())
     }
 
-    /// Applies the factor once, without the check: for preconditioners, whose errors the outer iteration sees.
+    /// Applies the factor once without the check. This is for preconditioners, whose errors the outer iteration
+    /// detects.
     pub fn solve_unchecked(&self, right_hand_sides: &mut [f64]) {
         self.symbolic.apply(&self.values, right_hand_sides);
     }
@@ -304,7 +309,7 @@ impl Factorisation<'_> {
         for (residual, b) in residual.iter_mut().zip(b) {
             *residual = b - *residual;
         }
-        // f64::max skips NaN, so finiteness is asked for first.
+        // f64::max ignores NaN, so finiteness is checked first.
         x.iter().all(|value| value.is_finite())
             && largest(residual) <= RESIDUAL_TOLERANCE * (norm * largest(x) + largest(b))
     }

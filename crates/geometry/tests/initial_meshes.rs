@@ -1,5 +1,5 @@
-//! From bare boundaries to a mesh worth solving on: plane polygons, four corners, graded spacing, the client's own
-//! mesh, fixed points and curves, and inputs that have something wrong with them.
+//! Initial meshes from boundaries alone: plane polygons, four corners, graded spacing, the client's own mesh, fixed
+//! points and curves, and faulty inputs.
 
 mod boundaries;
 
@@ -39,7 +39,8 @@ fn solved(given: &[Vec<DVec3>], options: &Options) -> MinimalSurface {
     surface
 }
 
-/// A manifold whose boundary loops are the given ones: own points exactly, in order, added points on the segments.
+/// Checks that the mesh is a manifold whose boundary loops are the given ones: the input points exactly and in order,
+/// and added points on the segments.
 fn valid(given: &[Vec<DVec3>], surface: &MinimalSurface) {
     let topology = surface.mesh.check().unwrap();
     assert_eq!(topology.boundary_loops().len(), given.len());
@@ -201,7 +202,7 @@ fn an_edge_length_is_met_between_three_loops() {
 
 #[test]
 fn spacing_from_a_thousandth_to_one_is_graded() {
-    // Steps grow from 0.001 at angle 0 to 1 half way round, and fall again; gently, and at once.
+    // The steps grow from 0.001 at angle 0 to 1 half way round, and fall again, once gradually and once abruptly.
     for (growth, height) in [(1.15, 0.4), (1.15, 3.0), (3.0, 0.0), (1000.0, 0.4)] {
         let (mut half, mut step) = (vec![0.0f64], 0.001f64);
         while half[half.len() - 1] + step / 3.0 < TAU / 2.0 - 0.15 {
@@ -236,7 +237,7 @@ fn every_resolution_is_met_within_a_tenth_on_every_kind_of_mesh() {
     for (given, kind) in cases {
         for wanted in [Resolution::Triangles(2500), Resolution::InteriorVertices(1300), Resolution::EdgeLength(0.0)] {
             if kind == "sphere_with_holes" && matches!(wanted, Resolution::EdgeLength(_)) {
-                // Necks shrink on the way, and with them the area that the number of triangles is taken from.
+                // Necks shrink during the solve, and with them the area from which the number of triangles is derived.
                 continue;
             }
             let radius = given.iter().flatten().map(|p| p.length()).fold(0.0, f64::max);
@@ -244,7 +245,7 @@ fn every_resolution_is_met_within_a_tenth_on_every_kind_of_mesh() {
                 Resolution::EdgeLength(_) => Resolution::EdgeLength(0.05 * radius),
                 other => other,
             };
-            // The initial mesh alone: what it promises does not depend on the solver.
+            // Only the initial mesh is checked; the solver does not matter here.
             let options = Options { max_iterations: Some(4), ..Options::new(wanted) };
             let surface = solved(&given, &options);
             let statistics = &surface.statistics;
@@ -303,7 +304,8 @@ fn odd_boundaries_converge_or_are_refused_with_the_reason() {
                 Ok(surface) => {
                     valid(std::slice::from_ref(&boundary), &surface);
                     let statistics = &surface.statistics;
-                    // Two points a rounding apart leave a triangle that is folded by rounding, and said to be.
+                    // Two points that differ by rounding leave a triangle that rounding flips. It is reported as
+                    // flipped.
                     let folded =
                         name == "nearly_equal" && statistics.flipped_triangles + statistics.degenerate_triangles > 0;
                     assert!(statistics.converged || folded, "{name}: {:?}", surface.warnings);
@@ -326,7 +328,7 @@ fn impossible_inputs_name_the_reason() {
     let mut huge = triangle.clone();
     huge[2].x = 1e300;
     assert!(refused(&[huge], &options(100)).starts_with("/boundaries/0/2:"));
-    // Lengths whose products vanish: marching along such rings once never ended.
+    // The products of such lengths vanish. Walking along such rings once did not end.
     let tiny: Vec<DVec3> = circle(36, 1e-299, 0.0);
     let options_of_rings = Options { initial_mesh: InitialMesh::Rings, ..keep(100) };
     assert!(refused(&[tiny.clone(), moved(&tiny, DVec3::Z)], &options_of_rings).starts_with("/boundaries/0/0:"));
@@ -361,7 +363,7 @@ fn impossible_inputs_name_the_reason() {
     assert!(refused(&[triangle], &bad).starts_with("/tolerance"));
 }
 
-/// The result of a solve in a word or two: the kind of mesh and whether it converged, or why there is none.
+/// A short description of a result: the kind of mesh and whether it converged, or the reason why there is none.
 fn outcome(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -> String {
     match solve(given, options, exec) {
         Ok(surface) => {
@@ -375,8 +377,8 @@ fn outcome(given: &[Vec<DVec3>], options: &Options, exec: &Execution) -> String 
     }
 }
 
-/// Input: one point of a circle moved by 1e6. Before the number of lattice points was bounded, the rectangle around the spike
-/// was filled, for a minute without a look, in 3 GB.
+/// Input: one point of a circle moved by 1e6. Before the number of lattice points was bounded, the rectangle around the
+/// spike was filled, for a minute without a look, in 3 GB.
 #[test]
 fn a_spike_of_a_million_costs_a_bounded_number_of_steps() {
     let outcomes = [DVec3::X, DVec3::Y, DVec3::Z, DVec3::ONE].map(|direction| {
@@ -392,8 +394,8 @@ fn a_spike_of_a_million_costs_a_bounded_number_of_steps() {
     assert_eq!(outcomes, expected);
 }
 
-/// Input: two loops of which one point differs. Before a bound was set, each look at the sizes let the film between them grow
-/// fourfold again, without end.
+/// Input: two loops of which one point differs. Before a bound was set, each look at the sizes let the film between
+/// them grow fourfold again, without end.
 #[test]
 fn loops_that_all_but_coincide_cost_a_bounded_number_of_steps() {
     let outcomes = [1e-300, 1e-20, 1e-12, 1e-9, 1e-6, 1e-3].map(|gap| {
@@ -404,7 +406,7 @@ fn loops_that_all_but_coincide_cost_a_bounded_number_of_steps() {
         assert!(exec.work() < 50_000_000, "{gap}: {} steps", exec.work());
         outcome
     });
-    // Nobody wants the film between them, and none is called converged.
+    // The film between them is of no use, and none is reported as converged.
     assert_eq!(outcomes, ["annulus, not converged"; 6]);
 }
 
@@ -437,7 +439,7 @@ fn the_clients_own_mesh_is_the_start_and_the_unstable_catenoid_is_reported() {
     for i in 0..=nu {
         mesh.vertices.extend((0..=nv).map(|j| place(i, j)));
     }
-    // The boundary's points exactly as posted.
+    // The boundary points are exactly those of the request.
     let boundary = boundaries::catenoid();
     let rim: Vec<u32> = (0..nu)
         .map(|i| number(i, 0))
@@ -460,7 +462,7 @@ fn the_clients_own_mesh_is_the_start_and_the_unstable_catenoid_is_reported() {
     assert!(statistics.converged && !stability.stable && stability.morse_index == 1, "{stability:?}");
     assert!((statistics.area - 58.98).abs() < 0.1, "{}", statistics.area);
     assert!(surface.warnings.iter().any(|warning| warning.code == "unstable"));
-    // Either way down the lowest mode lowers the area; followed, it ends at the stable surface.
+    // Moving along the lowest mode in either direction lowers the area. The descent ends at the stable surface.
     let unstable_mode = surface.unstable_mode.as_ref().unwrap();
     assert!(surface.boundaries[0].iter().all(|&v| unstable_mode[v as usize] == DVec3::ZERO));
     for step in [0.05, -0.05] {
@@ -472,7 +474,7 @@ fn the_clients_own_mesh_is_the_start_and_the_unstable_catenoid_is_reported() {
     let left = solved(std::slice::from_ref(&boundary), &Options { method: descending, ..from_catenoid.clone() });
     assert!(left.statistics.converged && left.statistics.stability.unwrap().stable && left.unstable_mode.is_none());
     assert!((left.statistics.area - 58.16).abs() < 0.2, "{}", left.statistics.area);
-    // Left to choose, the solver finds the stable one; and a result can be posted again.
+    // Without instructions the solver finds the stable surface. A result can be the initial mesh of another request.
     let stable = solved(std::slice::from_ref(&boundary), &keep(2040));
     assert_eq!(stable.statistics.stability.unwrap().morse_index, 0);
     assert!((stable.statistics.area - 58.16).abs() < 0.1);

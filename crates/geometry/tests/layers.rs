@@ -1,16 +1,17 @@
 //! The layers of the crate: no file uses a later layer, and no files form a circle.
 //!
-//! The test reads the source. It takes every `use` declaration (grouped and nested ones too) and every path in the code that
-//! starts with `crate::`, `super::`, `self::` or the name of a child module. Each names a file; that is an *arrow* from the file
-//! in which it stands. A path that ends in a re-exported item leads to the file that defines the item.
+//! The test reads the source. It takes every `use` declaration (grouped and nested ones too) and every path in the code
+//! that starts with `crate::`, `super::`, `self::` or the name of a child module. Each names a file; that is an *arrow*
+//! from the file in which it stands. A path that ends in a re-exported item leads to the file that defines the item.
 //!
-//! A re-export of a module's own descendants is its table of contents and no arrow. Items under `#[cfg(test)]` are not read.
+//! A re-export of a module's own descendants is its table of contents and no arrow. Items under `#[cfg(test)]` are not
+//! read.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Files and folders of `src`, earliest layer first. A file belongs to the longest entry that its path starts with.
-const LAYERS: [&str; 32] = [
+const LAYERS: [&str; 34] = [
     "execution",
     "error",
     "polyline",
@@ -29,8 +30,10 @@ const LAYERS: [&str; 32] = [
     "minimal_surface/extrapolation",
     "minimal_surface/harmonic",
     "minimal_surface/initial_mesh",
+    "minimal_surface/solved_film",
     "minimal_surface/solvers",
     "minimal_surface/drivers",
+    "minimal_surface/junction_statistics",
     "minimal_surface/statistics",
     "minimal_surface/outcome",
     "minimal_surface/triple_junction",
@@ -45,9 +48,9 @@ const LAYERS: [&str; 32] = [
     "lib",
 ];
 
-/// Arrows (from a file or folder to another) that still run back or close a circle. The list only shrinks: an entry that
-/// nothing needs any more fails the test.
-const KNOWN: [(&str, &str); 1] = [("minimal_surface/statistics", "minimal_surface/triple_junction")];
+/// Arrows (from a file or folder to another) that still run back or close a circle. The list only shrinks: an entry
+/// that nothing needs any more fails the test.
+const KNOWN: [(&str, &str); 0] = [];
 
 /// One file of the crate: its path below `src` without `.rs`, and its text.
 struct Source {
@@ -164,7 +167,8 @@ fn without_tests(tokens: Vec<Token>) -> (Vec<Token>, Vec<String>) {
     (kept, modules)
 }
 
-/// A path of a `use` declaration: its segments, the name that it is bound to, and whether the declaration re-exports it.
+/// A path of a `use` declaration: its segments, the name that it is bound to, and whether the declaration re-exports
+/// it.
 #[derive(Clone, Debug, PartialEq)]
 struct Use {
     path: Vec<String>,

@@ -1,4 +1,5 @@
-//! Liu and Wang's examples (their Figs. 6 to 9), with their error formulas and the ranges that we chose: they print none.
+//! Liu and Wang's examples (their Figs. 6 to 9), with their error formulas and the ranges that we chose: they print
+//! none.
 
 use plateau_geometry::minimal_surface::{
     InitialMesh, LiuWang, Method, MinimalSurface, Options, Resolution, Solver, VertexRelaxation, solve,
@@ -7,7 +8,7 @@ use plateau_geometry::{DVec3, Error, Execution, Interruption, Signal};
 use std::cell::Cell;
 use std::f64::consts::PI;
 
-/// The image of a rectangle's rim, `nu` and `nv` intervals a side.
+/// The boundary of the image of a rectangle, with `nu` and `nv` intervals along its sides.
 fn rim(r: impl Fn(f64, f64) -> DVec3, [u0, u1]: [f64; 2], [v0, v1]: [f64; 2], [nu, nv]: [u32; 2]) -> Vec<DVec3> {
     let at = |a: f64, b: f64, k: u32, n: u32| a + (b - a) * f64::from(k) / f64::from(n);
     let bottom = (0..nu).map(|k| r(at(u0, u1, k, nu), v0));
@@ -74,7 +75,7 @@ fn with(method: LiuWang, interior_vertices: usize) -> Options {
     Options { method: Method::LiuWang(method), ..Options::new(Resolution::InteriorVertices(interior_vertices)) }
 }
 
-/// Their objective, and the same without the boundary's vertices.
+/// The objective of the paper, and the same without the curvatures at boundary vertices.
 fn liu_wang(boundary: &[DVec3], interior_vertices: usize, seed: u64) -> [MinimalSurface; 2] {
     [true, false].map(|boundary_curvature| {
         let options = with(LiuWang { boundary_curvature, seed, ..LiuWang::default() }, interior_vertices);
@@ -97,7 +98,8 @@ fn the_helicoid_of_28_boundary_and_20_interior_points() {
     let (boundary, error) = helicoid();
     assert_eq!(boundary.len(), 28);
     let [theirs, interior] = liu_wang(&boundary, 20, 5);
-    // Counting the boundary's vertices pulls the film off the surface: a saddle's half rings are not balanced.
+    // The curvatures at boundary vertices move the film off the surface, because the half rings of a saddle are not
+    // balanced.
     assert!(mean_error(&theirs, 28, &error) < 4e-2);
     assert!(mean_error(&interior, 28, &error) < 3.1e-2);
     assert!(interior.statistics.objective_value < 1e-3);

@@ -15,8 +15,8 @@ fn options(triangles: usize) -> Options {
     Options { tolerance: 1e-8, ..Options::new(Resolution::Triangles(triangles)) }
 }
 
-/// Solves and checks what every answer must keep: convergence, stability, a manifold of the given Euler characteristic without
-/// folds, whose boundary is the given one, point by point and in its order.
+/// Solves and checks what every answer must keep: convergence, stability, a manifold of the given Euler characteristic
+/// without folds, whose boundary is the given one, point by point and in its order.
 fn solved(given: &[Vec<DVec3>], options: &Options) -> MinimalSurface {
     let surface = solve(given, options, &Execution::default()).unwrap();
     let statistics = &surface.statistics;
@@ -135,8 +135,8 @@ fn enneper_below_its_stability_radius() {
 
 #[test]
 fn the_skew_quadrilateral_passes_through_its_centre() {
-    // Turning by a right angle about the axis through the middles of both diagonals and reflecting in the centre maps the
-    // quadrilateral to itself, so the surface meets the axis in the centre.
+    // Turning by a right angle about the axis through the middles of both diagonals and reflecting in the centre maps
+    // the quadrilateral to itself, so the surface meets the axis in the centre.
     let polygon = skew_quadrilateral(1);
     let centre = polygon.iter().sum::<DVec3>() / 4.0;
     let mut errors = Vec::new();

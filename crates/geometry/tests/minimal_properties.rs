@@ -1,5 +1,5 @@
-//! What a minimal surface does not depend on: where its boundary stands, how it is turned and how large it is, where its loop
-//! begins and which way round it runs.
+//! Invariances of minimal surfaces: under motions and scalings of the boundary, and under another first point or
+//! direction of its loop.
 
 use glam::DQuat;
 use plateau_geometry::minimal_surface::{Options, Resolution, Statistics, solve};
@@ -32,7 +32,8 @@ fn solved(boundary: &[DVec3]) -> Statistics {
     surface.statistics
 }
 
-/// Areas in units of `scale²`: the mesh's own to within what another mesh of the size would change, its limit more closely.
+/// Areas in units of `scale²`: the mesh's own to within what another mesh of the size would change, its limit more
+/// closely.
 fn same(moved: &Statistics, plain: &Statistics, scale: f64, tolerance: f64) -> Result<(), TestCaseError> {
     prop_assert_eq!(moved.converged, plain.converged);
     let ratio = moved.area / (scale * scale) / plain.area;
@@ -64,7 +65,7 @@ proptest! {
         let scale = 10f64.powi(exponent);
         let turned: Vec<DVec3> = boundary.iter().map(|&p| scale * (turn * p)).collect();
         same(&solved(&turned), &plain, scale, 2e-3)?;
-        // Coordinates of 1e7 leave nine digits; the residual cannot be held to its last.
+        // Coordinates of 1e7 leave nine digits, so the residual cannot reach its tolerance to the last digit.
         let far: Vec<DVec3> = boundary.iter().map(|&p| p + DVec3::new(1e7, -1e7, 1e7)).collect();
         same(&solved(&far), &plain, 1.0, 2e-3)?;
     }

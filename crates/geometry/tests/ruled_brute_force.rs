@@ -77,7 +77,7 @@ fn check(case: &Case) {
 
 fn check_many(seed: u64, count: usize, closed: bool, most: i64) {
     let long = if std::env::var_os("PLATEAU_LONG").is_some() { 20 } else { 1 };
-    let mut random = Random(seed);
+    let mut random = Random::new(seed);
     for k in 0..count * long {
         check(&random_case(&mut random, STYLES[k % STYLES.len()], closed, most));
     }
@@ -95,7 +95,7 @@ fn closed_strips_reach_the_best_of_all_triangulations_and_starts() {
 
 #[test]
 fn lopsided_closed_strips_do_too() {
-    let mut random = Random(3);
+    let mut random = Random::new(3);
     for _ in 0..20 {
         let mut case = random_case(&mut random, Style::Sensible, true, 3);
         while case.q.len() < 9 {
@@ -135,7 +135,7 @@ fn area_of_every_start(case: &Case) -> f64 {
 
 #[test]
 fn closed_strips_of_some_size_reach_the_best_of_every_start() {
-    let mut random = Random(4);
+    let mut random = Random::new(4);
     for k in 0..60 {
         let style = [Style::Anywhere, Style::Sensible, Style::Integer][k % 3];
         let mut case = random_case(&mut random, style, true, 40);

@@ -12,7 +12,7 @@ fn area(a: DVec3, b: DVec3, c: DVec3) -> f64 {
 
 #[test]
 fn a_square_whose_bridges_all_lean_forward_is_cheaper_by_p_first() {
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     let mut seen = [0; 2];
     for _ in 0..200_000 {
         let [p, q] = [random.vector(1.0), random.vector(1.0)];
@@ -62,7 +62,7 @@ fn directrix(random: &mut Random, count: usize, offset: DVec3, height: f64, jagg
 
 #[test]
 fn nothing_is_lost_by_keeping_to_the_corridor() {
-    let mut random = Random(2);
+    let mut random = Random::new(2);
     let (mut visited, mut whole) = ([0; 2], [0; 2]);
     for case in 0..400 {
         let rough = case % 2;

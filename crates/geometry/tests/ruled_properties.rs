@@ -66,7 +66,7 @@ proptest! {
         size in 1e-6f64..1e6,
         angle in 0.0f64..6.0,
     ) {
-        let mut random = Random(seed);
+        let mut random = Random::new(seed);
         let case = random_case(&mut random, Style::Sensible, closed, 12);
         let (p, q) = (on_a_grid(&case.p), on_a_grid(&case.q));
         let axis = random.unit();
@@ -101,7 +101,7 @@ proptest! {
 
     #[test]
     fn a_planar_strip_stays_fully_convex_wherever_it_is(seed in any::<u64>(), angle in 0.0f64..6.0, closed in any::<bool>()) {
-        let mut random = Random(seed);
+        let mut random = Random::new(seed);
         let axis = random.unit();
         let rail = |random: &mut Random, inner: f64| -> Vec<DVec3> {
             (0..random.whole(5, 30)).map(|k| {
@@ -120,7 +120,7 @@ proptest! {
 
     #[test]
     fn auto_finds_the_better_direction_of_every_rail(seed in any::<u64>(), closed in any::<bool>()) {
-        let mut random = Random(seed);
+        let mut random = Random::new(seed);
         let mut stack: Vec<Vec<DVec3>> = Vec::new();
         for _ in 0..2 {
             let case = random_case(&mut random, Style::Sensible, closed, 12);
@@ -144,7 +144,7 @@ proptest! {
 
 #[test]
 fn given_tangents_turn_round_with_their_rail() {
-    let mut random = Random(41);
+    let mut random = Random::new(41);
     for closed in [false, true] {
         for _ in 0..10 {
             let case = random_case(&mut random, Style::Sensible, closed, 12);
@@ -179,7 +179,7 @@ fn a_faceted_half_cylinder_folds_but_is_developable() {
 
 #[test]
 fn the_default_tolerance_and_the_exact_answer_agree_on_strips_in_general_position() {
-    let mut random = Random(31);
+    let mut random = Random::new(31);
     for k in 0..400 {
         let case = random_case(&mut random, [Style::Anywhere, Style::Sensible][k % 2], k % 4 < 2, 9);
         let rails = [case.p, case.q];
@@ -198,7 +198,7 @@ fn the_default_tolerance_and_the_exact_answer_agree_on_strips_in_general_positio
 
 #[test]
 fn each_objective_is_best_in_its_own_column() {
-    let mut random = Random(11);
+    let mut random = Random::new(11);
     for closed in [false, true] {
         for _ in 0..20 {
             let case = random_case(&mut random, Style::Sensible, closed, 12);
@@ -241,7 +241,7 @@ fn faces_agree_with_the_normals_they_were_given() {
 
 #[test]
 fn a_weighted_sum_with_one_term_is_that_objective_and_mixes_lie_between() {
-    let mut random = Random(5);
+    let mut random = Random::new(5);
     for closed in [false, true] {
         for _ in 0..10 {
             let case = random_case(&mut random, Style::Sensible, closed, 10);
@@ -298,7 +298,7 @@ fn unrolling_keeps_lengths_and_sees_overlaps() {
         assert_eq!(pattern.self_overlap, overlaps, "{turns} turns");
         assert!(pattern.edge_length_error_max < 1e-12);
     }
-    let mut random = Random(21);
+    let mut random = Random::new(21);
     for k in 0..200 {
         let case = random_case(&mut random, STYLES[k % STYLES.len()], false, 30);
         let rails = [case.p, case.q];
@@ -325,7 +325,7 @@ fn unrolling_keeps_lengths_and_sees_overlaps() {
 
 #[test]
 fn bridges_alone_give_the_same_flat_pattern() {
-    let mut random = Random(22);
+    let mut random = Random::new(22);
     let mut seen = 0;
     for k in 0..120 {
         let (one, other) = (

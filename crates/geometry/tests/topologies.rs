@@ -1,4 +1,4 @@
-//! Films that change their topology: `free` lets necks close, `best` compares every way to span the boundaries.
+//! Films that change their topology: `free` lets necks close, and `best` compares every way to span the boundaries.
 
 use plateau_geometry::minimal_surface::{
     BoundarySampling, FreeTopology, InitialMesh, LinearSolver, Method, MinimalSurface, Newton, Options,
@@ -39,7 +39,7 @@ fn spanned(boundaries: &[Vec<DVec3>], topology: TopologyRule, triangles: usize) 
 fn comparison(surface: &MinimalSurface) -> &SpanningComparison {
     let comparison = surface.statistics.spanning.as_ref().unwrap();
     let topologies = &comparison.topologies;
-    // The first is the least and the one returned.
+    // The first topology has the least area and is the one that is returned.
     assert!(topologies.windows(2).all(|pair| match (pair[0].area, pair[1].area) {
         (Some(a), Some(b)) => a <= b * (1.0 + 1e-8),
         (None, Some(_)) => false,
@@ -68,7 +68,8 @@ fn rings_of_radius_10_at_height_12_carry_a_catenoid_that_two_discs_undercut() {
         assert!(surface.statistics.converged && surface.statistics.pinches.is_empty());
         assert!((surface.statistics.area - 699.5).abs() < 0.5);
     }
-    // The catenoid is stable, and not the least: beyond 0.5277 of the diameter two discs have less area (Goldschmidt).
+    // The catenoid is stable, but its area is not the least: beyond 0.5277 of the diameter two discs have less
+    // (Goldschmidt).
     let surface = spanned(&rings(&[0.0, 12.0]), TopologyRule::Best, 1500);
     let comparison = comparison(&surface);
     assert!(comparison.connected_film_exists && surface.warnings.is_empty());
@@ -108,8 +109,8 @@ fn rings_of_radius_10_at_height_14_become_two_discs() {
     assert!(told.detail.contains("0.94"), "{}", told.detail);
 }
 
-/// Input: two rings that project to lines, so that mending removes every free vertex. Conjugate gradients must not be asked
-/// for the positions of no vertices.
+/// Input: two rings that project to lines, so that the rules remove every free vertex. Symptom: conjugate gradients
+/// were asked for the positions of no vertices. Rule: a film without free vertices is not solved.
 #[test]
 fn a_film_that_mending_leaves_without_a_free_vertex_has_nothing_to_move() {
     let edgewise = |z: f64| {

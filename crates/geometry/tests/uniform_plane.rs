@@ -1,6 +1,7 @@
 //! Uniform meshes of planar polygons: every claim that can be verified on a result, on random input.
 
 use plateau_geometry::mesh::measure;
+use plateau_geometry::random::SplitMix64;
 use plateau_geometry::uniform_mesh::{Domain, Objective, Options, UniformMesh, Why, solve};
 use plateau_geometry::{DVec2, DVec3, Error, Execution};
 use proptest::prelude::*;
@@ -24,26 +25,10 @@ fn cases(usual: u32) -> u32 {
     if std::env::var_os("PLATEAU_LONG").is_some() { 10 * usual } else { usual }
 }
 
-/// Splitmix64: the tests' own numbers, the same everywhere.
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-}
-
 /// A convex polygon with inner angles of 90° or more and sides in [1, 2]: random turning angles, then side lengths that close
 /// it, found by alternating projections.
 fn admissible(seed: u64) -> Vec<DVec2> {
-    let mut random = Random(seed);
+    let mut random = SplitMix64::new(seed);
     loop {
         let k = 4 + (random.unit() * 36.0) as usize;
         let mut turns: Vec<f64> =
@@ -178,7 +163,7 @@ proptest! {
 
 #[test]
 fn larger_admissible_polygons_with_split_sides() {
-    let mut random = Random(7);
+    let mut random = SplitMix64::new(7);
     for seed in 0..60 {
         let scale = random.between(2.0, 20.0);
         let outline: Vec<DVec2> = admissible(seed).iter().map(|p| *p * scale).collect();
@@ -191,7 +176,7 @@ fn larger_admissible_polygons_with_split_sides() {
 
 /// A star-shaped polygon with random radii: concave, with sharp corners and short sides.
 fn star(seed: u64, corners: usize) -> Vec<[f64; 2]> {
-    let mut random = Random(seed);
+    let mut random = SplitMix64::new(seed);
     (0..corners)
         .map(|k| {
             let angle = TAU * (k as f64 + random.between(-0.4, 0.4)) / corners as f64;

@@ -1,4 +1,4 @@
-//! Chen, Cai, Zheng's own examples, and what their method promises on every boundary.
+//! The examples of Chen, Cai and Zheng, and the properties that their method has on every boundary.
 
 mod boundaries;
 
@@ -26,7 +26,7 @@ fn solved(boundaries: &[Vec<DVec3>], options: &Options) -> MinimalSurface {
     surface
 }
 
-/// Checks every answer: a manifold, the boundary exactly as given and in its order, sound figures.
+/// Checks a result: a manifold with exactly the given boundary, in its order, and valid statistics.
 fn check(given: &[Vec<DVec3>], surface: &MinimalSurface) {
     let topology = surface.mesh.check().unwrap();
     assert_eq!(topology.boundary_loops().len(), given.len());
@@ -116,7 +116,7 @@ fn more_triangles_lower_the_area_as_in_their_tables() {
 
 #[test]
 fn a_start_that_crosses_itself_is_undone_as_in_their_fourth_figure() {
-    // A banana bent in space: the segments to the mean leave it and cross its inner side.
+    // A banana-shaped loop that is bent in space. The segments to its mean leave it and cross its inner side.
     let (n, bend) = (96, 2.4);
     let boundary: Vec<DVec3> = (0..n)
         .map(|k| {

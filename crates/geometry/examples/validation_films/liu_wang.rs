@@ -1,4 +1,5 @@
-//! Liu and Wang's examples (their Figs. 6 to 9) by their formulas, beside Chen-Cai-Zheng's method and the default solver.
+//! Liu and Wang's examples (their Figs. 6 to 9) by their formulas, beside Chen-Cai-Zheng's method and the default
+//! solver.
 
 use super::{Save, run};
 use crate::picture::Picture;

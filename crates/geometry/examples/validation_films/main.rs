@@ -1,8 +1,8 @@
-//! The pictures and tables of docs/VALIDATION.md on films: Chen-Cai-Zheng, Liu-Wang, Bento-Cavalcanti, spanning topologies,
-//! triple junctions.
+//! The pictures and tables of docs/VALIDATION.md on films: Chen-Cai-Zheng, Liu-Wang, Bento-Cavalcanti, spanning
+//! topologies, triple junctions.
 //!
-//! `cargo run --release -p plateau-geometry --example validation_films -- docs/validation` writes the SVG files there and
-//! prints the tables.
+//! `cargo run --release -p plateau-geometry --example validation_films -- docs/validation` writes the SVG files there
+//! and prints the tables.
 
 mod bento_cavalcanti;
 #[path = "../../tests/boundaries/mod.rs"]

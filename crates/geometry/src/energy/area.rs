@@ -187,25 +187,10 @@ impl Pattern {
     }
 }
 
-/// Area-weighted unit normals of all vertices; zero where the ring has no area.
-pub(crate) fn vertex_normals(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Vec<DVec3> {
-    let mut normals = vec![DVec3::ZERO; vertices.len()];
-    for triangle in triangles {
-        let [a, b, c] = triangle.map(|v| vertices[v as usize]);
-        let vector = (b - a).cross(c - a);
-        for v in triangle {
-            normals[*v as usize] += vector;
-        }
-    }
-    for normal in &mut normals {
-        *normal = normal.normalize_or_zero();
-    }
-    normals
-}
-
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::mesh::measure::normals;
 
     /// A bumpy strip of the hyperbolic paraboloid: 5 x 5 vertices, the rim fixed.
     pub(crate) fn saddle() -> (Vec<DVec3>, Vec<[u32; 3]>, Vec<bool>) {
@@ -236,7 +221,7 @@ pub(crate) mod tests {
     fn first_and_second_variation_agree_with_finite_differences() {
         let (vertices, triangles, fixed) = saddle();
         let pattern = Pattern::new(&triangles, &fixed);
-        let normals = vertex_normals(&vertices, &triangles);
+        let normals = normals(&vertices, &triangles);
         let first = |at: &[DVec3], normals: &[DVec3]| first_variation(&pattern.free, at, &triangles, normals);
         let here = first(&vertices, &normals);
         let mut matrix = pattern.matrix();

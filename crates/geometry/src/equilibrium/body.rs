@@ -5,25 +5,25 @@ use super::freedom::{Freedom, Support};
 use super::newton::{Direct, Equations, Outcome, Settings, State, iterate};
 use super::residual::residual;
 use super::stability::{self, Unknown};
-use crate::energy::area::vertex_normals;
 use crate::energy::{Area, Term};
-use crate::mesh::complex::{Complex, Place};
+use crate::mesh::complex::{Complex, VertexKind};
+use crate::mesh::measure;
 use crate::sparse::SymmetricMatrix;
 use crate::sparse::pattern::BlockPattern;
 use crate::{DVec3, Execution, polyline};
 use glam::DMat3;
 use std::fmt;
 
-/// How far a vertex may lie from its support, as a fraction of the body's radius. A larger value accepts starts that
-/// the first step moves visibly; rounding of coordinates needs about 1e-15.
+/// Largest distance of a vertex from its support, as a fraction of the radius of the body. A larger value accepts
+/// starts that the first step moves visibly. Rounding of coordinates needs about 1e-15.
 const ON_SUPPORT: f64 = 1e-9;
 
-/// A complex of triangles with a surface tension per sheet, and further energies, with what each vertex may do.
+/// A complex of triangles with a surface tension per sheet, further energies, and a freedom for each vertex.
 #[derive(Debug)]
 pub struct Body {
     /// Positions.
     pub vertices: Vec<DVec3>,
-    /// What each vertex may do.
+    /// The freedom of each vertex.
     pub freedoms: Vec<Freedom>,
     /// The lines and surfaces of [`Freedom::On`] and [`Freedom::AcrossOn`].
     pub supports: Vec<Support>,
@@ -36,9 +36,9 @@ pub struct Body {
     curves: Vec<([u32; 2], f64)>,
 }
 
-/// Why a body has no equations.
+/// Why a body has no equations of equilibrium.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Defect {
+pub enum BodyDefect {
     /// The lists of freedoms and vertices differ in length.
     Freedoms,
     /// A term, a constraint or a freedom names a vertex that does not exist.
@@ -51,7 +51,7 @@ pub enum Defect {
     Target(usize),
 }
 
-impl fmt::Display for Defect {
+impl fmt::Display for BodyDefect {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Freedoms => f.write_str("every vertex needs one freedom"),
@@ -63,7 +63,7 @@ impl fmt::Display for Defect {
     }
 }
 
-impl std::error::Error for Defect {}
+impl std::error::Error for BodyDefect {}
 
 impl Body {
     /// A film: sheets of the given surface tensions (one for each of `complex.sheets`). The boundary is fixed, the
@@ -90,13 +90,13 @@ impl Body {
                 (edge.ends, sum / edge.count() as f64)
             })
             .collect();
-        let freedom = |place: &Place| match *place {
-            Place::Boundary => Freedom::Fixed,
-            Place::Sheet => Freedom::Normal,
-            Place::Junction(beside) => Freedom::Across(beside),
-            Place::Point => Freedom::Free,
+        let freedom = |kind: &VertexKind| match *kind {
+            VertexKind::Boundary => Freedom::Fixed,
+            VertexKind::Sheet => Freedom::Normal,
+            VertexKind::Junction(beside) => Freedom::Across(beside),
+            VertexKind::Point => Freedom::Free,
         };
-        let mut freedoms: Vec<Freedom> = complex.places.iter().map(freedom).collect();
+        let mut freedoms: Vec<Freedom> = complex.kinds.iter().map(freedom).collect();
         freedoms.resize(vertices.len(), Freedom::Free);
         let triangles = complex.triangles.clone();
         Self { vertices, freedoms, supports: Vec::new(), terms, constraints: Vec::new(), triangles, curves }
@@ -132,14 +132,14 @@ impl Body {
         points.iter().map(|p| p.distance(mean)).fold(0.0, f64::max)
     }
 
-    /// Whether the parts of the body fit together.
+    /// Checks that the parts of the body fit together.
     ///
     /// # Errors
-    /// The first [`Defect`].
-    pub fn check(&self) -> Result<(), Defect> {
+    /// The first [`BodyDefect`].
+    pub fn check(&self) -> Result<(), BodyDefect> {
         let count = self.vertices.len();
         if self.freedoms.len() != count {
-            return Err(Defect::Freedoms);
+            return Err(BodyDefect::Freedoms);
         }
         let mut missing = None;
         let mut see = |vertices: &[u32]| {
@@ -156,36 +156,36 @@ impl Body {
             }
         }
         if let Some(vertex) = missing {
-            return Err(Defect::NoSuchVertex(vertex));
+            return Err(BodyDefect::NoSuchVertex(vertex));
         }
         let radius = self.radius();
         for (v, (freedom, &here)) in self.freedoms.iter().zip(&self.vertices).enumerate() {
             let Some(number) = freedom.support() else { continue };
-            let support = self.supports.get(number as usize).ok_or(Defect::NoSuchSupport(number))?;
+            let support = self.supports.get(number as usize).ok_or(BodyDefect::NoSuchSupport(number))?;
             if support.nearest(here).distance(here) > ON_SUPPORT * radius {
-                return Err(Defect::OffSupport(v as u32));
+                return Err(BodyDefect::OffSupport(v as u32));
             }
         }
         match self.constraints.iter().position(|c| !(c.target.is_finite() && c.target != 0.0)) {
-            Some(constraint) => Err(Defect::Target(constraint)),
+            Some(constraint) => Err(BodyDefect::Target(constraint)),
             None => Ok(()),
         }
     }
 
-    /// Moves the body to the nearest equilibrium and analyses its stability there. `record` is told the energy and the
-    /// residual of every step.
+    /// Moves the body to the nearest equilibrium and analyses its stability there. `record` receives the energy and the
+    /// residual after every step.
     ///
     /// Terms that renew their coefficients do so after each solve, and the next solve follows, until no coefficient
     /// changes by more than the tolerance or the steps are used up.
     ///
     /// # Errors
-    /// The first [`Defect`]; nothing moves then.
+    /// The first [`BodyDefect`]; nothing moves then.
     pub fn relax(
         &mut self,
         settings: &Settings,
         exec: &Execution,
         record: &mut dyn FnMut(f64, f64),
-    ) -> Result<Report, Defect> {
+    ) -> Result<Report, BodyDefect> {
         self.check()?;
         let mut left = settings.max_steps;
         loop {
@@ -313,7 +313,7 @@ impl<'a> Motion<'a> {
 
     fn directions(&self, vertices: &[DVec3]) -> Vec<DVec3> {
         let body = self.body;
-        let normals = vertex_normals(vertices, &body.triangles);
+        let normals = measure::normals(vertices, &body.triangles);
         let mut directions = Vec::with_capacity(self.pattern.order());
         for (v, freedom) in body.freedoms.iter().enumerate() {
             match *freedom {
@@ -426,12 +426,12 @@ impl Equations for Motion<'_> {
         matrix.values.fill(0.0);
         let values = &mut matrix.values;
         let mut add = |factor: f64, v: u32, w: u32, block: DMat3| {
-            let Some(place) = self.pattern.place(v, w) else { return };
+            let Some(position) = self.pattern.position(v, w) else { return };
             let (own, other) = (&directions[self.pattern.unknowns(v)], &directions[self.pattern.unknowns(w)]);
             for (j, &towards) in other.iter().enumerate() {
                 let force = block * towards;
                 for (i, direction) in own.iter().enumerate() {
-                    values[place.at(i, j)] += factor * direction.dot(force);
+                    values[position.at(i, j)] += factor * direction.dot(force);
                 }
             }
         };
@@ -444,12 +444,12 @@ impl Equations for Motion<'_> {
         }
         for (v, freedom) in self.body.freedoms.iter().enumerate() {
             let Some(support) = freedom.support() else { continue };
-            let Some(place) = self.pattern.place(v as u32, v as u32) else { continue };
+            let Some(position) = self.pattern.position(v as u32, v as u32) else { continue };
             let support = &self.body.supports[support as usize];
             let tangents = &directions[self.pattern.unknowns(v as u32)];
             for (i, &u) in tangents.iter().enumerate() {
                 for (j, &w) in tangents.iter().enumerate() {
-                    values[place.at(i, j)] += gradient[v].dot(support.second_fundamental_form(vertices[v], u, w));
+                    values[position.at(i, j)] += gradient[v].dot(support.second_fundamental_form(vertices[v], u, w));
                 }
             }
         }

@@ -1,23 +1,24 @@
-//! What a vertex may do, and the lines and surfaces on which it may slide.
+//! The ways in which a vertex may move, and the lines and surfaces on which it may slide.
 
 use crate::DVec3;
 
-/// How a vertex may move. The number of unknowns is that of the directions.
+/// The directions in which a vertex may move. There is one unknown for each direction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Freedom {
     /// Not at all.
     #[default]
     Fixed,
-    /// Along the area-weighted normal of its triangles: one unknown. A vertex inside a sheet: sliding it within the
-    /// sheet hardly changes the area and would ruin the triangles.
+    /// Along the area-weighted normal of its triangles: one unknown. This is for vertices inside a sheet, where sliding
+    /// within the sheet hardly changes the area and would ruin the triangles.
     Normal,
-    /// Across the curve through it, from the first of these vertices to the second: two unknowns. A vertex inside a
-    /// junction or a cable.
+    /// Across the curve through it, which runs from the first of these vertices to the second: two unknowns. This is
+    /// for vertices inside a junction or a cable.
     Across([u32; 2]),
     /// On the support of this number: one unknown on a curve, two on a surface.
     On(u32),
-    /// On a surface, across the film's edge from the first of these vertices to the second: one unknown. A vertex of an
-    /// edge that slides on a surface: sliding it along the edge hardly changes the area and would ruin the triangles.
+    /// On a surface, across the edge of the film that runs from the first of these vertices to the second: one unknown.
+    /// This is for an edge that slides on a surface, where sliding along the edge hardly changes the area and would
+    /// ruin the triangles.
     AcrossOn {
         /// The number of the support.
         support: u32,
@@ -98,7 +99,8 @@ impl Support {
         }
     }
 
-    /// The support's point nearest to `x`. Where several are (a sphere's centre) the one in some fixed direction.
+    /// The point of the support that is nearest to `x`. If several are (as for the centre of a sphere), one in a fixed
+    /// direction.
     #[must_use]
     pub fn nearest(&self, x: DVec3) -> DVec3 {
         match *self {
@@ -117,7 +119,7 @@ impl Support {
         }
     }
 
-    /// Orthonormal tangents at a point of the support; of a curve the first alone counts.
+    /// Orthonormal tangents at a point of the support. For a curve only the first is used.
     #[must_use]
     pub fn tangents(&self, x: DVec3) -> [DVec3; 2] {
         let across = |normal: DVec3| <[DVec3; 2]>::from(normal.any_orthonormal_pair());

@@ -6,17 +6,17 @@
 //!    there are constraints, is the Morse index at that moment.
 //! 3. If it is indefinite, add the energy's semidefinite part once more, and more, until it is positive definite: the
 //!    step then goes down in energy. (When a stationary point is followed whatever its index, take the step as it is.)
-//! 4. Line search: halve the step while a triangle would turn over, or the energy (following: the residual) does not
-//!    fall.
+//! 4. Line search: halve the step while a triangle would turn over, or the energy does not decrease. When a stationary
+//!    point is followed, the residual must decrease instead.
 //!
 //! [`NormalMotion`](super::NormalMotion) is the scalar fast path: a film whose vertices move along their normals.
 //! [`Motion`](super::Motion) is a [`Body`](super::Body) with any energies, freedoms and constraints.
 //!
-//! Why normal directions inside a sheet: sliding vertices in the surface hardly changes the area, so the full 3n x 3n
-//! matrix is nearly singular and a descent in all coordinates buys its last digits with triangles of 1e-10 degrees.
-//! Heights leave the mesh's quality alone. The price is a tangential part of the gradient that does not vanish
-//! (reported as `residual_full`). Since the normals turn with the surface the iteration is Newton's only in the limit
-//! of a fine mesh; the rate observed is three to four digits a step.
+//! Inside a sheet vertices move along normals only. Sliding vertices within the surface hardly changes the area, so the
+//! full 3n x 3n matrix is nearly singular, and minimising over all coordinates buys the last digits with triangles of
+//! 1e-10 degrees. Heights keep the quality of the mesh. In exchange the tangential part of the gradient does not
+//! vanish; it is reported as `residual_full`. Since the normals turn with the surface, the iteration is Newton's method
+//! only in the limit of a fine mesh. The observed rate is three to four digits a step.
 
 use super::constraint::{Bordered, ConstraintState};
 use crate::mesh::measure;
@@ -24,17 +24,20 @@ use crate::sparse::{LinearError, Symbolic, SymmetricMatrix};
 use crate::{DVec3, Execution, Interruption};
 use std::fmt;
 
-/// Line search: a step shorter than this fraction of Newton's own ends the run as stalled. A smaller fraction tries longer
-/// beside a fold or a collapse.
+/// Shortest fraction of Newton's step that the line search tries; a shorter one ends the run as stalled. A smaller
+/// value tries longer near a fold or a collapse.
 const LEAST_STEP: f64 = 1.0 / 4096.0;
-/// First multiple of the semidefinite part that is added to an indefinite matrix, the factor to the next, and the last.
-/// A larger first one makes shorter steps where a small shift would do; a smaller growth takes more factorisations.
+/// First multiple of the semidefinite part that is added to an indefinite matrix, the factor to the next multiple, and
+/// the last one. A larger first multiple makes shorter steps where a small shift would suffice. A smaller factor takes
+/// more factorisations.
 const FIRST_SHIFT: f64 = 0.125;
 const SHIFT_GROWTH: f64 = 4.0;
 const LAST_SHIFT: f64 = 1e4;
-/// The step must gain this fraction of what its slope promises (Armijo's condition; the usual value).
+/// A step must lower the energy by this fraction of the decrease that its slope predicts (Armijo's condition, with the
+/// usual value). A larger value refuses more steps.
 const LEAST_GAIN: f64 = 1e-4;
-/// Changes of energy below this fraction of it are rounding, and the residual decides instead.
+/// Changes of the energy below this fraction of it are rounding errors, and the residual decides instead. A larger
+/// value leaves the decision to the residual earlier.
 const ENERGY_ROUNDING: f64 = 1e-12;
 /// With constraints a step is also taken if the residual falls to this fraction, because the merit function may refuse
 /// a good step near the solution (Maratos). A larger value takes more such steps.
@@ -42,10 +45,10 @@ const RESIDUAL_GAIN: f64 = 0.5;
 
 /// The equations of equilibrium of a body with a fixed connectivity.
 pub(crate) trait Equations {
-    /// The directions in which the vertices may move at one position, and what else is worth keeping of it.
+    /// The directions in which the vertices may move at one position, and other results that are computed with them.
     type Frame: Clone + fmt::Debug;
 
-    /// Everything about the first variation at a position.
+    /// The first variation at a position.
     fn state(&self, vertices: &[DVec3]) -> State<Self::Frame>;
 
     /// Fills `matrix` with the second variation along the state's directions. The semidefinite part counts `1 + shift`
@@ -92,8 +95,8 @@ pub(crate) struct State<F> {
 }
 
 impl<F> State<F> {
-    /// What the line search lowers: the energy plus a penalty on unmet constraints (exact for weights above the
-    /// multipliers).
+    /// The function that the line search lowers: the energy plus a penalty for constraints that are not met. The
+    /// penalty is exact for weights above the multipliers.
     fn merit(&self, weights: &[f64]) -> f64 {
         let penalties =
             self.constraints.iter().zip(weights).map(|(constraint, weight)| weight * constraint.excess.abs());
@@ -101,28 +104,28 @@ impl<F> State<F> {
     }
 }
 
-/// Where the iteration is to go.
+/// The goal of the iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Aim {
-    /// Down in energy, to a state of Morse index 0 or to none.
+    /// To lower energy, and to a state of Morse index 0 or to none.
     Minimum,
     /// To the nearest stationary state, whatever its index.
     Stationary,
 }
 
-/// When Newton's iteration ends, and where it goes.
+/// The goal of Newton's iteration and its limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// Where the iteration goes.
+    /// The goal of the iteration.
     pub aim: Aim,
     /// The residual at which the iteration ends.
     pub tolerance: f64,
-    /// Newton steps that may be taken.
+    /// Largest number of Newton steps.
     pub max_steps: u32,
 }
 
 impl Default for Settings {
-    /// To a minimum, with a residual of at most 1e-8, in at most 200 steps.
+    /// A minimum, with a residual of at most 1e-8, in at most 200 steps.
     fn default() -> Self {
         Self { aim: Aim::Minimum, tolerance: 1e-8, max_steps: 200 }
     }
@@ -133,7 +136,7 @@ impl Default for Settings {
 pub enum Outcome {
     /// The residual is at most the tolerance.
     Converged,
-    /// No step gains any more: a fold or a collapse is in the way, or rounding is reached.
+    /// No step improves the state: a triangle would turn over or collapse, or rounding errors are reached.
     Stalled,
     /// The allowed steps are used up.
     StepsUsed,
@@ -143,7 +146,7 @@ pub enum Outcome {
     Interrupted(Interruption),
 }
 
-/// What solves for Newton's step: a factorisation, or multigrid.
+/// A method to compute Newton's step: a factorisation, or multigrid.
 pub(crate) trait StepSolver<E: Equations> {
     /// Steps 2 and 3: Newton's step, one number per unknown. `state` is the state at `vertices`.
     ///
@@ -158,10 +161,10 @@ pub(crate) trait StepSolver<E: Equations> {
     ) -> Result<Vec<f64>, Outcome>;
 }
 
-/// Takes Newton steps until the residual is small or nothing gains any more; `record` is told every step (energy,
-/// residual).
+/// Takes Newton steps until the residual is small or no step improves the state. `record` receives the energy and the
+/// residual after every step.
 ///
-/// `vertices` ends as the best position reached, and no step folds the mesh. Also returns the state there.
+/// `vertices` becomes the best position that was reached. No step turns a triangle over. Also returns the state there.
 pub(crate) fn iterate<E: Equations>(
     vertices: &mut Vec<DVec3>,
     equations: &E,
@@ -195,17 +198,17 @@ pub(crate) fn iterate<E: Equations>(
     (if state.residual <= settings.tolerance { Outcome::Converged } else { Outcome::StepsUsed }, state)
 }
 
-/// Newton's step by factorisation: the symbolic part is made once for a connectivity.
+/// Newton's step by factorisation. The symbolic part is made once for a connectivity.
 #[derive(Debug)]
 pub(crate) struct Direct {
     pub symbolic: Symbolic,
     pub matrix: SymmetricMatrix,
-    /// The last factor made, for the next one to be made in, or to be kept.
+    /// The storage of the last factor. The next factorisation reuses it.
     pub storage: Vec<f64>,
 }
 
 impl Direct {
-    /// `matrix` has the pattern of all second variations to come.
+    /// `matrix` has the pattern of all second variations that will be factorised.
     ///
     /// # Errors
     /// [`LinearError::TooLarge`].
@@ -247,7 +250,8 @@ impl<E: Equations> StepSolver<E> for Direct {
     }
 }
 
-/// Step 4: the longest of the step, its half, its quarter, … that folds nothing and gains; `None` if none does.
+/// Step 4: the longest of the full step, its half, its quarter and so on that turns no triangle over and improves the
+/// state. `None` if there is none.
 fn search<E: Equations>(
     vertices: &[DVec3],
     equations: &E,
@@ -258,7 +262,8 @@ fn search<E: Equations>(
     let along: f64 = state.gradient.iter().zip(step).map(|(gradient, step)| gradient * step).sum();
     let weights: Vec<f64> =
         state.constraints.iter().map(|c| 2.0 * c.multiplier.abs() + state.energy.abs() / c.scale).collect();
-    // The gradient is the Lagrangian's, and the step meets the linearised constraints: λ·c and the penalty end with it.
+    // The gradient is that of the Lagrangian, and the step meets the linearised constraints. The terms λ·c and the
+    // penalty therefore vanish at the end of the step.
     let unmet: f64 = state
         .constraints
         .iter()

@@ -3,7 +3,8 @@
 use super::newton::{Equations, State};
 use super::residual::residual;
 use crate::DVec3;
-use crate::energy::area::{FirstVariation, first_variation, vertex_normals};
+use crate::energy::area::{FirstVariation, first_variation};
+use crate::mesh::measure;
 use crate::sparse::SymmetricMatrix;
 use crate::sparse::pattern::{FIXED, FreeVertices, Pattern};
 
@@ -13,7 +14,7 @@ pub(crate) type FilmState = State<Vec<DVec3>>;
 /// The state of a film of surface tension 1 whose `free` vertices move along their normals: what Newton's iteration
 /// sees and what is reported.
 pub(crate) fn film_state(free: &FreeVertices, vertices: &[DVec3], triangles: &[[u32; 3]], radius: f64) -> FilmState {
-    let normals = vertex_normals(vertices, triangles);
+    let normals = measure::normals(vertices, triangles);
     let FirstVariation { area, gradient, mass } = first_variation(free, vertices, triangles, &normals);
     let residual = residual(gradient.iter().copied().zip(mass.iter().copied()), radius);
     State { frame: normals, energy: area, gradient, mass, residual, constraints: Vec::new() }

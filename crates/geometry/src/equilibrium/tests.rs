@@ -1,12 +1,13 @@
 //! Bodies against closed forms and finite differences.
 
 use super::*;
-use crate::energy::area::{first_variation, vertex_normals};
+use crate::energy::area::first_variation;
 use crate::energy::elastic_line::ElasticLine;
 use crate::energy::finite_differences::patch as bumpy_patch;
 use crate::energy::length::{self, Stretch};
 use crate::energy::{Length, Term, Volume};
 use crate::mesh::complex::{Complex, has_junctions};
+use crate::mesh::measure;
 use crate::mesh::structured::{catenoid, cylinder, patch};
 use crate::sparse::pattern::Pattern;
 use crate::{DVec3, Execution};
@@ -488,20 +489,20 @@ fn bodies_whose_parts_do_not_fit_are_named() {
         refused
     };
     assert_eq!(body().check(), Ok(()));
-    assert_eq!(refused(&|body| body.freedoms.truncate(3)), Defect::Freedoms);
-    assert_eq!(refused(&|body| body.freedoms[0] = Freedom::On(0)), Defect::NoSuchSupport(0));
+    assert_eq!(refused(&|body| body.freedoms.truncate(3)), BodyDefect::Freedoms);
+    assert_eq!(refused(&|body| body.freedoms[0] = Freedom::On(0)), BodyDefect::NoSuchSupport(0));
     let line = || Length { segments: vec![[0, 99]], tension: 1.0 };
-    assert_eq!(refused(&|body| body.terms.push(Box::new(line()))), Defect::NoSuchVertex(99));
-    assert_eq!(refused(&|body| body.freedoms[5] = Freedom::Across([0, 77])), Defect::NoSuchVertex(77));
+    assert_eq!(refused(&|body| body.terms.push(Box::new(line()))), BodyDefect::NoSuchVertex(99));
+    assert_eq!(refused(&|body| body.freedoms[5] = Freedom::Across([0, 77])), BodyDefect::NoSuchVertex(77));
     let plane = Support::Plane { point: DVec3::Z, normal: DVec3::Z };
     let off = |body: &mut Body| {
         body.supports.push(plane);
         body.freedoms[2] = Freedom::On(0);
     };
-    assert_eq!(refused(&off), Defect::OffSupport(2));
+    assert_eq!(refused(&off), BodyDefect::OffSupport(2));
     let quantity = || Box::new(Length { segments: vec![[0, 1]], tension: 1.0 });
     let zero = |body: &mut Body| body.constraints.push(Constraint { quantity: quantity(), target: 0.0 });
-    assert_eq!(refused(&zero), Defect::Target(0));
+    assert_eq!(refused(&zero), BodyDefect::Target(0));
 }
 
 #[test]
@@ -525,7 +526,7 @@ fn junctions_of_a_complex_may_move_across_their_curve() {
     relaxed(&mut body);
     assert!(body.vertices[1].x > 0.05 && body.vertices[1].y.abs() < 1e-9);
     // By hand: the gradient at the middle vertex by the first variation of each sheet.
-    let normals = vertex_normals(&body.vertices, &triangles);
+    let normals = measure::normals(&body.vertices, &triangles);
     let fixed = [true, false, true, true, true, true];
     let free = crate::sparse::pattern::FreeVertices::new(&fixed);
     let mut sum = 0.0;

@@ -1,4 +1,4 @@
-//! One check for every mesh that leaves a solver; tests call it after every operation.
+//! The check of every mesh that leaves a solver. Tests call it after every operation.
 
 use crate::Mesh;
 use crate::mesh::topology::{Defect, NONE, Topology};
@@ -7,7 +7,7 @@ impl Mesh {
     /// Checks that the mesh is an oriented manifold (with or without boundary) with finite coordinates and without
     /// isolated vertices.
     ///
-    /// Says nothing about shape: degenerate or flipped triangles are counted by [`measure`](crate::mesh::measure).
+    /// It does not check the shape: [`measure`](crate::mesh::measure) counts degenerate and flipped triangles.
     ///
     /// # Errors
     /// The first [`Defect`] found.

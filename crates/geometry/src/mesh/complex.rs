@@ -12,22 +12,22 @@ pub struct Complex {
     pub triangles: Vec<[u32; 3]>,
     /// The triangles of each sheet: those connected across edges of two triangles. Ascending.
     pub sheets: Vec<Vec<u32>>,
-    /// Where each vertex lies.
-    pub places: Vec<Place>,
+    /// The kind of each vertex.
+    pub kinds: Vec<VertexKind>,
     /// Every side of every triangle by its edge, sorted: (smaller end, larger end, 3 × triangle + corner).
     sides: Vec<(u32, u32, u32)>,
 }
 
-/// Where a vertex lies in a complex.
+/// The position of a vertex in a complex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum VertexKind {
     /// On an edge of one triangle.
     Boundary,
     /// Inside a sheet.
     Sheet,
     /// Inside a junction, a curve of edges of three or more triangles, between these two neighbours on it.
     Junction([u32; 2]),
-    /// Where junctions meet.
+    /// A point where junctions meet.
     Point,
 }
 
@@ -52,9 +52,9 @@ impl Edge<'_> {
     }
 }
 
-/// Why triangles form no complex of sheets.
+/// Why triangles do not form a complex of sheets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Defect {
+pub enum ComplexDefect {
     /// A triangle names a vertex that does not exist.
     VertexOutOfRange {
         /// The triangle's number.
@@ -94,7 +94,7 @@ pub enum Defect {
     },
 }
 
-impl fmt::Display for Defect {
+impl fmt::Display for ComplexDefect {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::VertexOutOfRange { triangle } => write!(f, "triangle {triangle} names a vertex that does not exist"),
@@ -112,7 +112,7 @@ impl fmt::Display for Defect {
     }
 }
 
-impl std::error::Error for Defect {}
+impl std::error::Error for ComplexDefect {}
 
 /// The sides of all triangles by their edge, sorted.
 fn sides(triangles: &[[u32; 3]]) -> Vec<(u32, u32, u32)> {
@@ -125,7 +125,7 @@ fn sides(triangles: &[[u32; 3]]) -> Vec<(u32, u32, u32)> {
     sides
 }
 
-/// Whether some edge has three triangles or more.
+/// Whether some edge has three or more triangles.
 #[must_use]
 pub fn has_junctions(triangles: &[[u32; 3]]) -> bool {
     sides(triangles).windows(3).any(|three| three.iter().all(|side| (side.0, side.1) == (three[0].0, three[0].1)))
@@ -135,25 +135,25 @@ impl Complex {
     /// Finds the sheets and turns triangles over until neighbours within a sheet agree. O(n log n).
     ///
     /// # Errors
-    /// The first [`Defect`].
-    pub fn build(mut triangles: Vec<[u32; 3]>, vertex_count: usize) -> Result<Self, Defect> {
+    /// The first [`ComplexDefect`].
+    pub fn build(mut triangles: Vec<[u32; 3]>, vertex_count: usize) -> Result<Self, ComplexDefect> {
         let mut seen = BTreeMap::new();
         for (triangle, &[a, b, c]) in triangles.iter().enumerate() {
             if [a, b, c].iter().any(|&v| v as usize >= vertex_count) {
-                return Err(Defect::VertexOutOfRange { triangle });
+                return Err(ComplexDefect::VertexOutOfRange { triangle });
             }
             if a == b || b == c || c == a {
-                return Err(Defect::RepeatedVertex { triangle });
+                return Err(ComplexDefect::RepeatedVertex { triangle });
             }
             let mut corners = [a, b, c];
             corners.sort_unstable();
             let first = *seen.entry(corners).or_insert(triangle);
             if first < triangle {
-                return Err(Defect::SameCorners { triangle, first });
+                return Err(ComplexDefect::SameCorners { triangle, first });
             }
         }
         let sides = sides(&triangles);
-        // Per side the other side of the same edge, where the edge has two triangles.
+        // For each side the other side of the same edge, if the edge has two triangles.
         let mut twin: Vec<Option<u32>> = vec![None; 3 * triangles.len()];
         let mut on_boundary = vec![false; vertex_count];
         let mut along: Vec<Vec<u32>> = vec![Vec::new(); vertex_count];
@@ -173,27 +173,27 @@ impl Complex {
         }
         let sheets = orient(&mut triangles, &twin)?;
         let fans = fans(&triangles, &twin, vertex_count);
-        let mut places = Vec::with_capacity(vertex_count);
+        let mut kinds = Vec::with_capacity(vertex_count);
         for (v, along) in along.iter().enumerate() {
             let vertex = v as u32;
-            let place = match (&along[..], on_boundary[v]) {
-                (_, true) => Place::Boundary,
-                ([], false) => Place::Sheet,
-                (&[a, b], false) => Place::Junction([a, b]),
-                ([_], false) => return Err(Defect::LooseJunction { vertex }),
-                (_, false) => Place::Point,
+            let kind = match (&along[..], on_boundary[v]) {
+                (_, true) => VertexKind::Boundary,
+                ([], false) => VertexKind::Sheet,
+                (&[a, b], false) => VertexKind::Junction([a, b]),
+                ([_], false) => return Err(ComplexDefect::LooseJunction { vertex }),
+                (_, false) => VertexKind::Point,
             };
             if fans[v] == 0 {
-                return Err(Defect::IsolatedVertex { vertex });
+                return Err(ComplexDefect::IsolatedVertex { vertex });
             }
-            if place == Place::Sheet && fans[v] > 1 {
-                return Err(Defect::TouchingSheets { vertex });
+            if kind == VertexKind::Sheet && fans[v] > 1 {
+                return Err(ComplexDefect::TouchingSheets { vertex });
             }
-            places.push(place);
+            kinds.push(kind);
         }
-        // Turning a triangle over renumbers its corners.
+        // The sides are collected again, because turning a triangle over renumbers its corners.
         let sides = self::sides(&triangles);
-        Ok(Self { triangles, sheets, places, sides })
+        Ok(Self { triangles, sheets, kinds, sides })
     }
 
     /// Every edge once, sorted by its ends.
@@ -210,13 +210,13 @@ impl Complex {
     /// The curves along which sheets meet, each from end to end; a closed one ends with its first vertex.
     #[must_use]
     pub fn curves(&self) -> Vec<Vec<u32>> {
-        let inside = |v: u32| matches!(self.places[v as usize], Place::Junction(_));
-        let mut next: Vec<Vec<u32>> = vec![Vec::new(); self.places.len()];
+        let inside = |v: u32| matches!(self.kinds[v as usize], VertexKind::Junction(_));
+        let mut next: Vec<Vec<u32>> = vec![Vec::new(); self.kinds.len()];
         for [a, b] in self.junctions() {
             next[a as usize].push(b);
             next[b as usize].push(a);
         }
-        let all = 0..self.places.len() as u32;
+        let all = 0..self.kinds.len() as u32;
         let starts: Vec<u32> = all.clone().filter(|&v| !inside(v)).chain(all).collect();
         let mut curves = Vec::new();
         for start in starts {
@@ -238,16 +238,16 @@ impl Complex {
         curves
     }
 
-    /// V - E + F.
+    /// The Euler characteristic V - E + F.
     #[must_use]
     pub fn euler_characteristic(&self) -> i64 {
-        self.places.len() as i64 - self.edges().count() as i64 + self.triangles.len() as i64
+        self.kinds.len() as i64 - self.edges().count() as i64 + self.triangles.len() as i64
     }
 
-    /// Number of connected parts, across junctions too.
+    /// Number of connected components; junctions connect their sheets.
     #[must_use]
     pub fn components(&self) -> usize {
-        let mut leader: Vec<u32> = (0..self.places.len() as u32).collect();
+        let mut leader: Vec<u32> = (0..self.kinds.len() as u32).collect();
         fn find(leader: &mut [u32], v: u32) -> u32 {
             let mut root = v;
             while leader[root as usize] != root {
@@ -266,8 +266,8 @@ impl Complex {
     }
 }
 
-/// Turns triangles over until neighbours agree, and returns the sheets.
-fn orient(triangles: &mut [[u32; 3]], twin: &[Option<u32>]) -> Result<Vec<Vec<u32>>, Defect> {
+/// Turns triangles over until neighbours in a sheet agree, and returns the sheets.
+fn orient(triangles: &mut [[u32; 3]], twin: &[Option<u32>]) -> Result<Vec<Vec<u32>>, ComplexDefect> {
     let original = triangles.to_vec();
     let mut turned: Vec<Option<bool>> = vec![None; triangles.len()];
     let mut sheets = Vec::new();
@@ -292,7 +292,7 @@ fn orient(triangles: &mut [[u32; 3]], twin: &[Option<u32>]) -> Result<Vec<Vec<u3
                         turned[u] = wanted;
                         sheet.push(u as u32);
                     }
-                    agreed if agreed != wanted => return Err(Defect::OneSided { triangle: u }),
+                    agreed if agreed != wanted => return Err(ComplexDefect::OneSided { triangle: u }),
                     _ => {}
                 }
             }
@@ -336,7 +336,7 @@ fn fans(triangles: &[[u32; 3]], twin: &[Option<u32>], vertex_count: usize) -> Ve
 mod tests {
     use super::*;
 
-    /// Three half-discs of one triangle each side of a junction 0-1-2 between the poles 0 and 2.
+    /// Three half-discs that meet along the junction 0-1-2 between the poles 0 and 2. Each consists of two triangles.
     fn three_sheets() -> Vec<[u32; 3]> {
         (3..6).flat_map(|rim| [[0, 1, rim], [1, 2, rim]]).collect()
     }
@@ -350,8 +350,8 @@ mod tests {
         assert_eq!(complex.triangles[3], [2, 4, 1], "the triangle that was turned is turned back");
         assert_eq!(complex.junctions(), [[0, 1], [1, 2]]);
         assert_eq!(complex.curves(), [[0, 1, 2]]);
-        assert_eq!(complex.places[1], Place::Junction([0, 2]));
-        assert!([0, 2, 3, 4, 5].iter().all(|&v| complex.places[v] == Place::Boundary));
+        assert_eq!(complex.kinds[1], VertexKind::Junction([0, 2]));
+        assert!([0, 2, 3, 4, 5].iter().all(|&v| complex.kinds[v] == VertexKind::Boundary));
         assert_eq!((complex.euler_characteristic(), complex.components()), (1, 1));
         let counts: Vec<usize> = complex.edges().map(|edge| edge.count()).collect();
         assert_eq!(counts.iter().sum::<usize>(), 18);
@@ -364,19 +364,19 @@ mod tests {
     #[test]
     fn every_defect_is_named() {
         let build = |triangles: &[[u32; 3]], count| Complex::build(triangles.to_vec(), count).unwrap_err();
-        assert_eq!(build(&[[0, 1, 9]], 3), Defect::VertexOutOfRange { triangle: 0 });
-        assert_eq!(build(&[[0, 1, 1]], 3), Defect::RepeatedVertex { triangle: 0 });
-        assert_eq!(build(&[[0, 1, 2], [1, 2, 0]], 3), Defect::SameCorners { triangle: 1, first: 0 });
-        assert_eq!(build(&[[0, 1, 2]], 4), Defect::IsolatedVertex { vertex: 3 });
+        assert_eq!(build(&[[0, 1, 9]], 3), ComplexDefect::VertexOutOfRange { triangle: 0 });
+        assert_eq!(build(&[[0, 1, 1]], 3), ComplexDefect::RepeatedVertex { triangle: 0 });
+        assert_eq!(build(&[[0, 1, 2], [1, 2, 0]], 3), ComplexDefect::SameCorners { triangle: 1, first: 0 });
+        assert_eq!(build(&[[0, 1, 2]], 4), ComplexDefect::IsolatedVertex { vertex: 3 });
         // A Möbius band of five triangles.
         let band: Vec<[u32; 3]> = (0..5).map(|k| [k, (k + 1) % 5, (k + 2) % 5]).collect();
-        assert!(matches!(build(&band, 5), Defect::OneSided { .. }));
+        assert!(matches!(build(&band, 5), ComplexDefect::OneSided { .. }));
         // Two tetrahedra without a common edge that share the vertex 0.
         let tetrahedron = |[a, b, c, d]: [u32; 4]| [[a, c, b], [a, b, d], [b, c, d], [c, a, d]];
         let two = [tetrahedron([0, 1, 2, 3]), tetrahedron([0, 4, 5, 6])].concat();
-        assert_eq!(build(&two, 7), Defect::TouchingSheets { vertex: 0 });
+        assert_eq!(build(&two, 7), ComplexDefect::TouchingSheets { vertex: 0 });
         // Two tetrahedra that share the edge 0-1 alone: four triangles there, and no further junction at its ends.
         let two = [tetrahedron([0, 1, 2, 3]), tetrahedron([0, 1, 4, 5])].concat();
-        assert_eq!(build(&two, 6), Defect::LooseJunction { vertex: 0 });
+        assert_eq!(build(&two, 6), ComplexDefect::LooseJunction { vertex: 0 });
     }
 }

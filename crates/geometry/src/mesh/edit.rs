@@ -1,30 +1,10 @@
-//! Changes of connectivity that keep a mesh an oriented manifold: when an edge may be flipped or collapsed, flipping
-//! the diagonal of two triangles, and regular subdivision.
+//! Changes of connectivity that keep a mesh an oriented manifold: flipping and collapsing edges, removing a vertex of
+//! three triangles, and regular subdivision. [`cut`](super::cut) cuts a neck.
+//!
+//! A triangle that a collapse takes out keeps its number, with [`NONE`] for its corners and its twins. A vertex that is
+//! merged into another keeps its number too, without a half-edge. `Film::close_gaps` renumbers what is left.
 
 use crate::mesh::topology::{NONE, Topology, next, previous};
-
-/// Questions that the rules for flips and collapses ask of a representation of an oriented manifold.
-pub(crate) trait Adjacency {
-    /// The corners opposite to the edge in its triangles: on the left of a to b, and on the right.
-    fn opposite_corners(&self, a: u32, b: u32) -> [Option<u32>; 2];
-    /// Whether an edge joins the two vertices.
-    fn joined(&self, a: u32, b: u32) -> bool;
-    /// Whether a neighbour of the vertex fulfils a condition.
-    fn any_neighbour(&self, vertex: u32, condition: impl FnMut(u32) -> bool) -> bool;
-    /// Number of triangles around the vertex.
-    fn degree(&self, vertex: u32) -> usize;
-    /// Whether the vertex lies on the boundary.
-    fn on_boundary(&self, vertex: u32) -> bool;
-}
-
-/// Whether the edge between a and b may be replaced by the other diagonal of its two triangles: it has two, and no edge
-/// joins their far corners yet. Says nothing about shape.
-pub(crate) fn may_flip(mesh: &impl Adjacency, a: u32, b: u32) -> bool {
-    match mesh.opposite_corners(a, b) {
-        [Some(c), Some(d)] => c != d && !mesh.joined(c, d),
-        _ => false,
-    }
-}
 
 /// The link condition (Dey, Edelsbrunner, Guha, Nekhayev, *Topology preserving edge contraction*, 1999): whether the
 /// edge between a and b may become a point, so that the mesh stays a manifold of the same topology.
@@ -33,50 +13,23 @@ pub(crate) fn may_flip(mesh: &impl Adjacency, a: u32, b: u32) -> bool {
 /// 2. The ends have no common neighbour but the corners opposite to the edge.
 /// 3. The mesh is not the surface of a tetrahedron, nor two triangles back to back.
 /// 4. No corner opposite to the edge is left without a triangle.
-pub(crate) fn may_collapse(mesh: &impl Adjacency, a: u32, b: u32) -> bool {
-    let corners = mesh.opposite_corners(a, b);
+pub(crate) fn may_collapse(mesh: &Topology, a: u32, b: u32) -> bool {
+    let corners = [(a, b), (b, a)].map(|(from, to)| mesh.half_edge(from, to).map(|h| mesh.opposite(h)));
     let keeps_form = match corners {
         [None, None] => false,
         [Some(c), Some(d)] => {
             let tetrahedron = mesh.degree(c) == 3
                 && mesh.degree(d) == 3
-                && !mesh.on_boundary(c)
-                && !mesh.on_boundary(d)
-                && mesh.joined(c, d);
-            c != d && !tetrahedron && !(mesh.on_boundary(a) && mesh.on_boundary(b))
+                && !mesh.is_boundary(c)
+                && !mesh.is_boundary(d)
+                && mesh.are_adjacent(c, d);
+            c != d && !tetrahedron && !(mesh.is_boundary(a) && mesh.is_boundary(b))
         }
         _ => true,
     };
     keeps_form
         && corners.into_iter().flatten().all(|corner| mesh.degree(corner) > 1)
-        && !mesh.any_neighbour(a, |v| v != b && !corners.contains(&Some(v)) && mesh.joined(v, b))
-}
-
-impl Adjacency for Topology {
-    fn opposite_corners(&self, a: u32, b: u32) -> [Option<u32>; 2] {
-        [(a, b), (b, a)]
-            .map(|(from, to)| self.outgoing_half_edges(from).find(|&h| self.to(h) == to).map(|h| self.opposite(h)))
-    }
-
-    fn joined(&self, a: u32, b: u32) -> bool {
-        self.are_adjacent(a, b)
-    }
-
-    fn any_neighbour(&self, vertex: u32, mut condition: impl FnMut(u32) -> bool) -> bool {
-        // A vertex of the boundary reaches its last neighbour only as an opposite corner.
-        self.outgoing_half_edges(vertex).any(|h| {
-            let corner = self.opposite(h);
-            condition(self.to(h)) || (self.twin[previous(h) as usize] == NONE && condition(corner))
-        })
-    }
-
-    fn degree(&self, vertex: u32) -> usize {
-        self.outgoing_half_edges(vertex).count()
-    }
-
-    fn on_boundary(&self, vertex: u32) -> bool {
-        self.is_boundary(vertex)
-    }
+        && !mesh.neighbours(a).any(|v| v != b && !corners.contains(&Some(v)) && mesh.are_adjacent(v, b))
 }
 
 impl Topology {
@@ -96,6 +49,33 @@ impl Topology {
     #[must_use]
     pub fn opposite(&self, half_edge: u32) -> u32 {
         self.from(previous(half_edge))
+    }
+
+    /// The half-edge that runs from one vertex to the other; `None` if no triangle has it.
+    #[must_use]
+    pub fn half_edge(&self, from: u32, to: u32) -> Option<u32> {
+        self.outgoing_half_edges(from).find(|&h| self.to(h) == to)
+    }
+
+    /// The vertices that an edge joins with a vertex, each once.
+    pub fn neighbours(&self, vertex: u32) -> impl Iterator<Item = u32> + '_ {
+        // A boundary vertex has no half-edge to its last neighbour, which is the corner before it.
+        self.outgoing_half_edges(vertex).flat_map(|h| {
+            let last = self.twin[previous(h) as usize] == NONE;
+            std::iter::once(self.to(h)).chain(last.then(|| self.opposite(h)))
+        })
+    }
+
+    /// Number of triangles around a vertex.
+    #[must_use]
+    pub fn degree(&self, vertex: u32) -> usize {
+        self.outgoing_half_edges(vertex).count()
+    }
+
+    /// Whether a triangle has been taken out.
+    #[must_use]
+    pub fn is_removed(&self, triangle: u32) -> bool {
+        self.triangles[triangle as usize][0] == NONE
     }
 
     /// Whether the edge has two triangles and its two opposite vertices are not joined yet, so that
@@ -135,6 +115,96 @@ impl Topology {
                 self.outgoing[vertex as usize] = place;
             }
         }
+    }
+
+    /// Merges a vertex into a neighbour and takes out the triangles at their edge. Only where [`may_collapse`] allows
+    /// it.
+    pub(crate) fn collapse(&mut self, kept: u32, merged: u32) {
+        debug_assert!(may_collapse(self, kept, merged));
+        let sides = [self.half_edge(kept, merged), self.half_edge(merged, kept)];
+        let around: Vec<u32> = self.outgoing_half_edges(merged).collect();
+        for h in around {
+            self.triangles[h as usize / 3][h as usize % 3] = kept;
+        }
+        self.outgoing[merged as usize] = NONE;
+        let mut outgoing = Vec::with_capacity(8);
+        for side in sides.into_iter().flatten() {
+            let corner = self.opposite(side);
+            // The edges from the corner to either end become one: the half-edges from the corner, and to it.
+            let (leaving, arriving) = (self.twin[next(side) as usize], self.twin[previous(side) as usize]);
+            self.take_out(side / 3);
+            self.pair(leaving, arriving);
+            if leaving != NONE {
+                outgoing.extend([(corner, leaving), (kept, next(leaving))]);
+            }
+            if arriving != NONE {
+                outgoing.extend([(kept, arriving), (corner, next(arriving))]);
+            }
+        }
+        outgoing.into_iter().for_each(|(vertex, h)| self.set_outgoing(vertex, h));
+    }
+
+    /// Replaces the three triangles around a vertex inside the mesh by one, and returns its number. Refuses other
+    /// vertices, and the surface of a tetrahedron.
+    pub(crate) fn remove_vertex_of_three(&mut self, vertex: u32) -> Option<u32> {
+        let spokes: Vec<u32> = self.outgoing_half_edges(vertex).collect();
+        if spokes.len() != 3 || self.is_boundary(vertex) {
+            return None;
+        }
+        // Anticlockwise, the triangle with the smallest number first: it is the one that stays.
+        let first = *spokes.iter().min()?;
+        let second = self.twin[previous(first) as usize];
+        let third = self.twin[previous(second) as usize];
+        let outer = [first, second, third].map(|spoke| self.twin[next(spoke) as usize]);
+        let corners = [first, second, third].map(|spoke| self.to(spoke));
+        if outer[0] != NONE && self.opposite(outer[0]) == corners[2] {
+            return None;
+        }
+        [first, second, third].into_iter().for_each(|spoke| self.take_out(spoke / 3));
+        self.outgoing[vertex as usize] = NONE;
+        let stays = first / 3;
+        self.triangles[stays as usize] = corners;
+        for (h, twin) in (3 * stays..).zip(outer) {
+            self.pair(h, twin);
+        }
+        for (h, corner) in (3 * stays..).zip(corners) {
+            self.set_outgoing(corner, h);
+        }
+        Some(stays)
+    }
+
+    /// Adds a triangle without neighbours, and returns its number.
+    pub(super) fn add(&mut self, corners: [u32; 3]) -> u32 {
+        self.triangles.push(corners);
+        self.twin.extend([NONE; 3]);
+        self.triangles.len() as u32 - 1
+    }
+
+    /// Takes a triangle out. Its neighbours and corners must be told by the caller.
+    pub(super) fn take_out(&mut self, triangle: u32) {
+        self.triangles[triangle as usize] = [NONE; 3];
+        self.twin[3 * triangle as usize..3 * triangle as usize + 3].fill(NONE);
+    }
+
+    /// Makes two half-edges each other's twins; where one is [`NONE`], the other comes to lie on the boundary.
+    pub(super) fn pair(&mut self, h: u32, g: u32) {
+        for (one, other) in [(h, g), (g, h)] {
+            if one != NONE {
+                self.twin[one as usize] = other;
+            }
+        }
+    }
+
+    /// Sets a vertex's outgoing half-edge: the one on the boundary, if turning anticlockwise from `half_edge` meets it.
+    pub(super) fn set_outgoing(&mut self, vertex: u32, half_edge: u32) {
+        let mut h = half_edge;
+        while self.twin[h as usize] != NONE {
+            h = next(self.twin[h as usize]);
+            if h == half_edge {
+                break;
+            }
+        }
+        self.outgoing[vertex as usize] = h;
     }
 
     /// Splits every triangle into four at its edges' midpoints: the new topology, and for each new vertex the ends of
@@ -257,6 +327,59 @@ mod tests {
                     topology.outgoing_half_edges(v).count(), fresh.outgoing_half_edges(v).count());
             }
         }
+    }
+
+    /// Whether the half-edge structure is the one that building from its triangles gives, gaps apart.
+    fn is_sound(topology: &Topology) -> bool {
+        let left: Vec<u32> = (0..topology.triangles().len() as u32).filter(|&t| !topology.is_removed(t)).collect();
+        let triangles: Vec<[u32; 3]> = left.iter().map(|&t| topology.triangles()[t as usize]).collect();
+        let fresh = Topology::build(&triangles, topology.outgoing.len()).unwrap();
+        let old = |h: u32| if h == NONE { NONE } else { 3 * left[h as usize / 3] + h % 3 };
+        (0..fresh.twin.len() as u32).all(|h| topology.twin[old(h) as usize] == old(fresh.twin[h as usize]))
+            && (0..fresh.outgoing.len() as u32).all(|v| {
+                let h = topology.outgoing[v as usize];
+                (h == NONE) == (fresh.outgoing[v as usize] == NONE)
+                    && (h == NONE || topology.from(h) == v)
+                    && topology.is_boundary(v) == fresh.is_boundary(v)
+                    && topology.degree(v) == fresh.degree(v)
+            })
+    }
+
+    #[test]
+    fn collapses_leave_the_topology_that_is_built_afresh() {
+        let (mut collapses, mut removals) = (0, 0);
+        for seed in 0..20 {
+            let mut topology = grid(6);
+            let mut random = SplitMix64::new(seed);
+            for _ in 0..400 {
+                let h = random.below(topology.twin.len()) as u32;
+                if topology.is_removed(h / 3) {
+                    continue;
+                }
+                let (a, b) = (topology.from(h), topology.to(h));
+                match random.below(4) {
+                    0 if may_collapse(&topology, a, b) => {
+                        topology.collapse(a, b);
+                        collapses += 1;
+                    }
+                    1 => removals += usize::from(topology.remove_vertex_of_three(a).is_some()),
+                    _ if topology.can_flip(h) => topology.flip(h),
+                    _ => {}
+                }
+                assert!(is_sound(&topology), "seed {seed}");
+            }
+        }
+        assert!(collapses > 200 && removals > 20, "{collapses} {removals}");
+    }
+
+    #[test]
+    fn a_vertex_of_three_triangles_leaves_one_and_a_tetrahedron_stays() {
+        let mut fan = Topology::build(&[[0, 1, 3], [1, 2, 3], [2, 0, 3]], 4).unwrap();
+        assert_eq!(fan.remove_vertex_of_three(3), Some(0));
+        assert_eq!(fan.triangles(), [[0, 1, 2], [NONE; 3], [NONE; 3]]);
+        assert!(is_sound(&fan));
+        let mut tetrahedron = Topology::build(&[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]], 4).unwrap();
+        assert_eq!(tetrahedron.remove_vertex_of_three(3), None);
     }
 
     #[test]

@@ -1,27 +1,28 @@
-//! A mesh between its boundaries while a solver works on it: where its vertices are, and what on it is fixed.
+//! The working state of a solver: a mesh between its boundaries, and which of its vertices and edges are fixed.
 
 use crate::mesh::measure;
-use crate::mesh::topology::Topology;
+use crate::mesh::topology::{Defect, NONE, Topology};
 use crate::{DVec3, Mesh};
 
-/// A mesh between its boundaries while a solver works on it. Positions are centred on the mean of the boundary points.
+/// A mesh between its boundaries while a solver works on it. Positions are relative to the mean of the boundary points.
 ///
-/// Vertices: the boundaries' input points first; where points added on the boundary stand is the initial mesh's choice.
+/// The input points of the boundaries come first among the vertices. The initial mesh decides where points that were
+/// added on the boundary stand.
 #[derive(Clone, Debug)]
 pub(crate) struct Film {
     pub vertices: Vec<DVec3>,
     pub topology: Topology,
     /// Vertices that never move: the boundary, and points that the caller fixed.
     pub fixed: Vec<bool>,
-    /// Edges that must stay, each smaller vertex first, sorted. Boundary edges stay anyway and are not listed.
+    /// Edges that must stay, each with its smaller vertex first, sorted. Boundary edges always stay and are not listed.
     pub locked: Vec<[u32; 2]>,
-    /// The boundary loops, in the input's order and direction.
+    /// The boundary loops, in the order and direction of the input.
     pub boundaries: Vec<Vec<u32>>,
 }
 
 impl Film {
-    /// A film without constraints: the boundary loops are fixed, everything else moves. `None` if the triangles are no
-    /// manifold.
+    /// A film without constraints: the boundary loops are fixed, and all other vertices move. `None` if the triangles
+    /// do not form a manifold.
     pub fn new(vertices: Vec<DVec3>, triangles: &[[u32; 3]], boundaries: Vec<Vec<u32>>) -> Option<Self> {
         let topology = Topology::build(triangles, vertices.len()).ok()?;
         let mut fixed = vec![false; vertices.len()];
@@ -61,6 +62,27 @@ impl Film {
         !self.locked.is_empty() && self.locked.binary_search(&[a.min(b), a.max(b)]).is_ok()
     }
 
+    /// Renumbers what changes of the connectivity have left: without the triangles that were taken out, and without the
+    /// vertices that lost their last triangle, fixed ones apart. The order stays.
+    ///
+    /// # Errors
+    /// The defect, if what is left is no oriented manifold; the film is as it was then.
+    pub fn close_gaps(&mut self) -> Result<(), Defect> {
+        let stays = |v: usize| self.fixed[v] || self.topology.outgoing[v] != NONE;
+        let kept: Vec<usize> = (0..self.vertices.len()).filter(|&v| stays(v)).collect();
+        let mut place = vec![NONE; self.vertices.len()];
+        kept.iter().enumerate().for_each(|(new, &old)| place[old] = new as u32);
+        let left = self.triangles().iter().filter(|triangle| triangle[0] != NONE);
+        let triangles: Vec<[u32; 3]> = left.map(|triangle| triangle.map(|v| place[v as usize])).collect();
+        self.topology = Topology::build(&triangles, kept.len())?;
+        self.vertices = kept.iter().map(|&v| self.vertices[v]).collect();
+        self.fixed = kept.iter().map(|&v| self.fixed[v]).collect();
+        // The boundaries and the locked edges have fixed vertices only, and those stay.
+        let own = self.boundaries.iter_mut().flatten().chain(self.locked.iter_mut().flatten());
+        own.for_each(|v| *v = place[*v as usize]);
+        Ok(())
+    }
+
     pub fn mesh(&self) -> Mesh {
         Mesh::new(self.vertices.clone(), self.triangles().to_vec())
     }
@@ -86,8 +108,8 @@ impl Film {
         Self { vertices, topology: self.topology.renumbered(place), fixed, locked, boundaries }
     }
 
-    /// For each vertex its number when the points added on the boundaries stand right after the `input_points` first
-    /// vertices; `None` if they stand there already.
+    /// For each vertex its number after the points that were added on the boundaries have been moved directly behind
+    /// the first `input_points` vertices. `None` if they are there already.
     pub fn boundary_first(&self, input_points: usize) -> Option<Vec<u32>> {
         let added: Vec<u32> =
             self.boundaries.iter().flatten().copied().filter(|&v| v as usize >= input_points).collect();

@@ -49,13 +49,13 @@ pub fn area(mesh: &Mesh) -> f64 {
     mesh.triangles.iter().map(|&t| 0.5 * double_area_vector(mesh.corners(t)).length()).sum()
 }
 
-/// Area-weighted unit normals; zero where a vertex belongs to no triangle of positive area.
+/// Unit normals of the vertices, weighted by area. Zero if a vertex belongs to no triangle of positive area.
 #[must_use]
 pub fn vertex_normals(mesh: &Mesh) -> Vec<DVec3> {
     normals(&mesh.vertices, &mesh.triangles)
 }
 
-/// The normals of [`vertex_normals`], for vertices and triangles that are kept apart.
+/// The normals of [`vertex_normals`], with vertices and triangles as separate arguments.
 #[must_use]
 pub fn normals(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Vec<DVec3> {
     let mut normals = vec![DVec3::ZERO; vertices.len()];
@@ -80,7 +80,7 @@ pub fn edge_lengths(mesh: &Mesh, topology: &Topology) -> Vec<f64> {
         .collect()
 }
 
-/// The three inner angles, radians; NaN-free (0 where an edge vanishes).
+/// The three inner angles in radians; 0 where an edge vanishes, never NaN.
 #[must_use]
 pub fn angles([a, b, c]: [DVec3; 3]) -> [f64; 3] {
     let angle = |o: DVec3, u: DVec3, v: DVec3| {
@@ -115,13 +115,13 @@ pub fn degenerate_triangles(mesh: &Mesh) -> usize {
     mesh.triangles.iter().filter(|&&t| is_degenerate(mesh.corners(t))).count()
 }
 
-/// Number of flipped triangles: their normal points against the sum of their three vertex normals.
+/// Number of flipped triangles, whose normal points against the sum of their three vertex normals.
 #[must_use]
 pub fn flipped_triangles(mesh: &Mesh) -> usize {
     count_flipped(&mesh.vertices, &mesh.triangles, &vertex_normals(mesh))
 }
 
-/// The number of [`flipped_triangles`], for vertices and triangles that are kept apart and with normals that are known already.
+/// The number of [`flipped_triangles`], with vertices, triangles and known normals as separate arguments.
 #[must_use]
 pub fn count_flipped(vertices: &[DVec3], triangles: &[[u32; 3]], normals: &[DVec3]) -> usize {
     let is_flipped = |triangle: &&[u32; 3]| {

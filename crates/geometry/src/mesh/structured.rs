@@ -1,9 +1,9 @@
-//! Films whose exact surface is known, on structured grids: what the solvers' own tests start from.
+//! Films on structured grids whose exact surface is known, for the tests of the solvers.
 
 use crate::DVec3;
 use crate::mesh::film::Film;
 
-/// A grid of `nu` x `nv` cells with alternating diagonals; `at` maps (0..=1, 0..=1) to space. The rim is fixed.
+/// A grid of `nu` x `nv` cells with alternating diagonals. `at` maps (0..=1, 0..=1) to space. The boundary is fixed.
 pub(crate) fn patch(nu: usize, nv: usize, at: impl Fn(f64, f64) -> DVec3) -> Film {
     let index = |i: usize, j: usize| (i * (nv + 1) + j) as u32;
     let mut vertices = Vec::new();

@@ -87,11 +87,11 @@ pub fn previous(half_edge: u32) -> u32 {
 }
 
 impl Topology {
-    /// Pairs half-edges. O(n log n), deterministic.
+    /// Pairs the half-edges. O(n log n), deterministic.
     ///
     /// # Errors
-    /// The first defect found: indices first, then edges, then vertices. Isolated vertices are allowed here
-    /// ([`check`](crate::mesh::check) decides about them).
+    /// The first defect: of the indices, then of the edges, then of the vertices. Isolated vertices are allowed here;
+    /// [`check`](crate::mesh::check) refuses them.
     pub fn build(triangles: &[[u32; 3]], vertex_count: usize) -> Result<Self, Defect> {
         for (triangle, &[a, b, c]) in triangles.iter().enumerate() {
             if [a, b, c].iter().any(|&v| v as usize >= vertex_count) {
@@ -101,7 +101,7 @@ impl Topology {
                 return Err(Defect::RepeatedVertex { triangle });
             }
         }
-        // Counting sort of the half-edges by their lower vertex: neighbours then meet in short buckets.
+        // The half-edges are sorted by their lower vertex (counting sort), so that neighbours meet in short buckets.
         let mut start = vec![0u32; vertex_count + 1];
         let corner = |h: usize| triangles[h / 3][h % 3];
         let ends = |h: usize| (corner(h), corner(if h % 3 == 2 { h - 2 } else { h + 1 }));
@@ -114,7 +114,7 @@ impl Topology {
             start[v + 1] += start[v];
         }
         let mut cursor = start.clone();
-        // In each bucket the higher vertex and the half-edge.
+        // For each half-edge of a bucket its higher vertex and its number.
         let mut bucket = vec![(0u32, 0u32); count];
         for h in 0..count {
             let (a, b) = ends(h);
@@ -173,13 +173,12 @@ impl Topology {
         self.from(next(half_edge))
     }
 
-    /// Outgoing half-edges of a vertex, clockwise for a boundary vertex starting at its boundary half-edge
-    /// (so that each edge of the fan but its last appears once; the fan's last edge is the incoming boundary
-    /// half-edge).
+    /// The outgoing half-edges of a vertex, clockwise. For a boundary vertex the first is its boundary half-edge. The
+    /// last edge of its fan has no outgoing half-edge; it is the incoming boundary half-edge.
     pub fn outgoing_half_edges(&self, vertex: u32) -> impl Iterator<Item = u32> + '_ {
         let first = self.outgoing[vertex as usize];
         let mut current = first;
-        // The incoming half-edge of the same triangle is previous(h); its twin leaves the vertex again.
+        // previous(h) is the incoming half-edge of the same triangle. Its twin leaves the vertex again.
         std::iter::from_fn(move || {
             if current == NONE {
                 return None;

@@ -1,16 +1,17 @@
-//! About how large a mesh will be, before any work.
+//! Estimates the size of a mesh before it is made.
 
 use super::options::{InitialMesh, Options, Resolution};
 use crate::DVec3;
 
-/// Number of triangles, roughly, for each boundary point where the points are much closer than the edge length.
+/// Rough number of triangles for each boundary point where the points are much closer than the edge length. A larger
+/// value raises the estimate for such boundaries.
 const TRIANGLES_PER_POINT: f64 = 12.0;
 
-/// About how many triangles a request asks for, so that a service can price it before the work.
+/// Estimates the number of triangles of the result, so that a service can price a request before the work.
 ///
-/// Exact where a count is asked for; for an edge length the area of the boundaries' fans about their means is divided
-/// by that of an equilateral triangle (but the boundary's own points ask for some each), which is right within a small
-/// factor unless the boundaries are far apart.
+/// The estimate is exact if the request is for a number of triangles. For an edge length it is the area of the fans
+/// from the boundaries to their common mean, divided by the area of an equilateral triangle, and at least a number for
+/// each boundary point. It is right within a small factor unless the boundaries are far apart.
 #[must_use]
 pub fn estimate_triangles(boundaries: &[Vec<DVec3>], options: &Options) -> f64 {
     let points: usize = boundaries.iter().map(Vec::len).sum();
@@ -26,12 +27,12 @@ pub fn estimate_triangles(boundaries: &[Vec<DVec3>], options: &Options) -> f64 {
     }
 }
 
-/// How many equilateral triangles of an edge length cover the boundaries' fans.
+/// Number of equilateral triangles of an edge length that cover the fans of the boundaries.
 pub(crate) fn triangles_of_length(boundaries: &[Vec<DVec3>], length: f64) -> f64 {
     area_of_fans(boundaries) / (length * length * 0.75_f64.sqrt() * 0.5)
 }
 
-/// The area of all boundaries' fans about the mean of their points.
+/// Area of the fans from all boundaries to the mean of all points.
 pub(crate) fn area_of_fans(boundaries: &[Vec<DVec3>]) -> f64 {
     let all: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
     let centre = crate::polyline::mean(&all);

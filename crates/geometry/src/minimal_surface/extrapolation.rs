@@ -1,9 +1,10 @@
-//! The area of the smooth minimal surface on the same boundary polygon, from two meshes (Richardson).
+//! Estimates the area of the smooth minimal surface on the same boundary polygon from two meshes (Richardson
+//! extrapolation).
 //!
-//! The area of a mesh of good triangles, minimal among its kind, is above the surface's by a multiple of h² as long as
-//! the surface is smooth up to the boundary. With every edge halved the excess is a quarter: the limit is
-//! A_fine - (A_coarse - A_fine) / 3. At a corner of the polygon whose angle is above 180 degrees the order is lower and
-//! the limit a little above the true one; the error estimate, the whole correction of the finer area, covers that.
+//! As long as the surface is smooth up to the boundary, the area of a minimal mesh of well-shaped triangles exceeds the
+//! area of the surface by a multiple of h². With every edge halved the excess is a quarter. The limit is therefore
+//! A_fine - (A_coarse - A_fine) / 3. At a corner of the polygon with an angle above 180° the order is lower, and the
+//! limit is a little too large. The error estimate, which is the whole correction of the finer area, covers that.
 
 use super::run::ExtrapolatedArea;
 use crate::equilibrium::NormalMotion;
@@ -15,15 +16,15 @@ use crate::sparse::multigrid::{Hierarchy, parents_of};
 use crate::sparse::pattern::Pattern;
 use crate::{Execution, Interruption};
 
-/// Residual to which the finer mesh is solved. The error of its area is about the square of that.
+/// Residual to which the finer mesh is solved. A larger value takes fewer steps; the error of the area is about the
+/// square of it.
 const TOLERANCE: f64 = 1e-3;
 /// Largest number of Newton steps on the finer mesh.
 const MAX_STEPS: u32 = 6;
 
 impl ExtrapolatedArea {
-    /// For a converged stable film: halves its edges, corrects that mesh, and extrapolates. The top level of
-    /// `hierarchy` is the second variation where the film stands. `None` where the finer mesh cannot be corrected in a
-    /// few steps.
+    /// Halves the edges of a converged stable film, corrects that mesh, and extrapolates. The top level of `hierarchy`
+    /// is the second variation at the film. `None` if the finer mesh cannot be corrected in a few steps.
     ///
     /// # Errors
     /// The interruption.

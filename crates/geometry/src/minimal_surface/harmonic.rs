@@ -5,18 +5,19 @@
 //! 3. The image is the next domain. Repeat.
 //!
 //! The area never rises, since area(image) <= energy(image) <= energy(identity) = area(domain). The iteration converges
-//! linearly: a few rounds take a poor mesh to a good one, many are needed for a small residual
-//! ([`newton`](crate::equilibrium::newton) for that).
+//! linearly. A few rounds make a good mesh of a poor one; a small residual takes many, and
+//! [`newton`](crate::equilibrium::newton) reaches it faster.
 //!
-//! Departures: the weight of a triangle whose area vanishes is bounded ([`area`](crate::energy::area)), so that a
-//! collapsing neck is reported by the linear solver and not by an infinite entry.
+//! Departure from the paper: the weight of a triangle whose area vanishes is bounded ([`area`](crate::energy::area)). A
+//! collapsing neck is therefore reported by the linear solver instead of giving an infinite entry.
 
 use crate::mesh::film::Film;
 use crate::sparse::pattern::Pattern;
 use crate::sparse::{CgFailure, LinearError, Symbolic, SymmetricMatrix, conjugate_gradients};
 use crate::{DVec3, Error, Execution, Interruption};
 
-/// Residual at which conjugate gradients stop, relative to that of the present positions.
+/// Residual at which conjugate gradients stop, as a fraction of the residual of the present positions. A larger value
+/// takes fewer iterations and gives a less exact step.
 const ITERATIVE_TOLERANCE: f64 = 1e-10;
 
 /// Whether a step needed a factorisation.
@@ -26,7 +27,7 @@ pub(crate) enum Elimination {
     Spared,
 }
 
-/// Dirichlet problems on one connectivity: the symbolic factorisation is made once.
+/// Dirichlet problems on one connectivity. The symbolic factorisation is made once.
 #[derive(Debug)]
 pub(crate) struct Dirichlet {
     pub pattern: Pattern,
@@ -43,7 +44,7 @@ impl Dirichlet {
         Self::of_pattern(Pattern::new(film.triangles(), &film.fixed))
     }
 
-    /// The same for triangles of which more than two may share an edge.
+    /// As [`new`](Self::new), for triangles of which more than two may share an edge.
     ///
     /// # Errors
     /// [`LinearError::TooLarge`].
@@ -57,8 +58,8 @@ impl Dirichlet {
         Ok(Self { pattern, symbolic, matrix, right_hand_side: Vec::new(), storage: Vec::new() })
     }
 
-    /// Steps 1 and 2: moves the free vertices to the image of the energy's minimum. The film must have the connectivity
-    /// that this was made for. Leaves the film as it was on an error.
+    /// Steps 1 and 2: moves the free vertices to the image of the minimum of the energy. The film must have the
+    /// connectivity that this was made for. On an error the film stays as it was.
     ///
     /// # Errors
     /// A [`LinearError`] if the mesh has collapsed so far that the system has no trustworthy solution.
@@ -86,9 +87,9 @@ impl Dirichlet {
         Ok(())
     }
 
-    /// The same as [`step`](Self::step) by conjugate gradients from the present positions; by elimination where one of the
-    /// three coordinates does not converge. Says which it was, or why elimination failed. Leaves the film as it was on
-    /// an error.
+    /// As [`step`](Self::step), by conjugate gradients from the present positions. If one of the three coordinates does
+    /// not converge, the step is made by elimination. Returns which of the two it was, or why elimination failed. On an
+    /// error the film stays as it was.
     ///
     /// # Errors
     /// The interruptions of `exec`.
@@ -115,8 +116,8 @@ impl Dirichlet {
         Ok(Ok(Elimination::Spared))
     }
 
-    /// Conjugate gradients from `x` until the residual has fallen to [`ITERATIVE_TOLERANCE`] of what it is there. In
-    /// exact arithmetic the order of the matrix bounds their number.
+    /// Conjugate gradients from `x` until the residual has decreased to [`ITERATIVE_TOLERANCE`] of its first value. The
+    /// number of iterations is at most the order of the matrix plus one.
     fn solve_from(&self, x: &mut [f64], b: &[f64], exec: &Execution) -> Result<usize, CgFailure> {
         let square = |residual: &[f64]| residual.iter().map(|r| r * r).sum::<f64>();
         let mut first = vec![0.0; b.len()];
@@ -128,7 +129,7 @@ impl Dirichlet {
     }
 }
 
-/// The error for a mesh whose factor does not fit.
+/// The error for a mesh whose factor does not fit into memory.
 pub(crate) fn too_large(_: LinearError) -> Error {
     Error::no_result("too_large", "the linear system of this mesh does not fit into memory; ask for fewer triangles")
 }

@@ -1,5 +1,5 @@
-//! The mesh that a solver starts from. It settles the topology of the result and, with several minimal surfaces on one
-//! boundary, which of them comes out.
+//! The mesh that a solver starts from. It determines the topology of the result. If a boundary bounds several minimal
+//! surfaces, it also determines which of them comes out.
 
 mod barycentres;
 mod domain;
@@ -61,9 +61,8 @@ impl InitialMeshKind {
     }
 }
 
-/// A film between the boundaries (centred, without equal neighbours), and how it was made.
-///
-/// Its triangles run along the first boundary in the boundary's own direction.
+/// A film between the boundaries (centred, without equal neighbours), and how it was made. Its triangles run along the
+/// first boundary in the direction of the boundary.
 ///
 /// # Errors
 /// [`Error::Input`] for a resolution that these boundaries cannot have; [`Error::NoResult`] for a plane boundary that
@@ -112,7 +111,7 @@ pub(super) fn build(
             if flat || is_gentle(boundaries, &frame) {
                 match attempt(Shape::Plane(frame))? {
                     Ok(start) if start.film.topology.components() == 1 => return Ok((start, InitialMeshKind::Planar)),
-                    // In the plane itself there is nothing else to try for one boundary.
+                    // A single plane boundary that is not simple has no other initial mesh.
                     Err(error @ (PlaneError::NotSimple(_) | PlaneError::PointOutside(_)))
                         if flat && boundaries.len() == 1 =>
                     {
@@ -141,7 +140,7 @@ fn barycentres(boundaries: &[Vec<DVec3>], options: &Options, seed: u64, exec: &E
     candidate_mesh(boundary, interior_vertices, seed, exec)
 }
 
-/// Refuses what [`build`] would refuse, as far as it shows without meshing: linear in the input.
+/// Refuses what [`build`] would refuse, as far as that can be seen without meshing. Linear in the size of the input.
 ///
 /// # Errors
 /// [`Error::Input`].
@@ -157,7 +156,7 @@ pub(super) fn check(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), 
         _ => {}
     }
     let points: usize = boundaries.iter().map(Vec::len).sum();
-    // Euler: F = 2 (interior) + (boundary) - 2 χ, and one part with k boundaries has χ = 2 - k.
+    // By Euler's formula F = 2 (interior) + (boundary) - 2 χ, and a connected surface with k boundaries has χ = 2 - k.
     let least = points as f64 + 2.0 * boundaries.len() as f64 - 4.0;
     match options.resolution {
         Resolution::Triangles(count) if options.keeps_topology() && (count as f64) < 0.9 * least => {
@@ -168,17 +167,19 @@ pub(super) fn check(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), 
     }
 }
 
-/// A boundary counts as plane if its heights are below this fraction of its extent.
+/// A boundary counts as plane if its distances from the plane are below this fraction of its extent. A larger value
+/// flattens slightly curved boundaries.
 const FLAT: f64 = 1e-9;
 
-/// A projection counts as too steep if a segment keeps less than this fraction of its length.
+/// A projection counts as too steep if a segment keeps less than this fraction of its length. With a larger value more
+/// boundaries are meshed in a disc instead of in their plane.
 const STEEP: f64 = 0.25;
 
 fn extent(boundaries: &[Vec<DVec3>]) -> f64 {
     boundaries.iter().flatten().map(|p| p.length()).fold(0.0, f64::max)
 }
 
-/// Whether no segment is so steep that the projection would crowd its neighbourhood.
+/// Whether no segment is so steep that the projection would crowd the points around it.
 fn is_gentle(boundaries: &[Vec<DVec3>], frame: &Frame) -> bool {
     boundaries.iter().all(|points| {
         (0..points.len()).all(|k| {

@@ -8,7 +8,8 @@ use crate::{DVec3, Mesh, Place};
 const AREA_TOLERANCE: f64 = 1e-6;
 /// Default angle (radians) below which triangles are removed: one degree.
 const DEGENERATE_ANGLE: f64 = std::f64::consts::PI / 180.0;
-/// A third of an equilateral triangle's angle: rules against thinner ones leave good triangles alone.
+/// Largest degenerate angle that may be asked for: a third of the angle of an equilateral triangle, so that good
+/// triangles are left alone.
 const LARGEST_DEGENERATE_ANGLE: f64 = std::f64::consts::PI / 9.0;
 
 /// A quantity that is minimised.
@@ -23,7 +24,7 @@ pub enum Objective {
     MinimalMeanCurvature,
 }
 
-/// An objective, for people and for catalogues.
+/// A description of an objective, for people and for catalogues.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Description {
     /// A stable name in snake case.
@@ -32,7 +33,7 @@ pub struct Description {
     pub minimises: &'static str,
     /// Its unit, where u is the caller's unit of length.
     pub unit: &'static str,
-    /// Where the formula stands in the literature.
+    /// The source of the formula in the literature.
     pub source: &'static str,
 }
 
@@ -76,9 +77,9 @@ impl Objective {
 /// A process of Chen, Cai and Zheng's relaxation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Process {
-    /// Every interior vertex at once to the area-weighted mean of its neighbours.
+    /// Every interior vertex moves at once to the area-weighted mean of its neighbours.
     LaplacianFairing,
-    /// Vertex after vertex towards the least area of its ring.
+    /// One vertex after the other moves towards the least area of its triangles.
     AreaMinimising,
     /// Edges are flipped where that lowers the area.
     EdgeSwapping,
@@ -131,7 +132,7 @@ impl Solver {
 /// Objective and solver: a variant for each solver, with that solver's own options.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Method {
-    /// Least area by Newton's method. The fastest, with a Morse index, and the default.
+    /// Least area by Newton's method. It is the default and the fastest, and it also computes the Morse index.
     Newton(Newton),
     /// Least area by Chen, Cai and Zheng's relaxation of one vertex at a time.
     VertexRelaxation(VertexRelaxation),
@@ -173,20 +174,20 @@ pub struct Newton {
 /// Whether the film keeps the topology of the initial mesh.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum TopologyRule {
-    /// It does.
+    /// The topology stays.
     #[default]
     Fixed,
-    /// Necks may close, so that a film falls apart where no connected one is stable (Bento, Cavalcanti).
+    /// Necks may close. A film then comes apart where no connected one is stable (Bento, Cavalcanti).
     Free(FreeTopology),
-    /// The least of all films that span the boundaries: connected ones, separate discs, and everything between. The
-    /// statistics list the others.
+    /// The film of least area among all that span the boundaries: connected ones, separate discs, and everything
+    /// between. The statistics list the others.
     Best,
 }
 
 /// Options of [`TopologyRule::Free`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeTopology {
-    /// Triangles with an angle below this (radians) are removed while the film shrinks; `None`: none is.
+    /// Triangles with an angle below this (radians) are removed while the film shrinks. `None` removes none.
     pub degenerate_angle: Option<f64>,
     /// How the linear systems are solved while the film shrinks.
     pub linear_solver: LinearSolver,
@@ -203,9 +204,11 @@ impl Default for FreeTopology {
 pub struct VertexRelaxation {
     /// Relative change of area per iteration at which the area minimising ends (ε₂).
     pub area_tolerance: f64,
-    /// The same for the Laplacian fairing (ε₁); `None`: as `area_tolerance`.
+    /// Relative change of area per iteration at which the Laplacian fairing ends (ε₁). `None` stands for
+    /// `area_tolerance`.
     pub fairing_tolerance: Option<f64>,
-    /// Stages in the caller's own order, each repeated until its tolerance; `None`: the paper's.
+    /// The stages and their processes in the caller's order. Each stage is repeated until its tolerance is met. `None`
+    /// stands for the stages of the paper.
     pub processes: Option<Vec<Vec<Process>>>,
 }
 
@@ -222,7 +225,7 @@ pub struct PinkallPolthier {
     pub area_tolerance: f64,
     /// How the linear systems are solved.
     pub linear_solver: LinearSolver,
-    /// Triangles with an angle below this (radians) are removed; `None`: none is.
+    /// Triangles with an angle below this (radians) are removed. `None` removes none.
     pub degenerate_angle: Option<f64>,
     /// Whether necks of three edges are cut, so that the topology may change.
     pub cut_necks: bool,
@@ -244,9 +247,10 @@ impl Default for PinkallPolthier {
 pub struct LiuWang {
     /// ε of the paper's stopping criteria, in lengths divided by the boundary's radius.
     pub tolerance: f64,
-    /// Whether the boundary's vertices count (with their interior edges), as in the paper.
+    /// Whether the curvatures at boundary vertices count (from their interior edges), as in the paper.
     pub boundary_curvature: bool,
-    /// Which candidate points the initial mesh takes where [`InitialMesh::Auto`] means [`InitialMesh::Barycentres`].
+    /// The seed that chooses the candidate points of the initial mesh, if [`InitialMesh::Auto`] stands for
+    /// [`InitialMesh::Barycentres`].
     pub seed: u64,
 }
 
@@ -259,10 +263,10 @@ impl Default for LiuWang {
 /// How Pinkall and Polthier's linear systems are solved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LinearSolver {
-    /// Elimination (L D Lᵀ) every time.
+    /// Elimination (L D Lᵀ) for every system.
     #[default]
     Direct,
-    /// Conjugate gradients, and elimination where they do not converge (Bento, Cavalcanti).
+    /// Conjugate gradients, with elimination where they do not converge (Bento, Cavalcanti).
     ConjugateGradients,
 }
 
@@ -283,7 +287,7 @@ impl LinearSolver {
 /// How fine the mesh is to be.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Resolution {
-    /// Number of triangles. Exact for [`InitialMesh::Rings`] with [`BoundarySampling::Keep`], else within 10%.
+    /// Number of triangles. It is exact for [`InitialMesh::Rings`] with [`BoundarySampling::Keep`], else within 10%.
     Triangles(usize),
     /// Mean edge length, in the caller's unit.
     EdgeLength(f64),
@@ -297,40 +301,41 @@ pub enum BoundarySampling {
     /// Points are added on long segments, so that the mesh is as fine there as inside.
     #[default]
     Refine,
-    /// The polygon's own vertices only, as in the papers.
+    /// No points are added, as in the papers.
     Keep,
 }
 
-/// The mesh that the solver starts from. It also settles the topology of the result.
+/// The mesh that the solver starts from. It also determines the topology of the result.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum InitialMesh {
-    /// The best of the others for the boundaries at hand; the statistics say which one it was.
+    /// The most suitable of the others. The statistics name it.
     #[default]
     Auto,
-    /// Delaunay triangles in the plane in which the boundaries enclose most, where their projection is simple.
+    /// Delaunay triangles in the plane in which the boundaries enclose most. Their projection must be simple.
     Planar,
     /// Delaunay triangles in a round disc (with a round hole for every further boundary), mapped harmonically.
     Disk,
-    /// Chen, Cai, Zheng 3.4: rings towards the mean of the boundary; between two boundaries, rings from one to the
-    /// other.
+    /// Rings towards the mean of the boundary, or from one of two boundaries to the other (Chen, Cai, Zheng, section
+    /// 3.4).
     Rings,
-    /// Liu, Wang: points at barycentres inside one boundary in a Delaunay triangulation. [`InitialMesh::Auto`] means
-    /// this for one boundary under [`Method::LiuWang`].
+    /// Points at barycentres inside one boundary, in a Delaunay triangulation (Liu, Wang). [`InitialMesh::Auto`] stands
+    /// for this mesh for one boundary under [`Method::LiuWang`].
     Barycentres {
-        /// Which of the candidate points are taken.
+        /// The seed that chooses among the candidate points.
         seed: u64,
     },
-    /// The caller's own: an oriented manifold whose boundary loops are the boundaries, exactly, with or without further
-    /// vertices on their segments. The resolution then means nothing. A mesh with edges of three triangles is a film
-    /// with junctions: the sheets meet there at 120° in the result, and the boundaries together must be its edges of
-    /// one triangle.
+    /// The caller's own mesh. It must be an oriented manifold whose boundary loops are exactly the boundaries, with or
+    /// without further vertices on their segments. The resolution has no effect. A mesh in which some edges have three
+    /// triangles is a film with junctions: in the result the sheets meet there at 120°. The boundaries together must
+    /// then be the edges with one triangle.
     Given(Mesh),
 }
 
-/// Points and curves inside the surface that stay where they are: mesh vertices and edges at exactly these places.
+/// Points and curves inside the surface that do not move. They become mesh vertices and edges at exactly these
+/// positions.
 ///
-/// A point that equals a boundary's point, or another of these, is one vertex with it. Curves may share points, but not
-/// cross. With [`BoundarySampling::Refine`] points are added on long segments.
+/// A point that equals a boundary point, or another of these points, is one vertex with it. Curves may share points,
+/// but must not cross. With [`BoundarySampling::Refine`] points are added on long segments.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Constraints {
     /// Fixed points.
@@ -369,17 +374,17 @@ impl Constraints {
     }
 }
 
-/// Treatment of a stationary surface that is no local minimum.
+/// Treatment of a stationary surface that is not a local minimum.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum OnUnstable {
-    /// Return it, and say so.
+    /// Return it with a warning.
     #[default]
     Report,
-    /// Leave it along its lowest mode and go on to a minimum.
+    /// Leave it along its lowest mode and continue to a minimum.
     Descend,
 }
 
-/// Meshes larger than this are refused: half-edges are numbered with 32 bits.
+/// Largest number of triangles or vertices that may be asked for, because half-edges are numbered with 32 bits.
 pub const LARGEST_COUNT: usize = 100_000_000;
 
 /// Options of a solve. [`Options::new`] gives the defaults; only the resolution has none.
@@ -393,22 +398,22 @@ pub struct Options {
     pub boundary_sampling: BoundarySampling,
     /// The mesh that the solver starts from.
     pub initial_mesh: InitialMesh,
-    /// Points and curves inside the surface that stay where they are.
+    /// Points and curves inside the surface that do not move.
     pub constraints: Constraints,
     /// The residual (dimensionless, see [`Statistics::residual`](super::Statistics::residual)) at which a surface
     /// counts as converged.
     pub tolerance: f64,
-    /// `None`: the solver's own default (10,000 sweeps of vertex relaxation, 200 linear solves, 500 steps of Levenberg
-    /// and Marquardt).
+    /// Largest number of iterations. `None` stands for the default of the solver: 10,000 sweeps of vertex relaxation,
+    /// 200 linear solves, or 500 steps of Levenberg and Marquardt.
     pub max_iterations: Option<u32>,
 }
 
-/// When every solver ends.
+/// Limits that end every solver.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limits {
     /// The residual at which the surface counts as converged.
     pub tolerance: f64,
-    /// `None`: the solver's own default.
+    /// Largest number of iterations. `None` stands for the default of the solver.
     pub max_iterations: Option<u32>,
 }
 
@@ -440,7 +445,7 @@ impl Options {
         }
     }
 
-    /// The barycentres' seed, if the initial mesh of so many boundaries is made of these.
+    /// The seed of the barycentres, if the initial mesh for so many boundaries is made of them.
     pub(crate) fn barycentres(&self, boundaries: usize) -> Option<u64> {
         match (&self.initial_mesh, &self.method) {
             (InitialMesh::Barycentres { seed }, _) => Some(*seed),
@@ -451,7 +456,7 @@ impl Options {
         }
     }
 
-    /// The same with all positions relative to a centre.
+    /// These options with all positions relative to a centre.
     pub(crate) fn centred(&self, centre: DVec3) -> Self {
         let mut options = self.clone();
         if let InitialMesh::Given(mesh) = &mut options.initial_mesh {

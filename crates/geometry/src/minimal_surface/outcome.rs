@@ -1,17 +1,16 @@
-//! A solved surface: mesh, statistics and warnings, where the caller's boundaries are.
+//! A solved surface: mesh, statistics and warnings, at the position of the caller's boundaries.
 
 use super::curvature::Curvature;
-use super::initial_mesh::InitialMeshKind;
 use super::initial_mesh::pins::bits;
 use super::options::{Constraints, InitialMesh, Options, Resolution};
 use super::request::Input;
-use super::run::Run;
+use super::solved_film::SolvedFilm;
 use super::statistics::{self, Statistics};
 use crate::error::Warning;
 use crate::mesh::film::Film;
 use crate::{DVec3, Error, Mesh};
 
-/// Largest fraction by which a resolution is missed without a warning.
+/// Largest fraction by which a resolution may be missed without a warning. A larger value warns less often.
 const RESOLUTION_TOLERANCE: f64 = 0.1;
 
 /// The mesh vertices of [`Constraints`], in their order; points added on curves are not listed.
@@ -37,8 +36,8 @@ pub struct MinimalSurface {
     pub constraints: ConstraintVertices,
     /// Per vertex |area gradient| / (2/3 of the ring's area), in 1/unit; 0 where the vertex is fixed.
     pub mean_curvature: Vec<f64>,
-    /// For an unstable surface the direction in which to leave it: per vertex the lowest mode of its second variation,
-    /// along the normal, the largest of length 1. Either sign lowers the area.
+    /// For an unstable surface its lowest mode: for each vertex a displacement along the normal, the largest of length
+    /// 1. Moving along it in either direction lowers the area.
     pub unstable_mode: Option<Vec<DVec3>>,
     /// Figures of the surface and of the run.
     pub statistics: Statistics,
@@ -46,7 +45,7 @@ pub struct MinimalSurface {
     pub warnings: Vec<Warning>,
 }
 
-/// A warning where the edges are not as long as was asked for.
+/// A warning if the mean edge length differs from the wanted one.
 fn missed_edge_length(statistics: &Statistics, options: &Options) -> Option<Warning> {
     let Resolution::EdgeLength(length) = options.resolution else { return None };
     let mean = statistics.edge_lengths.mean;
@@ -65,7 +64,7 @@ fn missed_edge_length(statistics: &Statistics, options: &Options) -> Option<Warn
     })
 }
 
-/// The fixed vertices by the bits of their (centred) coordinates.
+/// The fixed vertices, sorted by the bits of their (centred) coordinates.
 fn fixed_places(film: &Film) -> Vec<([u64; 3], u32)> {
     let mut places: Vec<([u64; 3], u32)> = (0..film.vertices.len() as u32)
         .filter(|&v| film.fixed[v as usize])
@@ -75,7 +74,7 @@ fn fixed_places(film: &Film) -> Vec<([u64; 3], u32)> {
     places
 }
 
-/// Gives the constraints' vertices exactly the given coordinates, and says which they are.
+/// Sets the vertices of the constraints to exactly the given coordinates, and returns their numbers.
 fn restore(mesh: &mut Mesh, fixed: &[([u64; 3], u32)], constraints: &Constraints, centre: DVec3) -> ConstraintVertices {
     let mut vertex = |&point: &DVec3| {
         let key = bits(point - centre);
@@ -94,13 +93,10 @@ fn restore(mesh: &mut Mesh, fixed: &[([u64; 3], u32)], constraints: &Constraints
     }
 }
 
-/// Puts the mesh back where the caller's is, in the promised vertex order, and measures it.
+/// Moves the mesh back to the position of the input, brings its vertices into the documented order, and measures it.
 pub(super) fn finish(
     input: Input,
-    film: Film,
-    kind: InitialMeshKind,
-    initial_area: f64,
-    mut run: Run,
+    SolvedFilm { film, kind, initial_area, mut run }: SolvedFilm,
     options: &Options,
 ) -> Result<MinimalSurface, Error> {
     run.pinches.iter_mut().for_each(|pinch| pinch.place += input.centre);

@@ -1,11 +1,11 @@
-//! The boundaries and options as they were given, checked and centred.
+//! Checks and centres the boundaries of a request.
 
 use super::options::Options;
 use crate::error::{InputError, Warning};
 use crate::polyline::{LARGEST_COORDINATE, merge_equal_neighbours};
 use crate::{DVec3, Error, Place};
 
-/// The boundaries without equal neighbours, and around the origin, so that an offset of 1e7 costs no digits.
+/// The boundaries without equal neighbours, also moved to the origin, so that an offset of 1e7 costs no digits.
 #[derive(Debug)]
 pub(super) struct Input {
     pub centre: DVec3,
@@ -16,7 +16,7 @@ pub(super) struct Input {
     dropped: usize,
 }
 
-/// Smallest distance between neighbours on a boundary: products of six lengths must not vanish.
+/// Smallest distance between neighbours on a boundary. At smaller distances products of six lengths would vanish.
 const SMALLEST_DISTANCE: f64 = 1e-50;
 
 impl Input {
@@ -55,7 +55,7 @@ impl Input {
             dropped += merged.dropped();
             given.push(merged.points);
         }
-        // The film between a loop and its double has no area: no size of triangle suits it.
+        // The film between a loop and its copy has no area, so no size of triangle suits it.
         let mut seen = std::collections::BTreeMap::new();
         for (k, points) in given.iter().enumerate() {
             let mut keys: Vec<[u64; 3]> =

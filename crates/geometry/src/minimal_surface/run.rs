@@ -1,4 +1,4 @@
-//! The record and the report of a run: why it stopped, its iterations, the stability of what it reached.
+//! The record of a run: why it stopped, its iterations, and the stability of the surface that it reached.
 
 use super::options::Solver;
 use crate::remesh::thin_triangles::Pinch;
@@ -9,24 +9,24 @@ use crate::{DVec3, Execution, Progress};
 pub enum StopReason {
     /// The residual fell to the tolerance.
     Residual,
-    /// The area changed by less than its tolerance (the papers' own rule).
+    /// The area changed by less than its tolerance, which is the rule of the papers.
     AreaChange,
-    /// A neck closed, and the run was asked to end there.
+    /// A neck closed, and the run was to end there.
     TopologyChange,
-    /// The one linear system of the objective is solved.
+    /// The single linear system of the objective is solved.
     Solved,
     /// There is no vertex to move.
     NothingToMove,
-    /// The objective, its gradient or the step's length fell below Liu and Wang's criteria.
+    /// The change of the objective fell below Liu and Wang's criterion.
     ObjectiveChange,
-    /// The same for the gradient.
+    /// The gradient of the objective fell below Liu and Wang's criterion.
     Gradient,
-    /// The same for the length of the step.
+    /// The length of the step fell below Liu and Wang's criterion.
     StepLength,
     /// The allowed iterations are used up.
     MaxIterations,
-    /// No step gains any more, although the residual is above the tolerance: a fold is in the way, or rounding is
-    /// reached.
+    /// No step improves the surface, although the residual is above the tolerance: a triangle would flip, or rounding
+    /// errors are reached.
     Stalled,
     /// A part of the mesh has shrunk so far that its linear system has no trustworthy solution.
     Collapsed,
@@ -77,17 +77,17 @@ pub struct Stability {
     pub morse_index: usize,
     /// Lowest eigenvalue against the lumped mass, in 1/unit².
     pub lowest_eigenvalue: f64,
-    /// Where the index comes from.
+    /// How the index was computed.
     pub method: StabilityMethod,
 }
 
-/// Where a Morse index comes from.
+/// How a Morse index was computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StabilityMethod {
-    /// The signs of the pivots of a factorisation: exact.
+    /// From the signs of the pivots of a factorisation, which is exact.
     Inertia,
-    /// The lowest eigenvalue, by preconditioned iteration: on meshes too large to factorise in good time, and then only
-    /// where it is positive, so that the index is 0.
+    /// From the sign of the lowest eigenvalue, which a preconditioned iteration computes. Used for meshes that are too
+    /// large to factorise in reasonable time, and only if the eigenvalue is positive, so that the index is 0.
     Eigenvalue,
 }
 
@@ -102,51 +102,52 @@ impl StabilityMethod {
     }
 }
 
-/// An area extrapolated to edges of length zero, in u².
+/// An area that is extrapolated to edges of length zero, in u².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExtrapolatedArea {
     /// The limit, in u².
     pub area: f64,
-    /// How far that may be off: its distance from the finer of the two areas it comes from.
+    /// Estimate of the error: the distance of the limit from the finer of the two areas.
     pub error_estimate: f64,
 }
 
 impl ExtrapolatedArea {
-    /// From the areas of two minimal meshes on one boundary polygon, the finer with every edge halved.
+    /// Extrapolates from the areas of two minimal meshes on one boundary polygon. The finer mesh has half the edge
+    /// length.
     pub(crate) fn new(coarse: f64, fine: f64) -> Self {
         let correction = (coarse - fine) / 3.0;
         Self { area: fine - correction, error_estimate: correction.abs() }
     }
 }
 
-/// A way to span the boundaries.
+/// One way to span the boundaries.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpanningTopology {
-    /// The sets of boundaries, by their numbers, that a connected film spans each; ascending.
+    /// The sets of boundaries that are each spanned by a connected film, by their numbers, ascending.
     pub films: Vec<Vec<usize>>,
-    /// The sum of the films' areas; `None` if one of them does not hold.
+    /// The sum of the areas of the films; `None` if one of them does not hold.
     pub area: Option<f64>,
-    /// Of all films together.
+    /// The stability of all films together.
     pub stability: Option<Stability>,
-    /// Whether two of its films pass through each other, so that no soap film takes this shape.
+    /// Whether two of its films pass through each other, so that no soap film has this shape.
     pub films_cross: bool,
-    /// Whether this is the one that was returned.
+    /// Whether this is the topology of the result.
     pub chosen: bool,
 }
 
 /// The films that [`TopologyRule::Best`](super::options::TopologyRule::Best) compared.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpanningComparison {
-    /// By area, those without one last.
+    /// Sorted by area. Topologies without an area come last.
     pub topologies: Vec<SpanningTopology>,
     /// Whether a film that connects all boundaries holds.
     pub connected_film_exists: bool,
-    /// Of two boundaries without a connected film: the largest fraction of their gap, along the line of their
-    /// centroids, at which one holds, to within 0.001. `None` if there is no gap or none was found.
+    /// If there is no connected film over two boundaries: the largest fraction of their gap, along the line of their
+    /// centroids, at which one holds, to within 0.001. `None` if there is no gap or no film was found.
     pub largest_gap_fraction: Option<f64>,
 }
 
-/// Report of a solver's run on a film.
+/// The report of a run of a solver on a film.
 #[derive(Clone, Debug)]
 pub(crate) struct Run {
     pub solver: Solver,
@@ -156,17 +157,17 @@ pub(crate) struct Run {
     pub edges_swapped: u64,
     pub pinches: Vec<Pinch>,
     pub stability: Option<Stability>,
-    /// Per vertex the lowest mode of an unstable film.
+    /// For each vertex its displacement in the lowest mode of an unstable film.
     pub unstable_mode: Option<Vec<DVec3>>,
     pub extrapolated_area: Option<ExtrapolatedArea>,
-    /// Where the objective is not the area.
+    /// The value of the objective, if that is not the area.
     pub objective_value: Option<f64>,
     /// The comparison of topologies, if there was one.
     pub spanning: Option<SpanningComparison>,
 }
 
 impl Run {
-    /// Nothing done yet.
+    /// The report of a run that has not begun.
     pub fn new(solver: Solver) -> Self {
         Self {
             solver,
@@ -199,14 +200,14 @@ impl Run {
     }
 }
 
-/// History and progress of one run. The fraction never falls, whatever the phases say.
+/// History and progress of a run. The reported fraction never falls.
 #[derive(Debug)]
 pub(crate) struct Record<'a> {
     exec: &'a Execution<'a>,
     pub history: Vec<HistoryRow>,
     pub iterations: u32,
     fraction: f64,
-    /// The share of the whole run that the iterations now belong to.
+    /// The interval of the whole progress that belongs to the present iterations.
     pub share: [f64; 2],
 }
 
@@ -215,7 +216,7 @@ impl<'a> Record<'a> {
         Self { exec, history: Vec::new(), iterations: 0, fraction: 0.0, share: [0.0, 1.0] }
     }
 
-    /// Records an iteration (a linear solve); `fraction` of the present share is done after it.
+    /// Records an iteration. `fraction` is the part of the present interval that is done after it.
     pub fn iteration(&mut self, phase: &'static str, area: f64, residual: f64, fraction: f64) {
         self.iterations += 1;
         self.history.push(HistoryRow { phase, iteration: self.iterations, area, residual });
@@ -231,7 +232,7 @@ impl<'a> Record<'a> {
     }
 }
 
-/// How far `value` has come from `start` down to `goal` when it falls geometrically: 0 to 1.
+/// The progress, from 0 to 1, of a value that decreases geometrically from `start` to `goal`.
 pub(crate) fn geometric_part(start: f64, value: f64, goal: f64) -> f64 {
     let part = (start / value).ln() / (start / goal.max(1e-16)).ln();
     if part.is_nan() { 1.0 } else { part.clamp(0.0, 1.0) }

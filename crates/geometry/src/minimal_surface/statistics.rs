@@ -2,9 +2,9 @@
 
 use super::curvature::Curvature;
 use super::initial_mesh::InitialMeshKind;
+use super::junction_statistics::JunctionStatistics;
 use super::options::{Objective, Options, Solver};
 use super::run::{ExtrapolatedArea, HistoryRow, Run, SpanningComparison, Stability, StopReason};
-use super::triple_junction::JunctionStatistics;
 use crate::mesh::film::Film;
 use crate::mesh::measure::{self, Spread};
 use crate::mesh::topology::Topology;
@@ -48,25 +48,26 @@ pub struct Statistics {
     pub area: f64,
     /// Area of the initial mesh, in u².
     pub initial_area: f64,
-    /// The area of the smooth surface on the same polygon, from this mesh and one of twice or half its edges. For
-    /// stable surfaces of the default solver: up to 10,000 triangles always, above where the boundary's points leave
-    /// room for a coarser mesh.
+    /// Estimate of the area of the smooth surface on the same polygon, from this mesh and one with twice or half its
+    /// edge length. Computed for stable surfaces of the default solver: always up to 10,000 triangles, and above that
+    /// if the boundary has enough points for a coarser mesh.
     pub extrapolated_area: Option<ExtrapolatedArea>,
     /// Mean curvature over the vertices that are free to move.
     pub mean_curvature: MeanCurvature,
-    /// max over the free vertices of H⊥ R: H⊥ = |g·n| / (2 A_h), g the area gradient, n the vertex normal, A_h a third
-    /// of the ring's area, R the largest distance of a boundary vertex from their mean. Dimensionless.
+    /// The largest H⊥ R over the free vertices, with H⊥ = |g·n| / (2 A_h). Here g is the area gradient, n the vertex
+    /// normal, A_h a third of the area of the vertex's triangles, and R the largest distance of a boundary vertex from
+    /// the mean of the boundary vertices. Dimensionless.
     pub residual: f64,
-    /// The same with the whole gradient, tangential part included.
+    /// The residual with the whole gradient, tangential part included.
     pub residual_full: f64,
-    /// residual <= tolerance, and no triangle flipped or degenerate.
+    /// Whether the residual is at most the tolerance, and no triangle is flipped or degenerate.
     pub converged: bool,
     /// Why the solver stopped.
     pub stop_reason: StopReason,
     /// Number of iterations.
     pub iterations: u32,
-    /// A row for each iteration; of long runs every iteration to 100, every 10th to 1000, every 100th beyond, and the
-    /// last.
+    /// A row for each iteration. Long runs keep every iteration up to 100, every 10th up to 1000, every 100th beyond,
+    /// and the last.
     pub history: Vec<HistoryRow>,
     /// The second variation of area; `None` where it was not computed.
     pub stability: Option<Stability>,
@@ -76,22 +77,22 @@ pub struct Statistics {
     pub smallest_angle: f64,
     /// Largest inner angle of a triangle, radians.
     pub largest_angle: f64,
-    /// Number of edges that were flipped on the way.
+    /// Number of edges that the solver flipped.
     pub edges_swapped: u64,
     /// Number of triangles whose normal points against those of their vertices.
     pub flipped_triangles: usize,
-    /// Number of triangles whose least altitude vanishes beside their longest edge.
+    /// Number of triangles whose shortest altitude is below 1e-10 of their longest edge.
     pub degenerate_triangles: usize,
-    /// Changes of topology, in order.
+    /// The changes of topology, in order.
     pub pinches: Vec<Pinch>,
-    /// Under [`TopologyRule::Best`](super::TopologyRule::Best): the films over the boundaries that were compared.
+    /// The compared films, under [`TopologyRule::Best`](super::TopologyRule::Best).
     pub spanning: Option<SpanningComparison>,
-    /// Of a film with junctions: sheets that meet three by three along curves.
+    /// The junctions of a film whose sheets meet three by three along curves.
     pub junctions: Option<JunctionStatistics>,
 }
 
 impl Statistics {
-    /// Why the surface does not count as converged, for a person.
+    /// Why the surface does not count as converged, as a text.
     #[must_use]
     pub fn shortfall(&self, tolerance: f64) -> String {
         let mut reasons = Vec::new();
@@ -108,7 +109,7 @@ impl Statistics {
     }
 }
 
-/// Facts that [`collect`] cannot see on the film itself.
+/// Facts about a run that the film itself does not show.
 pub(super) struct Origin {
     pub kind: InitialMeshKind,
     pub initial_area: f64,

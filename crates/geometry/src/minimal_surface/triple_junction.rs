@@ -1,23 +1,26 @@
-//! Films whose sheets meet three by three along curves (Plateau's first law: at 120°), which Bento and Cavalcanti leave
-//! as future work. From an initial mesh that has such edges; the topology stays.
+//! Films whose sheets meet three by three along curves (Plateau's first law: at 120°). Bento and Cavalcanti leave them
+//! as future work. The initial mesh has such edges, and the topology stays.
 //!
 //! 1. Read the sheets and the junctions ([`Complex`]). Every edge has one triangle (boundary), two, or three
 //!    (junction).
 //! 2. Rounds of Pinkall and Polthier's solve on the whole film ([`harmonic`](super::harmonic)) and remeshing
 //!    ([`sheets`](crate::remesh::sheets)).
-//! 3. Rounds of Newton steps and remeshing, then Newton steps alone, until the sheets' residual and the junctions' are
-//!    below the tolerance. The film is a [`Body`]: a sheet's vertex moves along its normal, a junction's across its
-//!    curve, a vertex where junctions meet anywhere.
+//! 3. Rounds of Newton steps and remeshing, then Newton steps alone, until the residuals of the sheets and of the
+//!    junctions are below the tolerance. The film is a [`Body`]: a vertex inside a sheet moves along its normal, a
+//!    vertex of a junction across its curve, and a vertex where junctions meet in all directions.
 //!
-//! The three forces on a junction are the sheets' area gradients. Where they balance, unit sheets meet at 120°; nothing
-//! is asked of the angles themselves. They are measured twice: between the facets at each junction edge, which a curved
-//! sheet leaves at an angle of order h, and between the sheets' forces at each junction vertex, which converges with
-//! h². Next to a junction's end it does not: between wires that leave the end at other angles than 120° the film need
-//! not tend to a cone there, and goes on turning as one comes nearer, at every scale. The departure at the vertex next
-//! to an end is therefore reported apart.
+//! The three forces on a junction are the area gradients of the sheets. Where they balance, unit sheets meet at 120°;
+//! the angles themselves are not prescribed. They are measured in two ways: between the facets at each junction edge,
+//! with an error of order h on a curved sheet, and between the forces of the sheets at each junction vertex, with an
+//! error of order h².
+//!
+//! Near the end of a junction the second measure does not converge. If the wires leave the end at angles other than
+//! 120°, the film need not tend to a cone there, and its direction changes at every scale. The deviation at the vertex
+//! next to an end is therefore reported separately.
 
 use super::harmonic::Dirichlet;
 use super::initial_mesh::InitialMeshKind;
+use super::junction_statistics::JunctionStatistics;
 use super::options::{Method, Objective, Options, Solver};
 use super::outcome::{ConstraintVertices, MinimalSurface};
 use super::run::{Record, StopReason};
@@ -26,73 +29,41 @@ use crate::equilibrium::newton::{Direct, Equations, State, iterate};
 use crate::equilibrium::residual::curvature;
 use crate::equilibrium::{Aim, Body, Frame, Freedom, Motion, Outcome, Settings, stability};
 use crate::error::{InputError, Warning};
-use crate::mesh::complex::{Complex, Defect, Place as In};
+use crate::mesh::complex::{Complex, VertexKind};
 use crate::mesh::measure::{self, Spread};
 use crate::remesh::sheets::{even_out, flipped_triangles};
 use crate::{DVec3, Error, Execution, Interruption, Mesh, Place, polyline};
 use std::collections::BTreeMap;
 
-/// Newton steps and harmonic solves that a run may take if the caller does not say.
+/// Largest number of Newton steps and harmonic solves of a run if the caller gives none.
 const DEFAULT_STEPS: u32 = 200;
-/// Newton steps before each remeshing, and the largest number of such rounds. More steps follow a mesh longer before it
-/// is evened out.
+/// Number of Newton steps before each remeshing, and the largest number of such rounds. More steps follow a mesh for
+/// longer before it is improved.
 const STEPS_PER_ROUND: u32 = 4;
 const ROUNDS: u32 = 10;
-/// Rounds end when the residual is below this and nothing was flipped: what is left does not change the triangles any
-/// more.
+/// Rounds end when the residual is below this and no edge was flipped. A larger value ends the remeshing earlier.
 const SETTLED: f64 = 1e-2;
-/// Harmonic solves before each remeshing, and the relative change of area at which those rounds end.
+/// Number of harmonic solves before each remeshing, and the relative change of area at which those rounds end. With a
+/// larger change Newton's method starts earlier.
 const SOLVES_PER_ROUND: u32 = 3;
 const SETTLED_AREA: f64 = 1e-4;
-/// Sweeps of each remeshing.
+/// Number of sweeps of each remeshing. A larger value gives more even triangles.
 const SWEEPS: u32 = 4;
-/// Parts of the progress at which the harmonic solves and the Newton rounds end.
+/// Fractions of the progress at which the harmonic solves and the Newton rounds end.
 const SETTLE_SHARE: f64 = 0.4;
 const ROUNDS_SHARE: f64 = 0.7;
 /// Four junctions and six sheets meet in a point of a soap film (Plateau's second law).
 const JUNCTIONS_AT_A_POINT: usize = 4;
 const THIRD_OF_TURN: f64 = 2.0 * std::f64::consts::FRAC_PI_3;
 
-/// What is reported of a film with junctions beside the rest.
-#[derive(Clone, Debug, PartialEq)]
-pub struct JunctionStatistics {
-    /// Sheets: parts that hang together across edges of two triangles.
-    pub sheets: usize,
-    /// Curves along which three sheets meet, each as mesh vertices from end to end; a closed one ends with its first.
-    pub curves: Vec<Vec<u32>>,
-    /// Edges of three triangles.
-    pub edges: usize,
-    /// Vertices inside the film where such curves meet.
-    pub points: usize,
-    /// Length of all junctions.
-    pub length: f64,
-    /// Largest net force of the sheets across a junction, per length: 0 where they balance, 1 for one sheet alone.
-    /// Dimensionless.
-    pub residual: f64,
-    /// Angles between neighbouring facets around the junction edges, radians.
-    pub facet_angles: Spread,
-    /// Angles between the forces of neighbouring sheets at the junctions' inner vertices, radians.
-    pub sheet_angles: Spread,
-    /// Largest departure of [`Self::sheet_angles`] from 120°, radians, at the vertices that are not next to an end of
-    /// their junction (where all are: at all).
-    pub largest_deviation: f64,
-    /// The same at the vertices next to an end, where it may hardly fall with the mesh; 0 where there are none.
-    pub largest_deviation_at_ends: f64,
-    /// On average over all of them.
-    pub mean_deviation: f64,
-    /// Number of negative eigenvalues of the second variation; `None` where it was not computed, and where other than
-    /// four junctions meet in a point: the second variation knows the point's motions, but not that it may split.
-    pub morse_index: Option<usize>,
-}
-
-/// Minimises the area of the caller's own mesh, some of whose edges have three triangles.
+/// Minimises the area of the caller's own mesh, in which some edges have three triangles.
 ///
-/// The edges with one triangle must be the segments of the boundaries, which may share points and segments (three
-/// half-circles between two poles are two loops, or three). `given` are the boundaries without equal neighbours, one
-/// after the other, and `input_vertices` says for each input point which of these it is.
+/// The edges with one triangle must be the segments of the boundaries. Boundaries may share points and segments: three
+/// half-circles between two poles are two loops, or three. `given` are the boundaries without equal neighbours.
+/// `input_vertices` gives for each input point its number among the points of all these boundaries.
 ///
 /// # Errors
-/// [`Error::Input`] for a mesh that is no such film or has another boundary; [`Error::Interrupted`] on cancel.
+/// [`Error::Input`] for a mesh that is not such a film or has another boundary; [`Error::Interrupted`] on cancel.
 pub(super) fn solve(
     given: &[Vec<DVec3>],
     input_vertices: &[Vec<u32>],
@@ -100,14 +71,13 @@ pub(super) fn solve(
     options: &Options,
     exec: &Execution,
 ) -> Result<MinimalSurface, Error> {
-    let Start { wires, mut film, centre, exact } = Start::read(given, mesh, options)?;
+    let JunctionInput { wires, mut film, centre, exact } = JunctionInput::read(given, mesh, options)?;
     let initial_area = film.area();
     let mut solver = JunctionSolver::new(options, exec);
     let stop_reason = match solver.run(&mut film) {
         Ok(reason) => reason,
-        Err(Stop::Interrupted(Interruption::DeadlinePassed)) => StopReason::Deadline,
-        Err(Stop::Interrupted(interruption)) => return Err(interruption.into()),
-        Err(Stop::Defect(defect)) => return Err(Error::no_result("invalid_mesh", defect.to_string())),
+        Err(Error::Interrupted(Interruption::DeadlinePassed)) => StopReason::Deadline,
+        Err(error) => return Err(error),
     };
     let balance = Balance::of(&film);
     let split = film.unstable_points();
@@ -144,26 +114,26 @@ pub(super) fn solve(
     })
 }
 
-/// What [`solve`] would say of its arguments before any work: O(n log n) in the size of the mesh.
+/// Checks the arguments of [`solve`] before any work: O(n log n) in the size of the mesh.
 ///
 /// # Errors
 /// The [`Error::Input`] that [`solve`] would begin with.
 pub(super) fn check(given: &[Vec<DVec3>], mesh: &Mesh, options: &Options) -> Result<(), Error> {
-    Start::read(given, mesh, options).map(|_| ())
+    JunctionInput::read(given, mesh, options).map(|_| ())
 }
 
-/// The caller's mesh and boundaries, found to fit together.
+/// The caller's mesh and boundaries, after checking that they fit together.
 #[derive(Debug)]
-struct Start {
+struct JunctionInput {
     wires: Wires,
-    /// Around the centre.
+    /// The film, centred on the mean of the boundary points.
     film: JunctionFilm,
     centre: DVec3,
-    /// The boundaries' points as they were given: the film's first vertices.
+    /// The boundary points as they were given. They are the first vertices of the film.
     exact: Vec<DVec3>,
 }
 
-impl Start {
+impl JunctionInput {
     fn read(given: &[Vec<DVec3>], mesh: &Mesh, options: &Options) -> Result<Self, Error> {
         check_options(options)?;
         let wires = Wires::find(given, mesh)?;
@@ -177,7 +147,7 @@ impl Start {
     }
 }
 
-/// What a film with junctions does not take.
+/// Refuses options that a film with junctions does not support.
 fn check_options(options: &Options) -> Result<(), Error> {
     let mut errors = Vec::new();
     let mut refuse = |refused: bool, field: &'static str, detail: &str| {
@@ -192,14 +162,14 @@ fn check_options(options: &Options) -> Result<(), Error> {
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
 }
 
-/// The boundaries on the mesh: each point's vertex, numbered by first appearance.
+/// The vertices of the mesh at the boundary points, numbered by first appearance.
 #[derive(Debug)]
 struct Wires {
-    /// Per boundary its vertices, as renumbered.
+    /// For each boundary its vertices, with the new numbers.
     loops: Vec<Vec<u32>>,
-    /// The same, one boundary after the other.
+    /// The vertices of all boundaries, one boundary after the other.
     vertex_of: Vec<u32>,
-    /// Number of different points: the first vertices.
+    /// Number of distinct boundary points, which are the first vertices.
     points: usize,
     /// For each old vertex its new number.
     number: Vec<u32>,
@@ -207,7 +177,7 @@ struct Wires {
 
 impl Wires {
     fn find(boundaries: &[Vec<DVec3>], mesh: &Mesh) -> Result<Self, Error> {
-        // -0.0 and 0.0 are one coordinate.
+        // -0.0 and 0.0 are the same coordinate.
         let bits = |p: DVec3| (p + DVec3::ZERO).to_array().map(f64::to_bits);
         let mut known: Vec<([u64; 3], u32)> =
             mesh.vertices.iter().enumerate().map(|(v, &p)| (bits(p), v as u32)).collect();
@@ -250,7 +220,7 @@ impl Wires {
         (vertices, mesh.triangles.iter().map(|t| t.map(renumber)).collect())
     }
 
-    /// The mesh's boundary edges must be the boundaries' segments.
+    /// Checks that the boundary edges of the mesh are the segments of the boundaries.
     fn check(&self, film: &JunctionFilm) -> Result<(), Error> {
         let undirected = |a: u32, b: u32| [a.min(b), a.max(b)];
         let mut wires: Vec<[u32; 2]> = self
@@ -288,7 +258,8 @@ impl JunctionFilm {
     ///
     /// # Errors
     /// [`Error::Input`] under `initial_mesh`: an edge of four triangles, a vertex that is not finite, a triangle
-    /// without area, or a [`Defect`] of the complex.
+    /// without area, or a [defect](crate::mesh::complex::ComplexDefect) of the
+    /// complex.
     fn read(vertices: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<Self, Error> {
         let place = || Place::field("initial_mesh");
         let mut errors = Vec::new();
@@ -338,29 +309,18 @@ impl JunctionFilm {
         Body::new(self.vertices.clone(), &self.complex, &vec![1.0; self.complex.sheets.len()])
     }
 
-    /// The unit tangent of a junction between two of its vertices; x where it vanishes.
+    /// The unit tangent of a junction between two of its vertices; the x axis if they coincide.
     fn tangent(&self, [a, b]: [u32; 2]) -> DVec3 {
         (self.vertices[b as usize] - self.vertices[a as usize]).normalize_or(DVec3::X)
     }
 
-    /// Points where other than four junctions meet, and how many.
+    /// The points at which a number of junctions other than four meet, with that number.
     fn unstable_points(&self) -> Vec<(u32, usize)> {
         let mut meeting = vec![0; self.vertices.len()];
         self.complex.junctions().iter().flatten().for_each(|&v| meeting[v as usize] += 1);
-        let point = |&(v, count): &(usize, usize)| self.complex.places[v] == In::Point && count != JUNCTIONS_AT_A_POINT;
+        let point =
+            |&(v, count): &(usize, usize)| self.complex.kinds[v] == VertexKind::Point && count != JUNCTIONS_AT_A_POINT;
         meeting.into_iter().enumerate().filter(point).map(|(v, count)| (v as u32, count)).collect()
-    }
-}
-
-/// Why a solve was left half way.
-enum Stop {
-    Interrupted(Interruption),
-    Defect(Defect),
-}
-
-impl From<Interruption> for Stop {
-    fn from(interruption: Interruption) -> Self {
-        Self::Interrupted(interruption)
     }
 }
 
@@ -386,8 +346,8 @@ impl<'a> JunctionSolver<'a> {
     }
 
     /// Steps 2 and 3.
-    fn run(&mut self, film: &mut JunctionFilm) -> Result<StopReason, Stop> {
-        if film.complex.places.iter().all(|place| *place == In::Boundary) {
+    fn run(&mut self, film: &mut JunctionFilm) -> Result<StopReason, Error> {
+        if film.complex.kinds.iter().all(|kind| *kind == VertexKind::Boundary) {
             return Ok(StopReason::NothingToMove);
         }
         self.record.share = [0.0, SETTLE_SHARE];
@@ -405,7 +365,7 @@ impl<'a> JunctionSolver<'a> {
         self.record.share = [ROUNDS_SHARE, 1.0];
         let outcome = self.newton(film, self.tolerance, u32::MAX, "newton", 0.5)?;
         Ok(match outcome {
-            // The residual alone does not show a fold.
+            // A flipped triangle does not show in the residual.
             Outcome::Converged if flipped_triangles(&film.vertices, &film.complex) > 0 => StopReason::Stalled,
             Outcome::Converged => StopReason::Residual,
             Outcome::StepsUsed => StopReason::MaxIterations,
@@ -414,9 +374,9 @@ impl<'a> JunctionSolver<'a> {
         })
     }
 
-    /// Step 2: harmonic solves and remeshing until the area settles. Forgives any start.
-    fn settle(&mut self, film: &mut JunctionFilm) -> Result<(), Stop> {
-        let fixed: Vec<bool> = film.complex.places.iter().map(|place| *place == In::Boundary).collect();
+    /// Step 2: harmonic solves and remeshing until the area settles. Accepts any start.
+    fn settle(&mut self, film: &mut JunctionFilm) -> Result<(), Error> {
+        let fixed: Vec<bool> = film.complex.kinds.iter().map(|kind| *kind == VertexKind::Boundary).collect();
         let mut area = film.area();
         for round in 0..ROUNDS {
             let before = area;
@@ -441,14 +401,15 @@ impl<'a> JunctionSolver<'a> {
         Ok(())
     }
 
-    fn even_out(&mut self, film: &mut JunctionFilm) -> Result<u64, Stop> {
-        let swapped = even_out(&mut film.vertices, &mut film.complex, SWEEPS).map_err(Stop::Defect)?;
+    fn even_out(&mut self, film: &mut JunctionFilm) -> Result<u64, Error> {
+        let swapped = even_out(&mut film.vertices, &mut film.complex, SWEEPS)
+            .map_err(|defect| Error::no_result("invalid_mesh", defect.to_string()))?;
         self.edges_swapped += swapped;
         self.exec.look(u64::from(SWEEPS) * film.complex.triangles.len() as u64)?;
         Ok(swapped)
     }
 
-    /// Newton steps of the film as it is meshed, and the Morse index where they reach the tolerance.
+    /// Newton steps on the present mesh. In the last phase also the Morse index, if the steps reach the tolerance.
     fn newton(
         &mut self,
         film: &mut JunctionFilm,
@@ -456,7 +417,7 @@ impl<'a> JunctionSolver<'a> {
         steps: u32,
         phase: &'static str,
         done: f64,
-    ) -> Result<Outcome, Stop> {
+    ) -> Result<Outcome, Error> {
         let max_steps = steps.min(self.limit.saturating_sub(self.record.iterations));
         let settings = Settings { aim: Aim::Minimum, tolerance, max_steps };
         let body = film.body();
@@ -485,16 +446,16 @@ impl<'a> JunctionSolver<'a> {
     }
 }
 
-/// How far a film is from equilibrium, by the residual's parts.
+/// The residuals of a film, by its parts.
 #[derive(Clone, Debug)]
 struct Balance {
-    /// Per vertex |g| / (2 A_h) inside the sheets, else 0.
+    /// For each vertex |g| / (2 A_h) inside the sheets, else 0.
     mean_curvature: Vec<f64>,
     /// The residual of the vertices inside the sheets.
     residual: f64,
-    /// The same with the whole gradient.
+    /// The residual of these vertices with the whole gradient, tangential part included.
     residual_full: f64,
-    /// The residual of the junctions: |g⊥| / ℓ, ℓ half the length of the junction edges at the vertex.
+    /// The residual of the junctions: |g⊥| / ℓ with half the length ℓ of the junction edges at the vertex.
     junction_residual: f64,
 }
 
@@ -525,7 +486,8 @@ impl Balance {
     }
 }
 
-/// The three angles between directions around an axis; they add up to a full turn where all lie across it.
+/// The three angles between directions around an axis. If all directions are perpendicular to the axis, the angles add
+/// up to a full turn.
 fn angles_around(axis: DVec3, directions: [DVec3; 3]) -> [f64; 3] {
     let (u, v) = axis.any_orthonormal_pair();
     let mut at = directions.map(|direction| direction.dot(v).atan2(direction.dot(u)));
@@ -560,8 +522,8 @@ fn junction_statistics(film: &JunctionFilm, residual: f64, morse_index: Option<u
         .collect();
     let at_vertices: Vec<(bool, [f64; 3])> = (0..film.vertices.len())
         .filter_map(|v| {
-            let In::Junction(beside) = complex.places[v] else { return None };
-            let inside = beside.iter().all(|&v| matches!(complex.places[v as usize], In::Junction(_)));
+            let VertexKind::Junction(beside) = complex.kinds[v] else { return None };
+            let inside = beside.iter().all(|&v| matches!(complex.kinds[v as usize], VertexKind::Junction(_)));
             Some((inside, angles_around(film.tangent(beside), sheet_forces(film, v as u32, beside, &around[v])?)))
         })
         .collect();
@@ -571,7 +533,7 @@ fn junction_statistics(film: &JunctionFilm, residual: f64, morse_index: Option<u
         |inside: bool| at_vertices.iter().filter(move |vertex| vertex.0 == inside).map(|(_, angles)| departure(angles));
     let at_ends = departures(false).fold(0.0, f64::max);
     let away = departures(true).reduce(f64::max);
-    // A junction of one edge has no inner vertex, but facets.
+    // A junction of a single edge has no inner vertex. Its facets are measured instead.
     let (largest, mean) = if at_vertices.is_empty() {
         let mean = Spread::of(facet_angles.iter().map(|angle| (angle - THIRD_OF_TURN).abs())).mean;
         (departure(&facet_angles), mean)
@@ -583,7 +545,7 @@ fn junction_statistics(film: &JunctionFilm, residual: f64, morse_index: Option<u
         sheets: complex.sheets.len(),
         curves: complex.curves(),
         edges: junction_edges.len(),
-        points: complex.places.iter().filter(|place| **place == In::Point).count(),
+        points: complex.kinds.iter().filter(|kind| **kind == VertexKind::Point).count(),
         length: junction_edges.iter().map(length).sum(),
         residual,
         largest_deviation: largest,
@@ -595,8 +557,8 @@ fn junction_statistics(film: &JunctionFilm, residual: f64, morse_index: Option<u
     }
 }
 
-/// The forces (against the area gradient) of the three sheets' sides at a vertex inside a junction, each the sum over
-/// the fan of triangles from one junction edge to the other. `None` where the sides cannot be told apart.
+/// The forces (minus the area gradients) of the three sheets at a vertex inside a junction. Each is the sum over the
+/// fan of triangles from one junction edge to the other. `None` if the sheets cannot be told apart there.
 fn sheet_forces(film: &JunctionFilm, v: u32, [before, after]: [u32; 2], around: &[usize]) -> Option<[DVec3; 3]> {
     let triangles = &film.complex.triangles;
     let mut forces = Vec::new();
@@ -612,7 +574,7 @@ fn sheet_forces(film: &JunctionFilm, v: u32, [before, after]: [u32; 2], around: 
             if spoke == after {
                 break;
             }
-            // The next triangle of the fan shares the spoke, which has two triangles.
+            // The next triangle of the fan is the other triangle at the spoke.
             t = *around.iter().find(|&&u| u != t && triangles[u].contains(&spoke))?;
         }
         forces.push(force);
@@ -634,7 +596,7 @@ fn collect(
     let complex = &film.complex;
     let mesh = Mesh::new(film.vertices.clone(), complex.triangles.clone());
     let area = film.area();
-    let inside = (0..film.vertices.len()).filter(|&v| complex.places[v] == In::Sheet);
+    let inside = (0..film.vertices.len()).filter(|&v| complex.kinds[v] == VertexKind::Sheet);
     let free: Vec<f64> = inside.map(|v| balance.mean_curvature[v]).collect();
     let curvature = Spread::of(free.iter().copied());
     let rms = (free.iter().map(|h| h * h).sum::<f64>() / free.len().max(1) as f64).sqrt();
@@ -654,7 +616,7 @@ fn collect(
         boundary_loops,
         components: complex.components(),
         euler_characteristic: complex.euler_characteristic(),
-        // Of a film that is no surface: not defined, and the sheets of a film with junctions are discs as a rule.
+        // The genus is not defined, because a film with junctions is not a surface.
         genus: None,
         area,
         initial_area,

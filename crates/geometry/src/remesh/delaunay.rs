@@ -1,19 +1,21 @@
-//! Better triangles on the surface as it is: Delaunay flips and tangential relaxation.
+//! Delaunay flips and smoothing on a surface that stays where it is. Fixed vertices do not move, locked edges stay, and
+//! no triangle turns over.
 //!
-//! Neither moves a fixed vertex or removes a locked edge, and neither turns a triangle over.
 
 use crate::DVec3;
 use crate::mesh::film::Film;
 use crate::mesh::measure::double_area_vector;
 use crate::mesh::topology::{NONE, next, previous};
 
-/// Largest number of flips of one call, per edge of the mesh. On a curved surface flips need not end by themselves.
+/// Largest number of flips of one call, as a multiple of the number of edges. It bounds the work on curved surfaces, on
+/// which flips can undo each other. With a larger value such a call may run longer.
 const FLIPS_PER_EDGE: usize = 10;
 
-/// Flips every edge whose opposite angles sum to more than π, as long as there are any; the number of flips.
+/// Flips edges whose opposite angles sum to more than π until there are none. Returns the number of flips.
 ///
-/// The two triangles must not fold by a right angle or more, before or after. In the plane the result is the
-/// (constrained) Delaunay triangulation. One pass over all edges and then only around what was flipped.
+/// An edge is not flipped if its two triangles form a fold of a right angle or more, before or after the flip. In the
+/// plane the result is the (constrained) Delaunay triangulation. All edges are visited once, and afterwards only those
+/// around a flipped edge.
 pub(crate) fn flip_to_delaunay(film: &mut Film) -> u64 {
     let count = film.topology.twin.len() as u32;
     let mut queue: Vec<u32> = (0..count).rev().filter(|&h| film.topology.twin[h as usize] > h).collect();
@@ -51,7 +53,8 @@ fn wants_flip(film: &Film, h: u32) -> bool {
     let (left, right) = ((p - r, q - r), (q - s, p - s));
     let (left_normal, right_normal) = (left.0.cross(left.1), right.0.cross(right.1));
     let (left_area, right_area) = (left_normal.length(), right_normal.length());
-    // cot α + cot β < 0, multiplied by both areas so that a needle needs no division; more than rounding.
+    // The condition is cot α + cot β < 0, multiplied by both areas so that a needle needs no division, and by more than
+    // rounding.
     let cotangents = left.0.dot(left.1) * right_area + right.0.dot(right.1) * left_area;
     let scale = left.0.length() * left.1.length() * right_area + right.0.length() * right.1.length() * left_area;
     if scale > 0.0 && cotangents >= -1e-9 * scale {
@@ -69,8 +72,8 @@ fn wants_flip(film: &Film, h: u32) -> bool {
 
 /// Moves each free vertex within its tangent plane towards the area-weighted centroid of its ring, `rounds` times.
 ///
-/// Vertex by vertex in index order; a move that would turn a triangle of the ring by a right angle is halved, twice,
-/// and then left out.
+/// The vertices move one after the other, in the order of their numbers. A step that would turn a triangle of the ring
+/// by a right angle is halved up to twice, and then left out.
 pub(crate) fn tangential_relaxation(film: &mut Film, rounds: u32) {
     for _ in 0..rounds {
         for v in 0..film.vertices.len() as u32 {
@@ -103,7 +106,7 @@ fn relax(film: &mut Film, v: u32) {
             let (j, k) = ring_edge(film, h);
             let moved = here + step;
             let (before, after) = (double_area_vector([here, j, k]), double_area_vector([moved, j, k]));
-            // Neither turned over nor flattened to a fraction of what it was.
+            // The triangle must not turn over, and must keep a twentieth of its area.
             after.dot(before) > 0.05 * before.length_squared()
         });
         if keeps {
@@ -114,7 +117,7 @@ fn relax(film: &mut Film, v: u32) {
     }
 }
 
-/// The far edge of the triangle that an outgoing half-edge belongs to.
+/// The ends of the edge opposite to the start of an outgoing half-edge, in its triangle.
 fn ring_edge(film: &Film, h: u32) -> (DVec3, DVec3) {
     (film.vertices[film.topology.to(h) as usize], film.vertices[film.topology.opposite(h) as usize])
 }

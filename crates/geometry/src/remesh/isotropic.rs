@@ -1,8 +1,10 @@
-//! Even edge lengths on the surface as it is: long edges are split, short ones collapsed, to a size at every vertex.
+//! Isotropic remeshing: every edge gets a length near a target size that is given at each vertex. Long edges are split
+//! and short edges are collapsed; the surface stays where it is.
 //!
-//! Source: Botsch, Kobbelt, *A Remeshing Approach to Multiresolution Modeling* (2004), section 4. Departures: sizes are
-//! graded from the boundary's own spacing instead of one length; edges that are split or collapsed together are chosen
-//! so that they share no triangle (no neighbourhood), so that a pass is one rebuild of the triangle list.
+//! Source: Botsch, Kobbelt, *A Remeshing Approach to Multiresolution Modeling* (2004), section 4. Departures:
+//! - The target size grows with the distance from the boundary's own spacing; theirs is one length.
+//! - The edges that are split in one pass share no triangle, and those that are collapsed share no neighbourhood. The
+//!   triangle list is therefore rebuilt once a pass.
 
 use super::delaunay::{flip_to_delaunay, tangential_relaxation};
 use crate::mesh::edit::may_collapse;
@@ -13,47 +15,52 @@ use crate::{DVec3, Execution, Interruption};
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
-/// An edge is split if it exceeds this multiple of the target size at its ends. √2: both halves are then as far below the size as
-/// the whole was above it. Larger: longer edges stay.
+/// An edge is split if it exceeds this multiple of the target size at its ends. With √2 both halves are then as far
+/// below the size as the whole was above it. A larger value leaves longer edges.
 const LONG: f64 = std::f64::consts::SQRT_2;
-/// An edge is collapsed if it is shorter than this multiple of the target size. Larger: fewer, more even edges, and more passes;
-/// above √2 / 2 halves of a split edge would collapse again.
+/// An edge is collapsed if it is shorter than this multiple of the target size. A larger value gives fewer and more
+/// even edges, and takes more passes. Above √2 / 2 the halves of a split edge would collapse again.
 const SHORT: f64 = 0.7;
-/// Growth of the target size per length away from a fine boundary. Larger: fewer triangles, less even ones.
+/// Growth of the target size per length of distance from a fine boundary. A larger value gives fewer and less even
+/// triangles.
 const GRADING: f64 = 0.3;
-/// Largest growth that is tried where [`GRADING`] would give more triangles than are wanted.
+/// Upper bound of the growth that is tried where [`GRADING`] would give more triangles than are wanted. A larger value
+/// allows more uneven triangles.
 const STEEPEST_GRADING: f64 = 5.0;
-/// Lower bound of the target size beside an edge that keeps its length, as a fraction of that length. Larger: larger triangles
-/// there. Without it a fan of needles starts at the edge.
+/// Lower bound of the target size beside an edge that keeps its length, as a fraction of that length. A larger value
+/// gives larger triangles there. Without the bound a fan of needles starts at the edge.
 const FLOOR: f64 = 0.8;
-/// Decrease of that lower bound per length away from the edge. Larger: it reaches less far.
+/// Decrease of that lower bound per length of distance from the edge. With a larger value the bound ends nearer to the
+/// edge.
 const FALL: f64 = 0.5;
-/// Largest decrease that is tried where too few triangles would be left for the rest.
+/// Upper bound of the decrease that is tried where too few triangles would be left for the rest of the film.
 const STEEPEST_FALL: f64 = 4.0;
-/// The lower bounds may reduce the largest target size to this fraction of its value without them. Larger: the bounds are given
-/// up sooner.
+/// The lower bounds may reduce the largest target size to this fraction of its value without them. With a larger value
+/// the bounds are given up sooner.
 const ROOM: f64 = 0.7;
-/// A pass that changes the number of triangles by less than this fraction shows the number at which they settle.
+/// A pass that changes the number of triangles by less than this fraction has settled. A larger value adjusts the
+/// target size after fewer passes.
 const SETTLED_COUNT: f64 = 0.1;
-/// Passes end when there are more than this multiple of the wanted number of triangles: the film has no area.
+/// Passes end if there are more than this multiple of the wanted number of triangles, because the film then has no
+/// area.
 pub(crate) const RUNAWAY: f64 = 4.0;
-/// Passes end when the number of triangles is within this fraction of the wanted one.
+/// Passes end when the number of triangles is within this fraction of the wanted number.
 const CLOSE_ENOUGH: f64 = 0.03;
 
 /// Treatment of the boundary's own edges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BoundaryEdges {
-    /// Long ones are split; the new vertices are fixed and stand on the segments.
+    /// Long boundary edges are split. The new vertices are fixed and stand on the segments.
     Refined,
     Kept,
 }
 
-/// Brings the film's triangles to about `count`, of even size away from the boundary. Fixed vertices and
-/// locked edges stay, and the boundary as `boundary_edges` says. Vertices that are not fixed are numbered afresh. Each
-/// of at most `passes` passes splits, collapses, flips and relaxes once.
+/// Brings the number of triangles to about `count`, of even size away from the boundary. Fixed vertices and locked
+/// edges stay; `boundary_edges` says whether boundary edges are split. Vertices that are not fixed get new numbers.
+/// Each of at most `passes` passes splits, collapses, flips and relaxes once.
 ///
 /// # Errors
-/// The interruptions of `exec`; the film is valid then too.
+/// The interruptions of `exec`; the film is valid in that case too.
 pub(crate) fn resample(
     film: &mut Film,
     count: f64,
@@ -76,7 +83,7 @@ pub(crate) fn resample(
         exec.look(20 * film.triangles().len() as u64)?;
         let reached = film.triangles().len() as f64;
         if reached > most {
-            // A film without area: however often its edges are split, the triangles stay too flat for their sizes.
+            // The film has no area: its triangles stay too flat for their sizes, however often their edges are split.
             break;
         }
         let settled = (reached / before - 1.0).abs() < SETTLED_COUNT;
@@ -84,7 +91,8 @@ pub(crate) fn resample(
         if settled && (reached / count - 1.0).abs() < CLOSE_ENOUGH {
             break;
         }
-        // Split and collapse leave a band of lengths around the size; where in it the mesh settles is seen, not known.
+        // Splitting and collapsing allow a band of lengths around the size. The number at which the mesh settles within
+        // this band is measured.
         if settled {
             aim *= (count / reached).clamp(0.7, 1.4);
         }
@@ -92,8 +100,8 @@ pub(crate) fn resample(
     Ok(())
 }
 
-/// The size at every vertex: the boundary's spacing, growing inwards up to a cap for which about `count` equilateral
-/// triangles cover the film.
+/// The target size at every vertex: the boundary's spacing, growing inwards up to a cap. The cap is chosen so that
+/// about `count` equilateral triangles cover the film.
 fn sizes(film: &Film, count: f64) -> Vec<f64> {
     let unit = 0.75f64.sqrt() / 2.0;
     let mut grading = GRADING;
@@ -113,7 +121,7 @@ fn sizes(film: &Film, count: f64) -> Vec<f64> {
         }
         grading *= 1.5;
     };
-    // With the cap between two triangles' own sizes the number is Σ(below) A / s² + Σ(above) A / cap².
+    // For a cap between the sizes of two triangles the number of triangles is Σ(below) A / s² + Σ(above) A / cap².
     pieces.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut above: f64 = pieces.iter().map(|piece| piece.1).sum();
     let (mut below, mut cap) = (0.0, f64::INFINITY);
@@ -132,7 +140,7 @@ fn sizes(film: &Film, count: f64) -> Vec<f64> {
     spacing.into_iter().map(|size| size.min(cap)).collect()
 }
 
-/// The same beside edges that are longer than the cap.
+/// The sizes of [`sizes`] with lower bounds beside the edges that are longer than the cap.
 fn with_floors(film: &Film, spacing: &[f64], count: f64, plain_cap: f64) -> Vec<f64> {
     let unit = 0.75f64.sqrt() / 2.0;
     let size = |floor: &[f64], cap: f64, v: usize| spacing[v].min(cap.max(floor[v]));
@@ -159,7 +167,7 @@ fn with_floors(film: &Film, spacing: &[f64], count: f64, plain_cap: f64) -> Vec<
     spacing.iter().map(|size| size.min(plain_cap)).collect()
 }
 
-/// Edges that keep their length (the boundary's and the locked ones), each by a half-edge, and that length.
+/// The edges that keep their length (boundary edges and locked edges): for each one half-edge and the length.
 fn stiff_edges(film: &Film) -> impl Iterator<Item = (u32, f64)> + '_ {
     let topology = &film.topology;
     (0..topology.twin.len() as u32).filter_map(move |h| {
@@ -170,7 +178,8 @@ fn stiff_edges(film: &Film) -> impl Iterator<Item = (u32, f64)> + '_ {
     })
 }
 
-/// A share of the stiff edges' lengths at their ends, from there inwards less by `fall` per length; zero elsewhere.
+/// The lower bound of the size at every vertex: [`FLOOR`] times the length of a stiff edge at its ends, decreasing
+/// inwards by `fall` per length, at least zero.
 fn graded_floor(film: &Film, fall: f64) -> Vec<f64> {
     let mut floor = vec![0.0f64; film.vertices.len()];
     let topology = &film.topology;
@@ -178,7 +187,7 @@ fn graded_floor(film: &Film, fall: f64) -> Vec<f64> {
         for v in [topology.from(h), topology.to(h)] {
             floor[v as usize] = floor[v as usize].max(FLOOR * length);
         }
-        // The third corners lie beside the edge, not beside its ends.
+        // The third corner of a triangle lies beside the edge, at the distance of the altitude.
         for half in [h, topology.twin[h as usize]].into_iter().filter(|&half| half != NONE) {
             let apex = topology.opposite(half) as usize;
             let altitude = double_area_vector(film.corners(film.triangles()[half as usize / 3])).length() / length;
@@ -196,8 +205,8 @@ fn graded_floor(film: &Film, fall: f64) -> Vec<f64> {
     floor
 }
 
-/// Offers every edge, in both directions, until nothing changes any more: a few sweeps to and fro, as sizes need not
-/// travel far.
+/// Calls `offer` for every edge in both directions until nothing changes, sweeping forwards and backwards through the
+/// edges. A few sweeps suffice, because sizes need not travel far.
 fn spread(film: &Film, mut offer: impl FnMut(usize, usize, f64) -> bool) {
     let topology = &film.topology;
     for sweep in 0..50 {
@@ -215,7 +224,8 @@ fn spread(film: &Film, mut offer: impl FnMut(usize, usize, f64) -> bool) {
     }
 }
 
-/// The least length of the stiff edges at each of their ends, and from there inwards along edges.
+/// At each vertex the length of the shortest stiff edge that ends there; from there it grows inwards along the edges by
+/// `grading` per length.
 fn graded_spacing(film: &Film, grading: f64) -> Vec<f64> {
     let mut size = vec![f64::INFINITY; film.vertices.len()];
     for (h, length) in stiff_edges(film) {
@@ -234,7 +244,7 @@ fn graded_spacing(film: &Film, grading: f64) -> Vec<f64> {
     size
 }
 
-/// Half-edges (one per edge) sorted by a key, largest first, where it is above 1.
+/// One half-edge for each edge whose key is above 1, sorted by the key, largest first.
 fn ranked(film: &Film, boundary_edges: BoundaryEdges, key: impl Fn(u32) -> f64) -> Vec<u32> {
     let topology = &film.topology;
     let mut ranked: Vec<(f64, u32)> = (0..topology.twin.len() as u32)
@@ -257,7 +267,8 @@ fn size_at(film: &Film, size: &[f64], h: u32) -> f64 {
     0.5 * (size[film.topology.from(h) as usize] + size[film.topology.to(h) as usize])
 }
 
-/// Splits edges that are too long, longest (for its size) first, no two of one triangle.
+/// Splits the edges that are too long, the longest in relation to its size first. Two edges of one triangle are not
+/// split in the same pass.
 fn split_long(film: &mut Film, size: &[f64], boundary_edges: BoundaryEdges) {
     let edges = ranked(film, boundary_edges, |h| length(film, h) / (LONG * size_at(film, size, h)));
     let mut taken = vec![false; film.triangles().len()];
@@ -302,26 +313,25 @@ fn split_long(film: &mut Film, size: &[f64], boundary_edges: BoundaryEdges) {
     film.topology = Topology::build(&triangles, film.vertices.len()).expect("splitting edges keeps a manifold");
 }
 
-/// Collapses edges that are too short, shortest first, in places that do not touch.
+/// Collapses the edges that are too short, the shortest in relation to its size first. Collapses in one pass share no
+/// neighbourhood.
 fn collapse_short(film: &mut Film, size: &[f64]) {
     let edges =
         ranked(film, BoundaryEdges::Kept, |h| SHORT * size_at(film, size, h) / length(film, h).max(f64::MIN_POSITIVE));
     let mut touched = vec![false; film.vertices.len()];
-    let mut gone: Vec<Option<u32>> = vec![None; film.vertices.len()];
     for h in edges {
+        if film.topology.is_removed(h / 3) {
+            continue;
+        }
         let (a, b) = (film.topology.from(h), film.topology.to(h));
-        // A free vertex goes to the other end; two free ones meet half way.
+        // A free vertex moves to the other end of the edge. Two free vertices meet in the middle.
         let (leaves, stays) = if film.fixed[a as usize] { (b, a) } else { (a, b) };
         let meeting = if film.fixed[stays as usize] {
             film.vertices[stays as usize]
         } else {
             0.5 * (film.vertices[a as usize] + film.vertices[b as usize])
         };
-        // A vertex of the boundary reaches its last neighbour only as an opposite one.
-        let ring = |v: u32| {
-            film.topology.outgoing_half_edges(v).flat_map(|e| [film.topology.to(e), film.topology.opposite(e)])
-        };
-        let near = || ring(a).chain(ring(b)).chain([a, b]);
+        let near = || film.topology.neighbours(a).chain(film.topology.neighbours(b)).chain([a, b]);
         if film.fixed[leaves as usize]
             || near().any(|v| touched[v as usize])
             || !may_collapse(&film.topology, leaves, stays)
@@ -329,40 +339,15 @@ fn collapse_short(film: &mut Film, size: &[f64]) {
         {
             continue;
         }
-        let around: Vec<u32> = near().collect();
-        around.into_iter().for_each(|v| touched[v as usize] = true);
-        gone[leaves as usize] = Some(stays);
+        near().for_each(|v| touched[v as usize] = true);
+        film.topology.collapse(stays, leaves);
         film.vertices[stays as usize] = meeting;
     }
-    let mut place = vec![0u32; film.vertices.len()];
-    let mut kept = 0;
-    for v in 0..gone.len() {
-        if gone[v].is_none() {
-            place[v] = kept;
-            film.vertices[kept as usize] = film.vertices[v];
-            film.fixed[kept as usize] = film.fixed[v];
-            kept += 1;
-        }
-    }
-    film.vertices.truncate(kept as usize);
-    film.fixed.truncate(kept as usize);
-    let moved = |v: u32| place[gone[v as usize].unwrap_or(v) as usize];
-    let triangles: Vec<[u32; 3]> = film
-        .triangles()
-        .iter()
-        .map(|triangle| triangle.map(moved))
-        .filter(|[a, b, c]| a != b && b != c && c != a)
-        .collect();
-    film.boundaries.iter_mut().flatten().for_each(|v| *v = moved(*v));
-    film.locked.iter_mut().for_each(|edge| {
-        *edge = edge.map(moved);
-        edge.sort_unstable();
-    });
-    film.locked.sort_unstable();
-    film.topology = Topology::build(&triangles, kept as usize).expect("the link condition keeps a manifold");
+    film.close_gaps().expect("the link condition keeps a manifold");
 }
 
-/// Whether the triangles of `v` without `other` stay upright, and their edges short enough, when `v` moves to `place`.
+/// Whether the triangles around `v` that do not contain `other` keep their orientation, and their edges stay short
+/// enough, when `v` moves to `place`.
 fn keeps_shape(film: &Film, size: &[f64], v: u32, other: u32, place: DVec3) -> bool {
     let topology = &film.topology;
     topology.outgoing_half_edges(v).all(|h| {
@@ -385,7 +370,7 @@ mod tests {
     use super::*;
     use crate::mesh::measure;
 
-    /// A flat strip, ten times as long as it is wide, its inner vertices crowded towards one side.
+    /// A flat strip that is ten times as long as it is wide. Its inner vertices are crowded towards one side.
     fn strip() -> Film {
         let (n, m) = (40, 4);
         let at = |i: usize, j: usize| (j * (n + 1) + i) as u32;
@@ -429,7 +414,7 @@ mod tests {
         }
     }
 
-    /// Triangles in a polygon, a few of its boundary edges far longer than they are to be.
+    /// Two triangles in a square, with boundary edges far longer than the edges are to become.
     fn coarse_square() -> Film {
         let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
         Film::new(corners.to_vec(), &[[0, 1, 2], [0, 2, 3]], vec![vec![0, 1, 2, 3]]).unwrap()

@@ -1,17 +1,18 @@
-//! Better triangles on sheets that meet along junctions: the steps of [`delaunay`](super::delaunay) sheet by sheet.
+//! Delaunay flips and smoothing on sheets that meet along junctions: the steps of [`delaunay`](super::delaunay), sheet
+//! by sheet.
 
 use super::delaunay::{flip_to_delaunay, tangential_relaxation};
 use crate::DVec3;
-use crate::mesh::complex::{Complex, Defect, Place};
+use crate::mesh::complex::{Complex, ComplexDefect, VertexKind};
 use crate::mesh::film::Film;
 use crate::mesh::measure;
 
-/// Part of the way to the middle of its two neighbours that a junction's vertex goes in one round. A larger value spreads
-/// the vertices in fewer rounds, and oscillates from 1 on.
+/// Fraction of the way to the middle of its two neighbours that a vertex of a junction moves in one round. A larger
+/// value spreads the vertices in fewer rounds; from 1 on they oscillate.
 const SPREAD: f64 = 0.5;
 
-/// One sheet as a film of its own, its edge (boundary and junctions) fixed, and for each of its vertices the number in
-/// the complex. `None` for a sheet that touches itself along a junction.
+/// One sheet as a film whose edge (boundary and junctions) is fixed, and for each vertex of the film its number in the
+/// complex. `None` for a sheet that touches itself along a junction.
 fn sheet(vertices: &[DVec3], complex: &Complex, triangles: &[u32]) -> Option<(Film, Vec<u32>)> {
     let corners = || triangles.iter().map(|&t| complex.triangles[t as usize]);
     let mut numbers: Vec<u32> = corners().flatten().collect();
@@ -20,19 +21,19 @@ fn sheet(vertices: &[DVec3], complex: &Complex, triangles: &[u32]) -> Option<(Fi
     let own = |v: u32| numbers.binary_search(&v).unwrap_or_default() as u32;
     let local: Vec<[u32; 3]> = corners().map(|triangle| triangle.map(own)).collect();
     let mut film = Film::new(numbers.iter().map(|&v| vertices[v as usize]).collect(), &local, Vec::new())?;
-    film.fixed = numbers.iter().map(|&v| complex.places[v as usize] != Place::Sheet).collect();
+    film.fixed = numbers.iter().map(|&v| complex.kinds[v as usize] != VertexKind::Sheet).collect();
     Some((film, numbers))
 }
 
-/// Spreads the vertices within the sheets and along the junctions, and flips edges within the sheets to Delaunay's.
-/// Returns the number of flips. A sheet that touches itself along a junction is left as it is.
+/// Spreads the vertices within the sheets and along the junctions, and flips edges within the sheets until they are
+/// Delaunay. Returns the number of flips. A sheet that touches itself along a junction is left as it is.
 ///
 /// # Errors
-/// The complex's defect, if the flips left none: they do not, since each keeps its sheet a manifold.
-pub(crate) fn even_out(vertices: &mut [DVec3], complex: &mut Complex, rounds: u32) -> Result<u64, Defect> {
+/// The defect of the complex that the flips left. None is expected, because a flip keeps its sheet a manifold.
+pub(crate) fn even_out(vertices: &mut [DVec3], complex: &mut Complex, rounds: u32) -> Result<u64, ComplexDefect> {
     for _ in 0..rounds {
         for v in 0..vertices.len() {
-            if let Place::Junction([a, b]) = complex.places[v] {
+            if let VertexKind::Junction([a, b]) = complex.kinds[v] {
                 let (a, b) = (vertices[a as usize], vertices[b as usize]);
                 let tangent = (b - a).normalize_or_zero();
                 let here = vertices[v];
@@ -50,7 +51,7 @@ pub(crate) fn even_out(vertices: &mut [DVec3], complex: &mut Complex, rounds: u3
             triangles[place as usize] = triangle.map(|v| numbers[v as usize]);
         }
         for (position, &v) in film.vertices.iter().zip(&numbers) {
-            if complex.places[v as usize] == Place::Sheet {
+            if complex.kinds[v as usize] == VertexKind::Sheet {
                 vertices[v as usize] = *position;
             }
         }
@@ -61,7 +62,7 @@ pub(crate) fn even_out(vertices: &mut [DVec3], complex: &mut Complex, rounds: u3
     Ok(flips)
 }
 
-/// Number of triangles that point against their neighbourhood in their sheet.
+/// Number of triangles whose normal points against the normals of their vertices in their sheet.
 pub(crate) fn flipped_triangles(vertices: &[DVec3], complex: &Complex) -> usize {
     let sheets = complex.sheets.iter().filter_map(|triangles| sheet(vertices, complex, triangles));
     sheets.map(|(film, _)| measure::flipped_triangles(&film.mesh())).sum()
@@ -73,8 +74,7 @@ mod tests {
 
     #[test]
     fn a_fin_on_a_strip_is_evened_out_and_its_junction_stays() {
-        // Three strips of 2 x 6 squares between z = 0 and z = 3 around the z axis, the axis and the rows at uneven
-        // heights.
+        // Three strips of 2 x 6 squares between z = 0 and z = 3 around the z axis. The heights of the rows are uneven.
         let height = |i: usize| 3.0 * (i as f64 / 6.0).powi(2);
         let mut vertices: Vec<DVec3> = (0..=6).map(|i| DVec3::new(0.0, 0.0, height(i))).collect();
         let mut triangles = Vec::new();
@@ -90,7 +90,8 @@ mod tests {
             let at = |i: usize, j: usize| if j == 0 { i as u32 } else { (first + 2 * i + j - 1) as u32 };
             for i in 0..6 {
                 for j in 0..2 {
-                    // The rows by the axis rise against the outer ones, so this diagonal becomes the longer one.
+                    // The vertices on the axis move up against the outer ones, so that this diagonal becomes the longer
+                    // one.
                     triangles.push([at(i, j), at(i + 1, j), at(i, j + 1)]);
                     triangles.push([at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]);
                 }
@@ -107,8 +108,8 @@ mod tests {
         assert!(flips > 0 && step(&vertices) < 0.3 * before, "{flips} {} {before}", step(&vertices));
         assert_eq!(complex.junctions(), junctions);
         assert_eq!(flipped_triangles(&vertices, &complex), 0);
-        for (v, place) in complex.places.iter().enumerate() {
-            assert!(*place != Place::Boundary || vertices[v] == boundary[v]);
+        for (v, kind) in complex.kinds.iter().enumerate() {
+            assert!(*kind != VertexKind::Boundary || vertices[v] == boundary[v]);
         }
     }
 }

@@ -1,13 +1,13 @@
-//! Regular subdivision: every triangle becomes four, every edge two.
+//! Regular subdivision: every triangle becomes four and every edge two.
 
 use crate::DVec3;
 use crate::mesh::film::Film;
 use crate::mesh::topology::{NONE, Topology, next, previous};
 
-/// Splits every triangle into four. New vertices follow the old ones and stand in the middle of their edge; for each
-/// the ends of that edge are returned, so that values can be carried between the two meshes.
+/// Splits every triangle into four. New vertices follow the old ones and stand in the middle of their edge. For each
+/// new vertex the ends of that edge are returned, so that values can be carried between the two meshes.
 ///
-/// On the boundary, and on locked edges, the middle is a new fixed vertex.
+/// On the boundary and on locked edges the new vertex is fixed.
 pub(crate) fn subdivide(film: &Film) -> (Film, Vec<[u32; 2]>) {
     let old = film.vertices.len();
     let (topology, parents) = film.topology.subdivided();
@@ -31,11 +31,11 @@ pub(crate) fn subdivide(film: &Film) -> (Film, Vec<[u32; 2]>) {
     (Film { vertices, topology, fixed, locked, boundaries }, parents)
 }
 
-/// A boundary loop of the old mesh with the midpoints in between.
+/// A boundary loop of the old mesh with the midpoints inserted.
 fn halved(boundary: &[u32], topology: &Topology, old: u32) -> Vec<u32> {
     let middle = |a: u32, b: u32| {
         let ahead = topology.to(topology.outgoing[a as usize]);
-        // The loop may run against the triangles: then its next midpoint is the one that leads to a.
+        // If the loop runs against the triangles, its next midpoint is on the half-edge that leads to a.
         let along = topology.to(topology.outgoing[ahead as usize]) == b;
         if along { ahead } else { topology.from(previous_on_boundary(topology, a)) }
     };
@@ -48,13 +48,13 @@ fn halved(boundary: &[u32], topology: &Topology, old: u32) -> Vec<u32> {
     result
 }
 
-/// The boundary half-edge that leads to a boundary vertex: the last edge of its fan.
+/// The boundary half-edge that ends at a boundary vertex: the last edge of the vertex's fan.
 fn previous_on_boundary(topology: &Topology, vertex: u32) -> u32 {
     topology.outgoing_half_edges(vertex).last().map_or(NONE, previous)
 }
 
-/// Regular subdivision like [`Topology::subdivided`], but boundary edges for which `splits` is false stay whole: the triangles behind them
-/// are cut in three or two.
+/// Regular subdivision like [`Topology::subdivided`], except that boundary edges for which `splits` is false stay
+/// whole. The triangles at these edges are divided into three or two.
 pub(crate) fn subdivided_inside(
     topology: &Topology,
     vertices: &[DVec3],
@@ -81,8 +81,8 @@ pub(crate) fn subdivided_inside(
     };
     let mut triangles = Vec::with_capacity(4 * topology.triangles().len());
     for t in 0..topology.triangles().len() {
-        // The outline with its midpoints; ears at the corners between two midpoints are cut off, the rest is cut by its
-        // shorter diagonals.
+        // The triangle's outline with its midpoints. The corners between two midpoints are cut off, and the rest is
+        // divided along its shorter diagonal.
         let h = 3 * t as u32;
         let mut whole = [h, next(h), previous(h)].into_iter().filter(|&h| middle[h as usize] == NONE);
         let first = whole.next();

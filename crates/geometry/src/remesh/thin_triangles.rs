@@ -6,26 +6,25 @@
 //! - (b) an angle near 180° at a vertex of three triangles: the vertex goes, the three become one;
 //! - (c) an angle near 180° elsewhere: the edge opposite to it is flipped.
 //!
-//! Where (a) would double an edge (their Fig. 5: a neck of three edges), the surface is cut along these three edges and
-//! either side closed with a triangle, which (a) then removes. A component without a boundary is removed.
+//! Where rule (a) would leave two edges between the same vertices (their Fig. 5: a neck of three edges), the surface is
+//! cut along the three edges. Each side is closed with a triangle, which rule (a) then removes. A component without a
+//! boundary is removed.
 //!
-//! Our departures, each so that the rules end:
-//! - Thinnest triangle first; a flip must make the smallest angle of its two triangles larger. Their Fig. 4 is the
-//!   order in which unguarded flips undo each other for ever. Now every step either lowers the number of triangles, or
-//!   raises the angles, or cuts; and a surface over k loops can be cut a bounded number of times only.
-//! - An angle near 180° opposite an edge that cannot be flipped (a boundary edge, or the other diagonal exists):
-//!   its vertex moves into the nearer end of that edge.
-//! - Fixed vertices stay; of two, none moves.
-
-mod surgery;
+//! Departures from the paper, which make the rules terminate:
+//! - The thinnest triangle is treated first, and a flip must increase the smallest angle of its two triangles. In the
+//!   order of their Fig. 4, unguarded flips undo each other for ever. With the guard every step lowers the number of
+//!   triangles, raises the angles, or cuts; a surface over k loops can be cut only a bounded number of times.
+//! - If the edge opposite to an angle near 180° cannot be flipped (it lies on the boundary, or the other diagonal
+//!   exists already), the vertex with that angle moves into the nearer end of the edge.
+//! - A fixed vertex stays where it is; an edge between two fixed vertices does not collapse.
 
 use crate::DVec3;
+use crate::mesh::edit::may_collapse;
 use crate::mesh::film::Film;
 use crate::mesh::measure;
-use crate::mesh::topology::Topology;
+use crate::mesh::topology::NONE;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-use surgery::Surgery;
 
 /// A change of topology: where a neck closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,21 +37,21 @@ pub struct Pinch {
     pub what: &'static str,
 }
 
-/// Changes that the rules made to a film.
+/// Number of changes that the rules made to a film.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Changes {
-    /// Uses of rule (a).
+    /// Number of collapsed edges, rule (a).
     pub collapses: u64,
-    /// Uses of rule (b).
+    /// Number of removed vertices, rule (b).
     pub removals: u64,
-    /// Uses of rule (c).
+    /// Number of flipped edges, rule (c).
     pub flips: u64,
-    /// Where the topology changed; `iteration` is 0, for the caller to set.
+    /// The changes of topology. Their `iteration` is 0; the caller sets it.
     pub pinches: Vec<Pinch>,
 }
 
 impl Changes {
-    /// Whether the film is another one than before.
+    /// Whether anything changed.
     pub fn any(&self) -> bool {
         self.collapses + self.removals + self.flips > 0 || !self.pinches.is_empty()
     }
@@ -65,7 +64,7 @@ pub(crate) enum Necks {
     Cut,
 }
 
-/// An angle in the order of total_cmp, for the heap.
+/// An angle with the total order that the heap needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Angle(f64);
 
@@ -81,53 +80,39 @@ impl Ord for Angle {
     }
 }
 
-/// Applies the rules to every triangle with an angle below `degenerate_angle` (radians) until none is left to which one
-/// applies. The film stays an oriented manifold over the same boundary loops; interior vertices may vanish or be
-/// doubled.
+/// Applies the rules to the triangles with an angle below `degenerate_angle` (radians), until no rule applies to any of
+/// them. The film stays an oriented manifold over the same boundary loops. Interior vertices may vanish or be doubled.
 ///
-/// Free where no triangle is below the threshold; else O(triangles + changes · log).
+/// Costs one pass over the triangles if none is below the threshold, else O(triangles + changes · log).
 pub(crate) fn remove_degenerate_triangles(film: &mut Film, degenerate_angle: f64, necks: Necks) -> Changes {
     let smallest = |t: [u32; 3]| smallest_angle(film.corners(t));
     if film.triangles().iter().all(|&t| smallest(t) >= degenerate_angle) {
         return Changes::default();
     }
-    let surgery = Surgery::new(film.vertices.clone(), film.fixed.clone(), film.triangles());
-    let mut rules = Rules {
-        surgery,
-        degenerate_angle,
-        necks,
-        locked: &film.locked,
-        thin: BinaryHeap::new(),
-        changes: Changes::default(),
-    };
-    for t in 0..rules.surgery.triangle_count() as u32 {
+    let mut rules =
+        Rules { film: film.clone(), degenerate_angle, necks, thin: BinaryHeap::new(), changes: Changes::default() };
+    for t in 0..film.triangles().len() as u32 {
         rules.consider(t);
     }
     while let Some(Reverse((Angle(angle), t))) = rules.thin.pop() {
-        let Some(triangle) = rules.surgery.triangle(t) else { continue };
-        // The triangle may have changed since it was queued; it was queued again then.
-        if smallest_angle(rules.surgery.corners(triangle)).total_cmp(&angle).is_eq() {
+        if rules.film.topology.is_removed(t) {
+            continue;
+        }
+        let triangle = rules.film.triangles()[t as usize];
+        // A triangle that has changed since it was queued was queued again with its new angle.
+        if smallest_angle(rules.film.corners(triangle)).total_cmp(&angle).is_eq() {
             rules.treat(triangle);
         }
     }
-    let changes = rules.changes;
+    let Rules { film: mut changed, changes, .. } = rules;
     if !changes.any() {
         return changes;
     }
-    let (vertices, fixed, triangles, old) = rules.surgery.finish();
-    let Ok(topology) = Topology::build(&triangles, vertices.len()) else {
+    if changed.close_gaps().is_err() {
         debug_assert!(false, "the rules keep a manifold one");
         return Changes::default();
-    };
-    let mut renamed = vec![u32::MAX; film.vertices.len().max(old.iter().max().map_or(0, |&v| v as usize + 1))];
-    old.iter().enumerate().for_each(|(new, &old)| renamed[old as usize] = new as u32);
-    for vertex in film.boundaries.iter_mut().flatten().chain(film.locked.iter_mut().flatten()) {
-        // Fixed vertices never vanish, and boundaries and locked edges have no others.
-        *vertex = renamed[*vertex as usize];
     }
-    film.vertices = vertices;
-    film.fixed = fixed;
-    film.topology = topology;
+    *film = changed;
     changes
 }
 
@@ -136,52 +121,45 @@ fn smallest_angle(corners: [DVec3; 3]) -> f64 {
 }
 
 #[derive(Debug)]
-struct Rules<'a> {
-    surgery: Surgery,
+struct Rules {
+    film: Film,
     degenerate_angle: f64,
     necks: Necks,
-    locked: &'a [[u32; 2]],
-    /// Thin triangles, thinnest first, then by number.
+    /// The thin triangles by angle, then by number. The thinnest comes first.
     thin: BinaryHeap<Reverse<(Angle, u32)>>,
     changes: Changes,
 }
 
-impl Rules<'_> {
+impl Rules {
     fn consider(&mut self, t: u32) {
-        let Some(triangle) = self.surgery.triangle(t) else { return };
-        let angle = smallest_angle(self.surgery.corners(triangle));
+        let angle = smallest_angle(self.film.corners(self.film.triangles()[t as usize]));
         if angle < self.degenerate_angle {
             self.thin.push(Reverse((Angle(angle), t)));
         }
     }
 
     fn consider_around(&mut self, vertex: u32) {
-        for t in self.surgery.around(vertex).to_vec() {
-            self.consider(t);
-        }
-    }
-
-    fn is_locked(&self, a: u32, b: u32) -> bool {
-        self.locked.binary_search(&[a.min(b), a.max(b)]).is_ok()
+        let around: Vec<u32> = self.film.topology.outgoing_half_edges(vertex).collect();
+        around.into_iter().for_each(|h| self.consider(h / 3));
     }
 
     fn treat(&mut self, triangle: [u32; 3]) {
-        let corners = self.surgery.corners(triangle);
+        let corners = self.film.corners(triangle);
         let angles = measure::angles(corners);
         let length = |k: usize| corners[(k + 1) % 3].distance(corners[(k + 2) % 3]);
         let widest = (0..3).fold(0, |best, k| if angles[k] > angles[best] { k } else { best });
         let shortest = (0..3).fold(0, |best, k| if length(k) < length(best) { k } else { best });
         let small = angles.iter().filter(|&&angle| angle < self.degenerate_angle).count();
         let rotated = |k: usize| [triangle[k], triangle[(k + 1) % 3], triangle[(k + 2) % 3]];
-        // A vanished edge makes its two angles 0, whatever they would be.
+        // If an edge has vanished, two angles are computed as 0 whatever the shape is.
         if small == 1 || length(shortest) <= self.degenerate_angle * 1e-3 * length(widest) {
             let [_, a, b] = rotated(shortest);
             self.collapse(a, b);
             return;
         }
         let [apex, a, b] = rotated(widest);
-        if self.surgery.around(apex).len() == 3
-            && let Some(t) = self.surgery.remove_vertex_of_three(apex)
+        if !self.film.fixed[apex as usize]
+            && let Some(t) = self.film.topology.remove_vertex_of_three(apex)
         {
             self.changes.removals += 1;
             self.consider(t);
@@ -193,90 +171,113 @@ impl Rules<'_> {
         }
     }
 
-    /// Rule (c), if it makes the smallest angle of the two triangles larger.
+    /// Rule (c). Flips the edge if that increases the smallest angle of its two triangles.
     fn flip(&mut self, a: u32, b: u32) -> bool {
-        let Some([_, _, c, d]) = self.surgery.quad(a, b) else { return false };
-        if self.is_locked(a, b) {
+        let topology = &self.film.topology;
+        let Some(h) = topology.half_edge(a, b) else { return false };
+        if self.film.is_locked(a, b) || !topology.can_flip(h) {
             return false;
         }
-        let angle = |t: [u32; 3]| smallest_angle(self.surgery.corners(t));
+        let twin = topology.twin[h as usize];
+        let (c, d) = (topology.opposite(h), topology.opposite(twin));
+        let angle = |t: [u32; 3]| smallest_angle(self.film.corners(t));
         let (before, after) = (angle([a, b, c]).min(angle([b, a, d])), angle([d, c, a]).min(angle([c, d, b])));
         if after <= before {
             return false;
         }
-        let Some(new) = self.surgery.flip(a, b) else { return false };
+        self.film.topology.flip(h);
         self.changes.flips += 1;
-        new.into_iter().for_each(|t| self.consider(t));
+        [h, twin].into_iter().for_each(|h| self.consider(h / 3));
         true
     }
 
-    /// Rule (a): the edge becomes a point; a neck of three edges is cut first.
+    /// Rule (a). Collapses the edge; if the edge belongs to a neck of three edges, cuts the neck instead.
     fn collapse(&mut self, a: u32, b: u32) -> bool {
-        let fixed = |v: u32| self.surgery.fixed[v as usize];
+        let fixed = |v: u32| self.film.fixed[v as usize];
         let (a, b) = if fixed(b) { (b, a) } else { (a, b) };
-        if fixed(b) || self.is_locked(a, b) {
+        if fixed(b) || self.film.is_locked(a, b) {
             return false;
         }
-        if let Some(c) = self.surgery.third_of_empty_triangle(a, b) {
-            return self.cut(a, b, c);
+        if let Some(c) = self.third_of_empty_triangle(a, b) {
+            return self.cut([a, b, c]);
+        }
+        if !may_collapse(&self.film.topology, a, b) {
+            return false;
         }
         let place = self.place_for(a, b);
-        let done = self.surgery.collapse(a, b, place);
-        if done {
-            self.changes.collapses += 1;
-            self.consider_around(a);
-        }
-        done
+        self.film.topology.collapse(a, b);
+        self.film.vertices[a as usize] = place;
+        self.changes.collapses += 1;
+        self.consider_around(a);
+        true
     }
 
-    /// Where the vertex goes that a and b become: a fixed a stays; else the middle, or the end that turns fewer
-    /// triangles over.
+    /// A vertex c such that a-b-c are joined in pairs although no triangle at the edge a-b has the corner c: if a and b
+    /// became one vertex, two edges would join it with c.
+    fn third_of_empty_triangle(&self, a: u32, b: u32) -> Option<u32> {
+        let topology = &self.film.topology;
+        let corners = [(a, b), (b, a)].map(|(from, to)| topology.half_edge(from, to).map(|h| topology.opposite(h)));
+        let is_third = |&c: &u32| c != b && topology.are_adjacent(c, b) && !corners.contains(&Some(c));
+        topology.neighbours(a).filter(is_third).min()
+    }
+
+    /// The position of the one vertex that a and b become. A fixed a stays where it is. Otherwise it is the middle, or
+    /// the end that turns fewer triangles over.
     fn place_for(&self, a: u32, b: u32) -> DVec3 {
-        let (from, to) = (self.surgery.vertices[a as usize], self.surgery.vertices[b as usize]);
-        if self.surgery.fixed[a as usize] {
+        let film = &self.film;
+        let (from, to) = (film.vertices[a as usize], film.vertices[b as usize]);
+        if film.fixed[a as usize] {
             return from;
         }
         let turned_over = |place: DVec3| {
-            let around = [a, b].map(|v| self.surgery.around(v).iter().filter_map(|&t| self.surgery.triangle(t)));
-            let triangles = around.into_iter().flatten().filter(|t| !(t.contains(&a) && t.contains(&b)));
+            let around = [a, b].into_iter().flat_map(|v| film.topology.outgoing_half_edges(v));
+            let triangles = around.map(|h| film.triangles()[h as usize / 3]);
             triangles
+                .filter(|t| !(t.contains(&a) && t.contains(&b)))
                 .filter(|&t| {
-                    let moved = t.map(|v| if v == a || v == b { place } else { self.surgery.vertices[v as usize] });
-                    let before = measure::double_area_vector(self.surgery.corners(t));
+                    let moved = t.map(|v| if v == a || v == b { place } else { film.vertices[v as usize] });
+                    let before = measure::double_area_vector(film.corners(t));
                     before.dot(measure::double_area_vector(moved)) < 0.0
                 })
                 .count()
         };
         let places = [0.5 * (from + to), from, to];
         let counts = places.map(turned_over);
-        // The first of the best: the middle where it is as good as the ends.
+        // The first of equal counts is taken, so the middle is preferred to the ends.
         let best = (1..3).fold(0, |best, k| if counts[k] < counts[best] { k } else { best });
         places[best]
     }
 
-    /// Cuts through the neck a-b-c and drops what is left without a boundary.
-    fn cut(&mut self, a: u32, b: u32, c: u32) -> bool {
-        let place = [a, b, c].iter().map(|&v| self.surgery.vertices[v as usize]).sum::<DVec3>() / 3.0;
-        if self.necks == Necks::Keep && !self.closes_one_vertex(a, b, c) {
+    /// Cuts through the neck a-b-c and removes a side that has neither a boundary nor a fixed vertex.
+    fn cut(&mut self, cycle: [u32; 3]) -> bool {
+        if self.necks == Necks::Keep && !self.closes_one_vertex(cycle) {
             return false;
         }
-        let Some(caps) = self.surgery.cut(a, b, c) else { return false };
-        let left = self.surgery.component(caps.left);
+        let film = &mut self.film;
+        // A fixed vertex inside the film would be doubled.
+        if cycle.iter().any(|&v| film.fixed[v as usize] && !film.topology.is_boundary(v)) {
+            return false;
+        }
+        let place = cycle.iter().map(|&v| film.vertices[v as usize]).sum::<DVec3>() / 3.0;
+        let Some(caps) = film.topology.cut(cycle) else { return false };
+        film.vertices.extend(cycle.map(|v| film.vertices[v as usize]));
+        film.fixed.extend([false; 3]);
+        let left = film.topology.component_of(caps.left);
         let apart = !left.contains(&caps.right);
         let mut removed = 0;
         if apart {
-            let right = self.surgery.component(caps.right);
+            let right = film.topology.component_of(caps.right);
             for side in [left, right] {
-                if self.surgery.is_loose(&side) {
+                if is_loose(film, &side) {
                     removed = removed.max(side.len());
-                    self.surgery.remove_all(&side);
+                    film.topology.remove_component(&side);
                 }
             }
         }
         let what = match (apart, removed) {
             (true, 0) => Some("split"),
             (false, _) => Some("handle_cut"),
-            // Four triangles: one vertex of three triangles and the cap. Rule (b) in another guise.
+            // A closed side of four triangles was one vertex of three triangles and the new cap: the cut was rule (b).
             (true, 4) => None,
             (true, _) => Some("closed_component_removed"),
         };
@@ -285,22 +286,33 @@ impl Rules<'_> {
             self.changes.removals += 1;
         }
         for t in [caps.left, caps.right] {
-            for vertex in self.surgery.triangle(t).into_iter().flatten() {
-                self.consider_around(vertex);
+            if !self.film.topology.is_removed(t) {
+                self.film.triangles()[t as usize].into_iter().for_each(|vertex| self.consider_around(vertex));
             }
         }
         true
     }
 
-    /// Whether a-b-c surround one vertex of three triangles, so that a cut removes that vertex and nothing else.
-    fn closes_one_vertex(&self, a: u32, b: u32, c: u32) -> bool {
-        let corner = |x, y| self.surgery.left_of(x, y).map(|(_, corner)| corner);
+    /// Whether the edges of a cycle surround one vertex of three triangles, so that a cut removes that vertex and
+    /// nothing else.
+    fn closes_one_vertex(&self, [a, b, c]: [u32; 3]) -> bool {
+        let topology = &self.film.topology;
+        let corner = |x, y| topology.half_edge(x, y).map(|h| topology.opposite(h));
         let one = |x: u32, y: u32, z: u32| {
             let apex = corner(x, y);
             apex.is_some() && apex == corner(y, z) && apex == corner(z, x)
         };
         one(a, b, c) || one(c, b, a)
     }
+}
+
+/// Whether a component has no boundary and no fixed vertex, so that nothing holds it.
+fn is_loose(film: &Film, component: &[u32]) -> bool {
+    component.iter().all(|&t| {
+        let corners = film.triangles()[t as usize];
+        let twins = &film.topology.twin[3 * t as usize..3 * t as usize + 3];
+        corners.iter().all(|&v| !film.fixed[v as usize]) && twins.iter().all(|&twin| twin != NONE)
+    })
 }
 
 #[cfg(test)]
@@ -315,8 +327,9 @@ mod tests {
         film.triangles().iter().map(|&t| smallest_angle(film.corners(t))).fold(f64::INFINITY, f64::min)
     }
 
-    /// Bento and Cavalcanti's Fig. 4: the triangle 1 = (p, q, a) and, across p-q, the triangle 2 = (q, p, d), whose
-    /// wide angle is at q. Flipping p-q first leaves (d, q, a), wide at q again, whose flip brings p-q back.
+    /// The mesh of Bento and Cavalcanti's Fig. 4. Triangle 1 is (p, q, a); across the edge p-q lies triangle 2 = (q, p,
+    /// d) with a wide angle at q. Flipping p-q leaves the triangle (d, q, a), which is wide at q again, and flipping
+    /// its edge brings p-q back.
     fn figure_4() -> Film {
         let points = [
             (0.0, 0.0),    // 0 p
@@ -336,18 +349,22 @@ mod tests {
 
     #[test]
     fn figure_4_flipping_triangle_1_first_would_never_end() {
-        let film = figure_4();
-        let mut surgery = Surgery::new(film.vertices.clone(), film.fixed.clone(), film.triangles());
+        let mut film = figure_4();
+        // Rule (c) without a guard, always on the triangle with the corners a and q.
+        let widest = |film: &Film, t: [u32; 3]| {
+            let angles = measure::angles(film.corners(t));
+            (0..3).fold(0, |best, k| if angles[k] > angles[best] { k } else { best })
+        };
+        let flip = |film: &mut Film, a: u32, b: u32| {
+            let h = film.topology.half_edge(a, b).unwrap();
+            assert!(film.topology.can_flip(h));
+            film.topology.flip(h);
+        };
         for _ in 0..3 {
-            // Rule (c) without a guard, always on the triangle with the corners a and q.
-            let widest = |surgery: &Surgery, t: [u32; 3]| {
-                let angles = measure::angles(surgery.corners(t));
-                (0..3).fold(0, |best, k| if angles[k] > angles[best] { k } else { best })
-            };
-            assert_eq!(widest(&surgery, [0, 5, 6]), 2);
-            assert!(surgery.flip(0, 5).is_some());
-            assert_eq!(widest(&surgery, [2, 5, 6]), 1);
-            assert!(surgery.flip(2, 6).is_some());
+            assert_eq!(widest(&film, [0, 5, 6]), 2);
+            flip(&mut film, 0, 5);
+            assert_eq!(widest(&film, [2, 5, 6]), 1);
+            flip(&mut film, 2, 6);
         }
     }
 
@@ -396,7 +413,7 @@ mod tests {
     #[test]
     fn a_bubble_on_a_thin_neck_is_cut_off_and_removed() {
         let mut film = cylinder(6, 5, 2.0);
-        // Close the upper rim with a fan, so that the tube is a bag over its lower rim.
+        // A fan of triangles closes the upper rim, so that the tube becomes a bag over its lower rim.
         let apex = film.vertices.len() as u32;
         let mut triangles = film.triangles().to_vec();
         let upper: Vec<u32> = (0..6).map(|k| 5 * 6 + k).collect();
@@ -407,7 +424,7 @@ mod tests {
         }
         let mut vertices = film.vertices.clone();
         vertices.push(DVec3::new(0.0, 0.0, 1.2));
-        // The ring above the lower rim shrinks to a thousandth.
+        // The ring above the lower rim is shrunk to a thousandth of its radius.
         for vertex in &mut vertices[12..18] {
             *vertex *= DVec3::new(1e-3, 1e-3, 1.0);
         }
@@ -423,7 +440,7 @@ mod tests {
         fn the_rules_end_and_keep_the_surface(
             heights in prop::collection::vec(-1.0f64..1.0, 49), squeeze in 0.0f64..1.0, angle in 0.1f64..20.0
         ) {
-            // Nothing is left of the grid's regularity, and whole rows fall onto each other.
+            // The grid becomes irregular, and whole rows of vertices fall onto each other.
             let mut film = patch(6, 6, |u, v| DVec3::new(u, v, 0.0));
             for (vertex, height) in film.vertices.iter_mut().zip(&heights) {
                 vertex.x += squeeze * (height * 7.0).sin();

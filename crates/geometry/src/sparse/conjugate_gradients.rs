@@ -6,7 +6,7 @@ use crate::{Execution, Interruption};
 /// Why conjugate gradients did not reach their goal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CgFailure {
-    /// A direction of negative or vanishing curvature turned up, or a number that is not finite: the matrix or the
+    /// A direction of negative or zero curvature occurred, or a number that is not finite: the matrix or the
     /// preconditioner is not positive definite.
     Indefinite,
     /// The iterations are used up.
@@ -15,14 +15,14 @@ pub enum CgFailure {
     Interrupted(Interruption),
 }
 
-/// Improves `x` until `is_small` accepts the residual b - A x; returns the number of iterations.
+/// Improves `x` until `is_small` accepts the residual b - A x. Returns the number of iterations.
 ///
-/// `precondition` writes an approximation of A⁻¹ r, symmetric and positive definite in r, into its second argument;
-/// copying r there is the method without preconditioner. One product with the matrix and one look at `exec` an
-/// iteration.
+/// `precondition` writes an approximation of A⁻¹ r to its second argument, which must be symmetric and positive
+/// definite in r. Copying r gives the method without preconditioner. Each iteration takes one product with the matrix
+/// and one look at `exec`.
 ///
 /// # Errors
-/// See [`CgFailure`]; `x` is then the last iterate.
+/// See [`CgFailure`]. `x` is then the last iterate.
 pub fn conjugate_gradients(
     matrix: &SymmetricMatrix,
     b: &[f64],
@@ -56,7 +56,7 @@ pub fn conjugate_gradients(
         }
         matrix.multiply(&direction, &mut product);
         let curvature = dot(&direction, &product);
-        // Not `<=`, so that NaN ends here too.
+        // The negated comparison ends the iteration for NaN too.
         if !(energy > 0.0 && curvature > 0.0 && curvature.is_finite()) {
             return Err(CgFailure::Indefinite);
         }

@@ -3,24 +3,25 @@
 //! Brandt, *Multi-level adaptive solutions to boundary-value problems* (1977); as a preconditioner: Braess, *Towards
 //! algebraic multigrid for elliptic problems of second order* (1995).
 //!
-//! 1. A fine mesh comes from a coarse one by halving every edge. A height at a midpoint is the mean of the heights at
-//!    the edge's ends (zero where an end is fixed): that is the prolongation, its transpose the restriction.
-//! 2. On each level the matrix is the one that Newton's method assembled there on its way; no product of matrices is
-//!    formed. In the plane, and nearly so on a film, it is the restriction of the finer one.
-//! 3. One V-cycle: a forward Gauss-Seidel sweep, the residual to the coarser level, a backward sweep. On the coarsest
-//!    level the factor L D Lᵀ. The cycle is symmetric and positive definite as long as the matrices are.
-//! 4. Conjugate gradients with that preconditioner: the residual falls by about ten an iteration, whatever the size.
+//! 1. A fine mesh comes from a coarse one by halving every edge. The prolongation sets the height at a midpoint to the
+//!    mean of the heights at the ends of the edge, where a fixed end counts as zero. The restriction is its transpose.
+//! 2. The matrix of a level is the one that Newton's method assembled there before; no product of matrices is formed.
+//!    In the plane it is the restriction of the finer matrix, and on a film nearly so.
+//! 3. One V-cycle consists of a forward Gauss-Seidel sweep, the correction by the coarser level, and a backward sweep.
+//!    The coarsest level uses the factor L D Lᵀ. The cycle is symmetric, and positive definite if the matrices are.
+//! 4. Conjugate gradients use the cycle as preconditioner. The residual falls by a factor of about ten an iteration,
+//!    whatever the size of the mesh.
 
 use super::{CgFailure, Symbolic, SymmetricMatrix, conjugate_gradients};
 use crate::Execution;
 
 use super::pattern::FIXED;
 
-/// Iterations after which the hierarchy is not worth its name.
+/// Largest number of iterations. If they do not suffice, the hierarchy is a poor preconditioner for the matrix.
 const MAX_ITERATIONS: usize = 60;
 
-/// How the unknowns of a level stand to those of the next coarser one: each is the mean of two, of which one or both
-/// may be [`FIXED`] (zero). An unknown of both levels is its own parent twice.
+/// The parents of the unknowns of a level: two unknowns of the next coarser level whose mean each of them is. One or
+/// both may be [`FIXED`], which stands for zero. An unknown that exists on both levels is its own parent twice.
 pub(crate) type Parents = Vec<[u32; 2]>;
 
 /// The levels below the one that is being solved.
@@ -28,27 +29,27 @@ pub(crate) type Parents = Vec<[u32; 2]>;
 pub(crate) struct Hierarchy {
     symbolic: Symbolic,
     factor: Vec<f64>,
-    /// From coarse to fine; the coarsest is in `factor` only.
+    /// The matrices from coarse to fine. Of the coarsest level only the factor is kept.
     levels: Vec<(SymmetricMatrix, Parents)>,
 }
 
 impl Hierarchy {
-    /// `factor` is the positive definite one of the coarsest matrix.
+    /// Makes a hierarchy of one level. `factor` is the factor of its positive definite matrix.
     pub fn new(symbolic: Symbolic, factor: Vec<f64>) -> Self {
         Self { symbolic, factor, levels: Vec::new() }
     }
 
-    /// Adds a finer level on top.
+    /// Adds a finer level.
     pub fn push(&mut self, matrix: SymmetricMatrix, parents: Parents) {
         self.levels.push((matrix, parents));
     }
 
-    /// An approximate inverse of `matrix`, whose unknowns descend from the top level's by `parents`.
+    /// Applies an approximate inverse of `matrix`. `parents` are the parents of its unknowns on the top level.
     pub fn precondition(&self, matrix: &SymmetricMatrix, parents: &[[u32; 2]], right_hand_side: &[f64]) -> Vec<f64> {
         self.cycle(self.levels.len(), matrix, parents, right_hand_side)
     }
 
-    /// `below` is the number of levels under this one, the coarsest not counted.
+    /// `below` is the number of levels below this one, without the coarsest.
     fn cycle(&self, below: usize, matrix: &SymmetricMatrix, parents: &[[u32; 2]], right_hand_side: &[f64]) -> Vec<f64> {
         let n = right_hand_side.len();
         let mut x = vec![0.0; n];
@@ -59,7 +60,7 @@ impl Hierarchy {
             0 => self.symbolic.order(),
             _ => self.levels[below - 1].0.order(),
         };
-        // One place more than there are coarse unknowns takes what would go to a fixed vertex.
+        // One additional entry receives the contributions to fixed vertices.
         let mut coarse = vec![0.0; coarse_order + 1];
         let place = |parent: u32| (parent as usize).min(coarse_order);
         for row in 0..n {
@@ -91,8 +92,8 @@ impl Hierarchy {
         x
     }
 
-    /// Solves `matrix` x = `right_hand_side` until `is_small` is content with the residual; `work` is what one
-    /// iteration costs.
+    /// Solves `matrix` x = `right_hand_side` until `is_small` accepts the residual. `work` is the cost of one
+    /// iteration.
     ///
     /// # Errors
     /// See [`CgFailure`].
@@ -112,7 +113,7 @@ impl Hierarchy {
     }
 }
 
-/// Makes one equation hold by its own unknown (Gauss-Seidel).
+/// Changes one unknown so that its own equation holds (Gauss-Seidel).
 #[inline]
 fn relax(matrix: &SymmetricMatrix, right_hand_side: &[f64], x: &mut [f64], row: usize) {
     let (columns, values) = matrix.row(row);
@@ -120,13 +121,14 @@ fn relax(matrix: &SymmetricMatrix, right_hand_side: &[f64], x: &mut [f64], row: 
     x[row] = (right_hand_side[row] - others) / values[0];
 }
 
-/// Heights of a coarser mesh, carried to the finer one.
+/// Prolongs the heights of a coarser mesh to the finer one.
 pub(crate) fn prolong(coarse: &[f64], parents: &[[u32; 2]]) -> Vec<f64> {
     let height = |row: u32| coarse.get(row as usize).copied().unwrap_or(0.0);
     parents.iter().map(|&[first, second]| 0.5 * (height(first) + height(second))).collect()
 }
 
-/// The parents of a finer mesh's unknowns, from those of its new vertices (which follow the old ones).
+/// The parents of the unknowns of a finer mesh. `midpoints` are the ends of the edges that its new vertices halve; new
+/// vertices follow the old ones.
 pub(crate) fn parents_of(coarse_unknown: &[u32], fine_vertices: &[u32], midpoints: &[[u32; 2]]) -> Parents {
     let old = coarse_unknown.len();
     let unknown = |vertex: u32| coarse_unknown[vertex as usize];
@@ -142,15 +144,15 @@ pub(crate) fn parents_of(coarse_unknown: &[u32], fine_vertices: &[u32], midpoint
 mod tests {
     use super::*;
     use crate::Signal;
-    use crate::energy::area::vertex_normals;
     use crate::mesh::film::Film;
+    use crate::mesh::measure;
     use crate::mesh::structured::{catenoid, patch};
     use crate::remesh::subdivision::subdivide;
     use crate::sparse::pattern::Pattern;
     use std::cell::Cell;
 
     fn second_variation(film: &Film, pattern: &Pattern) -> SymmetricMatrix {
-        let normals = vertex_normals(&film.vertices, film.triangles());
+        let normals = measure::normals(&film.vertices, film.triangles());
         let mut matrix = pattern.matrix();
         pattern.second_variation(&film.vertices, film.triangles(), &normals, 0.0, &mut matrix);
         matrix

@@ -1,32 +1,33 @@
-//! Sparsity patterns of operators on the vertices of a mesh: which entries a matrix has, and where each one stands.
+//! Sparsity patterns of operators on the vertices of a mesh: the entries of a matrix and their positions.
 //!
-//! [`Pattern`] has one unknown per free vertex and knows, for every triangle, where its six entries stand: what films
-//! whose vertices move along their normals need, and harmonic maps. [`BlockPattern`] has any number of unknowns per
+//! [`Pattern`] has one unknown per free vertex and knows the positions of the six entries of every triangle. Harmonic
+//! maps need it, and films whose vertices move along their normals. [`BlockPattern`] has any number of unknowns per
 //! vertex and any elements.
 
 use super::SymmetricMatrix;
 use std::ops::Range;
 
-/// "No unknown": the entry of a fixed vertex.
+/// Marks a fixed vertex, which has no unknown.
 pub(crate) const FIXED: u32 = u32::MAX;
 
-/// The sparsity of every operator on the free vertices of one connectivity, and where each triangle's terms go.
+/// The sparsity of the operators on the free vertices of one connectivity, and the positions of the terms of each
+/// triangle.
 #[derive(Clone, Debug)]
 pub(crate) struct Pattern {
     pub free: FreeVertices,
     pub row_start: Vec<u32>,
     columns: Vec<u32>,
-    /// Per triangle the positions in `columns` of (0,1), (1,2), (2,0), then of (1,0), (2,1), (0,2); [`FIXED`] where an
-    /// end is fixed.
+    /// For each triangle the positions in `columns` of the entries (0,1), (1,2), (2,0), then of (1,0), (2,1), (0,2);
+    /// [`FIXED`] if an end is fixed.
     pub slots: Vec<[u32; 6]>,
 }
 
 /// The free vertices and their numbers as unknowns.
 #[derive(Clone, Debug)]
 pub(crate) struct FreeVertices {
-    /// Per vertex its row, or [`FIXED`].
+    /// For each vertex its row, or [`FIXED`].
     pub unknown: Vec<u32>,
-    /// Per row its vertex.
+    /// For each row its vertex.
     pub vertex: Vec<u32>,
 }
 
@@ -43,11 +44,11 @@ impl FreeVertices {
 }
 
 impl Pattern {
-    /// O(triangles). Every vertex that is not fixed must be an interior vertex of the manifold.
+    /// O(triangles). Every vertex that is not fixed must be an interior vertex of a manifold.
     pub fn new(triangles: &[[u32; 3]], fixed: &[bool]) -> Self {
         let free = FreeVertices::new(fixed);
         let FreeVertices { unknown, vertex } = &free;
-        // Each half-edge between two free vertices is one entry off the diagonal: round an interior vertex every
+        // Each half-edge between two free vertices is one entry off the diagonal. Around an interior vertex every
         // neighbour is reached by exactly one outgoing half-edge.
         let mut row_start = vec![0u32; vertex.len() + 1];
         for row in 0..vertex.len() {
@@ -97,12 +98,13 @@ impl Pattern {
         Self { free, row_start, columns, slots }
     }
 
-    /// The same for free vertices on edges of one, two or more triangles: on a junction of sheets, or on a boundary.
+    /// As [`new`](Self::new), for free vertices on edges of one, two or more triangles: on a junction of sheets, or on
+    /// a boundary.
     pub fn of_complex(triangles: &[[u32; 3]], fixed: &[bool]) -> Self {
         let free = FreeVertices::new(fixed);
         let counts: Vec<u8> = fixed.iter().map(|&fixed| u8::from(!fixed)).collect();
         let blocks = BlockPattern::new(&counts, |couple| triangles.iter().for_each(|triangle| couple(triangle)));
-        let slot = |v: u32, w: u32| blocks.place(v, w).map_or(FIXED, |place| place.at(0, 0) as u32);
+        let slot = |v: u32, w: u32| blocks.position(v, w).map_or(FIXED, |position| position.at(0, 0) as u32);
         let six = |&[a, b, c]: &[u32; 3]| [slot(a, b), slot(b, c), slot(c, a), slot(b, a), slot(c, b), slot(a, c)];
         let slots = triangles.iter().map(six).collect();
         let SymmetricMatrix { row_start, columns, .. } = blocks.matrix();
@@ -124,26 +126,27 @@ impl Pattern {
 pub(crate) struct BlockPattern {
     /// Vertex v owns the unknowns `start[v]..start[v + 1]`.
     start: Vec<u32>,
-    /// Per unknown where its row begins.
+    /// For each unknown the position where its row begins.
     row_start: Vec<u32>,
-    /// Vertex v's neighbours that have unknowns are `neighbour[first[v]..first[v + 1]]`, ascending, each with the
-    /// number of the vertex's columns before its own.
+    /// The neighbours of vertex v that have unknowns are `neighbour[first[v]..first[v + 1]]`, ascending. Each comes
+    /// with the number of columns before its own in the rows of v.
     first: Vec<u32>,
     neighbour: Vec<(u32, u32)>,
 }
 
-/// Where the block of two vertices stands in a matrix.
+/// The position of the block of two vertices in a matrix.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Place {
-    /// Where the rows of the first vertex begin, and how long each is.
+pub(crate) struct BlockPosition {
+    /// The position where the rows of the first vertex begin, and the length of each row.
     row: u32,
     length: u32,
-    /// Columns before the block's; `None` for a vertex with itself, whose diagonal entry comes first in each row.
+    /// Number of columns before the block. `None` for a vertex with itself, whose diagonal entry comes first in each
+    /// row.
     before: Option<u32>,
 }
 
-impl Place {
-    /// Where the entry of the first vertex's unknown i and the second vertex's unknown j stands.
+impl BlockPosition {
+    /// The position of the entry for unknown i of the first vertex and unknown j of the second.
     #[inline]
     pub fn at(self, i: usize, j: usize) -> usize {
         let row = self.row as usize + i * self.length as usize;
@@ -156,7 +159,7 @@ impl Place {
 }
 
 impl BlockPattern {
-    /// `counts` is each vertex's number of unknowns. `elements` must call its argument with the vertices of each
+    /// `counts` is the number of unknowns of each vertex. `elements` must call its argument with the vertices of each
     /// element.
     pub fn new(counts: &[u8], elements: impl FnOnce(&mut dyn FnMut(&[u32]))) -> Self {
         let mut start = vec![0u32; counts.len() + 1];
@@ -221,8 +224,8 @@ impl BlockPattern {
         SymmetricMatrix { row_start: self.row_start.clone(), columns, values }
     }
 
-    /// Where the block of two vertices stands; `None` if one has no unknown, or they share no element.
-    pub fn place(&self, v: u32, w: u32) -> Option<Place> {
+    /// The position of the block of two vertices. `None` if one of them has no unknown, or they share no element.
+    pub fn position(&self, v: u32, w: u32) -> Option<BlockPosition> {
         let own = self.unknowns(v);
         if own.is_empty() {
             return None;
@@ -230,10 +233,10 @@ impl BlockPattern {
         let row = self.row_start[own.start];
         let length = self.row_start[own.start + 1] - row;
         if v == w {
-            return Some(Place { row, length, before: None });
+            return Some(BlockPosition { row, length, before: None });
         }
         let neighbours = &self.neighbour[self.first[v as usize] as usize..self.first[v as usize + 1] as usize];
-        let (_, before) = neighbours[neighbours.binary_search_by_key(&w, |&(other, _)| other).ok()?];
-        Some(Place { row, length, before: Some(before) })
+        let at = neighbours.binary_search_by_key(&w, |&(other, _)| other).ok()?;
+        Some(BlockPosition { row, length, before: Some(neighbours[at].1) })
     }
 }

@@ -4,7 +4,7 @@
 use plateau_geometry::DVec3;
 use std::f64::consts::{PI, TAU};
 
-/// The loop around the image of a parameter rectangle, `nu` and `nv` intervals along its sides.
+/// The boundary of the image of a parameter rectangle, with `nu` and `nv` intervals along its sides.
 pub fn patch(
     surface: impl Fn(f64, f64) -> DVec3,
     (u0, u1): (f64, f64),

@@ -3,25 +3,22 @@
 #![allow(dead_code, reason = "each test file uses its part")]
 
 use plateau_geometry::DVec3;
+use plateau_geometry::random::SplitMix64;
 
-/// SplitMix64.
-pub struct Random(pub u64);
+/// Random numbers, vectors and directions.
+pub struct Random(SplitMix64);
 
 impl Random {
-    pub fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+    pub fn new(seed: u64) -> Self {
+        Self(SplitMix64::new(seed))
     }
     /// Uniform in [low, high).
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * ((self.next() >> 11) as f64 / (1u64 << 53) as f64)
+        self.0.between(low, high)
     }
     /// A whole number from low to high, both included.
     pub fn whole(&mut self, low: i64, high: i64) -> i64 {
-        low + (self.next() % (high - low + 1) as u64) as i64
+        low + (self.0.next_u64() % (high - low + 1) as u64) as i64
     }
     pub fn vector(&mut self, size: f64) -> DVec3 {
         DVec3::new(self.between(-size, size), self.between(-size, size), self.between(-size, size))

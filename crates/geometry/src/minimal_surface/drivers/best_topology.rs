@@ -1,34 +1,37 @@
-//! Which film over several boundaries has the least area? Every way to span them is solved, and the areas compared.
+//! Finds the film of least area over several boundaries: solves every way to span them and compares the areas.
 //!
-//! 1. Each non-empty set of boundaries is spanned by one connected film (a disc, an annulus, a sphere with holes) and
-//!    solved by the default solver, descending where it is unstable. It *holds* if it converged to a stable film
-//!    without a fold.
-//! 2. A spanning topology is a partition of the boundaries: one connected film for each of its sets. Its area is the
-//!    sum; its Morse index too. Partitions with a set that does not hold are listed without an area.
-//! 3. The least area is returned, the others are listed.
-//! 4. Two boundaries whose connected film does not hold are moved together along the line of their centroids until it
-//!    does, and apart again from film to film in ever shorter steps: the largest fraction of the gap at which one holds
-//!    (or, if the way leads back to the full gap, that film).
+//! 1. Each non-empty set of boundaries is spanned by one connected film (a disc, an annulus, a sphere with holes). The
+//!    default solver solves it and leaves unstable surfaces. The film *holds* if it converged, is stable and has no
+//!    flipped triangle.
+//! 2. A spanning topology is a partition of the boundaries with one connected film for each of its sets. Its area and
+//!    its Morse index are the sums over the films. A partition with a set that does not hold is listed without an area.
+//! 3. The partition of least area is returned. The statistics list the others.
+//! 4. If the connected film over two boundaries does not hold, the boundaries are moved together along the line of
+//!    their centroids until one does. They are then moved apart in ever shorter steps, each from the last film. The
+//!    result is the largest fraction of the gap at which a film holds, or the film itself if the full gap is reached.
 //!
-//! The films of one partition are solved each by itself: they may pass through each other, which is reported.
+//! The films of one partition are solved independently. They may pass through each other, which is reported.
 
 use crate::error::Warning;
 use crate::mesh::crossing::films_cross;
 use crate::mesh::film::Film;
-use crate::minimal_surface::initial_mesh::{self, InitialMeshKind};
+use crate::minimal_surface::initial_mesh;
 use crate::minimal_surface::options::{Method, Newton, OnUnstable, Options, Resolution, Solver, TopologyRule};
 use crate::minimal_surface::run::{Run, SpanningComparison, SpanningTopology, Stability, StabilityMethod, StopReason};
+use crate::minimal_surface::solved_film::SolvedFilm;
 use crate::minimal_surface::solvers::newton;
 use crate::{DVec3, Error, Execution, Interruption, Place, polyline};
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
-/// Largest number of boundaries that [`TopologyRule::Best`] compares: of n there are 2ⁿ - 1 films to solve, and of six 203
-/// partitions.
+/// Largest number of boundaries that [`TopologyRule::Best`] compares. For n boundaries there are 2ⁿ - 1 films to solve;
+/// for six there are 203 partitions.
 pub(crate) const MOST_BOUNDARIES: usize = 6;
-/// Accuracy of the largest fraction of a gap at which a connected film holds.
+/// Accuracy of the largest fraction of a gap at which a connected film holds. A smaller value takes more solves, about
+/// one per halving.
 const GAP_RESOLUTION: f64 = 1e-3;
-/// Largest number of times that the gap is halved to find a first film.
+/// Largest number of times that the gap is halved to find a first film. A larger value finds films over boundaries that
+/// are further apart.
 const HALVINGS: u32 = 8;
 
 impl SpanningComparison {
@@ -49,55 +52,35 @@ impl SpanningComparison {
     }
 }
 
-/// The result of [`solve`]: the least film, how the mesh of its first part was made, its initial area, the run with the
-/// comparison.
-pub(crate) type Solved = (Film, InitialMeshKind, f64, Run);
-
-/// A connected film over a set of boundaries.
-#[derive(Clone, Debug)]
-struct Part {
-    film: Film,
-    kind: InitialMeshKind,
-    initial_area: f64,
-    run: Run,
-}
-
-impl Part {
-    fn holds(&self) -> bool {
-        let converged = matches!(self.run.stop_reason, StopReason::Residual | StopReason::NothingToMove);
-        converged && self.run.stability.is_none_or(|stability| stability.stable) && self.film.flipped_triangles() == 0
-    }
-}
-
-/// Steps 1 to 4 for centred boundaries. Discs that do not hold (a knotted boundary, a deadline) are kept as what they
-/// are, so that there is always an answer; connected films are not.
+/// Steps 1 to 4 for centred boundaries. A disc that does not hold (over a knotted boundary, or after a deadline) is
+/// kept, so that there is always a result. A connected film that does not hold is dropped.
 ///
 /// # Errors
-/// [`Error::Input`] for more than [`MOST_BOUNDARIES`] boundaries, and what a single boundary's disc may fail with.
-pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<Solved, Error> {
+/// [`Error::Input`] for more than [`MOST_BOUNDARIES`] boundaries, and the errors of the discs over single boundaries.
+pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<SolvedFilm, Error> {
     let count = boundaries.len();
     if count > MOST_BOUNDARIES {
         let detail = format!("best compares the films over at most {MOST_BOUNDARIES} boundaries");
         return Err(Error::input(Place::field("topology"), detail));
     }
     let total: f64 = boundaries.iter().map(|boundary| polyline::length(boundary, true)).sum();
-    let search = Search { boundaries, options, total };
-    // Discs first: whatever interrupts the rest, there is an answer then.
+    let problem = SpanningProblem { boundaries, options, total };
+    // The discs are solved first, so that there is a result if the rest is interrupted.
     let mut sets: Vec<u32> = (1..1 << count).collect();
     sets.sort_by_key(|set| (set.count_ones(), *set));
-    let mut parts: Vec<Option<Part>> = vec![None; 1 << count];
+    let mut parts: Vec<Option<SolvedFilm>> = vec![None; 1 << count];
     let share = 0.9 / sets.len() as f64;
     let mut interrupted = false;
     for (k, &set) in sets.iter().enumerate() {
         let share = [share * k as f64, share * (k + 1) as f64];
-        match exec.part(share, |exec| search.part(set, exec)) {
+        match exec.part(share, |exec| problem.part(set, exec)) {
             Ok(part) => {
                 interrupted |= part.run.stop_reason == StopReason::Deadline;
                 parts[set as usize] = (set.count_ones() == 1 || part.holds()).then_some(part);
             }
             Err(Error::Interrupted(Interruption::DeadlinePassed)) if set.count_ones() > 1 => interrupted = true,
             Err(error @ Error::NoResult { .. }) if set.count_ones() == 1 => return Err(error),
-            // Several boundaries that no initial mesh connects (touching ones, too coarse a resolution) have no such
+            // No initial mesh connects these boundaries (they touch, or the resolution is too coarse): there is no such
             // film.
             Err(Error::NoResult { .. } | Error::Input(_)) if set.count_ones() > 1 => {}
             Err(error) => return Err(error),
@@ -109,7 +92,7 @@ pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
     let whole = (1usize << count) - 1;
     let mut largest_gap_fraction = None;
     if count == 2 && parts[whole].is_none() && !interrupted {
-        match exec.part([0.9, 1.0], |exec| search.widest_gap(exec)) {
+        match exec.part([0.9, 1.0], |exec| problem.widest_gap(exec)) {
             Ok(Widest::Full(part)) => parts[whole] = Some(*part),
             Ok(Widest::Fraction(fraction)) => largest_gap_fraction = Some(fraction),
             Ok(Widest::NotFound) | Err(Error::Interrupted(Interruption::DeadlinePassed)) => {}
@@ -123,7 +106,7 @@ pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
         films.sort_by_key(|set| set.trailing_zeros());
         compared.push(compare(films, &parts, exec)?);
     }
-    // Rounded, so that the last bits do not choose between mirror images.
+    // The areas are rounded, so that the last bits do not decide between mirror images.
     let largest = compared.iter().filter_map(|topology| topology.area).fold(0.0, f64::max);
     let order = |a: &SpanningTopology, b: &SpanningTopology| {
         let key =
@@ -131,15 +114,15 @@ pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
         key(a).total_cmp(&key(b)).then(a.films.len().cmp(&b.films.len())).then(a.films.cmp(&b.films))
     };
     compared.sort_by(order);
-    // The discs alone always have an area, so the first has one.
+    // The partition into discs always has an area, so the first entry has one.
     compared[0].chosen = true;
-    let chosen: Vec<&Part> = compared[0]
+    let chosen: Vec<&SolvedFilm> = compared[0]
         .films
         .iter()
         .filter_map(|set| parts[set.iter().map(|&boundary| 1usize << boundary).sum::<usize>()].as_ref())
         .collect();
     let comparison = SpanningComparison { topologies: compared.clone(), connected_film_exists, largest_gap_fraction };
-    let films: Vec<(&[usize], &Part)> =
+    let films: Vec<(&[usize], &SolvedFilm)> =
         compared[0].films.iter().map(Vec::as_slice).zip(chosen.iter().copied()).collect();
     let film = together(boundaries, &films)
         .ok_or_else(|| Error::no_result("invalid_mesh", "the films of the chosen topology do not fit together"))?;
@@ -156,12 +139,12 @@ pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
     run.stability = compared[0].stability;
     run.spanning = Some(comparison);
     let initial_area = chosen.iter().map(|part| part.initial_area).sum();
-    Ok((film, chosen[0].kind, initial_area, run))
+    Ok(SolvedFilm { film, kind: chosen[0].kind, initial_area, run })
 }
 
 /// Areas, stability and crossings of one partition.
-fn compare(films: &[u32], parts: &[Option<Part>], exec: &Execution) -> Result<SpanningTopology, Error> {
-    let held: Option<Vec<&Part>> = films.iter().map(|&set| parts[set as usize].as_ref()).collect();
+fn compare(films: &[u32], parts: &[Option<SolvedFilm>], exec: &Execution) -> Result<SpanningTopology, Error> {
+    let held: Option<Vec<&SolvedFilm>> = films.iter().map(|&set| parts[set as usize].as_ref()).collect();
     let mut topology = SpanningTopology {
         films: films.iter().map(|&set| members(set)).collect(),
         area: None,
@@ -177,13 +160,13 @@ fn compare(films: &[u32], parts: &[Option<Part>], exec: &Execution) -> Result<Sp
                 stable: a.stable && b.stable,
                 morse_index: a.morse_index + b.morse_index,
                 lowest_eigenvalue: a.lowest_eigenvalue.min(b.lowest_eigenvalue),
-                // The less certain of the two.
+                // The combined method is the less certain one.
                 method: if a.method == StabilityMethod::Inertia { b.method } else { a.method },
             })
         });
     for (k, part) in held.iter().enumerate() {
         for other in &held[k + 1..] {
-            // Past the deadline crossings are not looked for any more: the areas are known all the same.
+            // After the deadline, crossings are no longer searched for. The areas are known already.
             topology.films_cross |= match films_cross(&part.film, &other.film, exec) {
                 Err(Interruption::DeadlinePassed) => false,
                 cross => cross?,
@@ -197,7 +180,7 @@ fn members(set: u32) -> Vec<usize> {
     (0..32).filter(|&boundary| set & (1 << boundary) != 0).collect()
 }
 
-/// Every partition of `count` boundaries, each set as bits.
+/// Every partition of `count` boundaries. A set is a number whose bits are the boundaries.
 fn partitions(count: usize) -> Vec<Vec<u32>> {
     let mut result = vec![Vec::new()];
     for boundary in 0..count {
@@ -221,22 +204,22 @@ fn partitions(count: usize) -> Vec<Vec<u32>> {
     result
 }
 
-/// How far apart two boundaries may be for a connected film.
+/// Result of the search for the largest gap between two boundaries that a connected film spans.
 enum Widest {
-    Full(Box<Part>),
+    Full(Box<SolvedFilm>),
     Fraction(f64),
     NotFound,
 }
 
-struct Search<'a> {
+struct SpanningProblem<'a> {
     boundaries: &'a [Vec<DVec3>],
     options: &'a Options,
     /// Length of all boundaries together.
     total: f64,
 }
 
-impl Search<'_> {
-    /// The part of the resolution that falls to a set of boundaries, by their length.
+impl SpanningProblem<'_> {
+    /// The options for a set of boundaries: its share of the resolution is that of its length.
     fn options_for(&self, boundaries: &[Vec<DVec3>]) -> Options {
         let length: f64 = boundaries.iter().map(|boundary| polyline::length(boundary, true)).sum();
         let share = |count: usize| ((count as f64 * length / self.total).round() as usize).max(1);
@@ -254,18 +237,18 @@ impl Search<'_> {
     }
 
     /// Step 1 for one set.
-    fn part(&self, set: u32, exec: &Execution) -> Result<Part, Error> {
+    fn part(&self, set: u32, exec: &Execution) -> Result<SolvedFilm, Error> {
         let boundaries: Vec<Vec<DVec3>> = members(set).into_iter().map(|k| self.boundaries[k].clone()).collect();
         self.connected(&boundaries, exec)
     }
 
-    fn connected(&self, boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<Part, Error> {
+    fn connected(&self, boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<SolvedFilm, Error> {
         let options = self.options_for(boundaries);
         let (start, kind) = initial_mesh::build(boundaries, &options, exec)?;
         let mut film = start.refined(exec)?;
         let initial_area = film.area();
         let run = newton::run(&mut film, self.task(), exec)?;
-        Ok(Part { film, kind, initial_area, run })
+        Ok(SolvedFilm { film, kind, initial_area, run })
     }
 
     /// Step 4.
@@ -301,11 +284,11 @@ impl Search<'_> {
             if run.stop_reason == StopReason::Deadline {
                 break;
             }
-            let next = Part { film, run, ..part.clone() };
+            let next = SolvedFilm { film, run, ..part.clone() };
             if next.holds() {
                 (fraction, part) = (tried, next);
                 if fraction >= 1.0 {
-                    // The way here accumulated rounding: the boundary goes exactly where the caller put it.
+                    // The steps accumulated rounding errors: the boundary is set to the exact input points.
                     for (loop_, points) in part.film.boundaries.clone().iter().zip(self.boundaries) {
                         if loop_.len() == points.len() {
                             loop_.iter().zip(points).for_each(|(&v, &p)| part.film.vertices[v as usize] = p);
@@ -321,7 +304,8 @@ impl Search<'_> {
     }
 }
 
-/// The film with its second boundary shifted, and everything between by the part that its distances to the two give.
+/// The film with its second boundary moved by `shift`. Every other vertex moves by the fraction that its distances to
+/// the two boundaries give.
 fn moved_apart(film: &Film, shift: DVec3) -> Film {
     let mut moved = film.clone();
     let mut part = vec![None; film.vertices.len()];
@@ -342,8 +326,9 @@ fn moved_apart(film: &Film, shift: DVec3) -> Film {
     moved
 }
 
-/// Several films as one: the boundaries' input points first, in input order, then everything else, film by film.
-fn together(boundaries: &[Vec<DVec3>], films: &[(&[usize], &Part)]) -> Option<Film> {
+/// Joins several films into one. The input points of the boundaries come first, in input order, then the other vertices
+/// film by film.
+fn together(boundaries: &[Vec<DVec3>], films: &[(&[usize], &SolvedFilm)]) -> Option<Film> {
     let mut first = Vec::with_capacity(boundaries.len());
     let mut count = 0u32;
     for boundary in boundaries {

@@ -1,36 +1,40 @@
-//! A film that may come apart: Bento and Cavalcanti's rules while it shrinks, the default solver once it holds.
+//! A film whose topology may change: Bento and Cavalcanti's rules while it shrinks, and the default solver once it
+//! settles.
 //!
-//! 1. Pinkall and Polthier with the rules until a neck closes (then again from here) or the area changes little.
-//! 2. The default solver on a copy, descending where it is unstable. A stable film of small residual is the answer.
-//! 3. There is none near: the film only lingers where one almost exists. Go on shrinking, to a much smaller change of
-//!    area, and try again. A fold that a closed neck left is opened by averaging, and step 1 follows. If no neck closes
-//!    after that either, what the default solver reached is the answer, not converged.
+//! 1. Iterate by Pinkall and Polthier with the rules until a neck closes (then start this step again) or the area
+//!    changes little.
+//! 2. Run the default solver on a copy, leaving unstable surfaces. If it reaches a stable film with a small residual,
+//!    that is the result.
+//! 3. Otherwise the film only lingers where a minimal surface almost exists. Continue step 1 to a much smaller change
+//!    of area, and try step 2 again. If a closed neck left flipped triangles, average the vertices and start step 1
+//!    again. If no neck closes after that either, return what the default solver reached, not converged.
 
 use crate::mesh::film::Film;
 use crate::minimal_surface::options::{FreeTopology, Limits, OnUnstable, PinkallPolthier, Solver};
 use crate::minimal_surface::run::{Record, Run, StopReason};
 use crate::minimal_surface::solvers::newton;
-use crate::minimal_surface::solvers::pinkall_polthier::{Stop, Until, iterate};
+use crate::minimal_surface::solvers::pinkall_polthier::{Until, iterate};
 use crate::remesh::delaunay::flip_to_delaunay;
 use crate::remesh::thin_triangles::{Necks, remove_degenerate_triangles};
 use crate::{DVec3, Error, Execution, Interruption};
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
-/// Largest number of solves of step 1 where the caller gives none: a film past its last stable shape shrinks slowly.
+/// Largest number of solves of step 1 if the caller gives none. A film beyond its last stable shape shrinks slowly.
 const DEFAULT_SOLVES: u32 = 2000;
-/// Relative change of area per solve that ends step 1 at first. Larger: step 2 is tried earlier.
+/// Relative change of area per solve that ends step 1 at first. A larger value tries step 2 earlier.
 const SETTLED_AREA: f64 = 1e-4;
-/// The same after step 2 has failed.
+/// Relative change of area per solve that ends step 1 after step 2 has failed. A larger value gives up a slowly closing
+/// neck earlier.
 const AT_REST: f64 = 1e-9;
 /// Largest number of rounds that remove flipped triangles after a neck has closed.
 const MOST_UNFOLDINGS: u32 = 3;
-/// Triangles with an angle below this (radians) are removed in such a round.
+/// Triangles with an angle below this (radians) are removed in such a round. A larger value removes more of a spike.
 const NEEDLE: f64 = 0.15;
-/// Number of times that every free vertex is averaged in such a round.
+/// Number of times that every free vertex is averaged in such a round. A larger value flattens the film further.
 const UNFOLDING_SWEEPS: u32 = 50;
 
-/// Steps 1 to 3 on a film. The report counts the solves of both steps.
+/// Steps 1 to 3 on a film. The report counts the solves of steps 1 and 2.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large to factorise.
@@ -45,7 +49,7 @@ pub(crate) fn run(
     let FreeTopology { degenerate_angle, linear_solver } = *options;
     let mut run = Run::new(Solver::Newton);
     let mut change = SETTLED_AREA;
-    // Each neck that closes leaves one component or one handle more or less, so there are few rounds.
+    // Each neck that closes changes the number of components or handles by one, so there are few rounds.
     let mut done = 0.0;
     let mut unfolded = 0;
     loop {
@@ -91,9 +95,10 @@ pub(crate) fn run(
     }
 }
 
-/// Takes needles out and moves every free vertex to the middle of its neighbours again and again, which opens folds.
+/// Removes needles and moves every free vertex to the mean of its neighbours many times, which removes flipped
+/// triangles.
 ///
-/// A neck that closed leaves its needles in a spike, and the spike may fall over as it flattens.
+/// A neck that has closed leaves a spike of needles, and the spike may fall over as it flattens.
 fn unfold(film: &mut Film) {
     remove_degenerate_triangles(film, NEEDLE, Necks::Keep);
     let free: Vec<u32> = (0..film.vertices.len() as u32).filter(|&v| !film.fixed[v as usize]).collect();
@@ -110,7 +115,7 @@ fn unfold(film: &mut Film) {
     flip_to_delaunay(film);
 }
 
-/// Step 1: adds its solves and pinches to `run`; [`StopReason::TopologyChange`] after a neck has closed.
+/// Step 1. Adds its solves and pinches to `run`. Returns [`StopReason::TopologyChange`] after a neck has closed.
 fn shrink(
     film: &mut Film,
     options: &PinkallPolthier,
@@ -128,9 +133,8 @@ fn shrink(
     });
     part.stop_reason = match ended {
         Ok(reason) => reason,
-        Err(Stop::Interrupted(Interruption::DeadlinePassed)) => StopReason::Deadline,
-        Err(Stop::Interrupted(interruption)) => return Err(interruption.into()),
-        Err(Stop::TooLarge(error)) => return Err(error),
+        Err(Error::Interrupted(Interruption::DeadlinePassed)) => StopReason::Deadline,
+        Err(error) => return Err(error),
     };
     let reason = part.stop_reason;
     run.append(part);
@@ -157,7 +161,8 @@ mod tests {
 
     #[test]
     fn rings_below_the_critical_gap_stay_connected_and_beyond_it_come_apart() {
-        // 0.6627 of the diameter 20 is 13.254; between 48-gons and on so few triangles it is so to about a percent.
+        // The critical gap of circles is 0.6627 of the diameter 20, which is 13.254. Between 48-gons with so few
+        // triangles it holds to about a percent.
         for height in [12.0, 13.0, 13.2] {
             let (film, run) = rings(height);
             assert_eq!((film.topology.components(), run.pinches.len()), (1, 0), "{height}");

@@ -1,15 +1,16 @@
-//! Large surfaces from small ones: solve on a coarse mesh, halve every edge, correct, and again.
+//! Coarse to fine: solves a coarse mesh, halves every edge, corrects the result, and repeats until the mesh is as fine
+//! as wanted.
 //!
-//! 1. Every 2^k-th point of each boundary (corners always) bounds a coarse mesh of a few thousand triangles, which is
-//!    solved by [`newton`](crate::minimal_surface::solvers::newton).
-//! 2. Every edge is halved. A new boundary vertex is the input point in the middle of those that its edge skips, or the
-//!    edge's own middle where there is none (and points may be added). Every input point is reached in the end.
-//! 3. Newton's method in normal heights corrects the finer mesh, its systems solved by conjugate gradients over the
-//!    nested levels ([`multigrid`](crate::sparse::multigrid)). The start is off by the sagitta of a coarse edge, so one
-//!    or two steps do.
+//! 1. Every 2^k-th point of each boundary, and every corner, bounds a coarse mesh of a few thousand triangles. The
+//!    [default solver](crate::minimal_surface::solvers::newton) solves it.
+//! 2. Every edge is halved. A new boundary vertex is the middle one of the input points that its edge skips. Where the
+//!    edge skips none, and points may be added, it is the middle of the edge. In the end every input point is a vertex.
+//! 3. Newton's method in normal heights corrects the finer mesh. Its linear systems are solved by conjugate gradients
+//!    over the nested levels ([`multigrid`](crate::sparse::multigrid)). The start deviates by the sagitta of a coarse
+//!    edge, so one or two steps suffice.
 //!
-//! Work and memory grow in proportion to the mesh. Where anything is out of the ordinary (corners too dense to skip
-//! points, a fold, a system that multigrid cannot solve) the caller falls back on the full mesh from the start.
+//! Work and memory are proportional to the size of the mesh. If the method does not apply (the corners are too dense to
+//! skip points, a triangle is flipped, multigrid does not converge), the caller solves the full mesh directly.
 
 use crate::equilibrium::NormalMotion;
 use crate::equilibrium::newton::{Aim, Equations, Outcome, Settings, iterate};
@@ -18,10 +19,11 @@ use crate::equilibrium::v_cycle::VCycleSteps;
 use crate::mesh::film::Film;
 use crate::mesh::measure;
 use crate::minimal_surface::estimate::{area_of_fans, estimate_triangles, triangles_of_length};
-use crate::minimal_surface::initial_mesh::{self, InitialMeshKind};
+use crate::minimal_surface::initial_mesh;
 use crate::minimal_surface::options::{BoundarySampling, InitialMesh, OnUnstable, Options, Resolution};
-use crate::minimal_surface::run::{ExtrapolatedArea, Run, Stability, StabilityMethod, StopReason, geometric_part};
-use crate::minimal_surface::solvers::newton::{EXTRAPOLATED_TRIANGLES, Solve, Stop, Task};
+use crate::minimal_surface::run::{ExtrapolatedArea, Stability, StabilityMethod, StopReason, geometric_part};
+use crate::minimal_surface::solved_film::SolvedFilm;
+use crate::minimal_surface::solvers::newton::{EXTRAPOLATED_TRIANGLES, Solve, Task};
 use crate::remesh::subdivision::subdivided_inside;
 use crate::sparse::Symbolic;
 use crate::sparse::multigrid::{self, Hierarchy, parents_of};
@@ -30,27 +32,28 @@ use crate::{DVec3, Error, Execution, Interruption, polyline};
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
-/// Smallest number of triangles of the coarse mesh; it has at most four times as many. Larger: fewer levels, more work on the
-/// coarse mesh.
+/// Smallest number of triangles of the coarse mesh, which has at most four times as many. A larger value gives fewer
+/// levels and more work on the coarse mesh.
 const LEAST_COARSE_TRIANGLES: f64 = 1000.0;
-/// Smallest number of triangles of the coarse mesh per boundary vertex.
+/// Smallest number of triangles of the coarse mesh per boundary vertex. A larger value skips fewer boundary points.
 const COARSE_TRIANGLES_PER_BOUNDARY_VERTEX: f64 = 3.0;
-/// A boundary vertex that turns by more than this (radians) is a corner; a coarse edge replaces at most this much turning.
+/// A boundary vertex at which the boundary turns by more than this (radians) is a corner. A coarse edge also replaces
+/// at most this much turning. A larger value skips more points of a curved boundary.
 const CORNER: f64 = 0.6;
-/// Residual to which the levels between the coarsest and the finest are solved.
+/// Residual to which the levels between the coarsest and the finest are solved. A larger value starts the next level
+/// from a less accurate surface.
 const MIDDLE_TOLERANCE: f64 = 1e-3;
-/// Largest number of triangles for which the Morse index comes from a factorisation; beyond it the lowest eigenvalue decides.
+/// Largest number of triangles for which the Morse index is computed by a factorisation. Above it the sign of the
+/// lowest eigenvalue decides, which costs far less on a large mesh.
 const INERTIA_TRIANGLES: usize = 250_000;
-/// A boundary edge counts as long if it exceeds this multiple of the mean edge length of the mesh.
+/// A boundary edge counts as long if it exceeds this multiple of the mean edge length of the mesh. With a larger value
+/// more requests are solved coarse to fine.
 const LONG_EDGE: f64 = 1.6;
-/// Largest number of Newton steps on one level.
+/// Largest number of Newton steps on one level. One or two are usual; more than this many mean that the level does not
+/// converge.
 const STEPS_PER_LEVEL: u32 = 12;
 
-/// The result of [`solve`]: a film in the promised vertex order, how its coarse mesh was made, that mesh's area, and the
-/// run.
-pub(crate) type Solved = (Film, InitialMeshKind, f64, Run);
-
-/// Solves from the coarse to the fine. `None` if the request is too small for it, or does not lend itself to it.
+/// Solves coarse to fine. `None` if the request is too small for the method, or the method does not apply.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel, and on a deadline before there is a mesh.
@@ -59,8 +62,8 @@ pub(crate) fn solve(
     options: &Options,
     on_unstable: OnUnstable,
     exec: &Execution,
-) -> Result<Option<Solved>, Error> {
-    // A polygon of fewer points may carry no film where the whole one does: then with more points.
+) -> Result<Option<SolvedFilm>, Error> {
+    // A polygon of fewer points may bound no film where the whole polygon does. The next plan keeps more points.
     for plan in Plan::from_coarse(boundaries, options) {
         if let Some(solved) = follow(&plan, boundaries, options, on_unstable, exec)? {
             return Ok(Some(solved));
@@ -75,12 +78,12 @@ fn follow(
     options: &Options,
     on_unstable: OnUnstable,
     exec: &Execution,
-) -> Result<Option<Solved>, Error> {
+) -> Result<Option<SolvedFilm>, Error> {
     let coarse_options = Options { resolution: plan.resolution, ..options.clone() };
     let (mut film, kind) = match initial_mesh::build(&plan.coarse_boundaries(boundaries), &coarse_options, exec) {
         Ok((start, kind)) => (start.refined(exec)?, kind),
         Err(Error::Interrupted(interruption)) => return Err(interruption.into()),
-        // Whatever is wrong is better said of the whole request.
+        // The error is reported for the whole request, by the direct solve.
         Err(_) => return Ok(None),
     };
     let may_add = options.boundary_sampling != BoundarySampling::Keep;
@@ -89,26 +92,28 @@ fn follow(
     let mut solve = Solve::new(&film, Task { limits: options.limits(), on_unstable, given: false }, exec);
     let (stop_reason, stability) = match climb(&mut film, &mut places, plan.levels, &mut solve) {
         Ok(Some(stability)) => (StopReason::Residual, Some(stability)),
-        Ok(None) | Err(Stop::TooLarge) => return Ok(None),
-        Err(Stop::Interrupted(Interruption::DeadlinePassed)) => (StopReason::Deadline, None),
-        Err(Stop::Interrupted(Interruption::Cancelled)) => return Err(Interruption::Cancelled.into()),
+        Ok(None) | Err(Error::NoResult { .. }) => return Ok(None),
+        Err(Error::Interrupted(Interruption::DeadlinePassed)) => (StopReason::Deadline, None),
+        Err(error) => return Err(error),
     };
     while places.level < plan.levels {
-        // A deadline passed on the way up: the rest of the boundary is still owed.
+        // A deadline passed at a coarse level: the mesh is still refined until it has all boundary points.
         (film, _) = places.refine(&film);
     }
-    Ok(Some((places.input_points_first(film), kind, initial_area, solve.into_run(stop_reason, stability))))
+    let (film, run) = (places.input_points_first(film), solve.into_run(stop_reason, stability));
+    Ok(Some(SolvedFilm { film, kind, initial_area, run }))
 }
 
-/// Solves the coarse film and corrects it level by level. `None` where the method is at its end; then the film is no
+/// Solves the coarse film and corrects it level by level. `None` if the method does not apply; the film is then of no
 /// use.
 fn climb(
     film: &mut Film,
     places: &mut BoundaryPlaces,
     levels: u32,
     solve: &mut Solve,
-) -> Result<Option<Stability>, Stop> {
-    // Each level costs four times the last; the coarsest, with its many solves, about as much as the next.
+) -> Result<Option<Stability>, Error> {
+    // Each level costs four times as much as the last. The coarsest, with its many solves, costs about as much as the
+    // next.
     let share = |level: u32| {
         let part = |level: u32| 4f64.powi(level as i32 - levels as i32);
         [if level == 0 { 0.0 } else { part(level - 1) }, part(level)]
@@ -175,7 +180,7 @@ fn climb(
             let by_inertia = film.triangles().len() <= INERTIA_TRIANGLES;
             let morse_index = if by_inertia {
                 solve.exec.look(film.triangles().len() as u64)?;
-                let Ok(symbolic) = Symbolic::analyse(&matrix, None) else { return Err(Stop::TooLarge) };
+                let Ok(symbolic) = Symbolic::analyse(&matrix, None) else { return Ok(None) };
                 match stability::morse_index(&symbolic, &matrix, mass, unit, &state.constraints) {
                     Ok(index) => index,
                     Err(_) => return Ok(None),
@@ -206,19 +211,19 @@ fn climb(
 #[derive(Debug)]
 struct Plan {
     levels: u32,
-    /// Of the coarse mesh.
+    /// Resolution of the coarse mesh.
     resolution: Resolution,
-    /// Per boundary the indices of the points that stay, ascending.
+    /// For each boundary the indices of the points that the coarse mesh keeps, ascending.
     kept: Vec<Vec<u32>>,
 }
 
 impl Plan {
-    /// The plans that suit a request, the one with the coarsest mesh first.
+    /// The plans for a request, the coarsest first.
     fn from_coarse(boundaries: &[Vec<DVec3>], options: &Options) -> impl Iterator<Item = Self> {
         let suits = matches!(options.initial_mesh, InitialMesh::Auto | InitialMesh::Planar | InitialMesh::Disk)
             && options.constraints.is_empty();
         let target = match options.resolution {
-            // As many as the area asks for: what the boundary's own points ask for beyond that is not halved.
+            // The number that the area needs. Triangles that a fine boundary needs beyond that number are not halved.
             Resolution::EdgeLength(length) => triangles_of_length(boundaries, length),
             _ => estimate_triangles(boundaries, options),
         };
@@ -228,7 +233,7 @@ impl Plan {
         (1..=most).rev().filter_map(move |levels| {
             let kept: Vec<Vec<u32>> = boundaries.iter().map(|points| kept_points(points, 1 << levels)).collect();
             let boundary_vertices: usize = kept.iter().map(Vec::len).sum();
-            // Where a boundary edge has no point left to be halved at, the triangle behind it gives three and not four.
+            // A boundary edge that skips no point stays whole, and the triangle at it becomes three instead of four.
             let points: usize = boundaries.iter().map(Vec::len).sum();
             let lost = match options.boundary_sampling {
                 BoundarySampling::Keep => ((boundary_vertices << levels) as f64 - points as f64).max(0.0),
@@ -254,8 +259,8 @@ impl Plan {
     }
 }
 
-/// Whether boundary edges are on average much longer than those of so many triangles: where they must be kept, the
-/// triangles beside them have to be graded, and halving all others would not leave them so.
+/// Whether the boundary edges are on average much longer than the edges of so many triangles. If such edges must be
+/// kept, the triangles beside them have to be graded, and halving all other edges would not leave them graded.
 fn has_long_edges(boundaries: &[Vec<DVec3>], triangles: f64) -> bool {
     let length: f64 = boundaries.iter().map(|points| polyline::length(points, true)).sum();
     let points: usize = boundaries.iter().map(Vec::len).sum();
@@ -263,8 +268,8 @@ fn has_long_edges(boundaries: &[Vec<DVec3>], triangles: f64) -> bool {
     length / points as f64 > LONG_EDGE * edge
 }
 
-/// Indices of points at most `stride` apart that keep the corners of a closed polygon, and let no edge turn by more
-/// than one.
+/// Indices of the points of a closed polygon that a coarse mesh keeps: all corners, and others at most `stride` apart,
+/// so that no edge replaces more turning than a corner has.
 fn kept_points(points: &[DVec3], stride: usize) -> Vec<u32> {
     let n = points.len();
     let direction = |k: usize| (points[(k + 1) % n] - points[k % n]).normalize_or_zero();
@@ -280,7 +285,7 @@ fn kept_points(points: &[DVec3], stride: usize) -> Vec<u32> {
     for (i, &start) in corners.iter().enumerate() {
         let end = corners.get(i + 1).copied().unwrap_or(corners[0] + n);
         let turning: f64 = (start + 1..end).map(|k| turn(k % n)).sum();
-        // A loop without corners closes with at least three edges.
+        // A loop without corners keeps at least three edges.
         let least = if corners.len() < 3 { 3 } else { 1 };
         let edges = (end - start).div_ceil(stride).max((turning / CORNER).ceil() as usize).max(least).min(end - start);
         kept.extend((0..edges).map(|j| ((start + j * (end - start) / edges) % n) as u32));
@@ -289,22 +294,23 @@ fn kept_points(points: &[DVec3], stride: usize) -> Vec<u32> {
     kept
 }
 
-/// Where the film's boundary vertices stand on the input polygons.
+/// The places of the film's boundary vertices on the input polygons.
 #[derive(Debug)]
 struct BoundaryPlaces<'a> {
     polygons: &'a [Vec<DVec3>],
     may_add: bool,
-    /// Refinements so far.
+    /// Number of refinements so far.
     level: u32,
-    /// Whether the last refinement left the boundary polygon as it was, having no input point to add.
+    /// Whether the last refinement added no input point, so that the boundary polygon stayed the same.
     same_polygon: bool,
-    /// For each vertex of the film's boundary loops its place on the polygon: an input point's index, or in between.
+    /// For each vertex of the film's boundary loops its place on the polygon: the index of an input point, or a number
+    /// between two indices.
     places: Vec<Vec<f64>>,
 }
 
 impl<'a> BoundaryPlaces<'a> {
-    /// Finds the places of a coarse film's boundary vertices; those added on an edge that skips input points are moved
-    /// to one of these. `None` if there are too few of them.
+    /// Finds the places of the boundary vertices of a coarse film. A vertex that was added on an edge that skips input
+    /// points is moved to one of these points. `None` if there are too few of them.
     fn new(film: &mut Film, plan: &Plan, polygons: &'a [Vec<DVec3>], may_add: bool) -> Option<Self> {
         let mut places = Vec::with_capacity(polygons.len());
         let mut first = 0u32;
@@ -349,7 +355,7 @@ impl<'a> BoundaryPlaces<'a> {
     /// Halves every edge that can be halved. Also returns the ends of the edges that the new vertices halve.
     fn refine(&mut self, film: &Film) -> (Film, Vec<[u32; 2]>) {
         let old = film.vertices.len();
-        // The boundary edges, smaller vertex first, with the place where each is to be halved.
+        // The boundary edges, each with the smaller vertex first, and the place at which each is halved.
         let mut edges: Vec<([u32; 2], Option<f64>)> = Vec::new();
         for ((boundary, places), polygon) in film.boundaries.iter().zip(&self.places).zip(self.polygons) {
             for k in 0..boundary.len() {
@@ -406,8 +412,8 @@ impl<'a> BoundaryPlaces<'a> {
         (Film { vertices, topology, fixed, locked: Vec::new(), boundaries }, midpoints)
     }
 
-    /// Where an edge between two places is halved: at the middle one of the input points in between, else in the middle
-    /// if points may be added.
+    /// The place at which an edge between two places is halved: the middle one of the input points between them. If
+    /// there is none, it is the middle of the edge if points may be added.
     fn middle(&self, start: f64, end: f64) -> Option<f64> {
         let (lowest, highest) = (start.floor() + 1.0, end.ceil() - 1.0);
         if lowest <= highest {
@@ -417,7 +423,7 @@ impl<'a> BoundaryPlaces<'a> {
         }
     }
 
-    /// The film with its vertices in the promised order: input points, points added on the boundaries, the interior.
+    /// The film with its vertices in the documented order: input points, points added on the boundaries, the interior.
     fn input_points_first(&self, film: Film) -> Film {
         const UNPLACED: u32 = u32::MAX;
         let mut place = vec![UNPLACED; film.vertices.len()];
@@ -439,7 +445,7 @@ impl<'a> BoundaryPlaces<'a> {
     }
 }
 
-/// The point at a place on a closed polygon: exactly an input point where the place is whole.
+/// The point at a place on a closed polygon. At a whole number it is exactly an input point.
 fn point_at(polygon: &[DVec3], place: f64) -> DVec3 {
     let n = polygon.len();
     let index = place.floor() as usize;
@@ -466,7 +472,7 @@ mod tests {
         let kept = kept_points(&points, 8);
         assert!([0, 25, 50, 75].iter().all(|corner| kept.contains(corner)), "{kept:?}");
         assert!(kept.windows(2).all(|pair| pair[1] - pair[0] <= 8) && kept.len() == 16);
-        // A circle of few points turns too much to skip many.
+        // A circle of few points turns too much between neighbours to skip many of them.
         let circle: Vec<DVec3> =
             (0..24).map(|k| DVec3::new((k as f64 * 0.2618).cos(), (k as f64 * 0.2618).sin(), 0.0)).collect();
         assert!(kept_points(&circle, 16).len() >= 10);

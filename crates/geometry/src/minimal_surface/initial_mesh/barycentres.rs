@@ -1,13 +1,14 @@
-//! Liu and Wang's start: candidate points by barycentres from the centroid, a seeded choice of n, Delaunay.
+//! Liu and Wang's initial mesh: candidate points at barycentres from the centroid, n of them chosen by a seed, and
+//! their Delaunay triangulation.
 
-use super::polygon_domain::{Domain, domain_of, snapped};
+use super::polygon_domain::{PlaneLoop, domain_of, snapped};
 use crate::mesh::film::Film;
 use crate::mesh::topology::NONE;
 use crate::random::SplitMix64;
 use crate::{DVec2, DVec3, Error, Execution, polyline};
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
-/// A point of the surface to be, and where it stands in the plane in which the triangulation is made.
+/// A candidate vertex: its position in space and in the plane of the triangulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Candidate {
     space: DVec3,
@@ -20,15 +21,15 @@ impl Candidate {
     }
 }
 
-/// A film with the given loop as boundary (vertices 0.., in order) and `interior_vertices` more, chosen by
-/// `seed` among Liu and Wang's candidates: the loop's centroid, then the barycentre of each triangle that the centroid
-/// and a side of the loop span, then the barycentres of the three parts into which each barycentre cuts its triangle,
-/// and so on, until there are at least as many as asked for.
+/// A film with the given loop as boundary (vertices 0, 1, … in order) and `interior_vertices` more. These are chosen by
+/// `seed` among Liu and Wang's candidates: the centroid of the loop; the barycentre of each triangle between the
+/// centroid and a side of the loop; the barycentres of the three parts into which a barycentre divides its triangle;
+/// and so on, until there are at least as many as are wanted.
 ///
-/// The triangulation is constrained Delaunay in the plane onto which the loop encloses the largest area, if the loop's
-/// image there is simple, and else in the disk with the loop on its rim by arc length. Candidates outside of the loop's
-/// image (concave loops) are passed over. Our departure: the last side of the loop, which the paper's indices leave
-/// out, gets its candidates too.
+/// The triangulation is constrained Delaunay in the plane in which the loop encloses the largest area, if the image of
+/// the loop is simple there. Otherwise it is made in the disc with the loop on its circle by arc length. Candidates
+/// outside the image of the loop (for concave loops) are left out. Departure from the paper: the last side of the loop,
+/// which the indices of the paper leave out, gets candidates too.
 ///
 /// # Errors
 /// [`Error::NoResult`] with `no_room_for_interior_vertices` if ten levels of candidates do not hold enough, with
@@ -54,7 +55,7 @@ pub(crate) fn candidate_mesh(
 
 fn triangulate(
     boundary: &[DVec3],
-    domain: &Domain,
+    domain: &PlaneLoop,
     interior_vertices: usize,
     seed: u64,
     execution: &Execution<'_>,
@@ -91,7 +92,7 @@ fn triangulate(
         .ok_or_else(|| failed("The loop's image does not bound one disk."))
 }
 
-/// Whether the film's boundary edges are exactly those from vertex k to k + 1, of the first m.
+/// Whether the boundary edges of the film are exactly those from vertex k to k + 1 of the first m vertices.
 fn is_only_boundary(film: &Film, m: u32) -> bool {
     let topology = &film.topology;
     let mut count = 0;
@@ -101,10 +102,10 @@ fn is_only_boundary(film: &Film, m: u32) -> bool {
     }) && count == m
 }
 
-/// Level by level, until at least `wanted` candidates lie inside the domain.
+/// The candidates level by level, until at least `wanted` lie inside the domain.
 fn candidates(
     boundary: &[DVec3],
-    domain: &Domain,
+    domain: &PlaneLoop,
     wanted: usize,
     execution: &Execution<'_>,
 ) -> Result<Vec<Candidate>, Error> {
@@ -142,8 +143,9 @@ fn candidates(
     Ok(found)
 }
 
-/// Drops candidates that stand where an earlier one does in the plane (two triangles of a symmetric loop may share a
-/// barycentre), whose lengths are those of a unit disk. The order stays that of generation, which no motion changes.
+/// Removes candidates at the position of an earlier one in the plane, because two triangles of a symmetric loop may
+/// share a barycentre. Lengths are those of a unit disc. The order remains that of generation, which does not depend on
+/// the position of the loop in space.
 fn drop_repeated(found: &mut Vec<Candidate>) {
     const SAME: f64 = 1e-9;
     let mut order: Vec<usize> = (0..found.len()).collect();
@@ -161,7 +163,7 @@ fn drop_repeated(found: &mut Vec<Candidate>) {
     found.retain(|_| !repeated.next().unwrap_or(false));
 }
 
-/// A choice of `count`, each subset equally likely over the seeds, in the candidates' order.
+/// A choice of `count` candidates in their order. Over the seeds each subset is equally likely.
 fn choose(candidates: Vec<Candidate>, count: usize, seed: u64) -> Vec<Candidate> {
     let mut seeded = SplitMix64::new(seed);
     let mut order: Vec<usize> = (0..candidates.len()).collect();

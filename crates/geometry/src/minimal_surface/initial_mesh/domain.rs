@@ -1,4 +1,4 @@
-//! The plane domains that initial meshes are made in, and how large a length in space is there.
+//! The plane domains in which initial meshes are made, and the scale between lengths in space and in the plane.
 
 use super::sampling::Sampled;
 use super::strip::Matching;
@@ -16,9 +16,9 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    /// Through the points' mean, its normal along the largest of the boundaries' area vectors (the plane in which it
-    /// encloses most); if that vanishes, across the two directions in which the points spread most. `None` if they lie
-    /// on one line.
+    /// The plane through the mean of the points whose normal is the largest of the area vectors of the boundaries: the
+    /// plane in which that boundary encloses most. If the area vectors vanish, the plane contains the two directions in
+    /// which the points spread most. `None` if all points lie on one line.
     pub fn best(boundaries: &[Vec<DVec3>]) -> Option<Self> {
         let all: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
         let origin = polyline::mean(&all);
@@ -34,7 +34,7 @@ impl Frame {
             }
         }
         if normal.length() <= 1e-6 * spread {
-            // The farthest point, and the one farthest from the line to it, span the plane.
+            // The plane contains the farthest point, and the one farthest from the line to it.
             let far = all
                 .iter()
                 .map(|p| *p - origin)
@@ -48,8 +48,8 @@ impl Frame {
             }
         }
         let normal = normal.normalize();
-        // The first boundary's first segment that is not along the normal fixes the turn, so that it follows the
-        // input's.
+        // The first segment of the first boundary that is not along the normal determines the direction of x, so that
+        // the frame turns with the input.
         let first = &boundaries[0];
         let x = (0..first.len())
             .map(|k| (first[(k + 1) % first.len()] - first[k]).reject_from_normalized(normal))
@@ -78,30 +78,31 @@ impl Frame {
     }
 }
 
-/// How boundaries in space become polygons in the plane.
+/// The map from boundaries in space to polygons in the plane.
 #[derive(Clone, Debug)]
 pub(super) enum Shape {
     /// Projected onto a plane.
     Plane(Frame),
-    /// The first boundary on the unit circle, every other one on a smaller circle inside; arc length is kept loop by
-    /// loop.
+    /// The outer boundary becomes the unit circle and every other one a smaller circle inside. Arc length is preserved
+    /// on each loop up to a factor.
     Disc { outer: usize, holes: Vec<Hole> },
 }
 
-/// Where a boundary becomes a circle inside the unit disc.
+/// The circle inside the unit disc that a boundary becomes.
 #[derive(Clone, Debug)]
 pub(super) struct Hole {
     /// The boundary's index.
     boundary: usize,
     centre: DVec2,
     radius: f64,
-    /// The angle on the circle of the boundary's first point, and which way round it runs.
+    /// The angle of the first point of the boundary on the circle, and the direction in which the boundary runs.
     start: f64,
     turn: f64,
 }
 
 impl Shape {
-    /// A disc for one boundary; for more, the longest outside and the others inside, each facing it as in space.
+    /// A disc for one boundary. Of several boundaries the longest is outside, and the others are inside, each facing it
+    /// as in space.
     pub fn disc(boundaries: &[Vec<DVec3>]) -> Self {
         let lengths: Vec<f64> = boundaries.iter().map(|points| polyline::length(points, true)).collect();
         let mut outer = 0;
@@ -118,7 +119,7 @@ impl Shape {
                 let angles = directions(boundaries, outer, &others);
                 let mut placed: Vec<(f64, usize)> = angles.into_iter().zip(others.iter().copied()).collect();
                 placed.sort_by(|a, b| a.0.total_cmp(&b.0));
-                // Evenly around, in the order of their directions.
+                // They are spread evenly, in the order of their directions.
                 let count = placed.len() as f64;
                 let first = placed[0].0;
                 placed.iter().enumerate().map(|(k, &(_, hole))| (first + TAU * k as f64 / count, hole)).collect()
@@ -130,7 +131,7 @@ impl Shape {
                 let (p, q) = (&boundaries[outer], &boundaries[boundary]);
                 let matching = Matching::between(p, q);
                 let (centre, radius) = if others.len() == 1 {
-                    // The annulus whose rings are as far apart, for their length, as the boundaries are in space.
+                    // The ratio of the gap to the mean length of the two circles is that of the boundaries in space.
                     let gap = mean_gap(p, q, &matching);
                     let radius = (-TAU * gap / (0.5 * (lengths[outer] + lengths[boundary]))).exp();
                     (DVec2::ZERO, radius.clamp(0.02, 0.9))
@@ -140,7 +141,7 @@ impl Shape {
                     (0.5 * DVec2::from_angle(angle), radius.max(0.05))
                 };
                 let turn = if reversed(&matching) { -1.0 } else { 1.0 };
-                // Q's point opposite P's first stands at the angle 0 of its circle.
+                // The point of Q that is opposite to P's first point stands at the angle 0 of its circle.
                 let opposite = polyline::length(&q[..=matching.order[0]], false) / lengths[boundary];
                 Hole { boundary, centre, radius, start: -turn * TAU * opposite, turn }
             })
@@ -163,7 +164,7 @@ impl Shape {
             .collect()
     }
 
-    /// How long a unit of length in space is at a place of the plane.
+    /// The length in the plane of a unit of length in space, at a position of the plane.
     pub fn scale<'a>(&'a self, boundaries: &[Vec<DVec3>]) -> Box<dyn Fn(DVec2) -> f64 + 'a> {
         match self {
             Self::Plane(_) => Box::new(|_| 1.0),
@@ -171,7 +172,7 @@ impl Shape {
                 let on = |k: usize, radius: f64| TAU * radius / polyline::length(&boundaries[k], true);
                 let outside = on(*outer, 1.0);
                 let scales: Vec<f64> = holes.iter().map(|hole| on(hole.boundary, hole.radius)).collect();
-                // In between by the inverse of the distances, as a mean of logarithms.
+                // Between the circles it is the mean of the logarithms, weighted by the inverse of the distances.
                 Box::new(move |p| {
                     let weight = |distance: f64| 1.0 / distance.max(1e-3);
                     let rim = weight(1.0 - p.length());
@@ -213,7 +214,7 @@ fn mean_gap(p: &[DVec3], q: &[DVec3], matching: &Matching) -> f64 {
     sum / matching.bridges.len() as f64
 }
 
-/// The angle on the outer circle that each other boundary lies nearest to.
+/// For each other boundary the angle of the nearest point on the outer circle.
 fn directions(boundaries: &[Vec<DVec3>], outer: usize, others: &[usize]) -> Vec<f64> {
     let rim = &boundaries[outer];
     let centre = polyline::mean(rim);

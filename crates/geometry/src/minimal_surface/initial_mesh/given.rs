@@ -8,12 +8,13 @@ use crate::mesh::measure::is_degenerate;
 use crate::mesh::topology::{NONE, Topology};
 use crate::{DVec3, Error, Mesh, Place};
 
-/// Largest distance of a further boundary vertex from its segment, as a fraction of the segment's length.
+/// Largest distance of an additional boundary vertex from its segment, as a fraction of the length of the segment. A
+/// larger value accepts less exact coordinates.
 const ON_SEGMENT: f64 = 1e-9;
 
-/// A film from the client's mesh: an oriented manifold whose boundary loops are the boundaries, each point exactly, in
-/// either direction, with or without further vertices on their segments; every part has a boundary; constraints are its
-/// vertices and edges.
+/// A film from the client's mesh. The mesh must be an oriented manifold whose boundary loops are the boundaries: each
+/// point exactly, in either direction, with or without further vertices on the segments. Every component must have a
+/// boundary. The constraints must be vertices and edges of the mesh.
 ///
 /// # Errors
 /// [`Error::Input`] under `initial_mesh`, naming the vertices or triangles.
@@ -57,7 +58,7 @@ pub(super) fn build(mesh: &Mesh, boundaries: &[Vec<DVec3>], pins: &Pins) -> Resu
     if topology.components() > 1 && has_closed_part(&topology, mesh) {
         return Err(refuse("has a part without a boundary"));
     }
-    // The polygons' own points first, then the others in their own order.
+    // The points of the polygons come first, then the other vertices in their order.
     let mut number = vec![NONE; mesh.vertices.len()];
     let mut next = 0;
     let own = matched.iter().flat_map(|boundary| boundary.own.iter().map(|&at| boundary.vertices[at]));
@@ -79,13 +80,14 @@ pub(super) fn build(mesh: &Mesh, boundaries: &[Vec<DVec3>], pins: &Pins) -> Resu
     Ok(film)
 }
 
-/// A boundary loop in the polygon's direction, and where in it the polygon's own points stand.
+/// A boundary loop in the direction of the polygon, and the positions of the polygon's points in it.
 struct Matched {
     vertices: Vec<u32>,
     own: Vec<usize>,
 }
 
-/// The loop's vertices from the polygon's first point on, if it runs through all its points in order and nowhere else.
+/// The vertices of the loop from the first point of the polygon on, if the loop passes through all points in order and
+/// otherwise stays on the segments.
 fn follow(mesh: &Mesh, vertices: &[u32], polygon: &[DVec3]) -> Option<Matched> {
     let n = vertices.len();
     let at = |k: usize| mesh.vertices[vertices[k] as usize];
@@ -128,7 +130,7 @@ fn has_closed_part(topology: &Topology, mesh: &Mesh) -> bool {
     reached.contains(&false)
 }
 
-/// Fixes the constraints' vertices and locks their edges, which the mesh must have.
+/// Fixes the vertices of the constraints and locks their edges. The mesh must have these edges.
 fn fix(film: &mut Film, pins: &Pins) -> Result<(), Error> {
     let mut known: Vec<([u64; 3], u32)> =
         film.vertices.iter().enumerate().map(|(v, &point)| (bits(point), v as u32)).collect();
@@ -165,7 +167,7 @@ mod tests {
     fn square() -> (Mesh, Vec<DVec3>) {
         let at = |x, y| DVec3::new(x, y, 0.0);
         let corners = vec![at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)];
-        // The centre first, a further vertex on the first side.
+        // The centre comes first, and there is an additional vertex on the first side.
         let mut vertices = vec![at(0.5, 0.5), at(0.5, 0.0)];
         vertices.extend(&corners);
         let rim = [2u32, 1, 3, 4, 5];

@@ -1,19 +1,20 @@
 //! Interior points of a graded mesh: an equilateral lattice whose spacing follows a size field.
 //!
-//! The lattice is refined by halving, triangle by triangle, down to the wanted size, so that the lattices of all sizes
-//! are nested and one passes into the next without a seam. Delaunay triangles on these points are equilateral wherever
-//! the size is constant.
+//! The lattice is refined by halving triangles until they have the wanted size. The lattices of all sizes are therefore
+//! nested, and one changes into the next without a seam. Where the size is constant, the Delaunay triangles of these
+//! points are equilateral.
 
 use crate::execution::{Execution, Interruption};
 use glam::DVec2;
 use std::rc::Rc;
 
-/// A piece of boundary (or of a fixed curve; a point if both ends are equal), and the edge length wanted along it.
+/// A piece of the boundary or of a fixed curve, with the wanted edge length along it. If both ends are equal, it is a
+/// point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Source {
     a: DVec2,
     along: DVec2,
-    /// One over the squared length; zero for a point.
+    /// The inverse of the squared length; zero for a point.
     inverse: f64,
     size: f64,
 }
@@ -33,37 +34,40 @@ impl Source {
     }
 }
 
-/// Edge length as a function of place: least of the cap and, over all sources, size + grading × distance.
+/// The wanted edge length as a function of the position: the least of the cap and, over all sources, size + grading ×
+/// distance.
 pub(super) struct SizeField<'a> {
     pub sources: Vec<Source>,
     pub grading: f64,
-    /// Largest size at a place; changes slowly (less than the grading per distance).
+    /// Upper bound of the size at a position. It changes by less than the grading per distance.
     pub cap: &'a dyn Fn(DVec2) -> f64,
 }
 
-/// Points nearer to a source than this share of the local size would make flat triangles.
+/// Smallest distance of a lattice point from a source, as a fraction of the local size; nearer points would make flat
+/// triangles. A larger value leaves wider gaps beside the boundary.
 const CLEARANCE: f64 = 0.6;
 
-/// Halvings from the root: sizes may vary by 2^24 within one domain.
+/// Largest number of halvings from the root, so that sizes may vary by 2^24 within one domain.
 const DEPTH: u32 = 24;
 
 struct Cell {
     corners: [[i64; 2]; 3],
     depth: u32,
-    /// Pointing the other way than the root: then every corner is one of an upright cell too.
+    /// Whether the triangle points the other way than the root. Each of its corners is then a corner of an upright one
+    /// too.
     inverted: bool,
     near: Rc<[u32]>,
 }
 
-/// Some milliseconds' worth.
+/// Number of cells visited between two looks, which takes a few milliseconds.
 const CELLS_BETWEEN_LOOKS: u64 = 1 << 15;
 
-/// A lattice point, row before column, that may stand too near to a source; and the number of a list of the sources
-/// near it.
+/// A lattice point (row, then column) that may stand too near to a source, and the number of the list of sources near
+/// it.
 type Corner = (u64, u32);
 
 impl SizeField<'_> {
-    /// The size at a place, and the distance of the nearest source.
+    /// The size at a position, and the distance of the nearest source.
     fn size_and_clearance(&self, point: DVec2, near: &[u32]) -> (f64, f64) {
         let mut clearance = f64::INFINITY;
         let mut size = (self.cap)(point);
@@ -76,10 +80,11 @@ impl SizeField<'_> {
         (size, clearance)
     }
 
-    /// Lattice points in the rectangle, not too near to any source, sorted by y, then x. `None` if there would be more
-    /// than `limit`. Looks every [`CELLS_BETWEEN_LOOKS`] cells.
+    /// The lattice points in the rectangle that are not too near to a source, sorted by y, then x. `None` if there
+    /// would be more than `limit`. Looks every [`CELLS_BETWEEN_LOOKS`] cells.
     ///
-    /// `spacing` is the lattice's own spacing where nothing else asks for less, at most the cap's largest value.
+    /// `spacing` is the spacing of the lattice where no source needs less. It must not exceed the largest value of the
+    /// cap.
     pub fn lattice(
         &self,
         low: DVec2,
@@ -88,7 +93,7 @@ impl SizeField<'_> {
         limit: usize,
         exec: &Execution,
     ) -> Result<Option<Vec<DVec2>>, Interruption> {
-        // An equilateral triangle around the rectangle, its side the spacing times a power of two.
+        // The root is an equilateral triangle around the rectangle. Its side is the spacing times a power of two.
         let row = 0.75f64.sqrt();
         let extent = high - low;
         let needed = extent.x + 2.0 * extent.y + 2.0 * spacing;
@@ -150,7 +155,8 @@ impl SizeField<'_> {
             if found.len() > merged + 2 * limit {
                 merge(&mut found);
                 merged = found.len();
-                // Those too near to a source do not count; far more than the limit cannot all be such.
+                // Points that are too near to a source do not count. If there are far more points than the limit,
+                // others must be among them.
                 if merged > 2 * limit {
                     return Ok(None);
                 }
@@ -166,7 +172,7 @@ impl SizeField<'_> {
         Ok((points.len() <= limit).then_some(points))
     }
 
-    /// The sources that can set the size, or stand too near, anywhere within `reach` of a point.
+    /// The sources that can determine the size, or be too near, anywhere within `reach` of a point.
     fn narrowed(&self, centre: DVec2, reach: f64, size: f64, near: &[u32]) -> Rc<[u32]> {
         let spread = self.grading * reach;
         let matters = |&&k: &&u32| {
@@ -179,7 +185,7 @@ impl SizeField<'_> {
     }
 }
 
-/// Which of the points (sorted by y) lie inside the closed polygons, by the parity of crossings.
+/// For each point (sorted by y) whether it lies inside the closed polygons, by the parity of crossings.
 pub(super) fn inside(loops: &[Vec<DVec2>], points: &[DVec2]) -> Vec<bool> {
     let mut segments: Vec<(DVec2, DVec2)> = Vec::new();
     for points in loops {

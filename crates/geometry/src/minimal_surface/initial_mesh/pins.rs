@@ -1,4 +1,5 @@
-//! Fixed points and curves inside a film: which mesh vertices they need, and where these stand in the plane domain.
+//! Fixed points and curves inside a film: the mesh vertices that they need, and the positions of these in the plane
+//! domain.
 
 use super::domain::Shape;
 use crate::mesh::film::Film;
@@ -11,7 +12,7 @@ use std::collections::BTreeMap;
 /// A vertex of a fixed curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Pin {
-    /// A point of the boundaries, counted through all boundaries.
+    /// A point of a boundary, by its number among the points of all boundaries.
     Boundary(u32),
     /// An entry of [`Pins::points`].
     Inner(u32),
@@ -23,18 +24,18 @@ type Known = BTreeMap<[u64; 3], Pin>;
 /// The constraints as vertices and edges.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Pins {
-    /// Vertices that are not on the boundary, each once.
+    /// The vertices that are not on the boundary, each once.
     pub points: Vec<DVec3>,
     pub edges: Vec<[Pin; 2]>,
 }
 
 impl Pins {
-    /// Points that equal one of the boundary's, or each other, are one vertex. With `refine`, curves are cut into
+    /// Points that equal a boundary point, or each other, become one vertex. With `refine`, curves are divided into
     /// pieces of about `size`.
     pub fn new(constraints: &Constraints, boundaries: &[Vec<DVec3>], size: f64, sampling: BoundarySampling) -> Self {
         let mut known = Known::new();
         for (k, &point) in boundaries.iter().flatten().enumerate() {
-            // Points that occur twice on the boundary keep their first number.
+            // A point that occurs twice on the boundary keeps its first number.
             known.entry(bits(point)).or_insert(Pin::Boundary(k as u32));
         }
         let mut pins = Self::default();
@@ -72,8 +73,8 @@ impl Pins {
         })
     }
 
-    /// Where the inner vertices stand in the plane: projected, or at the nearest point of a film that was mapped from
-    /// there. The nearest point is looked for in all triangles, with a look for each point.
+    /// The positions of the inner vertices in the plane: projected, or the nearest point of a film that was mapped from
+    /// the plane. The nearest point is searched for in all triangles, with one look for each point.
     ///
     /// # Errors
     /// The interruptions of `exec`.
@@ -95,17 +96,18 @@ impl Pins {
     }
 }
 
-/// Coordinates as sortable bits; -0 and 0 are one.
+/// The bits of the coordinates, as a sortable key. -0 and 0 have the same key.
 pub(crate) fn bits(point: DVec3) -> [u64; 3] {
     (point + DVec3::ZERO).to_array().map(f64::to_bits)
 }
 
-/// The plane position of the film's point nearest to a point in space, a little inside its triangle.
+/// The plane position of the point of the film that is nearest to a point in space. It is moved a little into its
+/// triangle.
 fn nearest(film: &Film, flat: &[DVec2], point: DVec3) -> DVec2 {
     let mut best = (f64::INFINITY, DVec2::ZERO);
     for &triangle in film.triangles() {
         let weights = nearest_weights(film.corners(triangle), point);
-        // Not quite on an edge: the boundary's are the domain's own.
+        // The point must not lie on an edge, because the boundary edges are those of the domain.
         let weights = weights.map(|weight| (weight + 0.01) / 1.03);
         let at: DVec3 = film.corners(triangle).iter().zip(weights).map(|(&p, weight)| p * weight).sum();
         let distance = at.distance_squared(point);
@@ -117,7 +119,7 @@ fn nearest(film: &Film, flat: &[DVec2], point: DVec3) -> DVec2 {
     best.1
 }
 
-/// Barycentric weights of a triangle's point nearest to a point in space.
+/// Barycentric weights of the point of a triangle that is nearest to a point in space.
 fn nearest_weights([a, b, c]: [DVec3; 3], point: DVec3) -> [f64; 3] {
     let normal = double_area_vector([a, b, c]);
     let scale = normal.length_squared();

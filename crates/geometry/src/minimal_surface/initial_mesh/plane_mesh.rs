@@ -8,43 +8,44 @@ use crate::{DVec3, Execution, Interruption};
 use glam::DVec2;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
-/// A domain to be meshed, at any scale near 1.
+/// A plane region to be meshed. Its lengths are of the order of 1.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Domain {
-    /// Closed polygons; inside is what an odd number of them encloses.
+pub(super) struct PlaneRegion {
+    /// Closed polygons. A point is inside if an odd number of them encloses it.
     pub loops: Vec<Vec<DVec2>>,
     /// Points inside that become vertices.
     pub points: Vec<DVec2>,
-    /// Edges that must be there, between vertices counted loop by loop and then through `points`.
+    /// Edges that the mesh must have, between vertices that are numbered loop by loop and then through `points`.
     pub segments: Vec<[u32; 2]>,
 }
 
-/// Vertices: the loops' points, the fixed points, then the lattice's.
+/// A mesh whose vertices are the points of the loops, the fixed points, and then those of the lattice.
 #[derive(Clone, Debug)]
 pub(super) struct PlaneMesh {
     pub points: Vec<DVec2>,
     pub topology: Topology,
 }
 
-/// Why a domain has no mesh.
+/// Why a region has no mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum PlaneError {
-    /// The boundary (or a fixed edge) crosses or touches itself; the first such edge, by its two vertices.
+    /// The boundary or a fixed edge crosses or touches itself. The first such edge, by its two vertices.
     NotSimple([u32; 2]),
     TooManyPoints,
     /// A fixed point (by its number among them) does not lie inside the boundaries.
     PointOutside(u32),
-    /// The boundary's own points already make so many triangles, which is more than were asked for.
+    /// The points of the boundary already make so many triangles, which is more than are wanted.
     TooCoarse {
         triangles: usize,
     },
     Interrupted(Interruption),
 }
 
-/// Rounds of relaxation and flips that even the lattice out where it meets the boundary.
+/// Number of rounds of relaxation and flips that smooth the lattice beside the boundary. A larger value gives more even
+/// triangles there.
 const SMOOTHING_ROUNDS: u32 = 4;
 
-impl Domain {
+impl PlaneRegion {
     fn boundary_points(&self) -> usize {
         self.loops.iter().map(Vec::len).sum()
     }
@@ -54,7 +55,7 @@ impl Domain {
         self.loops.iter().flatten().chain(&self.points).copied().collect()
     }
 
-    /// The boundary's edges as vertex pairs, in the loops' direction.
+    /// The boundary edges as pairs of vertices, in the direction of the loops.
     fn boundary_edges(&self) -> Vec<[u32; 2]> {
         let mut first = 0;
         let mut edges = Vec::with_capacity(self.boundary_points());
@@ -66,16 +67,16 @@ impl Domain {
         edges
     }
 
-    /// All edges that must be there.
+    /// All edges that the mesh must have.
     fn edges(&self) -> Vec<[u32; 2]> {
         self.boundary_edges().into_iter().chain(self.segments.iter().copied()).collect()
     }
 
-    /// Where a mesh's vertices are to stand: the fixed ones, then a lattice's. Sizes from the lengths of the boundary's
-    /// edges and of the fixed ones, growing with `grading` to the cap.
+    /// The positions of the vertices: the fixed ones, then those of a lattice. The sizes come from the lengths of the
+    /// boundary edges and of the fixed edges, and grow by `grading` up to the cap.
     ///
     /// # Errors
-    /// See [`PlaneError`]; a boundary that crosses itself shows only in [`mesh`](Self::mesh).
+    /// See [`PlaneError`]. A boundary that crosses itself is found only by [`mesh`](Self::mesh).
     pub fn sites(
         &self,
         cap: &dyn Fn(DVec2) -> f64,
@@ -136,7 +137,7 @@ impl Domain {
         self.loops.iter().enumerate().map(part).sum()
     }
 
-    /// Mean edge length of the triangles on the sites, before they are evened out.
+    /// Mean edge length of the triangles on the sites, before smoothing.
     ///
     /// # Errors
     /// [`PlaneError::NotSimple`].
@@ -144,13 +145,13 @@ impl Domain {
         let triangles = self.triangulate(sites, &self.edges())?;
         let length = |a: u32, b: u32| sites[a as usize].distance(sites[b as usize]);
         let around: f64 = triangles.iter().map(|&[a, b, c]| length(a, b) + length(b, c) + length(c, a)).sum();
-        // Every inner edge was counted twice, the boundary's once.
+        // Every inner edge was counted twice, every boundary edge once.
         let boundary = self.boundary_edges();
         let rim: f64 = boundary.iter().map(|&[a, b]| length(a, b)).sum();
         Ok((around + rim) / (3 * triangles.len() + boundary.len()) as f64)
     }
 
-    /// Triangulates the fixed and the free points and evens the free ones out.
+    /// Triangulates the fixed and the free points, and smooths the free ones.
     ///
     /// # Errors
     /// See [`PlaneError`].
@@ -182,7 +183,7 @@ impl Domain {
         order.sort_by(|&s, &t| area(t).total_cmp(&area(s)).then(s.cmp(&t)));
         let mut points = mesh.points.clone();
         let mut taken = vec![false; points.len()];
-        // First those that share no corner, so that the new points do not crowd.
+        // Triangles that share no corner come first, so that the new points keep a distance.
         let mut added = 0;
         for t in order {
             let triangle = mesh.topology.triangles()[t as usize];
@@ -224,7 +225,7 @@ impl Domain {
             return Err(PlaneError::NotSimple(edge));
         }
         if triangulation.num_vertices() != points.len() {
-            // Two points fell together; numbers after the first of them have shifted.
+            // Two points coincide, so the numbers after the first of them have shifted.
             return Err(PlaneError::NotSimple(edges[0]));
         }
         let hull: Vec<[u32; 3]> =
@@ -236,7 +237,7 @@ impl Domain {
             let (a, b) = (topology.from(h), topology.to(h));
             boundary.binary_search(&[a.min(b), a.max(b)]).is_ok()
         };
-        // Flood from the hull inwards; crossing the boundary changes sides.
+        // The search goes from the hull inwards. Crossing the boundary changes between outside and inside.
         let mut side: Vec<Option<bool>> = vec![None; hull.len()];
         let mut stack: Vec<(u32, bool)> = (0..3 * hull.len() as u32)
             .filter(|&h| topology.twin[h as usize] == NONE)
@@ -255,7 +256,8 @@ impl Domain {
             }
         }
         let kept = |t: usize| side[t] == Some(true);
-        // Every boundary edge must separate inside from outside: an edge that passes through a vertex is not there.
+        // Every boundary edge must separate inside from outside. An edge that passes through a vertex is missing in the
+        // triangulation.
         let present = (0..3 * hull.len() as u32)
             .filter(|&h| {
                 let twin = topology.twin[h as usize];
@@ -268,7 +270,7 @@ impl Domain {
         Ok((0..hull.len()).filter(|&t| kept(t)).map(|t| hull[t]).collect())
     }
 
-    /// A boundary edge that the triangulation does not have (because it passes through a vertex), or the first.
+    /// A boundary edge that the triangulation lacks because it passes through a vertex, or the first edge.
     fn missing_edge(&self, topology: &Topology) -> [u32; 2] {
         let edges = self.boundary_edges();
         edges.iter().copied().find(|&[a, b]| !topology.are_adjacent(a, b)).unwrap_or(edges[0])
@@ -292,7 +294,7 @@ mod tests {
     }
 
     fn mesh(loops: Vec<Vec<DVec2>>, size: f64) -> Result<Film, PlaneError> {
-        let domain = Domain { loops, ..Domain::default() };
+        let domain = PlaneRegion { loops, ..PlaneRegion::default() };
         let exec = Execution::default();
         let sites = domain.sites(&|_| size, size, 0.3, 1_000_000, &exec)?;
         let plane = domain.mesh(&sites, &exec)?;
@@ -347,7 +349,7 @@ mod tests {
 
     #[test]
     fn fixed_points_and_edges_are_in_the_mesh() {
-        let domain = Domain {
+        let domain = PlaneRegion {
             loops: vec![polygon(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)], 0.2)],
             points: vec![DVec2::new(0.31, 0.52), DVec2::new(0.69, 0.47), DVec2::new(0.5, 0.1)],
             segments: vec![[20, 21]],

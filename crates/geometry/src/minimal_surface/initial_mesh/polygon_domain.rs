@@ -2,14 +2,15 @@
 
 use crate::{DVec2, DVec3, polyline};
 
-/// The images of the loop's points, counter-clockwise.
+/// The images of the loop's points, anticlockwise.
 #[derive(Clone, Debug)]
-pub(super) struct Domain {
+pub(super) struct PlaneLoop {
     pub rim: Vec<DVec2>,
 }
 
-impl Domain {
-    /// Whether a point lies inside the rim (even-odd; a point on the rim may count either way).
+impl PlaneLoop {
+    /// Whether a point lies inside the polygon, by the parity of crossings. A point on the polygon may count either
+    /// way.
     pub fn contains(&self, point: DVec2) -> bool {
         let mut inside = false;
         let mut previous = self.rim[self.rim.len() - 1];
@@ -25,10 +26,11 @@ impl Domain {
     }
 }
 
-/// Domains to try, best first: the plane of the loop's area vector, then the disk with arc length along its rim.
+/// The images to try, the best first: in the plane across the area vector of the loop, then on the unit circle by arc
+/// length.
 ///
-/// The first is left out where the loop encloses no area; whether it is simple is for the triangulation to find out.
-pub(super) fn domain_of(boundary: &[DVec3]) -> Vec<Domain> {
+/// The first is left out if the loop encloses no area. The triangulation finds out whether it is simple.
+pub(super) fn domain_of(boundary: &[DVec3]) -> Vec<PlaneLoop> {
     let centre = polyline::mean(boundary);
     let m = boundary.len();
     let offset: Vec<DVec3> = boundary.iter().map(|p| *p - centre).collect();
@@ -37,7 +39,8 @@ pub(super) fn domain_of(boundary: &[DVec3]) -> Vec<Domain> {
     let mut domains = Vec::new();
     if area_vector.length() > 1e-6 * reach2 {
         let normal = area_vector.normalize();
-        // A direction that turns with the loop. u, v, normal are right-handed, so the loop runs counter-clockwise.
+        // The direction u turns with the loop. The vectors u, v, normal are right-handed, so the loop runs
+        // anticlockwise.
         let farthest = (0..m).fold(0, |best, k| {
             let reach = |k: usize| offset[k].reject_from_normalized(normal).length_squared();
             if reach(k) > reach(best) * (1.0 + 1e-9) { k } else { best }
@@ -45,7 +48,8 @@ pub(super) fn domain_of(boundary: &[DVec3]) -> Vec<Domain> {
         let u = offset[farthest].reject_from_normalized(normal).normalize();
         let v = normal.cross(u);
         let scale = 1.0 / reach2.sqrt();
-        domains.push(Domain { rim: offset.iter().map(|p| snapped(DVec2::new(p.dot(u), p.dot(v)) * scale)).collect() });
+        domains
+            .push(PlaneLoop { rim: offset.iter().map(|p| snapped(DVec2::new(p.dot(u), p.dot(v)) * scale)).collect() });
     }
     let total = polyline::length(boundary, true);
     let mut walked = 0.0;
@@ -55,12 +59,12 @@ pub(super) fn domain_of(boundary: &[DVec3]) -> Vec<Domain> {
         rim.push(snapped(DVec2::new(angle.cos(), angle.sin())));
         walked += boundary[k].distance(boundary[(k + 1) % m]);
     }
-    domains.push(Domain { rim });
+    domains.push(PlaneLoop { rim });
     domains
 }
 
-/// The nearest point of a fine grid. Symmetric loops put four points on one circle; the choice of diagonal must not
-/// hang on the last bits, which a change of scale or a motion alters.
+/// The nearest point of a fine grid. Symmetric loops put four points on one circle. The grid keeps the last bits, which
+/// depend on scale and position, from deciding which diagonal is chosen.
 pub(super) fn snapped(point: DVec2) -> DVec2 {
     const GRID: f64 = (1u64 << 32) as f64;
     (point * GRID).round() / GRID

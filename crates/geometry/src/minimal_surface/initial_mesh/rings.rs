@@ -1,14 +1,18 @@
 //! Chen, Cai, Zheng, *Constructing Triangular Meshes of Minimal Area*, section 3.4: an initial mesh with an exact
 //! number of triangles.
 //!
-//! 1. One boundary of n points: s = floor((m - n) / 2n) rings of n points on the segments from the boundary points to
-//!    their mean, and the mean itself: (2 s + 1) n triangles.
-//! 2. The rest, an even number, by splitting triangles of the outer ring into three at their centre.
+//! 1. For one boundary of n points: s = floor((m - n) / 2n) rings of n points on the segments from the boundary points
+//!    to their mean, and the mean itself. These are (2 s + 1) n triangles.
+//! 2. The remaining triangles, an even number, come from splitting triangles of the outer ring into three at their
+//!    centre.
 //!
-//! Departures. Two boundaries (their Fig. 9 shows the result, the text leaves the mesh open): rings of as many points
-//! as the longer list has, on the bridges of a strip between the two, so that m = n₁ + n₂ + 2 × interior vertices. The
-//! triangles to be split are spread evenly over the outer ring (theirs: any). With `refine` the boundary is first
-//! sampled as finely as the mesh is to be, and a count of the wrong parity is raised by one.
+//! Departures from the paper:
+//! - Between two boundaries (their Fig. 9 shows the result, and the text does not describe the mesh) the rings have as
+//!   many points as the longer boundary. They stand on the bridges of a strip between the two, so that m = n₁ + n₂ + 2
+//!   × interior vertices.
+//! - The triangles that are split are spread evenly over the outer ring. In the paper any of them are split.
+//! - With `refine` the boundary is first sampled as finely as the mesh, and a count of the wrong parity is raised by
+//!   one.
 
 use super::sampling::{Sampled, numbers, sample};
 use super::strip::Matching;
@@ -17,7 +21,7 @@ use crate::mesh::film::Film;
 use crate::minimal_surface::options::{BoundarySampling, LARGEST_COUNT, Options, Resolution};
 use crate::{DVec3, Error, Execution, Place, polyline};
 
-/// Rings over one or two boundaries, with exactly the triangles asked for if the boundary is kept.
+/// Rings over one or two boundaries. If the boundary is kept, the number of triangles is exactly the wanted one.
 ///
 /// # Errors
 /// [`Error::Input`] naming the resolution if these boundaries cannot have it.
@@ -50,7 +54,7 @@ pub(super) fn build(boundaries: &[Vec<DVec3>], options: &Options, exec: &Executi
     Ok(renumbered(&skeleton.fill(interior), &numbers(&sampled)))
 }
 
-/// Whether rings on the boundaries as they are can have this resolution.
+/// Checks that rings on these boundaries can have this resolution.
 ///
 /// # Errors
 /// [`Error::Input`] naming the resolution, or the initial mesh if there are more than two boundaries.
@@ -58,7 +62,7 @@ pub(super) fn check(boundaries: &[Vec<DVec3>], resolution: Resolution) -> Result
     Skeleton::of(boundaries)?.interior_vertices(resolution).map(drop)
 }
 
-/// Pieces of the boundary grow by at most this per length.
+/// Upper bound of the growth of boundary pieces, per length. A larger value adds fewer points.
 const GRADING: f64 = 0.3;
 
 /// The film with its first vertices in another order.
@@ -71,20 +75,21 @@ fn renumbered(film: &Film, numbers: &[u32]) -> Film {
     Film::new(vertices, &triangles, boundaries).expect("renaming keeps a manifold")
 }
 
-/// Paths that the rings run along: from each point of the outer loop to its partner further in.
+/// The paths along which the rings follow each other: from each point of the outer loop to its partner on the inner
+/// one.
 struct Skeleton {
     /// All boundary points, boundary by boundary.
     points: Vec<DVec3>,
     boundaries: Vec<Vec<u32>>,
-    /// The boundary whose points the rings repeat.
+    /// The boundary whose number of points the rings have.
     outer: usize,
     inner: Inner,
 }
 
 enum Inner {
-    /// For one boundary: its mean.
+    /// The mean of the boundary, for one boundary.
     Centre(DVec3),
-    /// Two: the other one.
+    /// The other boundary, for two.
     Loop { index: usize, matching: Matching },
 }
 
@@ -119,7 +124,7 @@ impl Skeleton {
         }
     }
 
-    /// Triangles without any interior vertex: n - 2 for a disc, n for an annulus (Euler).
+    /// Number of triangles without an interior vertex: n - 2 for a disc, n for an annulus (Euler).
     fn bare_triangles(&self) -> i64 {
         let n = self.points.len() as i64;
         if matches!(self.inner, Inner::Centre(_)) { n - 2 } else { n }
@@ -159,7 +164,7 @@ impl Skeleton {
         }
     }
 
-    /// Refuses edges so short that the triangles could not be numbered.
+    /// Refuses an edge length that would give more triangles than can be numbered.
     fn check_size(&self, size: f64, area: f64) -> Result<(), Error> {
         let boundary: f64 = self.points.len() as f64;
         if area / (size * size) + boundary > LARGEST_COUNT as f64 {
@@ -215,7 +220,7 @@ impl Skeleton {
 }
 
 /// Splits `splits` of the first `candidates` triangles (those of the outer ring) into three at their centres, evenly
-/// spread; once each has been split, another round over the smaller ones.
+/// spread. When each has been split, the smaller triangles are split in turn.
 fn split_evenly(vertices: &mut Vec<DVec3>, triangles: &mut Vec<[u32; 3]>, candidates: usize, splits: usize) {
     for k in 0..splits {
         let t = k * candidates / splits.max(1);

@@ -1,4 +1,4 @@
-//! Points on a boundary: the polygon's own, and with `refine` more on its long segments.
+//! Points on a boundary: the points of the polygon, and with `refine` further ones on its long segments.
 
 use crate::DVec3;
 use crate::minimal_surface::options::BoundarySampling;
@@ -7,11 +7,12 @@ use crate::minimal_surface::options::BoundarySampling;
 #[derive(Clone, Debug)]
 pub(super) struct Sampled {
     pub points: Vec<DVec3>,
-    /// Whether the point is one of the polygon's own.
+    /// For each point whether it is a point of the polygon.
     pub own: Vec<bool>,
 }
 
-/// Vertex numbers of sampled boundaries' points: the polygons' own first, boundary by boundary, then the added ones.
+/// The vertex numbers of the points of sampled boundaries: first the polygons' points, boundary by boundary, then the
+/// added ones.
 pub(super) fn numbers(boundaries: &[Sampled]) -> Vec<u32> {
     let own = || boundaries.iter().flat_map(|boundary| &boundary.own);
     let (mut next_own, mut next_added) = (0, own().filter(|own| **own).count() as u32);
@@ -24,8 +25,8 @@ pub(super) fn numbers(boundaries: &[Sampled]) -> Vec<u32> {
         .collect()
 }
 
-/// Samples a closed polygon so that no piece is much longer than `size`, and pieces next to short segments grow with
-/// `grading` times the distance along the boundary. Added points lie on the segments; a segment that is short enough
+/// Samples a closed polygon so that no piece is much longer than `size`, and the pieces next to a short segment grow by
+/// `grading` times the distance along the boundary. Added points lie on the segments. A segment that is short enough
 /// stays whole.
 pub(super) fn sample(polygon: &[DVec3], size: f64, grading: f64, sampling: BoundarySampling) -> Sampled {
     if sampling == BoundarySampling::Keep {
@@ -34,7 +35,7 @@ pub(super) fn sample(polygon: &[DVec3], size: f64, grading: f64, sampling: Bound
     let n = polygon.len();
     let lengths: Vec<f64> = (0..n).map(|k| polygon[k].distance(polygon[(k + 1) % n])).collect();
     let mut wanted: Vec<f64> = (0..n).map(|k| size.min(lengths[k]).min(lengths[(k + n - 1) % n])).collect();
-    // Twice round in either direction carries every short segment's size to wherever it matters.
+    // Going round twice in each direction carries the size of every short segment to all others.
     for k in 0..2 * n {
         let (a, b) = (k % n, (k + 1) % n);
         wanted[b] = wanted[b].min(wanted[a] + grading * lengths[a]);
@@ -55,11 +56,11 @@ pub(super) fn sample(polygon: &[DVec3], size: f64, grading: f64, sampling: Bound
     result
 }
 
-/// Largest number of pieces into which a segment is cut.
+/// Largest number of pieces into which one segment is divided. It bounds the size of the mesh where the sizes vanish.
 const MOST_PIECES: f64 = 1e5;
 
-/// Shares of a segment at which it is cut: sizes `from` and `to` at its ends, growing inwards with `grading`, at most
-/// `size`.
+/// Fractions of a segment at which it is divided. The sizes at its ends are `from` and `to`; they grow inwards by
+/// `grading`, up to `size`.
 fn parts(length: f64, from: f64, to: f64, size: f64, grading: f64) -> Vec<f64> {
     let meeting = ((to - from + grading * length) / (2.0 * grading)).clamp(0.0, length);
     let (up, down) = if from + grading * meeting <= size {
@@ -71,7 +72,7 @@ fn parts(length: f64, from: f64, to: f64, size: f64, grading: f64) -> Vec<f64> {
     let flat = (down - up) / size;
     let fall = (1.0 + grading * (length - down) / to).ln() / grading;
     let pieces = rise + flat + fall;
-    // Sizes that the boundary's own spacing makes vanish would ask for points without end.
+    // If the spacing of the boundary makes the sizes vanish, the number of points is bounded.
     let count = if pieces.is_finite() { (pieces - 0.3).ceil().clamp(1.0, MOST_PIECES) as usize } else { 1 };
     (1..count)
         .map(|k| {

@@ -1,16 +1,18 @@
-//! Initial meshes of good triangles at a wanted resolution: a plane domain is meshed, and its mesh carried into space.
+//! Initial meshes with well-shaped triangles at a wanted resolution: a plane domain is meshed, and its mesh is mapped
+//! into space.
 //!
-//! 1. The boundaries become polygons in the plane: projected where that is simple, else circles of the same arc length.
-//! 2. The domain is meshed with sizes graded to the boundary's spacing ([`plane_mesh`](super::plane_mesh)), the size
-//!    adjusted until the resolution is met.
-//! 3. The mesh is carried into space: exactly for a plane boundary, by the heights' harmonic extension for a projected
-//!    one, by the harmonic map of all coordinates from circles (with Delaunay triangles its weights are positive: a
-//!    convex combination map, Tutte 1963, Floater 1997).
-//! 4. Fine meshes are asked for as a coarse one and a number of regular subdivisions.
+//! 1. The boundaries become polygons in the plane: their projections if these are simple, else circles of the same arc
+//!    length.
+//! 2. The domain is meshed with sizes that are graded to the spacing of the boundary
+//!    ([`plane_mesh`](super::plane_mesh)). The size is adjusted until the resolution is met.
+//! 3. The mesh is mapped into space. A plane boundary needs no map. For a projected boundary the heights are extended
+//!    harmonically. From circles all coordinates are harmonic; with Delaunay triangles the weights are positive, so
+//!    this is a convex combination map (Tutte 1963, Floater 1997).
+//! 4. A fine mesh is made as a coarse one and a number of regular subdivisions.
 
 use super::domain::Shape;
 use super::pins::{Pin, Pins};
-use super::plane_mesh::{Domain, PlaneError, PlaneMesh};
+use super::plane_mesh::{PlaneError, PlaneMesh, PlaneRegion};
 use super::sampling::{Sampled, numbers, sample};
 use crate::mesh::edit::orient_along;
 use crate::mesh::film::Film;
@@ -27,7 +29,7 @@ use crate::sparse::{LinearError, Symbolic};
 use crate::{DVec3, Error, Execution, Place, polyline};
 use glam::DVec2;
 
-/// A film at a coarse resolution and how often it is to be subdivided.
+/// A film at a coarse resolution, and the number of subdivisions to the wanted one.
 #[derive(Clone, Debug)]
 pub(crate) struct Start {
     pub film: Film,
@@ -51,37 +53,40 @@ impl Start {
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
-/// Growth of the edge length per distance away from the boundary. Larger: fewer triangles, less even ones.
+/// Growth of the edge length per distance from the boundary. A larger value gives fewer and less even triangles.
 const GRADING: f64 = 0.3;
-/// Largest growth that is tried where the boundary's spacing asks for more triangles than are wanted.
+/// Upper bound of the growth that is tried where the spacing of the boundary asks for more triangles than are wanted.
 const STEEPEST_GRADING: f64 = 20.0;
-/// Smallest number of triangles, roughly, of a mesh that is then subdivided.
+/// Smallest number of triangles, roughly, of a mesh that is then subdivided. A larger value gives more even meshes and
+/// takes longer.
 const COARSE_TRIANGLES: f64 = 450.0;
-/// A size is kept if it meets the resolution to within this fraction.
+/// A size is accepted if it meets the resolution to within this fraction. A larger value takes fewer trials.
 const CLOSE_ENOUGH: f64 = 0.02;
-/// Largest fraction by which the resolution may be missed.
+/// Largest fraction by which the resolution may be missed. A larger value accepts more boundaries.
 const TOLERATED: f64 = 0.1;
-/// Largest number of rounds of solving and isotropic remeshing that even out a mesh that was mapped into space.
+/// Largest number of rounds of solving and isotropic remeshing that improve a mesh that was mapped into space.
 const ROUNDS: u32 = 8;
-/// The area has settled if a round leaves more than this fraction of it.
+/// The area has settled if a round leaves more than this fraction of it. A larger value takes more rounds.
 const SETTLED_AREA: f64 = 0.998;
-/// A projected mesh whose smallest angle (radians) is at least this is left as it is.
+/// A projected mesh whose smallest angle (radians) is at least this is not remeshed. A larger value remeshes more
+/// meshes.
 const GOOD_ANGLE: f64 = 0.44;
-/// Largest number of triangles that are remeshed; larger meshes are only relaxed.
+/// Largest number of triangles of a mesh that is remeshed. Larger meshes are only relaxed, because remeshing takes
+/// longer.
 const LARGEST_RESAMPLED: f64 = 20_000.0;
-/// Where the boundary is kept, a mapped mesh has at most this many triangles, or eight per boundary point, before its edges are
-/// split.
+/// If the boundary is kept, a mapped mesh has at most this many triangles, or eight per boundary point, before its
+/// edges are split. A larger value splits fewer edges.
 const FINEST_MAPPED: usize = 2_000;
-/// Passes of isotropic remeshing from there to the wanted number.
+/// Number of passes of isotropic remeshing from there to the wanted number.
 const FINE_PASSES: u32 = 12;
 /// Largest number of sizes that are tried.
 const TRIALS: u32 = 10;
-/// Number of trials after which twice [`CLOSE_ENOUGH`] suffices.
+/// Number of trials after which twice [`CLOSE_ENOUGH`] is accepted.
 const PATIENCE: u32 = 3;
-/// Largest number of rounds that add vertices where no size gave enough.
+/// Largest number of rounds that add vertices if no size gave enough.
 const DENSIFICATIONS: u32 = 4;
 
-/// A resolution, and how it is counted on a surface of known Euler characteristic.
+/// A resolution, and the Euler characteristic of the surface that it is counted on.
 #[derive(Clone, Copy, Debug)]
 struct Goal {
     resolution: Resolution,
@@ -101,14 +106,14 @@ impl Goal {
         }
     }
 
-    /// Wanted over reached: above 1 the mesh must become finer. In units of triangles (number, not length).
+    /// Ratio of the wanted to the reached number of triangles. Above 1 the mesh must become finer.
     fn shortfall(&self, layout: &Layout, subdivisions: u32) -> f64 {
         let growth = 4f64.powi(subdivisions as i32);
         let triangles = layout.triangles as f64 * growth;
         match self.resolution {
             Resolution::Triangles(count) => count as f64 / triangles,
             Resolution::InteriorVertices(count) => {
-                // Euler: F = 2 (interior) + (boundary) - 2 χ.
+                // By Euler's formula F = 2 (interior) + (boundary) - 2 χ.
                 let boundary = layout.boundary_points() as f64 * 2f64.powi(subdivisions as i32);
                 let interior = 0.5 * (triangles - boundary) + self.euler as f64;
                 (count as f64).max(0.5) / interior.max(0.25)
@@ -121,46 +126,47 @@ impl Goal {
     }
 }
 
-/// Why there is no film: the domain has no mesh, or something that the caller of [`Spanning::build`] passes on.
-enum Failure {
+/// Why there is no film: the domain has no mesh, or another error that [`Spanning::build`] returns.
+enum NoFilm {
     Plane(PlaneError),
     Other(Error),
 }
 
-impl From<PlaneError> for Failure {
+impl From<PlaneError> for NoFilm {
     fn from(error: PlaneError) -> Self {
         Self::Plane(error)
     }
 }
 
-impl From<Error> for Failure {
+impl From<Error> for NoFilm {
     fn from(error: Error) -> Self {
         Self::Other(error)
     }
 }
 
-/// Largest number of edges into which all fixed curves together are cut. Each end is looked for in the whole film.
+/// Largest number of edges into which all fixed curves together are divided. A larger value takes longer, because each
+/// end is searched for in the whole film.
 const MOST_PINS: f64 = 2e4;
 
 static NO_CONSTRAINTS: Constraints = Constraints { points: Vec::new(), polylines: Vec::new() };
 
-/// The constraints, and where their vertices stand in the plane.
+/// The constraints, and the positions of their vertices in the plane.
 #[derive(Clone, Debug, Default)]
 struct Pinned {
     pins: Pins,
     places: Vec<DVec2>,
 }
 
-/// An attempt at the sizes: boundaries as sampled, and where vertices stand between them. It is triangulated only when
-/// it is the one, since the number of triangles does not depend on how.
+/// The result of one trial of a size: the sampled boundaries and the positions of the vertices between them. Only the
+/// accepted layout is triangulated, because the number of triangles does not depend on the triangulation.
 struct Layout {
     boundaries: Vec<Sampled>,
-    domain: Domain,
+    domain: PlaneRegion,
     sites: Vec<DVec2>,
     triangles: usize,
-    /// In space, where the resolution is an edge length.
+    /// Mean edge length in space, if the resolution is an edge length.
     mean_edge: f64,
-    /// Mean of length in the plane per length in space over the sites.
+    /// Mean over the sites of the length in the plane per length in space.
     scale: f64,
 }
 
@@ -173,7 +179,7 @@ impl Layout {
 /// A layout with its mesh.
 struct Meshed {
     boundaries: Vec<Sampled>,
-    domain: Domain,
+    domain: PlaneRegion,
     plane: PlaneMesh,
 }
 
@@ -191,13 +197,13 @@ impl Spanning<'_> {
     pub fn build(&self) -> Result<Result<Start, PlaneError>, Error> {
         match self.try_build() {
             Ok(start) => Ok(Ok(start)),
-            Err(Failure::Plane(PlaneError::Interrupted(interruption))) => Err(interruption.into()),
-            Err(Failure::Plane(error)) => Ok(Err(error)),
-            Err(Failure::Other(error)) => Err(error),
+            Err(NoFilm::Plane(PlaneError::Interrupted(interruption))) => Err(interruption.into()),
+            Err(NoFilm::Plane(error)) => Ok(Err(error)),
+            Err(NoFilm::Other(error)) => Err(error),
         }
     }
 
-    fn try_build(&self) -> Result<Start, Failure> {
+    fn try_build(&self) -> Result<Start, NoFilm> {
         if let Some(resolution) = self.resolution_in_space()? {
             let options = Options { resolution, ..self.options.clone() };
             return Spanning { options: &options, shape: self.shape.clone(), ..*self }.try_build();
@@ -213,8 +219,8 @@ impl Spanning<'_> {
         Ok(Start { film, subdivisions })
     }
 
-    /// For a mapped mesh the number of triangles that an edge length stands for: its area is known in space only.
-    fn resolution_in_space(&self) -> Result<Option<Resolution>, Failure> {
+    /// The number of triangles that an edge length stands for on a mapped mesh, whose area is known in space only.
+    fn resolution_in_space(&self) -> Result<Option<Resolution>, NoFilm> {
         let (Shape::Disc { .. }, Resolution::EdgeLength(_)) = (&self.shape, self.options.resolution) else {
             return Ok(None);
         };
@@ -226,18 +232,18 @@ impl Spanning<'_> {
         if count > LARGEST_COUNT as f64 {
             return Err(PlaneError::TooManyPoints.into());
         }
-        // No fewer than the boundary's own spacing asks for.
+        // The spacing of the boundary may ask for more triangles.
         let least = self.unpinned(self.options).layout(self.largest_size(), GRADING, &Pinned::default())?.triangles;
         Ok(Some(Resolution::Triangles((count.round() as usize).max(least))))
     }
 
-    /// The same without constraints.
+    /// This problem with other options and without constraints.
     fn unpinned<'b>(&'b self, options: &'b Options) -> Spanning<'b> {
         Spanning { options, shape: self.shape.clone(), constraints: &NO_CONSTRAINTS, ..*self }
     }
 
     /// The constraints as vertices and edges, with their places in the plane.
-    fn pinned(&self) -> Result<Pinned, Failure> {
+    fn pinned(&self) -> Result<Pinned, NoFilm> {
         if self.constraints.is_empty() {
             return Ok(Pinned::default());
         }
@@ -250,7 +256,7 @@ impl Spanning<'_> {
                 let spanning = self.unpinned(&coarse);
                 let (meshed, _) = spanning.fit(&Pinned::default())?;
                 let (mut film, flat) = spanning.carry(&meshed, &Pinned::default())?;
-                // A few solves on the same connectivity bring it near the film that the points are meant for.
+                // A few solves on the same connectivity bring the mesh near the film for which the points are meant.
                 if let Ok(mut dirichlet) = Dirichlet::new(&film) {
                     let _ = (0..3).try_for_each(|_| dirichlet.step(&mut film));
                 }
@@ -272,8 +278,9 @@ impl Spanning<'_> {
         Ok(Pinned { pins, places })
     }
 
-    /// Refuses curves (one point far off is enough) of more pieces than the film can have triangles.
-    fn check_lengths(&self, size: f64) -> Result<(), Failure> {
+    /// Refuses curves that would be divided into more pieces than the film can have triangles. A single distant point
+    /// is enough for that.
+    fn check_lengths(&self, size: f64) -> Result<(), NoFilm> {
         if self.options.boundary_sampling == BoundarySampling::Keep {
             return Ok(());
         }
@@ -284,7 +291,7 @@ impl Spanning<'_> {
             if pieces > most {
                 let detail =
                     format!("too long for this film: more than {most:.0} edges of {size:.3e} with those before it");
-                return Err(Failure::Other(Error::input(Place::field("constraints").then("polylines").at(k), detail)));
+                return Err(NoFilm::Other(Error::input(Place::field("constraints").then("polylines").at(k), detail)));
             }
         }
         Ok(())
@@ -301,9 +308,9 @@ impl Spanning<'_> {
         self.boundaries.iter().flatten().map(|p| p.length()).fold(0.0, f64::max)
     }
 
-    /// Lattice points after which a layout is given up. Many may lie in the rectangle around the boundary and outside
-    /// of it (a thin strip across), so that they may be more than those asked for, but not without bound (a spike, a
-    /// million long).
+    /// Number of lattice points after which a layout is given up. Many points may lie in the rectangle around the
+    /// boundary but outside the boundary (a thin diagonal strip). The number may therefore exceed the wanted one, but
+    /// not without bound (a spike that is a million long).
     fn largest_lattice(&self) -> usize {
         let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
         let asked = estimate_triangles(self.boundaries, self.options) + boundary as f64;
@@ -314,8 +321,8 @@ impl Spanning<'_> {
         Goal { resolution: self.options.resolution, euler: 2 - self.boundaries.len() as i64 }
     }
 
-    /// The resolution that the plane is meshed at. A mesh whose boundary must be kept cannot be subdivided: a fine one
-    /// is made from one that is coarse enough to be evened out, by splitting edges.
+    /// The resolution of the mesh in the plane. A mesh whose boundary must be kept cannot be subdivided. A fine one is
+    /// made by splitting the edges of a coarse one that has been improved before.
     fn resolution(&self) -> Resolution {
         let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
         let coarse = FINEST_MAPPED.max(8 * boundary);
@@ -331,16 +338,17 @@ impl Spanning<'_> {
         }
     }
 
-    /// Meshes at the size and with the number of subdivisions that come nearest to the resolution.
+    /// Meshes with the size and the number of subdivisions that come nearest to the resolution.
     fn fit(&self, pinned: &Pinned) -> Result<(Meshed, u32), PlaneError> {
         let goal = Goal { resolution: self.resolution(), ..self.goal() };
-        // With the largest size only the boundary's own spacing counts: nothing is coarser, but by grading faster.
+        // With the largest size only the spacing of the boundary counts. A coarser mesh is possible only by faster
+        // grading.
         let mut grading = GRADING;
         let mut coarsest = self.layout(self.largest_size(), grading, pinned)?;
         if matches!(self.shape, Shape::Plane(_)) {
             coarsest.domain.check_simple()?;
         }
-        // The area in the plane is the only one known yet; in space it is about that over the scale's square.
+        // Only the area in the plane is known yet. The area in space is about that divided by the square of the scale.
         let area = coarsest.domain.area() / (coarsest.scale * coarsest.scale);
         let triangle = 0.75f64.sqrt() / 2.0;
         let wanted = match goal.resolution {
@@ -358,7 +366,8 @@ impl Spanning<'_> {
         while subdivisions > 0 && goal.shortfall(&coarsest, subdivisions) < 1.0 {
             subdivisions -= 1;
         }
-        // An edge length that the boundary's spacing does not allow is kept where it does; a number must be met.
+        // An edge length that the spacing of the boundary does not allow is met where possible. A number of triangles
+        // must be met.
         let by_number = !matches!(goal.resolution, Resolution::EdgeLength(_));
         while by_number && goal.shortfall(&coarsest, subdivisions) < 1.0 && grading < STEEPEST_GRADING {
             grading *= 1.5;
@@ -376,7 +385,7 @@ impl Spanning<'_> {
         };
         let Layout { boundaries, domain, sites, triangles, .. } = layout;
         let mut plane = domain.mesh(&sites, self.exec)?;
-        // New vertices must not crowd, so that one round may not be enough.
+        // New vertices must keep a distance, so one round may not be enough.
         for _ in 0..DENSIFICATIONS {
             let reached = plane.topology.triangles().len() as f64;
             let missing = (shortfall * triangles as f64 / reached).min(2.0) - 1.0;
@@ -388,8 +397,8 @@ impl Spanning<'_> {
         Ok((Meshed { boundaries, domain, plane }, subdivisions))
     }
 
-    /// Adjusts the size until the resolution is met, and says how nearly it is (wanted over reached). `coarsest` is the
-    /// grading and what is met with the largest size.
+    /// Adjusts the size until the resolution is met, and returns the ratio of wanted to reached. `coarsest` is the
+    /// grading and the ratio with the largest size.
     fn tune(
         &self,
         goal: &Goal,
@@ -401,13 +410,13 @@ impl Spanning<'_> {
         let (grading, at_largest) = coarsest;
         let largest = self.largest_size();
         let mut size = first.min(0.9 * largest);
-        // Logarithms of sizes, and of what is met there: too many triangles at the low end, too few at the high one.
+        // Logarithms of sizes and of the ratios there: too many triangles at the low end, too few at the high end.
         let (mut low, mut high): (Option<(f64, f64)>, _) = (None, (largest.ln(), at_largest.ln()));
         let mut best: Option<(Layout, f64)> = None;
         for trial in 0..TRIALS {
             let layout = self.layout(size, grading, pinned)?;
             let shortfall = goal.shortfall(&layout, subdivisions);
-            // Too few triangles are better than too many by as much: vertices can be added.
+            // Too few triangles are better than the same number too many, because vertices can be added.
             let distance = |shortfall: f64| match shortfall {
                 ..0.92 => 2.0 / shortfall,
                 ..1.0 => 2.0 / shortfall - 2.0,
@@ -416,7 +425,7 @@ impl Spanning<'_> {
             if best.as_ref().is_none_or(|(_, nearest)| distance(shortfall) < distance(*nearest)) {
                 best = Some((layout, shortfall));
             }
-            // The lattice's spacing jumps beside the boundary: to the last percent sizes are tried a few times only.
+            // The spacing of the lattice jumps beside the boundary, so the last percent is worth a few trials only.
             if (shortfall - 1.0).abs() <= if trial < PATIENCE { CLOSE_ENOUGH } else { 2.0 * CLOSE_ENOUGH } {
                 break;
             }
@@ -426,8 +435,8 @@ impl Spanning<'_> {
             } else {
                 high = here;
             }
-            // The number falls with the square of the size, or more slowly where the boundary's spacing rules; beyond
-            // some size it falls no more, so that the largest is no guide.
+            // The number decreases with the square of the size, or more slowly where the spacing of the boundary
+            // decides. Beyond some size it is constant, so the largest size is not used for the interpolation.
             let square = here.0 - 0.5 * here.1;
             size = match low {
                 None => square,
@@ -447,7 +456,7 @@ impl Spanning<'_> {
         self.boundaries.iter().map(|points| polyline::length(points, true)).sum()
     }
 
-    /// The layout that a size gives, before any triangulation.
+    /// The layout for a size, before any triangulation.
     fn layout(&self, size: f64, grading: f64, pinned: &Pinned) -> Result<Layout, PlaneError> {
         let sampling = self.options.boundary_sampling;
         let boundaries: Vec<Sampled> =
@@ -464,17 +473,18 @@ impl Spanning<'_> {
             Pin::Boundary(k) => own[k as usize],
             Pin::Inner(k) => first + k,
         };
-        let domain = Domain {
+        let domain = PlaneRegion {
             loops: self.shape.embed(&boundaries),
             points: pinned.places.clone(),
             segments: pinned.pins.edges.iter().map(|edge| edge.map(vertex)).collect(),
         };
         let scale = self.shape.scale(self.boundaries);
-        // The lattice's spacing follows the size without jumps where the scale is the same everywhere.
+        // The spacing of the lattice can follow the size without jumps if the scale is the same everywhere.
         let largest = domain.loops.iter().flatten().map(|&p| scale(p)).fold(0.0, f64::max);
         let sites = domain.sites(&|p| size * scale(p), size * largest, grading, self.largest_lattice(), self.exec)?;
         let mean_scale = sites.iter().map(|&p| scale(p)).sum::<f64>() / sites.len() as f64;
-        // Euler again, with as many parts as loops less holes; side by side they make a few triangles less.
+        // By Euler's formula, with as many components as loops less holes. Separate components have a few triangles
+        // less.
         let euler = 2 - boundaries.len() as i64;
         let triangles = (2 * sites.len() as i64 - i64::from(first) - 2 * euler).max(1) as usize;
         let mean_edge = match self.options.resolution {
@@ -484,8 +494,8 @@ impl Spanning<'_> {
         Ok(Layout { boundaries, domain, sites, triangles, mean_edge, scale: mean_scale })
     }
 
-    /// Puts a plane mesh into space and in order: the polygons' own points, then the added ones, then the fixed ones
-    /// inside, then the rest. Also gives the places in the plane in that order.
+    /// Maps a plane mesh into space and orders its vertices: the points of the polygons, then the added points, then
+    /// the fixed points inside, then the rest. Also returns the positions in the plane in that order.
     fn carry(&self, meshed: &Meshed, pinned: &Pinned) -> Result<(Film, Vec<DVec2>), Error> {
         let PlaneMesh { points, topology } = &meshed.plane;
         let boundary: usize = meshed.boundaries.iter().map(|boundary| boundary.points.len()).sum();
@@ -527,9 +537,8 @@ impl Spanning<'_> {
         Ok((Film { vertices, topology, fixed, locked, boundaries: loops }, in_plane))
     }
 
-    /// Evens out a film whose map from the plane has stretched its triangles: solves towards the minimal surface, where
-    /// the triangles will have to be good, with an even distribution of the vertices before each, until the area
-    /// settles.
+    /// Improves a film whose map from the plane has stretched its triangles. Each round distributes the vertices evenly
+    /// and solves towards the minimal surface, where the triangles have to be good, until the area settles.
     fn even_out(&self, film: &mut Film) -> Result<(), Error> {
         let flat = self.is_plane();
         for _ in 0..if flat { 0 } else { 2 } {
@@ -561,14 +570,14 @@ impl Spanning<'_> {
                 dirichlet.step(film)
             });
             if solved.is_err() {
-                // A neck that closes: the solver itself will say so.
+                // A neck closes here. The solver reports it.
                 break;
             }
             flip_to_delaunay(film);
         }
         resample(film, count, 5, self.boundary_edges(), self.exec)?;
-        // Right beside a boundary that asks for more triangles than are wanted, collapsing does not get far enough.
-        // In the plane both are what they will be, and the better one is seen.
+        // Beside a boundary that asks for more triangles than are wanted, collapsing alone may not coarsen enough. In
+        // the plane the triangles keep their final shape, so the better of the two meshes can be chosen.
         let worse = || flat && measure::angle_range(&film.mesh()).0 < measure::angle_range(&relaxed.mesh()).0;
         if film.triangles().len() as f64 > (1.0 + 0.8 * TOLERATED) * count || worse() {
             *film = relaxed;
@@ -576,7 +585,7 @@ impl Spanning<'_> {
         Ok(())
     }
 
-    /// Whether all boundaries lie in the domain's own plane, up to rounding.
+    /// Whether all boundaries lie in the plane of the domain, up to rounding.
     fn is_plane(&self) -> bool {
         match &self.shape {
             Shape::Plane(frame) => {
@@ -612,7 +621,7 @@ impl Spanning<'_> {
     }
 }
 
-/// Moves the free vertices to where all coordinates are harmonic over the plane mesh.
+/// Moves the free vertices so that all coordinates are harmonic over the plane mesh.
 fn harmonic(
     in_plane: &[DVec2],
     triangles: &[[u32; 3]],

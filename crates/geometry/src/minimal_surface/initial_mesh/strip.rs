@@ -1,23 +1,25 @@
-//! How two closed loops face each other: the direction and the start of the second one, and the strip of triangles
-//! between them.
+//! The matching of two closed loops: the direction and the start of the second one, and the strip of triangles between
+//! them.
 
 use crate::DVec3;
 
-/// A closed path of bridges between loops P and Q: each step moves on along one of them.
+/// A closed sequence of bridges between the loops P and Q. Each bridge advances by one point on one of the loops.
 #[derive(Clone, Debug)]
 pub(super) struct Matching {
-    /// The points of Q in the order in which the strip meets them, starting opposite P's first point.
+    /// The points of Q in the order of the strip, starting opposite to the first point of P.
     pub order: Vec<usize>,
-    /// For each bridge its point of P and its position in `order`; one more than there are triangles, the last one
-    /// being the first again: (p, q) counted on past the end.
+    /// For each bridge its point of P and its position in `order`. The last bridge is the first one again, counted on
+    /// past the end: (p, q) with p and q not reduced. There is one bridge more than there are triangles.
     pub bridges: Vec<(usize, usize)>,
 }
 
-/// Samples per loop that the direction and the start are judged by.
+/// Number of samples on each loop that decide the direction and the start. A larger value distinguishes more starts and
+/// takes longer.
 const SAMPLES: usize = 64;
 
 impl Matching {
-    /// The direction and start of Q for which points at equal shares of arc length are nearest (least sum of squares).
+    /// The direction and start of Q for which points at equal fractions of arc length are nearest (least sum of
+    /// squares).
     pub fn between(p: &[DVec3], q: &[DVec3]) -> Self {
         let (from, to) = (samples(p), samples(q));
         let mut best = (f64::INFINITY, 0, false);
@@ -40,7 +42,7 @@ impl Matching {
         Self { bridges: march(&shares(p), &shares(&turned)), order }
     }
 
-    /// For each point of P the position in `order` of the middle one of its bridges.
+    /// For each point of P the position in `order` of its middle bridge.
     pub fn partners(&self, points: usize) -> Vec<usize> {
         let mut range = vec![(usize::MAX, 0); points];
         for &(i, j) in &self.bridges {
@@ -51,7 +53,8 @@ impl Matching {
         range.into_iter().map(|(low, high)| (low + high) / 2 % self.order.len()).collect()
     }
 
-    /// The strip's triangles over vertices of P and of Q (given in Q's own order), running along P in its direction.
+    /// The triangles of the strip over vertices of P and of Q (numbered as Q was given). They run along P in its
+    /// direction.
     pub fn triangles(&self, p: &[u32], q: &[u32]) -> Vec<[u32; 3]> {
         let on_p = |i: usize| p[i % p.len()];
         let on_q = |j: usize| q[self.order[j % q.len()]];
@@ -65,7 +68,7 @@ impl Matching {
     }
 }
 
-/// Shares of arc length at which the points stand, from 0; and 1 at the end.
+/// Fractions of the arc length at which the points stand: from 0, with 1 added at the end.
 fn shares(points: &[DVec3]) -> Vec<f64> {
     let total = crate::polyline::length(points, true);
     let mut at = 0.0;
@@ -92,12 +95,12 @@ fn samples(points: &[DVec3]) -> Vec<DVec3> {
         .collect()
 }
 
-/// The bridges of two loops walked at equal shares of arc length.
+/// The bridges between two loops that are traversed at equal fractions of arc length.
 fn march(p: &[f64], q: &[f64]) -> Vec<(usize, usize)> {
     let (mut i, mut j) = (0, 0);
     let mut bridges = vec![(0, 0)];
     while i + 1 < p.len() || j + 1 < q.len() {
-        // Middles of the segments ahead: the one that lies earlier is crossed first.
+        // The next segment is crossed on the loop where the middle of the segment comes earlier.
         let ahead = |shares: &[f64], k: usize| shares[k] + shares[k + 1];
         if j + 1 == q.len() || (i + 1 < p.len() && ahead(p, i) <= ahead(q, j)) {
             i += 1;

@@ -1,23 +1,23 @@
 //! Chen, Cai, Zheng, *Constructing Triangular Meshes of Minimal Area* (Computer-Aided Design & Applications 5, 2008).
 //!
 //! Three processes on a mesh whose boundary is fixed (their sections 3.1 to 3.3):
-//! 1. *Laplacian fairing*: every interior vertex at once to Σ w_ij P_j, w_ij in proportion to the area of the two
-//!    triangles at the edge ij.
-//! 2. *Area minimising*: one vertex at a time, in index order, to the solution of the linearised equation ∂A/∂P_h = 0
-//!    (their eq. 5).
-//! 3. *Edge swapping*: every interior edge whose swap reduces the area and leaves a manifold, until there is none.
+//! 1. *Laplacian fairing* moves every interior vertex at once to Σ w_ij P_j. The weight w_ij is proportional to the
+//!    area of the two triangles at the edge ij.
+//! 2. *Area minimising* moves one vertex at a time, in index order, to the solution of the linearised equation ∂A/∂P_h
+//!    = 0 (their eq. 5).
+//! 3. *Edge swapping* swaps interior edges as long as that reduces the area and leaves a manifold.
 //!
-//! Their algorithm (section 3.4): swapping once; fairing and swapping until the area changes by less than ε₁; area
-//! minimising and swapping until it changes by less than ε₂. The caller may name other stages.
+//! Their algorithm (section 3.4) swaps once. Then it repeats fairing and swapping until the area changes by less than
+//! ε₁, and area minimising and swapping until it changes by less than ε₂. The caller may name other stages.
 //!
-//! Departures.
-//! - Their tolerances are areas; ours are relative to the area, so that they mean the same at every scale.
-//! - Eq. 5 is written for the step P_h(new) - P_h, so that far coordinates cost no digits. With weights frozen it is
-//!   the least weighted sum of squared distances to the lines of the opposite edges, hence never raises the area
-//!   (Weiszfeld); where a triangle has no height its weight would be infinite and is bounded instead.
+//! Departures from the paper:
+//! - Their tolerances are areas. Ours are relative to the area, so that they mean the same at every scale.
+//! - Eq. 5 is written for the step P_h(new) - P_h, so that large coordinates cost no digits. With frozen weights it
+//!   minimises a weighted sum of squared distances to the lines of the opposite edges, so it does not raise the area
+//!   (Weiszfeld). The weight of a triangle without height would be infinite and is bounded.
 //! - A swap must gain more than rounding (1e-12 of the two triangles) and must not make a degenerate triangle.
-//! - Fairing does not lower the area in every step and could go on for ever between two states: each stage has at most
-//!   its share of the iterations that are left.
+//! - Fairing does not lower the area in every step and could alternate between two states for ever. Each stage
+//!   therefore has at most its share of the remaining iterations.
 
 use crate::mesh::film::Film;
 use crate::mesh::measure::{double_area_vector, is_degenerate};
@@ -28,13 +28,14 @@ use crate::minimal_surface::run::{HistoryRow, Run, StopReason};
 use crate::{DVec3, Error, Execution, Interruption, Progress};
 use glam::DMat3;
 
-/// Largest number of sweeps where the caller gives none.
+/// Largest number of sweeps if the caller gives none.
 const DEFAULT_SWEEPS: u32 = 10_000;
 
-/// Number of triangles visited between two looks: less than a millisecond of work.
+/// Number of triangles visited between two looks, which takes less than a millisecond. A larger value reacts to a
+/// cancel later.
 const LOOK_EVERY: u64 = 20_000;
 
-/// Relaxes the film stage by stage. Its mesh is valid at every moment; a deadline ends the run with what was reached.
+/// Relaxes the film stage by stage. The mesh is valid at every moment; a deadline ends the run with the present mesh.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel.
@@ -95,13 +96,15 @@ impl Relaxation<'_> {
             let share = (self.limit - self.iterations) / (stages.len() - k) as u32;
             let span = (k as f64 / stages.len() as f64, (k + 1) as f64 / stages.len() as f64);
             let ended = self.stage(stage, tolerance, self.iterations + share, span)?;
-            // Only the last stage settles the surface; one cut short before it leaves its rest to the next.
+            // The last stage decides the reason. A stage before it that used up its iterations leaves the rest of its
+            // work to the next.
             reason = if ended { StopReason::AreaChange } else { StopReason::MaxIterations };
         }
         Ok(reason)
     }
 
-    /// Repeats a stage until the area changes by less than the tolerance (true) or the iterations are used up.
+    /// Repeats a stage. Returns true if the area changed by less than the tolerance, false if the iterations were used
+    /// up.
     fn stage(
         &mut self,
         stage: &[Process],
@@ -129,7 +132,7 @@ impl Relaxation<'_> {
             let change = (before - area).abs() / area;
             let ended = change.is_nan() || change <= tolerance;
             let first_change = *first_change.get_or_insert(change);
-            // Changes fall geometrically, so the logarithm of the change tells how far the stage has come.
+            // The changes decrease geometrically, so the logarithm of the change measures the progress of the stage.
             let part = (first_change / change).ln() / (first_change / tolerance.max(1e-16)).ln();
             let part = if ended { 1.0 } else { part.clamp(0.0, 1.0) };
             self.remember(phase, area, span.0 + (span.1 - span.0) * part, ended || self.iterations >= last_iteration);
@@ -139,8 +142,8 @@ impl Relaxation<'_> {
         }
     }
 
-    /// Keeps a history row and reports progress, thinned out as
-    /// [`Statistics::history`](crate::minimal_surface::Statistics) says.
+    /// Adds a history row and reports progress, as often as [`Statistics::history`](crate::minimal_surface::Statistics)
+    /// documents.
     fn remember(&mut self, phase: &'static str, area: f64, fraction: f64, last: bool) {
         let k = self.iterations;
         let kept = k <= 100 || k.is_multiple_of(100) || (k <= 1000 && k.is_multiple_of(10));
@@ -202,7 +205,7 @@ impl Relaxation<'_> {
         Ok(())
     }
 
-    /// Section 3.3: passes over all edges until one swaps none.
+    /// Section 3.3: passes over all edges until a pass swaps none.
     fn swap_edges(&mut self) -> Result<(), Interruption> {
         loop {
             let mut swapped = 0;
@@ -236,31 +239,32 @@ fn gains(film: &Film, h: u32) -> bool {
     after < before * (1.0 - 1e-12) && !is_degenerate([s, r, p]) && !is_degenerate([r, s, q]) && !film.is_locked(a, b)
 }
 
-/// The step of eq. 5 for one vertex, and the number of its triangles.
+/// The step of eq. 5 for one vertex, and the number of the vertex's triangles.
 fn eq5_step(film: &Film, v: u32) -> (DVec3, u64) {
     let topology = &film.topology;
     let at = |vertex: u32| film.vertices[vertex as usize];
     let here = at(v);
-    let (mut matrix, mut pull, mut ring) = (DMat3::ZERO, DVec3::ZERO, 0);
+    let (mut matrix, mut gradient, mut ring) = (DMat3::ZERO, DVec3::ZERO, 0);
     for h in topology.outgoing_half_edges(v) {
         let j = at(topology.to(h));
         let edge = at(topology.opposite(h)) - j;
         let to_j = j - here;
         let length_squared = edge.length_squared();
-        // Twice the triangle's area; bounded below, so that a vertex on the opposite edge's line is not stuck there.
+        // Twice the area of the triangle. It is bounded below, so that a vertex on the line of the opposite edge can
+        // move.
         let double_area = edge.cross(to_j).length().max(1e-8 * length_squared);
         if double_area > 0.0 {
             let outer = DMat3::from_cols(edge.x * edge, edge.y * edge, edge.z * edge);
             matrix += (DMat3::from_diagonal(DVec3::splat(length_squared)) - outer) * (1.0 / double_area);
-            pull += (length_squared * to_j - edge.dot(to_j) * edge) / double_area;
+            gradient += (length_squared * to_j - edge.dot(to_j) * edge) / double_area;
         }
         ring += 1;
     }
-    // Singular only if all opposite edges are parallel.
+    // The matrix is singular only if all opposite edges are parallel.
     let scale = matrix.x_axis.x + matrix.y_axis.y + matrix.z_axis.z;
     let determinant = matrix.determinant();
     if determinant.is_nan() || determinant <= 1e-14 * scale * scale * scale {
         return (DVec3::ZERO, ring);
     }
-    (matrix.inverse() * pull, ring)
+    (matrix.inverse() * gradient, ring)
 }

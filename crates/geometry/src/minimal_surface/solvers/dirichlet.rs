@@ -9,9 +9,10 @@ use crate::minimal_surface::run::{Record, Run, StopReason};
 use crate::remesh::delaunay::flip_to_delaunay;
 use crate::{Error, Execution, Interruption};
 
-/// A single solve of steps 1 and 2 of [`harmonic`](crate::minimal_surface::harmonic) for [`Objective::MinimalDirichletEnergy`](crate::minimal_surface::options::Objective): the harmonic map from the
-/// initial mesh, made Delaunay so that its weights are positive. The energy, ¼ Σ (cot α + cot β) |a'|² over the edges,
-/// is the objective value.
+/// A single solve of steps 1 and 2 of [`harmonic`](crate::minimal_surface::harmonic), for the objective
+/// [`MinimalDirichletEnergy`](crate::minimal_surface::Objective::MinimalDirichletEnergy): the harmonic map from the
+/// initial mesh. The initial mesh is made Delaunay first, so that the weights are positive. The objective value is the
+/// energy ¼ Σ (cot α + cot β) |a'|² over the edges.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large or too degenerate to factorise.
@@ -56,7 +57,8 @@ mod tests {
         flip_to_delaunay(&mut domain);
         let energy = |film: &Film| dirichlet_energy(&domain.vertices, &film.vertices, domain.triangles());
         let least = run.objective_value.unwrap();
-        // The identity's energy is the area; the image's is between its own area and that.
+        // The energy of the identity is the area of the domain. The energy of the image lies between the area of the
+        // image and that.
         assert!((energy(&domain) - domain.area()).abs() < 1e-12 * domain.area());
         assert!(film.area() <= least && least <= domain.area());
         for v in (0..film.vertices.len()).filter(|&v| !film.fixed[v]) {

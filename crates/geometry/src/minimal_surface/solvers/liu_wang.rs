@@ -1,19 +1,19 @@
 //! Liu and Wang, *Constructing Minimal Triangular Mesh Based on Discrete Mean Curvature*, CISME 1(7), 2011.
 //!
-//! 1. Candidate points inside the loop by barycentres, n of them by a seeded choice, Delaunay
-//!    ([`barycentres`](crate::minimal_surface::initial_mesh::barycentres)).
-//! 2. F = ½ Σ H_i² over the vertices, H_i = (1/B_i) Σ_e β(e)|e|/2 ([`curvature`]), least by Levenberg and Marquardt
-//!    (their Fig. 5) over the interior vertices.
-//! 3. Delaunay again. Steps 2 and 3 repeat until the triangulation stays as it is.
+//! 1. The initial mesh is a Delaunay triangulation of the loop with n points inside, chosen by a seed from candidates
+//!    at barycentres ([`barycentres`](crate::minimal_surface::initial_mesh::barycentres)).
+//! 2. Levenberg and Marquardt's method (their Fig. 5) minimises F = ½ Σ H_i² over the positions of the interior
+//!    vertices, with H_i = (1/B_i) Σ_e β(e)|e|/2 ([`curvature`]).
+//! 3. The mesh is made Delaunay again. Steps 2 and 3 repeat until the triangulation stays the same.
 //!
-//! Our departures:
-//! - Lengths are divided by the boundary's radius R first: the four criteria are not free of scale.
+//! Departures from the paper:
+//! - Lengths are divided by the radius R of the boundary first, because the four stopping criteria depend on the scale.
 //! - |F_k - F_{k-1}| is tested after accepted steps only. As printed, every rejected step would end the run.
-//! - The gradient of the dihedral angle is the closed one that is regular at a flat edge: eq. 3 is 0/0 there and has a
-//!   slip of sign.
-//! - Step 3 flips edges whose two opposite angles add up to more than 180°: that is Delaunay on the surface itself, and
-//!   needs no plane onto which the surface would have to project. It ends, as each flip lowers the Dirichlet energy.
-//! - A boundary without interior vertices, or a mesh of several loops, is taken as it is given.
+//! - The gradient of the dihedral angle has a closed form that is regular at a flat edge. Their eq. 3 is 0/0 there and
+//!   has a wrong sign.
+//! - Step 3 flips the edges whose two opposite angles add up to more than 180°. The mesh is then Delaunay on the
+//!   surface itself, and no plane projection is needed. The flips end, because each lowers the Dirichlet energy.
+//! - A mesh of several loops, or without interior vertices, is taken as it is.
 
 mod curvature;
 
@@ -26,9 +26,9 @@ use crate::sparse::levenberg_marquardt::{Criteria, LeastSquares, NormalEquations
 use crate::{DVec3, Error, Execution, Interruption, Progress};
 use curvature::CurvatureRows;
 
-/// Largest number of steps over all rounds where the caller gives none (k_max in the paper).
+/// Largest number of steps over all rounds if the caller gives none (k_max in the paper).
 const MAX_ITERATIONS: u32 = 500;
-/// Largest number of rounds of steps 2 and 3: flips and solves could undo each other without end.
+/// Largest number of rounds of steps 2 and 3, because flips and solves could undo each other for ever.
 const MAX_ROUNDS: usize = 50;
 
 /// Damping at the start, as a fraction of the largest diagonal entry of JᵀJ (τ in Madsen, Nielsen and Tingleff).
@@ -97,12 +97,13 @@ impl LeastSquares<3> for Bending {
     }
 }
 
-/// Steps 2 and 3 on a film: lowers F = ½ Σ H² until the triangulation stays as it is.
+/// Steps 2 and 3 on a film: lowers F = ½ Σ H² until the triangulation stays the same.
 ///
-/// `options.tolerance` is their ε, in lengths divided by R: |ΔF| < ε(1 + F), ‖∇F‖∞ < ∛ε(1 + F),
-/// ‖δ‖∞ < √ε(1 + ‖δ‖∞), or `max_iterations` steps. A vanishing F is a surface whose *normal cycle* curvature vanishes,
-/// near a minimal one and not the least of its area: judge it by its residual. Looks after every sweep over the
-/// triangles and every factorisation; at a deadline the film holds the best so far.
+/// `options.tolerance` is their ε, for lengths divided by R: a run ends at |ΔF| < ε(1 + F), ‖∇F‖∞ < ∛ε(1 + F), ‖δ‖∞ <
+/// √ε(1 + ‖δ‖∞), or after `max_iterations` steps. Where F vanishes, the *normal cycle* curvature of the surface
+/// vanishes. Such a surface is near a minimal surface, but its area is not the least; its residual tells how near.
+/// Looks after every sweep over the triangles and after every factorisation. At a deadline the film is the best one so
+/// far.
 ///
 /// # Errors
 /// [`Interruption::Cancelled`].

@@ -1,11 +1,11 @@
 //! The default solver of minimal surfaces, from an initial mesh to a surface with its stability:
 //!
 //! 1. *Settle*: rounds of Delaunay flips, tangential relaxation and one to four Pinkall-Polthier solves
-//!    ([`harmonic`](crate::minimal_surface::harmonic)). Forgives any start, and leaves good triangles.
-//! 2. *Newton* in normal heights ([`newton`](crate::equilibrium::newton)). Where it stalls, or the mesh is folded, back
-//!    to 1.
-//! 3. *Stability* ([`stability`](crate::equilibrium::stability)); an unstable surface is left along its lowest mode if
-//!    that is asked for.
+//!    ([`harmonic`](crate::minimal_surface::harmonic)). They accept any start and leave good triangles.
+//! 2. *Newton* in normal heights ([`newton`](crate::equilibrium::newton)). If it stalls, or a triangle is flipped, step
+//!    1 starts again.
+//! 3. *Stability* ([`stability`](crate::equilibrium::stability)). If the caller asks for it, an unstable surface is
+//!    left along its lowest mode.
 
 use crate::equilibrium::newton::{Aim, Direct, Equations, Outcome, Settings, iterate, keeps_orientation};
 use crate::equilibrium::stability::{self, SecondVariation, Unknown};
@@ -17,47 +17,50 @@ use crate::minimal_surface::run::{
     ExtrapolatedArea, Record, Run, Stability, StabilityMethod, StopReason, geometric_part,
 };
 use crate::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
+use crate::sparse::Factorisation;
 use crate::sparse::multigrid::Hierarchy;
 use crate::sparse::pattern::Pattern;
-use crate::sparse::{Factorisation, LinearError};
 use crate::{DVec3, Error, Execution, Interruption};
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
 
-/// Largest number of linear solves where the caller gives none.
+/// Largest number of linear solves if the caller gives none.
 const DEFAULT_SOLVES: u32 = 200;
-/// Largest number of rounds of Pinkall-Polthier solves before Newton's method takes over.
+/// Largest number of rounds of Pinkall-Polthier solves before Newton's method begins. A larger value accepts poorer
+/// starts.
 const MAX_ROUNDS: u32 = 16;
-/// Number of first rounds with a single solve each: a poor start needs new triangles first.
+/// Number of first rounds with a single solve each, because a poor start needs new triangles first.
 const SINGLE_ROUNDS: u32 = 3;
-/// Largest number of solves in each later round. Larger: fewer remeshings.
+/// Largest number of solves in each later round. A larger value remeshes less often.
 const SOLVES_PER_ROUND: u32 = 4;
-/// Tangential relaxations after each round's solves.
+/// Number of tangential relaxations after each round's solves. A larger value gives more even triangles.
 const RELAXATIONS_PER_ROUND: u32 = 4;
-/// A round that changes the area by less than this fraction is the last. Larger: Newton's method starts further off.
+/// A round that changes the area by less than this fraction is the last. With a larger value Newton's method starts
+/// further from the solution.
 const SETTLED_AREA: f64 = 1e-3;
-/// Largest number of triangles for which the area is extrapolated with a mesh of four times as many.
+/// Largest number of triangles for which the area is extrapolated with a mesh of four times as many. A larger value
+/// extrapolates the areas of larger meshes too, which takes longer.
 pub(crate) const EXTRAPOLATED_TRIANGLES: usize = 10_000;
-/// Residual below which a caller's own mesh counts as lying beside a stationary surface. Larger: more meshes are taken to
-/// their nearest stationary surface, whatever its Morse index.
+/// Residual below which a mesh of the caller counts as lying near a stationary surface. With a larger value more meshes
+/// are taken to their nearest stationary surface, whatever its Morse index.
 const NEARLY_STATIONARY: f64 = 1.0;
-/// Largest number of times that a stalled Newton iteration goes back to more rounds.
+/// Largest number of times that a stalled Newton iteration is followed by another step 1.
 const MAX_RETURNS: u32 = 2;
 
 /// Instructions for a run.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Task {
-    /// When it ends.
+    /// When the run ends.
     pub limits: Limits,
     /// Whether an unstable surface is left.
     pub on_unstable: OnUnstable,
-    /// Whether the initial mesh is the caller's own, which may lie beside a stationary surface.
+    /// Whether the initial mesh is the caller's own, which may lie near a stationary surface.
     pub given: bool,
 }
 
-/// Rounds of Pinkall-Polthier, then Newton's method, then the stability of what came out.
+/// Steps 1 to 3 on a film.
 ///
-/// Ends with the best mesh reached, folded never: the stop reason says why where it is not converged.
+/// The film becomes the best mesh that was reached. If it is not converged, the stop reason says why.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large to factorise.
@@ -65,26 +68,13 @@ pub(crate) fn run(film: &mut Film, task: Task, exec: &Execution) -> Result<Run, 
     let mut solve = Solve::new(film, task, exec);
     let (stop_reason, stability) = match solve.film(film, task.on_unstable) {
         Ok(done) => done,
-        Err(Stop::Interrupted(Interruption::DeadlinePassed)) => (StopReason::Deadline, None),
-        Err(Stop::Interrupted(Interruption::Cancelled)) => return Err(Interruption::Cancelled.into()),
-        Err(Stop::TooLarge) => return Err(too_large(LinearError::TooLarge)),
+        Err(Error::Interrupted(Interruption::DeadlinePassed)) => (StopReason::Deadline, None),
+        Err(error) => return Err(error),
     };
     Ok(solve.into_run(stop_reason, stability))
 }
 
-/// Why a solve was left half way.
-pub(crate) enum Stop {
-    Interrupted(Interruption),
-    TooLarge,
-}
-
-impl From<Interruption> for Stop {
-    fn from(interruption: Interruption) -> Self {
-        Self::Interrupted(interruption)
-    }
-}
-
-/// State of a run: its settings, and the record that it keeps.
+/// State of a run: its settings and its record.
 pub(crate) struct Solve<'a> {
     pub exec: &'a Execution<'a>,
     pub record: Record<'a>,
@@ -94,7 +84,7 @@ pub(crate) struct Solve<'a> {
     edges_swapped: u64,
     unstable_mode: Option<Vec<DVec3>>,
     pub extrapolated_area: Option<ExtrapolatedArea>,
-    /// The initial mesh is the caller's own and has not been left yet.
+    /// Whether the film is still the caller's own mesh.
     given: bool,
 }
 
@@ -121,7 +111,7 @@ impl<'a> Solve<'a> {
         Run { unstable_mode, extrapolated_area, ..done }
     }
 
-    fn film(&mut self, film: &mut Film, on_unstable: OnUnstable) -> Result<(StopReason, Option<Stability>), Stop> {
+    fn film(&mut self, film: &mut Film, on_unstable: OnUnstable) -> Result<(StopReason, Option<Stability>), Error> {
         let (mut reason, mut converged) = self.converge(film)?;
         let mut returns = 0;
         loop {
@@ -146,9 +136,9 @@ impl<'a> Solve<'a> {
         }
     }
 
-    /// Settles, then Newton, then from the start where Newton stalls. With the connectivity's pattern and factorisation
-    /// if it converged.
-    pub fn converge(&mut self, film: &mut Film) -> Result<(StopReason, Option<(Pattern, Direct)>), Stop> {
+    /// Steps 1 and 2, repeated where Newton's method stalls. Also returns the pattern and the factorisation of the
+    /// connectivity if the film converged.
+    pub fn converge(&mut self, film: &mut Film) -> Result<(StopReason, Option<(Pattern, Direct)>), Error> {
         if film.fixed.iter().all(|&fixed| fixed) {
             return Ok((StopReason::NothingToMove, None));
         }
@@ -161,7 +151,7 @@ impl<'a> Solve<'a> {
         for attempt in 0..=MAX_RETURNS {
             let collapsed = self.settle(film)?;
             let pattern = Pattern::new(film.triangles(), &film.fixed);
-            let mut direct = Direct::new(pattern.matrix()).map_err(|_| Stop::TooLarge)?;
+            let mut direct = Direct::new(pattern.matrix()).map_err(too_large)?;
             reason = match self.newton(film, &pattern, &mut direct, Aim::Minimum)? {
                 StopReason::Residual if film.flipped_triangles() == 0 || attempt == MAX_RETURNS => {
                     return Ok((StopReason::Residual, Some((pattern, direct))));
@@ -174,14 +164,14 @@ impl<'a> Solve<'a> {
         Ok((reason, None))
     }
 
-    /// A caller's own mesh may lie beside a stationary surface that is no minimum: solves would leave it, Newton's
-    /// method alone does not. `None`, and the film as it was, if there is no such surface near.
-    fn stay(&mut self, film: &mut Film) -> Result<Option<(Pattern, Direct)>, Stop> {
+    /// Looks for a stationary surface near the caller's own mesh by Newton's method alone. Such a surface need not be a
+    /// minimum, and Pinkall-Polthier solves would leave it. `None`, with the film unchanged, if there is none.
+    fn stay(&mut self, film: &mut Film) -> Result<Option<(Pattern, Direct)>, Error> {
         let pattern = Pattern::new(film.triangles(), &film.fixed);
         if self.state(film, &pattern).residual > NEARLY_STATIONARY {
             return Ok(None);
         }
-        let mut direct = Direct::new(pattern.matrix()).map_err(|_| Stop::TooLarge)?;
+        let mut direct = Direct::new(pattern.matrix()).map_err(too_large)?;
         let start = film.vertices.clone();
         let reason = self.newton(film, &pattern, &mut direct, Aim::Stationary)?;
         if reason == StopReason::Residual && film.flipped_triangles() == 0 {
@@ -197,7 +187,7 @@ impl<'a> Solve<'a> {
         pattern: &Pattern,
         direct: &mut Direct,
         aim: Aim,
-    ) -> Result<StopReason, Stop> {
+    ) -> Result<StopReason, Error> {
         let mut start = None;
         let max_steps = self.limit.saturating_sub(self.record.iterations);
         let settings = Settings { aim, tolerance: self.tolerance, max_steps };
@@ -215,14 +205,14 @@ impl<'a> Solve<'a> {
         })
     }
 
-    /// Rounds of Delaunay flips, tangential relaxation and Pinkall-Polthier solves until the area settles on a mesh
-    /// without folds; true if a linear system was refused on the way.
-    fn settle(&mut self, film: &mut Film) -> Result<bool, Stop> {
+    /// Step 1: rounds of Delaunay flips, tangential relaxation and Pinkall-Polthier solves until the area settles and
+    /// no triangle is flipped. Returns whether a linear system was refused.
+    fn settle(&mut self, film: &mut Film) -> Result<bool, Error> {
         let mut area = film.area();
         for round in 0..MAX_ROUNDS {
             self.improve(film);
             self.exec.look(film.triangles().len() as u64)?;
-            let mut dirichlet = Dirichlet::new(film).map_err(|_| Stop::TooLarge)?;
+            let mut dirichlet = Dirichlet::new(film).map_err(too_large)?;
             let before_round = area;
             for _ in 0..if round < SINGLE_ROUNDS { 1 } else { SOLVES_PER_ROUND } {
                 if self.record.iterations >= self.limit {
@@ -249,20 +239,20 @@ impl<'a> Solve<'a> {
         Ok(false)
     }
 
-    /// Better triangles on the film as it is.
+    /// Delaunay flips and smoothing on the film where it is.
     fn improve(&mut self, film: &mut Film) {
         self.edges_swapped += flip_to_delaunay(film);
         tangential_relaxation(film, RELAXATIONS_PER_ROUND);
         self.edges_swapped += flip_to_delaunay(film);
     }
 
-    /// The stability of the film where it stands. `None` if the linear solver refuses the mesh, or nothing moves.
+    /// Step 3: the stability of the film. `None` if the linear solver refuses the mesh, or no vertex can move.
     fn stability(
         &mut self,
         film: &Film,
         pattern: &Pattern,
         direct: &mut Direct,
-    ) -> Result<Option<(Stability, SecondVariation, FilmState)>, Stop> {
+    ) -> Result<Option<(Stability, SecondVariation, FilmState)>, Error> {
         self.exec.look(film.triangles().len() as u64)?;
         let motion = NormalMotion { pattern, triangles: film.triangles(), radius: self.radius };
         let state = motion.state(&film.vertices);
@@ -289,7 +279,8 @@ impl<'a> Solve<'a> {
         Ok(Some((stability, variation, state)))
     }
 
-    /// Moves an unstable film along its lowest mode, to the side and as far (of a few lengths) as lowers the area most.
+    /// Moves an unstable film along its lowest mode. Of a few step lengths in both directions it takes the one that
+    /// lowers the area most.
     fn leave(&self, film: &mut Film, pattern: &Pattern, state: &FilmState, mode: &[f64]) {
         let largest = mode.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
         let mean_length = (state.energy / film.triangles().len() as f64).sqrt();
@@ -305,7 +296,7 @@ impl<'a> Solve<'a> {
         }
     }
 
-    /// The first variation of the film where it stands.
+    /// The first variation of the film at its present position.
     fn state(&self, film: &Film, pattern: &Pattern) -> FilmState {
         NormalMotion { pattern, triangles: film.triangles(), radius: self.radius }.state(&film.vertices)
     }

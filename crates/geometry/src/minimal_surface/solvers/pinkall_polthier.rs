@@ -1,14 +1,15 @@
 //! Bento and Cavalcanti, *Computação de Superfícies Mínimas Discretas*: Pinkall and Polthier's iteration with rules
 //! that keep its triangles sound, so that necks may close.
 //!
-//! 1. Remove degenerate triangles ([`thin_triangles`](crate::remesh::thin_triangles)); log what it did to the topology.
-//! 2. One solve of Pinkall and Polthier: by conjugate gradients from the present positions, by elimination where these
-//!    do not converge; or by elimination alone.
-//! 3. Repeat until the area changes by less than the area tolerance, and the rules changed nothing.
+//! 1. Remove degenerate triangles ([`thin_triangles`](crate::remesh::thin_triangles)), and record changes of topology.
+//! 2. Solve once by Pinkall and Polthier: by conjugate gradients from the present positions, with elimination where
+//!    they do not converge, or by elimination alone.
+//! 3. Repeat until the area changes by less than the area tolerance and the rules change nothing.
 //!
-//! Our departures: elimination is the default, since it needs no luck with a bad mesh; the
-//! change of area is relative; a solve that fails on a collapsed mesh is tried again after the rules have run with
-//! a wider threshold.
+//! Departures from the paper:
+//! - Elimination is the default, because it does not depend on the condition of the mesh.
+//! - The change of area is relative.
+//! - A solve that fails on a collapsed mesh is repeated after the rules have run with a wider threshold.
 
 use crate::mesh::film::Film;
 use crate::minimal_surface::curvature::Curvature;
@@ -18,16 +19,17 @@ use crate::minimal_surface::run::{Record, Run, StopReason, geometric_part};
 use crate::remesh::thin_triangles::{Changes, Necks, Pinch, remove_degenerate_triangles};
 use crate::{Error, Execution, Interruption};
 
-/// Largest number of linear solves where the caller gives none.
+/// Largest number of linear solves if the caller gives none.
 const DEFAULT_SOLVES: u32 = 200;
-/// Factor on the threshold angle after a linear system was refused: wider triangles are then removed too.
+/// Factor on the threshold angle after a linear system was refused, so that wider triangles are removed too. A larger
+/// value removes more triangles of a collapsed neck at once.
 const WIDER: f64 = 4.0;
 
 /// Steps 1 to 3 on a film.
 ///
-/// Without [`PinkallPolthier::degenerate_angle`] step 1 is left out. Ends with
-/// [`StopReason::AreaChange`], with [`StopReason::Residual`] if that falls below its tolerance first, or with
-/// [`StopReason::Collapsed`] where the mesh has no solution that the rules can mend. Looks once a solve.
+/// Without [`PinkallPolthier::degenerate_angle`] step 1 is left out. The run ends with [`StopReason::AreaChange`], or
+/// with [`StopReason::Residual`] if the residual falls below its tolerance first. It ends with
+/// [`StopReason::Collapsed`] if the linear system is refused and the rules cannot mend the mesh. Looks once a solve.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large to factorise.
@@ -37,41 +39,28 @@ pub(crate) fn run(film: &mut Film, options: &PinkallPolthier, limits: Limits, ex
     let mut run = Run::new(Solver::PinkallPolthier);
     match iterate(film, options, limits, &mut record, &mut run, Until::Settled, exec) {
         Ok(reason) => run.stop_reason = reason,
-        Err(Stop::Interrupted(Interruption::DeadlinePassed)) => run.stop_reason = StopReason::Deadline,
-        Err(Stop::Interrupted(interruption)) => return Err(interruption.into()),
-        Err(Stop::TooLarge(error)) => return Err(error),
+        Err(Error::Interrupted(Interruption::DeadlinePassed)) => run.stop_reason = StopReason::Deadline,
+        Err(error) => return Err(error),
     }
     run.iterations = record.iterations;
     run.history = record.history;
     Ok(run)
 }
 
-/// Why the iteration was left half way.
-#[derive(Debug)]
-pub(crate) enum Stop {
-    Interrupted(Interruption),
-    TooLarge(Error),
-}
-
-impl From<Interruption> for Stop {
-    fn from(interruption: Interruption) -> Self {
-        Self::Interrupted(interruption)
-    }
-}
-
-/// Where [`iterate`] ends if nothing else stops it.
+/// Where [`iterate`] ends unless something else stops it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Until {
-    /// The area changes no more.
+    /// When the area no longer changes.
     Settled,
-    /// The same as `Settled`, or after the solve that follows a change of topology ([`StopReason::TopologyChange`]).
+    /// When the area no longer changes, or after the solve that follows a change of topology
+    /// ([`StopReason::TopologyChange`]).
     Pinched,
 }
 
 /// Steps 1 to 3, adding to `record` and `run`.
 ///
 /// # Errors
-/// See [`Stop`].
+/// As [`run`], and [`Error::Interrupted`] at a deadline too.
 pub(crate) fn iterate(
     film: &mut Film,
     options: &PinkallPolthier,
@@ -80,9 +69,9 @@ pub(crate) fn iterate(
     run: &mut Run,
     until: Until,
     exec: &Execution,
-) -> Result<StopReason, Stop> {
+) -> Result<StopReason, Error> {
     let necks = if options.cut_necks { Necks::Cut } else { Necks::Keep };
-    let mut dirichlet = Dirichlet::new(film).map_err(|error| Stop::TooLarge(too_large(error)))?;
+    let mut dirichlet = Dirichlet::new(film).map_err(too_large)?;
     let mut area = film.area();
     let mut first_change = None;
     let (pinches_before, mut mended) = (run.pinches.len(), false);
@@ -101,9 +90,9 @@ pub(crate) fn iterate(
         let iteration = record.iterations + 1;
         run.pinches.extend(changes.pinches.into_iter().map(|pinch| Pinch { iteration, ..pinch }));
         if changed {
-            dirichlet = Dirichlet::new(film).map_err(|error| Stop::TooLarge(too_large(error)))?;
+            dirichlet = Dirichlet::new(film).map_err(too_large)?;
         }
-        // Of a film that has fallen together, mending may leave no free vertex.
+        // In a film that has come apart, the rules may leave no free vertex.
         if dirichlet.pattern.free.vertex.is_empty() {
             return Ok(StopReason::NothingToMove);
         }
@@ -257,10 +246,10 @@ mod tests {
             assert_eq!(run.stop_reason, StopReason::Collapsed);
             assert_eq!(film.topology.components(), 1);
             assert!(measure::degenerate_triangles(&film.mesh()) > 20);
-            // It stops minimising above the area of the two discs.
+            // The run ends above the area of the two discs.
             assert!(film.area() > 2.0 * disc_area(24) * (1.0 + 1e-9));
             let spared = run.history.iter().filter(|row| row.phase == "conjugate_gradients").count();
-            // As theirs: conjugate gradients give up as the neck closes, and elimination takes over.
+            // As in the paper, conjugate gradients fail as the neck closes, and elimination takes over.
             let expected = linear_solver == LinearSolver::ConjugateGradients;
             assert_eq!(spared > 0 && spared < run.history.len(), expected);
         }

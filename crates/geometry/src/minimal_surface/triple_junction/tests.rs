@@ -3,8 +3,8 @@
 use super::super::options::{FreeTopology, InitialMesh, Newton, Resolution, TopologyRule};
 use super::*;
 
-/// Sheets from the polar axis (bent by `bend`, as a part of the radius) to half-circles at the given azimuths (degrees), `m`
-/// segments a half-circle and `n` rows from the axis; and the two loops of wire.
+/// Sheets from the polar axis (bent by `bend`, as a part of the radius) to half-circles at the given azimuths
+/// (degrees), `m` segments a half-circle and `n` rows from the axis; and the two loops of wire.
 fn half_discs(azimuths_deg: &[f64], m: usize, n: usize, radius: f64, bend: DVec3) -> (Vec<Vec<DVec3>>, Mesh) {
     let angle = |i: usize| std::f64::consts::PI * i as f64 / m as f64;
     let pole = |sign: f64| DVec3::new(0.0, 0.0, sign * radius);
@@ -110,7 +110,7 @@ fn half_circles_100_120_and_140_degrees_apart_still_meet_at_120() {
             assert!(junctions.length > 4.05 && junctions.morse_index == Some(0));
             assert!(junctions.largest_deviation.to_degrees() < 0.1, "{}", junctions.largest_deviation.to_degrees());
             assert!(junctions.mean_deviation.to_degrees() < 0.1, "{}", junctions.mean_deviation.to_degrees());
-            // Next to the poles the wires force their own angles on the film.
+            // Near the poles the wires force other angles on the film.
             let at_ends = junctions.largest_deviation_at_ends.to_degrees();
             assert!(junctions.largest_deviation.to_degrees() < at_ends && at_ends < 0.3, "{at_ends}");
             if bend == DVec3::ZERO {
@@ -118,21 +118,21 @@ fn half_circles_100_120_and_140_degrees_apart_still_meet_at_120() {
             }
         }
     }
-    // The same angles by another route, which knows nothing of forces.
+    // The same angles by another method, which does not use forces.
     assert!(
         in_the_middle.windows(2).all(|pair| pair[1] < 0.5 * pair[0]) && in_the_middle[2] < 0.1,
         "{in_the_middle:?}"
     );
 }
 
-/// Largest departure from 120° at the junction's vertices with |z| < `reach`, of tangent planes of quadratic surfaces through the
-/// vertex, fitted to each sheet's vertices in two rings of triangles.
+/// Largest deviation from 120° at the vertices of the junction with |z| < `reach`. The tangent planes are those of
+/// quadratic surfaces through the vertex, fitted to the vertices of each sheet in two rings of triangles.
 fn fitted_departure_deg(surface: &MinimalSurface, reach: f64) -> f64 {
     let film = JunctionFilm::read(surface.mesh.vertices.clone(), surface.mesh.triangles.clone()).unwrap();
     let mut largest: f64 = 0.0;
     for v in 0..film.vertices.len() as u32 {
         let here = film.vertices[v as usize];
-        let In::Junction(beside) = film.complex.places[v as usize] else { continue };
+        let VertexKind::Junction(beside) = film.complex.kinds[v as usize] else { continue };
         if here.z.abs() >= reach {
             continue;
         }
@@ -161,7 +161,8 @@ fn conormal(film: &JunctionFilm, sheet: &[u32], v: u32, tangent: DVec3) -> DVec3
     let inward = offsets.iter().sum::<DVec3>().reject_from(tangent).normalize();
     let up = tangent.cross(inward);
     let size = offsets.iter().map(|offset| offset.length()).fold(0.0, f64::max);
-    // Heights b r + c s² + d s r + e r² over the plane of tangent (s) and inward (r): the junction is level at the vertex.
+    // Heights b r + c s² + d s r + e r² over the plane of tangent (s) and inward (r): the junction is level at the
+    // vertex.
     let (mut matrix, mut right) = (glam::DMat4::ZERO, glam::DVec4::ZERO);
     for offset in offsets.iter().map(|offset| *offset / size) {
         let (s, r, height) = (offset.dot(tangent), offset.dot(inward), offset.dot(up));
@@ -190,7 +191,8 @@ fn scale_and_motion_change_nothing() {
 
 #[test]
 fn four_junctions_meet_in_a_point_inside_a_tetrahedron() {
-    // The cone over a regular tetrahedron's six edges: six sheets, four junctions from the middle to the corners, 109.47° apart.
+    // The cone over a regular tetrahedron's six edges: six sheets, four junctions from the middle to the corners,
+    // 109.47° apart.
     let corners =
         [(1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0, 1.0)].map(|(x, y, z)| DVec3::new(x, y, z));
     let n = 8;
@@ -255,7 +257,7 @@ fn what_is_no_such_film_is_refused() {
             other => panic!("{other:?}"),
         }
     };
-    // One wire of the three is not named.
+    // One of the three wires is missing in the request.
     assert!(told(&loops[..1], &mesh).contains("such edges are no segment"));
     let mut moved = loops.clone();
     moved[0][2].x += 1e-3;

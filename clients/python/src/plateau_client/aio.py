@@ -1,0 +1,296 @@
+"""The asynchronous client. client.py is its synchronous twin; what both say to the server is in flows.py."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import uuid
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, AsyncIterator, Dict, List, Mapping, Optional, TypeVar, Union, cast
+
+import httpx
+
+from . import flows, requests
+from .curves import CurveLike
+from .mesh import Mesh, Statistics
+from .progress import ProgressCallback, Watch
+
+if TYPE_CHECKING:
+    from types import TracebackType
+
+    import numpy as np
+    import numpy.typing as npt
+    from typing_extensions import Unpack
+
+    from . import api_types as api
+
+T = TypeVar("T")
+
+
+class AsyncResult(Mesh[Statistics]):
+    """A mesh whose files and curves can still be fetched from the server."""
+
+    def __init__(self, client: AsyncPlateau, job: api.Job, ply: bytes) -> None:
+        super().__init__(job, ply)
+        self._client = client
+
+    async def download(self, format: str = "glb") -> bytes:
+        """The mesh as `glb`, `gltf`, `obj`, `ply` or `stl`; the flat pattern of a ruled surface as `svg` or `dxf`."""
+        return await self._client.download(self.id, format)
+
+    async def save(self, path: Union[str, Path]) -> Path:
+        """Writes the mesh in the format that the name ends with, and returns the path."""
+        data = await self.download(flows.suffix_format(str(path)))
+        Path(path).write_bytes(data)
+        return Path(path)
+
+    async def lines(self) -> Dict[str, List[npt.NDArray[np.int64]]]:
+        """The curves on the mesh by name (boundaries, directrices, bridges, members…), as indices into `vertices`."""
+        return await self._client._run(flows.lines(self.id, self._client.patience))
+
+
+class AsyncJob:
+    """A job on the server. `info` is what the server last said of it."""
+
+    def __init__(self, client: AsyncPlateau, info: api.Job) -> None:
+        self._client = client
+        self.info = info
+
+    @property
+    def id(self) -> str:
+        return self.info["id"]
+
+    @property
+    def status(self) -> api.Status:
+        return self.info["status"]
+
+    async def refresh(self) -> api.Job:
+        """Asks the server for the job's present state."""
+        self.info = await self._client._run(flows.get_json(f"v1/jobs/{self.id}", self._client.patience))
+        return self.info
+
+    async def wait(
+        self, *, on_progress: Optional[ProgressCallback] = None, bar: bool = False, timeout: Optional[float] = None
+    ) -> AsyncResult[Any]:
+        """Waits for the end and returns the mesh.
+
+        Raises JobFailed, JobCancelled or TimedOut; the job goes on after TimedOut.
+        """
+        watch = Watch(on_progress, bar)
+        try:
+            flow = flows.wait(self.info, watch, flows.deadline(timeout), self._client.patience)
+            self.info = await self._client._run(flow)
+        finally:
+            watch.close()
+        return await self.result()
+
+    async def result(self) -> AsyncResult[Any]:
+        """The mesh of a job that has ended."""
+        return await self._client._run(flows.mesh(self._client._result, self.info, self._client.patience))
+
+    async def cancel(self) -> api.Job:
+        """Cancels the job; a job that has ended stays as it is."""
+        self.info = await self._client._post(f"v1/jobs/{self.id}/cancel")
+        return self.info
+
+    async def delete(self) -> None:
+        """Removes the job and its mesh from the server."""
+        await self._client._run(flows.call(flows.Call("DELETE", f"v1/jobs/{self.id}"), self._client.patience))
+
+    def __repr__(self) -> str:
+        return f"<job {self.id}: {self.info['kind']}, {self.status}>"
+
+
+class AsyncPlateau:
+    """A Plateau server.
+
+    `url` defaults to the environment's PLATEAU_URL, then http://127.0.0.1:8080; `api_key` to PLATEAU_API_KEY. A path in
+    the URL is the server's public base path. `patience`: seconds for which a request is tried again while
+    the server is busy. `timeout` limits each request, in seconds.
+    Use it as an async context manager, or call `close`.
+    """
+
+    def __init__(
+        self,
+        url: Optional[str] = None,
+        *,
+        api_key: Optional[str] = None,
+        patience: float = 60.0,
+        timeout: float = 30.0,
+        transport: Optional[httpx.AsyncBaseTransport] = None,
+    ) -> None:
+        self.url = (url or os.environ.get("PLATEAU_URL") or "http://127.0.0.1:8080").rstrip("/")
+        self.patience = patience
+        self._timeout = timeout
+        key = api_key or os.environ.get("PLATEAU_API_KEY")
+        headers = {"Authorization": f"Bearer {key}"} if key else {}
+        self._http = httpx.AsyncClient(base_url=self.url + "/", headers=headers, timeout=timeout, transport=transport)
+
+    async def ruled_surface(
+        self,
+        directrices: CurveLike,
+        *,
+        on_progress: Optional[ProgressCallback] = None,
+        bar: bool = False,
+        timeout: Optional[float] = None,
+        **options: Unpack[api.RuledSurfaceOptions],
+    ) -> AsyncResult[api.RuledStatistics]:
+        """The best triangulated strip between each pair of neighbouring directrices."""
+        request = requests.ruled_surface(directrices, **options)
+        return await self._solve(request, Watch(on_progress, bar), timeout)
+
+    async def minimal_surface(
+        self,
+        boundaries: CurveLike,
+        *,
+        on_progress: Optional[ProgressCallback] = None,
+        bar: bool = False,
+        timeout: Optional[float] = None,
+        **options: Unpack[api.MinimalSurfaceOptions],
+    ) -> AsyncResult[api.MinimalStatistics]:
+        """The minimal surface that spans closed boundaries."""
+        request = requests.minimal_surface(boundaries, **options)
+        return await self._solve(request, Watch(on_progress, bar), timeout)
+
+    async def uniform_mesh(
+        self,
+        domain: Union[CurveLike, Mapping[str, Any]],
+        edge_length: float,
+        *,
+        on_progress: Optional[ProgressCallback] = None,
+        bar: bool = False,
+        timeout: Optional[float] = None,
+        **options: Unpack[api.UniformMeshOptions],
+    ) -> AsyncResult[api.UniformStatistics]:
+        """A mesh of nearly equal members on a polygon (with holes), a Bézier or NURBS patch, or a minimal surface."""
+        request = requests.uniform_mesh(domain, edge_length, **options)
+        return await self._solve(request, Watch(on_progress, bar), timeout)
+
+    async def solve(
+        self,
+        request: Mapping[str, Any],
+        *,
+        on_progress: Optional[ProgressCallback] = None,
+        bar: bool = False,
+        timeout: Optional[float] = None,
+    ) -> AsyncResult[Any]:
+        """Solves a request with its `kind` in it, such as those of `GET /v1/examples`."""
+        return await self._solve(dict(request), Watch(on_progress, bar), timeout)
+
+    async def submit(self, request: Mapping[str, Any], *, idempotency_key: Optional[str] = None) -> AsyncJob:
+        """Submits a request with its `kind` in it and returns the job at once. `requests` makes such requests."""
+        key = idempotency_key or uuid.uuid4().hex
+        return AsyncJob(self, await self._run(flows.submit(dict(request), key, 0, self.patience)))
+
+    def live(self) -> Live:
+        """For dragging: of the requests that are solved through it only the newest counts."""
+        return Live(self)
+
+    async def job(self, job_id: str) -> AsyncJob:
+        """A job by its id."""
+        return AsyncJob(self, await self._run(flows.get_json(f"v1/jobs/{job_id}", self.patience)))
+
+    async def jobs(self, **filters: Any) -> AsyncIterator[api.JobSummary]:
+        """All jobs, newest first, page by page; `status`, `kind` and `idempotency_key` choose among them."""
+        while True:
+            page = await self._run(flows.get_json("v1/jobs", self.patience, filters))
+            for job in page["jobs"]:
+                yield job
+            if not page.get("next_cursor"):
+                return
+            filters["cursor"] = page["next_cursor"]
+
+    async def download(self, job_id: str, format: str = "glb") -> bytes:
+        """A file of a job that has succeeded."""
+        return await self._run(flows.download(job_id, format, self.patience))
+
+    async def objectives(self) -> api.ObjectiveList:
+        """What can be asked for."""
+        return cast("api.ObjectiveList", await self._run(flows.get_json("v1/objectives", self.patience)))
+
+    async def limits(self) -> api.Limits:
+        """How large requests to this server may be."""
+        return cast("api.Limits", await self._run(flows.get_json("v1/limits", self.patience)))
+
+    async def example(self, name: str) -> Dict[str, Any]:
+        """The request of an example, its `kind` in it, ready for `solve`."""
+        found = await self._run(flows.get_json(f"v1/examples/{name}", self.patience))
+        return {"kind": found["kind"], **found["request"]}
+
+    async def close(self) -> None:
+        """Closes the connections."""
+        await self._http.aclose()
+
+    async def __aenter__(self) -> AsyncPlateau:
+        return self
+
+    async def __aexit__(
+        self, kind: Optional[type], error: Optional[BaseException], trace: Optional[TracebackType]
+    ) -> None:
+        await self.close()
+
+    def _result(self, job: api.Job, ply: bytes) -> AsyncResult[Any]:
+        return AsyncResult(self, job, ply)
+
+    async def _solve(self, request: Dict[str, Any], watch: Watch, timeout: Optional[float]) -> AsyncResult[Any]:
+        return await self._run(flows.solve(self._result, request, watch, timeout, self.patience))
+
+    async def _post(self, path: str) -> Any:
+        return (await self._run(flows.call(flows.Call("POST", path), self.patience))).json()
+
+    async def _run(self, flow: flows.Flow[T]) -> T:
+        """Carries out the steps of a flow."""
+        try:
+            step = next(flow)
+            while True:
+                try:
+                    outcome = await self._carry_out(step)
+                except BaseException as error:
+                    step = flow.throw(error)
+                else:
+                    step = flow.send(outcome)
+        except StopIteration as end:
+            return cast("T", end.value)
+
+    async def _carry_out(self, step: flows.Step) -> Optional[httpx.Response]:
+        if isinstance(step, flows.Pause):
+            await asyncio.sleep(step.seconds)
+            return None
+        if isinstance(step, flows.Call):
+            limit = httpx.Timeout(self._timeout, read=self._timeout + step.longer_s)
+            return await self._http.request(
+                step.method, step.path, params=step.params, headers=step.headers, content=step.body, timeout=limit
+            )
+        reader = flows.EventReader(step.hear)
+        limit = httpx.Timeout(self._timeout, read=step.silence_s)
+        async with self._http.stream("GET", step.path, headers=step.headers, timeout=limit) as response:
+            if response.status_code != 200:
+                await response.aread()
+                return response
+            async for line in response.aiter_lines():
+                if reader.line(line):
+                    return None
+        return None
+
+
+class Live:
+    """Solves a stream of requests of which only the newest counts. A newer request cancels the older one's job."""
+
+    def __init__(self, client: AsyncPlateau) -> None:
+        self._client = client
+        self._newest: Optional[asyncio.Task[AsyncResult[Any]]] = None
+
+    async def solve(
+        self, request: Mapping[str, Any], *, on_progress: Optional[ProgressCallback] = None
+    ) -> Optional[AsyncResult[Any]]:
+        """The mesh, or None if a newer request came before it was there."""
+        if self._newest is not None:
+            self._newest.cancel()
+        task = self._newest = asyncio.ensure_future(self._client.solve(request, on_progress=on_progress))
+        try:
+            mesh = await task
+        except asyncio.CancelledError:
+            if task is self._newest:
+                raise
+            return None
+        return mesh if task is self._newest else None

@@ -1,0 +1,306 @@
+"""What the client says to the server, written once for the synchronous and the asynchronous client.
+
+A flow is a generator: it yields steps (`Call`, `Listen`, `Pause`) and is sent their outcome. `client.py` and `aio.py`
+carry the steps out. A flow never touches a socket, so both clients behave alike.
+"""
+
+from __future__ import annotations
+
+import json
+import time
+import uuid
+from typing import TYPE_CHECKING, Any, Callable, Dict, Generator, List, NamedTuple, Optional, TypeVar, Union, cast
+
+import httpx
+
+from . import errors
+from .curves import to_json
+from .mesh import read_lines
+
+if TYPE_CHECKING:
+    from .api_types import Job, Problem, Progress
+    from .progress import Watch
+
+T = TypeVar("T")
+
+PATHS = {
+    "ruled_surface": "v1/ruled-surfaces",
+    "minimal_surface": "v1/minimal-surfaces",
+    "uniform_mesh": "v1/uniform-meshes",
+}
+ENDED = ("succeeded", "failed", "cancelled")
+
+LONG_POLL_S = 20
+"""Seconds that one request waits for a job's end; the server may grant less."""
+SILENCE_S = 45.0
+"""An event stream that says nothing for so long is opened again. The server sends a comment every 15 s."""
+RECONNECT_S = 1.0
+ATTEMPTS = 4
+"""How often a request that got no answer is sent. Submissions carry an Idempotency-Key, so none is done twice."""
+
+
+class Call(NamedTuple):
+    """A request and its whole answer."""
+
+    method: str
+    path: str
+    params: Dict[str, Any] = {}
+    headers: Dict[str, str] = {}
+    body: Optional[bytes] = None
+    longer_s: float = 0.0
+    """Seconds that the server may take in addition to the usual time."""
+
+
+class Listen(NamedTuple):
+    """A stream of events; `hear` gets each event's name, id and data and returns true when it has heard enough."""
+
+    path: str
+    headers: Dict[str, str]
+    hear: Callable[[str, str, str], bool]
+    silence_s: float
+    """The stream has failed if nothing comes for so long."""
+
+
+class Pause(NamedTuple):
+    seconds: float
+
+
+Step = Union[Call, Listen, Pause]
+Flow = Generator[Step, Any, T]
+
+
+class EventReader:
+    """Puts the lines of a stream of server-sent events together."""
+
+    def __init__(self, hear: Callable[[str, str, str], bool]) -> None:
+        self._hear = hear
+        self._fields: Dict[str, str] = {}
+
+    def line(self, line: str) -> bool:
+        """Takes one line; true when enough was heard."""
+        if line:
+            name, _, value = line.partition(":")
+            value = value[1:] if value.startswith(" ") else value
+            if name == "data" and "data" in self._fields:
+                value = f"{self._fields['data']}\n{value}"
+            self._fields[name] = value
+            return False
+        fields, self._fields = self._fields, {}
+        if "data" not in fields:
+            return False
+        return self._hear(fields.get("event", "message"), fields.get("id", ""), fields["data"])
+
+
+def call(request: Call, patience_s: float) -> Flow[httpx.Response]:
+    """Sends a request; waits and tries again while the server is busy or cannot be reached; raises what it refuses."""
+    deadline = time.monotonic() + patience_s
+    attempt = 0
+    while True:
+        try:
+            response: httpx.Response = yield request
+        except httpx.TransportError as error:
+            attempt += 1
+            if attempt >= ATTEMPTS or isinstance(error, httpx.UnsupportedProtocol):
+                raise errors.ConnectionFailed(f"{type(error).__name__}: {error}") from error
+            yield Pause(0.1 * 3**attempt)
+            continue
+        if response.status_code < 400:
+            return response
+        retry_after = response.headers.get("retry-after", "")
+        if response.status_code in (429, 503) and retry_after.isdigit():
+            pause = max(0.2, float(retry_after))
+            if time.monotonic() + pause < deadline:
+                yield Pause(pause)
+                continue
+        raise problem(response)
+
+
+def problem(response: httpx.Response) -> errors.ProblemError:
+    """The exception for an answer that is a failure."""
+    status = response.status_code
+    try:
+        found = cast("Problem", response.json())
+        title, detail = found["title"], found["detail"]
+    except (ValueError, KeyError, TypeError):
+        found = cast("Problem", {})
+        title, detail = f"HTTP {status}", response.text[:200]
+    kinds: Dict[int, type] = {
+        400: errors.InvalidRequest,
+        413: errors.InvalidRequest,
+        415: errors.InvalidRequest,
+        422: errors.InvalidRequest,
+        401: errors.Unauthorized,
+        403: errors.Unauthorized,
+        404: errors.NotFound,
+        410: errors.NotFound,
+        429: errors.Busy,
+        503: errors.Busy,
+    }
+    made = kinds.get(status, errors.ServerError if status >= 500 else errors.ProblemError)(
+        title,
+        detail,
+        status=status,
+        type=found.get("type", "about:blank"),
+        errors=[errors.FieldError(item["pointer"], item["detail"]) for item in found.get("errors", [])],
+        errors_omitted=found.get("errors_omitted", False),
+        request_id=response.headers.get("x-request-id"),
+    )
+    return cast(errors.ProblemError, made)
+
+
+def get_json(path: str, patience_s: float, params: Optional[Dict[str, Any]] = None) -> Flow[Any]:
+    response = yield from call(Call("GET", path, params or {}), patience_s)
+    return response.json()
+
+
+def submit(request: Dict[str, Any], key: str, wait_s: int, patience_s: float) -> Flow[Job]:
+    """Posts a request. Its `kind` says where to; `wait_s` is how long the answer may wait for the end."""
+    kind = request.get("kind")
+    if kind not in PATHS:
+        detail = f"expected one of {', '.join(PATHS)}"
+        raise errors.InvalidRequest("The kind is missing", detail, errors=[errors.FieldError("/kind", detail)])
+    headers = {"Content-Type": "application/json", "Idempotency-Key": key}
+    if wait_s > 0:
+        headers["Prefer"] = f"wait={wait_s}"
+    posted = Call("POST", PATHS[kind], {}, headers, to_json(request), longer_s=wait_s)
+    response = yield from call(posted, patience_s)
+    return cast("Job", response.json())
+
+
+def wait(job: Job, watch: Watch, deadline: Optional[float], patience_s: float) -> Flow[Job]:
+    """Waits until a job has ended, however it ended."""
+    if watch and job["status"] not in ENDED:
+        job = yield from _listen(job, watch, deadline, patience_s)
+    while job["status"] not in ENDED:
+        left = _left(deadline)
+        seconds = LONG_POLL_S if left is None else max(1, min(LONG_POLL_S, int(left)))
+        request = Call("GET", f"v1/jobs/{job['id']}", {}, {"Prefer": f"wait={seconds}"}, longer_s=seconds)
+        job = cast("Job", (yield from call(request, patience_s)).json())
+    return job
+
+
+def deadline(timeout: Optional[float]) -> Optional[float]:
+    """The moment of the monotonic clock at which a timeout is over."""
+    return None if timeout is None else time.monotonic() + timeout
+
+
+def _left(deadline: Optional[float]) -> Optional[float]:
+    if deadline is None:
+        return None
+    left = deadline - time.monotonic()
+    if left <= 0:
+        raise errors.TimedOut("the job has not ended in the time that was given")
+    return left
+
+
+def _listen(job: Job, watch: Watch, deadline: Optional[float], patience_s: float) -> Flow[Job]:
+    """Follows the events of a job and passes its progress on. Reconnects where the stream breaks."""
+    newest: List[Job] = [job]
+    last_id: List[str] = [""]
+    heard: List[bool] = [False]
+
+    def hear(event: str, event_id: str, data: str) -> bool:
+        said = json.loads(data)
+        last_id[0] = event_id
+        heard[0] = True
+        if event == "status":
+            newest[0] = cast("Job", said)
+        watch(cast("Progress", said["progress"]))
+        _left(deadline)
+        return newest[0]["status"] in ENDED
+
+    broken = 0
+    while newest[0]["status"] not in ENDED:
+        left = _left(deadline)
+        silence_s = SILENCE_S if left is None else min(SILENCE_S, left)
+        headers = {"Accept": "text/event-stream"}
+        if last_id[0]:
+            headers["Last-Event-ID"] = last_id[0]
+        heard[0] = False
+        try:
+            refused: Optional[httpx.Response] = yield Listen(f"v1/jobs/{job['id']}/events", headers, hear, silence_s)
+        except httpx.TransportError as error:
+            _left(deadline)
+            broken = 0 if heard[0] else broken + 1
+            if broken >= ATTEMPTS:
+                raise errors.ConnectionFailed(f"{type(error).__name__}: {error}") from error
+            yield Pause(RECONNECT_S)
+            continue
+        if refused is not None and refused.status_code in (429, 503):
+            yield Pause(RECONNECT_S)
+        elif refused is not None and refused.status_code >= 400:
+            raise problem(refused)
+        elif newest[0]["status"] not in ENDED:
+            newest[0] = cast("Job", (yield from get_json(f"v1/jobs/{job['id']}", patience_s)))
+    return newest[0]
+
+
+def finished(job: Job) -> Job:
+    """The job if it has succeeded; else raises how it ended."""
+    if job["status"] == "failed":
+        raise errors.JobFailed(job)
+    if job["status"] == "cancelled":
+        raise errors.JobCancelled(job)
+    return job
+
+
+def mesh(make: Callable[[Job, bytes], T], job: Job, patience_s: float) -> Flow[T]:
+    """The mesh of a job that has ended. PLY, because it keeps f64 coordinates and the mean curvature."""
+    ply = yield from download(finished(job)["id"], "ply", patience_s)
+    return make(job, ply)
+
+
+def download(job_id: str, format: str, patience_s: float) -> Flow[bytes]:
+    part = "pattern" if format in ("svg", "dxf") else "mesh"
+    response = yield from call(Call("GET", f"v1/jobs/{job_id}/{part}", {"format": format}), patience_s)
+    return response.content
+
+
+def lines(job_id: str, patience_s: float) -> Flow[Dict[str, Any]]:
+    """The curves on a mesh. From OBJ, which names them and keeps the mesh's own vertex indices."""
+    return read_lines((yield from download(job_id, "obj", patience_s)))
+
+
+def solve(
+    make: Callable[[Job, bytes], T], request: Dict[str, Any], watch: Watch, timeout: Optional[float], patience_s: float
+) -> Flow[T]:
+    """Submits, waits, and gets the mesh.
+
+    A caller that stops waiting (Ctrl-C, a cancelled task, a timeout, an exception of its own function) cancels the job.
+    """
+    key = uuid.uuid4().hex
+    end = deadline(timeout)
+    job: Optional[Job] = None
+    try:
+        job = yield from submit(request, key, 0 if watch else 1, patience_s)
+        job = yield from wait(job, watch, end, patience_s)
+    except (GeneratorExit, errors.ProblemError):
+        raise
+    except BaseException:
+        yield from _give_up(job, key)
+        raise
+    finally:
+        watch.close()
+    return (yield from mesh(make, job, patience_s))
+
+
+def _give_up(job: Optional[Job], key: str) -> Flow[None]:
+    """Cancels a job that nobody waits for any more, found by its key if the answer to its submission never came."""
+    try:
+        ids = (
+            [job["id"]]
+            if job
+            else [found["id"] for found in (yield Call("GET", "v1/jobs", {"idempotency_key": key})).json()["jobs"]]
+        )
+        for job_id in ids:
+            yield Call("POST", f"v1/jobs/{job_id}/cancel")
+    except (httpx.HTTPError, KeyError, ValueError):
+        pass
+
+
+def suffix_format(path: str) -> str:
+    """The format that a file's name asks for."""
+    suffix = path.rsplit(".", 1)[-1].lower() if "." in path else ""
+    if suffix not in ("glb", "gltf", "obj", "ply", "stl", "svg", "dxf"):
+        raise ValueError(f"{path}: expected a name that ends in .glb, .gltf, .obj, .ply, .stl, .svg or .dxf")
+    return suffix

@@ -1,0 +1,61 @@
+"""The package itself: types, the least Python, generated types, a wheel in a fresh environment, the README's code."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+import venv
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+BLOCKS = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)
+
+
+def run(*command: object, cwd: Path = ROOT) -> str:
+    done = subprocess.run([str(part) for part in command], cwd=cwd, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def test_mypy_is_strict_and_silent() -> None:
+    run(sys.executable, "-m", "mypy")
+
+
+def test_the_code_is_formatted_and_linted() -> None:
+    run(sys.executable, "-m", "ruff", "format", "--check", ".")
+    run(sys.executable, "-m", "ruff", "check", ".")
+
+
+def test_nothing_needs_more_than_python_3_9() -> None:
+    run(
+        Path(sys.executable).with_name("vermin"),
+        "--target=3.9-",
+        "--no-tips",
+        "--violations",
+        "src",
+        "generate_types.py",
+    )
+
+
+def test_the_types_are_those_of_the_api_document() -> None:
+    run(sys.executable, "generate_types.py", "--check")
+
+
+@pytest.mark.parametrize("block", BLOCKS, ids=range(len(BLOCKS)))
+def test_the_code_of_the_readme_runs(block: str) -> None:
+    exec(compile(block, "README.md", "exec"), {"__name__": "readme"})
+
+
+def test_the_wheel_works_in_a_fresh_environment(tmp_path: Path) -> None:
+    run(sys.executable, "-m", "build", "--no-isolation", "--outdir", tmp_path / "dist")
+    assert next((tmp_path / "dist").glob("*.tar.gz")).stat().st_size > 1000
+    venv.create(tmp_path / "fresh", with_pip=True)
+    python = tmp_path / "fresh" / "bin" / "python"
+    run(python, "-m", "pip", "install", "--quiet", next((tmp_path / "dist").glob("*.whl")))
+    installed = run(python, "-m", "pip", "list", "--format=freeze")
+    assert "plateau-client==0.1.0" in installed and "trimesh" not in installed
+    run(python, "-c", BLOCKS[0], cwd=tmp_path)
+    assert (tmp_path / "film.glb").read_bytes()[:4] == b"glTF"

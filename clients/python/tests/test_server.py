@@ -1,0 +1,179 @@
+"""The client against a real server: solve, progress, cancel, errors by pointer, live dragging."""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from pathlib import Path
+from typing import Any, Dict, List
+
+import numpy as np
+import pytest
+
+from plateau_client import (
+    AsyncPlateau,
+    InvalidRequest,
+    JobCancelled,
+    JobFailed,
+    NotFound,
+    Plateau,
+    TimedOut,
+    requests,
+)
+
+TENT = [(0.0, 0.0, 0.0), (8.0, 0.0, 3.0), (8.0, 8.0, 0.0), (0.0, 8.0, 3.0)]
+SURVEY = np.array([2_600_123.123456789, 1_200_456.987654321, 431.25])
+
+
+def large(shift: float = 0.0) -> Dict[str, Any]:
+    """A request that takes seconds, never the same twice with different shifts."""
+    ring = np.array(TENT) + [0.0, 0.0, shift]
+    return requests.minimal_surface([ring], resolution={"triangles": 150_000}, cache="bypass")
+
+
+def statuses(client: Plateau, **filters: Any) -> List[str]:
+    return [job["status"] for job in client.jobs(**filters)]
+
+
+def soon(condition: Any) -> bool:
+    end = time.monotonic() + 10
+    while not condition() and time.monotonic() < end:
+        time.sleep(0.05)
+    return bool(condition())
+
+
+def test_every_kind_is_solved_and_saved(tmp_path: Path) -> None:
+    with Plateau() as client:
+        strip = client.ruled_surface([TENT[:2], [(0, 8, 3), (4, 8, 2), (8, 8, 0)]], objective="minimal_twist")
+        film = client.minimal_surface([TENT], resolution={"triangles": 2000}, units="mm")
+        floor = client.uniform_mesh([(0, 0), (30, 0), (30, 20), (0, 20)], 2.5)
+        assert len(strip.triangles) == strip.statistics["triangles"] == 3
+        assert film.statistics["converged"] and len(film.vertices) == film.statistics["vertices"]
+        assert (film.unit, film.up) == ("mm", "z") and film.mean_curvature is not None and strip.mean_curvature is None
+        assert floor.statistics["nodes"] == len(floor.vertices)
+        for name in ("film.glb", "film.gltf", "film.obj", "film.ply", "film.stl"):
+            assert film.save(tmp_path / name).stat().st_size > 1000
+        assert strip.save(tmp_path / "strip.svg").read_text().startswith("<svg")
+        with pytest.raises(ValueError, match="expected a name that ends in"):
+            film.save("film.fbx")
+        assert set(floor.lines()) == {"members_lattice", "members_rim"}
+        np.testing.assert_array_equal(film.vertices[film.lines()["boundaries"][0][0]], TENT[0])
+
+
+def test_vertices_are_the_solver_s_own_numbers_at_survey_coordinates_too() -> None:
+    client = Plateau()
+    film = client.minimal_surface([np.array(TENT) + SURVEY], resolution={"triangles": 500})
+    np.testing.assert_array_equal(film.vertices[:4], np.array(TENT) + SURVEY)
+    obj = film.download("obj").decode()  # another writer of the server, which prints the shortest text that reads back
+    read = np.array([line.split()[1:] for line in obj.splitlines() if line.startswith("v ")], dtype=np.float64)
+    np.testing.assert_array_equal(film.vertices, read)
+
+
+def test_every_example_is_solved_as_it_is_served() -> None:
+    client = Plateau()
+    for name in ("helicoid-liu-wang", "two-rails", "courtyard"):
+        mesh = client.solve(client.example(name))
+        assert len(mesh.triangles) == mesh.statistics["triangles"]
+
+
+def test_progress_rises_and_the_bar_is_drawn(capfd: pytest.CaptureFixture[str]) -> None:
+    seen: List[float] = []
+    Plateau().solve(large(0.001), on_progress=lambda progress: seen.append(progress["fraction"]), bar=True)
+    assert len(seen) >= 4 and seen == sorted(seen) and seen[-1] == 1.0
+    drawn = capfd.readouterr().err
+    assert "100 % finished" in drawn and drawn.endswith("\n")
+
+
+def test_a_job_is_cancelled_by_whoever_has_its_handle() -> None:
+    client = Plateau()
+    job = client.submit(large(0.002))
+    assert job.status in ("queued", "running")
+    assert job.cancel()["status"] == "cancelled"
+    with pytest.raises(JobCancelled):
+        job.wait()
+    job.delete()
+    with pytest.raises(NotFound):
+        job.refresh()
+
+
+def test_who_stops_waiting_cancels_the_job() -> None:
+    client = Plateau()
+
+    def interrupt(progress: Any) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        client.solve(large(0.003), on_progress=interrupt)
+    with pytest.raises(TimedOut):
+        client.solve(large(0.004), timeout=0.5)
+
+    async def task() -> None:
+        async with AsyncPlateau() as other:
+            running = asyncio.ensure_future(other.solve(large(0.005)))
+            await asyncio.sleep(0.3)
+            running.cancel()
+            with pytest.raises(asyncio.CancelledError):
+                await running
+
+    asyncio.run(task())
+    assert soon(lambda: not statuses(client, status="running") and not statuses(client, status="queued"))
+
+
+def test_a_wait_that_times_out_leaves_the_job_running() -> None:
+    job = Plateau().submit(large(0.006))
+    with pytest.raises(TimedOut):
+        job.wait(timeout=0.2)
+    assert job.refresh()["status"] in ("queued", "running")
+    job.cancel()
+
+
+def test_errors_lead_to_the_values() -> None:
+    client = Plateau()
+    with pytest.raises(InvalidRequest) as refused:
+        client.minimal_surface([TENT], resolution={"triangles": -5}, units="MM")  # type: ignore[arg-type]
+    error = refused.value
+    assert error.status == 422 and {found.pointer for found in error.errors} == {"/resolution/triangles", "/units"}
+    assert "/units" in str(error) and error.request_id
+
+    with pytest.raises(InvalidRequest) as local:
+        client.minimal_surface([TENT, [(0, 0, 0), (1, float("nan"), 0), (1, 1, 0)]])
+    assert local.value.status is None and local.value.errors[0].pointer == "/boundaries/1/1/1"
+    with pytest.raises(ValueError, match="/boundaries/0: expected points"):
+        client.minimal_surface([["a", "b"]])
+    with pytest.raises(InvalidRequest, match="/boundaries: expected a list of curves"):
+        client.minimal_surface(5)
+    with pytest.raises(InvalidRequest, match="/kind"):
+        client.solve({"boundaries": [TENT]})
+
+
+def test_a_job_that_fails_says_why() -> None:
+    client = Plateau()
+    twisted = [(0, 0, 0), (30, 20, 0), (30, 0, 0), (0, 20, 0)]
+    with pytest.raises((JobFailed, InvalidRequest)) as failed:
+        client.uniform_mesh(twisted, 2.5)
+    assert failed.value.detail
+
+
+def test_only_the_newest_of_a_drag_is_delivered() -> None:
+    async def drag() -> float:
+        async with AsyncPlateau() as client:
+            live = client.live()
+            tasks = []
+            for step in range(20):  # ten requests a second
+                tasks.append(asyncio.ensure_future(live.solve(large(0.01 + step / 1000))))
+                await asyncio.sleep(0.1)
+            started = time.monotonic()
+            meshes = await asyncio.gather(*tasks)
+            assert all(mesh is None for mesh in meshes[:-1])
+            newest = meshes[-1]
+            assert newest is not None and newest.vertices[:4, 2].min() == pytest.approx(0.029)
+            return time.monotonic() - started
+
+    seconds = asyncio.run(drag())
+    client = Plateau()
+    one = time.monotonic()
+    client.solve(large(0.5))
+    one = time.monotonic() - one
+    print(f"last request to last film {seconds:.2f} s, one film alone {one:.2f} s")
+    assert seconds < 2 * one + 2
+    assert statuses(client, status="running") == []
