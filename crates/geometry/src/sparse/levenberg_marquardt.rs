@@ -56,10 +56,10 @@ impl<const N: usize> NormalEquations<N> {
                 *sum += derivative * residual;
             }
             for (&w, by_w) in nodes.iter().zip(derivatives) {
-                let Some(place) = self.pattern.place(v, w) else { continue };
+                let Some(position) = self.pattern.position(v, w) else { continue };
                 for (i, a) in by_v.iter().enumerate() {
                     for (j, b) in by_w.iter().enumerate() {
-                        self.matrix.values[place.at(i, j)] += a * b;
+                        self.matrix.values[position.at(i, j)] += a * b;
                     }
                 }
             }
@@ -80,11 +80,11 @@ impl<const N: usize> NormalEquations<N> {
     /// Adds μM to the matrix.
     fn damp(&mut self, damping: f64, metric: impl Fn(usize) -> [[f64; N]; N]) {
         for node in 0..self.gradient.len() {
-            let Some(place) = self.pattern.place(node as u32, node as u32) else { continue };
+            let Some(position) = self.pattern.position(node as u32, node as u32) else { continue };
             let block = metric(node);
             for (i, row) in block.iter().enumerate() {
                 for (j, entry) in row.iter().enumerate() {
-                    self.matrix.values[place.at(i, j)] += damping * entry;
+                    self.matrix.values[position.at(i, j)] += damping * entry;
                 }
             }
         }
