@@ -8,7 +8,6 @@ use crate::config::LimitsConfig;
 use crate::units::{Unit, UpAxis};
 use plateau_geometry::mesh::self_intersections::Skipped;
 use plateau_geometry::uniform_mesh as geometry;
-use plateau_geometry::uniform_mesh::parametric_surface;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -211,7 +210,7 @@ impl Domain {
             Self { bezier: Some(patch), .. } => {
                 geometry::Domain::Bezier { control_points: common::polylines(&patch.control_points) }
             }
-            Self { nurbs: Some(patch), .. } => geometry::Domain::Nurbs(parametric_surface::Nurbs {
+            Self { nurbs: Some(patch), .. } => geometry::Domain::Nurbs(geometry::Nurbs {
                 degrees: patch.degrees.map(|degree| degree as usize),
                 knots: patch.knots.clone(),
                 control_points: common::polylines(&patch.control_points),
@@ -284,9 +283,9 @@ impl UniformMeshRequest {
             },
             length_tolerance: self.length_tolerance,
             optimise,
-            rim: match self.rim {
-                Rim::Bounded => geometry::Rim::Bounded,
-                Rim::Free => geometry::Rim::Free,
+            transition: match self.rim {
+                Rim::Bounded => geometry::Transition::Bounded,
+                Rim::Free => geometry::Transition::Free,
             },
             auxiliary_grid: self.auxiliary_grid,
         };
@@ -408,6 +407,34 @@ pub struct OutOfRange {
     pub why: &'static str,
 }
 
+/// The mesh beside the curved surface that it stands for. All nodes lie on the surface.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct SurfaceFit {
+    /// `flattened`: laid into the plane, meshed there and carried back. `on_surface`: meshed on the surface itself, because
+    /// it cannot be laid into the plane with a bounded distortion.
+    pub method: &'static str,
+    /// The surface's own area.
+    pub area: f64,
+    /// The mesh's area less the surface's, relative to the surface's.
+    pub area_error: f64,
+    /// Largest distance from the middle of a triangle to the surface.
+    pub distance_max: f64,
+    /// Largest angle between the normals of a triangle and of the surface below its middle.
+    pub normal_deviation_max_deg: f64,
+}
+
+impl From<geometry::SurfaceFit> for SurfaceFit {
+    fn from(fit: geometry::SurfaceFit) -> Self {
+        Self {
+            method: fit.method.name(),
+            area: fit.area,
+            area_error: fit.area_error,
+            distance_max: fit.distance_max,
+            normal_deviation_max_deg: fit.normal_deviation_max.to_degrees(),
+        }
+    }
+}
+
 /// Statistics of a uniform mesh. Lengths are in the request's unit, and angles are in degrees.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct UniformStatistics {
@@ -435,7 +462,11 @@ pub struct UniformStatistics {
     pub self_intersections: Option<u64>,
     /// Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`.
     pub self_intersections_skipped: Option<&'static str>,
+    /// False if the deadline cut the work short, or if the surface is curved too strongly for this edge length: the area is
+    /// off by more than 1%, a triangle faces away, or edges or angles are far out of range. `not_converged` says by how much.
     pub converged: bool,
+    /// Curved domains: the mesh beside its surface. Null for polygons.
+    pub surface: Option<SurfaceFit>,
     pub angles_deg: AngleRange,
     pub length_histogram: LengthHistogram,
     /// Entry k is the number of nodes with k members.
@@ -467,7 +498,7 @@ impl UniformStatistics {
             all: stage.all.into(),
             lattice: stage.lattice.map(Into::into),
         };
-        let shared = |row: &geometry::lengths::LengthsRow| SharedLengths {
+        let shared = |row: &geometry::LengthsRow| SharedLengths {
             lengths: row.lengths,
             deviation: row.deviation,
             deviation_before: row.deviation_before,
@@ -489,6 +520,7 @@ impl UniformStatistics {
             self_intersections: statistics.self_intersections.pairs,
             self_intersections_skipped: statistics.self_intersections.skipped.map(Skipped::name),
             converged: mesh.converged,
+            surface: statistics.surface.map(Into::into),
             angles_deg: AngleRange { min: statistics.angles.0.to_degrees(), max: statistics.angles.1.to_degrees() },
             length_histogram: LengthHistogram {
                 from: statistics.length_histogram.from,

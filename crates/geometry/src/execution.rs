@@ -85,10 +85,20 @@ impl<'a> Execution<'a> {
     }
 
     /// Runs a part of a solve. The progress of the part, from 0 to 1, is reported as an interval of the whole progress,
-    /// from `from` to `to`. Its looks are counted here too.
-    pub fn part<R>(&self, [from, to]: [f64; 2], work: impl FnOnce(&Execution) -> R) -> R {
+    /// from the first number of `span` to the second. Its looks are counted here too.
+    pub fn part<R>(&self, span: [f64; 2], work: impl FnOnce(&Execution) -> R) -> R {
+        self.section(None, span, work)
+    }
+
+    /// The same as [`part`](Self::part) with every report under the name of one phase.
+    pub fn part_as<R>(&self, phase: &'static str, span: [f64; 2], work: impl FnOnce(&Execution) -> R) -> R {
+        self.section(Some(phase), span, work)
+    }
+
+    fn section<R>(&self, phase: Option<&'static str>, [from, to]: [f64; 2], work: impl FnOnce(&Execution) -> R) -> R {
         let report = |progress: Progress| {
-            self.report(Progress { fraction: from + (to - from) * progress.fraction, ..progress });
+            let fraction = from + (to - from) * progress.fraction.clamp(0.0, 1.0);
+            self.report(Progress { fraction, phase: phase.unwrap_or(progress.phase), ..progress });
         };
         let part = Execution::new(self.signal, &report);
         let result = work(&part);

@@ -50,6 +50,7 @@ pub mod error;
 pub mod execution;
 pub mod mesh;
 pub mod minimal_surface;
+mod plane;
 pub mod polyline;
 pub mod random;
 mod remesh;

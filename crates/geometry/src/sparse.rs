@@ -4,6 +4,7 @@
 //! solution is checked against its right-hand side before it is returned.
 
 mod conjugate_gradients;
+pub(crate) mod levenberg_marquardt;
 pub(crate) mod multigrid;
 pub(crate) mod pattern;
 

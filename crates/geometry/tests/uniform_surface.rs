@@ -1,8 +1,9 @@
 //! Uniform meshes of patches and films: what must hold on any surface, closed forms, shared lengths.
 
 use plateau_geometry::mesh::measure;
-use plateau_geometry::uniform_mesh::parametric_surface::Nurbs;
-use plateau_geometry::uniform_mesh::{Domain, Objective, Optimise, Options, Rim, UniformMesh, Why, solve};
+use plateau_geometry::uniform_mesh::{
+    Domain, Nurbs, Objective, Optimise, Options, Transition, UniformMesh, Why, solve,
+};
 use plateau_geometry::{DVec2, DVec3, Error, Execution, Interruption, Signal};
 
 fn run(domain: &Domain, options: &Options) -> Result<UniformMesh, Error> {
@@ -69,7 +70,7 @@ fn check(result: &UniformMesh, edge_length: f64) {
         assert!(a.count == b.count && (a.std_dev - b.std_dev).abs() < 1e-9 * edge_length);
         assert!((a.min - b.min).abs() < 1e-9 * edge_length && (a.max - b.max).abs() < 1e-9 * edge_length);
     }
-    let out = result.lengths.iter().filter(|&&l| !(0.999_999_99..=2.000_000_01).contains(&(l / edge_length))).count();
+    let out = result.lengths.iter().filter(|&&l| !(0.999_999_998..=2.000_000_004).contains(&(l / edge_length))).count();
     assert_eq!(out, result.out_of_range.len());
     assert!(result.out_of_range.iter().all(|edge| edge.why != Why::Unfinished));
 }
@@ -160,7 +161,7 @@ fn the_rim_stays_within_its_bounds_unless_it_is_free() {
     let before = bounded.stages[3].lattice.unwrap().lengths;
     let after = bounded.stages[4].lattice.unwrap().lengths;
     assert!(after.std_dev < 0.8 * before.std_dev);
-    let free = run(&bezier(roof()), &Options { rim: Rim::Free, ..options(4.0) }).unwrap();
+    let free = run(&bezier(roof()), &Options { transition: Transition::Free, ..options(4.0) }).unwrap();
     check(&free, 4.0);
     let squares = |result: &UniformMesh| -> f64 {
         let lattice = result.lengths.iter().zip(&result.lattice_group).filter(|&(_, &lattice)| lattice);
@@ -319,13 +320,6 @@ fn bad_input_is_named() {
     let mut net = roof();
     net[2].pop();
     assert_eq!(places(&bezier(net), &options(4.0)), ["/domain/bezier/control_points/2"]);
-    // A side that is one point; a tube; a patch folded onto itself.
-    let mut net = roof();
-    net[0] = vec![net[0][0]; 4];
-    assert_eq!(places(&bezier(net), &options(4.0)), ["/domain/bezier"]);
-    let mut net = roof();
-    net[3] = net[0].clone();
-    assert_eq!(places(&bezier(net), &options(4.0)), ["/domain/bezier"]);
     assert_eq!(
         places(&bezier(roof()), &Options { auxiliary_grid: [1, 4000], ..options(4.0) }),
         ["/auxiliary_grid/0", "/auxiliary_grid/1"]

@@ -39,8 +39,11 @@ pub struct Stage {
 /// Counts of edge lengths in equal bins: bin k covers [`from` + k `width`, `from` + (k + 1) `width`).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LengthHistogram {
+    /// Where bin 0 begins.
     pub from: f64,
+    /// Width of a bin.
     pub width: f64,
+    /// Edges in each bin.
     pub counts: Vec<usize>,
 }
 

@@ -16,21 +16,86 @@
 //! - A mesh of several loops, or without interior vertices, is taken as it is.
 
 mod curvature;
-mod levenberg_marquardt;
 
 use crate::mesh::film::Film;
 use crate::minimal_surface::curvature::Curvature;
 use crate::minimal_surface::options::{Limits, LiuWang, Solver};
 use crate::minimal_surface::run::{HistoryRow, Run, StopReason};
 use crate::remesh::delaunay::flip_to_delaunay;
+use crate::sparse::levenberg_marquardt::{Criteria, LeastSquares, NormalEquations, Stop, minimise};
 use crate::{DVec3, Error, Execution, Interruption, Progress};
 use curvature::CurvatureRows;
-use levenberg_marquardt::{Criteria, Stop, levenberg_marquardt};
 
 /// Largest number of steps over all rounds if the caller gives none (k_max in the paper).
 const MAX_ITERATIONS: u32 = 500;
 /// Largest number of rounds of steps 2 and 3, because flips and solves could undo each other for ever.
 const MAX_ROUNDS: usize = 50;
+
+/// Damping at the start, as a fraction of the largest diagonal entry of JᵀJ (τ in Madsen, Nielsen and Tingleff).
+const DAMPING: f64 = 1e-6;
+
+/// ½ Σ H² over the vertices that may move.
+struct Bending {
+    rows: CurvatureRows,
+    vertices: Vec<DVec3>,
+    /// The vertices that may move.
+    moving: Vec<usize>,
+    /// The largest diagonal entry of the first JᵀJ.
+    scale: Option<f64>,
+}
+
+impl Bending {
+    fn new(rows: CurvatureRows, vertices: Vec<DVec3>) -> Self {
+        let moving = (0..vertices.len()).filter(|&v| rows.unknown_of(v).is_some()).collect();
+        Self { rows, vertices, moving, scale: None }
+    }
+
+    fn places(&self) -> Vec<DVec3> {
+        self.moving.iter().map(|&v| self.vertices[v]).collect()
+    }
+
+    fn put(&mut self, places: &[DVec3]) {
+        for (&v, &place) in self.moving.iter().zip(places) {
+            self.vertices[v] = place;
+        }
+    }
+}
+
+impl LeastSquares<3> for Bending {
+    type Place = DVec3;
+
+    fn couplings(&self, couple: &mut dyn FnMut(&[u32])) {
+        (0..self.rows.rows()).for_each(|row| couple(self.rows.row(row).0));
+    }
+
+    fn energy(&mut self, x: &[DVec3]) -> f64 {
+        self.put(x);
+        self.rows.evaluate(&self.vertices)
+    }
+
+    fn assemble(&mut self, x: &[DVec3], normal: &mut NormalEquations<3>) {
+        self.put(x);
+        self.rows.differentiate(&self.vertices);
+        for row in 0..self.rows.rows() {
+            let (columns, values) = self.rows.row(row);
+            let derivatives: Vec<[f64; 3]> = values.iter().map(|&by| by.into()).collect();
+            normal.add(self.rows.curvatures()[row], columns, &derivatives);
+        }
+        self.scale.get_or_insert(normal.largest_diagonal());
+    }
+
+    fn metric(&self, _node: usize) -> [[f64; 3]; 3] {
+        let scale = self.scale.unwrap_or(1.0);
+        [[scale, 0.0, 0.0], [0.0, scale, 0.0], [0.0, 0.0, scale]]
+    }
+
+    fn advance(&self, x: &[DVec3], step: &[[f64; 3]], to: &mut [DVec3]) -> f64 {
+        for ((place, &from), &step) in to.iter_mut().zip(x).zip(step) {
+            *place = from + DVec3::from(step);
+        }
+        1.0
+    }
+}
 
 /// Steps 2 and 3 on a film: lowers F = ½ Σ H² until the triangulation stays the same.
 ///
@@ -73,14 +138,24 @@ fn rounds(
     let mut stop_reason = StopReason::NothingToMove;
     for _ in 0..MAX_ROUNDS {
         let moves: Vec<bool> = film.fixed.iter().map(|fixed| !fixed).collect();
-        let mut rows = CurvatureRows::new(&film.topology, &moves, options.boundary_curvature);
+        let rows = CurvatureRows::new(&film.topology, &moves, options.boundary_curvature);
+        let epsilon = options.tolerance;
         let criteria = Criteria {
-            tolerance: options.tolerance,
+            damping: DAMPING,
+            change: epsilon,
+            floor: 1.0,
+            quiet_steps: 1,
+            gradient: epsilon.cbrt(),
+            step: epsilon.sqrt(),
             max_iterations: u64::from(max_iterations.saturating_sub(run.iterations)),
         };
-        let mut vertices = film.vertices.clone();
-        let mut observe = |vertices: &[DVec3], objective_value: f64| {
-            film.vertices.copy_from_slice(vertices);
+        let mut bending = Bending::new(rows, film.vertices.clone());
+        let moving = bending.moving.clone();
+        let mut places = bending.places();
+        let mut observe = |_: u64, places: &[DVec3], objective_value: f64| {
+            for (&v, &place) in moving.iter().zip(places) {
+                film.vertices[v] = place;
+            }
             run.iterations += 1;
             let residual = Curvature::of(film).residual;
             let area = film.area() * radius * radius;
@@ -94,16 +169,16 @@ fn rounds(
                 residual: Some(residual),
             });
         };
-        let (stop, objective_value) =
-            levenberg_marquardt(&mut vertices, &mut rows, &criteria, &mut observe, execution)?;
+        let (stop, objective_value) = minimise(&mut bending, &mut places, criteria, &mut observe, execution);
         run.objective_value = Some(objective_value);
         stop_reason = match stop {
-            Stop::ChangeOfObjective => StopReason::ObjectiveChange,
+            Stop::Change => StopReason::ObjectiveChange,
             Stop::Gradient => StopReason::Gradient,
             Stop::Step => StopReason::StepLength,
             Stop::NoUnknowns => StopReason::NothingToMove,
             Stop::NoStep => StopReason::Stalled,
             Stop::MaxIterations => return Ok(StopReason::MaxIterations),
+            Stop::Interrupted(interruption) => return Err(interruption),
         };
         let swapped = flip_to_delaunay(film);
         execution.look(film.triangles().len() as u64)?;

@@ -53,7 +53,6 @@ pub(super) struct CurvatureRows {
     triangles: Vec<[u32; 3]>,
     /// For each vertex its number among the unknown ones, or [`FIXED`].
     unknown: Vec<u32>,
-    unknowns: usize,
     /// Which vertices have a row.
     row_of: Vec<u32>,
     /// Row k owns the entries `start[k]..start[k + 1]` of `columns` (unknowns, ascending) and `values`.
@@ -68,10 +67,8 @@ impl CurvatureRows {
     #[must_use]
     pub fn new(topology: &Topology, moves: &[bool], boundary_rows: bool) -> Self {
         let mut unknown = vec![FIXED; moves.len()];
-        let mut unknowns = 0;
-        for (vertex, _) in moves.iter().enumerate().filter(|(_, moves)| **moves) {
-            unknown[vertex] = unknowns as u32;
-            unknowns += 1;
+        for (number, (vertex, _)) in moves.iter().enumerate().filter(|(_, moves)| **moves).enumerate() {
+            unknown[vertex] = number as u32;
         }
         let hinges = (0..topology.twin.len() as u32)
             .filter(|&h| topology.twin[h as usize] != NONE && topology.twin[h as usize] > h)
@@ -106,7 +103,6 @@ impl CurvatureRows {
             hinges,
             triangles: topology.triangles().to_vec(),
             unknown,
-            unknowns,
             row_of,
             start,
             columns,
@@ -115,23 +111,10 @@ impl CurvatureRows {
         }
     }
 
-    /// Number of vertices that may move.
-    #[must_use]
-    pub fn unknowns(&self) -> usize {
-        self.unknowns
-    }
-
     /// The number of a vertex among those that may move.
     #[must_use]
     pub fn unknown_of(&self, vertex: usize) -> Option<usize> {
         (self.unknown[vertex] != FIXED).then_some(self.unknown[vertex] as usize)
-    }
-
-    /// Elementary operations of one evaluation and assembly, as [`Execution::look`](crate::Execution::look) counts
-    /// them.
-    #[must_use]
-    pub fn work(&self) -> u64 {
-        (8 * self.columns.len() + self.hinges.len()) as u64
     }
 
     #[must_use]
@@ -314,7 +297,8 @@ mod tests {
         let moves: Vec<bool> = (0..mesh.vertices.len() as u32).map(|v| !topology.is_boundary(v)).collect();
         let mut rows = CurvatureRows::new(&topology, &moves, true);
         rows.differentiate(&mesh.vertices);
-        assert_eq!((rows.rows(), rows.unknowns()), (36, 16));
+        let unknowns = (0..36).filter(|&v| rows.unknown_of(v).is_some()).count();
+        assert_eq!((rows.rows(), unknowns), (36, 16));
         let mut worst: f64 = 0.0;
         for vertex in 0..mesh.vertices.len() {
             let Some(unknown) = rows.unknown_of(vertex) else { continue };

@@ -18,7 +18,7 @@ fn coord(p: DVec2) -> Coord<f64> {
 }
 
 /// Positive if `c` lies to the left of a→b; the sign is exact.
-pub(super) fn side(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+pub(crate) fn side(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     orient2d(coord(a), coord(b), coord(c))
 }
 
@@ -34,7 +34,7 @@ impl HasPosition for Site {
 
 /// What a constraint separates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Border {
+pub(crate) enum Border {
     /// A piece of the polygon's outline or of a hole, directed with the domain on its left.
     Outline,
     /// An edge with the lattice on exactly one side.
@@ -45,7 +45,7 @@ pub(super) enum Border {
 
 /// A segment between two points that the triangulation must contain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Constraint {
+pub(crate) struct Constraint {
     pub from: u32,
     pub to: u32,
     pub border: Border,
@@ -53,7 +53,7 @@ pub(super) struct Constraint {
 
 /// Why the constraints bound no region.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Tangle {
+pub(crate) enum Tangle {
     /// Two points coincide.
     Coincident(u32, u32),
     /// This constraint crosses another one or runs through a point.
@@ -67,7 +67,7 @@ pub(super) enum Tangle {
 /// Triangles counter-clockwise; half-edge `3 t + k` runs from corner k to corner k + 1 of triangle t, `twin` as in
 /// [`topology`](crate::mesh::topology).
 #[derive(Clone, Debug, Default)]
-pub(super) struct Triangulation {
+pub(crate) struct Triangulation {
     pub points: Vec<DVec2>,
     pub corners: Vec<[u32; 3]>,
     pub twin: Vec<[u32; 3]>,
@@ -77,7 +77,7 @@ pub(super) struct Triangulation {
 
 /// Where the straight way from a triangle to a point ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Sight {
+pub(crate) enum Sight {
     /// In this triangle.
     In(u32),
     /// Behind a constraint.

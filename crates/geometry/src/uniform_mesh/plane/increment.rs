@@ -17,14 +17,14 @@
 //! - Radii are compared to 2^-30 of themselves, then by the triangle's number, so that rounding does not decide between
 //!   the equal radii of symmetric input.
 
-use super::triangulation::{Sight, Triangulation};
 use crate::DVec2;
 use crate::execution::{Execution, Interruption, Progress};
+use crate::plane::triangulation::{Sight, Triangulation};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 /// How far beyond ℓ a point must be from all nodes to be inserted, in ℓ. Edges may exceed 2ℓ by the same factor.
-pub(super) const SLACK: f64 = 1e-9;
+pub(in crate::uniform_mesh) const SLACK: f64 = 1e-9;
 
 /// Work between two looks: triangles made or visited.
 const WORK_PER_LOOK: u64 = 4096;
@@ -35,7 +35,7 @@ const WORK_PER_LOOK: u64 = 4096;
 ///
 /// # Errors
 /// The interruption; the triangulation is valid then, only not yet full.
-pub(super) fn fill(
+pub(in crate::uniform_mesh) fn fill(
     region: &mut Triangulation,
     expected: usize,
     (from, to): (f64, f64),

@@ -10,21 +10,16 @@
 //! The paper names no method. Our departure: steps that would flip a triangle are refused, as the energy alone does not see
 //! a fold.
 
-use super::least_squares::{Normal, Outcome, Problem, Settings, minimise, step_before_flip};
+use super::least_squares::{Outcome, Settings, minimise, step_before_flip};
 use crate::error::Error;
 use crate::execution::Execution;
-use crate::mesh::topology::{NONE, Topology};
+use crate::mesh::topology::Topology;
+use crate::plane::frame::Frame;
+use crate::sparse::levenberg_marquardt::{LeastSquares, NormalEquations};
 use crate::sparse::{Symbolic, SymmetricMatrix};
+use crate::uniform_mesh::edges::edges;
 use crate::{DVec2, DVec3, Mesh, mesh::measure};
 use std::f64::consts::TAU;
-
-/// The edges of the auxiliary triangulation, each once.
-pub(super) fn edges(topology: &Topology) -> Vec<[u32; 2]> {
-    (0..topology.twin.len() as u32)
-        .filter(|&h| topology.twin[h as usize] == NONE || topology.twin[h as usize] > h)
-        .map(|h| [topology.from(h), topology.to(h)])
-        .collect()
-}
 
 struct Flattening<'a> {
     edges: &'a [[u32; 2]],
@@ -34,9 +29,11 @@ struct Flattening<'a> {
     metric: f64,
 }
 
-impl Problem for Flattening<'_> {
-    fn couplings(&self) -> &[[u32; 2]] {
-        self.edges
+impl LeastSquares<2> for Flattening<'_> {
+    type Place = DVec2;
+
+    fn couplings(&self, couple: &mut dyn FnMut(&[u32])) {
+        self.edges.iter().for_each(|edge| couple(edge));
     }
 
     fn energy(&mut self, x: &[DVec2]) -> f64 {
@@ -50,25 +47,26 @@ impl Problem for Flattening<'_> {
         self.edges.iter().zip(self.lengths).map(term).sum()
     }
 
-    fn assemble(&mut self, x: &[DVec2], normal: &mut Normal) {
-        for (k, (&[a, b], &length)) in self.edges.iter().zip(self.lengths).enumerate() {
+    fn assemble(&mut self, x: &[DVec2], normal: &mut NormalEquations<2>) {
+        for (&[a, b], &length) in self.edges.iter().zip(self.lengths) {
             let edge = x[b as usize] - x[a as usize];
             let now = edge.length();
             let g = edge / (now * length);
-            normal.add_pair(k, [a, b], now / length - 1.0, -g, g);
+            normal.add(now / length - 1.0, &[a, b], &[(-g).into(), g.into()]);
         }
     }
 
-    fn largest_step(&self, x: &[DVec2], step: &[DVec2]) -> f64 {
-        step_before_flip(self.triangles.iter().map(|t| t.map(|v| (x[v as usize], step[v as usize]))))
+    fn advance(&self, x: &[DVec2], step: &[[f64; 2]], to: &mut [DVec2]) -> f64 {
+        let moved = |v: u32| (x[v as usize], DVec2::from(step[v as usize]));
+        let most = step_before_flip(self.triangles.iter().map(|t| t.map(moved)));
+        for (node, place) in to.iter_mut().enumerate() {
+            *place = x[node] + DVec2::from(step[node]) * most;
+        }
+        most
     }
 
-    fn metric(&self, _node: usize) -> [f64; 3] {
-        [self.metric, 0.0, self.metric]
-    }
-
-    fn restrict(&self, x: DVec2) -> DVec2 {
-        x
+    fn metric(&self, _node: usize) -> [[f64; 2]; 2] {
+        [[self.metric, 0.0], [0.0, self.metric]]
     }
 }
 
@@ -80,7 +78,7 @@ fn doubled_area(x: &[DVec2], [a, b, c]: [u32; 3]) -> f64 {
 /// Lays the mesh into the plane, starting at `plane`, which has no flipped triangle.
 ///
 /// Stops where a step lowers the energy by less than 1e-10 of it. On an interruption `plane` is the best so far.
-pub(super) fn flatten(
+pub(in crate::uniform_mesh) fn flatten(
     mesh: &Mesh,
     edges: &[[u32; 2]],
     plane: &mut Vec<DVec2>,
@@ -99,12 +97,11 @@ pub(super) fn flatten(
 ///
 /// # Errors
 /// [`Error::NoResult`] (`not_flattenable`) if the film has no boundary to lay down.
-pub(super) fn start(mesh: &Mesh, topology: &Topology) -> Result<Vec<DVec2>, Error> {
+pub(in crate::uniform_mesh) fn start(mesh: &Mesh, topology: &Topology) -> Result<Vec<DVec2>, Error> {
     let doubled: DVec3 = mesh.triangles.iter().map(|&t| measure::double_area_vector(mesh.corners(t))).sum();
     if let Some(normal) = doubled.try_normalize() {
-        let right = normal.any_orthonormal_vector();
-        let up = normal.cross(right);
-        let plane: Vec<DVec2> = mesh.vertices.iter().map(|p| DVec2::new(p.dot(right), p.dot(up))).collect();
+        let frame = Frame::with_normal(normal);
+        let plane: Vec<DVec2> = mesh.vertices.iter().map(|&p| frame.coordinates(p)).collect();
         // Steep triangles start far too small; Tutte's are better then.
         let steepest = |&t: &[u32; 3]| {
             let area = measure::double_area_vector(mesh.corners(t)).length();
@@ -200,111 +197,4 @@ fn tutte(mesh: &Mesh, topology: &Topology) -> Result<Vec<DVec2>, Error> {
     }
     plane.iter_mut().for_each(|p| *p *= on_surface / in_plane);
     if mesh.triangles.iter().all(|&t| doubled_area(&plane, t) > 0.0) { Ok(plane) } else { Err(failed()) }
-}
-
-/// Finds the triangle of a plane mesh that holds a point, by a grid of buckets.
-#[derive(Debug)]
-pub(super) struct Locator {
-    low: DVec2,
-    cell: f64,
-    columns: usize,
-    rows: usize,
-    start: Vec<u32>,
-    triangles: Vec<u32>,
-}
-
-impl Locator {
-    pub fn new(plane: &[DVec2], triangles: &[[u32; 3]]) -> Self {
-        let low = plane.iter().copied().fold(DVec2::INFINITY, DVec2::min);
-        let high = plane.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
-        let size = (high - low).max(DVec2::splat(f64::MIN_POSITIVE));
-        // About one triangle a cell; a thin strip must not make a huge grid.
-        let cell = (size.x * size.y / triangles.len().max(1) as f64).sqrt().max(size.max_element() / 4000.0);
-        let (columns, rows) = ((size.x / cell) as usize + 1, (size.y / cell) as usize + 1);
-        let mut locator = Self { low, cell, columns, rows, start: Vec::new(), triangles: Vec::new() };
-        let boxes = |t: &[u32; 3]| {
-            let corners = t.map(|v| plane[v as usize]);
-            let low = corners[0].min(corners[1]).min(corners[2]);
-            let high = corners[0].max(corners[1]).max(corners[2]);
-            let ((x0, y0), (x1, y1)) = (locator.cell_of(low), locator.cell_of(high));
-            (y0..=y1).flat_map(move |y| (x0..=x1).map(move |x| y * columns + x))
-        };
-        let mut counts = vec![0u32; columns * rows + 1];
-        for cell in triangles.iter().flat_map(&boxes) {
-            counts[cell + 1] += 1;
-        }
-        for k in 0..columns * rows {
-            counts[k + 1] += counts[k];
-        }
-        let mut list = vec![0u32; counts[columns * rows] as usize];
-        let mut cursor = counts.clone();
-        for (t, corners) in triangles.iter().enumerate() {
-            for cell in boxes(corners) {
-                list[cursor[cell] as usize] = t as u32;
-                cursor[cell] += 1;
-            }
-        }
-        (locator.start, locator.triangles) = (counts, list);
-        locator
-    }
-
-    fn cell_of(&self, p: DVec2) -> (usize, usize) {
-        let q = (p - self.low) / self.cell;
-        ((q.x.max(0.0) as usize).min(self.columns - 1), (q.y.max(0.0) as usize).min(self.rows - 1))
-    }
-
-    /// The triangle that holds the point and its barycentric coordinates there; for a point outside the mesh, those of the
-    /// nearest point of the mesh.
-    pub fn find(&self, p: DVec2, plane: &[DVec2], triangles: &[[u32; 3]]) -> (u32, [f64; 3]) {
-        let (x, y) = self.cell_of(p);
-        let mut best: Option<(f64, u32, [f64; 3])> = None;
-        let most = self.columns.max(self.rows);
-        for ring in 0..=most {
-            let (x0, x1) = (x.saturating_sub(ring), (x + ring).min(self.columns - 1));
-            let (y0, y1) = (y.saturating_sub(ring), (y + ring).min(self.rows - 1));
-            for cy in y0..=y1 {
-                for cx in x0..=x1 {
-                    let on_ring = cx + ring == x || cx == x + ring || cy + ring == y || cy == y + ring;
-                    if !on_ring {
-                        continue;
-                    }
-                    let cell = cy * self.columns + cx;
-                    for &t in &self.triangles[self.start[cell] as usize..self.start[cell + 1] as usize] {
-                        let (distance, weights) = nearest(p, triangles[t as usize].map(|v| plane[v as usize]));
-                        if best.is_none_or(|(least, other, _)| distance < least || (distance == least && t < other)) {
-                            best = Some((distance, t, weights));
-                        }
-                    }
-                }
-            }
-            // Cells beyond this ring are at least so far away.
-            if best.is_some_and(|(distance, ..)| distance <= ring as f64 * self.cell) {
-                break;
-            }
-        }
-        best.map_or((0, [1.0, 0.0, 0.0]), |(_, t, weights)| (t, weights))
-    }
-}
-
-/// Distance from a triangle (0 inside) and barycentric coordinates of its nearest point.
-fn nearest(p: DVec2, [a, b, c]: [DVec2; 3]) -> (f64, [f64; 3]) {
-    let double = (b - a).perp_dot(c - a);
-    let (wa, wb) = ((b - p).perp_dot(c - p) / double, (c - p).perp_dot(a - p) / double);
-    let weights = [wa, wb, 1.0 - wa - wb];
-    if weights.iter().all(|&w| w >= 0.0) {
-        return (0.0, weights);
-    }
-    let corners = [a, b, c];
-    let mut best = (f64::INFINITY, [0.0; 3]);
-    for k in 0..3 {
-        let (from, to) = (corners[k], corners[(k + 1) % 3]);
-        let t = ((p - from).dot(to - from) / (to - from).length_squared()).clamp(0.0, 1.0);
-        let distance = p.distance(from + (to - from) * t);
-        if distance < best.0 {
-            let mut weights = [0.0; 3];
-            (weights[k], weights[(k + 1) % 3]) = (1.0 - t, t);
-            best = (distance, weights);
-        }
-    }
-    best
 }

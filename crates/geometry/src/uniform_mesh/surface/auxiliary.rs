@@ -12,16 +12,18 @@
 //! along the surface, as many as keep every piece at ℓ or more both on the surface and in the plane. Lengths are in ℓ and
 //! around the surface's centre throughout.
 
-use super::Options;
-use super::flatten::{self, Locator};
-use super::parametric_surface::Nurbs;
-use super::plane::Outline;
-use super::sides::{Division, Sides, is_sharp, pieces};
+use super::flatten;
+use super::nurbs::Nurbs;
 use crate::error::{Error, InputError, Place, Step, Warning};
-use crate::execution::{Execution, Interruption, Progress, Signal};
+use crate::execution::Execution;
 use crate::mesh::topology::Topology;
 use crate::minimal_surface;
+use crate::plane::location::Locator;
 use crate::polyline::mean;
+use crate::uniform_mesh::edges::{edges, topology};
+use crate::uniform_mesh::options::Options;
+use crate::uniform_mesh::plane::mesh::Outline;
+use crate::uniform_mesh::plane::sides::{Division, Sides, is_sharp, pieces};
 use crate::{DVec2, DVec3, Mesh};
 
 /// Samples along one auxiliary edge when the length of a side is measured.
@@ -35,7 +37,7 @@ const FILM_TRIANGLES: f64 = 60_000.0;
 
 /// The surface that nodes move on, as a map from a plane of parameters.
 #[derive(Clone, Debug)]
-pub(super) enum Surface {
+pub(in crate::uniform_mesh) enum Surface {
     /// The plane itself: parameters are coordinates.
     Plane,
     /// Parameters in \[0, 1\]².
@@ -75,9 +77,26 @@ impl Surface {
     }
 }
 
+/// A patch around its centre, in units of ℓ.
+#[derive(Debug)]
+pub(in crate::uniform_mesh) struct Centred {
+    pub centre: DVec3,
+    /// ℓ.
+    pub unit: f64,
+    pub patch: Nurbs,
+}
+
+impl Centred {
+    pub fn of(patch: &Nurbs, unit: f64) -> Self {
+        let points: Vec<DVec3> = patch.control_points.iter().flatten().copied().collect();
+        let centre = mean(&points);
+        Self { centre, unit, patch: patch.centred(centre, unit) }
+    }
+}
+
 /// A surface with its auxiliary triangulation, before flattening.
 #[derive(Debug)]
-pub(super) struct Auxiliary {
+pub(in crate::uniform_mesh) struct Auxiliary {
     centre: DVec3,
     unit: f64,
     pub mesh: Mesh,
@@ -87,9 +106,9 @@ pub(super) struct Auxiliary {
     /// The sides of each boundary loop as paths of auxiliary vertices, with the surface on the left.
     sides: Vec<Vec<Vec<u32>>>,
     /// For each auxiliary vertex that is a corner, its given position where there is one.
-    exact: Vec<(u32, DVec3)>,
+    pub exact: Vec<(u32, DVec3)>,
     /// For each input point its auxiliary vertex.
-    inputs: Vec<u32>,
+    pub inputs: Vec<u32>,
     pub warnings: Vec<Warning>,
 }
 
@@ -99,16 +118,10 @@ impl Auxiliary {
         self.centre + p * self.unit
     }
 
-    /// The patch over `grid[0]` × `grid[1]` rectangles.
-    ///
-    /// # Errors
-    /// A patch that fails its check, collapses somewhere, or closes on itself.
-    pub fn of_patch(patch: &Nurbs, place: &Place, options: &Options) -> Result<Self, Error> {
-        patch.check(place)?;
-        let points: Vec<DVec3> = patch.control_points.iter().flatten().copied().collect();
-        let centre = mean(&points);
-        let unit = options.edge_length;
-        let patch = patch.centred(centre, unit);
+    /// The patch over `grid[0]` × `grid[1]` rectangles. `None` if it collapses somewhere or closes on itself: it cannot be
+    /// laid into the plane then.
+    pub fn of_patch(centred: &Centred, options: &Options) -> Option<Self> {
+        let Centred { centre, unit, patch } = centred;
         let [nu, nv] = options.auxiliary_grid.map(|n| n as usize);
         let parameters: Vec<DVec2> = (0..=nu)
             .flat_map(|i| (0..=nv).map(move |j| DVec2::new(i as f64 / nu as f64, j as f64 / nv as f64)))
@@ -120,20 +133,17 @@ impl Auxiliary {
             .flat_map(|(i, j)| [[at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)]])
             .collect();
         let mesh = Mesh::new(vertices, triangles);
-        let topology = super::assemble::topology(mesh.vertices.clone(), &mesh.triangles)?;
+        let topology = topology(mesh.vertices.clone(), &mesh.triangles).ok()?;
         let apart = |a: u32, b: u32| mesh.vertices[a as usize].distance(mesh.vertices[b as usize]);
         let size = mesh.vertices.iter().map(|p| p.length()).fold(0.0, f64::max);
         let tiny = 1e-9 * size;
-        if flatten::edges(&topology).iter().any(|&[a, b]| apart(a, b) <= tiny) {
-            return Err(Error::input(
-                place.clone(),
-                "a side collapses or the patch folds onto itself: leave out the pole",
-            ));
+        if edges(&topology).iter().any(|&[a, b]| apart(a, b) <= tiny) {
+            return None;
         }
         let closed = (0..=nv).all(|j| apart(at(0, j), at(nu, j)) <= tiny)
             || (0..=nu).all(|i| apart(at(i, 0), at(i, nv)) <= tiny);
         if closed {
-            return Err(Error::input(place.clone(), "the patch closes on itself: split it along a seam"));
+            return None;
         }
         let sides = vec![
             (0..=nu).map(|i| at(i, 0)).collect(),
@@ -141,12 +151,12 @@ impl Auxiliary {
             (0..=nu).rev().map(|i| at(i, nv)).collect(),
             (0..=nv).rev().map(|j| at(0, j)).collect(),
         ];
-        Ok(Self {
-            centre,
-            unit,
+        Some(Self {
+            centre: *centre,
+            unit: *unit,
             mesh,
             topology,
-            patch: Some((patch, parameters)),
+            patch: Some((patch.clone(), parameters)),
             sides: vec![sides],
             exact: Vec::new(),
             inputs: Vec::new(),
@@ -165,24 +175,12 @@ impl Auxiliary {
         execution: &Execution<'_>,
     ) -> Result<Self, Error> {
         let unit = options.edge_length;
-        let target =
-            unit * FILM_EDGE.max((super::film_area(boundaries) / (unit * unit) * 2.31 / FILM_TRIANGLES).sqrt());
-        let film_options = minimal_surface::Options::new(minimal_surface::Resolution::EdgeLength(target));
+        let film_options = film_options(boundaries, options);
         minimal_surface::check(boundaries, &film_options).map_err(below_domain)?;
-        let film = {
-            let signal = || match execution.look(0) {
-                Ok(()) => Signal::Continue,
-                Err(Interruption::Cancelled) => Signal::Cancel,
-                Err(Interruption::DeadlinePassed) => Signal::Deadline,
-            };
-            let report = |p: Progress| {
-                let fraction = span.0 + (span.1 - span.0) * p.fraction.clamp(0.0, 1.0);
-                execution.report(Progress { fraction, phase: "film", ..p });
-            };
-            minimal_surface::solve(boundaries, &film_options, &Execution::new(&signal, &report))
-                .map_err(below_domain)?
-        };
-        let topology = super::assemble::topology(film.mesh.vertices.clone(), &film.mesh.triangles)?;
+        let film = execution
+            .part_as("film", [span.0, span.1], |part| minimal_surface::solve(boundaries, &film_options, part))
+            .map_err(below_domain)?;
+        let topology = topology(film.mesh.vertices.clone(), &film.mesh.triangles)?;
         let centre = mean(&film.mesh.vertices);
         let mesh =
             Mesh::new(film.mesh.vertices.iter().map(|&p| (p - centre) / unit).collect(), film.mesh.triangles.clone());
@@ -217,6 +215,11 @@ impl Auxiliary {
         };
         let warnings = film.warnings.into_iter().map(said).collect();
         Ok(Self { centre, unit, mesh, topology, patch: None, sides, exact, inputs, warnings })
+    }
+
+    /// The vertices where sides meet.
+    pub fn corners(&self) -> Vec<u32> {
+        self.sides.iter().flatten().map(|side| side[0]).collect()
     }
 
     /// Where flattening starts.
@@ -307,7 +310,7 @@ impl Auxiliary {
 
 /// The boundary's nodes in the plane, in the parameters and on the surface.
 #[derive(Debug, Default)]
-pub(super) struct Boundary {
+pub(in crate::uniform_mesh) struct Boundary {
     pub outline: Outline,
     pub parameters: Vec<DVec2>,
     pub positions: Vec<DVec3>,
@@ -379,7 +382,7 @@ impl Line {
 /// How a film is asked for.
 fn film_options(boundaries: &[Vec<DVec3>], options: &Options) -> minimal_surface::Options {
     let unit = options.edge_length;
-    let target = unit * FILM_EDGE.max((super::film_area(boundaries) / (unit * unit) * 2.31 / FILM_TRIANGLES).sqrt());
+    let target = unit * FILM_EDGE.max((film_area(boundaries) / (unit * unit) * 2.31 / FILM_TRIANGLES).sqrt());
     minimal_surface::Options::new(minimal_surface::Resolution::EdgeLength(target))
 }
 
@@ -387,7 +390,7 @@ fn film_options(boundaries: &[Vec<DVec3>], options: &Options) -> minimal_surface
 ///
 /// # Errors
 /// Its errors, with places below /domain.
-pub(super) fn check_film(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
+pub(in crate::uniform_mesh) fn check_film(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
     minimal_surface::check(boundaries, &film_options(boundaries, options)).map_err(below_domain)
 }
 
@@ -411,4 +414,14 @@ fn below_domain(error: Error) -> Error {
         Error::NoResult { reason, detail, places } => Error::NoResult { reason, detail, places: below(places) },
         Error::Interrupted(interruption) => Error::Interrupted(interruption),
     }
+}
+
+/// The fans from each boundary to its mean together bound the least area of a film with these boundaries from above.
+pub(in crate::uniform_mesh) fn film_area(boundaries: &[Vec<DVec3>]) -> f64 {
+    let fan = |points: &Vec<DVec3>| -> f64 {
+        let centre = mean(points);
+        let around = points.iter().zip(points.iter().cycle().skip(1));
+        around.map(|(&a, &b)| 0.5 * (a - centre).cross(b - centre).length()).sum()
+    };
+    boundaries.iter().map(fan).sum()
 }

@@ -8,19 +8,9 @@
 //! This for a ladder of k up to the largest allowed, each from the same start; it ends with the first k whose intervals are
 //! no wider than the tolerance. Members between two boundary nodes cannot change and count all the same.
 
-use super::refine_on_surface::{Aim, OnSurface, refine};
+use super::move_nodes::{Aim, OnSurface, Sheet, refine};
 use crate::execution::{Execution, Interruption};
-
-/// What one number of lengths costs in deviation.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LengthsRow {
-    /// Number of different lengths.
-    pub lengths: usize,
-    /// Largest difference between a member and the length that stands for it.
-    pub deviation: f64,
-    /// The same before any node moved for it.
-    pub deviation_before: f64,
-}
+use crate::uniform_mesh::report::LengthsRow;
 
 /// The numbers of lengths that are tried: 1, 2, 3, 4, 6, 8, 12, 16, 24, ... and the largest allowed.
 fn ladder(most: usize) -> Vec<usize> {
@@ -67,7 +57,7 @@ fn cover(sorted: &[f64], count: usize) -> (f64, Vec<f64>) {
     (half, intervals.iter().map(|(from, to)| 0.5 * (from + to)).collect())
 }
 
-fn sorted(nodes: &OnSurface<'_>) -> Vec<f64> {
+fn sorted<S: Sheet>(nodes: &OnSurface<'_, S>) -> Vec<f64> {
     let mut lengths = nodes.lengths();
     lengths.sort_unstable_by(f64::total_cmp);
     lengths
@@ -78,13 +68,14 @@ fn sorted(nodes: &OnSurface<'_>) -> Vec<f64> {
 ///
 /// # Errors
 /// What cut the work short; `nodes` and the rows are then the best so far.
-pub(super) fn share_lengths(
-    nodes: &mut OnSurface<'_>,
+pub(in crate::uniform_mesh) fn share_lengths<S: Sheet>(
+    nodes: &mut OnSurface<'_, S>,
     most: usize,
     tolerance: f64,
     (from, to): (f64, f64),
     execution: &Execution<'_>,
 ) -> (Vec<LengthsRow>, Option<Interruption>) {
+    let effort = nodes.surface.effort();
     let start = nodes.clone();
     let before = sorted(&start);
     let ladder = ladder(most);
@@ -104,7 +95,7 @@ pub(super) fn share_lengths(
             };
             let aims: Vec<Aim> = here.lengths().into_iter().map(|length| Aim::At(nearest(length))).collect();
             let step = rung * ROUNDS + round;
-            interrupted = refine(&mut here, &aims, "share_lengths", (part(step), part(step + 1)), execution);
+            interrupted = refine(&mut here, &aims, effort, "share_lengths", (part(step), part(step + 1)), execution);
             let (deviation, better) = cover(&sorted(&here), count);
             middles = better;
             idle = if deviation < best.0 * 0.999 { 0 } else { idle + 1 };

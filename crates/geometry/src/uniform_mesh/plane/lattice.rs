@@ -18,9 +18,9 @@
 //!   counted from the intervals' ends; the lattice's nodes are never touched. The search is bounded by a count of rows
 //!   built, not by time, so it is the same on every machine.
 
-use super::triangulation::{Border, Constraint};
 use crate::DVec2;
 use crate::execution::{Execution, Interruption, Progress};
+use crate::plane::triangulation::{Border, Constraint};
 use std::cmp::Ordering;
 use std::f64::consts::FRAC_PI_3;
 
@@ -37,7 +37,7 @@ const BEST: usize = 64;
 
 /// A placed lattice of edge 1: node (i, j) stands at origin + i e₁ + j e₂, with e₁ at `angle` and e₂ 60° further.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Placement {
+pub(in crate::uniform_mesh) struct Placement {
     pub angle: f64,
     /// In the frame turned by `-angle`.
     pub origin: DVec2,
@@ -55,14 +55,14 @@ impl Placement {
 
 /// The domain's boundary: nodes, and the pieces between them.
 #[derive(Clone, Debug)]
-pub(super) struct Boundary<'a> {
+pub(in crate::uniform_mesh) struct Boundary<'a> {
     pub nodes: &'a [DVec2],
     pub pieces: &'a [(u32, u32)],
 }
 
 /// The lattice group: nodes, triangles, and the edges that the rim must respect.
 #[derive(Clone, Debug)]
-pub(super) struct Lattice {
+pub(in crate::uniform_mesh) struct Lattice {
     pub nodes: Vec<DVec2>,
     pub triangles: Vec<[u32; 3]>,
     /// Edges with fewer than two lattice triangles, between lattice nodes.
@@ -335,7 +335,7 @@ fn directions(boundary: &Boundary<'_>) -> Vec<(f64, Vec<u32>)> {
 ///
 /// # Errors
 /// Cancelled, or the deadline passed before the first placement; later the best so far is returned.
-pub(super) fn search(
+pub(in crate::uniform_mesh) fn search(
     boundary: &Boundary<'_>,
     span: (f64, f64),
     execution: &Execution<'_>,
@@ -436,7 +436,7 @@ fn edges_on(boundary: &Boundary<'_>, placement: Placement) -> usize {
 }
 
 /// Lays the lattice out. O(nodes + boundary log boundary).
-pub(super) fn place(boundary: &Boundary<'_>, placement: Placement) -> Lattice {
+pub(in crate::uniform_mesh) fn place(boundary: &Boundary<'_>, placement: Placement) -> Lattice {
     let turn = DVec2::from_angle(-placement.angle);
     let turned: Vec<DVec2> = boundary.nodes.iter().map(|&p| turn.rotate(p)).collect();
     let mut rows = Rows::default();

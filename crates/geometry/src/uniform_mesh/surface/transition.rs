@@ -12,14 +12,13 @@
 //!
 //! Beyond the paper, which keeps the plane's rim and whose Table 1 shows what it comes to (a member of 13.4 for ℓ = 5).
 
-use super::Rim as Freedom;
-use super::assemble::topology;
-use super::curved::Surface;
-use super::flatten;
-use super::refine_on_surface::{Aim, OnSurface, refine};
-use super::triangulation::{Border, Constraint, Sight, Triangulation, side};
+use super::auxiliary::Surface;
+use super::move_nodes::{Aim, OnSurface, Sheet, refine};
 use crate::execution::{Execution, Interruption};
 use crate::mesh::topology::NONE;
+use crate::plane::triangulation::{Border, Constraint, Sight, Triangulation, side};
+use crate::uniform_mesh::edges::{edges, topology};
+use crate::uniform_mesh::options::Transition as Freedom;
 use crate::{DVec2, DVec3};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -43,19 +42,19 @@ const RIM_WEIGHT: f64 = 10.0;
 
 /// Moves the inner nodes ([`refine`]) and, unless the rim is free, rebuilds the rim for where they have come to, as long as
 /// both together gain. Says whether members have changed, and what cut the work short.
-pub(super) fn fit(
-    nodes: &mut OnSurface<'_>,
+pub(in crate::uniform_mesh) fn fit(
+    nodes: &mut OnSurface<'_, Surface>,
     freedom: Freedom,
     (from, to): (f64, f64),
     execution: &Execution<'_>,
 ) -> (bool, Option<Interruption>) {
     let rounds = if freedom == Freedom::Free { 0 } else { REBUILDS };
     let part = |k: usize| from + (to - from) * k as f64 / (rounds + 1) as f64;
-    let move_nodes = |nodes: &mut OnSurface<'_>, round: usize| {
+    let move_nodes = |nodes: &mut OnSurface<'_, Surface>, round: usize| {
         let rim = if freedom == Freedom::Free { Aim::Free } else { Aim::Within };
         let aim = |&lattice: &bool| if lattice { Aim::At(1.0) } else { rim };
         let aims: Vec<Aim> = nodes.lattice_group.iter().map(aim).collect();
-        refine(nodes, &aims, "optimise_nodes", (part(round), part(round + 1)), execution)
+        refine(nodes, &aims, nodes.surface.effort(), "optimise_nodes", (part(round), part(round + 1)), execution)
     };
     let (mut rebuilt, mut interrupted) = (false, move_nodes(nodes, 0));
     let mut best = misfit(nodes);
@@ -83,7 +82,7 @@ pub(super) fn fit(
 }
 
 /// How far the lattice is from ℓ and the rim from [ℓ, 2ℓ]: half the sum of squares in ℓ, the rim's [`RIM_WEIGHT`] times.
-fn misfit(nodes: &OnSurface<'_>) -> f64 {
+fn misfit(nodes: &OnSurface<'_, Surface>) -> f64 {
     let lengths = nodes.lengths();
     let term = |(&length, &lattice): (&f64, &bool)| {
         let off = if lattice { length - 1.0 } else { (1.0 - length).max(length - 2.0).max(0.0) };
@@ -96,10 +95,10 @@ fn misfit(nodes: &OnSurface<'_>) -> f64 {
 ///
 /// # Errors
 /// The interruption; nothing has changed then.
-pub(super) fn rebuild<'a>(
-    nodes: &OnSurface<'a>,
+pub(in crate::uniform_mesh) fn rebuild<'a>(
+    nodes: &OnSurface<'a, Surface>,
     execution: &Execution<'_>,
-) -> Result<Option<OnSurface<'a>>, Interruption> {
+) -> Result<Option<OnSurface<'a, Surface>>, Interruption> {
     execution.look(nodes.triangles.len() as u64)?;
     let core = Core::of(nodes);
     let parameters: Vec<DVec2> = core.nodes.iter().map(|&v| nodes.parameters[v as usize]).collect();
@@ -152,7 +151,7 @@ pub(super) fn rebuild<'a>(
     result.positions.extend_from_slice(&rim.positions[fixed_count..]);
     result.triangles.extend(rim.flat.corners.iter().map(|t| t.map(|v| part[v as usize])));
     let Ok(topology) = topology(result.positions.clone(), &result.triangles) else { return Ok(None) };
-    result.members = flatten::edges(&topology);
+    result.members = edges(&topology);
     let in_group = |&[a, b]: &[u32; 2]| core.group.binary_search(&[a.min(b), a.max(b)]).is_ok();
     result.lattice_group = result.members.iter().map(in_group).collect();
     if result.lattice_group.iter().filter(|&&lattice| lattice).count() != core.group.len() {
@@ -172,7 +171,7 @@ struct Core {
 }
 
 impl Core {
-    fn of(nodes: &OnSurface<'_>) -> Self {
+    fn of(nodes: &OnSurface<'_, Surface>) -> Self {
         let mut kept: Vec<bool> = (0..nodes.positions.len()).map(|v| v < nodes.fixed).collect();
         let lattice =
             || nodes.members.iter().zip(&nodes.lattice_group).filter(|&(_, &lattice)| lattice).map(|(m, _)| m);

@@ -1,33 +1,22 @@
 //! A planar polygon in space, with holes: checked, brought into its plane in units of ℓ, its long sides split.
 
-use super::plane::Outline;
+use super::mesh::Outline;
 use super::sides::{Division, Sides, is_sharp, pieces};
 use crate::error::{Error, InputError, Place, Warning};
+use crate::plane::frame::Frame;
+use crate::plane::polygon::doubled_area;
 use crate::polyline::{LARGEST_COORDINATE, mean, merge_near_neighbours};
 use crate::{DVec2, DVec3};
 
 /// How far a point may lie off the plane, as a fraction of the polygon's size.
-pub(super) const PLANARITY: f64 = 1e-6;
-
-/// Points lie at origin + ℓ (x · right + y · up), seen from the side of `right` × `up`.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
-    origin: DVec3,
-    right: DVec3,
-    up: DVec3,
-    unit: f64,
-}
-
-impl Frame {
-    pub fn point(&self, p: DVec2) -> DVec3 {
-        self.origin + (p.x * self.right + p.y * self.up) * self.unit
-    }
-}
+pub(in crate::uniform_mesh) const PLANARITY: f64 = 1e-6;
 
 /// A polygon ready to be meshed.
 #[derive(Clone, Debug)]
-pub(super) struct Polygon {
-    pub frame: Frame,
+pub(in crate::uniform_mesh) struct Polygon {
+    frame: Frame,
+    /// ℓ.
+    unit: f64,
     pub outline: Outline,
     /// The outline's nodes in space; the corners first, exactly as given.
     pub positions: Vec<DVec3>,
@@ -76,15 +65,16 @@ impl Polygon {
         if dropped > 0 {
             warnings.push(Warning::new("merged_points", format!("{dropped} repeated points were merged")));
         }
-        let frame = plane(&merged[0].points, edge_length)?;
+        let frame = Frame::of_loop(&merged[0].points).ok_or_else(|| {
+            Error::input(ring_place(0), "encloses no area: all points lie on one line, or loops cancel out")
+        })?;
         let size = merged[0].points.iter().map(|p| p.distance(frame.origin)).fold(0.0, f64::max);
-        let normal = frame.right.cross(frame.up);
         let tolerance = PLANARITY * size;
         let off = merged
             .iter()
             .enumerate()
             .flat_map(|(ring, m)| m.points.iter().zip(&m.source).map(move |(p, &k)| (ring, k, p)))
-            .map(|(ring, k, p)| ((*p - frame.origin).dot(normal).abs(), ring, k))
+            .map(|(ring, k, p)| (frame.height(*p), ring, k))
             .fold((0.0, 0, 0), |worst, here| if here.0 > worst.0 { here } else { worst });
         if off.0 > tolerance {
             let detail = format!(
@@ -96,6 +86,7 @@ impl Polygon {
 
         let mut polygon = Self {
             frame,
+            unit: edge_length,
             outline: Outline::default(),
             positions: Vec::new(),
             input_vertices: Vec::new(),
@@ -110,20 +101,12 @@ impl Polygon {
             polygon.input_vertices.extend(m.vertex_of.iter().map(|&v| Some(first + v as u32)));
             polygon.sources.extend(m.source.iter().map(|&k| (ring, k)));
             polygon.positions.extend_from_slice(&m.points);
-            polygon.outline.nodes.extend(m.points.iter().map(|&p| {
-                let p = (p - frame.origin) / frame.unit;
-                DVec2::new(p.dot(frame.right), p.dot(frame.up))
-            }));
+            let local = m.points.iter().map(|&p| frame.coordinates((p - frame.origin) / edge_length));
+            polygon.outline.nodes.extend(local);
             let mut corners: Vec<u32> = (first..polygon.positions.len() as u32).collect();
             let nodes = &polygon.outline.nodes;
-            let turning: f64 = corners
-                .iter()
-                .zip(corners.iter().cycle().skip(1))
-                .map(|(&a, &b)| {
-                    let o = nodes[first as usize];
-                    (nodes[a as usize] - o).perp_dot(nodes[b as usize] - o)
-                })
-                .sum();
+            let around = corners.iter().map(|&v| nodes[v as usize]);
+            let turning = doubled_area(around, nodes[first as usize]);
             // The outer loop is counter-clockwise by the choice of the frame; a hole must run the other way.
             if ring > 0 && turning > 0.0 {
                 corners.reverse();
@@ -164,6 +147,11 @@ impl Polygon {
         }
     }
 
+    /// The point of space at a point of the plane, which is in units of ℓ.
+    pub fn point(&self, p: DVec2) -> DVec3 {
+        self.frame.origin + self.frame.direction(p) * self.unit
+    }
+
     /// The input point at a boundary node, or the one where its side starts.
     pub fn place_of(&self, node: u32) -> Place {
         let corner =
@@ -192,7 +180,7 @@ impl Polygon {
 ///
 /// # Errors
 /// Points that are not finite.
-pub(super) fn extent(outer: &[DVec3], holes: &[Vec<DVec3>]) -> Result<(f64, f64), Error> {
+pub(in crate::uniform_mesh) fn extent(outer: &[DVec3], holes: &[Vec<DVec3>]) -> Result<(f64, f64), Error> {
     let (mut area, mut perimeter) = (0.0, 0.0);
     for (ring, points) in std::iter::once(outer).chain(holes.iter().map(Vec::as_slice)).enumerate() {
         finite(ring, points)?;
@@ -212,19 +200,4 @@ fn finite(ring: usize, points: &[DVec3]) -> Result<(), Error> {
         .map(|k| InputError::new(place(ring, k), "must be finite and below 1e50 in magnitude"))
         .collect();
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
-}
-
-/// The polygon's plane by Newell's normal, with the first side to the right.
-fn plane(points: &[DVec3], unit: f64) -> Result<Frame, Error> {
-    let origin = mean(points);
-    let size = points.iter().map(|p| (*p - origin).abs().max_element()).fold(0.0, f64::max);
-    let local = |k: usize| (points[k % points.len()] - origin) / size;
-    let normal: DVec3 = (0..points.len()).map(|k| local(k).cross(local(k + 1))).sum();
-    let Some(normal) = (normal.length() > 1e-10).then(|| normal.normalize()) else {
-        return Err(Error::input(ring_place(0), "encloses no area: all points lie on one line, or loops cancel out"));
-    };
-    let edge = local(1) - local(0);
-    // A side along the normal can only be noise; then any direction in the plane will do.
-    let right = (edge - normal * normal.dot(edge)).try_normalize().unwrap_or_else(|| normal.any_orthonormal_vector());
-    Ok(Frame { origin, right, up: normal.cross(right), unit })
 }

@@ -9,6 +9,11 @@ use crate::{DVec2, DVec3};
 
 /// Degrees beyond this are refused: nothing is drawn with them, and their tables are evaluated in O(degree²).
 const LARGEST_DEGREE: usize = 60;
+/// Degrees below this, nearly all that are drawn with, are evaluated in small tables.
+const COMMON: usize = 8;
+
+/// Cells along a parameter, at least two a knot span, by which a patch's area is integrated.
+const AREA_CELLS: usize = 48;
 
 /// A NURBS patch without trimming curves. Knot vectors may run over any interval; the parameters u, v here run over \[0, 1\].
 #[derive(Clone, Debug, PartialEq)]
@@ -111,21 +116,58 @@ impl Nurbs {
     }
 
     /// The same patch moved by -`centre`, then divided by `unit`.
-    pub(super) fn centred(&self, centre: DVec3, unit: f64) -> Self {
+    pub(in crate::uniform_mesh) fn centred(&self, centre: DVec3, unit: f64) -> Self {
         let control_points =
             self.control_points.iter().map(|row| row.iter().map(|&p| (p - centre) / unit).collect()).collect();
         Self { control_points, ..self.clone() }
     }
 
+    /// The patch's area, by Gauss's rule with three points a cell along each parameter.
+    pub(in crate::uniform_mesh) fn area(&self) -> f64 {
+        let rule: [Vec<(f64, f64)>; 2] = [0, 1].map(|axis| {
+            let (knots, degree) = (&self.knots[axis], self.degrees[axis]);
+            let (low, high) = (knots[degree], knots[knots.len() - degree - 1]);
+            let mut ends: Vec<f64> = knots.iter().filter(|&&knot| knot >= low && knot <= high).copied().collect();
+            ends.dedup();
+            let cells = (AREA_CELLS / (ends.len() - 1)).max(2);
+            let spans = ends.windows(2).map(|pair| ((pair[0] - low) / (high - low), (pair[1] - low) / (high - low)));
+            spans
+                .flat_map(|(from, to)| {
+                    let width = (to - from) / cells as f64;
+                    (0..cells).flat_map(move |k| {
+                        let middle = from + (k as f64 + 0.5) * width;
+                        let off = 0.5 * width * 0.6f64.sqrt();
+                        [(middle - off, 5.0), (middle, 8.0), (middle + off, 5.0)].map(|(t, w)| (t, w * width / 18.0))
+                    })
+                })
+                .collect()
+        });
+        let density = |u: f64, v: f64| {
+            let [_, du, dv] = self.evaluate(DVec2::new(u, v));
+            du.cross(dv).length()
+        };
+        rule[0].iter().map(|&(u, w)| w * rule[1].iter().map(|&(v, w)| w * density(u, v)).sum::<f64>()).sum()
+    }
+
     /// Point and derivatives by u and v at parameters in \[0, 1\]². The patch must have passed [`check`](Self::check).
     #[must_use]
     pub fn evaluate(&self, parameters: DVec2) -> [DVec3; 3] {
-        let (i, bu) = basis(&self.knots[0], self.degrees[0], parameters.x);
-        let (j, bv) = basis(&self.knots[1], self.degrees[1], parameters.y);
+        if self.degrees[0].max(self.degrees[1]) < COMMON {
+            self.evaluate_with::<COMMON>(parameters)
+        } else {
+            self.evaluate_with::<{ LARGEST_DEGREE + 1 }>(parameters)
+        }
+    }
+
+    /// [`evaluate`](Self::evaluate) for degrees below N.
+    fn evaluate_with<const N: usize>(&self, parameters: DVec2) -> [DVec3; 3] {
+        let (mut bu, mut bv) = ([(0.0, 0.0); N], [(0.0, 0.0); N]);
+        let i = basis(&self.knots[0], self.degrees[0], parameters.x, &mut bu);
+        let j = basis(&self.knots[1], self.degrees[1], parameters.y, &mut bv);
         // Sums over the basis of weight · point and weight: value, derivative by u, derivative by v.
         let (mut points, mut weights) = ([DVec3::ZERO; 3], [0.0; 3]);
-        for (k, &(nu, du)) in bu.iter().enumerate() {
-            for (l, &(nv, dv)) in bv.iter().enumerate() {
+        for (k, &(nu, du)) in bu[..=self.degrees[0]].iter().enumerate() {
+            for (l, &(nv, dv)) in bv[..=self.degrees[1]].iter().enumerate() {
                 let weight = self.weights.as_ref().map_or(1.0, |weights| weights[i + k][j + l]);
                 let point = self.control_points[i + k][j + l];
                 for (slot, b) in [nu * nv, du * nv, nu * dv].into_iter().enumerate() {
@@ -139,38 +181,50 @@ impl Nurbs {
     }
 }
 
-/// First control point that counts at `t` in \[0, 1\], and each basis function that does with its derivative by `t`.
-fn basis(knots: &[f64], degree: usize, t: f64) -> (usize, Vec<(f64, f64)>) {
+/// A sine below this between a patch's derivatives, or a derivative below this fraction of the largest one along its
+/// parameter, leaves no normal to be had from them: at a pole rounding decides its direction.
+const SINGULAR: [f64; 2] = [1e-3, 1e-9];
+
+/// The unit normal u × v of derivatives. `largest` are the lengths of the patch's largest derivatives by u and by v.
+pub(in crate::uniform_mesh) fn unit_normal(du: DVec3, dv: DVec3, largest: [f64; 2]) -> Option<DVec3> {
+    let (cross, lengths) = (du.cross(dv), [du.length(), dv.length()]);
+    let regular = cross.length() > SINGULAR[0] * lengths[0] * lengths[1]
+        && (0..2).all(|axis| lengths[axis] > SINGULAR[1] * largest[axis]);
+    if regular { cross.try_normalize() } else { None }
+}
+
+/// Writes to `functions` value and derivative by `t` of the degree + 1 basis functions that do not vanish at `t` in
+/// \[0, 1\]. Returns the number of the first one, which is that of its control point.
+fn basis<const N: usize>(knots: &[f64], degree: usize, t: f64, functions: &mut [(f64, f64); N]) -> usize {
     let count = knots.len() - degree - 1;
     let (low, high) = (knots[degree], knots[count]);
     let x = (low + (high - low) * t).clamp(low, high);
     // The last span that starts at or before x and is not empty; the end belongs to the last one.
     let span = (knots[degree + 1..=count].partition_point(|&knot| knot <= x) + degree).min(count - 1);
     let span = (degree..=span).rev().find(|&k| knots[k] < knots[k + 1]).unwrap_or(span);
-    // Column r of the triangle holds the r + 1 functions of degree r.
-    let mut values = vec![1.0];
-    let mut lower = Vec::new();
+    // After round r the first r + 1 values are the functions of degree r; `lower` keeps those of degree - 1.
+    let (mut values, mut lower) = ([0.0; N], [0.0; N]);
+    values[0] = 1.0;
     for r in 1..=degree {
-        let mut next = vec![0.0; r + 1];
-        for (k, &value) in values.iter().enumerate() {
-            let (left, right) = (knots[span + 1 - r + k], knots[span + 1 + k]);
-            let share = value / (right - left);
-            next[k] += (right - x) * share;
-            next[k + 1] += (x - left) * share;
-        }
         if r == degree {
             lower = values;
         }
-        values = next;
+        let mut carried = 0.0;
+        for k in 0..r {
+            let (left, right) = (knots[span + 1 - r + k], knots[span + 1 + k]);
+            let share = values[k] / (right - left);
+            values[k] = carried + (right - x) * share;
+            carried = (x - left) * share;
+        }
+        values[r] = carried;
     }
-    let degree_f = degree as f64;
-    let derivative = |k: usize| {
-        let term = |k: usize| lower[k] / (knots[span + 1 + k] - knots[span + 1 - degree + k]);
-        let rising = if k > 0 { term(k - 1) } else { 0.0 };
-        let falling = if k < degree { term(k) } else { 0.0 };
-        degree_f * (rising - falling) * (high - low)
-    };
-    (span - degree, values.iter().enumerate().map(|(k, &value)| (value, derivative(k))).collect())
+    let mut rising = 0.0;
+    for k in 0..=degree {
+        let falling = if k < degree { lower[k] / (knots[span + 1 + k] - knots[span + 1 - degree + k]) } else { 0.0 };
+        functions[k] = (values[k], degree as f64 * (rising - falling) * (high - low));
+        rising = falling;
+    }
+    span - degree
 }
 
 #[cfg(test)]

@@ -5,13 +5,14 @@
 //! 2. Members of the rim are kept in [ℓ, 2ℓ]: a member beyond a bound adds the square of a weighted excess, and the bound is
 //!    shifted by the excess left over (Powell's and Hestenes' multipliers), until none is left.
 //!
-//! Our departures: the paper's own optimum stretched a rim member to 13.4 for ℓ = 5, hence step 2 ([`Rim::Free`](super::Rim::Free)
-//! leaves it out) and the rebuilding of the rim in [`rim`](super::rim); a step that would flip a triangle in the parameter plane is refused; the damping is the surface's metric, so that
+//! Our departures: the paper's own optimum stretched a rim member to 13.4 for ℓ = 5, hence step 2 ([`Transition::Free`](crate::uniform_mesh::Transition::Free)
+//! leaves it out) and the rebuilding of the rim in [`transition`](super::transition); a step that would flip a triangle in the parameter plane is refused; the damping is the surface's metric, so that
 //! the result does not depend on how the patch is parametrised.
 
-use super::curved::Surface;
-use super::least_squares::{Normal, Problem, Settings, minimise, step_before_flip};
+use super::auxiliary::Surface;
+use super::least_squares::{Settings, minimise, step_before_flip};
 use crate::execution::{Execution, Interruption};
+use crate::sparse::levenberg_marquardt::{LeastSquares, NormalEquations};
 use crate::{DVec2, DVec3};
 
 /// Rim members aim a little inside their bounds, so that what the multipliers leave over is still within.
@@ -28,7 +29,7 @@ const ATTEMPTS: usize = 3;
 
 /// What a member's length is to be, in ℓ.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Aim {
+pub(in crate::uniform_mesh) enum Aim {
     /// As near to this as possible.
     At(f64),
     /// Within [1, 2].
@@ -36,13 +37,104 @@ pub(super) enum Aim {
     Free,
 }
 
-/// The mesh on the surface: parameters and positions of its nodes, lengths in ℓ.
-#[derive(Clone, Debug)]
-pub(super) struct OnSurface<'a> {
-    pub surface: &'a Surface,
-    pub parameters: Vec<DVec2>,
+/// Bounds of one optimisation.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::uniform_mesh) struct Effort {
+    /// Most runs, each with wider bounds for the members that the one before could not bring into theirs.
+    pub attempts: usize,
+    /// Most rounds of multipliers in each.
+    pub rounds: usize,
+    /// Most steps tried in each of those.
+    pub iterations: u64,
+    /// The change of energy, relative to it, below which the steps end.
+    pub tolerance: f64,
+}
+
+/// A surface on which nodes move, by displacements with two coordinates each.
+pub(in crate::uniform_mesh) trait Sheet {
+    /// Where a node stands.
+    type Place: Copy + std::fmt::Debug;
+    /// How long the optimisation tries.
+    fn effort(&self) -> Effort;
+    /// Point of the surface, and its derivatives by the two coordinates of a displacement.
+    fn evaluate(&self, place: Self::Place) -> [DVec3; 3];
+    /// Whether none of the triangles is flipped. `at` gives places and positions.
+    fn are_upright(&self, triangles: &[[u32; 3]], at: &dyn Fn(u32) -> (Self::Place, DVec3)) -> bool;
+    /// Writes to `to` the places of the moving nodes, which are those from `fixed` on, after as much of the step as may
+    /// be taken, and returns how much that is. `triangles` are those with a moving corner.
+    fn advance(&self, mesh: &Moved<'_, Self::Place>, step: &[DVec2], to: &mut [Self::Place]) -> f64;
+    /// The point of the surface below the middle of a triangle, and the surface's unit normal there.
+    fn below(&self, corners: [Self::Place; 3], middle: DVec3) -> (DVec3, DVec3);
+}
+
+/// The moving part of a mesh.
+#[derive(Debug)]
+pub(in crate::uniform_mesh) struct Moved<'a, P> {
+    /// Places of the nodes before `fixed`.
+    pub standing: &'a [P],
+    /// Places of the others.
+    pub moving: &'a [P],
+    pub fixed: usize,
+    pub triangles: &'a [[u32; 3]],
+}
+
+impl Sheet for Surface {
+    type Place = DVec2;
+
+    fn effort(&self) -> Effort {
+        // Across a film's facets the derivatives jump, and with them the last digits of the least.
+        let tolerance = if matches!(self, Self::Film { .. }) { 1e-5 } else { 1e-9 };
+        Effort { attempts: ATTEMPTS, rounds: ROUNDS, iterations: 60, tolerance }
+    }
+
+    fn evaluate(&self, place: DVec2) -> [DVec3; 3] {
+        Self::evaluate(self, place)
+    }
+
+    fn are_upright(&self, triangles: &[[u32; 3]], at: &dyn Fn(u32) -> (DVec2, DVec3)) -> bool {
+        triangles.iter().all(|&[a, b, c]| {
+            let a = at(a).0;
+            (at(b).0 - a).perp_dot(at(c).0 - a) > 0.0
+        })
+    }
+
+    fn advance(&self, mesh: &Moved<'_, DVec2>, step: &[DVec2], to: &mut [DVec2]) -> f64 {
+        let of = |v: u32| match (v as usize).checked_sub(mesh.fixed) {
+            Some(k) => (mesh.moving[k], step[k]),
+            None => (mesh.standing[v as usize], DVec2::ZERO),
+        };
+        let most = step_before_flip(mesh.triangles.iter().map(|t| t.map(of)));
+        for (node, place) in to.iter_mut().enumerate() {
+            *place = self.restrict(mesh.moving[node] + step[node] * most);
+        }
+        most
+    }
+
+    fn below(&self, corners: [DVec2; 3], middle: DVec3) -> (DVec3, DVec3) {
+        let mut p = corners.into_iter().sum::<DVec2>() / 3.0;
+        // Gauss and Newton's method for the nearest point; the start is close.
+        for _ in 0..3 {
+            let [x, du, dv] = Self::evaluate(self, p);
+            let (off, uu, uv, vv) = (middle - x, du.dot(du), du.dot(dv), dv.dot(dv));
+            let (ou, ov) = (off.dot(du), off.dot(dv));
+            let step = DVec2::new(ou * vv - ov * uv, ov * uu - ou * uv) / (uu * vv - uv * uv);
+            if !step.is_finite() {
+                break;
+            }
+            p = self.restrict(p + step);
+        }
+        let [x, du, dv] = Self::evaluate(self, p);
+        (x, du.cross(dv).normalize_or_zero())
+    }
+}
+
+/// The mesh on the surface: places and positions of its nodes, lengths in ℓ.
+#[derive(Debug)]
+pub(in crate::uniform_mesh) struct OnSurface<'a, S: Sheet> {
+    pub surface: &'a S,
+    pub parameters: Vec<S::Place>,
     pub positions: Vec<DVec3>,
-    /// The first so many nodes are on the boundary and stay.
+    /// Number of leading nodes that stay where they are.
     pub fixed: usize,
     pub triangles: Vec<[u32; 3]>,
     pub members: Vec<[u32; 2]>,
@@ -50,55 +142,57 @@ pub(super) struct OnSurface<'a> {
     pub lattice_group: Vec<bool>,
 }
 
-impl OnSurface<'_> {
+impl<S: Sheet> Clone for OnSurface<'_, S> {
+    fn clone(&self) -> Self {
+        Self {
+            surface: self.surface,
+            parameters: self.parameters.clone(),
+            positions: self.positions.clone(),
+            fixed: self.fixed,
+            triangles: self.triangles.clone(),
+            members: self.members.clone(),
+            lattice_group: self.lattice_group.clone(),
+        }
+    }
+}
+
+impl<S: Sheet> OnSurface<'_, S> {
     pub fn lengths(&self) -> Vec<f64> {
         self.members.iter().map(|&[a, b]| self.positions[a as usize].distance(self.positions[b as usize])).collect()
     }
 }
 
-struct Moving<'a, 'b> {
-    nodes: &'a OnSurface<'b>,
+struct Moving<'a, 'b, S: Sheet> {
+    nodes: &'a OnSurface<'b, S>,
     /// Members with at least one moving end: their number in `members`.
     active: Vec<usize>,
-    /// Among them those with two, as pairs of moving nodes, and their place in `active`.
-    pairs: Vec<[u32; 2]>,
-    pair_of: Vec<Option<usize>>,
     aims: &'a [Aim],
     /// For each active member the bounds that it has if it is in the rim.
     bounds: Vec<[f64; 2]>,
     /// For each active member the shifts of its lower and upper bound, 0 or positive.
     shifts: Vec<[f64; 2]>,
     weight: f64,
-    /// Triangles with a moving corner.
+    /// Triangles with a moving corner that are upright at the start, and stay so.
     triangles: Vec<[u32; 3]>,
     /// Position and derivatives of the moving nodes where they were last evaluated.
     here: Vec<[DVec3; 3]>,
     metrics: Vec<[f64; 3]>,
 }
 
-impl<'a, 'b> Moving<'a, 'b> {
-    fn new(nodes: &'a OnSurface<'b>, aims: &'a [Aim]) -> Self {
+impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
+    fn new(nodes: &'a OnSurface<'b, S>, aims: &'a [Aim]) -> Self {
         let fixed = nodes.fixed as u32;
         let active: Vec<usize> = (0..nodes.members.len())
             .filter(|&m| aims[m] != Aim::Free && nodes.members[m].iter().any(|&v| v >= fixed))
             .collect();
-        let (mut pairs, mut pair_of) = (Vec::new(), Vec::new());
-        for &m in &active {
-            let [a, b] = nodes.members[m];
-            let both = a >= fixed && b >= fixed;
-            pair_of.push(both.then_some(pairs.len()));
-            if both {
-                pairs.push([a - fixed, b - fixed]);
-            }
-        }
-        let triangles = nodes.triangles.iter().filter(|t| t.iter().any(|&v| v >= fixed)).copied().collect();
+        let at = |v: u32| (nodes.parameters[v as usize], nodes.positions[v as usize]);
+        let guarded = |t: &&[u32; 3]| t.iter().any(|&v| v >= fixed) && nodes.surface.are_upright(&[**t], &at);
+        let triangles = nodes.triangles.iter().filter(guarded).copied().collect();
         let (bounds, shifts) = (vec![[1.0, 2.0]; active.len()], vec![[0.0; 2]; active.len()]);
         let moving = nodes.parameters.len() - nodes.fixed;
         Self {
             nodes,
             active,
-            pairs,
-            pair_of,
             aims,
             bounds,
             shifts,
@@ -161,24 +255,28 @@ impl<'a, 'b> Moving<'a, 'b> {
     }
 }
 
-impl Problem for Moving<'_, '_> {
-    fn couplings(&self) -> &[[u32; 2]] {
-        &self.pairs
+impl<S: Sheet> LeastSquares<2> for Moving<'_, '_, S> {
+    type Place = S::Place;
+
+    fn couplings(&self, couple: &mut dyn FnMut(&[u32])) {
+        let fixed = self.nodes.fixed as u32;
+        for &member in &self.active {
+            let [a, b] = self.nodes.members[member];
+            if a >= fixed && b >= fixed {
+                couple(&[a - fixed, b - fixed]);
+            }
+        }
     }
 
-    fn energy(&mut self, x: &[DVec2]) -> f64 {
-        let parameter = |v: u32| match (v as usize).checked_sub(self.nodes.fixed) {
-            Some(k) => x[k],
-            None => self.nodes.parameters[v as usize],
+    fn energy(&mut self, x: &[S::Place]) -> f64 {
+        self.here = x.iter().map(|&p| Sheet::evaluate(self.nodes.surface, p)).collect();
+        let at = |v: u32| match (v as usize).checked_sub(self.nodes.fixed) {
+            Some(k) => (x[k], self.here[k][0]),
+            None => (self.nodes.parameters[v as usize], self.nodes.positions[v as usize]),
         };
-        let upright = |&[a, b, c]: &[u32; 3]| {
-            let a = parameter(a);
-            (parameter(b) - a).perp_dot(parameter(c) - a) > 0.0
-        };
-        if !self.triangles.iter().all(upright) {
+        if !self.nodes.surface.are_upright(&self.triangles, &at) {
             return f64::INFINITY;
         }
-        self.here = x.iter().map(|&p| self.nodes.surface.evaluate(p)).collect();
         (0..self.active.len())
             .map(|k| {
                 let (r, _) = self.residual(k, self.length(k));
@@ -187,8 +285,8 @@ impl Problem for Moving<'_, '_> {
             .sum()
     }
 
-    fn assemble(&mut self, x: &[DVec2], normal: &mut Normal) {
-        self.here = x.iter().map(|&p| self.nodes.surface.evaluate(p)).collect();
+    fn assemble(&mut self, x: &[S::Place], normal: &mut NormalEquations<2>) {
+        self.here = x.iter().map(|&p| Sheet::evaluate(self.nodes.surface, p)).collect();
         for (metric, [_, du, dv]) in self.metrics.iter_mut().zip(&self.here) {
             *metric = [du.dot(*du), du.dot(*dv), dv.dot(*dv)];
         }
@@ -201,62 +299,62 @@ impl Problem for Moving<'_, '_> {
                 continue;
             }
             let direction = edge * (slope / length);
-            let derivative = |v: u32| {
+            let derivative = |v: u32, direction: DVec3| {
                 (v as usize).checked_sub(self.nodes.fixed).map(|node| {
                     let [_, du, dv] = self.here[node];
-                    (node, DVec2::new(du.dot(direction), dv.dot(direction)))
+                    (node as u32, [du.dot(direction), dv.dot(direction)])
                 })
             };
-            match (derivative(a), derivative(b), self.pair_of[k]) {
-                (Some((_, ga)), Some((_, gb)), Some(pair)) => normal.add_pair(pair, self.pairs[pair], r, -ga, gb),
-                (Some((node, g)), None, _) => normal.add_single(node, r, -g),
-                (None, Some((node, g)), _) => normal.add_single(node, r, g),
-                _ => {}
+            match (derivative(a, -direction), derivative(b, direction)) {
+                (Some((a, by_a)), Some((b, by_b))) => normal.add(r, &[a, b], &[by_a, by_b]),
+                (Some((node, by_node)), None) | (None, Some((node, by_node))) => normal.add(r, &[node], &[by_node]),
+                (None, None) => {}
             }
         }
     }
 
-    fn largest_step(&self, x: &[DVec2], step: &[DVec2]) -> f64 {
-        let of = |v: u32| match (v as usize).checked_sub(self.nodes.fixed) {
-            Some(k) => (x[k], step[k]),
-            None => (self.nodes.parameters[v as usize], DVec2::ZERO),
+    fn advance(&self, x: &[S::Place], step: &[[f64; 2]], to: &mut [S::Place]) -> f64 {
+        let nodes = self.nodes;
+        let step: Vec<DVec2> = step.iter().map(|&step| step.into()).collect();
+        let mesh = Moved {
+            standing: &nodes.parameters[..nodes.fixed],
+            moving: x,
+            fixed: nodes.fixed,
+            triangles: &self.triangles,
         };
-        step_before_flip(self.triangles.iter().map(|t| t.map(of)))
+        nodes.surface.advance(&mesh, &step, to)
     }
 
-    fn metric(&self, node: usize) -> [f64; 3] {
+    fn metric(&self, node: usize) -> [[f64; 2]; 2] {
         let [xx, xy, yy] = self.metrics[node];
         // A patch may have a point without a tangent plane; a little of the trace keeps the metric definite there.
         let little = 1e-9 * (xx + yy) + f64::MIN_POSITIVE;
-        [xx + little, xy, yy + little]
-    }
-
-    fn restrict(&self, x: DVec2) -> DVec2 {
-        self.nodes.surface.restrict(x)
+        [[xx + little, xy], [xy, yy + little]]
     }
 }
 
-/// Moves the inner nodes so that the members come as near to their aims as they get.
+/// Moves the inner nodes so that the members come as near to their aims as they get with that effort.
 ///
 /// Where the surface is curved so strongly that some rim members can reach no length within [ℓ, 2ℓ], those may keep the
 /// length they start with; more weight on them would only spoil the lattice. Returns what cut the work short, if anything
 /// did; `nodes` is then the best so far.
-pub(super) fn refine(
-    nodes: &mut OnSurface<'_>,
+pub(in crate::uniform_mesh) fn refine<S: Sheet>(
+    nodes: &mut OnSurface<'_, S>,
     aims: &[Aim],
+    effort: Effort,
     phase: &'static str,
     (from, to): (f64, f64),
     execution: &Execution<'_>,
 ) -> Option<Interruption> {
-    let start: Vec<DVec2> = nodes.parameters[nodes.fixed..].to_vec();
+    let start: Vec<S::Place> = nodes.parameters[nodes.fixed..].to_vec();
     let mut moving = Moving::new(nodes, aims);
     let before = (moving.deviation(&start), moving.excess());
     let given: Vec<f64> = (0..moving.active.len()).map(|k| moving.length(k)).collect();
     let (mut x, mut interrupted) = (start.clone(), None);
-    for attempt in 0..ATTEMPTS {
-        let part = |k: usize| from + (to - from) * k as f64 / ATTEMPTS as f64;
+    for attempt in 0..effort.attempts {
+        let part = |k: usize| from + (to - from) * k as f64 / effort.attempts as f64;
         x.clone_from(&start);
-        interrupted = moving.multipliers(&mut x, phase, (part(attempt), part(attempt + 1)), execution);
+        interrupted = moving.multipliers(&mut x, effort, phase, (part(attempt), part(attempt + 1)), execution);
         moving.energy(&x);
         if interrupted.is_some() || moving.excess() <= ENOUGH {
             break;
@@ -288,9 +386,9 @@ pub(super) fn refine(
     interrupted
 }
 
-impl Moving<'_, '_> {
+impl<S: Sheet> Moving<'_, '_, S> {
     /// ½ Σ (L - aim)² over the members that have a length to aim at.
-    fn deviation(&mut self, x: &[DVec2]) -> f64 {
+    fn deviation(&mut self, x: &[S::Place]) -> f64 {
         self.energy(x);
         let aimed = |k: &usize| matches!(self.aims[self.active[*k]], Aim::At(_));
         let term = |k: usize| 0.5 * self.residual(k, self.length(k)).0.powi(2);
@@ -300,19 +398,19 @@ impl Moving<'_, '_> {
     /// One run of the method of multipliers from `x`.
     fn multipliers(
         &mut self,
-        x: &mut Vec<DVec2>,
+        x: &mut Vec<S::Place>,
+        Effort { rounds, iterations, tolerance, .. }: Effort,
         phase: &'static str,
         (from, to): (f64, f64),
         execution: &Execution<'_>,
     ) -> Option<Interruption> {
-        // Across a film's facets the derivatives jump, and with them the last digits of the least.
-        let tolerance = if matches!(self.nodes.surface, Surface::Film { .. }) { 1e-5 } else { 1e-9 };
         self.weight = WEIGHT;
         self.shifts.fill([0.0; 2]);
         let (mut last, mut stalled) = (f64::INFINITY, 0);
-        for round in 0..ROUNDS {
-            let part = |k: usize| from + (to - from) * k as f64 / ROUNDS as f64;
-            let settings = Settings { phase, span: (part(round), part(round + 1)), max_iterations: 60, tolerance };
+        for round in 0..rounds {
+            let part = |k: usize| from + (to - from) * k as f64 / rounds as f64;
+            let settings =
+                Settings { phase, span: (part(round), part(round + 1)), max_iterations: iterations, tolerance };
             let outcome = minimise(self, x, settings, execution);
             if outcome.interrupted.is_some() {
                 return outcome.interrupted;

@@ -1,14 +1,15 @@
 //! The sides of a domain: how many pieces each is split into, and why an edge between boundary nodes is too short.
 
-use super::{Objective, Why};
 use crate::DVec2;
+use crate::uniform_mesh::options::Objective;
+use crate::uniform_mesh::report::Why;
 
 /// Rounding allowed in counting how often ℓ goes into a side.
 const WHOLE: f64 = 1e-10;
 
 /// How long the pieces are that a side of 2ℓ or more is split into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Division {
+pub(in crate::uniform_mesh) enum Division {
     /// As near to ℓ as they get: where the domain's own directions fit the lattice's, the lattice goes on to the boundary.
     Short,
     /// At most √2 ℓ wherever possible: no inserted node then falls into the diametral circle of a piece. A boundary that runs
@@ -27,7 +28,7 @@ impl Division {
 }
 
 /// How many pieces a side of the given length (in ℓ) is split into.
-pub(super) fn pieces(length: f64, division: Division) -> u32 {
+pub(in crate::uniform_mesh) fn pieces(length: f64, division: Division) -> u32 {
     // Up to 2ℓ a side stays whole, but for one that is two members exactly.
     let most = (length * (1.0 + WHOLE)).floor().max(1.0);
     match division {
@@ -39,7 +40,7 @@ pub(super) fn pieces(length: f64, division: Division) -> u32 {
 
 /// Whether a side in direction `edge`, followed by one in direction `after` with the domain on the left, meets it at an
 /// inner angle below 90°.
-pub(super) fn is_sharp(edge: DVec2, after: DVec2) -> bool {
+pub(in crate::uniform_mesh) fn is_sharp(edge: DVec2, after: DVec2) -> bool {
     edge.perp_dot(after) > 0.0 && edge.dot(after) < 0.0
 }
 
@@ -59,7 +60,7 @@ struct Side {
 /// All sides, and the ones that each boundary node stands on: both its own on a side, the one before and the one after
 /// at a corner.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Sides {
+pub(in crate::uniform_mesh) struct Sides {
     sides: Vec<Side>,
     stands: Vec<[u32; 2]>,
 }

@@ -1,0 +1,13 @@
+//! Curved domains: lengths in units of ℓ, coordinates around the surface's centre.
+
+pub(super) mod auxiliary;
+pub(super) mod deviation;
+pub(super) mod flatten;
+pub(super) mod least_squares;
+pub(super) mod lengths;
+pub(super) mod move_nodes;
+pub(super) mod nurbs;
+pub(super) mod on_reference;
+pub(super) mod reference;
+pub(super) mod remesh;
+pub(super) mod transition;
