@@ -1,4 +1,4 @@
-//! `POST /v1/ruled-surfaces`: the request, its statistics, and their conversion to and from the geometry's types.
+//! `POST /v1/ruled-surfaces`: the request, its statistics, and the way to the geometry and back.
 
 use super::body::PointList;
 use super::common::{self, Cache, Point};
@@ -10,7 +10,7 @@ use plateau_geometry::ruled_surface as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh.
+/// Two or more directrices; every neighbouring pair is one strip, all strips one mesh.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RuledSurfaceRequest {
@@ -31,7 +31,7 @@ pub struct RuledSurfaceRequest {
     /// Axis that points up.
     #[serde(default)]
     pub up: UpAxis,
-    /// Polylines in order. A single point is an apex.
+    /// Polylines in order; one point alone is an apex.
     #[schemars(length(min = 2), inner(length(min = 1)))]
     pub directrices: Vec<Vec<Point>>,
     /// Whether the directrices are closed polygons (which do not repeat their first point).
@@ -40,57 +40,53 @@ pub struct RuledSurfaceRequest {
     /// One of the named objectives, or a weighted sum of them.
     #[serde(default)]
     pub objective: Goal,
-    /// Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`.
+    /// Only with `maximal_convexity`: objective that decides among the strips with the most convex bridges.
     #[serde(default)]
     pub secondary_objective: Option<SecondaryObjective>,
-    /// Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
+    /// Tolerance of the test for local convexity: angle in degrees by which a direction may reach beyond the
     /// half-plane. 0 is the exact test.
     #[serde(default = "default_convexity_tolerance_deg")]
     #[schemars(range(min = 0, max = 45))]
     pub convexity_tolerance_deg: f64,
-    /// `auto` reverses a directrix if that improves the objective, and the statistics list the reversed directrices.
-    /// `as_given` reverses none.
+    /// `auto` reverses a directrix if that improves the objective; the statistics name the reversed ones. `as_given`
+    /// reverses none.
     #[serde(default)]
     pub direction: Direction,
-    /// Treatment of the ends of a closed stack: open, or closed by flat caps.
+    /// How the ends of a closed stack are closed.
     #[serde(default)]
     pub caps: Caps,
-    /// Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
-    /// them.
+    /// Surface normals along the directrices, in their shape; `minimal_normal_variation` needs them.
     #[serde(default)]
     pub normals: Option<Vec<Vec<Point>>>,
-    /// Tangents along the directrices, with the same shape as `directrices`. If null, they are estimated from the
-    /// points.
+    /// Tangents along the directrices, in their shape; fitted if not given.
     #[serde(default)]
     pub tangents: Option<Vec<Vec<Point>>>,
     /// Solve for every objective and add the comparison to the statistics.
     #[serde(default)]
     pub all_objectives: bool,
-    /// Rule by which the directrices are resampled before solving. If null, they are used as given.
+    /// Resample the directrices before solving; as given by default.
     #[serde(default)]
     pub sampling: Option<Sampling>,
 }
 
-/// Rule by which every directrix is resampled. `extras.input_vertices` of the mesh then maps each given point to the
-/// nearest sample.
+/// A rule by which every directrix is resampled. `extras.input_vertices` then maps each given point to the nearest
+/// sample.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sampling {
-    /// Number of points of each directrix. With `chord_height` it is the largest number of points that are kept; null
-    /// then keeps all points that the tolerance requires.
+    /// Points of each directrix; with `chord_height` the most that are kept, all that are needed by default.
     #[serde(default)]
     #[schemars(range(min = 2, max = 16_777_216))]
     pub samples: Option<usize>,
     pub by: SamplingRule,
-    /// Largest distance, in the request's unit, between the polyline and the chords of the kept points. It is used only
-    /// with `chord_height`.
+    /// With `chord_height`: how far, in the request's unit, the kept points' chords may stray from the polyline.
     #[serde(default)]
     #[schemars(range(min = 0))]
     pub tolerance: Option<f64>,
 }
 
-/// `parameter` spaces the samples uniformly in the number of the point. `arc_length` spaces them uniformly along the
-/// polyline. `chord_height` keeps those of the given points that are needed to stay within `tolerance`.
+/// `parameter`: uniform in the number of the point; `arc_length`: uniform along the polyline; `chord_height`: those of
+/// the given points that are needed to stay within `tolerance`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SamplingRule {
@@ -118,7 +114,7 @@ impl Default for Goal {
 #[serde(deny_unknown_fields)]
 pub struct WeightedSum {
     pub weights: Weights,
-    /// Whether each term is first divided by its own optimum on the strip, because the terms have different units.
+    /// Divide each term by its own optimum on the strip first: they have different units.
     #[serde(default = "yes")]
     pub normalise: bool,
 }
@@ -127,7 +123,7 @@ fn yes() -> bool {
     true
 }
 
-/// Weights of the objectives. At least one must be positive. `minimal_normal_variation` requires `normals`.
+/// At least one must be positive. `minimal_normal_variation` needs `normals`.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Weights {
@@ -187,15 +183,15 @@ pub enum Objective {
     MaximalConvexity,
     MinimalBendingEnergy,
     MinimalMeanCurvatureVariation,
-    /// Requires `normals`.
+    /// Needs `normals`.
     MinimalNormalVariation,
 }
 
-/// Memory that each point takes in addition to the solver's own estimate: its triangles, and the archive of both.
+/// Memory that a point takes beside the solver's own estimate: its triangles, and the archive of both.
 const BYTES_PER_POINT: u64 = 2_000;
 
 impl RuledSurfaceRequest {
-    /// Takes the points of a field that was read separately.
+    /// Takes the points of a field that was read apart.
     pub(super) fn take(&mut self, list: &PointList) {
         let polylines = list.polylines.clone();
         match list.field {
@@ -206,10 +202,10 @@ impl RuledSurfaceRequest {
         }
     }
 
-    /// Makes the checks that the schema cannot express, and converts the request to the geometry's types.
+    /// Checks what the schema cannot say, and returns the request in the geometry's terms.
     ///
     /// # Errors
-    /// Returns every offending value.
+    /// Every offending value.
     pub(super) fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
         common::check_point_count("/directrices", &self.directrices, limits.points)?;
         self.check_sampling(limits)?;
@@ -218,7 +214,7 @@ impl RuledSurfaceRequest {
         let estimate = geometry::estimate(&points, &options);
         let cells = estimate.cells;
         if cells > limits.grid_cells {
-            let detail = format!("needs {cells} grid cells, more than this server accepts ({})", limits.grid_cells);
+            let detail = format!("needs {cells} grid cells, more than this server takes ({})", limits.grid_cells);
             return Err(Rejection::TooLarge(vec![FieldError::new("/directrices", detail)]));
         }
         geometry::check(&directrices, &options)?;
@@ -232,19 +228,19 @@ impl RuledSurfaceRequest {
 
     fn check_sampling(&self, limits: &LimitsConfig) -> Result<(), Rejection> {
         let Some(sampling) = self.sampling else { return Ok(()) };
-        let invalid = |pointer: &str, detail: &str| Err(Rejection::Invalid(vec![FieldError::new(pointer, detail)]));
+        let wrong = |pointer: &str, detail: &str| Err(Rejection::Invalid(vec![FieldError::new(pointer, detail)]));
         match (sampling.by, sampling.samples, sampling.tolerance) {
             (SamplingRule::ChordHeight, _, None) => {
-                return invalid("/sampling/tolerance", "chord_height needs a tolerance");
+                return wrong("/sampling/tolerance", "chord_height needs a tolerance");
             }
             (SamplingRule::ChordHeight, ..) => {}
-            (_, None, _) => return invalid("/sampling/samples", "is required with this rule"),
-            (.., Some(_)) => return invalid("/sampling/tolerance", "is only allowed with chord_height"),
+            (_, None, _) => return wrong("/sampling/samples", "this rule needs the number of samples"),
+            (.., Some(_)) => return wrong("/sampling/tolerance", "goes with chord_height only"),
             _ => {}
         }
         let points = sampling.samples.unwrap_or(0).saturating_mul(self.directrices.len());
         if sampling.by != SamplingRule::ChordHeight && points > limits.points {
-            let detail = format!("makes more points than this server accepts ({}); see GET /v1/limits", limits.points);
+            let detail = format!("makes more points than this server takes ({}); see GET /v1/limits", limits.points);
             return Err(Rejection::TooLarge(vec![FieldError::new("/sampling/samples", detail)]));
         }
         Ok(())
@@ -252,7 +248,7 @@ impl RuledSurfaceRequest {
 
     fn sampling(&self) -> Option<geometry::Sampling> {
         let Sampling { samples, by, tolerance } = self.sampling?;
-        // Missing values were refused by `check_sampling`, so the zeros below are never used.
+        // What is missing was refused before; none of it can reach the geometry as a zero.
         Some(match by {
             SamplingRule::Parameter => geometry::Sampling::Parameter { samples: samples.unwrap_or_default() },
             SamplingRule::ArcLength => geometry::Sampling::ArcLength { samples: samples.unwrap_or_default() },
@@ -262,8 +258,8 @@ impl RuledSurfaceRequest {
         })
     }
 
-    /// Returns true if solving takes at most about a millisecond. Closed strips and exact convexity may take longer
-    /// than the number of their cells suggests.
+    /// True if solving it takes about a millisecond at most. Closed strips and exact convexity may take more than their
+    /// cells say.
     fn is_quick(&self, points: usize, cells: u64) -> bool {
         const QUICK_POINTS: usize = 1_000;
         const QUICK_CELLS: u64 = 50_000;
@@ -271,7 +267,7 @@ impl RuledSurfaceRequest {
         simple && points <= QUICK_POINTS && cells <= QUICK_CELLS
     }
 
-    /// Converts the request to the geometry's types.
+    /// The geometry's own terms for this request.
     fn to_geometry(&self) -> (Vec<Vec<plateau_geometry::DVec3>>, geometry::Options) {
         let options = geometry::Options {
             closed: self.closed,
@@ -319,8 +315,7 @@ impl From<Goal> for geometry::Objective {
     }
 }
 
-/// Returns the named objectives of this kind. A request may also ask for a weighted sum of all of them except the
-/// convexity.
+/// The named objectives of this kind; a request may also ask for a weighted sum of all but the convexity.
 #[must_use]
 pub fn objectives() -> Vec<ObjectiveDoc> {
     geometry::Objective::NAMED
@@ -346,13 +341,13 @@ pub fn objectives() -> Vec<ObjectiveDoc> {
         .collect()
 }
 
-/// Statistics of one strip, or of all strips of a stack together. Lengths are in the request's unit, areas in its
-/// square, and angles in degrees.
+/// Statistics of one strip, or of all strips of a stack together.
+/// Lengths in the request's unit, areas in its square, angles in degrees.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct StripStatistics {
     /// Value of the objective. For `maximal_convexity` it is the number of convex bridges.
     pub objective_value: f64,
-    /// Value of the secondary objective. Null without one.
+    /// Value of the secondary objective; null without one.
     pub secondary_value: Option<f64>,
     pub triangles: usize,
     pub bridges: usize,
@@ -364,18 +359,18 @@ pub struct StripStatistics {
     pub convex_bridge_ratio: f64,
     pub bending_energy: f64,
     pub mean_curvature_variation: f64,
-    /// Value of `minimal_normal_variation`. Null without normals.
+    /// Value of `minimal_normal_variation`; null without normals.
     pub normal_variation: Option<f64>,
     /// Largest angle between the normals of neighbouring triangles.
     pub largest_fold_deg: f64,
-    /// Largest angle between the normals of neighbouring triangles at bridges that are not locally convex. It is 0 for
-    /// a strip that can be developed.
+    /// Largest angle between the normals of neighbouring triangles at bridges that are not locally convex: 0 for a
+    /// strip that can be developed.
     pub developability_deviation_deg: f64,
     pub shortest_bridge: f64,
     pub longest_bridge: f64,
 }
 
-/// Quality of the strips' flat pattern.
+/// How well the strips unroll into the plane.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct FlatPatternStatistics {
     /// Largest relative difference between an edge's length in space and in the plane.
@@ -389,7 +384,7 @@ pub struct FlatPatternStatistics {
 /// Statistics of a ruled surface.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct RuledStatistics {
-    /// Name of the objective, or `weighted` for a weighted sum.
+    /// Name of the objective; `weighted` for a weighted sum.
     pub objective: &'static str,
     /// Number of vertices of the mesh.
     pub vertices: usize,
@@ -397,11 +392,11 @@ pub struct RuledStatistics {
     pub total: StripStatistics,
     /// Statistics of each strip, in order.
     pub strips: Vec<StripStatistics>,
-    /// Null for closed strips, which cannot be unrolled.
+    /// Null for closed strips, which do not unroll.
     pub flat_pattern: Option<FlatPatternStatistics>,
     /// For each directrix, whether `direction: auto` reversed it.
     pub reversed: Vec<bool>,
-    /// Statistics of each objective's optimum (Wang-Tang's Table 1). Null without `all_objectives`.
+    /// With `all_objectives`: the statistics of each objective's optimum (Wang-Tang's Table 1); otherwise null.
     pub comparison: Option<Vec<Comparison>>,
 }
 

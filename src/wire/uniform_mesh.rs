@@ -1,4 +1,4 @@
-//! `POST /v1/uniform-meshes`: the request, its statistics, and their conversion to and from the geometry's types.
+//! `POST /v1/uniform-meshes`: the request, its statistics, and the way to the geometry and back.
 
 use super::common::{self, Cache, Point};
 use super::minimal_surface::{AngleRange, Spread};
@@ -13,10 +13,10 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-/// Number of members outside [ℓ, 2ℓ] that are listed individually. `out_of_range_edges` counts all of them.
+/// Edges outside [ℓ, 2ℓ] that are listed one by one; `out_of_range_edges` counts them all.
 const LISTED_EDGES: usize = 200;
 
-/// A domain and the edge length of its mesh.
+/// A domain, and the edge length of its mesh.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct UniformMeshRequest {
@@ -38,8 +38,7 @@ pub struct UniformMeshRequest {
     #[serde(default)]
     pub up: UpAxis,
     pub domain: Domain,
-    /// Edge length ℓ in the request's unit: the length of as many members as possible, and the smallest length of all
-    /// members.
+    /// ℓ: the length of as many members as possible, and the least length of all, in the request's unit.
     #[schemars(range(max = 1e15), extend("exclusiveMinimum" = 0))]
     pub edge_length: f64,
     #[serde(default)]
@@ -50,19 +49,18 @@ pub struct UniformMeshRequest {
     /// Aim of moving the nodes.
     #[serde(default)]
     pub optimise: Optimise,
-    /// Largest number of different member lengths. It is used only with `optimise: lengths`.
+    /// With `optimise: lengths`: how many lengths may stand for all members.
     #[serde(default)]
     #[schemars(range(min = 1, max = 1000))]
     pub max_distinct_lengths: Option<u32>,
-    /// Largest difference between lengths that count as equal, in the request's unit. Null means a thousandth of the
-    /// edge length.
+    /// Lengths that differ by no more are equal, in the request's unit; null: a thousandth of the edge length.
     #[serde(default)]
     #[schemars(range(min = 0, max = 1e15))]
     pub length_tolerance: Option<f64>,
-    /// Lengths that members outside the lattice group may take while the nodes move.
+    /// What the members outside the lattice group may do while nodes move.
     #[serde(default)]
     pub rim: Rim,
-    /// Number of rectangles along u and v in the auxiliary triangulation of a patch.
+    /// Rectangles along u and v of the auxiliary triangulation of a patch.
     #[serde(default = "default_auxiliary_grid")]
     #[schemars(inner(range(min = 2, max = 400)))]
     pub auxiliary_grid: [u32; 2],
@@ -82,7 +80,7 @@ pub enum UniformMeshKind {
     UniformMesh,
 }
 
-/// Domain of the mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs` and `boundaries`.
+/// What to mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs`, `boundaries`.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("minProperties" = 1, "maxProperties" = 2))]
@@ -101,7 +99,7 @@ pub struct Domain {
     #[serde(default)]
     #[schemars(with = "Nurbs")]
     pub nurbs: Option<Nurbs>,
-    /// Closed polygons. The domain is the minimal surface that spans them.
+    /// Closed polygons; the domain is the minimal surface that spans them.
     #[serde(default)]
     #[schemars(with = "Vec<Vec<Point>>", length(min = 1), inner(length(min = 3)))]
     pub boundaries: Option<Vec<Vec<Point>>>,
@@ -111,7 +109,7 @@ pub struct Domain {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Bezier {
-    /// Control points: rows along u, each with the points along v.
+    /// Rows along u of points along v.
     #[schemars(length(min = 2), inner(length(min = 2)))]
     pub control_points: Vec<Vec<Point>>,
 }
@@ -120,18 +118,18 @@ pub struct Bezier {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Nurbs {
-    /// Degrees along u and along v.
+    /// Along u and along v.
     #[schemars(inner(range(min = 1, max = 60)))]
     pub degrees: [u32; 2],
-    /// Knots along u and along v: control points + degree + 1 each, in non-decreasing order.
+    /// Along u and along v: control points + degree + 1 each, not falling.
     pub knots: [Vec<f64>; 2],
-    /// Control points: rows along u, each with the points along v.
+    /// Rows along u of points along v.
     #[schemars(length(min = 2), inner(length(min = 2)))]
     pub control_points: Vec<Vec<Point>>,
-    /// Weights in the shape of the control points. Null means equal weights.
+    /// In the shape of the control points; null: all equal.
     #[serde(default)]
     pub weights: Option<Vec<Vec<f64>>>,
-    /// Trimmed patches are not supported, so only null or an empty list is accepted.
+    /// Trimmed patches are not offered: only null or an empty list is taken.
     #[serde(default)]
     pub trim_curves: Option<Vec<Value>>,
 }
@@ -147,8 +145,8 @@ pub enum Objective {
     MostEqualEdges,
 }
 
-/// `nodes` brings the members of the lattice as near to the edge length as possible. `lengths` then also reduces all
-/// members to at most `max_distinct_lengths` lengths.
+/// `nodes`: members of the lattice as near to the edge length as they get. `lengths`: after that, at most
+/// `max_distinct_lengths` lengths for all members.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Optimise {
@@ -157,8 +155,7 @@ pub enum Optimise {
     Lengths,
 }
 
-/// `bounded` keeps the members between the edge length and its double wherever possible. `free` does not limit them, as
-/// in the paper.
+/// `bounded`: they stay between the edge length and its double wherever that is possible. `free`: as in the paper.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Rim {
@@ -168,7 +165,7 @@ pub enum Rim {
 }
 
 impl Domain {
-    /// Returns the number of points, and the field for an error if there are too many.
+    /// How many points it has in all, and where to complain if there are too many.
     fn point_count(&self) -> (usize, &'static str) {
         let count = |rows: &[Vec<Point>]| rows.iter().map(Vec::len).sum::<usize>();
         match self {
@@ -192,10 +189,10 @@ impl Domain {
             return invalid("/domain", format!("needs exactly one of: {names}"));
         }
         if self.polygon.is_none() && !self.holes.is_empty() {
-            return invalid("/domain/holes", "is only allowed with a polygon".into());
+            return invalid("/domain/holes", "only a polygon has holes".into());
         }
         if self.nurbs.as_ref().and_then(|patch| patch.trim_curves.as_ref()).is_some_and(|curves| !curves.is_empty()) {
-            let detail = "trimmed patches are not supported: split the patch along its parameter lines, or give its outline \
+            let detail = "trimmed patches are not offered: split the patch along its parameter lines, or give its outline \
                 as `boundaries`";
             return invalid("/domain/nurbs/trim_curves", detail.into());
         }
@@ -224,30 +221,27 @@ impl Domain {
 }
 
 impl UniformMeshRequest {
-    /// Makes the checks that the schema cannot express, and converts the request to the geometry's types.
+    /// Checks what the schema cannot say, and returns the request in the geometry's terms.
     ///
     /// # Errors
-    /// Returns every offending value.
+    /// Every offending value.
     pub(super) fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
         self.domain.check()?;
         let (points, field) = self.domain.point_count();
         if points > limits.points {
-            let detail = format!("has more points than this server accepts ({}); see GET /v1/limits", limits.points);
+            let detail = format!("has more points than this server takes ({}); see GET /v1/limits", limits.points);
             return Err(Rejection::TooLarge(vec![FieldError::new(field, detail)]));
         }
         let invalid = |pointer: &str, detail: &str| Err(Rejection::Invalid(vec![FieldError::new(pointer, detail)]));
         if self.optimise == Optimise::Lengths && !self.optimise_nodes {
-            return invalid(
-                "/optimise_nodes",
-                "must be true with `optimise: lengths`, because lengths are optimised by moving nodes",
-            );
+            return invalid("/optimise_nodes", "must be true where lengths are to be optimised: it is nodes that move");
         }
         match (self.optimise, self.max_distinct_lengths) {
             (Optimise::Lengths, None) => {
                 return invalid("/max_distinct_lengths", "is required with `optimise: lengths`");
             }
             (Optimise::Nodes, Some(_)) => {
-                return invalid("/max_distinct_lengths", "is only allowed with `optimise: lengths`");
+                return invalid("/max_distinct_lengths", "means something with `optimise: lengths` only");
             }
             _ => {}
         }
@@ -255,7 +249,7 @@ impl UniformMeshRequest {
         let estimate = geometry::estimate(&domain, &options)?.triangles;
         if estimate > limits.triangles as f64 {
             let detail = format!(
-                "asks for up to {estimate:.0} triangles, more than this server allows ({}); see GET /v1/limits",
+                "asks for up to {estimate:.0} triangles, more than this server makes ({}); see GET /v1/limits",
                 limits.triangles
             );
             return Err(Rejection::TooLarge(vec![FieldError::new("/edge_length", detail)]));
@@ -268,7 +262,7 @@ impl UniformMeshRequest {
         })
     }
 
-    /// Converts the request to the geometry's types.
+    /// The geometry's own terms for this request.
     fn to_geometry(&self) -> (geometry::Domain, geometry::Options) {
         let optimise = match (self.optimise_nodes, self.optimise, self.max_distinct_lengths) {
             (false, ..) => geometry::Optimise::None,
@@ -292,17 +286,16 @@ impl UniformMeshRequest {
         (self.domain.to_geometry(), options)
     }
 
-    /// Returns an estimate of the memory that solving takes. A triangle costs about 600 bytes with its members, their
-    /// lengths and the archive, and on a surface as much again for the sparse factor. The mesh of a film has a bounded
-    /// size.
+    /// About how much memory solving takes: a triangle costs some 600 bytes with its members, their lengths and the archive,
+    /// and on a surface as much again for the sparse factor; a film's own mesh is bounded.
     fn memory_bytes(&self, triangles: f64) -> u64 {
         let a_triangle = if self.domain.polygon.is_some() { 600.0 } else { 1500.0 };
         (triangles * a_triangle) as u64 + (64 << 20)
     }
 }
 
-/// Returns the vertices that the points of each polyline of a polygon became. The list is empty for other domains,
-/// because their points are not nodes.
+/// For each polyline of a polygon the vertices that its points became; empty for other domains, whose points are not
+/// nodes.
 #[must_use]
 pub fn input_vertices(domain: &geometry::Domain, mesh: &geometry::UniformMesh) -> Vec<Vec<u32>> {
     let geometry::Domain::Polygon { outer, holes } = domain else { return Vec::new() };
@@ -311,7 +304,7 @@ pub fn input_vertices(domain: &geometry::Domain, mesh: &geometry::UniformMesh) -
     lengths.map(|length| vertices.by_ref().take(length).collect()).collect()
 }
 
-/// Returns the objectives of this kind.
+/// The objectives of this kind.
 #[must_use]
 pub fn objectives() -> Vec<ObjectiveDoc> {
     geometry::Objective::ALL
@@ -335,7 +328,7 @@ pub fn objectives() -> Vec<ObjectiveDoc> {
         .collect()
 }
 
-/// Count, minimum, mean, maximum and standard deviation of a group of lengths. All are 0 for an empty group.
+/// Count, minimum, mean, maximum and standard deviation of a group of lengths; zeros for an empty one.
 #[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
 pub struct GroupLengths {
     pub count: usize,
@@ -357,9 +350,9 @@ impl From<plateau_geometry::mesh::measure::Spread> for GroupLengths {
 pub struct StageGroup {
     #[serde(flatten)]
     pub lengths: GroupLengths,
-    /// Number of members within the tolerance of the edge length.
+    /// Members within the tolerance of the edge length.
     pub equal_edges: usize,
-    /// Smallest number of lengths for all members if lengths that differ by at most the tolerance count as one.
+    /// The least number of lengths for all of them, those of one kind differing by at most the tolerance.
     pub distinct_lengths: usize,
 }
 
@@ -369,18 +362,17 @@ impl From<geometry::statistics::Group> for StageGroup {
     }
 }
 
-/// One stage of the computation: a pair of rows of Katoh, Ohsaki and Xu's Table 1.
+/// A row pair of Katoh, Ohsaki and Xu's Table 1.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Stage {
-    /// Name of the stage: `auxiliary_surface`, `auxiliary_plane`, `plane`, `surface`, `optimised_nodes` or
-    /// `shared_lengths`.
+    /// `auxiliary_surface`, `auxiliary_plane`, `plane`, `surface`, `optimised_nodes` or `shared_lengths`.
     pub name: &'static str,
     pub all: StageGroup,
     /// Null for the auxiliary triangulation.
     pub lattice: Option<StageGroup>,
 }
 
-/// Histogram of lengths. Bin k counts lengths from `from` + k · `width` up to the next bin.
+/// Bin k counts lengths from `from + k width` up to the next.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct LengthHistogram {
     pub from: f64,
@@ -392,9 +384,9 @@ pub struct LengthHistogram {
 #[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
 pub struct SharedLengths {
     pub lengths: usize,
-    /// Largest difference between a member's length and the shared length that replaces it.
+    /// Largest difference between a member and the length that stands for it.
     pub deviation: f64,
-    /// The same difference before the nodes moved.
+    /// Largest difference before the nodes moved.
     pub deviation_before: f64,
 }
 
@@ -403,23 +395,23 @@ pub struct SharedLengths {
 pub struct OutOfRange {
     pub vertices: [u32; 2],
     pub length: f64,
-    /// Reason: `short_side`, `sharp_corner`, `narrow`, `curvature`, `optimised` or `unfinished`.
+    /// `short_side`, `sharp_corner`, `narrow`, `curvature`, `optimised` or `unfinished`.
     pub why: &'static str,
 }
 
-/// Statistics of a uniform mesh. Lengths are in the request's unit, and angles are in degrees.
+/// Statistics of a uniform mesh. Lengths in the request's unit, angles in degrees.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct UniformStatistics {
     pub objective: &'static str,
-    /// Number of nodes for `fewest_nodes`, and number of lattice edges for `most_equal_edges`.
+    /// Nodes for `fewest_nodes`, lattice edges for `most_equal_edges`.
     pub objective_value: usize,
     pub nodes: usize,
     pub triangles: usize,
     pub edges: usize,
     pub edge_lengths: Spread,
-    /// Lengths of the members of the lattice.
+    /// Members of the lattice.
     pub lattice_edges: GroupLengths,
-    /// Number of members within the tolerance of the edge length.
+    /// Members within the tolerance of the edge length.
     pub equal_edges: usize,
     pub distinct_lengths: usize,
     /// Tolerance of `equal_edges` and `distinct_lengths`.
@@ -434,12 +426,11 @@ pub struct UniformStatistics {
     pub length_histogram: LengthHistogram,
     /// Entry k is the number of nodes with k members.
     pub valence_histogram: Vec<usize>,
-    /// For polygons, a lower bound of the number of nodes of any mesh with members of at most twice the edge length.
-    /// Null for curved domains.
+    /// Polygons: no mesh with members of at most twice the edge length has fewer nodes. Null for curved domains.
     pub node_lower_bound: Option<usize>,
     /// Rows of Katoh, Ohsaki and Xu's Table 1, stage by stage.
     pub stages: Vec<Stage>,
-    /// With `optimise: lengths`, the deviation for each number of lengths that was tried.
+    /// With `optimise: lengths`: deviation against the number of lengths, as far as it was tried.
     pub shared_lengths: Vec<SharedLengths>,
 }
 

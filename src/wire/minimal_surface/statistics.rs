@@ -42,16 +42,16 @@ pub struct HistoryRow {
     pub residual: f64,
 }
 
-/// Second variation of area under normal motion.
+/// The second variation of area under normal motion.
 #[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
 pub struct Stability {
-    /// Whether the Morse index is 0. The surface is then a true local minimum, like a physical soap film.
+    /// Whether the Morse index is 0: a true local minimum, a physical soap film.
     pub stable: bool,
     /// Number of negative eigenvalues.
     pub morse_index: usize,
-    /// Lowest eigenvalue with respect to the lumped mass, in 1/unit².
+    /// Against the lumped mass, 1/unit².
     pub lowest_eigenvalue: f64,
-    /// Method that gave the index: `inertia` (exact) or `eigenvalue` (large meshes; the index is then 0).
+    /// Where the index comes from: `inertia` (exact) or `eigenvalue` (large meshes; the index is then 0).
     pub method: &'static str,
 }
 
@@ -66,7 +66,7 @@ impl From<geometry::Stability> for Stability {
     }
 }
 
-/// Area of the smooth surface on the same polygon, extrapolated from two resolutions.
+/// The area of the smooth surface on the same polygon, from two resolutions.
 #[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
 pub struct ExtrapolatedArea {
     pub area: f64,
@@ -78,35 +78,34 @@ pub struct ExtrapolatedArea {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Pinch {
     pub iteration: u32,
-    /// Place of the change in the request's unit and axes.
+    /// Where it happened, in the request's unit and axes.
     pub place: Point,
-    /// Kind of the change: `split` (a component became two), `handle_cut` (it stayed one) or
-    /// `closed_component_removed`.
+    /// `split` (a component became two), `handle_cut` (it stayed one), `closed_component_removed`.
     pub what: &'static str,
 }
 
 /// One way to span the boundaries.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct SpanningTopology {
-    /// Sets of boundaries by their numbers. A connected film spans each set.
+    /// The sets of boundaries, by their numbers, that a connected film spans each.
     pub films: Vec<Vec<usize>>,
-    /// Total area. Null if one of the films does not exist.
+    /// Null if one of the films does not hold.
     pub area: Option<f64>,
     pub stability: Option<Stability>,
-    /// Whether two of its films pass through each other. No soap film has such a shape.
+    /// Whether two of its films pass through each other, so that no soap film takes this shape.
     pub films_cross: bool,
     /// Whether this topology was returned.
     pub chosen: bool,
 }
 
-/// Comparison of the ways to span the boundaries, made with `topology: best`.
+/// With `topology: best`: the films over the boundaries that were compared.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Spanning {
-    /// The topologies in order of area. Topologies without a film are last.
+    /// The topologies by area; those without a film are last.
     pub topologies: Vec<SpanningTopology>,
-    /// Whether a film that connects all boundaries exists.
+    /// Whether a film that connects all boundaries holds.
     pub connected_film_exists: bool,
-    /// For two boundaries without a connected film, the largest fraction of their gap at which a connected film exists.
+    /// Of two boundaries without a connected film: the largest fraction of their gap at which one holds.
     pub largest_gap_fraction: Option<f64>,
 }
 
@@ -132,30 +131,28 @@ impl From<&geometry::SpanningComparison> for Spanning {
 pub struct Junctions {
     /// Number of parts of the film that are connected without crossing a junction.
     pub sheets: usize,
-    /// Curves along which three sheets meet, each as vertices of the mesh (counted from 0) from end to end. A closed
-    /// curve ends with its first vertex.
+    /// Curves along which three sheets meet, each as vertices of the mesh (counted from 0) from end to end; a closed
+    /// one ends with its first.
     pub curves: Vec<Vec<u32>>,
-    /// Number of mesh edges with three triangles.
+    /// Mesh edges with three triangles.
     pub edges: usize,
-    /// Number of vertices inside the film where such curves meet.
+    /// Vertices inside the film where such curves meet.
     pub points: usize,
-    /// Total length of these curves.
+    /// Length of all these curves.
     pub length: f64,
-    /// Largest net pull of the sheets across a junction per length. It is 0 if the sheets balance, and 1 for a single
-    /// sheet.
+    /// Largest net pull of the sheets across a junction, per length: 0 where they balance, 1 for one sheet alone.
     pub residual: f64,
-    /// Angles between neighbouring triangles around the junctions' edges.
+    /// Between neighbouring triangles around the junctions' edges.
     pub facet_angles_deg: Spread,
-    /// Angles between the pulls of neighbouring sheets at the junctions' inner vertices.
+    /// Between the pulls of neighbouring sheets at the junctions' inner vertices.
     pub sheet_angles_deg: Spread,
     /// Largest departure of `sheet_angles_deg` from 120° at the vertices that are not next to an end of their junction.
     pub largest_deviation_deg: f64,
-    /// The same at the vertices next to an end, where it may hardly decrease with the mesh size. It is 0 if there are
-    /// no such vertices.
+    /// The same at the vertices next to an end, where it may hardly fall with the mesh; 0 where there are none.
     pub largest_deviation_at_ends_deg: f64,
     /// Mean departure of `sheet_angles_deg` from 120° over all these vertices.
     pub mean_deviation_deg: f64,
-    /// Number of negative eigenvalues of the second variation with moving junctions. Null if it was not computed.
+    /// Number of negative eigenvalues of the second variation, junctions moving too; null where it was not computed.
     pub morse_index: Option<usize>,
 }
 
@@ -184,15 +181,15 @@ impl From<&geometry::JunctionStatistics> for Junctions {
     }
 }
 
-/// Statistics of a minimal surface. Lengths are in the request's unit, areas in its square, curvatures in its inverse,
-/// and angles in degrees.
+/// Statistics of a minimal surface. Lengths in the request's unit, areas in its square, curvatures in its inverse,
+/// angles in degrees.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct MinimalStatistics {
     pub objective: &'static str,
     pub objective_value: f64,
-    /// Solver that was used.
+    /// The solver that ran.
     pub solver: &'static str,
-    /// Initial mesh that was built.
+    /// The initial mesh that was built.
     pub initial_mesh: &'static str,
     pub vertices: usize,
     pub triangles: usize,
@@ -204,18 +201,18 @@ pub struct MinimalStatistics {
     pub area: f64,
     /// Area of the initial mesh.
     pub initial_area: f64,
-    /// Null if the boundary's points do not allow a second resolution, and for unstable surfaces.
+    /// Null where the boundary's points leave no room for a second resolution, and for unstable surfaces.
     pub extrapolated_area: Option<ExtrapolatedArea>,
     pub mean_curvature: MeanCurvature,
-    /// Largest normal mean curvature times the boundary's radius, which is dimensionless.
+    /// Largest normal mean curvature times the boundary's radius: dimensionless.
     pub residual: f64,
-    /// The same including the tangential part of the area gradient.
+    /// The same with the tangential part of the area gradient.
     pub residual_full: f64,
     pub converged: bool,
     pub stop_reason: &'static str,
     pub iterations: u32,
     pub history: Vec<HistoryRow>,
-    /// Null if it was not computed.
+    /// Null where it was not computed.
     pub stability: Option<Stability>,
     pub edge_lengths: Spread,
     pub angles_deg: AngleRange,
@@ -224,9 +221,9 @@ pub struct MinimalStatistics {
     pub degenerate_triangles: usize,
     /// Changes of topology in the order in which they happened.
     pub pinches: Vec<Pinch>,
-    /// Null without `topology: best`.
+    /// With `topology: best`; else null.
     pub spanning: Option<Spanning>,
-    /// Null unless the initial mesh of the film has edges with three triangles.
+    /// Of a film whose initial mesh has edges with three triangles; else null.
     pub junctions: Option<Junctions>,
 }
 
