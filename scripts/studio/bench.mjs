@@ -1,5 +1,6 @@
-// Two figures of the studio, as lines for benches/results.jsonl on standard output: how often a live drag is answered, and what
-// an orbit costs in script. CHROMIUM=… PLATEAU_BIN=… node scripts/studio/bench.mjs >> benches/results.jsonl, on a quiet machine.
+// Figures of the studio, as lines for benches/results.jsonl on standard output: how soon a first visit sees a solved film, how
+// often a live drag is answered, and what an orbit costs in script. CHROMIUM=… PLATEAU_BIN=… node scripts/studio/bench.mjs
+// >> benches/results.jsonl, on a quiet machine. Each line says what it is measured against.
 
 import { execSync } from 'node:child_process';
 import { cpus, loadavg } from 'node:os';
@@ -14,6 +15,31 @@ const common = {
   date: new Date().toISOString().slice(0, 10), commit: execSync('git rev-parse --short HEAD').toString().trim(), machine: `${cpus().length} cores x86_64`, renderer: 'SwiftShader', load_before: Number(loadavg()[0].toFixed(2)),
 };
 const say = (line) => console.log(JSON.stringify({ ...common, ...line }));
+
+const round = (value, digits = 0) => Number(value.toFixed(digits));
+
+/** From the navigation to the first frame with the solved film, in a browser that was never here; the server is new at first. */
+async function arrival() {
+  const times = [];
+  for (let visit = 0; visit < 7; visit += 1) {
+    const context = await browser.newContext({ viewport: { width: 1280, height: 720 } });
+    const fresh = await context.newPage();
+    await fresh.goto(server.url, { waitUntil: 'commit' });
+    const seen = await fresh.waitForFunction(() => {
+      const shown = window.studio?.shown();
+      if (!shown || shown.stale) return false;
+      // Reading a pixel waits until the picture is drawn.
+      window.studio.draw();
+      const pixel = Object.assign(document.createElement('canvas'), { width: 1, height: 1 }).getContext('2d');
+      pixel.drawImage(document.querySelector('#view'), 0, 0, 1, 1);
+      pixel.getImageData(0, 0, 1, 1);
+      return performance.now();
+    }, null, { polling: 'raf', timeout: 60_000 });
+    times.push(await seen.jsonValue());
+    await context.close();
+  }
+  say({ bench: 'studio_arrival', server: 'debug build', first_ms: round(times[0]), median_ms: round(median(times)), max_ms: round(Math.max(...times)), goal_ms: 2000 });
+}
 
 /** 2,000 triangles: updates a second while a point is dragged for four seconds, and the time from its release to the final film. */
 async function live() {
@@ -46,7 +72,7 @@ async function live() {
   await solved(page);
   const seen = await page.evaluate(() => window.seen);
   const during = seen.filter(([time]) => time > started && time < released).length;
-  say({ bench: 'studio_live_drag', triangles: 2000, updates_per_second: Number((during / ((released - started) / 1000)).toFixed(1)), after_release_ms: Math.round(seen.at(-1)[0] - released) });
+  say({ bench: 'studio_live_drag', triangles: 2000, updates_per_second: round(during / ((released - started) / 1000), 1), after_release_ms: round(seen.at(-1)[0] - released), old_studio: { updates_per_second: 9 } });
 }
 
 /** 100,000 triangles and 500 points: milliseconds of script for each step of an orbit. */
@@ -75,9 +101,10 @@ async function orbit() {
     document.dispatchEvent(event('pointerup', 220, 160, 0));
     return found;
   });
-  say({ bench: 'studio_orbit', triangles: 100_000, points: 500, script_ms_median: Number(median(costs).toFixed(2)), script_ms_max: Number(Math.max(...costs).toFixed(2)) });
+  say({ bench: 'studio_orbit', triangles: 100_000, points: 500, script_ms_median: round(median(costs), 2), script_ms_max: round(Math.max(...costs), 2), old_studio: { script_ms_for_the_handles: 17 } });
 }
 
+await arrival();
 await live();
 await orbit();
 await browser.close();

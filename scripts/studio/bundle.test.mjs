@@ -2,7 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { readFile, writeFile } from 'node:fs/promises';
+import { readFile, readdir, writeFile } from 'node:fs/promises';
+import { posix } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
@@ -30,4 +31,23 @@ test('a bundle that differs by one byte is noticed', async () => {
   } finally {
     await writeFile(file, bytes);
   }
+});
+
+test('no sources form a circle of imports', async () => {
+  const sources = (await readdir(`${web}src`, { recursive: true })).filter((file) => file.endsWith('.ts') && !file.endsWith('.d.ts'));
+  const arrows = new Map();
+  for (const file of sources) {
+    const text = await readFile(`${web}src/${file}`, 'utf8');
+    const names = [...text.matchAll(/^(?:import|export) [^;]*?from '(\.[^']+)'/gm)].map(([, name]) => `${posix.join(posix.dirname(file), name)}.ts`);
+    arrows.set(file, names.filter((name) => sources.includes(name)));
+  }
+  assert.ok(arrows.get('main.ts').length > 5, 'the imports were found');
+  const done = new Set();
+  const visit = (file, path) => {
+    assert.ok(!path.includes(file), [...path.slice(path.indexOf(file)), file].join(' -> '));
+    if (done.has(file)) return;
+    for (const next of arrows.get(file)) visit(next, [...path, file]);
+    done.add(file);
+  };
+  for (const file of sources) visit(file, []);
 });

@@ -47,31 +47,40 @@ const faultsOfLayout = () => {
   return found.slice(0, 6);
 };
 
-/** A strip and a lattice: their figures, options and modes take the most room. */
-const LAID_OUT = ['wavy-strip', 'vault'];
+/**
+ * Examples whose figures, options and modes take the most room: films with and without ropes, a comparison, strips with one
+ * and many pieces, lattices plane and curved. `scripts/test --long` looks at every example.
+ */
+const REPRESENTATIVE = ['tent', 'ridge-rope', 'rings-12-best', 'wavy-strip', 'wang-tang-v', 'vault', 'floor-fewest-nodes'];
 
 test('at every size, drawing or with a point selected, nothing overlaps and nothing is wider than its box', async () => {
   const { page } = studio;
   await studio.open('tent');
+  await page.evaluate(`window.faultsOfLayout = ${faultsOfLayout}`);
+  const every = await (await fetch(`${studio.url}/v1/examples`)).json();
+  const names = process.env.PLATEAU_LONG ? every.examples.map(({ name }) => name) : REPRESENTATIVE;
   const faults = [];
-  for (const name of LAID_OUT) {
+  for (const name of names) {
     await page.evaluate((each) => window.studio.openExample(each), name);
     await solved(page);
     for (const [width, height] of SIZES) {
       await page.setViewportSize({ width, height });
-      const state = async (what) => {
-        for (const fault of await page.evaluate(faultsOfLayout)) faults.push(`${name}, ${width} × ${height}, ${what}: ${fault}`);
-      };
-      await showPanel(page, 'results');
-      await page.locator('#view').evaluate((view) => view.focus());
-      await page.keyboard.press(']');
-      await state('point selected');
-      await showPanel(page, 'setup');
-      await page.click('#draw');
-      await state('drawing');
-      await page.click('#give-up');
+      const found = await page.evaluate(async () => {
+        const press = (selector) => document.querySelector(selector).click();
+        const show = (panel) => { if (document.querySelector('#tabs').checkVisibility()) press(`#tabs [data-panel="${panel}"]`); };
+        // The page follows the size of its window within a frame.
+        await new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); });
+        show('results');
+        document.querySelector('#view').dispatchEvent(new KeyboardEvent('keydown', { key: ']', bubbles: true }));
+        const states = { 'point selected': [document.querySelector('#point').hidden ? 'no point is selected' : [], window.faultsOfLayout()].flat() };
+        show('setup');
+        press('#draw');
+        states.drawing = [document.querySelector('#drawing').hidden ? 'no line is drawn' : [], window.faultsOfLayout()].flat();
+        press('#give-up');
+        return states;
+      });
+      for (const [state, list] of Object.entries(found)) faults.push(...list.map((fault) => `${name}, ${width} × ${height}, ${state}: ${fault}`));
     }
-    await page.setViewportSize({ width: 1280, height: 720 });
   }
   assert.deepEqual(faults.slice(0, 12), []);
 });

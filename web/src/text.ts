@@ -10,6 +10,16 @@ export function humanise(name: string): string {
   return words.charAt(0).toUpperCase() + words.slice(1) + suffix;
 }
 
+export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
+/** A number as people type it: `1.5`, `1,5` or a small sum such as `3+0.25`; NaN for anything else. */
+export function typed(text: string): number {
+  const plain = text.replace(/,/g, '.').replace(/−/g, '-');
+  const parts = plain.match(/[+-]?\s*\d*\.?\d+(?:e[+-]?\d+)?/gi);
+  if (!parts || parts.join('').replace(/\s/g, '') !== plain.replace(/\s/g, '')) return NaN;
+  return Number(parts.reduce((sum, part) => sum + Number(part.replace(/\s/g, '')), 0).toPrecision(15));
+}
+
 const SUPERSCRIPT: Record<string, string> = { '-': '⁻', ...Object.fromEntries([...'⁰¹²³⁴⁵⁶⁷⁸⁹'].map((digit, i) => [String(i), digit])) };
 
 /** A number for reading: `digits` significant ones, whole numbers whole, very large and small ones as powers of ten. */

@@ -5,7 +5,7 @@ import { humanise, number } from '../text';
 
 export interface Sample { iteration: number; phase: string; value: number | null; residual: number | null }
 
-const WIDTH = 300, HEIGHT = 118, LEFT = 46, RIGHT = 8, TOP = 8, BOTTOM = 22;
+const WIDTH = 300, HEIGHT = 118, LEFT = 56, RIGHT = 8, TOP = 8, BOTTOM = 22;
 
 /** The charts of a run that is under way or over; none for fewer than three samples. */
 export function charts(samples: Sample[], valueLabel: string, tolerance: number | null): HTMLElement[] {
@@ -28,10 +28,13 @@ function chart(label: string, points: { x: number; y: number }[], logarithmic: b
   const x = (value: number): number => LEFT + ((WIDTH - LEFT - RIGHT) * value) / lastX;
   const y = (value: number): number => HEIGHT - BOTTOM - ((HEIGHT - TOP - BOTTOM) * (value - low)) / (high - low);
   const picture = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'chart', role: 'img', 'aria-label': `${label} over ${points.length} steps, from ${number(points[0]!.y, 4)} to ${number(points.at(-1)!.y, 4)}` });
-  for (const tick of ticks(low, high, logarithmic)) {
+  const marks = ticks(low, high, logarithmic);
+  // As many digits as it takes to tell one mark from the next.
+  const digits = logarithmic ? 4 : Math.min(9, Math.max(4, 1 + Math.ceil(Math.log10(Math.max(Math.abs(low), Math.abs(high)) / Math.abs(marks[1]! - marks[0]!)))));
+  for (const tick of marks) {
     picture.append(
       svg('line', { class: 'rule', x1: LEFT, x2: WIDTH - RIGHT, y1: y(tick).toFixed(1), y2: y(tick).toFixed(1) }),
-      svg('text', { x: LEFT - 6, y: (y(tick) + 3.5).toFixed(1), 'text-anchor': 'end' }, number(logarithmic ? 10 ** tick : tick, 4)),
+      svg('text', { x: LEFT - 6, y: (y(tick) + 3.5).toFixed(1), 'text-anchor': 'end' }, number(logarithmic ? 10 ** tick : tick, digits)),
     );
   }
   picture.append(

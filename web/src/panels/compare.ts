@@ -15,8 +15,8 @@ const FACTS: { name: string; label: string; unit: string; better: 'less' | 'more
   { name: 'total_normal_twist', label: 'Twist', unit: '', better: 'less' },
   { name: 'convex_bridge_ratio', label: 'Convex', unit: '%', better: 'more' },
   { name: 'bending_energy', label: 'Bending', unit: '', better: 'less' },
-  { name: 'mean_curvature_variation', label: 'Curvature change', unit: '', better: 'less' },
-  { name: 'largest_fold_deg', label: 'Largest fold', unit: '°', better: 'less' },
+  { name: 'mean_curvature_variation', label: 'Curvature var.', unit: '', better: 'less' },
+  { name: 'largest_fold_deg', label: 'Fold', unit: '°', better: 'less' },
 ];
 
 interface Tile { name: string; box: HTMLElement; facts: HTMLElement; picture: HTMLElement; surface: Surface; statistics: Record<string, unknown> | null }
@@ -25,7 +25,10 @@ export class Compare {
   private tiles: Tile[] = [];
   private turn = 0;
 
-  constructor(private readonly stage: Stage, private readonly look: Look, private readonly use: (objective: string) => void, private readonly fail: (error: unknown) => void) {}
+  /** Called with the objective that was chosen. */
+  use: (objective: string) => void = () => {};
+
+  constructor(private readonly stage: Stage, private readonly look: Look, private readonly fail: (error: unknown) => void) {}
 
   async open(request: Request, frame: Frame, objectives: string[]): Promise<void> {
     this.close();
@@ -81,7 +84,7 @@ export class Compare {
         if (typeof value !== 'number') return [];
         const first = Math.abs(value - best.get(name)!) <= 1e-9 * Math.abs(best.get(name)!);
         const shown = unit === '%' ? `${number(100 * value, 3)} %` : `${number(value, 4)}${unit === 'u²' ? ` ${unitOf(request)}²` : unit}`;
-        return [el('dt', {}, label), el('dd', { className: first ? 'best' : '' }, shown)];
+        return [el('dt', { title: humanise(name) }, label), el('dd', { className: first ? 'best' : '' }, shown)];
       })));
     }
   }

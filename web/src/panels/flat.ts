@@ -54,7 +54,7 @@ export class Flat {
     this.box.hidden = true;
   }
 
-  private fit(): void {
+  fit(): void {
     const { clientWidth, clientHeight } = this.box;
     const { naturalWidth, naturalHeight } = this.image;
     if (naturalWidth === 0) return;

@@ -27,6 +27,12 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
+/**
+ * Puts the ground behind whatever lies on it, seen from any side: further back than the surface's own offset (`surface.ts`),
+ * which alone would let the ground show through a film that lies on it.
+ */
+export const BEHIND = { polygonOffset: true, polygonOffsetFactor: 3, polygonOffsetUnits: 4 };
+
 export class Grid {
   readonly mesh: Mesh<PlaneGeometry, ShaderMaterial>;
   /** The grid's fine step, in metres. */
@@ -36,7 +42,7 @@ export class Grid {
     const uniforms = {
       middle: { value: [0, 0] }, size: { value: 1 }, step1: { value: 1 }, reach: { value: 1 }, strength: { value: 0.5 }, ink: { value: new Color('#5b6b73') },
     };
-    const material = new ShaderMaterial({ uniforms, vertexShader: VERTEX, fragmentShader: FRAGMENT, transparent: true, depthWrite: false, side: DoubleSide });
+    const material = new ShaderMaterial({ uniforms, vertexShader: VERTEX, fragmentShader: FRAGMENT, transparent: true, depthWrite: false, side: DoubleSide, ...BEHIND });
     this.mesh = new Mesh(new PlaneGeometry(1, 1), material);
     this.mesh.rotation.x = -Math.PI / 2;
     this.mesh.renderOrder = -2;

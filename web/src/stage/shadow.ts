@@ -4,6 +4,7 @@ import {
   type Box3, Mesh, MeshBasicMaterial, NoBlending, type Object3D, OrthographicCamera, PlaneGeometry, type Scene, ShaderMaterial, WebGLRenderTarget,
   DoubleSide, type WebGLRenderer,
 } from 'three';
+import { BEHIND } from './grid';
 
 const SIZE = 256;
 /** The shadow's picture is this much larger than the model, so that the blur has room. */
@@ -41,7 +42,7 @@ export class ContactShadow {
   private readonly page = new Mesh(new PlaneGeometry(1, 1), this.blur);
 
   constructor() {
-    const material = new MeshBasicMaterial({ map: this.targets[0].texture, transparent: true, depthWrite: false, opacity: 0.5, toneMapped: false });
+    const material = new MeshBasicMaterial({ map: this.targets[0].texture, transparent: true, depthWrite: false, opacity: 0.5, toneMapped: false, ...BEHIND });
     this.plane = new Mesh(new PlaneGeometry(1, 1), material);
     this.plane.rotation.x = -Math.PI / 2;
     this.plane.renderOrder = -1;

@@ -1,0 +1,143 @@
+// Changes of the document: a point, an option, undo, or another document in its place; and what follows from each.
+
+import { $ } from '../dom';
+import type { Kind } from '../api/client';
+import { Frame, originFor } from '../model/frame';
+import { blank, isWhole, KINDS, linesOf, print, type Request, unitOf } from '../model/request';
+import { build, schemaOf } from '../panels/form';
+import { Gizmo } from '../stage/gizmo';
+import { capital } from '../text';
+import { redraw, showDock } from './drawing';
+import { keep } from './keeping';
+import { setMode } from './modes';
+import { say } from './notes';
+import { hideProblem } from './problems';
+import { forget, showStale } from './result';
+import { doc, FIRST_VIEW, history, host, server, session, stage, surface, tools } from './session';
+import { solve } from './solving';
+
+/** A drawing that takes longer than this to solve is solved when a drag ends, not while it goes on. */
+const DRAG_PATIENCE_S = 1.2;
+
+export const gizmo = new Gizmo($('gizmo') as unknown as SVGElement, stage, host.frame);
+export const isLive = (): boolean => $<HTMLInputElement>('live').checked;
+
+/** Shows the document as it is now, after it was replaced as a whole. */
+export function load({ refit = true, direction = FIRST_VIEW } = {}): void {
+  const { kind, request } = doc();
+  host.lines = linesOf(kind, request);
+  host.frame = new Frame(originFor(host.lines, request), request);
+  gizmo.build(host.frame);
+  surface.putInto(host.frame);
+  tools.prune();
+  showForm();
+  redraw();
+  stage.measure();
+  if (refit) stage.fit(false, direction);
+  showDocument();
+}
+
+/** The kind and its options, as far as the server's documents have come. */
+export function showForm(): void {
+  const { kind, request } = doc();
+  const radio = document.querySelector<HTMLInputElement>(`#kinds input[value="${kind}"]`);
+  if (radio) radio.checked = true;
+  $('purpose').textContent = KINDS[kind].purpose;
+  const schema = schemaOf(server.openapi, KINDS[kind].path);
+  if (!schema) return;
+  build($<HTMLFormElement>('options'), schema, request, {
+    openapi: server.openapi,
+    set: (name, value) => {
+      const done = history.edit(({ request: edited }) => {
+        if (value === undefined) delete edited[name];
+        else edited[name] = value;
+      });
+      if (!done) return;
+      if (name === 'units' || name === 'up') {
+        forget();
+        load();
+      }
+      changed({ option: true });
+    },
+    describe: (name, value) => {
+      if (name !== 'objective') return undefined;
+      const found = server.objectives.find((each) => each.kind === kind && each.name === value);
+      return found ? `${capital(found.minimises)} [${found.unit.replaceAll('u', unitOf(request))}]. ${found.source}.` : undefined;
+    },
+  });
+}
+
+/** After every change of the document, also while a point is being dragged. */
+export function changed({ dragging = false, option = false } = {}): void {
+  $('intro').hidden = true;
+  session.viewing = false;
+  session.serverFaulty = new Set();
+  host.lines = linesOf(doc().kind, doc().request);
+  tools.prune();
+  redraw(dragging);
+  if (!dragging) {
+    if (!option) showForm();
+    stage.measure();
+    keep();
+  }
+  showDocument(dragging);
+  if (isLive() && isWhole(doc().kind, doc().request) && doc().draft === null) {
+    if (!dragging || session.lastDuration < DRAG_PATIENCE_S) void solve();
+  }
+}
+
+export function showDocument(dragging = false): void {
+  $<HTMLButtonElement>('undo').disabled = !history.canUndo;
+  $<HTMLButtonElement>('redo').disabled = !history.canRedo;
+  $('draw').setAttribute('aria-pressed', String(tools.drawing));
+  $('title').textContent = doc().title ?? '';
+  if (!dragging && $<HTMLDetailsElement>('request-box').open) showRequest();
+  showDock();
+  showStale();
+}
+
+export function showRequest(): void {
+  $<HTMLTextAreaElement>('request').value = print(doc().request);
+  $('request-fault').hidden = true;
+}
+
+const restore = (step: () => boolean): void => {
+  if (!step()) return;
+  if (session.shown && session.shown.job.kind !== doc().kind) forget();
+  load({ refit: false });
+  stage.rememberWhetherAllIsSeen();
+  changed();
+};
+export const undo = (): void => restore(() => history.undo());
+export const redo = (): void => restore(() => history.redo());
+
+/** Replaces the document, as one step that can be undone. */
+export function replace(kind: Kind, request: Request, title: string | null): void {
+  session.viewing = false;
+  session.cameraGiven = false;
+  session.generation += 1;
+  const same = session.shown?.job.kind === kind;
+  history.edit((document) => Object.assign(document, { kind, request, title, draft: null }));
+  tools.selection = [];
+  if (!same || !isWhole(kind, request)) forget();
+  hideProblem();
+  load();
+}
+
+export function startBlank(kind: Kind): void {
+  forget();
+  replace(kind, blank(kind), null);
+  say('');
+  tools.startDrawing();
+}
+
+/** Takes an objective of the comparison. */
+export function useObjective(name: string): void {
+  setMode('model');
+  const done = history.edit(({ request }) => {
+    request.objective = name;
+    if (name !== 'maximal_convexity') delete request.secondary_objective;
+  });
+  if (done) changed();
+  if (!isLive()) void solve();
+}

@@ -1,0 +1,77 @@
+// The drawing on the stage, and the strip below it: what to do next, the line being drawn, or the selected points.
+
+import { $ } from '../dom';
+import { findings } from '../model/checks';
+import { isWhole, KINDS } from '../model/request';
+import { capital, count } from '../text';
+import { doc, embedded, host, session, sketch, stage, surface, tools } from './session';
+
+/** The drawing on the stage, with what is wrong with it marked. */
+export function redraw(dragging = false): void {
+  sketch.group.visible = !session.viewing && !embedded;
+  surface.drawn = sketch.group.visible;
+  sketch.show(session.viewing ? [] : host.lines, doc().draft, host.frame);
+  if (!dragging) {
+    host.faulty = new Set([...session.serverFaulty, ...findings(host.lines).flatMap(({ line, points }) => points.map((point) => `${line}/${point}`))]);
+    stage.rememberWhetherAllIsSeen();
+  }
+  tools.refresh();
+}
+
+export function showDock(): void {
+  const { drawing, selection } = tools;
+  const introduced = !$('intro').hidden && !drawing && selection.length === 0;
+  $('intro').hidden = !introduced;
+  $('drawing').hidden = !drawing;
+  $('point').hidden = drawing || selection.length === 0;
+  $('hint').hidden = introduced || drawing || selection.length > 0;
+  if (drawing) showLine();
+  else if (selection.length > 0) showPoint();
+  else $('hint').textContent = hint();
+}
+
+export function hint(): string {
+  if (session.viewing) return 'The server keeps no drawing of this job: only its mesh is shown. Undo, or any edit, brings your drawing back.';
+  if (session.mode === 'compare') return 'Each objective solved on the same rails; the best value of each row is bold. Drag beside the figures to turn all of them.';
+  if (session.mode === 'flat') return 'The strip unrolled into the plane, to scale. Drag to move it, wheel to zoom.';
+  if (host.lines.length === 0) return 'Nothing is drawn yet. Press Draw, open a file, or drop one here.';
+  if (!isWhole(doc().kind, doc().request)) return `A strip needs two ${KINDS[doc().kind].line}s: press Draw for the next one.`;
+  return 'Drag a point to move it, press on an edge to add one. Drag the ground to orbit, right-drag to pan, wheel to zoom.';
+}
+
+/** The line that is being drawn. */
+function showLine(): void {
+  const { kind, draft } = doc();
+  const { line, least } = KINDS[kind];
+  const first = kind === 'uniform_mesh' && host.lines.length === 0;
+  const n = draft!.length;
+  const what = first ? 'polygon' : line;
+  $('drawing-hint').textContent = n === 0
+    ? `Click on the ground to begin the ${what}.`
+    : n < least ? `${count(n, 'point')} of the ${what}: click to add more.`
+      : kind === 'ruled_surface' ? `${count(n, 'point')}: click to add more, Enter ends the rail.` : `${count(n, 'point')}: click the first point, or press Enter, to close the ${what}.`;
+  $<HTMLButtonElement>('finish').disabled = n < least;
+  $('level-name').textContent = `at ${'xyz'[host.frame.up]}`;
+  if (document.activeElement !== $('level')) $<HTMLInputElement>('level').value = String(tools.level);
+}
+
+/** The selected point, or what several have in common. */
+export function showPoint(): void {
+  const { selection, only } = tools;
+  const line = only && host.lines[only.line];
+  $('point-name').textContent = line ? `${capital(line.name)}, ${only.point + 1} of ${line.points.length}` : count(selection.length, 'point');
+  for (const input of document.querySelectorAll<HTMLInputElement>('#point [data-axis]')) {
+    const values = new Set(selection.map((ref) => {
+      const raw = host.lines[ref.line]?.points[ref.point];
+      return Array.isArray(raw) ? raw[Number(input.dataset.axis)] as unknown : undefined;
+    }));
+    const [value] = values;
+    if (document.activeElement === input && input.dataset.dirty) continue;
+    input.value = values.size === 1 && value !== undefined && value !== null ? String(value) : '';
+    input.placeholder = values.size === 1 ? 'none' : 'various';
+  }
+  const edge = tools.edgeBefore();
+  $('edge-field').hidden = !edge;
+  if (edge && document.activeElement !== $('edge')) $<HTMLInputElement>('edge').value = String(Number(edge.length.toPrecision(7)));
+  $<HTMLButtonElement>('insert-point').disabled = !only;
+}

@@ -1,0 +1,95 @@
+// What survives a reload: the document with its camera, and the jobs of this browser with their drawings.
+
+import type { Job, Kind } from '../api/client';
+import { Frame } from '../model/frame';
+import { KINDS, type Request, type Vec3 } from '../model/request';
+import type { Pose } from '../stage/stage';
+import { toast } from './notes';
+import { doc, embedded, host, isStale, type Run, session, stage } from './session';
+
+const WORK = 'plateau.work', RECENT = 'plateau.recent';
+const PAUSE_MS = 250;
+/** A drawing of more characters is not kept with the list of recent jobs, which holds at most so many. */
+const MOST_CHARACTERS = 200_000, MOST_RECENT = 20;
+
+/** A document as it is kept, and as a link holds it. */
+export interface Kept { kind: Kind; request: Request; draft?: Vec3[] | null; title?: string | null; camera?: Pose; colour?: string; job?: string | null }
+
+export const isKept = (found: unknown): found is Kept => {
+  const { kind, request } = (found ?? {}) as Partial<Kept>;
+  return kind !== undefined && kind in KINDS && request !== null && typeof request === 'object';
+};
+
+let timer = 0;
+let warned = false;
+
+/** Keeps the document a moment later. */
+export function keep(): void {
+  clearTimeout(timer);
+  timer = window.setTimeout(keepNow, PAUSE_MS);
+}
+
+export function keepNow(): void {
+  if (embedded || !session.ready) return;
+  const { kind, request, draft, title } = doc();
+  const job = session.pendingJob ?? (isStale() ? null : session.shown?.job.id ?? null);
+  const kept: Kept = { kind, request, draft, title, camera: worldPose(), colour: session.colour, job };
+  const text = JSON.stringify(kept);
+  try {
+    sessionStorage.setItem(WORK, text);
+    localStorage.setItem(WORK, text);
+  } catch {
+    // A drawing larger than the browser keeps is still in the page; it is only not there after a reload.
+    if (!warned) toast('This drawing is too large to be kept by the browser: save it as a file.');
+    warned = true;
+  }
+}
+
+/** What was being worked on in this tab, else in the last one. */
+export function kept(): Kept | null {
+  try {
+    const found: unknown = JSON.parse(sessionStorage.getItem(WORK) ?? localStorage.getItem(WORK) ?? 'null');
+    return isKept(found) ? found : null;
+  } catch {
+    return null;
+  }
+}
+
+// ---- Camera ----
+
+/** The camera in metres from the coordinates' zero, so that it does not depend on the stage's own origin. */
+export function worldPose(): Pose {
+  const { eye, target } = stage.pose();
+  const shift = new Frame([0, 0, 0], doc().request).toScene(host.frame.origin);
+  return { eye: eye.map((value, axis) => value + shift[axis]!) as Vec3, target: target.map((value, axis) => value + shift[axis]!) as Vec3 };
+}
+
+/** Puts the camera where a link or the last visit had it; the first result leaves it there. */
+export function placeWorld({ eye, target }: Pose): void {
+  session.cameraGiven = true;
+  const shift = new Frame([0, 0, 0], doc().request).toScene(host.frame.origin);
+  stage.place({ eye: eye.map((value, axis) => value - shift[axis]!) as Vec3, target: target.map((value, axis) => value - shift[axis]!) as Vec3 }, false);
+  stage.rememberWhetherAllIsSeen();
+}
+
+// ---- Recent jobs ----
+
+export interface RecentJob { id: string; title: string | null; kind: Kind; request: string }
+
+export function recentJobs(): RecentJob[] {
+  try {
+    return JSON.parse(localStorage.getItem(RECENT) ?? '[]') as RecentJob[];
+  } catch {
+    return [];
+  }
+}
+
+export function rememberJob(job: Job, { request, title }: Run): void {
+  if (embedded || request.length > MOST_CHARACTERS) return;
+  const list = [{ id: job.id, title, kind: job.kind, request }, ...recentJobs().filter((each) => each.id !== job.id)].slice(0, MOST_RECENT);
+  try {
+    localStorage.setItem(RECENT, JSON.stringify(list));
+  } catch {
+    localStorage.removeItem(RECENT);
+  }
+}

@@ -1,0 +1,43 @@
+// Changing what fills the stage: the model, the objectives of a strip side by side, or its flat pattern.
+
+import { $ } from '../dom';
+import { Compare } from '../panels/compare';
+import { Flat } from '../panels/flat';
+import { showDock } from './drawing';
+import { showProblem } from './problems';
+import { doc, host, look, type Mode, server, session, stage } from './session';
+
+const flat = new Flat();
+export const compare = new Compare(stage, look, showProblem);
+
+export function setMode(next: Mode): void {
+  if (next === session.mode && next !== 'compare') return;
+  session.mode = next;
+  $('stage').dataset.shows = next;
+  for (const button of document.querySelectorAll<HTMLElement>('[data-mode]')) button.setAttribute('aria-pressed', String(button.dataset.mode === next));
+  $('corner').hidden = next !== 'model';
+  if (next !== 'compare') compare.close();
+  if (next !== 'flat') flat.hide();
+  if (next === 'compare') {
+    const names = server.objectives.filter((each) => each.kind === 'ruled_surface').map((each) => each.name);
+    void compare.open(doc().request, host.frame, names);
+  }
+  if (next === 'flat' && session.shown) flat.show(session.shown.job).catch(showProblem);
+  showDock();
+  stage.invalidate();
+}
+
+/** Shows all of what fills the stage. */
+export function fitAll(): void {
+  if (session.mode === 'flat') flat.fit();
+  else stage.fit(true);
+}
+
+/** After a new result: which modes it offers, and the flat pattern anew if that is looked at. */
+export function offerModes(strip: boolean, pattern: boolean): void {
+  $('modes').hidden = !strip;
+  document.querySelector<HTMLButtonElement>('[data-mode="flat"]')!.hidden = !pattern;
+  if (session.mode !== 'flat' || !session.shown) return;
+  if (pattern) flat.show(session.shown.job).catch(showProblem);
+  else setMode('model');
+}

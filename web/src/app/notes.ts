@@ -1,0 +1,47 @@
+// Short texts: the line of state, a note that passes, and a text beside a pixel of the stage.
+
+import { $ } from '../dom';
+import type { Vec3 } from '../model/request';
+import { reading } from '../stage/quantities';
+import { number } from '../text';
+import { host, session, stage, surface } from './session';
+
+const TOAST_MS = 7000;
+
+export const say = (text: string): void => { $('status').textContent = text; };
+export const announce = (text: string): void => { $('announcement').textContent = text; };
+
+let toastTimer = 0;
+export function toast(text: string): void {
+  $('toast').textContent = text;
+  $('toast').hidden = false;
+  clearTimeout(toastTimer);
+  toastTimer = window.setTimeout(() => { $('toast').hidden = true; }, TOAST_MS);
+}
+
+let labelled: { text: string; x: number; y: number; anchor: Vec3 | null } | null = null;
+
+/** A text beside a pixel, or beside a point of the scene wherever that is seen; null for none. */
+export function label(text: string | null, x = 0, y = 0, anchor: Vec3 | null = null): void {
+  labelled = text === null ? null : { text, x, y, anchor };
+  placeLabel();
+}
+
+export function placeLabel(): void {
+  const box = $('label');
+  box.hidden = labelled === null;
+  if (!labelled) return;
+  const { text, anchor } = labelled;
+  const { x, y } = anchor ? stage.project(anchor) : labelled;
+  box.textContent = text;
+  const left = Math.min(Math.max(x + 14, 6), stage.width - box.offsetWidth - 6);
+  const top = Math.min(Math.max(y - 30, 6), stage.height - 30);
+  box.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
+}
+
+/** Says beside a point of the surface what it is there: the value of the quantity shown, else the coordinates. */
+export const readSurface: typeof host.read = (point, face, x, y) => {
+  const value = surface.valueAt(point, face);
+  const where = host.frame.fromScene(point.toArray()).map((each) => number(each, 5)).join(', ');
+  label(session.quantity && value !== null ? reading(session.quantity, value) : where, x, y, point.toArray());
+};

@@ -1,0 +1,63 @@
+// What went wrong: said once, counted from 1, and marked in the drawing.
+
+import type { FieldError } from '../api/client';
+import { $, el } from '../dom';
+import { findings } from '../model/checks';
+import { place } from '../model/request';
+import { capital, fieldSentence, sentence } from '../text';
+import { redraw } from './drawing';
+import { host, session, tools } from './session';
+
+interface Fault { title?: string; detail?: string; message?: string; errors?: FieldError[] | null; omitted?: boolean }
+
+export function hideProblem(): void {
+  $('problem').hidden = true;
+  if (session.serverFaulty.size === 0) return;
+  session.serverFaulty = new Set();
+  redraw();
+}
+
+/** A problem document, a failed job's error, or a defect of this page: what is wrong, and where. */
+export function showProblem(fault: unknown): void {
+  const { title, detail, message, errors, omitted } = fault as Fault;
+  const list = errors ?? [];
+  const faulty = new Set<string>();
+  const items = list.map((error) => {
+    const found = place(host.lines, error.pointer);
+    if (found.line !== undefined && found.point !== undefined && found.point >= 0) faulty.add(`${found.line}/${found.point}`);
+    const control = found.line === undefined ? $<HTMLFormElement>('options').querySelector<HTMLElement>(`[name="${CSS.escape(found.field ?? '')}"], [name^="${CSS.escape(found.field ?? '')}."]`) : null;
+    return item(capital(found.text), fieldSentence(error.detail), found, control);
+  });
+  // The service may name a line and not the points: the studio sees which.
+  if (!list.some((error) => place(host.lines, error.pointer).point !== undefined)) {
+    for (const { line, points, text } of findings(host.lines)) {
+      points.forEach((point) => faulty.add(`${line}/${point}`));
+      items.push(item('', text, { line, point: points[0]! }, null));
+    }
+  }
+  if (omitted) items.push(el('li', {}, 'and more'));
+  // The detail of a refused request repeats its errors.
+  const summary = detail ?? message ?? '';
+  const repeats = list.length > 0 && (/^see errors/.test(summary) || list.some((error) => summary.includes(error.detail)));
+  $('problem').replaceChildren(
+    el('strong', {}, title ?? 'Something went wrong'), repeats || summary === title ? '' : sentence(capital(summary)), items.length > 0 && el('ul', {}, ...items) || '',
+  );
+  $('problem').hidden = false;
+  session.serverFaulty = faulty;
+  redraw();
+}
+
+/** One fault; a press leads to its point or its control. */
+function item(where: string, what: string, found: { line?: number; point?: number }, control: HTMLElement | null): HTMLElement {
+  const words = [where && el('b', {}, where), where ? ` ${what}` : what] as const;
+  if (found.line === undefined && !control) return el('li', {}, ...words);
+  const button = el('button', { type: 'button' }, ...words);
+  button.addEventListener('click', () => {
+    if (control) {
+      control.closest('details')?.setAttribute('open', '');
+      control.focus();
+    } else tools.select([{ line: found.line!, point: Math.max(found.point ?? 0, 0) }]);
+  });
+  if (control) control.setAttribute('aria-invalid', 'true');
+  return el('li', {}, button);
+}

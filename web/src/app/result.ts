@@ -1,0 +1,145 @@
+// A finished job: its surface on the stage, its figures, warnings and downloads beside it, and whether it is still true.
+
+import * as api from '../api/client';
+import type { Job } from '../api/client';
+import { $, el, save } from '../dom';
+import { metresOf, type Request, unitOf } from '../model/request';
+import { charts } from '../panels/chart';
+import { showLegend } from '../panels/legend';
+import { keyFigures, samplesOf, statistics, warnings } from '../panels/report';
+import type { ResultMesh } from '../stage/mesh';
+import { offered, quantity } from '../stage/quantities';
+import { count, duration } from '../text';
+import { offerModes, setMode } from './modes';
+import { label, say } from './notes';
+import { showProblem } from './problems';
+import { doc, host, isStale, session, sketch, stage, surface } from './session';
+
+/** How long a result may lag behind the drawing before it is shown as out of date. */
+const STALE_MS = 450;
+let staleTimer = 0;
+
+export function forget(): void {
+  session.shown = null;
+  session.quantity = null;
+  surface.show(null, '', host.frame);
+  $('result').hidden = true;
+  $('nothing').hidden = false;
+  $('look').hidden = true;
+  $('modes').hidden = true;
+  showLegend(null);
+  setMode('model');
+}
+
+/** Shows a result; `solved` is the request that it belongs to. */
+export function show(job: Job, mesh: ResultMesh, solved: string, whileDragging = false): void {
+  const first = session.shown === null || session.shown.job.kind !== job.kind;
+  const request = JSON.parse(solved) as Request;
+  session.shown = { job, mesh, solved, request, dragging: whileDragging };
+  label(null);
+  surface.show(mesh, job.kind, host.frame);
+  showQuantities();
+  stage.measure();
+  stage.rememberWhetherAllIsSeen();
+  if (first && !session.cameraGiven) stage.fit(false);
+  session.cameraGiven = false;
+  showLayers();
+
+  $('nothing').hidden = true;
+  $('result').hidden = false;
+  $('look').hidden = false;
+  $('job-id').textContent = job.id;
+  const values = job.statistics as Record<string, unknown>;
+  $('figures').replaceChildren(...keyFigures(job, unitOf(request)));
+  $('warnings').replaceChildren(...warnings(job.warnings));
+  $('statistics').replaceChildren(...statistics(values));
+  $('charts').replaceChildren(...charts(samplesOf(values.history as api.HistoryRow[] | undefined), 'Area', toleranceOf(request)));
+  offer($('downloads'), ['glb', 'gltf', 'obj', 'ply', 'stl'], job, job.links.mesh!);
+  const pattern = Boolean(job.links.pattern && values.flat_pattern);
+  $('pattern-box').hidden = !pattern;
+  if (pattern) offer($('pattern-downloads'), ['svg', 'dxf'], job, job.links.pattern!);
+  offerModes(job.kind === 'ruled_surface', pattern);
+  sayHowItWent(job, mesh);
+  showStale();
+}
+
+/** The residual that a request is solved to, where its kind has one. */
+export const toleranceOf = (request: Request): number | null => (typeof request.tolerance === 'number' ? request.tolerance : doc().kind === 'minimal_surface' ? 1e-6 : null);
+
+function sayHowItWent(job: Job, mesh: ResultMesh): void {
+  const time = (Date.parse(job.finished_at ?? '') - Date.parse(job.started_at ?? '')) / 1000;
+  // The server keeps results: the same request again takes no time.
+  const how = time > 0 ? `Solved in ${duration(time)}` : 'Solved';
+  const { converged } = job.statistics as { converged?: boolean };
+  say(`${how}: ${count(mesh.geometry.index!.count / 3, 'triangle')}.${converged === false ? ' Not converged.' : ''}`);
+}
+
+function offer(box: HTMLElement, formats: string[], job: Job, link: string): void {
+  box.replaceChildren(...formats.map((format) => el('button', {
+    type: 'button',
+    onclick: async () => {
+      try {
+        save(await api.getBlob(`${link}?format=${format}`), `${job.kind.replaceAll('_', '-')}-${job.id}.${format}`);
+      } catch (error) {
+        showProblem(error);
+      }
+    },
+  }, format.toUpperCase())));
+}
+
+/** What is shown as a result must be one of the drawing; while a new one is on its way, for a moment it need not be. */
+export function showStale(): void {
+  const stale = isStale();
+  for (const button of document.querySelectorAll<HTMLButtonElement>('#downloads button, #pattern-downloads button')) button.disabled = stale;
+  clearTimeout(staleTimer);
+  const apply = (): void => {
+    $('result').classList.toggle('stale', stale);
+    $('stale').hidden = !stale;
+    surface.setStale(stale);
+    stage.invalidate();
+  };
+  if (stale && session.run && session.lastDuration * 1000 < STALE_MS) staleTimer = window.setTimeout(apply, STALE_MS);
+  else apply();
+}
+
+// ---- What is looked at ----
+
+/** The quantities that the result offers, and the chosen one in colours. */
+export function showQuantities(): void {
+  const { shown } = session;
+  if (!shown) return;
+  const { mesh, job, request } = shown;
+  const list = offered(mesh, job.kind);
+  const select = $<HTMLSelectElement>('quantity');
+  if (!list.some(({ id }) => id === session.colour)) session.colour = 'plain';
+  select.replaceChildren(...list.map(({ id, label: name }) => el('option', { value: id }, name)));
+  select.value = session.colour;
+  session.quantity = quantity(mesh, session.colour, unitOf(request), metresOf(request));
+  surface.colourBy(session.quantity);
+  showLegend(session.quantity);
+}
+
+function showLayers(): void {
+  const names: Record<keyof typeof surface.layers, string> = { surface: 'Surface', edges: 'Mesh', lines: 'Lines' };
+  $('layers').replaceChildren(...(Object.keys(names) as (keyof typeof surface.layers)[]).map((name) => {
+    const button = el('button', { type: 'button', 'aria-pressed': String(surface.layers[name]) }, names[name]);
+    button.addEventListener('click', () => {
+      surface.setLayers({ [name]: !surface.layers[name] });
+      button.setAttribute('aria-pressed', String(surface.layers[name]));
+      stage.measure();
+    });
+    return button;
+  }), drawingLayer());
+}
+
+function drawingLayer(): HTMLElement {
+  const button = el('button', { type: 'button', 'aria-pressed': String(sketch.group.visible) }, 'Drawing');
+  button.addEventListener('click', () => {
+    sketch.group.visible = !sketch.group.visible;
+    surface.drawn = sketch.group.visible;
+    surface.restyle();
+    button.setAttribute('aria-pressed', String(sketch.group.visible));
+    stage.invalidate();
+  });
+  return button;
+}

@@ -1,0 +1,192 @@
+// Which control does what.
+
+import * as api from '../api/client';
+import { $, save } from '../dom';
+import { ACCEPT, openFile, openText } from '../files/open';
+import { isWhole, print, type Vec3 } from '../model/request';
+import { typed } from '../text';
+import { arrive } from './arrival';
+import { isLive, redo, showRequest, startBlank, undo } from './document';
+import { hint, showPoint } from './drawing';
+import { keep, keepNow } from './keeping';
+import { fitAll, setMode } from './modes';
+import { label, say, toast } from './notes';
+import { applyRequest, openLink, showRecent, take } from './opening';
+import { showQuantities } from './result';
+import { doc, isStale, type Mode, session, stage, tools } from './session';
+import { copy, openShare, savePicture } from './sharing';
+import { giveUp, solve } from './solving';
+import { switchTheme } from './theme';
+
+const KEY = 'api-key';
+const on = (id: string, event: string, act: (event: Event) => unknown): void => $(id).addEventListener(event, (each) => { void act(each); });
+const all = (selector: string): NodeListOf<HTMLElement> => document.querySelectorAll<HTMLElement>(selector);
+
+export function wire(): void {
+  wireSetup();
+  wireDrawing();
+  wireStage();
+  wireFiles();
+  wireDialogs();
+  document.addEventListener('keydown', shortcut);
+  window.addEventListener('pagehide', keepNow);
+  window.addEventListener('hashchange', () => { if (location.hash.startsWith('#s=') && session.ready) void openLink(); });
+}
+
+export function showPanel(name: string): void {
+  document.querySelector('main')!.dataset.panel = name;
+  for (const button of all('[data-panel]:is(button)')) button.setAttribute('aria-pressed', String(button.dataset.panel === name));
+}
+
+function wireSetup(): void {
+  on('solve', 'click', () => (isWhole(doc().kind, doc().request) ? solve() : say(hint())));
+  on('cancel', 'click', giveUp);
+  on('live', 'change', () => isLive() && isStale() && solve());
+  on('request-box', 'toggle', () => { if ($<HTMLDetailsElement>('request-box').open) showRequest(); });
+  on('apply-request', 'click', applyRequest);
+  on('save-request', 'click', () => save(new Blob([print({ kind: doc().kind, ...doc().request })], { type: 'application/json' }), `${doc().kind.replaceAll('_', '-')}.json`));
+  for (const button of all('[data-panel]:is(button)')) button.addEventListener('click', () => showPanel(button.dataset.panel!));
+  for (const form of ['point', 'options', 'key-form', 'drawing']) on(form, 'submit', (event) => event.preventDefault());
+}
+
+function wireDrawing(): void {
+  on('draw', 'click', () => (tools.drawing ? tools.stopDrawing() : tools.startDrawing()));
+  on('undo', 'click', undo);
+  on('redo', 'click', redo);
+  on('finish', 'click', () => tools.finishDrawing());
+  on('give-up', 'click', () => tools.stopDrawing());
+  on('snap', 'change', () => { tools.snapping = $<HTMLInputElement>('snap').checked; });
+  on('level', 'change', () => { tools.level = $<HTMLInputElement>('level').valueAsNumber || 0; });
+  on('previous-point', 'click', () => tools.step(-1));
+  on('next-point', 'click', () => tools.step(1));
+  on('insert-point', 'click', () => tools.insert());
+  on('delete-point', 'click', () => tools.remove());
+  on('remove-line', 'click', () => tools.removeLine());
+  on('intro-draw', 'click', () => startBlank('minimal_surface'));
+  for (const input of document.querySelectorAll<HTMLInputElement>('#point input')) {
+    input.addEventListener('input', () => { input.dataset.dirty = '1'; });
+    input.addEventListener('blur', () => { delete input.dataset.dirty; });
+    input.addEventListener('change', () => {
+      delete input.dataset.dirty;
+      const value = typed(input.value);
+      if (!Number.isFinite(value)) {
+        if (input.value.trim() !== '') toast(`${JSON.stringify(input.value)} is not a number.`);
+        showPoint();
+      } else if (input.id === 'edge') tools.setEdgeBefore(value);
+      else tools.setAxis(Number(input.dataset.axis), value);
+    });
+  }
+  const entry = $<HTMLInputElement>('entry');
+  entry.addEventListener('keydown', (event) => {
+    if (event.key !== 'Enter') return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (entry.value.trim() === '') {
+      tools.finishDrawing();
+      return;
+    }
+    const fault = tools.enter(entry.value);
+    if (fault) toast(fault);
+    else entry.value = '';
+  });
+}
+
+function wireStage(): void {
+  const views: Record<string, Vec3> = { top: [0, 1, 1e-3], front: [0, 0.02, 1], side: [1, 0.02, 0] };
+  for (const button of all('[data-view]')) {
+    button.addEventListener('click', () => {
+      const view = views[button.dataset.view!];
+      if (view) stage.look(view);
+      else fitAll();
+    });
+  }
+  for (const button of all('[data-mode]')) button.addEventListener('click', () => setMode(button.dataset.mode as Mode));
+  on('quantity', 'change', () => {
+    session.colour = $<HTMLSelectElement>('quantity').value;
+    label(null);
+    showQuantities();
+    stage.invalidate();
+    keep();
+  });
+  on('theme', 'click', switchTheme);
+}
+
+function wireFiles(): void {
+  const input = $<HTMLInputElement>('file');
+  input.accept = ACCEPT;
+  on('open-file', 'click', () => input.click());
+  on('file', 'change', async () => {
+    const [chosen] = input.files ?? [];
+    if (chosen) await take(() => openFile(chosen), chosen.name);
+    input.value = '';
+  });
+  document.addEventListener('dragover', (event) => {
+    event.preventDefault();
+    document.body.classList.add('dropping');
+  });
+  document.addEventListener('dragleave', (event) => { if (!event.relatedTarget) document.body.classList.remove('dropping'); });
+  document.addEventListener('drop', (event) => {
+    event.preventDefault();
+    document.body.classList.remove('dropping');
+    takeFrom(event.dataTransfer);
+  });
+  document.addEventListener('paste', (event) => {
+    if (!(event.target as HTMLElement).matches('input, textarea') && takeFrom(event.clipboardData)) event.preventDefault();
+  });
+}
+
+/** Opens what was dropped or pasted; whether there was anything. */
+function takeFrom(data: DataTransfer | null): boolean {
+  const [file] = data?.files ?? [];
+  const text = data?.getData('text/plain') ?? '';
+  if (file) void take(() => openFile(file), file.name);
+  else if (text.trim() !== '') void take(() => openText(text), '');
+  else return false;
+  return true;
+}
+
+function wireDialogs(): void {
+  const openGallery = (): void => $<HTMLDialogElement>('gallery').showModal();
+  on('open-gallery', 'click', openGallery);
+  on('intro-gallery', 'click', openGallery);
+  on('open-recent', 'click', showRecent);
+  on('open-share', 'click', openShare);
+  on('open-settings', 'click', () => $<HTMLDialogElement>('settings').showModal());
+  on('copy', 'click', copy);
+  on('picture', 'click', savePicture);
+  for (const dialog of document.querySelectorAll('dialog')) {
+    dialog.querySelector('[data-close]')!.addEventListener('click', () => dialog.close());
+    dialog.addEventListener('click', (event) => { if (event.target === dialog) dialog.close(); });
+  }
+  const field = $<HTMLInputElement>('api-key');
+  const stored = sessionStorage.getItem(KEY);
+  if (stored) {
+    field.value = stored;
+    api.setKey(stored);
+  }
+  field.addEventListener('change', () => {
+    api.setKey(field.value);
+    if (field.value) sessionStorage.setItem(KEY, field.value);
+    else sessionStorage.removeItem(KEY);
+    $<HTMLDialogElement>('settings').close();
+    if (!session.ready) void arrive();
+  });
+}
+
+function shortcut(event: KeyboardEvent): void {
+  const target = event.target as HTMLElement;
+  const typing = target.matches('input:not([type="radio"], [type="checkbox"]), textarea, select') || document.querySelector('dialog[open]') !== null;
+  const control = event.ctrlKey || event.metaKey;
+  const key = event.key.toLowerCase();
+  if (control && !typing && key === 'z') (event.shiftKey ? redo : undo)();
+  else if (control && !typing && key === 'y') redo();
+  else if (tools.drawing && event.key === 'Enter' && !target.matches('button, summary, a')) tools.finishDrawing();
+  else if (tools.drawing && event.key === 'Escape') tools.stopDrawing();
+  else if (tools.drawing && !typing && !control && /^[\d.,@-]$/.test(event.key)) {
+    // A number typed while drawing is the next point.
+    const entry = $<HTMLInputElement>('entry');
+    entry.focus();
+    entry.value += event.key;
+  } else return;
+  event.preventDefault();
+}
