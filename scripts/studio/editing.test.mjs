@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { apply, drag, onStage, points, request, solved, useStudio } from './harness.mjs';
+import { apply, covered, drag, onStage, points, request, solved, useStudio } from './harness.mjs';
 
 const studio = useStudio();
 
@@ -70,6 +70,11 @@ test('drawing shows a rubber band: the length beside the pointer', async () => {
   await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.5 * box.height);
   assert.match(await page.textContent('#label'), /^[\d.]+ m/);
   assert.equal(await page.isVisible('#drawing-hint'), true);
+  await studio.open('tent');
+  await page.click('#draw');
+  assert.ok(await covered(page) < 0.02, 'the film is a ghost, which hides nothing of the line');
+  await page.click('#give-up');
+  assert.ok(await covered(page) > 0.05, 'and comes back');
 });
 
 test('a dragged point is solved live, along the ground, and undone in one step', async () => {

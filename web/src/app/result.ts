@@ -95,7 +95,8 @@ export function showStale(): void {
   const apply = (): void => {
     $('result').classList.toggle('stale', stale);
     $('stale').hidden = !stale;
-    surface.setStale(stale);
+    // A line that is being drawn must be seen, also where it runs behind the film.
+    surface.setGhost(stale || doc().draft !== null);
     stage.invalidate();
   };
   if (stale && session.run && session.lastDuration * 1000 < STALE_MS) staleTimer = window.setTimeout(apply, STALE_MS);

@@ -47,7 +47,7 @@ export class Surface {
   layers = { surface: true, edges: false, lines: true };
   /** Whether the drawing shows the boundaries already. */
   drawn = true;
-  private stale = false;
+  private ghost = false;
 
   constructor(private readonly look: Look) {}
 
@@ -60,7 +60,7 @@ export class Surface {
     this.result = result;
     this.kind = kind;
     this.quantity = null;
-    this.stale = false;
+    this.ghost = false;
     if (!result) return;
     this.putInto(frame);
     this.make();
@@ -83,18 +83,18 @@ export class Surface {
     this.make();
   }
 
-  /** A result that no longer belongs to the drawing is a ghost. */
-  setStale(stale: boolean): void {
-    if (stale === this.stale) return;
-    this.stale = stale;
+  /** A ghost is a result that no longer belongs to the drawing, or that is not to hide it. */
+  setGhost(ghost: boolean): void {
+    if (ghost === this.ghost) return;
+    this.ghost = ghost;
     if (!this.mesh) return;
-    this.mesh.material.transparent = stale;
-    this.mesh.material.opacity = stale ? 0.32 : 1;
-    this.mesh.material.depthWrite = !stale;
+    this.mesh.material.transparent = ghost;
+    this.mesh.material.opacity = ghost ? 0.32 : 1;
+    this.mesh.material.depthWrite = !ghost;
     this.mesh.material.needsUpdate = true;
     for (const line of this.lines) {
       line.material.transparent = true;
-      line.material.opacity = stale ? 0.2 : ((line.userData.opacity as number | undefined) ?? 1);
+      line.material.opacity = ghost ? 0.2 : ((line.userData.opacity as number | undefined) ?? 1);
     }
   }
 
@@ -112,7 +112,7 @@ export class Surface {
   }
 
   private make(): void {
-    const { result, quantity, stale } = this;
+    const { result, quantity, ghost } = this;
     this.clear();
     if (!result) return;
     const facets = this.kind !== 'minimal_surface';
@@ -153,9 +153,9 @@ export class Surface {
         else add(segments, 2.4, this.look.accent);
       }
     }
-    if (stale) {
-      this.stale = false;
-      this.setStale(true);
+    if (ghost) {
+      this.ghost = false;
+      this.setGhost(true);
     }
   }
 
