@@ -37,8 +37,8 @@ export function show(job: Job, mesh: ResultMesh, solved: string, whileDragging =
   const request = JSON.parse(solved) as Request;
   session.shown = { job, mesh, solved, request, dragging: whileDragging };
   label(null);
-  surface.show(mesh, job.kind, host.frame);
-  showQuantities();
+  choose();
+  surface.show(mesh, job.kind, host.frame, session.quantity);
   stage.measure();
   stage.rememberWhetherAllIsSeen();
   if (first && !session.cameraGiven) stage.fit(false);
@@ -105,8 +105,15 @@ export function showStale(): void {
 
 // ---- What is looked at ----
 
-/** The quantities that the result offers, and the chosen one in colours. */
-export function showQuantities(): void {
+/** Shows the surface in the colours of the quantity that was chosen. */
+export function showQuantity(): void {
+  if (!session.shown) return;
+  choose();
+  surface.colourBy(session.quantity);
+}
+
+/** The quantities that the result offers, and the values and legend of the chosen one. */
+function choose(): void {
   const { shown } = session;
   if (!shown) return;
   const { mesh, job, request } = shown;
@@ -116,7 +123,6 @@ export function showQuantities(): void {
   select.replaceChildren(...list.map(({ id, label: name }) => el('option', { value: id }, name)));
   select.value = session.colour;
   session.quantity = quantity(mesh, session.colour, unitOf(request), metresOf(request));
-  surface.colourBy(session.quantity);
   showLegend(session.quantity);
 }
 

@@ -12,7 +12,7 @@ import { keep, keepNow } from './keeping';
 import { fitAll, setMode } from './modes';
 import { label, say, toast } from './notes';
 import { applyRequest, openLink, showRecent, take } from './opening';
-import { showQuantities } from './result';
+import { showQuantity } from './result';
 import { doc, isStale, type Mode, session, stage, tools } from './session';
 import { copy, openShare, savePicture } from './sharing';
 import { giveUp, solve } from './solving';
@@ -104,7 +104,7 @@ function wireStage(): void {
   on('quantity', 'change', () => {
     session.colour = $<HTMLSelectElement>('quantity').value;
     label(null);
-    showQuantities();
+    showQuantity();
     stage.invalidate();
     keep();
   });

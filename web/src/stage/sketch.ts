@@ -4,7 +4,7 @@
 import { BufferAttribute, BufferGeometry, Color, Group, Points, ShaderMaterial } from 'three';
 import type { Frame } from '../model/frame';
 import { coordinates, isLoose, type Line, type Vec3 } from '../model/request';
-import { type Lines, wideLines } from './surface';
+import { type Lines, retire, wideLines } from './surface';
 
 export interface PointRef { line: number; point: number }
 export const same = (a: PointRef | null, b: PointRef | null): boolean => a?.line === b?.line && a?.point === b?.point;
@@ -105,8 +105,7 @@ export class Sketch {
 
   private setLines(segments: Float32Array): void {
     if (this.lines) {
-      this.lines.geometry.dispose();
-      this.lines.material.dispose();
+      retire(this.lines);
       this.group.remove(this.lines);
     }
     this.lines = segments.length > 0 ? wideLines(segments, 2.4, this.look.accent) : null;
@@ -147,7 +146,10 @@ export class Sketch {
 
   /** Lines and points of the moment: the rubber band, the place to insert, the drop line of a lift. */
   hint(parts: { segments?: Vec3[]; faint?: Vec3[]; ghost?: Vec3 | null }): void {
-    this.extra.children.forEach((child) => { (child as Points).geometry.dispose(); });
+    for (const child of this.extra.children as (Lines | Points<BufferGeometry, ShaderMaterial>)[]) {
+      if (child.material === this.material) child.geometry.dispose();
+      else retire(child);
+    }
     this.extra.clear();
     const add = (points: Vec3[] | undefined, color: string, opacity: number): void => {
       if (!points || points.length < 2) return;

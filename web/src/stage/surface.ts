@@ -1,7 +1,7 @@
 // The result on the stage: the surface, its lines, and the colours of the quantity that is looked at.
 
 import {
-  BufferAttribute, BufferGeometry, Color, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, MeshStandardMaterial, Raycaster, Vector2, Vector3,
+  BufferAttribute, BufferGeometry, Color, DoubleSide, Group, LineBasicMaterial, LineSegments, type Material, Mesh, MeshLambertMaterial, MeshStandardMaterial, Raycaster, Vector2, Vector3,
 } from 'three';
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
@@ -37,6 +37,18 @@ export function wideLines(segments: Float32Array, width: number, color: string, 
   return new LineSegments2(geometry, material);
 }
 
+/** By then the successor of what was retired has been drawn. */
+const RETIREMENT_MS = 2000;
+
+/**
+ * Gives back what an object holds. Its material lives a little longer: the shader program of a kind of material is thrown
+ * away with the last material that uses it, and to compile it anew for each film of a live drag takes longer than the solver.
+ */
+export function retire({ geometry, material }: { geometry: BufferGeometry; material: Material }): void {
+  geometry.dispose();
+  setTimeout(() => material.dispose(), RETIREMENT_MS);
+}
+
 export class Surface {
   readonly group = new Group();
   private mesh: Mesh<BufferGeometry, MeshStandardMaterial | MeshLambertMaterial> | null = null;
@@ -55,14 +67,12 @@ export class Surface {
   get current(): ResultMesh | null { return this.result; }
 
   /** `frame` is where the request's own coordinates lie on the stage; the mesh is put into it in f64. */
-  show(result: ResultMesh | null, kind: string, frame: Frame): void {
-    this.clear();
+  show(result: ResultMesh | null, kind: string, frame: Frame, quantity: Quantity | null = null): void {
     this.result = result;
     this.kind = kind;
-    this.quantity = null;
+    this.quantity = quantity;
     this.ghost = false;
-    if (!result) return;
-    this.putInto(frame);
+    if (result) this.putInto(frame);
     this.make();
   }
 
@@ -103,10 +113,9 @@ export class Surface {
   }
 
   private clear(): void {
-    this.mesh?.geometry.dispose();
-    this.mesh?.material.dispose();
+    if (this.mesh) retire(this.mesh);
     this.mesh = null;
-    this.lines.forEach((line) => { line.geometry.dispose(); line.material.dispose(); });
+    this.lines.forEach(retire);
     this.lines = [];
     this.group.clear();
   }
