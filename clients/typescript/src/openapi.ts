@@ -8,7 +8,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The studio: a page to draw, solve and look */
+        /** The studio, a page to draw, solve and inspect surfaces */
         get: operations["getStudio"];
         put?: never;
         post?: never;
@@ -25,7 +25,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Leads to `/docs/` */
+        /** Redirects to `/docs/` */
         get: operations["findDocs"];
         put?: never;
         post?: never;
@@ -42,7 +42,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** A page to read and try the API, working offline */
+        /** A page to read and try the API, which works offline */
         get: operations["getDocs"];
         put?: never;
         post?: never;
@@ -76,7 +76,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The process answers */
+        /** Checks that the process answers */
         get: operations["getLive"];
         put?: never;
         post?: never;
@@ -93,7 +93,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The store answers and jobs are taken */
+        /** Checks that the store answers and jobs are accepted */
         get: operations["getReady"];
         put?: never;
         post?: never;
@@ -144,7 +144,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** What the `type` of a problem document, or of a failed job's error, means */
+        /** Meaning of the `type` of a problem document or of a failed job's error */
         get: operations["getProblem"];
         put?: never;
         post?: never;
@@ -180,7 +180,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Many requests at once: all are taken or none */
+        /** Submits many requests at once; either all are accepted or none */
         post: operations["postBatch"];
         delete?: never;
         options?: never;
@@ -195,11 +195,11 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The batch: one status, and its jobs */
+        /** The batch with its status and its jobs */
         get: operations["getBatch"];
         put?: never;
         post?: never;
-        /** Cancels what has not ended, removes jobs and meshes */
+        /** Cancels jobs that have not ended, and removes all jobs and meshes */
         delete: operations["deleteBatch"];
         options?: never;
         head?: never;
@@ -247,7 +247,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Ready requests */
+        /** Names and titles of the example requests */
         get: operations["listExamples"];
         put?: never;
         post?: never;
@@ -264,7 +264,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** A ready request */
+        /** An example request */
         get: operations["getExample"];
         put?: never;
         post?: never;
@@ -298,11 +298,11 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The job: status, progress, statistics, links */
+        /** The job with its status, progress, statistics and links */
         get: operations["getJob"];
         put?: never;
         post?: never;
-        /** Cancels if needed, removes job and mesh */
+        /** Cancels the job if needed, and removes it with its mesh */
         delete: operations["deleteJob"];
         options?: never;
         head?: never;
@@ -318,7 +318,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Cancels a queued or running job; a finished one is unchanged */
+        /** Cancels a queued or running job; a finished job stays unchanged */
         post: operations["cancelJob"];
         delete?: never;
         options?: never;
@@ -384,7 +384,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** What one request may cost here */
+        /** Limits of this server for one request */
         get: operations["getLimits"];
         put?: never;
         post?: never;
@@ -403,7 +403,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Boundary polylines and a resolution: the minimal surface that spans them */
+        /** Finds the minimal surface that spans boundary polylines */
         post: operations["postMinimalSurface"];
         delete?: never;
         options?: never;
@@ -418,7 +418,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** What can be asked for */
+        /** Objectives that a request can choose */
         get: operations["listObjectives"];
         put?: never;
         post?: never;
@@ -437,7 +437,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Directrices and an objective: the globally optimal ruled strip */
+        /** Finds the globally optimal ruled strip between directrices for an objective */
         post: operations["postRuledSurface"];
         delete?: never;
         options?: never;
@@ -454,7 +454,7 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** A polygon, a patch or a film and a length: a mesh with as many equal edges as possible */
+        /** Finds a mesh of a polygon, patch or film with as many equal edges as possible */
         post: operations["postUniformMesh"];
         delete?: never;
         options?: never;
@@ -475,18 +475,18 @@ export interface components {
         /** @description Requests that were submitted together, and the state of their jobs. */
         Batch: {
             counts: components["schemas"]["BatchCounts"];
-            /** @description RFC 3339, UTC. */
+            /** @description Time of submission (RFC 3339, UTC). */
             created_at: string;
-            /** @description Time at which the last job ended; null until then. */
+            /** @description Time at which the last job ended. Null until then. */
             finished_at?: string | null;
-            /** @description A ULID: sorts by time of submission. */
+            /** @description ULID, which sorts by time of submission. */
             id: string;
-            /** @description In the order of the requests. A job that was deleted or has expired is not among them. */
+            /** @description Jobs in the order of the requests. Jobs that were deleted or have expired are left out. */
             jobs: components["schemas"]["BatchJob"][];
             links: components["schemas"]["BatchLinks"];
             /**
-             * @description `queued` until the first job starts, then `running` until the last has ended; then `failed` if any has failed,
-             *     else `cancelled` if any was cancelled, else `succeeded`.
+             * @description `queued` until the first job starts, then `running` until the last job has ended. The final status is `failed`
+             *     if any job has failed, otherwise `cancelled` if any was cancelled, otherwise `succeeded`.
              */
             status: components["schemas"]["Status"];
         };
@@ -498,7 +498,7 @@ export interface components {
             running: number;
             succeeded: number;
         };
-        /** @description Summary of a job of a batch. Its `self` link leads to the whole job. */
+        /** @description Short form of a job of a batch. Its `self` link leads to the full job. */
         BatchJob: {
             id: string;
             /** @description Index of the job's request in the batch, counted from 0. */
@@ -514,14 +514,14 @@ export interface components {
             meshes: string;
             self: string;
         };
-        /** @description Requests of any kinds. Each becomes a job of its own. */
+        /** @description Requests of any kinds. Each becomes a separate job. */
         BatchRequest: {
             /**
              * @description URL (https) that receives a signed POST when every job has ended. Requires webhooks to be enabled on this server: see `webhooks` of `GET /v1/limits`.
              * @default null
              */
             callback_url?: string | null;
-            /** @description Each request names its `kind`. `GET /v1/limits` has the largest number. */
+            /** @description Each request names its `kind`. `GET /v1/limits` shows how many requests a batch may have. */
             requests: ((components["schemas"]["RuledSurfaceRequest"] & {
                 /** @constant */
                 kind: "ruled_surface";
@@ -535,12 +535,11 @@ export interface components {
         };
         /** @description A tensor-product Bézier patch. */
         Bezier: {
-            /** @description Rows along u of points along v. */
+            /** @description Control points: rows along u, each with the points along v. */
             control_points: number[][][];
         };
         /**
-         * @description Whether points may be added on the segments of the boundary (`refine`), or the mesh has the polygon's vertices only
-         *     (`keep`).
+         * @description Sampling of the boundary. `refine` may add points on its segments, and `keep` uses only the polygon's vertices.
          * @enum {string}
          */
         BoundarySampling: "refine" | "keep";
@@ -561,8 +560,8 @@ export interface components {
             convex_bridges: number;
             /**
              * Format: double
-             * @description Largest angle between the normals of neighbouring triangles at bridges that are not locally convex: 0 for a
-             *     strip that can be developed.
+             * @description Largest angle between the normals of neighbouring triangles at bridges that are not locally convex. It is 0 for
+             *     a strip that can be developed.
              */
             developability_deviation_deg: number;
             /**
@@ -576,7 +575,7 @@ export interface components {
             mean_curvature_variation: number;
             /**
              * Format: double
-             * @description Value of `minimal_normal_variation`; null without normals.
+             * @description Value of `minimal_normal_variation`. Null without normals.
              */
             normal_variation?: number | null;
             objective: string;
@@ -588,7 +587,7 @@ export interface components {
             secondary_objective?: string | null;
             /**
              * Format: double
-             * @description Value of the secondary objective; null without one.
+             * @description Value of the secondary objective. Null without one.
              */
             secondary_value?: number | null;
             /** Format: double */
@@ -609,11 +608,11 @@ export interface components {
         };
         /** @enum {string} */
         Direction: "as_given" | "auto";
-        /** @description What to mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs`, `boundaries`. */
+        /** @description Domain of the mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs` and `boundaries`. */
         Domain: {
             bezier?: components["schemas"]["Bezier"];
             /**
-             * @description Closed polygons; the domain is the minimal surface that spans them.
+             * @description Closed polygons. The domain is the minimal surface that spans them.
              * @default null
              */
             boundaries?: number[][][];
@@ -629,11 +628,11 @@ export interface components {
              */
             polygon?: number[][];
         };
-        /** @description A ready request. */
+        /** @description An example request. */
         Example: {
             kind: components["schemas"]["Kind"];
             name: string;
-            /** @description Post it to the path of its kind. */
+            /** @description Request to post to the path of its kind. */
             request: unknown;
             title: string;
         };
@@ -645,7 +644,7 @@ export interface components {
             name: string;
             title: string;
         };
-        /** @description The area of the smooth surface on the same polygon, from two resolutions. */
+        /** @description Area of the smooth surface on the same polygon, extrapolated from two resolutions. */
         ExtrapolatedArea: {
             /** Format: double */
             area: number;
@@ -662,7 +661,7 @@ export interface components {
             /** @description JSON Pointer (RFC 6901) to the offending value. */
             pointer: string;
         };
-        /** @description How well the strips unroll into the plane. */
+        /** @description Quality of the strips' flat pattern. */
         FlatPatternStatistics: {
             /**
              * Format: double
@@ -677,19 +676,19 @@ export interface components {
             width: number;
         };
         /**
-         * @description The client's own initial mesh: an oriented manifold whose boundary loops are `boundaries`, with or without further
-         *     vertices on their segments. Or a film whose sheets meet three by three along edges with three triangles: its edges
-         *     with one triangle must then be the segments of `boundaries`, which may share points. `resolution` means nothing in
-         *     either case.
+         * @description The client's own initial mesh. It is either an oriented manifold whose boundary loops are `boundaries`, with or
+         *     without further vertices on their segments, or a film whose sheets meet three by three along edges with three
+         *     triangles. In a film, the edges with one triangle must be the segments of `boundaries`, which may share points.
+         *     `resolution` has no effect in either case.
          */
         GivenMesh: {
-            /** @description Vertex numbers, counted from 0. */
+            /** @description Vertex indices of each triangle, counted from 0. */
             triangles: number[][];
             vertices: number[][];
         };
         /** @description A named objective, or a weighted sum. */
         Goal: components["schemas"]["Objective"] | components["schemas"]["WeightedSum"];
-        /** @description Count, minimum, mean, maximum and standard deviation of a group of lengths; zeros for an empty one. */
+        /** @description Count, minimum, mean, maximum and standard deviation of a group of lengths. All are 0 for an empty group. */
         GroupLengths: {
             count: number;
             /** Format: double */
@@ -710,34 +709,34 @@ export interface components {
             /** Format: double */
             residual: number;
         };
-        /** @description The mesh that the solver starts from: made here, or the client's own. */
+        /** @description Mesh that the solver starts from: built by the service, or supplied by the client. */
         InitialMesh: components["schemas"]["MadeMesh"] | components["schemas"]["GivenMesh"];
         /** @description A job: an accepted request and its state. */
         Job: {
-            /** @description RFC 3339, UTC. */
+            /** @description Time of submission (RFC 3339, UTC). */
             created_at: string;
             /** @description Null unless the job has failed. */
             error?: components["schemas"]["JobError"] | null;
             /** @description Time at which the job and its mesh are removed. */
             expires_at?: string | null;
             finished_at?: string | null;
-            /** @description A ULID: sorts by time of submission. */
+            /** @description ULID, which sorts by time of submission. */
             id: string;
             kind: components["schemas"]["Kind"];
             links: components["schemas"]["Links"];
             progress: components["schemas"]["Progress"];
             started_at?: string | null;
-            /** @description Null until the job has succeeded; its fields depend on the kind. */
+            /** @description Null until the job has succeeded. The fields depend on the kind. */
             statistics: components["schemas"]["RuledStatistics"] | components["schemas"]["MinimalStatistics"] | components["schemas"]["UniformStatistics"] | null;
             status: components["schemas"]["Status"];
             warnings: components["schemas"]["JobWarning"][];
         };
-        /** @description The reason of a failure: what was wrong with the geometry, and what to try. */
+        /** @description Reason for a failure: what was wrong with the geometry, and what to try. */
         JobError: {
             detail: string;
             errors: components["schemas"]["FieldError"][];
             title: string;
-            /** @description A URI reference that names the kind of failure; stable. */
+            /** @description Stable URI reference that identifies the kind of failure. */
             type: string;
         };
         /** @description One page of jobs, newest first. */
@@ -746,16 +745,16 @@ export interface components {
             /** @description Value of `?cursor=` for the next page; null on the last page. */
             next_cursor?: string | null;
         };
-        /** @description A job of a list: everything but its statistics. */
+        /** @description A job of a list, without its statistics. */
         JobSummary: {
-            /** @description RFC 3339, UTC. */
+            /** @description Time of submission (RFC 3339, UTC). */
             created_at: string;
             /** @description Null unless the job has failed. */
             error?: components["schemas"]["JobError"] | null;
             /** @description Time at which the job and its mesh are removed. */
             expires_at?: string | null;
             finished_at?: string | null;
-            /** @description A ULID: sorts by time of submission. */
+            /** @description ULID, which sorts by time of submission. */
             id: string;
             kind: components["schemas"]["Kind"];
             links: components["schemas"]["Links"];
@@ -766,24 +765,25 @@ export interface components {
         };
         /** @description A warning about the input or the result of a job that succeeded. */
         JobWarning: {
-            /** @description Stable, snake case. */
+            /** @description Stable name in snake case. */
             code: string;
             detail: string;
         };
         /** @description Curves along which three sheets of a film meet, and the balance of the sheets there. */
         Junctions: {
             /**
-             * @description Curves along which three sheets meet, each as vertices of the mesh (counted from 0) from end to end; a closed
-             *     one ends with its first.
+             * @description Curves along which three sheets meet, each as vertices of the mesh (counted from 0) from end to end. A closed
+             *     curve ends with its first vertex.
              */
             curves: number[][];
-            /** @description Mesh edges with three triangles. */
+            /** @description Number of mesh edges with three triangles. */
             edges: number;
-            /** @description Between neighbouring triangles around the junctions' edges. */
+            /** @description Angles between neighbouring triangles around the junctions' edges. */
             facet_angles_deg: components["schemas"]["Spread"];
             /**
              * Format: double
-             * @description The same at the vertices next to an end, where it may hardly fall with the mesh; 0 where there are none.
+             * @description The same at the vertices next to an end, where it may hardly decrease with the mesh size. It is 0 if there are
+             *     no such vertices.
              */
             largest_deviation_at_ends_deg: number;
             /**
@@ -793,7 +793,7 @@ export interface components {
             largest_deviation_deg: number;
             /**
              * Format: double
-             * @description Length of all these curves.
+             * @description Total length of these curves.
              */
             length: number;
             /**
@@ -801,16 +801,17 @@ export interface components {
              * @description Mean departure of `sheet_angles_deg` from 120° over all these vertices.
              */
             mean_deviation_deg: number;
-            /** @description Number of negative eigenvalues of the second variation, junctions moving too; null where it was not computed. */
+            /** @description Number of negative eigenvalues of the second variation with moving junctions. Null if it was not computed. */
             morse_index?: number | null;
-            /** @description Vertices inside the film where such curves meet. */
+            /** @description Number of vertices inside the film where such curves meet. */
             points: number;
             /**
              * Format: double
-             * @description Largest net pull of the sheets across a junction, per length: 0 where they balance, 1 for one sheet alone.
+             * @description Largest net pull of the sheets across a junction per length. It is 0 if the sheets balance, and 1 for a single
+             *     sheet.
              */
             residual: number;
-            /** @description Between the pulls of neighbouring sheets at the junctions' inner vertices. */
+            /** @description Angles between the pulls of neighbouring sheets at the junctions' inner vertices. */
             sheet_angles_deg: components["schemas"]["Spread"];
             /** @description Number of parts of the film that are connected without crossing a junction. */
             sheets: number;
@@ -820,7 +821,7 @@ export interface components {
          * @enum {string}
          */
         Kind: "ruled_surface" | "minimal_surface" | "uniform_mesh";
-        /** @description Bin k counts lengths from `from + k width` up to the next. */
+        /** @description Histogram of lengths. Bin k counts lengths from `from` + k · `width` up to the next bin. */
         LengthHistogram: {
             counts: number[];
             /** Format: double */
@@ -854,7 +855,8 @@ export interface components {
             webhooks: boolean;
         };
         /**
-         * @description Elimination every time, or conjugate gradients with elimination where they do not converge.
+         * @description Linear solver. `direct` always uses elimination. `conjugate_gradients` uses elimination only if the conjugate
+         *     gradients do not converge.
          * @enum {string}
          */
         LinearSolver: "direct" | "conjugate_gradients";
@@ -862,13 +864,13 @@ export interface components {
         Links: {
             cancel: string;
             events: string;
-            /** @description Absent from failed and cancelled jobs. */
+            /** @description Address of the mesh. Absent from failed and cancelled jobs. */
             mesh?: string | null;
-            /** @description Ruled surfaces only; absent from failed and cancelled jobs. */
+            /** @description Address of the flat pattern. Only ruled surfaces have it, and it is absent from failed and cancelled jobs. */
             pattern?: string | null;
             self: string;
         };
-        /** @description Construction of the initial mesh. The statistics name the one that `auto` chose. */
+        /** @description Construction of the initial mesh. The statistics name the construction that `auto` chose. */
         MadeMesh: "auto" | "planar" | "disk" | "rings" | "barycentres";
         MeanCurvature: {
             /** Format: double */
@@ -879,8 +881,8 @@ export interface components {
             rms: number;
         };
         /**
-         * @description Statistics of a minimal surface. Lengths in the request's unit, areas in its square, curvatures in its inverse,
-         *     angles in degrees.
+         * @description Statistics of a minimal surface. Lengths are in the request's unit, areas in its square, curvatures in its inverse,
+         *     and angles in degrees.
          */
         MinimalStatistics: {
             angles_deg: components["schemas"]["AngleRange"];
@@ -894,7 +896,7 @@ export interface components {
             edges_swapped: number;
             /** Format: int64 */
             euler_characteristic: number;
-            /** @description Null where the boundary's points leave no room for a second resolution, and for unstable surfaces. */
+            /** @description Null if the boundary's points do not allow a second resolution, and for unstable surfaces. */
             extrapolated_area?: components["schemas"]["ExtrapolatedArea"] | null;
             flipped_triangles: number;
             /**
@@ -908,10 +910,10 @@ export interface components {
              * @description Area of the initial mesh.
              */
             initial_area: number;
-            /** @description The initial mesh that was built. */
+            /** @description Initial mesh that was built. */
             initial_mesh: string;
             iterations: number;
-            /** @description Of a film whose initial mesh has edges with three triangles; else null. */
+            /** @description Null unless the initial mesh of the film has edges with three triangles. */
             junctions?: components["schemas"]["Junctions"] | null;
             mean_curvature: components["schemas"]["MeanCurvature"];
             objective: string;
@@ -921,19 +923,26 @@ export interface components {
             pinches: components["schemas"]["Pinch"][];
             /**
              * Format: double
-             * @description Largest normal mean curvature times the boundary's radius: dimensionless.
+             * @description Largest normal mean curvature times the boundary's radius, which is dimensionless.
              */
             residual: number;
             /**
              * Format: double
-             * @description The same with the tangential part of the area gradient.
+             * @description The same including the tangential part of the area gradient.
              */
             residual_full: number;
-            /** @description The solver that ran. */
+            /**
+             * @description Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
+             *     mesh. Null if not all pairs were looked at.
+             */
+            self_intersections?: number | null;
+            /** @description Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`. */
+            self_intersections_skipped?: string | null;
+            /** @description Solver that was used. */
             solver: string;
-            /** @description With `topology: best`; else null. */
+            /** @description Null without `topology: best`. */
             spanning?: components["schemas"]["Spanning"] | null;
-            /** @description Null where it was not computed. */
+            /** @description Null if it was not computed. */
             stability?: components["schemas"]["Stability"] | null;
             stop_reason: string;
             triangles: number;
@@ -941,7 +950,7 @@ export interface components {
         };
         /** @enum {string} */
         MinimalSurfaceKind: "minimal_surface";
-        /** @description Boundary polygons and the options of the surface that spans them. */
+        /** @description Boundary polygons, and options for the surface that spans them. */
         MinimalSurfaceRequest: {
             /**
              * Format: double
@@ -968,7 +977,8 @@ export interface components {
             constraints?: components["schemas"]["Constraints"];
             /**
              * Format: double
-             * @description `pinkall_polthier` and `topology: free` remove triangles with an angle below this, in degrees. 0 removes none.
+             * @description Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
+             *     angle. 0 removes none.
              * @default 1
              */
             degenerate_angle_deg?: number;
@@ -982,7 +992,7 @@ export interface components {
             initial_mesh?: components["schemas"]["InitialMesh"];
             /** @description Optional here, because the path names the kind. `plateau solve` needs it. */
             kind?: components["schemas"]["MinimalSurfaceKind"] | null;
-            /** @description How `pinkall_polthier` solves its systems. */
+            /** @description Method by which `pinkall_polthier` solves its linear systems. */
             linear_solver?: components["schemas"]["LinearSolver"];
             /**
              * @description Maximum number of iterations. Null means the solver's default.
@@ -991,7 +1001,10 @@ export interface components {
             max_iterations?: number | null;
             objective?: components["schemas"]["Objective2"];
             on_unstable?: components["schemas"]["OnUnstable"];
-            /** @description Stages of `vertex_relaxation` in order, each repeated until its tolerance. Null means the paper's stages. */
+            /**
+             * @description Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
+             *     stages.
+             */
             processes?: components["schemas"]["Process"][][] | null;
             resolution?: components["schemas"]["Resolution"];
             /**
@@ -999,11 +1012,11 @@ export interface components {
              * @default 1
              */
             seed?: number;
-            /** @description How the area is minimised. */
+            /** @description Method that minimises the area. */
             solver?: components["schemas"]["Solver"];
             /**
              * Format: double
-             * @description The residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged.
+             * @description Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged.
              * @default 0.000001
              */
             tolerance?: number;
@@ -1021,19 +1034,19 @@ export interface components {
         };
         /** @description A NURBS patch. */
         Nurbs: {
-            /** @description Rows along u of points along v. */
+            /** @description Control points: rows along u, each with the points along v. */
             control_points: number[][][];
-            /** @description Along u and along v. */
+            /** @description Degrees along u and along v. */
             degrees: number[];
-            /** @description Along u and along v: control points + degree + 1 each, not falling. */
+            /** @description Knots along u and along v: control points + degree + 1 each, in non-decreasing order. */
             knots: number[][];
             /**
-             * @description Trimmed patches are not offered: only null or an empty list is taken.
+             * @description Trimmed patches are not supported, so only null or an empty list is accepted.
              * @default null
              */
             trim_curves?: unknown[] | null;
             /**
-             * @description In the shape of the control points; null: all equal.
+             * @description Weights in the shape of the control points. Null means equal weights.
              * @default null
              */
             weights?: number[][] | null;
@@ -1055,7 +1068,7 @@ export interface components {
             name: string;
             /** @description Names of the request's fields that change the solution. */
             options: string[];
-            /** @description Author, section, equation. */
+            /** @description Author, section and equation. */
             source: string;
             /** @description Unit of the objective's value, where `u` is the client's unit. */
             unit: string;
@@ -1064,14 +1077,14 @@ export interface components {
             objectives: components["schemas"]["Objective4"][];
         };
         /**
-         * @description Treatment of a stationary surface that is not a local minimum: `report` says so in a warning, `descend` leaves it
+         * @description Treatment of a stationary surface that is not a local minimum. `report` adds a warning, and `descend` leaves it
          *     along its most unstable mode.
          * @enum {string}
          */
         OnUnstable: "report" | "descend";
         /**
-         * @description `nodes`: members of the lattice as near to the edge length as they get. `lengths`: after that, at most
-         *     `max_distinct_lengths` lengths for all members.
+         * @description `nodes` brings the members of the lattice as near to the edge length as possible. `lengths` then also reduces all
+         *     members to at most `max_distinct_lengths` lengths.
          * @enum {string}
          */
         Optimise: "nodes" | "lengths";
@@ -1080,15 +1093,18 @@ export interface components {
             /** Format: double */
             length: number;
             vertices: number[];
-            /** @description `short_side`, `sharp_corner`, `narrow`, `curvature`, `optimised` or `unfinished`. */
+            /** @description Reason: `short_side`, `sharp_corner`, `narrow`, `curvature`, `optimised` or `unfinished`. */
             why: string;
         };
         /** @description A change of topology. */
         Pinch: {
             iteration: number;
-            /** @description Where it happened, in the request's unit and axes. */
+            /** @description Place of the change in the request's unit and axes. */
             place: number[];
-            /** @description `split` (a component became two), `handle_cut` (it stayed one), `closed_component_removed`. */
+            /**
+             * @description Kind of the change: `split` (a component became two), `handle_cut` (it stayed one) or
+             *     `closed_component_removed`.
+             */
             what: string;
         };
         /** @description A problem document, RFC 9457. */
@@ -1100,10 +1116,10 @@ export interface components {
             errors_omitted?: boolean;
             /** @description Path of the request. */
             instance: string;
-            /** @description The HTTP status, repeated. */
+            /** @description HTTP status of the response. */
             status: number;
             title: string;
-            /** @description A URI reference that names the kind of problem; stable. */
+            /** @description Stable URI reference that identifies the kind of problem. */
             type: string;
         };
         /**
@@ -1126,20 +1142,21 @@ export interface components {
             /** Format: double */
             residual?: number | null;
         };
-        /** @description Resolution of the mesh: exactly one of the three fields. */
+        /** @description Resolution of the mesh, given by exactly one of the three fields. */
         Resolution: {
             /**
              * Format: double
-             * @description Mean edge length, in the request's unit.
+             * @description Mean edge length in the request's unit.
              */
             edge_length?: number;
             /** @description Number of vertices that are not on the boundary. */
             interior_vertices?: number;
-            /** @description Number of triangles: exact for `rings` with `keep`, else within 10%. */
+            /** @description Number of triangles. It is exact for `rings` with `keep`, and otherwise met within 10%. */
             triangles?: number;
         };
         /**
-         * @description `bounded`: they stay between the edge length and its double wherever that is possible. `free`: as in the paper.
+         * @description `bounded` keeps the members between the edge length and its double wherever possible. `free` does not limit them, as
+         *     in the paper.
          * @enum {string}
          */
         Rim: "bounded" | "free";
@@ -1150,7 +1167,7 @@ export interface components {
             /** Format: double */
             bending_energy: number;
             bridges: number;
-            /** @description With `all_objectives`: the statistics of each objective's optimum (Wang-Tang's Table 1); otherwise null. */
+            /** @description Statistics of each objective's optimum (Wang-Tang's Table 1). Null without `all_objectives`. */
             comparison?: components["schemas"]["Comparison"][] | null;
             /** Format: double */
             convex_bridge_ratio: number;
@@ -1158,11 +1175,11 @@ export interface components {
             convex_bridges: number;
             /**
              * Format: double
-             * @description Largest angle between the normals of neighbouring triangles at bridges that are not locally convex: 0 for a
-             *     strip that can be developed.
+             * @description Largest angle between the normals of neighbouring triangles at bridges that are not locally convex. It is 0 for
+             *     a strip that can be developed.
              */
             developability_deviation_deg: number;
-            /** @description Null for closed strips, which do not unroll. */
+            /** @description Null for closed strips, which cannot be unrolled. */
             flat_pattern?: components["schemas"]["FlatPatternStatistics"] | null;
             /**
              * Format: double
@@ -1175,10 +1192,10 @@ export interface components {
             mean_curvature_variation: number;
             /**
              * Format: double
-             * @description Value of `minimal_normal_variation`; null without normals.
+             * @description Value of `minimal_normal_variation`. Null without normals.
              */
             normal_variation?: number | null;
-            /** @description Name of the objective; `weighted` for a weighted sum. */
+            /** @description Name of the objective, or `weighted` for a weighted sum. */
             objective: string;
             /**
              * Format: double
@@ -1189,9 +1206,16 @@ export interface components {
             reversed: boolean[];
             /**
              * Format: double
-             * @description Value of the secondary objective; null without one.
+             * @description Value of the secondary objective. Null without one.
              */
             secondary_value?: number | null;
+            /**
+             * @description Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
+             *     mesh. Null if not all pairs were looked at.
+             */
+            self_intersections?: number | null;
+            /** @description Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`. */
+            self_intersections_skipped?: string | null;
             /** Format: double */
             shortest_bridge: number;
             /** @description Statistics of each strip, in order. */
@@ -1207,7 +1231,7 @@ export interface components {
         };
         /** @enum {string} */
         RuledSurfaceKind: "ruled_surface";
-        /** @description Two or more directrices; every neighbouring pair is one strip, all strips one mesh. */
+        /** @description Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh. */
         RuledSurfaceRequest: {
             /**
              * @description Solve for every objective and add the comparison to the statistics.
@@ -1222,7 +1246,7 @@ export interface components {
              * @default null
              */
             callback_url?: string | null;
-            /** @description How the ends of a closed stack are closed. */
+            /** @description Treatment of the ends of a closed stack: open, or closed by flat caps. */
             caps?: components["schemas"]["Caps"];
             /**
              * @description Whether the directrices are closed polygons (which do not repeat their first point).
@@ -1231,33 +1255,35 @@ export interface components {
             closed?: boolean;
             /**
              * Format: double
-             * @description Tolerance of the test for local convexity: angle in degrees by which a direction may reach beyond the
+             * @description Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
              *     half-plane. 0 is the exact test.
              * @default 0.000001
              */
             convexity_tolerance_deg?: number;
             /**
-             * @description `auto` reverses a directrix if that improves the objective; the statistics name the reversed ones. `as_given`
-             *     reverses none.
+             * @description `auto` reverses a directrix if that improves the objective, and the statistics list the reversed directrices.
+             *     `as_given` reverses none.
              */
             direction?: components["schemas"]["Direction"];
-            /** @description Polylines in order; one point alone is an apex. */
+            /** @description Polylines in order. A single point is an apex. */
             directrices: number[][][];
             /** @description Optional here, because the path names the kind. `plateau solve` needs it. */
             kind?: components["schemas"]["RuledSurfaceKind"] | null;
             /**
-             * @description Surface normals along the directrices, in their shape; `minimal_normal_variation` needs them.
+             * @description Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
+             *     them.
              * @default null
              */
             normals?: number[][][] | null;
             /** @description One of the named objectives, or a weighted sum of them. */
             objective?: components["schemas"]["Goal"];
-            /** @description Resample the directrices before solving; as given by default. */
+            /** @description Rule by which the directrices are resampled before solving. If null, they are used as given. */
             sampling?: components["schemas"]["Sampling"] | null;
-            /** @description Only with `maximal_convexity`: objective that decides among the strips with the most convex bridges. */
+            /** @description Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`. */
             secondary_objective?: components["schemas"]["SecondaryObjective"] | null;
             /**
-             * @description Tangents along the directrices, in their shape; fitted if not given.
+             * @description Tangents along the directrices, with the same shape as `directrices`. If null, they are estimated from the
+             *     points.
              * @default null
              */
             tangents?: number[][][] | null;
@@ -1273,26 +1299,28 @@ export interface components {
             up?: components["schemas"]["UpAxis"];
         };
         /**
-         * @description A rule by which every directrix is resampled. `extras.input_vertices` then maps each given point to the nearest
-         *     sample.
+         * @description Rule by which every directrix is resampled. `extras.input_vertices` of the mesh then maps each given point to the
+         *     nearest sample.
          */
         Sampling: {
             by: components["schemas"]["SamplingRule"];
             /**
-             * @description Points of each directrix; with `chord_height` the most that are kept, all that are needed by default.
+             * @description Number of points of each directrix. With `chord_height` it is the largest number of points that are kept; null
+             *     then keeps all points that the tolerance requires.
              * @default null
              */
             samples?: number | null;
             /**
              * Format: double
-             * @description With `chord_height`: how far, in the request's unit, the kept points' chords may stray from the polyline.
+             * @description Largest distance, in the request's unit, between the polyline and the chords of the kept points. It is used only
+             *     with `chord_height`.
              * @default null
              */
             tolerance?: number | null;
         };
         /**
-         * @description `parameter`: uniform in the number of the point; `arc_length`: uniform along the polyline; `chord_height`: those of
-         *     the given points that are needed to stay within `tolerance`.
+         * @description `parameter` spaces the samples uniformly in the number of the point. `arc_length` spaces them uniformly along the
+         *     polyline. `chord_height` keeps those of the given points that are needed to stay within `tolerance`.
          * @enum {string}
          */
         SamplingRule: "parameter" | "arc_length" | "chord_height";
@@ -1305,42 +1333,45 @@ export interface components {
         SharedLengths: {
             /**
              * Format: double
-             * @description Largest difference between a member and the length that stands for it.
+             * @description Largest difference between a member's length and the shared length that replaces it.
              */
             deviation: number;
             /**
              * Format: double
-             * @description Largest difference before the nodes moved.
+             * @description The same difference before the nodes moved.
              */
             deviation_before: number;
             lengths: number;
         };
-        /** @description Method that minimises the area. `auto` takes the best of the others for the request. */
+        /** @description Method that minimises the area. `auto` chooses the best of the others for the request. */
         Solver: "auto" | "vertex_relaxation" | "pinkall_polthier" | "newton";
-        /** @description With `topology: best`: the films over the boundaries that were compared. */
+        /** @description Comparison of the ways to span the boundaries, made with `topology: best`. */
         Spanning: {
-            /** @description Whether a film that connects all boundaries holds. */
+            /** @description Whether a film that connects all boundaries exists. */
             connected_film_exists: boolean;
             /**
              * Format: double
-             * @description Of two boundaries without a connected film: the largest fraction of their gap at which one holds.
+             * @description For two boundaries without a connected film, the largest fraction of their gap at which a connected film exists.
              */
             largest_gap_fraction?: number | null;
-            /** @description The topologies by area; those without a film are last. */
+            /** @description The topologies in order of area. Topologies without a film are last. */
             topologies: components["schemas"]["SpanningTopology"][];
         };
         /** @description One way to span the boundaries. */
         SpanningTopology: {
             /**
              * Format: double
-             * @description Null if one of the films does not hold.
+             * @description Total area. Null if one of the films does not exist.
              */
             area?: number | null;
             /** @description Whether this topology was returned. */
             chosen: boolean;
-            /** @description The sets of boundaries, by their numbers, that a connected film spans each. */
+            /** @description Sets of boundaries by their numbers. A connected film spans each set. */
             films: number[][];
-            /** @description Whether two of its films pass through each other, so that no soap film takes this shape. */
+            /**
+             * @description Whether its films pass through each other or themselves, so that no soap film takes this shape. Such a topology comes
+             *     after all others.
+             */
             films_cross: boolean;
             stability?: components["schemas"]["Stability"] | null;
         };
@@ -1355,34 +1386,37 @@ export interface components {
             /** Format: double */
             std_dev: number;
         };
-        /** @description The second variation of area under normal motion. */
+        /** @description Second variation of area under normal motion. */
         Stability: {
             /**
              * Format: double
-             * @description Against the lumped mass, 1/unit².
+             * @description Lowest eigenvalue with respect to the lumped mass, in 1/unit².
              */
             lowest_eigenvalue: number;
-            /** @description Where the index comes from: `inertia` (exact) or `eigenvalue` (large meshes; the index is then 0). */
+            /** @description Method that gave the index: `inertia` (exact) or `eigenvalue` (large meshes; the index is then 0). */
             method: string;
             /** @description Number of negative eigenvalues. */
             morse_index: number;
-            /** @description Whether the Morse index is 0: a true local minimum, a physical soap film. */
+            /** @description Whether the Morse index is 0. The surface is then a true local minimum, like a physical soap film. */
             stable: boolean;
         };
-        /** @description A row pair of Katoh, Ohsaki and Xu's Table 1. */
+        /** @description One stage of the computation: a pair of rows of Katoh, Ohsaki and Xu's Table 1. */
         Stage: {
             all: components["schemas"]["StageGroup"];
             /** @description Null for the auxiliary triangulation. */
             lattice?: components["schemas"]["StageGroup"] | null;
-            /** @description `auxiliary_surface`, `auxiliary_plane`, `plane`, `surface`, `optimised_nodes` or `shared_lengths`. */
+            /**
+             * @description Name of the stage: `auxiliary_surface`, `auxiliary_plane`, `plane`, `surface`, `optimised_nodes` or
+             *     `shared_lengths`.
+             */
             name: string;
         };
         /** @description One group of members at one stage. */
         StageGroup: {
             count: number;
-            /** @description The least number of lengths for all of them, those of one kind differing by at most the tolerance. */
+            /** @description Smallest number of lengths for all members if lengths that differ by at most the tolerance count as one. */
             distinct_lengths: number;
-            /** @description Members within the tolerance of the edge length. */
+            /** @description Number of members within the tolerance of the edge length. */
             equal_edges: number;
             /** Format: double */
             max: number;
@@ -1399,8 +1433,8 @@ export interface components {
          */
         Status: "queued" | "running" | "succeeded" | "failed" | "cancelled";
         /**
-         * @description Statistics of one strip, or of all strips of a stack together.
-         *     Lengths in the request's unit, areas in its square, angles in degrees.
+         * @description Statistics of one strip, or of all strips of a stack together. Lengths are in the request's unit, areas in its
+         *     square, and angles in degrees.
          */
         StripStatistics: {
             /** Format: double */
@@ -1414,8 +1448,8 @@ export interface components {
             convex_bridges: number;
             /**
              * Format: double
-             * @description Largest angle between the normals of neighbouring triangles at bridges that are not locally convex: 0 for a
-             *     strip that can be developed.
+             * @description Largest angle between the normals of neighbouring triangles at bridges that are not locally convex. It is 0 for
+             *     a strip that can be developed.
              */
             developability_deviation_deg: number;
             /**
@@ -1429,7 +1463,7 @@ export interface components {
             mean_curvature_variation: number;
             /**
              * Format: double
-             * @description Value of `minimal_normal_variation`; null without normals.
+             * @description Value of `minimal_normal_variation`. Null without normals.
              */
             normal_variation?: number | null;
             /**
@@ -1439,7 +1473,7 @@ export interface components {
             objective_value: number;
             /**
              * Format: double
-             * @description Value of the secondary objective; null without one.
+             * @description Value of the secondary objective. Null without one.
              */
             secondary_value?: number | null;
             /** Format: double */
@@ -1451,18 +1485,46 @@ export interface components {
             total_normal_twist: number;
             triangles: number;
         };
+        /** @description The mesh beside the curved surface that it stands for. All nodes lie on the surface. */
+        SurfaceFit: {
+            /**
+             * Format: double
+             * @description The surface's own area.
+             */
+            area: number;
+            /**
+             * Format: double
+             * @description The mesh's area less the surface's, relative to the surface's.
+             */
+            area_error: number;
+            /**
+             * Format: double
+             * @description Largest distance from the middle of a triangle to the surface.
+             */
+            distance_max: number;
+            /**
+             * @description `flattened`: laid into the plane, meshed there and carried back. `on_surface`: meshed on the surface itself, because
+             *     it cannot be laid into the plane with a bounded distortion.
+             */
+            method: string;
+            /**
+             * Format: double
+             * @description Largest angle between the normals of a triangle and of the surface below its middle.
+             */
+            normal_deviation_max_deg: number;
+        };
         /**
-         * @description `fixed`: the initial mesh's; `free`: necks may pinch; `best`: every spanning topology is solved, the least is
-         *     returned.
+         * @description `fixed` keeps the topology of the initial mesh. `free` allows necks to pinch. `best` solves every spanning topology
+         *     and returns the surface of least area.
          * @enum {string}
          */
         Topology: "fixed" | "free" | "best";
         /** @enum {string} */
         UniformMeshKind: "uniform_mesh";
-        /** @description A domain, and the edge length of its mesh. */
+        /** @description A domain and the edge length of its mesh. */
         UniformMeshRequest: {
             /**
-             * @description Rectangles along u and v of the auxiliary triangulation of a patch.
+             * @description Number of rectangles along u and v in the auxiliary triangulation of a patch.
              * @default [
              *       15,
              *       15
@@ -1480,19 +1542,21 @@ export interface components {
             domain: components["schemas"]["Domain"];
             /**
              * Format: double
-             * @description ℓ: the length of as many members as possible, and the least length of all, in the request's unit.
+             * @description Edge length ℓ in the request's unit: the length of as many members as possible, and the smallest length of all
+             *     members.
              */
             edge_length: number;
             /** @description Optional here, because the path names the kind. `plateau solve` needs it. */
             kind?: components["schemas"]["UniformMeshKind"] | null;
             /**
              * Format: double
-             * @description Lengths that differ by no more are equal, in the request's unit; null: a thousandth of the edge length.
+             * @description Largest difference between lengths that count as equal, in the request's unit. Null means a thousandth of the
+             *     edge length.
              * @default null
              */
             length_tolerance?: number | null;
             /**
-             * @description With `optimise: lengths`: how many lengths may stand for all members.
+             * @description Largest number of different member lengths. It is used only with `optimise: lengths`.
              * @default null
              */
             max_distinct_lengths?: number | null;
@@ -1504,7 +1568,7 @@ export interface components {
              * @default true
              */
             optimise_nodes?: boolean;
-            /** @description What the members outside the lattice group may do while nodes move. */
+            /** @description Lengths that members outside the lattice group may take while the nodes move. */
             rim?: components["schemas"]["Rim"];
             /**
              * @description Unit of the coordinates.
@@ -1517,16 +1581,20 @@ export interface components {
              */
             up?: components["schemas"]["UpAxis"];
         };
-        /** @description Statistics of a uniform mesh. Lengths in the request's unit, angles in degrees. */
+        /** @description Statistics of a uniform mesh. Lengths are in the request's unit, and angles are in degrees. */
         UniformStatistics: {
             angles_deg: components["schemas"]["AngleRange"];
+            /**
+             * @description False if the deadline cut the work short, or if the surface is curved too strongly for this edge length: the area is
+             *     off by more than 1%, a triangle faces away, or edges or angles are far out of range. `not_converged` says by how much.
+             */
             converged: boolean;
             distinct_lengths: number;
             edge_lengths: components["schemas"]["Spread"];
             edges: number;
-            /** @description Members within the tolerance of the edge length. */
+            /** @description Number of members within the tolerance of the edge length. */
             equal_edges: number;
-            /** @description Members of the lattice. */
+            /** @description Lengths of the members of the lattice. */
             lattice_edges: components["schemas"]["GroupLengths"];
             length_histogram: components["schemas"]["LengthHistogram"];
             /**
@@ -1534,11 +1602,14 @@ export interface components {
              * @description Tolerance of `equal_edges` and `distinct_lengths`.
              */
             length_tolerance: number;
-            /** @description Polygons: no mesh with members of at most twice the edge length has fewer nodes. Null for curved domains. */
+            /**
+             * @description For polygons, a lower bound of the number of nodes of any mesh with members of at most twice the edge length.
+             *     Null for curved domains.
+             */
             node_lower_bound?: number | null;
             nodes: number;
             objective: string;
-            /** @description Nodes for `fewest_nodes`, lattice edges for `most_equal_edges`. */
+            /** @description Number of nodes for `fewest_nodes`, and number of lattice edges for `most_equal_edges`. */
             objective_value: number;
             /** @description The first 200 members that are out of range. */
             out_of_range: components["schemas"]["OutOfRange"][];
@@ -1547,34 +1618,44 @@ export interface components {
             out_of_range_reasons: {
                 [key: string]: number;
             };
-            /** @description With `optimise: lengths`: deviation against the number of lengths, as far as it was tried. */
+            /**
+             * @description Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded mesh.
+             *     Null if not all pairs were looked at.
+             */
+            self_intersections?: number | null;
+            /** @description Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`. */
+            self_intersections_skipped?: string | null;
+            /** @description With `optimise: lengths`, the deviation for each number of lengths that was tried. */
             shared_lengths: components["schemas"]["SharedLengths"][];
             /** @description Rows of Katoh, Ohsaki and Xu's Table 1, stage by stage. */
             stages: components["schemas"]["Stage"][];
+            /** @description Curved domains: the mesh beside its surface. Null for polygons. */
+            surface?: components["schemas"]["SurfaceFit"] | null;
             triangles: number;
             /** @description Entry k is the number of nodes with k members. */
             valence_histogram: number[];
         };
         /**
-         * @description The unit of the client's coordinates. Meshes in glTF are in metres, as glTF demands; OBJ, PLY and STL keep the client's unit.
+         * @description Unit of the client's coordinates. Meshes in glTF are in metres, as glTF demands; OBJ, PLY and STL keep the client's
+         *     unit.
          * @enum {string}
          */
         Units: "mm" | "cm" | "m" | "in" | "ft";
         /**
-         * @description Which axis of the client's coordinates points up.
+         * @description Axis of the client's coordinates that points up.
          * @enum {string}
          */
         UpAxis: "z" | "y";
         /** @description The sum of the named objectives times their weights. */
         WeightedSum: {
             /**
-             * @description Divide each term by its own optimum on the strip first: they have different units.
+             * @description Whether each term is first divided by its own optimum on the strip, because the terms have different units.
              * @default true
              */
             normalise?: boolean;
             weights: components["schemas"]["Weights"];
         };
-        /** @description At least one must be positive. `minimal_normal_variation` needs `normals`. */
+        /** @description Weights of the objectives. At least one must be positive. `minimal_normal_variation` requires `normals`. */
         Weights: {
             /**
              * Format: double
@@ -1604,7 +1685,7 @@ export interface components {
         };
     };
     responses: {
-        /** @description Malformed JSON, a repeated key, or a query parameter that cannot be used */
+        /** @description Malformed JSON, a repeated key, or an invalid query parameter */
         BadRequest: {
             headers: {
                 [name: string]: unknown;
@@ -1640,7 +1721,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description The request is well-formed JSON but cannot be worked on; `errors` names each offending value */
+        /** @description The request is well-formed JSON but invalid; `errors` names each offending value */
         Invalid: {
             headers: {
                 [name: string]: unknown;
@@ -1676,7 +1757,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description No such resource */
+        /** @description The resource does not exist */
         NotFound: {
             headers: {
                 [name: string]: unknown;
@@ -1714,7 +1795,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description More bytes, points, triangles or cells than this server takes */
+        /** @description More bytes, points, triangles or cells than this server accepts */
         TooLarge: {
             headers: {
                 [name: string]: unknown;
@@ -1723,7 +1804,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description No key of this server */
+        /** @description The request has no valid key of this server */
         Unauthorized: {
             headers: {
                 "WWW-Authenticate": components["headers"]["WwwAuthenticate"];
@@ -1733,7 +1814,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description The server cannot take this now */
+        /** @description The server cannot accept this request now */
         Unavailable: {
             headers: {
                 "Retry-After": components["headers"]["RetryAfter"];
@@ -1756,7 +1837,7 @@ export interface components {
     parameters: never;
     requestBodies: never;
     headers: {
-        /** @description Names this request in the server's logs. */
+        /** @description Identifier of this request in the server's logs. */
         RequestId: string;
         /** @description Seconds to wait. */
         RetryAfter: number;
@@ -1776,7 +1857,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description The studio: a page to draw, solve and look */
+            /** @description The studio, a page to draw, solve and inspect surfaces */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -1818,7 +1899,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description A page to read and try the API, working offline */
+            /** @description A page to read and try the API, which works offline */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -1836,7 +1917,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description The file's name. */
+                /** @description Name of the file. */
                 file: "index.html" | "start.js" | "swagger-ui-bundle.js" | "swagger-ui.css" | "favicon-32x32.png" | "LICENSE" | "NOTICE";
             };
             cookie?: never;
@@ -1873,7 +1954,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description The process answers */
+            /** @description Checks that the process answers */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -1897,7 +1978,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description The store answers and jobs are taken */
+            /** @description Checks that the store answers and jobs are accepted */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -1964,7 +2045,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description The last part of the type. */
+                /** @description Last part of the type. */
                 name: "bad-header" | "bad-query" | "body-timeout" | "deadline" | "degenerate-boundary" | "expired" | "foreign-page" | "idempotency-key-conflict" | "internal" | "invalid-geometry" | "invalid-mesh" | "invalid-request" | "malformed-body" | "mesh-lost" | "method-not-allowed" | "misdirected" | "no-initial-mesh" | "no-mesh" | "no-room-for-interior-vertices" | "not-acceptable" | "not-flattenable" | "not-found" | "queue-full" | "range-not-satisfiable" | "rate-limited" | "refused" | "self-intersecting-boundary" | "solver-panicked" | "too-large" | "unauthorized" | "unavailable" | "unknown-kind" | "unsupported-media-type" | "unwritable" | "worker-lost";
             };
             cookie?: never;
@@ -1990,7 +2071,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description The file's name. */
+                /** @description Name of the file. */
                 file: "index.html" | "embed.html" | "studio.js" | "studio.css" | "icon.svg" | "inter.woff2" | "licences.txt" | "thumbnails.webp";
             };
             cookie?: never;
@@ -2023,11 +2104,11 @@ export interface operations {
             query?: never;
             header?: {
                 /**
-                 * @description `wait=N`: wait up to N seconds for the end (RFC 7240). An invalid preference is ignored.
+                 * @description `wait=N` waits up to N seconds for the end (RFC 7240). An invalid preference is ignored.
                  * @example wait=10
                  */
                 Prefer?: string;
-                /** @description The same key with the same body gives the same batch; with another body 422. Printable ASCII. */
+                /** @description Printable ASCII text. The same key with the same body returns the same batch; with another body the answer is 422. */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -2039,10 +2120,10 @@ export interface operations {
             };
         };
         responses: {
-            /** @description With `Prefer: wait`: the batch ended in time (read its `status`); or the same idempotency key was used before with this body. */
+            /** @description The batch ended within the time of `Prefer: wait` (read its `status`), or this idempotency key was used before with this body. */
             200: {
                 headers: {
-                    /** @description The batch. */
+                    /** @description Address of the batch. */
                     Location?: string;
                     /** @description The wait that was granted. */
                     "Preference-Applied"?: string;
@@ -2052,10 +2133,10 @@ export interface operations {
                     "application/json": components["schemas"]["Batch"];
                 };
             };
-            /** @description The batch is on disk and will be worked on. */
+            /** @description The batch is stored on disk and will be solved. */
             202: {
                 headers: {
-                    /** @description The batch. */
+                    /** @description Address of the batch. */
                     Location?: string;
                     /** @description The wait that was granted. */
                     "Preference-Applied"?: string;
@@ -2084,13 +2165,13 @@ export interface operations {
             query?: never;
             header?: {
                 /**
-                 * @description `wait=N`: wait up to N seconds for the end (RFC 7240). An invalid preference is ignored.
+                 * @description `wait=N` waits up to N seconds for the end (RFC 7240). An invalid preference is ignored.
                  * @example wait=10
                  */
                 Prefer?: string;
             };
             path: {
-                /** @description The batch's id. */
+                /** @description Identifier of the batch. */
                 id: string;
             };
             cookie?: never;
@@ -2120,7 +2201,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description The batch's id. */
+                /** @description Identifier of the batch. */
                 id: string;
             };
             cookie?: never;
@@ -2149,7 +2230,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description The batch's id. */
+                /** @description Identifier of the batch. */
                 id: string;
             };
             cookie?: never;
@@ -2180,19 +2261,19 @@ export interface operations {
             query?: {
                 /** @description Takes precedence over `Accept`. The default is `zip`. */
                 format?: "zip" | "glb";
-                /** @description Format of the meshes of a ZIP. The default is `glb`. A scene is always GLB. */
+                /** @description Format of the meshes in a ZIP. The default is `glb`. A scene is always GLB. */
                 mesh_format?: "glb" | "gltf" | "obj" | "ply" | "stl";
             };
             header?: never;
             path: {
-                /** @description The batch's id. */
+                /** @description Identifier of the batch. */
                 id: string;
             };
             cookie?: never;
         };
         requestBody?: never;
         responses: {
-            /** @description A ZIP of every mesh with `batch.json`, which says what became of each request; or all meshes in one GLB scene */
+            /** @description A ZIP with every mesh and `batch.json`, which describes the job of each request; or all meshes in one GLB scene */
             200: {
                 headers: {
                     /** @description Hash of these bytes. */
@@ -2233,7 +2314,7 @@ export interface operations {
             406: components["responses"]["NotAcceptable"];
             409: components["responses"]["NoMesh"];
             410: components["responses"]["Gone"];
-            /** @description The range lies outside of the file */
+            /** @description The range lies outside the file */
             416: {
                 headers: {
                     [name: string]: unknown;
@@ -2258,7 +2339,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Ready requests */
+            /** @description Names and titles of the example requests */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -2278,7 +2359,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description The example's name. */
+                /** @description Name of the example. */
                 name: "two-rails" | "helicoid" | "catenoid" | "tent" | "four-corners" | "ridge-rope" | "own-mesh" | "helicoid-relaxation" | "two-rings" | "rings-12-free" | "rings-12-best" | "rings-14-free" | "rings-14-best" | "rings-14-pinkall-polthier" | "cut-cylinder" | "three-rings" | "tetrahedron-loops" | "nested-loops" | "three-half-circles" | "three-half-circles-uneven" | "helicoid-liu-wang" | "scherk-relaxation" | "wavy-strip" | "contour-stack" | "wang-tang-i" | "wang-tang-ii" | "wang-tang-iii" | "wang-tang-iv" | "wang-tang-v" | "wang-tang-vi" | "latticed-roof" | "latticed-roof-steep" | "latticed-film" | "latticed-roof-few-lengths" | "floor-fewest-nodes" | "floor-equal-members" | "courtyard" | "vault";
             };
             cookie?: never;
@@ -2312,7 +2393,7 @@ export interface operations {
                 idempotency_key?: string;
                 /** @description Maximum number of jobs on the page. The default is 50. */
                 limit?: number;
-                /** @description `next_cursor` of the page before. */
+                /** @description `next_cursor` of the previous page. */
                 cursor?: string;
             };
             header?: never;
@@ -2343,13 +2424,13 @@ export interface operations {
             query?: never;
             header?: {
                 /**
-                 * @description `wait=N`: wait up to N seconds for the end (RFC 7240). An invalid preference is ignored.
+                 * @description `wait=N` waits up to N seconds for the end (RFC 7240). An invalid preference is ignored.
                  * @example wait=10
                  */
                 Prefer?: string;
             };
             path: {
-                /** @description The job's id. */
+                /** @description Identifier of the job. */
                 id: string;
             };
             cookie?: never;
@@ -2379,7 +2460,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description The job's id. */
+                /** @description Identifier of the job. */
                 id: string;
             };
             cookie?: never;
@@ -2408,7 +2489,7 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description The job's id. */
+                /** @description Identifier of the job. */
                 id: string;
             };
             cookie?: never;
@@ -2438,11 +2519,11 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description The last id that was seen, `attempt.sequence`; after the final one the answer is 204. */
+                /** @description Identifier of the last event that the client saw, `attempt.sequence`. After the final event the answer is 204. */
                 "Last-Event-ID"?: string;
             };
             path: {
-                /** @description The job's id. */
+                /** @description Identifier of the job. */
                 id: string;
             };
             cookie?: never;
@@ -2456,7 +2537,7 @@ export interface operations {
                 };
                 content: {
                     "text/event-stream": {
-                        /** @description JSON. Of a `status` event: the job as it was after that change. Of a `progress` event: an object with the job's `id`, `status` and `progress`. */
+                        /** @description JSON text. For a `status` event it is the job as it was right after that change. For a `progress` event it is an object with the job's `id`, `status` and `progress`. */
                         data: string;
                         /** @enum {string} */
                         event: "status" | "progress";
@@ -2466,7 +2547,7 @@ export interface operations {
                     };
                 };
             };
-            /** @description Nothing follows: the final event was seen */
+            /** @description The client has seen the final event, so no event follows */
             204: {
                 headers: {
                     [name: string]: unknown;
@@ -2490,7 +2571,7 @@ export interface operations {
             };
             header?: never;
             path: {
-                /** @description The job's id. */
+                /** @description Identifier of the job. */
                 id: string;
             };
             cookie?: never;
@@ -2544,7 +2625,7 @@ export interface operations {
             406: components["responses"]["NotAcceptable"];
             409: components["responses"]["NoMesh"];
             410: components["responses"]["Gone"];
-            /** @description The range lies outside of the file */
+            /** @description The range lies outside the file */
             416: {
                 headers: {
                     [name: string]: unknown;
@@ -2568,7 +2649,7 @@ export interface operations {
             };
             header?: never;
             path: {
-                /** @description The job's id. */
+                /** @description Identifier of the job. */
                 id: string;
             };
             cookie?: never;
@@ -2616,7 +2697,7 @@ export interface operations {
             406: components["responses"]["NotAcceptable"];
             409: components["responses"]["NoMesh"];
             410: components["responses"]["Gone"];
-            /** @description The range lies outside of the file */
+            /** @description The range lies outside the file */
             416: {
                 headers: {
                     [name: string]: unknown;
@@ -2640,7 +2721,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description What one request may cost here */
+            /** @description Limits of this server for one request */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -2660,11 +2741,11 @@ export interface operations {
             query?: never;
             header?: {
                 /**
-                 * @description `wait=N`: wait up to N seconds for the end (RFC 7240). An invalid preference is ignored.
+                 * @description `wait=N` waits up to N seconds for the end (RFC 7240). An invalid preference is ignored.
                  * @example wait=10
                  */
                 Prefer?: string;
-                /** @description The same key with the same body gives the same job; with another body 422. Printable ASCII. */
+                /** @description Printable ASCII text. The same key with the same body returns the same job; with another body the answer is 422. */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -2676,10 +2757,10 @@ export interface operations {
             };
         };
         responses: {
-            /** @description With `Prefer: wait`: the job ended in time (read its `status`); or the same idempotency key was used before with this body. */
+            /** @description The job ended within the time of `Prefer: wait` (read its `status`), or this idempotency key was used before with this body. */
             200: {
                 headers: {
-                    /** @description The job. */
+                    /** @description Address of the job. */
                     Location?: string;
                     /** @description The wait that was granted. */
                     "Preference-Applied"?: string;
@@ -2689,10 +2770,10 @@ export interface operations {
                     "application/json": components["schemas"]["Job"];
                 };
             };
-            /** @description The job is on disk and will be worked on. */
+            /** @description The job is stored on disk and will be solved. */
             202: {
                 headers: {
-                    /** @description The job. */
+                    /** @description Address of the job. */
                     Location?: string;
                     /** @description The wait that was granted. */
                     "Preference-Applied"?: string;
@@ -2725,7 +2806,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description What can be asked for */
+            /** @description Objectives that a request can choose */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -2745,11 +2826,11 @@ export interface operations {
             query?: never;
             header?: {
                 /**
-                 * @description `wait=N`: wait up to N seconds for the end (RFC 7240). An invalid preference is ignored.
+                 * @description `wait=N` waits up to N seconds for the end (RFC 7240). An invalid preference is ignored.
                  * @example wait=10
                  */
                 Prefer?: string;
-                /** @description The same key with the same body gives the same job; with another body 422. Printable ASCII. */
+                /** @description Printable ASCII text. The same key with the same body returns the same job; with another body the answer is 422. */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -2761,10 +2842,10 @@ export interface operations {
             };
         };
         responses: {
-            /** @description With `Prefer: wait`: the job ended in time (read its `status`); or the same idempotency key was used before with this body. */
+            /** @description The job ended within the time of `Prefer: wait` (read its `status`), or this idempotency key was used before with this body. */
             200: {
                 headers: {
-                    /** @description The job. */
+                    /** @description Address of the job. */
                     Location?: string;
                     /** @description The wait that was granted. */
                     "Preference-Applied"?: string;
@@ -2774,10 +2855,10 @@ export interface operations {
                     "application/json": components["schemas"]["Job"];
                 };
             };
-            /** @description The job is on disk and will be worked on. */
+            /** @description The job is stored on disk and will be solved. */
             202: {
                 headers: {
-                    /** @description The job. */
+                    /** @description Address of the job. */
                     Location?: string;
                     /** @description The wait that was granted. */
                     "Preference-Applied"?: string;
@@ -2806,11 +2887,11 @@ export interface operations {
             query?: never;
             header?: {
                 /**
-                 * @description `wait=N`: wait up to N seconds for the end (RFC 7240). An invalid preference is ignored.
+                 * @description `wait=N` waits up to N seconds for the end (RFC 7240). An invalid preference is ignored.
                  * @example wait=10
                  */
                 Prefer?: string;
-                /** @description The same key with the same body gives the same job; with another body 422. Printable ASCII. */
+                /** @description Printable ASCII text. The same key with the same body returns the same job; with another body the answer is 422. */
                 "Idempotency-Key"?: string;
             };
             path?: never;
@@ -2822,10 +2903,10 @@ export interface operations {
             };
         };
         responses: {
-            /** @description With `Prefer: wait`: the job ended in time (read its `status`); or the same idempotency key was used before with this body. */
+            /** @description The job ended within the time of `Prefer: wait` (read its `status`), or this idempotency key was used before with this body. */
             200: {
                 headers: {
-                    /** @description The job. */
+                    /** @description Address of the job. */
                     Location?: string;
                     /** @description The wait that was granted. */
                     "Preference-Applied"?: string;
@@ -2835,10 +2916,10 @@ export interface operations {
                     "application/json": components["schemas"]["Job"];
                 };
             };
-            /** @description The job is on disk and will be worked on. */
+            /** @description The job is stored on disk and will be solved. */
             202: {
                 headers: {
-                    /** @description The job. */
+                    /** @description Address of the job. */
                     Location?: string;
                     /** @description The wait that was granted. */
                     "Preference-Applied"?: string;

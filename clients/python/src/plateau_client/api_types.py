@@ -8,8 +8,7 @@ if TYPE_CHECKING:
     from typing_extensions import NotRequired
 
 BoundarySampling = Literal['refine', 'keep']
-"""Whether points may be added on the segments of the boundary (`refine`), or the mesh has the polygon's vertices only
-(`keep`)."""
+"""Sampling of the boundary. `refine` may add points on its segments, and `keep` uses only the polygon's vertices."""
 Cache = Union[Literal['reuse'], Literal['bypass']]
 """Whether the result of an equal earlier request may be returned. Results are deterministic, so it has the same bytes."""
 Caps = Literal['none', 'flat']
@@ -17,13 +16,14 @@ Direction = Literal['as_given', 'auto']
 Goal = Union["Objective", "WeightedSum"]
 """A named objective, or a weighted sum."""
 InitialMesh = Union["MadeMesh", "GivenMesh"]
-"""The mesh that the solver starts from: made here, or the client's own."""
+"""Mesh that the solver starts from: built by the service, or supplied by the client."""
 Kind = Literal['ruled_surface', 'minimal_surface', 'uniform_mesh']
 """Kind of a request."""
 LinearSolver = Literal['direct', 'conjugate_gradients']
-"""Elimination every time, or conjugate gradients with elimination where they do not converge."""
+"""Linear solver. `direct` always uses elimination. `conjugate_gradients` uses elimination only if the conjugate
+gradients do not converge."""
 MadeMesh = Union[Literal['auto'], Literal['planar'], Literal['disk'], Literal['rings'], Literal['barycentres']]
-"""Construction of the initial mesh. The statistics name the one that `auto` chose."""
+"""Construction of the initial mesh. The statistics name the construction that `auto` chose."""
 MinimalSurfaceKind = Literal['minimal_surface']
 Objective = Union[Literal['minimal_area', 'minimal_twist', 'maximal_convexity', 'minimal_bending_energy', 'minimal_mean_curvature_variation'], Literal['minimal_normal_variation']]
 """Quantity that is minimised. `GET /v1/objectives` has the formulas."""
@@ -32,33 +32,35 @@ Objective2 = Literal['minimal_area', 'minimal_dirichlet_energy', 'minimal_mean_c
 Objective3 = Union[Literal['fewest_nodes'], Literal['most_equal_edges']]
 """Quantity that is optimised. `GET /v1/objectives` has the formulas."""
 OnUnstable = Literal['report', 'descend']
-"""Treatment of a stationary surface that is not a local minimum: `report` says so in a warning, `descend` leaves it
+"""Treatment of a stationary surface that is not a local minimum. `report` adds a warning, and `descend` leaves it
 along its most unstable mode."""
 Optimise = Literal['nodes', 'lengths']
-"""`nodes`: members of the lattice as near to the edge length as they get. `lengths`: after that, at most
-`max_distinct_lengths` lengths for all members."""
+"""`nodes` brings the members of the lattice as near to the edge length as possible. `lengths` then also reduces all
+members to at most `max_distinct_lengths` lengths."""
 Process = Literal['laplacian_fairing', 'area_minimising', 'edge_swapping']
 """A process of vertex relaxation."""
 Rim = Literal['bounded', 'free']
-"""`bounded`: they stay between the edge length and its double wherever that is possible. `free`: as in the paper."""
+"""`bounded` keeps the members between the edge length and its double wherever possible. `free` does not limit them, as
+in the paper."""
 RuledSurfaceKind = Literal['ruled_surface']
 SamplingRule = Literal['parameter', 'arc_length', 'chord_height']
-"""`parameter`: uniform in the number of the point; `arc_length`: uniform along the polyline; `chord_height`: those of
-the given points that are needed to stay within `tolerance`."""
+"""`parameter` spaces the samples uniformly in the number of the point. `arc_length` spaces them uniformly along the
+polyline. `chord_height` keeps those of the given points that are needed to stay within `tolerance`."""
 SecondaryObjective = Literal['minimal_bending_energy', 'minimal_mean_curvature_variation']
 """Objective that decides among the strips with the most convex bridges, summed over the bridges that are not convex."""
 Solver = Union[Literal['auto'], Literal['vertex_relaxation'], Literal['pinkall_polthier'], Literal['newton']]
-"""Method that minimises the area. `auto` takes the best of the others for the request."""
+"""Method that minimises the area. `auto` chooses the best of the others for the request."""
 Status = Literal['queued', 'running', 'succeeded', 'failed', 'cancelled']
 """State of a job. `succeeded`, `failed` and `cancelled` are final."""
 Topology = Literal['fixed', 'free', 'best']
-"""`fixed`: the initial mesh's; `free`: necks may pinch; `best`: every spanning topology is solved, the least is
-returned."""
+"""`fixed` keeps the topology of the initial mesh. `free` allows necks to pinch. `best` solves every spanning topology
+and returns the surface of least area."""
 UniformMeshKind = Literal['uniform_mesh']
 Units = Literal['mm', 'cm', 'm', 'in', 'ft']
-"""The unit of the client's coordinates. Meshes in glTF are in metres, as glTF demands; OBJ, PLY and STL keep the client's unit."""
+"""Unit of the client's coordinates. Meshes in glTF are in metres, as glTF demands; OBJ, PLY and STL keep the client's
+unit."""
 UpAxis = Literal['z', 'y']
-"""Which axis of the client's coordinates points up."""
+"""Axis of the client's coordinates that points up."""
 
 
 class AngleRange(TypedDict):
@@ -70,17 +72,17 @@ class Batch(TypedDict):
     """Requests that were submitted together, and the state of their jobs."""
     counts: BatchCounts
     created_at: str
-    """RFC 3339, UTC."""
+    """Time of submission (RFC 3339, UTC)."""
     finished_at: NotRequired[Optional[str]]
-    """Time at which the last job ended; null until then."""
+    """Time at which the last job ended. Null until then."""
     id: str
-    """A ULID: sorts by time of submission."""
+    """ULID, which sorts by time of submission."""
     jobs: List[BatchJob]
-    """In the order of the requests. A job that was deleted or has expired is not among them."""
+    """Jobs in the order of the requests. Jobs that were deleted or have expired are left out."""
     links: BatchLinks
     status: Status
-    """`queued` until the first job starts, then `running` until the last has ended; then `failed` if any has failed,
-    else `cancelled` if any was cancelled, else `succeeded`."""
+    """`queued` until the first job starts, then `running` until the last job has ended. The final status is `failed`
+    if any job has failed, otherwise `cancelled` if any was cancelled, otherwise `succeeded`."""
 
 
 class BatchCounts(TypedDict):
@@ -93,7 +95,7 @@ class BatchCounts(TypedDict):
 
 
 class BatchJob(TypedDict):
-    """Summary of a job of a batch. Its `self` link leads to the whole job."""
+    """Short form of a job of a batch. Its `self` link leads to the full job."""
     id: str
     index: int
     """Index of the job's request in the batch, counted from 0."""
@@ -111,17 +113,17 @@ class BatchLinks(TypedDict):
 
 
 class BatchRequest(TypedDict):
-    """Requests of any kinds. Each becomes a job of its own."""
+    """Requests of any kinds. Each becomes a separate job."""
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when every job has ended. Requires webhooks to be enabled on this server: see `webhooks` of `GET /v1/limits`."""
     requests: List[Union[RuledSurfaceRequest, MinimalSurfaceRequest, UniformMeshRequest]]
-    """Each request names its `kind`. `GET /v1/limits` has the largest number."""
+    """Each request names its `kind`. `GET /v1/limits` shows how many requests a batch may have."""
 
 
 class Bezier(TypedDict):
     """A tensor-product Bézier patch."""
     control_points: Sequence[Sequence[Sequence[float]]]
-    """Rows along u of points along v."""
+    """Control points: rows along u, each with the points along v."""
 
 
 class Comparison(TypedDict):
@@ -133,20 +135,20 @@ class Comparison(TypedDict):
     convex_bridges: int
     """Number of bridges that are locally convex."""
     developability_deviation_deg: float
-    """Largest angle between the normals of neighbouring triangles at bridges that are not locally convex: 0 for a
-    strip that can be developed."""
+    """Largest angle between the normals of neighbouring triangles at bridges that are not locally convex. It is 0 for
+    a strip that can be developed."""
     largest_fold_deg: float
     """Largest angle between the normals of neighbouring triangles."""
     longest_bridge: float
     mean_curvature_variation: float
     normal_variation: NotRequired[Optional[float]]
-    """Value of `minimal_normal_variation`; null without normals."""
+    """Value of `minimal_normal_variation`. Null without normals."""
     objective: str
     objective_value: float
     """Value of the objective. For `maximal_convexity` it is the number of convex bridges."""
     secondary_objective: NotRequired[Optional[str]]
     secondary_value: NotRequired[Optional[float]]
-    """Value of the secondary objective; null without one."""
+    """Value of the secondary objective. Null without one."""
     shortest_bridge: float
     total_normal_twist: float
     """Sum of 1 - n_p·n_q over the bridges (Wang-Tang, eq. 4)."""
@@ -160,10 +162,10 @@ class Constraints(TypedDict):
 
 
 class Domain(TypedDict):
-    """What to mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs`, `boundaries`."""
+    """Domain of the mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs` and `boundaries`."""
     bezier: NotRequired[Bezier]
     boundaries: NotRequired[Sequence[Sequence[Sequence[float]]]]
-    """Closed polygons; the domain is the minimal surface that spans them."""
+    """Closed polygons. The domain is the minimal surface that spans them."""
     holes: NotRequired[Sequence[Sequence[Sequence[float]]]]
     """Holes of the polygon."""
     nurbs: NotRequired[Nurbs]
@@ -172,11 +174,11 @@ class Domain(TypedDict):
 
 
 class Example(TypedDict):
-    """A ready request."""
+    """An example request."""
     kind: Kind
     name: str
     request: Any
-    """Post it to the path of its kind."""
+    """Request to post to the path of its kind."""
     title: str
 
 
@@ -191,7 +193,7 @@ class ExampleSummary(TypedDict):
 
 
 class ExtrapolatedArea(TypedDict):
-    """The area of the smooth surface on the same polygon, from two resolutions."""
+    """Area of the smooth surface on the same polygon, extrapolated from two resolutions."""
     area: float
     error_estimate: float
     """Estimate of the error of that area."""
@@ -206,7 +208,7 @@ class FieldError(TypedDict):
 
 
 class FlatPatternStatistics(TypedDict):
-    """How well the strips unroll into the plane."""
+    """Quality of the strips' flat pattern."""
     edge_length_error_max: float
     """Largest relative difference between an edge's length in space and in the plane."""
     height: float
@@ -216,17 +218,17 @@ class FlatPatternStatistics(TypedDict):
 
 
 class GivenMesh(TypedDict):
-    """The client's own initial mesh: an oriented manifold whose boundary loops are `boundaries`, with or without further
-    vertices on their segments. Or a film whose sheets meet three by three along edges with three triangles: its edges
-    with one triangle must then be the segments of `boundaries`, which may share points. `resolution` means nothing in
-    either case."""
+    """The client's own initial mesh. It is either an oriented manifold whose boundary loops are `boundaries`, with or
+    without further vertices on their segments, or a film whose sheets meet three by three along edges with three
+    triangles. In a film, the edges with one triangle must be the segments of `boundaries`, which may share points.
+    `resolution` has no effect in either case."""
     triangles: Sequence[Sequence[int]]
-    """Vertex numbers, counted from 0."""
+    """Vertex indices of each triangle, counted from 0."""
     vertices: Sequence[Sequence[float]]
 
 
 class GroupLengths(TypedDict):
-    """Count, minimum, mean, maximum and standard deviation of a group of lengths; zeros for an empty one."""
+    """Count, minimum, mean, maximum and standard deviation of a group of lengths. All are 0 for an empty group."""
     count: int
     max: float
     mean: float
@@ -245,31 +247,31 @@ class HistoryRow(TypedDict):
 class Job(TypedDict):
     """A job: an accepted request and its state."""
     created_at: str
-    """RFC 3339, UTC."""
+    """Time of submission (RFC 3339, UTC)."""
     error: NotRequired[Optional[JobError]]
     """Null unless the job has failed."""
     expires_at: NotRequired[Optional[str]]
     """Time at which the job and its mesh are removed."""
     finished_at: NotRequired[Optional[str]]
     id: str
-    """A ULID: sorts by time of submission."""
+    """ULID, which sorts by time of submission."""
     kind: Kind
     links: Links
     progress: Progress
     started_at: NotRequired[Optional[str]]
     statistics: Optional[Union[RuledStatistics, MinimalStatistics, UniformStatistics]]
-    """Null until the job has succeeded; its fields depend on the kind."""
+    """Null until the job has succeeded. The fields depend on the kind."""
     status: Status
     warnings: List[JobWarning]
 
 
 class JobError(TypedDict):
-    """The reason of a failure: what was wrong with the geometry, and what to try."""
+    """Reason for a failure: what was wrong with the geometry, and what to try."""
     detail: str
     errors: List[FieldError]
     title: str
     type: str
-    """A URI reference that names the kind of failure; stable."""
+    """Stable URI reference that identifies the kind of failure."""
 
 
 class JobList(TypedDict):
@@ -280,16 +282,16 @@ class JobList(TypedDict):
 
 
 class JobSummary(TypedDict):
-    """A job of a list: everything but its statistics."""
+    """A job of a list, without its statistics."""
     created_at: str
-    """RFC 3339, UTC."""
+    """Time of submission (RFC 3339, UTC)."""
     error: NotRequired[Optional[JobError]]
     """Null unless the job has failed."""
     expires_at: NotRequired[Optional[str]]
     """Time at which the job and its mesh are removed."""
     finished_at: NotRequired[Optional[str]]
     id: str
-    """A ULID: sorts by time of submission."""
+    """ULID, which sorts by time of submission."""
     kind: Kind
     links: Links
     progress: Progress
@@ -301,41 +303,43 @@ class JobSummary(TypedDict):
 class JobWarning(TypedDict):
     """A warning about the input or the result of a job that succeeded."""
     code: str
-    """Stable, snake case."""
+    """Stable name in snake case."""
     detail: str
 
 
 class Junctions(TypedDict):
     """Curves along which three sheets of a film meet, and the balance of the sheets there."""
     curves: List[List[int]]
-    """Curves along which three sheets meet, each as vertices of the mesh (counted from 0) from end to end; a closed
-    one ends with its first."""
+    """Curves along which three sheets meet, each as vertices of the mesh (counted from 0) from end to end. A closed
+    curve ends with its first vertex."""
     edges: int
-    """Mesh edges with three triangles."""
+    """Number of mesh edges with three triangles."""
     facet_angles_deg: Spread
-    """Between neighbouring triangles around the junctions' edges."""
+    """Angles between neighbouring triangles around the junctions' edges."""
     largest_deviation_at_ends_deg: float
-    """The same at the vertices next to an end, where it may hardly fall with the mesh; 0 where there are none."""
+    """The same at the vertices next to an end, where it may hardly decrease with the mesh size. It is 0 if there are
+    no such vertices."""
     largest_deviation_deg: float
     """Largest departure of `sheet_angles_deg` from 120° at the vertices that are not next to an end of their junction."""
     length: float
-    """Length of all these curves."""
+    """Total length of these curves."""
     mean_deviation_deg: float
     """Mean departure of `sheet_angles_deg` from 120° over all these vertices."""
     morse_index: NotRequired[Optional[int]]
-    """Number of negative eigenvalues of the second variation, junctions moving too; null where it was not computed."""
+    """Number of negative eigenvalues of the second variation with moving junctions. Null if it was not computed."""
     points: int
-    """Vertices inside the film where such curves meet."""
+    """Number of vertices inside the film where such curves meet."""
     residual: float
-    """Largest net pull of the sheets across a junction, per length: 0 where they balance, 1 for one sheet alone."""
+    """Largest net pull of the sheets across a junction per length. It is 0 if the sheets balance, and 1 for a single
+    sheet."""
     sheet_angles_deg: Spread
-    """Between the pulls of neighbouring sheets at the junctions' inner vertices."""
+    """Angles between the pulls of neighbouring sheets at the junctions' inner vertices."""
     sheets: int
     """Number of parts of the film that are connected without crossing a junction."""
 
 
 LengthHistogram = TypedDict("LengthHistogram", {"counts": "List[int]", "from": "float", "width": "float"})
-"""Bin k counts lengths from `from + k width` up to the next."""
+"""Histogram of lengths. Bin k counts lengths from `from` + k · `width` up to the next bin."""
 
 
 class Limits(TypedDict):
@@ -369,9 +373,9 @@ class Links(TypedDict):
     cancel: str
     events: str
     mesh: NotRequired[Optional[str]]
-    """Absent from failed and cancelled jobs."""
+    """Address of the mesh. Absent from failed and cancelled jobs."""
     pattern: NotRequired[Optional[str]]
-    """Ruled surfaces only; absent from failed and cancelled jobs."""
+    """Address of the flat pattern. Only ruled surfaces have it, and it is absent from failed and cancelled jobs."""
     self: str
 
 
@@ -382,8 +386,8 @@ class MeanCurvature(TypedDict):
 
 
 class MinimalStatistics(TypedDict):
-    """Statistics of a minimal surface. Lengths in the request's unit, areas in its square, curvatures in its inverse,
-    angles in degrees."""
+    """Statistics of a minimal surface. Lengths are in the request's unit, areas in its square, curvatures in its inverse,
+    and angles in degrees."""
     angles_deg: AngleRange
     area: float
     boundary_loops: int
@@ -394,7 +398,7 @@ class MinimalStatistics(TypedDict):
     edges_swapped: int
     euler_characteristic: int
     extrapolated_area: NotRequired[Optional[ExtrapolatedArea]]
-    """Null where the boundary's points leave no room for a second resolution, and for unstable surfaces."""
+    """Null if the boundary's points do not allow a second resolution, and for unstable surfaces."""
     flipped_triangles: int
     genus: NotRequired[Optional[int]]
     """Null for films with junctions, for which it is not defined."""
@@ -402,32 +406,37 @@ class MinimalStatistics(TypedDict):
     initial_area: float
     """Area of the initial mesh."""
     initial_mesh: str
-    """The initial mesh that was built."""
+    """Initial mesh that was built."""
     iterations: int
     junctions: NotRequired[Optional[Junctions]]
-    """Of a film whose initial mesh has edges with three triangles; else null."""
+    """Null unless the initial mesh of the film has edges with three triangles."""
     mean_curvature: MeanCurvature
     objective: str
     objective_value: float
     pinches: List[Pinch]
     """Changes of topology in the order in which they happened."""
     residual: float
-    """Largest normal mean curvature times the boundary's radius: dimensionless."""
+    """Largest normal mean curvature times the boundary's radius, which is dimensionless."""
     residual_full: float
-    """The same with the tangential part of the area gradient."""
+    """The same including the tangential part of the area gradient."""
+    self_intersections: NotRequired[Optional[int]]
+    """Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
+    mesh. Null if not all pairs were looked at."""
+    self_intersections_skipped: NotRequired[Optional[str]]
+    """Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`."""
     solver: str
-    """The solver that ran."""
+    """Solver that was used."""
     spanning: NotRequired[Optional[Spanning]]
-    """With `topology: best`; else null."""
+    """Null without `topology: best`."""
     stability: NotRequired[Optional[Stability]]
-    """Null where it was not computed."""
+    """Null if it was not computed."""
     stop_reason: str
     triangles: int
     vertices: int
 
 
 class MinimalSurfaceRequest(TypedDict):
-    """Boundary polygons and the options of the surface that spans them."""
+    """Boundary polygons, and options for the surface that spans them."""
     area_tolerance: NotRequired[float]
     """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop."""
     boundaries: Sequence[Sequence[Sequence[float]]]
@@ -442,7 +451,8 @@ class MinimalSurfaceRequest(TypedDict):
     `webhooks` of `GET /v1/limits`."""
     constraints: NotRequired[Constraints]
     degenerate_angle_deg: NotRequired[float]
-    """`pinkall_polthier` and `topology: free` remove triangles with an angle below this, in degrees. 0 removes none."""
+    """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
+    angle. 0 removes none."""
     fairing_tolerance: NotRequired[Optional[float]]
     """Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
     `area_tolerance`."""
@@ -450,20 +460,21 @@ class MinimalSurfaceRequest(TypedDict):
     kind: NotRequired[Optional[MinimalSurfaceKind]]
     """Optional here, because the path names the kind. `plateau solve` needs it."""
     linear_solver: NotRequired[LinearSolver]
-    """How `pinkall_polthier` solves its systems."""
+    """Method by which `pinkall_polthier` solves its linear systems."""
     max_iterations: NotRequired[Optional[int]]
     """Maximum number of iterations. Null means the solver's default."""
     objective: NotRequired[Objective2]
     on_unstable: NotRequired[OnUnstable]
     processes: NotRequired[Optional[Sequence[Sequence[Process]]]]
-    """Stages of `vertex_relaxation` in order, each repeated until its tolerance. Null means the paper's stages."""
+    """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
+    stages."""
     resolution: NotRequired[Resolution]
     seed: NotRequired[int]
     """Seed of the choice among the candidate points of `initial_mesh: barycentres`."""
     solver: NotRequired[Solver]
-    """How the area is minimised."""
+    """Method that minimises the area."""
     tolerance: NotRequired[float]
-    """The residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged."""
+    """Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged."""
     topology: NotRequired[Topology]
     units: NotRequired[Units]
     """Unit of the coordinates."""
@@ -474,15 +485,15 @@ class MinimalSurfaceRequest(TypedDict):
 class Nurbs(TypedDict):
     """A NURBS patch."""
     control_points: Sequence[Sequence[Sequence[float]]]
-    """Rows along u of points along v."""
+    """Control points: rows along u, each with the points along v."""
     degrees: Sequence[int]
-    """Along u and along v."""
+    """Degrees along u and along v."""
     knots: Sequence[Sequence[float]]
-    """Along u and along v: control points + degree + 1 each, not falling."""
+    """Knots along u and along v: control points + degree + 1 each, in non-decreasing order."""
     trim_curves: NotRequired[Optional[Sequence[Any]]]
-    """Trimmed patches are not offered: only null or an empty list is taken."""
+    """Trimmed patches are not supported, so only null or an empty list is accepted."""
     weights: NotRequired[Optional[Sequence[Sequence[float]]]]
-    """In the shape of the control points; null: all equal."""
+    """Weights in the shape of the control points. Null means equal weights."""
 
 
 class Objective4(TypedDict):
@@ -494,7 +505,7 @@ class Objective4(TypedDict):
     options: List[str]
     """Names of the request's fields that change the solution."""
     source: str
-    """Author, section, equation."""
+    """Author, section and equation."""
     unit: str
     """Unit of the objective's value, where `u` is the client's unit."""
 
@@ -508,16 +519,17 @@ class OutOfRange(TypedDict):
     length: float
     vertices: List[int]
     why: str
-    """`short_side`, `sharp_corner`, `narrow`, `curvature`, `optimised` or `unfinished`."""
+    """Reason: `short_side`, `sharp_corner`, `narrow`, `curvature`, `optimised` or `unfinished`."""
 
 
 class Pinch(TypedDict):
     """A change of topology."""
     iteration: int
     place: List[float]
-    """Where it happened, in the request's unit and axes."""
+    """Place of the change in the request's unit and axes."""
     what: str
-    """`split` (a component became two), `handle_cut` (it stayed one), `closed_component_removed`."""
+    """Kind of the change: `split` (a component became two), `handle_cut` (it stayed one) or
+    `closed_component_removed`."""
 
 
 class Problem(TypedDict):
@@ -530,10 +542,10 @@ class Problem(TypedDict):
     instance: str
     """Path of the request."""
     status: int
-    """The HTTP status, repeated."""
+    """HTTP status of the response."""
     title: str
     type: str
-    """A URI reference that names the kind of problem; stable."""
+    """Stable URI reference that identifies the kind of problem."""
 
 
 class Progress(TypedDict):
@@ -548,13 +560,13 @@ class Progress(TypedDict):
 
 
 class Resolution(TypedDict):
-    """Resolution of the mesh: exactly one of the three fields."""
+    """Resolution of the mesh, given by exactly one of the three fields."""
     edge_length: NotRequired[float]
-    """Mean edge length, in the request's unit."""
+    """Mean edge length in the request's unit."""
     interior_vertices: NotRequired[int]
     """Number of vertices that are not on the boundary."""
     triangles: NotRequired[int]
-    """Number of triangles: exact for `rings` with `keep`, else within 10%."""
+    """Number of triangles. It is exact for `rings` with `keep`, and otherwise met within 10%."""
 
 
 class RuledStatistics(TypedDict):
@@ -563,29 +575,34 @@ class RuledStatistics(TypedDict):
     bending_energy: float
     bridges: int
     comparison: NotRequired[Optional[List[Comparison]]]
-    """With `all_objectives`: the statistics of each objective's optimum (Wang-Tang's Table 1); otherwise null."""
+    """Statistics of each objective's optimum (Wang-Tang's Table 1). Null without `all_objectives`."""
     convex_bridge_ratio: float
     convex_bridges: int
     """Number of bridges that are locally convex."""
     developability_deviation_deg: float
-    """Largest angle between the normals of neighbouring triangles at bridges that are not locally convex: 0 for a
-    strip that can be developed."""
+    """Largest angle between the normals of neighbouring triangles at bridges that are not locally convex. It is 0 for
+    a strip that can be developed."""
     flat_pattern: NotRequired[Optional[FlatPatternStatistics]]
-    """Null for closed strips, which do not unroll."""
+    """Null for closed strips, which cannot be unrolled."""
     largest_fold_deg: float
     """Largest angle between the normals of neighbouring triangles."""
     longest_bridge: float
     mean_curvature_variation: float
     normal_variation: NotRequired[Optional[float]]
-    """Value of `minimal_normal_variation`; null without normals."""
+    """Value of `minimal_normal_variation`. Null without normals."""
     objective: str
-    """Name of the objective; `weighted` for a weighted sum."""
+    """Name of the objective, or `weighted` for a weighted sum."""
     objective_value: float
     """Value of the objective. For `maximal_convexity` it is the number of convex bridges."""
     reversed: List[bool]
     """For each directrix, whether `direction: auto` reversed it."""
     secondary_value: NotRequired[Optional[float]]
-    """Value of the secondary objective; null without one."""
+    """Value of the secondary objective. Null without one."""
+    self_intersections: NotRequired[Optional[int]]
+    """Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
+    mesh. Null if not all pairs were looked at."""
+    self_intersections_skipped: NotRequired[Optional[str]]
+    """Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`."""
     shortest_bridge: float
     strips: List[StripStatistics]
     """Statistics of each strip, in order."""
@@ -597,7 +614,7 @@ class RuledStatistics(TypedDict):
 
 
 class RuledSurfaceRequest(TypedDict):
-    """Two or more directrices; every neighbouring pair is one strip, all strips one mesh."""
+    """Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh."""
     all_objectives: NotRequired[bool]
     """Solve for every objective and add the comparison to the statistics."""
     cache: NotRequired[Cache]
@@ -606,29 +623,31 @@ class RuledSurfaceRequest(TypedDict):
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
     caps: NotRequired[Caps]
-    """How the ends of a closed stack are closed."""
+    """Treatment of the ends of a closed stack: open, or closed by flat caps."""
     closed: NotRequired[bool]
     """Whether the directrices are closed polygons (which do not repeat their first point)."""
     convexity_tolerance_deg: NotRequired[float]
-    """Tolerance of the test for local convexity: angle in degrees by which a direction may reach beyond the
+    """Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
     half-plane. 0 is the exact test."""
     direction: NotRequired[Direction]
-    """`auto` reverses a directrix if that improves the objective; the statistics name the reversed ones. `as_given`
-    reverses none."""
+    """`auto` reverses a directrix if that improves the objective, and the statistics list the reversed directrices.
+    `as_given` reverses none."""
     directrices: Sequence[Sequence[Sequence[float]]]
-    """Polylines in order; one point alone is an apex."""
+    """Polylines in order. A single point is an apex."""
     kind: NotRequired[Optional[RuledSurfaceKind]]
     """Optional here, because the path names the kind. `plateau solve` needs it."""
     normals: NotRequired[Optional[Sequence[Sequence[Sequence[float]]]]]
-    """Surface normals along the directrices, in their shape; `minimal_normal_variation` needs them."""
+    """Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
+    them."""
     objective: NotRequired[Goal]
     """One of the named objectives, or a weighted sum of them."""
     sampling: NotRequired[Optional[Sampling]]
-    """Resample the directrices before solving; as given by default."""
+    """Rule by which the directrices are resampled before solving. If null, they are used as given."""
     secondary_objective: NotRequired[Optional[SecondaryObjective]]
-    """Only with `maximal_convexity`: objective that decides among the strips with the most convex bridges."""
+    """Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`."""
     tangents: NotRequired[Optional[Sequence[Sequence[Sequence[float]]]]]
-    """Tangents along the directrices, in their shape; fitted if not given."""
+    """Tangents along the directrices, with the same shape as `directrices`. If null, they are estimated from the
+    points."""
     units: NotRequired[Units]
     """Unit of the coordinates."""
     up: NotRequired[UpAxis]
@@ -636,44 +655,47 @@ class RuledSurfaceRequest(TypedDict):
 
 
 class Sampling(TypedDict):
-    """A rule by which every directrix is resampled. `extras.input_vertices` then maps each given point to the nearest
-    sample."""
+    """Rule by which every directrix is resampled. `extras.input_vertices` of the mesh then maps each given point to the
+    nearest sample."""
     by: SamplingRule
     samples: NotRequired[Optional[int]]
-    """Points of each directrix; with `chord_height` the most that are kept, all that are needed by default."""
+    """Number of points of each directrix. With `chord_height` it is the largest number of points that are kept; null
+    then keeps all points that the tolerance requires."""
     tolerance: NotRequired[Optional[float]]
-    """With `chord_height`: how far, in the request's unit, the kept points' chords may stray from the polyline."""
+    """Largest distance, in the request's unit, between the polyline and the chords of the kept points. It is used only
+    with `chord_height`."""
 
 
 class SharedLengths(TypedDict):
     """Deviation of the members for one number of distinct lengths."""
     deviation: float
-    """Largest difference between a member and the length that stands for it."""
+    """Largest difference between a member's length and the shared length that replaces it."""
     deviation_before: float
-    """Largest difference before the nodes moved."""
+    """The same difference before the nodes moved."""
     lengths: int
 
 
 class Spanning(TypedDict):
-    """With `topology: best`: the films over the boundaries that were compared."""
+    """Comparison of the ways to span the boundaries, made with `topology: best`."""
     connected_film_exists: bool
-    """Whether a film that connects all boundaries holds."""
+    """Whether a film that connects all boundaries exists."""
     largest_gap_fraction: NotRequired[Optional[float]]
-    """Of two boundaries without a connected film: the largest fraction of their gap at which one holds."""
+    """For two boundaries without a connected film, the largest fraction of their gap at which a connected film exists."""
     topologies: List[SpanningTopology]
-    """The topologies by area; those without a film are last."""
+    """The topologies in order of area. Topologies without a film are last."""
 
 
 class SpanningTopology(TypedDict):
     """One way to span the boundaries."""
     area: NotRequired[Optional[float]]
-    """Null if one of the films does not hold."""
+    """Total area. Null if one of the films does not exist."""
     chosen: bool
     """Whether this topology was returned."""
     films: List[List[int]]
-    """The sets of boundaries, by their numbers, that a connected film spans each."""
+    """Sets of boundaries by their numbers. A connected film spans each set."""
     films_cross: bool
-    """Whether two of its films pass through each other, so that no soap film takes this shape."""
+    """Whether its films pass through each other or themselves, so that no soap film takes this shape. Such a topology comes
+    after all others."""
     stability: NotRequired[Optional[Stability]]
 
 
@@ -686,33 +708,34 @@ class Spread(TypedDict):
 
 
 class Stability(TypedDict):
-    """The second variation of area under normal motion."""
+    """Second variation of area under normal motion."""
     lowest_eigenvalue: float
-    """Against the lumped mass, 1/unit²."""
+    """Lowest eigenvalue with respect to the lumped mass, in 1/unit²."""
     method: str
-    """Where the index comes from: `inertia` (exact) or `eigenvalue` (large meshes; the index is then 0)."""
+    """Method that gave the index: `inertia` (exact) or `eigenvalue` (large meshes; the index is then 0)."""
     morse_index: int
     """Number of negative eigenvalues."""
     stable: bool
-    """Whether the Morse index is 0: a true local minimum, a physical soap film."""
+    """Whether the Morse index is 0. The surface is then a true local minimum, like a physical soap film."""
 
 
 class Stage(TypedDict):
-    """A row pair of Katoh, Ohsaki and Xu's Table 1."""
+    """One stage of the computation: a pair of rows of Katoh, Ohsaki and Xu's Table 1."""
     all: StageGroup
     lattice: NotRequired[Optional[StageGroup]]
     """Null for the auxiliary triangulation."""
     name: str
-    """`auxiliary_surface`, `auxiliary_plane`, `plane`, `surface`, `optimised_nodes` or `shared_lengths`."""
+    """Name of the stage: `auxiliary_surface`, `auxiliary_plane`, `plane`, `surface`, `optimised_nodes` or
+    `shared_lengths`."""
 
 
 class StageGroup(TypedDict):
     """One group of members at one stage."""
     count: int
     distinct_lengths: int
-    """The least number of lengths for all of them, those of one kind differing by at most the tolerance."""
+    """Smallest number of lengths for all members if lengths that differ by at most the tolerance count as one."""
     equal_edges: int
-    """Members within the tolerance of the edge length."""
+    """Number of members within the tolerance of the edge length."""
     max: float
     mean: float
     min: float
@@ -720,8 +743,8 @@ class StageGroup(TypedDict):
 
 
 class StripStatistics(TypedDict):
-    """Statistics of one strip, or of all strips of a stack together.
-    Lengths in the request's unit, areas in its square, angles in degrees."""
+    """Statistics of one strip, or of all strips of a stack together. Lengths are in the request's unit, areas in its
+    square, and angles in degrees."""
     area: float
     bending_energy: float
     bridges: int
@@ -729,28 +752,43 @@ class StripStatistics(TypedDict):
     convex_bridges: int
     """Number of bridges that are locally convex."""
     developability_deviation_deg: float
-    """Largest angle between the normals of neighbouring triangles at bridges that are not locally convex: 0 for a
-    strip that can be developed."""
+    """Largest angle between the normals of neighbouring triangles at bridges that are not locally convex. It is 0 for
+    a strip that can be developed."""
     largest_fold_deg: float
     """Largest angle between the normals of neighbouring triangles."""
     longest_bridge: float
     mean_curvature_variation: float
     normal_variation: NotRequired[Optional[float]]
-    """Value of `minimal_normal_variation`; null without normals."""
+    """Value of `minimal_normal_variation`. Null without normals."""
     objective_value: float
     """Value of the objective. For `maximal_convexity` it is the number of convex bridges."""
     secondary_value: NotRequired[Optional[float]]
-    """Value of the secondary objective; null without one."""
+    """Value of the secondary objective. Null without one."""
     shortest_bridge: float
     total_normal_twist: float
     """Sum of 1 - n_p·n_q over the bridges (Wang-Tang, eq. 4)."""
     triangles: int
 
 
+class SurfaceFit(TypedDict):
+    """The mesh beside the curved surface that it stands for. All nodes lie on the surface."""
+    area: float
+    """The surface's own area."""
+    area_error: float
+    """The mesh's area less the surface's, relative to the surface's."""
+    distance_max: float
+    """Largest distance from the middle of a triangle to the surface."""
+    method: str
+    """`flattened`: laid into the plane, meshed there and carried back. `on_surface`: meshed on the surface itself, because
+    it cannot be laid into the plane with a bounded distortion."""
+    normal_deviation_max_deg: float
+    """Largest angle between the normals of a triangle and of the surface below its middle."""
+
+
 class UniformMeshRequest(TypedDict):
-    """A domain, and the edge length of its mesh."""
+    """A domain and the edge length of its mesh."""
     auxiliary_grid: NotRequired[Sequence[int]]
-    """Rectangles along u and v of the auxiliary triangulation of a patch."""
+    """Number of rectangles along u and v in the auxiliary triangulation of a patch."""
     cache: NotRequired[Cache]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: NotRequired[Optional[str]]
@@ -758,20 +796,22 @@ class UniformMeshRequest(TypedDict):
     `webhooks` of `GET /v1/limits`."""
     domain: Domain
     edge_length: float
-    """ℓ: the length of as many members as possible, and the least length of all, in the request's unit."""
+    """Edge length ℓ in the request's unit: the length of as many members as possible, and the smallest length of all
+    members."""
     kind: NotRequired[Optional[UniformMeshKind]]
     """Optional here, because the path names the kind. `plateau solve` needs it."""
     length_tolerance: NotRequired[Optional[float]]
-    """Lengths that differ by no more are equal, in the request's unit; null: a thousandth of the edge length."""
+    """Largest difference between lengths that count as equal, in the request's unit. Null means a thousandth of the
+    edge length."""
     max_distinct_lengths: NotRequired[Optional[int]]
-    """With `optimise: lengths`: how many lengths may stand for all members."""
+    """Largest number of different member lengths. It is used only with `optimise: lengths`."""
     objective: NotRequired[Objective3]
     optimise: NotRequired[Optimise]
     """Aim of moving the nodes."""
     optimise_nodes: NotRequired[bool]
     """Whether the inner nodes of a curved domain move on the surface after meshing."""
     rim: NotRequired[Rim]
-    """What the members outside the lattice group may do while nodes move."""
+    """Lengths that members outside the lattice group may take while the nodes move."""
     units: NotRequired[Units]
     """Unit of the coordinates."""
     up: NotRequired[UpAxis]
@@ -779,34 +819,44 @@ class UniformMeshRequest(TypedDict):
 
 
 class UniformStatistics(TypedDict):
-    """Statistics of a uniform mesh. Lengths in the request's unit, angles in degrees."""
+    """Statistics of a uniform mesh. Lengths are in the request's unit, and angles are in degrees."""
     angles_deg: AngleRange
     converged: bool
+    """False if the deadline cut the work short, or if the surface is curved too strongly for this edge length: the area is
+    off by more than 1%, a triangle faces away, or edges or angles are far out of range. `not_converged` says by how much."""
     distinct_lengths: int
     edge_lengths: Spread
     edges: int
     equal_edges: int
-    """Members within the tolerance of the edge length."""
+    """Number of members within the tolerance of the edge length."""
     lattice_edges: GroupLengths
-    """Members of the lattice."""
+    """Lengths of the members of the lattice."""
     length_histogram: LengthHistogram
     length_tolerance: float
     """Tolerance of `equal_edges` and `distinct_lengths`."""
     node_lower_bound: NotRequired[Optional[int]]
-    """Polygons: no mesh with members of at most twice the edge length has fewer nodes. Null for curved domains."""
+    """For polygons, a lower bound of the number of nodes of any mesh with members of at most twice the edge length.
+    Null for curved domains."""
     nodes: int
     objective: str
     objective_value: int
-    """Nodes for `fewest_nodes`, lattice edges for `most_equal_edges`."""
+    """Number of nodes for `fewest_nodes`, and number of lattice edges for `most_equal_edges`."""
     out_of_range: List[OutOfRange]
     """The first 200 members that are out of range."""
     out_of_range_edges: int
     out_of_range_reasons: Dict[str, int]
     """Number of members that are out of range, for each reason."""
+    self_intersections: NotRequired[Optional[int]]
+    """Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded mesh.
+    Null if not all pairs were looked at."""
+    self_intersections_skipped: NotRequired[Optional[str]]
+    """Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`."""
     shared_lengths: List[SharedLengths]
-    """With `optimise: lengths`: deviation against the number of lengths, as far as it was tried."""
+    """With `optimise: lengths`, the deviation for each number of lengths that was tried."""
     stages: List[Stage]
     """Rows of Katoh, Ohsaki and Xu's Table 1, stage by stage."""
+    surface: NotRequired[Optional[SurfaceFit]]
+    """Curved domains: the mesh beside its surface. Null for polygons."""
     triangles: int
     valence_histogram: List[int]
     """Entry k is the number of nodes with k members."""
@@ -815,12 +865,12 @@ class UniformStatistics(TypedDict):
 class WeightedSum(TypedDict):
     """The sum of the named objectives times their weights."""
     normalise: NotRequired[bool]
-    """Divide each term by its own optimum on the strip first: they have different units."""
+    """Whether each term is first divided by its own optimum on the strip, because the terms have different units."""
     weights: Weights
 
 
 class Weights(TypedDict):
-    """At least one must be positive. `minimal_normal_variation` needs `normals`."""
+    """Weights of the objectives. At least one must be positive. `minimal_normal_variation` requires `normals`."""
     minimal_area: NotRequired[float]
     minimal_bending_energy: NotRequired[float]
     minimal_mean_curvature_variation: NotRequired[float]
@@ -829,7 +879,7 @@ class Weights(TypedDict):
 
 
 class RuledSurfaceOptions(TypedDict, total=False):
-    """Two or more directrices; every neighbouring pair is one strip, all strips one mesh."""
+    """Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh."""
     all_objectives: bool
     """Solve for every objective and add the comparison to the statistics."""
     cache: Cache
@@ -838,25 +888,27 @@ class RuledSurfaceOptions(TypedDict, total=False):
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
     caps: Caps
-    """How the ends of a closed stack are closed."""
+    """Treatment of the ends of a closed stack: open, or closed by flat caps."""
     closed: bool
     """Whether the directrices are closed polygons (which do not repeat their first point)."""
     convexity_tolerance_deg: float
-    """Tolerance of the test for local convexity: angle in degrees by which a direction may reach beyond the
+    """Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
     half-plane. 0 is the exact test."""
     direction: Direction
-    """`auto` reverses a directrix if that improves the objective; the statistics name the reversed ones. `as_given`
-    reverses none."""
+    """`auto` reverses a directrix if that improves the objective, and the statistics list the reversed directrices.
+    `as_given` reverses none."""
     normals: Optional[Sequence[Sequence[Sequence[float]]]]
-    """Surface normals along the directrices, in their shape; `minimal_normal_variation` needs them."""
+    """Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
+    them."""
     objective: Goal
     """One of the named objectives, or a weighted sum of them."""
     sampling: Optional[Sampling]
-    """Resample the directrices before solving; as given by default."""
+    """Rule by which the directrices are resampled before solving. If null, they are used as given."""
     secondary_objective: Optional[SecondaryObjective]
-    """Only with `maximal_convexity`: objective that decides among the strips with the most convex bridges."""
+    """Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`."""
     tangents: Optional[Sequence[Sequence[Sequence[float]]]]
-    """Tangents along the directrices, in their shape; fitted if not given."""
+    """Tangents along the directrices, with the same shape as `directrices`. If null, they are estimated from the
+    points."""
     units: Units
     """Unit of the coordinates."""
     up: UpAxis
@@ -864,7 +916,7 @@ class RuledSurfaceOptions(TypedDict, total=False):
 
 
 class MinimalSurfaceOptions(TypedDict, total=False):
-    """Boundary polygons and the options of the surface that spans them."""
+    """Boundary polygons, and options for the surface that spans them."""
     area_tolerance: float
     """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop."""
     boundary_curvature: bool
@@ -877,26 +929,28 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     `webhooks` of `GET /v1/limits`."""
     constraints: Constraints
     degenerate_angle_deg: float
-    """`pinkall_polthier` and `topology: free` remove triangles with an angle below this, in degrees. 0 removes none."""
+    """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
+    angle. 0 removes none."""
     fairing_tolerance: Optional[float]
     """Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
     `area_tolerance`."""
     initial_mesh: InitialMesh
     linear_solver: LinearSolver
-    """How `pinkall_polthier` solves its systems."""
+    """Method by which `pinkall_polthier` solves its linear systems."""
     max_iterations: Optional[int]
     """Maximum number of iterations. Null means the solver's default."""
     objective: Objective2
     on_unstable: OnUnstable
     processes: Optional[Sequence[Sequence[Process]]]
-    """Stages of `vertex_relaxation` in order, each repeated until its tolerance. Null means the paper's stages."""
+    """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
+    stages."""
     resolution: Resolution
     seed: int
     """Seed of the choice among the candidate points of `initial_mesh: barycentres`."""
     solver: Solver
-    """How the area is minimised."""
+    """Method that minimises the area."""
     tolerance: float
-    """The residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged."""
+    """Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged."""
     topology: Topology
     units: Units
     """Unit of the coordinates."""
@@ -905,25 +959,26 @@ class MinimalSurfaceOptions(TypedDict, total=False):
 
 
 class UniformMeshOptions(TypedDict, total=False):
-    """A domain, and the edge length of its mesh."""
+    """A domain and the edge length of its mesh."""
     auxiliary_grid: Sequence[int]
-    """Rectangles along u and v of the auxiliary triangulation of a patch."""
+    """Number of rectangles along u and v in the auxiliary triangulation of a patch."""
     cache: Cache
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: Optional[str]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
     length_tolerance: Optional[float]
-    """Lengths that differ by no more are equal, in the request's unit; null: a thousandth of the edge length."""
+    """Largest difference between lengths that count as equal, in the request's unit. Null means a thousandth of the
+    edge length."""
     max_distinct_lengths: Optional[int]
-    """With `optimise: lengths`: how many lengths may stand for all members."""
+    """Largest number of different member lengths. It is used only with `optimise: lengths`."""
     objective: Objective3
     optimise: Optimise
     """Aim of moving the nodes."""
     optimise_nodes: bool
     """Whether the inner nodes of a curved domain move on the surface after meshing."""
     rim: Rim
-    """What the members outside the lattice group may do while nodes move."""
+    """Lengths that members outside the lattice group may take while the nodes move."""
     units: Units
     """Unit of the coordinates."""
     up: UpAxis
