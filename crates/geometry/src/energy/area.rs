@@ -25,7 +25,7 @@
 //! Sources: the gradient is section 2 of Pinkall, Polthier, *Computing Discrete Minimal Surfaces and Their Conjugates*
 //! (1993); the second variation is worked out here and checked against finite differences.
 //!
-//! Two evaluations share the formulas of one triangle ([`Facet`]): the term [`Area`] gives a block of 3 × 3 numbers for
+//! Two evaluations share the formulas of one triangle (`Facet`): the term [`Area`] gives a block of 3 × 3 numbers for
 //! each pair of corners; the fast path for films, `first_variation` and `Pattern::second_variation`, gives one number
 //! for each pair, with every free vertex moving along one direction. One scalar system of the Laplacian's own size is
 //! all that a Newton step then needs.
