@@ -126,6 +126,9 @@ pub(crate) enum Stop {
     Interrupted(Interruption),
 }
 
+/// Is shown the number of each step tried, the places after it and the energy there.
+pub(crate) type Observer<'a, Place> = dyn FnMut(u64, &[Place], f64) + 'a;
+
 /// Lowers the problem's energy from `x`, which must be allowed, until a criterion holds. Returns which, and the energy.
 ///
 /// `observe` is shown the places and the energy after every step tried. Looks at `execution` once a step (one sparse
@@ -134,7 +137,7 @@ pub(crate) fn minimise<const N: usize, P: LeastSquares<N>>(
     problem: &mut P,
     x: &mut Vec<P::Place>,
     criteria: Criteria,
-    observe: &mut dyn FnMut(u64, &[P::Place], f64),
+    observe: &mut Observer<'_, P::Place>,
     execution: &Execution<'_>,
 ) -> (Stop, f64) {
     let mut energy = problem.energy(x);
