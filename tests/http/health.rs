@@ -61,7 +61,8 @@ async fn cancelled_jobs_are_counted_once_whether_they_ran_or_waited() {
     let running: Value = app.post(MINIMAL, &endless_film(0.1)).await.json().await.unwrap();
     while app.get_json(running["links"]["self"].as_str().unwrap()).await["status"] != "running" {}
     let queued: Value = app.post(MINIMAL, &small_film(0.2)).await.json().await.unwrap();
-    for job in [&running, &queued, &running] {
+    // The queued job is cancelled first: the worker would otherwise take it as soon as the running one has stopped.
+    for job in [&queued, &running, &running] {
         app.request(Method::POST, job["links"]["cancel"].as_str().unwrap()).send().await.unwrap();
     }
     // After this job has ended, the worker has finished with the first one.

@@ -1,9 +1,10 @@
 //! A finished mesh beside the surface that it stands for, and whether it may pass for it.
 
 use super::move_nodes::{OnSurface, Sheet};
-use crate::mesh::measure::{angle_range, double_area_vector};
+use crate::mesh::measure::{angles, double_area_vector};
 use crate::uniform_mesh::options::{Optimise, Options, Transition};
 use crate::uniform_mesh::report::{Method, SurfaceFit, UniformMesh, Why};
+use std::collections::HashSet;
 
 /// What a mesh of a curved surface must keep to be called converged.
 struct Limits {
@@ -13,7 +14,7 @@ struct Limits {
     normal: f64,
     /// Members that curvature or the optimisation takes out of [ℓ, 2ℓ] stay within this range, in ℓ.
     lengths: (f64, f64),
-    /// Least inner angle, radians, where no corner of the domain is sharper.
+    /// Least inner angle, radians, of triangles without an edge that the boundary takes out of range.
     angle: f64,
 }
 
@@ -72,11 +73,33 @@ pub(in crate::uniform_mesh) fn shortfall(result: &UniformMesh, options: &Options
     if bounded && high > LIMITS.lengths.1 {
         reasons.push(format!("the longest edge is {high:.2} times the edge length"));
     }
-    let smallest = angle_range(&result.mesh).0;
-    let excused = result.out_of_range.iter().any(|edge| matches!(edge.why, Why::SharpCorner | Why::Narrow));
-    if smallest < LIMITS.angle && !excused {
+    let smallest = smallest_angle(result);
+    // A free transition zone may have any angle too.
+    if options.transition == Transition::Bounded && smallest < LIMITS.angle {
         reasons.push(format!("the smallest angle is {:.2} degrees", smallest.to_degrees()));
     }
     (!reasons.is_empty())
         .then(|| format!("{}: the surface is curved too strongly for this edge length", reasons.join(", ")))
+}
+
+/// Smallest inner angle, in radians, over the triangles without an edge that the boundary takes out of range. The other
+/// triangles lie in a sharp corner, at a short side or in a narrow part of the domain, whose angles they share.
+fn smallest_angle(result: &UniformMesh) -> f64 {
+    let of_boundary = |why: Why| matches!(why, Why::SharpCorner | Why::Narrow | Why::ShortSide);
+    let excused: HashSet<[u32; 2]> = result
+        .out_of_range
+        .iter()
+        .filter(|edge| of_boundary(edge.why))
+        .map(|edge| sorted(result.members[edge.member]))
+        .collect();
+    let judged = result
+        .mesh
+        .triangles
+        .iter()
+        .filter(|&&[a, b, c]| [[a, b], [b, c], [c, a]].into_iter().all(|edge| !excused.contains(&sorted(edge))));
+    judged.flat_map(|&triangle| angles(result.mesh.corners(triangle))).fold(f64::INFINITY, f64::min)
+}
+
+fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
+    [a.min(b), a.max(b)]
 }
