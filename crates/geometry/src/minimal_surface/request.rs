@@ -78,7 +78,7 @@ impl Input {
     }
 
     pub fn merged_points(&self) -> Option<Warning> {
-        let detail = format!("{} points were merged that equal their neighbour, or nearly", self.dropped);
+        let detail = format!("points merged because they equal their neighbour, or nearly: {}", self.dropped);
         (self.dropped > 0).then(|| Warning::new("merged_points", detail))
     }
 

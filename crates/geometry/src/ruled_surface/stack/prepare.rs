@@ -100,7 +100,7 @@ pub(crate) fn prepare(
         if dropped > 0 {
             prepared.warnings.push(Warning::new(
                 "merged_points",
-                format!("directrix {k}: {dropped} points were merged that equal their neighbour, or nearly"),
+                format!("directrix {k}: points merged because they equal their neighbour, or nearly: {dropped}"),
             ));
         }
         let count = directrix.points.len();
