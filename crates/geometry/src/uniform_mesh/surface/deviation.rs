@@ -4,7 +4,7 @@ use super::move_nodes::{OnSurface, Sheet};
 use crate::mesh::measure::{angles, double_area_vector};
 use crate::uniform_mesh::options::{Optimise, Options, Transition};
 use crate::uniform_mesh::report::{Method, SurfaceFit, UniformMesh, Why};
-use std::collections::HashSet;
+use std::collections::BTreeSet;
 
 /// What a mesh of a curved surface must keep to be called converged.
 struct Limits {
@@ -86,7 +86,7 @@ pub(in crate::uniform_mesh) fn shortfall(result: &UniformMesh, options: &Options
 /// triangles lie in a sharp corner, at a short side or in a narrow part of the domain, whose angles they share.
 fn smallest_angle(result: &UniformMesh) -> f64 {
     let of_boundary = |why: Why| matches!(why, Why::SharpCorner | Why::Narrow | Why::ShortSide);
-    let excused: HashSet<[u32; 2]> = result
+    let excused: BTreeSet<[u32; 2]> = result
         .out_of_range
         .iter()
         .filter(|edge| of_boundary(edge.why))
