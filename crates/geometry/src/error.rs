@@ -135,4 +135,16 @@ impl Warning {
     pub fn new(code: &'static str, detail: impl Into<String>) -> Self {
         Self { code, detail: detail.into() }
     }
+
+    /// The warning that `count` points were merged with their neighbours, of the given directrix where there are several
+    /// polylines to choose from.
+    pub(crate) fn merged_points(count: usize, directrix: Option<usize>) -> Self {
+        let place = directrix.map_or(String::new(), |k| format!("directrix {k}: "));
+        let merged = if count == 1 {
+            "1 point was merged with its neighbour, because the two are equal or nearly equal".to_owned()
+        } else {
+            format!("{count} points were merged with their neighbours, because they are equal or nearly equal")
+        };
+        Self::new("merged_points", place + &merged)
+    }
 }

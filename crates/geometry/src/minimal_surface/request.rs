@@ -78,8 +78,7 @@ impl Input {
     }
 
     pub fn merged_points(&self) -> Option<Warning> {
-        let detail = format!("points merged because they equal their neighbour, or nearly: {}", self.dropped);
-        (self.dropped > 0).then(|| Warning::new("merged_points", detail))
+        (self.dropped > 0).then(|| Warning::merged_points(self.dropped, None))
     }
 
     pub fn point_count(&self) -> usize {

@@ -98,10 +98,7 @@ pub(crate) fn prepare(
             execution,
         )?;
         if dropped > 0 {
-            prepared.warnings.push(Warning::new(
-                "merged_points",
-                format!("directrix {k}: points merged because they equal their neighbour, or nearly: {dropped}"),
-            ));
+            prepared.warnings.push(Warning::merged_points(dropped, Some(k)));
         }
         let count = directrix.points.len();
         if options.closed && count == 2 {
