@@ -314,30 +314,19 @@ impl MinimalSurfaceRequest {
         }
         let (boundaries, options) = self.to_geometry();
         geometry::check(&boundaries, &options)?;
-        let estimate = geometry::estimate_triangles(&boundaries, &options);
-        if estimate > limits.triangles as f64 {
-            let detail =
-                format!("asks for about {estimate:.0} triangles, more than this server allows ({})", limits.triangles);
+        let estimate = geometry::estimate(&boundaries, &options);
+        if estimate.triangles > limits.triangles as f64 {
+            let detail = format!(
+                "asks for about {:.0} triangles, more than this server allows ({})",
+                estimate.triangles, limits.triangles
+            );
             return too_many("/resolution", detail);
         }
         Ok(Checked {
-            memory_bytes: self.memory_bytes(estimate),
+            memory_bytes: estimate.bytes,
             quick: false,
             problem: Problem::MinimalSurface { boundaries, options },
         })
-    }
-
-    /// Returns an estimate of the memory that solving takes.
-    fn memory_bytes(&self, triangles: f64) -> u64 {
-        // The figures were measured as the process's peak, including writing the mesh. Area and Dirichlet energy take
-        // at most 650 bytes per triangle (100,000 and 400,000 triangles, every solver). The least squares take 6,740,
-        // because their normal matrix also connects neighbours of neighbours. The margin is for sparse factors, which
-        // grow a little faster than the mesh.
-        let a_triangle = match self.objective {
-            Objective::MinimalArea | Objective::MinimalDirichletEnergy => 1_000.0,
-            Objective::MinimalMeanCurvature => 8_000.0,
-        };
-        (triangles * a_triangle) as u64
     }
 
     /// Converts the request to the geometry's types.

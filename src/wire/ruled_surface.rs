@@ -193,9 +193,6 @@ pub enum Objective {
     MinimalNormalVariation,
 }
 
-/// Memory that each point takes in addition to the solver's own estimate: its triangles, and the archive of both.
-const BYTES_PER_POINT: u64 = 2_000;
-
 impl RuledSurfaceRequest {
     /// Takes the points of a field that was read separately.
     pub(super) fn take(&mut self, list: &PointList) {
@@ -230,7 +227,7 @@ impl RuledSurfaceRequest {
         geometry::check(&directrices, &options)?;
         let points: usize = points.iter().sum();
         Ok(Checked {
-            memory_bytes: estimate.bytes + points as u64 * BYTES_PER_POINT,
+            memory_bytes: estimate.bytes,
             quick: self.is_quick(points, cells),
             problem: Problem::RuledSurface { directrices, options },
         })

@@ -252,17 +252,17 @@ impl UniformMeshRequest {
             _ => {}
         }
         let (domain, options) = self.to_geometry();
-        let estimate = geometry::estimate(&domain, &options)?.triangles;
-        if estimate > limits.triangles as f64 {
+        let estimate = geometry::estimate(&domain, &options)?;
+        if estimate.triangles > limits.triangles as f64 {
             let detail = format!(
-                "asks for up to {estimate:.0} triangles, more than this server allows ({}); see GET /v1/limits",
-                limits.triangles
+                "asks for up to {:.0} triangles, more than this server allows ({}); see GET /v1/limits",
+                estimate.triangles, limits.triangles
             );
             return Err(Rejection::TooLarge(vec![FieldError::new("/edge_length", detail)]));
         }
         geometry::check(&domain, &options)?;
         Ok(Checked {
-            memory_bytes: self.memory_bytes(estimate),
+            memory_bytes: estimate.bytes,
             quick: false,
             problem: Problem::UniformMesh { domain, options },
         })
@@ -290,14 +290,6 @@ impl UniformMeshRequest {
             auxiliary_grid: self.auxiliary_grid,
         };
         (self.domain.to_geometry(), options)
-    }
-
-    /// Returns an estimate of the memory that solving takes. A triangle costs about 600 bytes with its members, their
-    /// lengths and the archive, and on a surface as much again for the sparse factor. The mesh of a film has a bounded
-    /// size.
-    fn memory_bytes(&self, triangles: f64) -> u64 {
-        let a_triangle = if self.domain.polygon.is_some() { 600.0 } else { 1500.0 };
-        (triangles * a_triangle) as u64 + (64 << 20)
     }
 }
 

@@ -47,6 +47,7 @@
 pub mod energy;
 pub mod equilibrium;
 pub mod error;
+mod estimate;
 pub mod execution;
 pub mod mesh;
 pub mod minimal_surface;
@@ -54,13 +55,12 @@ mod plane;
 pub mod polyline;
 pub mod random;
 mod remesh;
-#[allow(missing_docs, reason = "until its items are documented")]
 pub mod ruled_surface;
 mod sparse;
-#[allow(missing_docs, reason = "until its items are documented")]
 pub mod uniform_mesh;
 
 pub use error::{Error, InputError, Place};
+pub use estimate::Estimate;
 pub use execution::{Execution, Interruption, Progress, Signal};
 pub use glam::{DVec2, DVec3};
 pub use mesh::Mesh;

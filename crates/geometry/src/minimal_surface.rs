@@ -49,7 +49,7 @@ mod triple_junction;
 
 pub use crate::remesh::thin_triangles::Pinch;
 pub use curvature::Curvature;
-pub use estimate::estimate_triangles;
+pub use estimate::estimate;
 pub use initial_mesh::InitialMeshKind;
 pub use junction_statistics::JunctionStatistics;
 pub use options::{

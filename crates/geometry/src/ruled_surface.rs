@@ -52,7 +52,6 @@ mod strip;
 pub use graph::rails::Given;
 pub use pattern::flat_strip::FlatStrip;
 pub use pattern::{FlatPattern, strips_of};
-pub use stack::cost::Cost;
 pub use stack::options::{Caps, DEFAULT_CONVEXITY_TOLERANCE, Direction, Options};
 pub use stack::sampling::Sampling;
 pub use stack::surface::{Comparison, RuledSurface};
@@ -60,17 +59,16 @@ pub use strip::Strip;
 pub use strip::objective::{Objective, Secondary, Weights};
 pub use strip::statistics::{CoupledValues, Statistics};
 
-use crate::DVec3;
 use crate::error::Error;
 use crate::execution::{Execution, Progress};
 use crate::mesh::self_intersections::{self, Order};
+use crate::{DVec3, Estimate};
 use graph::convexity::ConvexityTest;
 use graph::corridor::corridor;
 use graph::lanes::Widest;
 use graph::pulse::Pulse;
 use graph::rails::Rails;
 use stack::assemble::assemble;
-use stack::cost::cost;
 use stack::direction::choose_directions;
 use stack::prepare::prepare;
 use stack::{caps, sampling, warnings};
@@ -112,7 +110,7 @@ fn solve_with(
 ) -> Result<RuledSurface, Error> {
     let mut prepared = prepare(directrices, options, options.sampling, execution)?;
     let test = ConvexityTest::new(options.convexity_tolerance);
-    let mut pulse = Pulse::new(execution, cost(&prepared.lengths(), options).cells);
+    let mut pulse = Pulse::new(execution, stack::estimate::estimate(&prepared.lengths(), options).cells);
     let goal = Goal { objective: options.objective, secondary: options.secondary };
     if options.direction == Direction::Auto {
         choose_directions(&mut prepared, goal, test, lanes, &mut pulse)?;
@@ -177,35 +175,39 @@ pub fn check(directrices: &[Vec<DVec3>], options: &Options) -> Result<(), Error>
     prepare(directrices, options, None, &Execution::default()).map(drop)
 }
 
-/// What [`solve`] will take for directrices of so many points; `options.sampling` is applied to them. O(directrices).
+/// What [`solve`] will take for directrices with these numbers of points, to which `options.sampling` is applied.
+/// O(directrices).
+///
+/// The triangles are those of the strips, without caps. An open strip visits exactly as many cells; a closed strip may
+/// need fewer or somewhat more. The memory is an upper bound.
 #[must_use]
-pub fn estimate(points: &[usize], options: &Options) -> Cost {
+pub fn estimate(points: &[usize], options: &Options) -> Estimate {
     let sampled: Vec<usize> = points.iter().map(|&count| sampling::count(count, options.sampling)).collect();
-    cost(&sampled, options)
+    stack::estimate::estimate(&sampled, options)
 }
 
-/// As [`estimate`], for these very directrices: an open strip of least area counts only the cells of the corridor that its
-/// search keeps to, often a thousandth of its grid. Other strips count as in [`estimate`].
+/// As [`estimate`], for these directrices: an open strip of least area counts only the cells of the corridor to which its
+/// search keeps, often a thousandth of its grid. Other strips count as in [`estimate`].
 ///
 /// Finding the corridors takes about the time that the search itself takes, 0.3 s at most for 50,000 points on either side.
 ///
 /// # Errors
 /// The [`Error::Input`] that [`solve`] would begin with; [`Error::Interrupted`].
-pub fn estimate_for(directrices: &[Vec<DVec3>], options: &Options, execution: &Execution<'_>) -> Result<Cost, Error> {
+pub fn estimate_for(directrices: &[Vec<DVec3>], options: &Options, execution: &Execution<'_>) -> Result<Estimate, Error> {
     let prepared = prepare(directrices, options, options.sampling, execution)?;
-    let mut cost = cost(&prepared.lengths(), options);
+    let mut estimate = stack::estimate::estimate(&prepared.lengths(), options);
     let keeps_to_corridor = options.objective == Objective::MinimalArea
         && !options.closed
         && options.direction == Direction::AsGiven
         && !options.all_objectives;
     if keeps_to_corridor {
-        let mut pulse = Pulse::new(execution, cost.cells);
+        let mut pulse = Pulse::new(execution, estimate.cells);
         for strip in prepared.strips().iter().filter(|strip| !strip.has_apex()) {
             let left_out = (strip.m() * strip.n()) as u64 - corridor(strip, &mut pulse)?.cells();
-            cost.cells -= left_out;
+            estimate.cells -= left_out;
         }
     }
-    Ok(cost)
+    Ok(estimate)
 }
 
 #[cfg(test)]

@@ -51,5 +51,5 @@ mod surface;
 
 pub use options::{Domain, Objective, Optimise, Options, Transition};
 pub use report::{LengthsRow, Method, OutOfRange, Statistics, SurfaceFit, UniformMesh, Why};
-pub use solve::{Cost, check, estimate, solve};
+pub use solve::{check, estimate, solve};
 pub use surface::nurbs::Nurbs;

@@ -11,9 +11,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Files and folders of `src`, earliest layer first. A file belongs to the longest entry that its path starts with.
-const LAYERS: [&str; 34] = [
+const LAYERS: [&str; 35] = [
     "execution",
     "error",
+    "estimate",
     "polyline",
     "random",
     "mesh",

@@ -59,6 +59,12 @@ impl Facet {
         let double_area = vector.length().max(LEAST_DOUBLE_AREA * longest).max(f64::MIN_POSITIVE);
         Self { edges, normal: vector / double_area, double_area }
     }
+
+    /// The gradient of the triangle's area with respect to a corner.
+    #[inline]
+    pub fn gradient(&self, corner: usize) -> DVec3 {
+        0.5 * self.normal.cross(self.edges[corner])
+    }
 }
 
 /// Adds the gradient of `tension` times the area.
@@ -66,7 +72,7 @@ pub(crate) fn add_gradient(triangles: &[[u32; 3]], tension: f64, at: &[DVec3], g
     for triangle in triangles {
         let facet = Facet::of(at, triangle);
         for k in 0..3 {
-            gradient[triangle[k] as usize] += 0.5 * tension * facet.normal.cross(facet.edges[k]);
+            gradient[triangle[k] as usize] += tension * facet.gradient(k);
         }
     }
 }

@@ -51,6 +51,14 @@ impl Topology {
         self.from(previous(half_edge))
     }
 
+    /// The ends of an edge of two triangles, the vertex opposite the half-edge and the vertex opposite its twin; `None` on
+    /// the boundary.
+    #[must_use]
+    pub fn hinge(&self, half_edge: u32) -> Option<[u32; 4]> {
+        let twin = self.twin[half_edge as usize];
+        (twin != NONE).then(|| [self.from(half_edge), self.to(half_edge), self.opposite(half_edge), self.opposite(twin)])
+    }
+
     /// The half-edge that runs from one vertex to the other; `None` if no triangle has it.
     #[must_use]
     pub fn half_edge(&self, from: u32, to: u32) -> Option<u32> {
@@ -82,12 +90,7 @@ impl Topology {
     /// [`flip`](Self::flip) keeps the mesh a manifold. Says nothing about shape.
     #[must_use]
     pub fn can_flip(&self, half_edge: u32) -> bool {
-        let twin = self.twin[half_edge as usize];
-        if twin == NONE {
-            return false;
-        }
-        let (c, d) = (self.opposite(half_edge), self.opposite(twin));
-        c != d && !self.are_adjacent(c, d)
+        self.hinge(half_edge).is_some_and(|[_, _, c, d]| c != d && !self.are_adjacent(c, d))
     }
 
     /// Replaces the edge a-b of the triangles (a, b, c) and (b, a, d) by the edge d-c: (d, c, a) and (c, d, b).

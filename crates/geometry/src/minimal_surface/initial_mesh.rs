@@ -13,14 +13,15 @@ mod sampling;
 mod spanning;
 mod strip;
 
-use super::estimate::estimate_triangles;
+use super::estimate::estimate;
 use super::options::{BoundarySampling, InitialMesh, Options, Resolution};
 use crate::error::InputError;
 use crate::mesh::film::Film;
 use crate::mesh::self_intersections::{Order, self_intersections};
+use crate::plane::frame::Frame;
 use crate::{DVec3, Error, Execution, Interruption, Place};
 use barycentres::candidate_mesh;
-use domain::{Frame, Shape};
+use domain::{Shape, best_plane, largest_height};
 use pins::Pins;
 use plane_mesh::PlaneError;
 use spanning::Spanning;
@@ -88,7 +89,7 @@ pub(super) fn build(
     if let Some(seed) = options.barycentres(boundaries.len()) {
         return Ok((whole(barycentres(boundaries, options, seed, exec)?), InitialMeshKind::Barycentres));
     }
-    let Some(frame) = Frame::best(boundaries) else {
+    let Some(frame) = best_plane(boundaries) else {
         return Err(Error::input(Place::field("boundaries"), "all points lie on one line"));
     };
     let attempt = |shape| Spanning { boundaries, shape, constraints, options, exec }.build();
@@ -128,7 +129,7 @@ pub(super) fn build(
         }
         InitialMesh::Disk => curved(),
         InitialMesh::Auto | InitialMesh::Barycentres { .. } | InitialMesh::Given(_) => {
-            let flat = frame.largest_height(boundaries) <= FLAT * extent(boundaries);
+            let flat = largest_height(&frame, boundaries) <= FLAT * extent(boundaries);
             if flat || is_gentle(boundaries, &frame) {
                 match attempt(Shape::Plane(frame))? {
                     Ok(start) if start.film.topology.components() == 1 => return Ok((start, InitialMeshKind::Planar)),
@@ -156,7 +157,7 @@ fn barycentres(boundaries: &[Vec<DVec3>], options: &Options, seed: u64, exec: &E
     let interior_vertices = match options.resolution {
         Resolution::InteriorVertices(count) => count,
         // A disk of m boundary points and n others has m + 2 n - 2 triangles.
-        _ => ((estimate_triangles(boundaries, options) + 2.0 - boundary.len() as f64) / 2.0).round() as usize,
+        _ => ((estimate(boundaries, options).triangles + 2.0 - boundary.len() as f64) / 2.0).round() as usize,
     };
     candidate_mesh(boundary, interior_vertices, seed, exec)
 }

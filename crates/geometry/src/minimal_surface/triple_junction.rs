@@ -25,6 +25,7 @@ use super::options::{Method, Objective, Options, Solver};
 use super::outcome::{ConstraintVertices, MinimalSurface};
 use super::run::{Record, StopReason};
 use super::statistics::{MeanCurvature, Statistics};
+use crate::energy::area::Facet;
 use crate::equilibrium::newton::{Direct, Equations, State, iterate};
 use crate::equilibrium::residual::curvature;
 use crate::equilibrium::{Aim, Body, Frame, Freedom, Motion, Outcome, Settings, stability};
@@ -568,9 +569,7 @@ fn sheet_forces(film: &JunctionFilm, v: u32, [before, after]: [u32; 2], around: 
         loop {
             let triangle = triangles[t];
             let k = triangle.iter().position(|&corner| corner == v)?;
-            let corners = film.corners(triangle);
-            let normal = measure::double_area_vector(corners).normalize_or_zero();
-            force -= 0.5 * normal.cross(corners[(k + 2) % 3] - corners[(k + 1) % 3]);
+            force -= Facet::of(&film.vertices, &triangle).gradient(k);
             spoke = *triangle.iter().find(|&&corner| corner != v && corner != spoke)?;
             if spoke == after {
                 break;

@@ -1,5 +1,6 @@
 //! Orthonormal frames of planes in space.
 
+use super::polygon::doubled_area_vector;
 use crate::polyline::mean;
 use crate::{DVec2, DVec3};
 
@@ -22,10 +23,9 @@ impl Frame {
     pub fn of_loop(points: &[DVec3]) -> Option<Self> {
         let origin = mean(points);
         let size = points.iter().map(|p| (*p - origin).abs().max_element()).fold(0.0, f64::max);
-        let local = |k: usize| (points[k % points.len()] - origin) / size;
-        let normal: DVec3 = (0..points.len()).map(|k| local(k).cross(local(k + 1))).sum();
-        let normal = (normal.length() > SMALLEST_AREA_VECTOR).then(|| normal.normalize())?;
-        let edge = local(1) - local(0);
+        let area_vector = doubled_area_vector(points);
+        let normal = (area_vector.length() > SMALLEST_AREA_VECTOR * size * size).then(|| area_vector.normalize())?;
+        let edge = (points[1] - points[0]) / size;
         // A first side along the normal is noise; any direction in the plane serves then.
         let x = (edge - normal * normal.dot(edge)).try_normalize().unwrap_or_else(|| normal.any_orthonormal_vector());
         Some(Self { origin, x, y: normal.cross(x), normal })
@@ -45,6 +45,16 @@ impl Frame {
     /// The direction in space that has these coordinates.
     pub fn direction(&self, p: DVec2) -> DVec3 {
         p.x * self.x + p.y * self.y
+    }
+
+    /// The coordinates of the foot of a point in the plane.
+    pub fn project(&self, point: DVec3) -> DVec2 {
+        self.coordinates(point - self.origin)
+    }
+
+    /// The point of the plane that has these coordinates.
+    pub fn lift(&self, p: DVec2) -> DVec3 {
+        self.origin + p.x * self.x + p.y * self.y
     }
 
     /// Distance of a point from the plane.

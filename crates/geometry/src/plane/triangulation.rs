@@ -1,4 +1,5 @@
-//! A constrained Delaunay triangulation of one region of the plane that takes new points inside.
+//! Constrained Delaunay triangulations of a region of the plane: [`triangles_inside`] makes the triangles once, and a
+//! [`Triangulation`] takes new points inside.
 //!
 //! The first triangulation comes from spade; from then on it is a plain array of triangles in which a point is inserted
 //! by splitting and flipping (Lawson) in constant time on average, because farthest-point insertion always knows the
@@ -9,8 +10,8 @@
 use crate::DVec2;
 use crate::mesh::topology::{NONE, next, previous};
 use robust::{Coord, incircle, orient2d};
-use spade::handles::FixedVertexHandle;
-use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation as _};
+use spade::handles::{DirectedEdgeHandle, FixedVertexHandle};
+use spade::{CdtEdge, ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 use std::collections::VecDeque;
 
 fn coord(p: DVec2) -> Coord<f64> {
@@ -22,15 +23,8 @@ pub(crate) fn side(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     orient2d(coord(a), coord(b), coord(c))
 }
 
-/// A point and its index among the caller's points; spade keeps both together.
-struct Site(DVec2);
-
-impl HasPosition for Site {
-    type Scalar = f64;
-    fn position(&self) -> Point2<f64> {
-        Point2::new(self.0.x, self.0.y)
-    }
-}
+/// An edge of the first triangulation, with a direction.
+type Edge<'a> = DirectedEdgeHandle<'a, Point2<f64>, (), CdtEdge<()>, ()>;
 
 /// What a constraint separates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,6 +69,131 @@ pub(crate) struct Triangulation {
     stack: Vec<u32>,
 }
 
+/// The triangles of the constrained Delaunay triangulation of the points that lie inside an odd number of the outlines,
+/// counter-clockwise, in the triangulation's order. Slits are edges that the triangles must have. O(n log n).
+///
+/// # Errors
+/// What is wrong with the constraints. Outlines must be disjoint simple loops, in any direction and nested in any way.
+pub(crate) fn triangles_inside(points: &[DVec2], constraints: &[Constraint]) -> Result<Vec<[u32; 3]>, Tangle> {
+    let faces = Faces::of(points, constraints)?;
+    let is_inside = |label: Option<Label>| label.is_some_and(|label| label.depth % 2 == 1);
+    // An outline that touches another one, or is given twice, does not separate inside from outside.
+    let separates = |c: &&Constraint| is_inside(faces.left_of(c)) != is_inside(faces.right_of(c));
+    if let Some(c) = constraints.iter().filter(|c| c.border == Border::Outline).find(|c| !separates(c)) {
+        return Err(Tangle::WrongSide { from: c.from, to: c.to });
+    }
+    let inside = faces.cdt.inner_faces().filter(|face| is_inside(faces.label[face.fix().index()]));
+    Ok(inside.map(|face| face.vertices().map(|vertex| vertex.fix().index() as u32)).collect())
+}
+
+/// Where a face of the first triangulation lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Label {
+    /// Number of outlines around the face.
+    depth: u32,
+    /// Whether the face lies in the lattice.
+    lattice: bool,
+}
+
+/// The first triangulation of the whole convex hull, and where each of its faces lies.
+struct Faces {
+    cdt: ConstrainedDelaunayTriangulation<Point2<f64>>,
+    label: Vec<Option<Label>>,
+}
+
+impl Faces {
+    /// # Errors
+    /// [`Tangle`], except that a loop on the wrong side is not noticed.
+    fn of(points: &[DVec2], constraints: &[Constraint]) -> Result<Self, Tangle> {
+        let mut order: Vec<u32> = (0..points.len() as u32).collect();
+        let key = |v: u32| (points[v as usize].x, points[v as usize].y);
+        order.sort_unstable_by(|&a, &b| {
+            key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal).then(a.cmp(&b))
+        });
+        if let Some(pair) = order.windows(2).find(|pair| points[pair[0] as usize] == points[pair[1] as usize]) {
+            return Err(Tangle::Coincident(pair[0], pair[1]));
+        }
+        let mut crossing = None;
+        let edges = constraints.iter().map(|c| [c.from as usize, c.to as usize]).collect();
+        // Spade refuses coordinates of less than 1e-142, so they become 0.
+        let sites = points.iter().map(|p| spade::mitigate_underflow(Point2::new(p.x, p.y))).collect();
+        let cdt = ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(sites, edges, |edge| {
+            crossing.get_or_insert(edge);
+        })
+        .map_err(|_| Tangle::OutOfRange)?;
+        if let Some([from, to]) = crossing {
+            return Err(Tangle::Crossing { from: from as u32, to: to as u32 });
+        }
+        if cdt.num_vertices() != points.len() {
+            return Err(Tangle::OutOfRange);
+        }
+        // An edge that runs through a point is split there, so the triangulation lacks it.
+        let is_missing = |c: &&Constraint| directed(&cdt, c).is_none_or(|edge| !edge.is_constraint_edge());
+        if let Some(c) = constraints.iter().find(is_missing) {
+            return Err(Tangle::Crossing { from: c.from, to: c.to });
+        }
+        let label = labels(&cdt, constraints);
+        Ok(Self { cdt, label })
+    }
+
+    fn left_of(&self, c: &Constraint) -> Option<Label> {
+        directed(&self.cdt, c).and_then(|edge| self.label[edge.face().fix().index()])
+    }
+
+    fn right_of(&self, c: &Constraint) -> Option<Label> {
+        directed(&self.cdt, c).and_then(|edge| self.label[edge.rev().face().fix().index()])
+    }
+}
+
+/// The constraint as an edge of the triangulation; `None` if it runs through a point.
+fn directed<'a>(cdt: &'a ConstrainedDelaunayTriangulation<Point2<f64>>, c: &Constraint) -> Option<Edge<'a>> {
+    let [from, to] = [c.from, c.to].map(|v| FixedVertexHandle::from_index(v as usize));
+    cdt.get_edge_from_neighbors(from, to)
+}
+
+/// Where each face lies, found from the convex hull inwards.
+fn labels(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>, constraints: &[Constraint]) -> Vec<Option<Label>> {
+    let mut borders: Vec<_> = constraints.iter().map(|c| ((c.from.min(c.to), c.from.max(c.to)), c.border)).collect();
+    borders.sort_unstable_by_key(|&(ends, _)| ends);
+    let border_of = |edge: &Edge<'_>| {
+        let [a, b] = [edge.from(), edge.to()].map(|vertex| vertex.fix().index() as u32);
+        borders.binary_search_by_key(&(a.min(b), a.max(b)), |&(ends, _)| ends).ok().map(|k| borders[k].1)
+    };
+    let mut label: Vec<Option<Label>> = vec![None; cdt.num_all_faces()];
+    label[cdt.outer_face().fix().index()] = Some(Label { depth: 0, lattice: false });
+    // One region is filled completely before the next border is crossed: a face beyond a crossing that has no label yet
+    // then belongs to a region that was not reached before, one level further in.
+    let mut within: Vec<_> = cdt.convex_hull().flat_map(|edge| [edge, edge.rev()]).collect();
+    let mut crossings = VecDeque::new();
+    loop {
+        let (edge, border) = match within.pop() {
+            Some(edge) if edge.is_constraint_edge() => match border_of(&edge) {
+                Some(border @ (Border::Outline | Border::Lattice)) => {
+                    crossings.push_back((edge, border));
+                    continue;
+                }
+                border => (edge, border),
+            },
+            Some(edge) => (edge, None),
+            None => match crossings.pop_front() {
+                Some((edge, border)) => (edge, Some(border)),
+                None => return label,
+            },
+        };
+        let (Some(here), None) = (label[edge.face().fix().index()], label[edge.rev().face().fix().index()]) else {
+            continue;
+        };
+        let there = match border {
+            Some(Border::Outline) => Label { depth: here.depth + 1, ..here },
+            Some(Border::Lattice) => Label { lattice: !here.lattice, ..here },
+            Some(Border::Slit) | None => here,
+        };
+        let Some(face) = edge.rev().face().as_inner() else { continue };
+        label[face.fix().index()] = Some(there);
+        within.extend(face.adjacent_edges());
+    }
+}
+
 /// Where the straight way from a triangle to a point ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sight {
@@ -91,87 +210,15 @@ impl Triangulation {
     /// # Errors
     /// What is wrong with the constraints. Outlines must be disjoint simple loops.
     pub fn build(points: Vec<DVec2>, constraints: &[Constraint]) -> Result<Self, Tangle> {
-        let mut order: Vec<u32> = (0..points.len() as u32).collect();
-        let key = |v: u32| (points[v as usize].x, points[v as usize].y);
-        order.sort_unstable_by(|&a, &b| {
-            key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal).then(a.cmp(&b))
-        });
-        if let Some(pair) = order.windows(2).find(|pair| points[pair[0] as usize] == points[pair[1] as usize]) {
-            return Err(Tangle::Coincident(pair[0], pair[1]));
+        let faces = Faces::of(&points, constraints)?;
+        let wrong_side = |c: &&Constraint| c.border == Border::Outline && faces.left_of(c).is_none_or(|l| l.depth != 1);
+        if let Some(c) = constraints.iter().find(wrong_side) {
+            return Err(Tangle::WrongSide { from: c.from, to: c.to });
         }
-        let mut crossing = None;
-        let edges = constraints.iter().map(|c| [c.from as usize, c.to as usize]).collect();
-        let sites = points.iter().map(|&p| Site(p)).collect();
-        let cdt = ConstrainedDelaunayTriangulation::<Site>::try_bulk_load_cdt(sites, edges, |edge| {
-            crossing.get_or_insert(edge);
-        })
-        .map_err(|_| Tangle::OutOfRange)?;
-        if let Some([from, to]) = crossing {
-            return Err(Tangle::Crossing { from: from as u32, to: to as u32 });
-        }
-        let mut border: Vec<_> = constraints.iter().map(|c| ((c.from.min(c.to), c.from.max(c.to)), c.border)).collect();
-        border.sort_unstable_by_key(|&(ends, _)| ends);
-        let find = |a: u32, b: u32| {
-            border.binary_search_by_key(&(a.min(b), a.max(b)), |&(ends, _)| ends).ok().map(|k| border[k].1)
-        };
-
-        #[derive(Clone, Copy, PartialEq)]
-        struct Label {
-            depth: u32,
-            lattice: bool,
-        }
-        let mut label: Vec<Option<Label>> = vec![None; cdt.num_all_faces()];
-        let outer = cdt.outer_face().fix();
-        label[outer.index()] = Some(Label { depth: 0, lattice: false });
-        // One region is filled completely before the next border is crossed: a face beyond a crossing that has no label yet
-        // then belongs to a region that nobody has seen, one level further in.
-        let mut within: Vec<_> = cdt.convex_hull().flat_map(|edge| [edge, edge.rev()]).collect();
-        let mut crossings = VecDeque::new();
-        loop {
-            let (edge, border) = match (within.pop(), crossings.is_empty()) {
-                (Some(edge), _) if edge.is_constraint_edge() => {
-                    let (a, b) = (edge.from().fix().index() as u32, edge.to().fix().index() as u32);
-                    // A constraint that nobody asked for: spade split one at a point lying on it.
-                    let Some(border) = find(a, b) else { return Err(Tangle::Crossing { from: a, to: b }) };
-                    if border != Border::Slit {
-                        crossings.push_back((edge, border));
-                        continue;
-                    }
-                    (edge, Some(Border::Slit))
-                }
-                (Some(edge), _) => (edge, None),
-                (None, false) => match crossings.pop_front() {
-                    Some((edge, border)) => (edge, Some(border)),
-                    None => break,
-                },
-                (None, true) => break,
-            };
-            let (Some(here), None) = (label[edge.face().fix().index()], label[edge.rev().face().fix().index()]) else {
-                continue;
-            };
-            let there = match border {
-                Some(Border::Outline) => Label { depth: here.depth + 1, ..here },
-                Some(Border::Lattice) => Label { lattice: !here.lattice, ..here },
-                Some(Border::Slit) | None => here,
-            };
-            let Some(face) = edge.rev().face().as_inner() else { continue };
-            label[face.fix().index()] = Some(there);
-            within.extend(face.adjacent_edges());
-        }
-        for c in constraints {
-            let handle = |v: u32| FixedVertexHandle::from_index(v as usize);
-            let Some(edge) = cdt.get_edge_from_neighbors(handle(c.from), handle(c.to)) else {
-                return Err(Tangle::Crossing { from: c.from, to: c.to });
-            };
-            let depth = label[edge.face().fix().index()].map_or(0, |l| l.depth);
-            if !edge.is_constraint_edge() || (c.border == Border::Outline && depth != 1) {
-                return Err(Tangle::WrongSide { from: c.from, to: c.to });
-            }
-        }
-
-        let inside = |face: usize| label[face] == Some(Label { depth: 1, lattice: false });
+        let cdt = &faces.cdt;
+        let inside = |face: usize| faces.label[face] == Some(Label { depth: 1, lattice: false });
         // Numbered by their corners, not in spade's order, which a turned or scaled input changes.
-        let mut faces: Vec<([u32; 3], usize)> = cdt
+        let mut numbered: Vec<([u32; 3], usize)> = cdt
             .inner_faces()
             .filter(|face| inside(face.fix().index()))
             .map(|face| {
@@ -181,12 +228,12 @@ impl Triangulation {
                 (corners, face.fix().index())
             })
             .collect();
-        faces.sort_unstable();
+        numbered.sort_unstable();
         let mut number = vec![NONE; cdt.num_all_faces()];
-        for (t, &(_, face)) in faces.iter().enumerate() {
+        for (t, &(_, face)) in numbered.iter().enumerate() {
             number[face] = t as u32;
         }
-        let corners: Vec<[u32; 3]> = faces.into_iter().map(|(corners, _)| corners).collect();
+        let corners: Vec<[u32; 3]> = numbered.into_iter().map(|(corners, _)| corners).collect();
         let mut twin = vec![[NONE; 3]; corners.len()];
         for face in cdt.inner_faces().filter(|face| inside(face.fix().index())) {
             let t = number[face.fix().index()];

@@ -43,13 +43,8 @@ pub(crate) fn flip_to_delaunay(film: &mut Film) -> u64 {
 }
 
 fn wants_flip(film: &Film, h: u32) -> bool {
-    let topology = &film.topology;
-    let twin = topology.twin[h as usize];
-    if twin == NONE {
-        return false;
-    }
-    let (a, b, c, d) = (topology.from(h), topology.to(h), topology.opposite(h), topology.opposite(twin));
-    let [p, q, r, s] = [a, b, c, d].map(|v| film.vertices[v as usize]);
+    let Some(hinge) = film.topology.hinge(h) else { return false };
+    let [p, q, r, s] = hinge.map(|v| film.vertices[v as usize]);
     let (left, right) = ((p - r, q - r), (q - s, p - s));
     let (left_normal, right_normal) = (left.0.cross(left.1), right.0.cross(right.1));
     let (left_area, right_area) = (left_normal.length(), right_normal.length());
@@ -66,8 +61,8 @@ fn wants_flip(film: &Film, h: u32) -> bool {
         && first.dot(second) > 0.0
         && first.dot(before) > 0.0
         && second.dot(before) > 0.0
-        && !film.is_locked(a, b)
-        && topology.can_flip(h)
+        && !film.is_locked(hinge[0], hinge[1])
+        && film.topology.can_flip(h)
 }
 
 /// Moves each free vertex within its tangent plane towards the area-weighted centroid of its ring, `rounds` times.

@@ -2,8 +2,8 @@
 
 pub(crate) mod assemble;
 pub(crate) mod caps;
-pub(crate) mod cost;
 pub(crate) mod direction;
+pub(crate) mod estimate;
 pub(crate) mod options;
 pub(crate) mod prepare;
 pub(crate) mod sampling;

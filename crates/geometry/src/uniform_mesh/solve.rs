@@ -7,7 +7,7 @@ use super::plane::polygon::{self, Polygon};
 use super::report::UniformMesh;
 use super::surface::auxiliary::{self, film_area};
 use super::surface::nurbs::Nurbs;
-use crate::DVec2;
+use crate::{DVec2, Estimate};
 use crate::error::{Error, InputError, Place};
 use crate::execution::Execution;
 use crate::mesh::self_intersections::{self, Order};
@@ -16,28 +16,41 @@ use crate::polyline::LARGEST_COORDINATE;
 /// Largest number of nodes that a solve may ask for; with more the indices no longer fit.
 const MOST_NODES: f64 = 5e7;
 
-/// What a solve will cost at most, before any of the work.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cost {
-    /// An upper bound on the nodes (Oler's packing bound with gaps of ℓ); about 1.2 to 1.6 times what comes out.
-    pub nodes: f64,
-    /// Twice as many triangles.
-    pub triangles: f64,
-}
+/// Number of bytes of memory per triangle of a polygon: the triangle with its members, their lengths, and a copy for a
+/// file. A larger value refuses more requests.
+const BYTES_PER_TRIANGLE: f64 = 600.0;
 
-/// Bounds the size of the result in O(input).
+/// As [`BYTES_PER_TRIANGLE`], on a surface, where the sparse factor comes on top.
+const BYTES_PER_TRIANGLE_ON_A_SURFACE: f64 = 1500.0;
+
+/// Number of bytes of memory that the auxiliary mesh and the film take at most, whatever the edge length.
+const BYTES_OF_AUXILIARY_MESH: u64 = 64 << 20;
+
+/// Bounds the size of the result from above, in O(input). The number of triangles is twice Oler's bound on the number of
+/// nodes, which is 1.2 to 1.6 times the number of nodes of the result.
 ///
 /// # Errors
 /// The input errors that [`solve`] would report before meshing.
-pub fn estimate(domain: &Domain, options: &Options) -> Result<Cost, Error> {
+pub fn estimate(domain: &Domain, options: &Options) -> Result<Estimate, Error> {
+    let triangles = 2.0 * most_nodes(domain, options)?;
+    let a_triangle = match domain {
+        Domain::Polygon { .. } => BYTES_PER_TRIANGLE,
+        Domain::Bezier { .. } | Domain::Nurbs(_) | Domain::Boundaries(_) => BYTES_PER_TRIANGLE_ON_A_SURFACE,
+    };
+    let bytes = ((triangles * a_triangle) as u64).saturating_add(BYTES_OF_AUXILIARY_MESH);
+    Ok(Estimate { triangles, cells: 0, bytes })
+}
+
+/// An upper bound on the number of nodes of the result.
+fn most_nodes(domain: &Domain, options: &Options) -> Result<f64, Error> {
     check_options(options)?;
     match domain {
         Domain::Polygon { outer, holes } => {
             let (area, perimeter) = polygon::extent(outer, holes)?;
-            Ok(cost(area, perimeter, options.edge_length))
+            Ok(packed_nodes(area, perimeter, options.edge_length))
         }
-        Domain::Bezier { control_points } => estimate_patch(&Nurbs::bezier(control_points.clone()), "bezier", options),
-        Domain::Nurbs(patch) => estimate_patch(patch, "nurbs", options),
+        Domain::Bezier { control_points } => most_nodes_of_patch(&Nurbs::bezier(control_points.clone()), "bezier", options),
+        Domain::Nurbs(patch) => most_nodes_of_patch(patch, "nurbs", options),
         Domain::Boundaries(boundaries) => {
             for (k, boundary) in boundaries.iter().enumerate() {
                 if let Some(i) =
@@ -48,13 +61,14 @@ pub fn estimate(domain: &Domain, options: &Options) -> Result<Cost, Error> {
                 }
             }
             let perimeter: f64 = boundaries.iter().map(|points| crate::polyline::length(points, true)).sum();
-            Ok(cost(film_area(boundaries), perimeter, options.edge_length))
+            Ok(packed_nodes(film_area(boundaries), perimeter, options.edge_length))
         }
     }
 }
 
-/// The patch's area and circumference on a grid; a little more, since chords are shorter than arcs.
-fn estimate_patch(patch: &Nurbs, field: &'static str, options: &Options) -> Result<Cost, Error> {
+/// As [`most_nodes`], of a patch whose area and circumference are measured on a grid. A tenth is added, because chords are
+/// shorter than arcs.
+fn most_nodes_of_patch(patch: &Nurbs, field: &'static str, options: &Options) -> Result<f64, Error> {
     patch.check(&Place::field("domain").then(field))?;
     let n = 24;
     let at = |i: usize, j: usize| patch.evaluate(DVec2::new(i as f64, j as f64) / n as f64)[0];
@@ -67,13 +81,13 @@ fn estimate_patch(patch: &Nurbs, field: &'static str, options: &Options) -> Resu
             perimeter += at(a.0, a.1).distance(at(b.0, b.1));
         }
     }
-    Ok(cost(1.1 * area, 1.1 * perimeter, options.edge_length))
+    Ok(packed_nodes(1.1 * area, 1.1 * perimeter, options.edge_length))
 }
 
-/// Oler: at most 2/√3 A/ℓ² + P/2ℓ + 1 points with gaps of ℓ fit; each side adds one more piece by rounding up.
-fn cost(area: f64, perimeter: f64, edge_length: f64) -> Cost {
-    let nodes = 2.0 / 3f64.sqrt() * area / (edge_length * edge_length) + 1.5 * perimeter / edge_length + 4.0;
-    Cost { nodes, triangles: 2.0 * nodes }
+/// Oler, *An inequality in the geometry of numbers*, 1961: at most 2/√3 A/ℓ² + P/2ℓ + 1 points with gaps of ℓ fit. Each
+/// side adds one more piece, because the number of its pieces is rounded up.
+fn packed_nodes(area: f64, perimeter: f64, edge_length: f64) -> f64 {
+    2.0 / 3f64.sqrt() * area / (edge_length * edge_length) + 1.5 * perimeter / edge_length + 4.0
 }
 
 fn check_options(options: &Options) -> Result<(), Error> {
@@ -101,18 +115,19 @@ fn check_options(options: &Options) -> Result<(), Error> {
 ///
 /// # Errors
 /// The [`Error::Input`] that [`solve`] would begin with. Arguments that pass may still turn out to cross themselves.
-pub fn check(domain: &Domain, options: &Options) -> Result<Cost, Error> {
-    let cost = estimate(domain, options)?;
+pub fn check(domain: &Domain, options: &Options) -> Result<Estimate, Error> {
+    let estimate = estimate(domain, options)?;
     match domain {
         Domain::Polygon { outer, holes } => drop(Polygon::new(outer, holes, options.edge_length)?),
         Domain::Boundaries(boundaries) => auxiliary::check_film(boundaries, options)?,
         Domain::Bezier { .. } | Domain::Nurbs(_) => {}
     }
-    if cost.nodes > MOST_NODES {
-        let detail = format!("asks for up to {:.3e} nodes; at most {MOST_NODES:.0e} are possible", cost.nodes);
+    let nodes = 0.5 * estimate.triangles;
+    if nodes > MOST_NODES {
+        let detail = format!("asks for up to {:.3e} nodes; at most {MOST_NODES:.0e} are possible", nodes);
         return Err(Error::input(Place::field("edge_length"), detail));
     }
-    Ok(cost)
+    Ok(estimate)
 }
 
 /// Meshes the domain.

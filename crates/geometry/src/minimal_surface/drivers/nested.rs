@@ -18,7 +18,7 @@ use crate::equilibrium::stability::{self, Unknown};
 use crate::equilibrium::v_cycle::VCycleSteps;
 use crate::mesh::film::Film;
 use crate::mesh::measure;
-use crate::minimal_surface::estimate::{area_of_fans, estimate_triangles, triangles_of_length};
+use crate::minimal_surface::estimate::{area_of_fans, estimate, triangles_of_length};
 use crate::minimal_surface::extrapolation::order;
 use crate::minimal_surface::initial_mesh;
 use crate::minimal_surface::options::{BoundarySampling, InitialMesh, OnUnstable, Options, Resolution};
@@ -226,7 +226,7 @@ impl Plan {
         let target = match options.resolution {
             // The number that the area needs. Triangles that a fine boundary needs beyond that number are not halved.
             Resolution::EdgeLength(length) => triangles_of_length(boundaries, length),
-            _ => estimate_triangles(boundaries, options),
+            _ => estimate(boundaries, options).triangles,
         };
         let suits =
             suits && !(options.boundary_sampling == BoundarySampling::Keep && has_long_edges(boundaries, target));

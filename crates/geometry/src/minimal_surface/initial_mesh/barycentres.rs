@@ -4,9 +4,10 @@
 use super::polygon_domain::{PlaneLoop, domain_of, snapped};
 use crate::mesh::film::Film;
 use crate::mesh::topology::NONE;
+use crate::plane::polygon::contains;
+use crate::plane::triangulation::{Border, Constraint, triangles_inside};
 use crate::random::SplitMix64;
 use crate::{DVec2, DVec3, Error, Execution, polyline};
-use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
 /// A candidate vertex: its position in space and in the plane of the triangulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,34 +62,18 @@ fn triangulate(
     execution: &Execution<'_>,
 ) -> Result<Film, Error> {
     let chosen = choose(candidates(boundary, domain, interior_vertices, execution)?, interior_vertices, seed);
-    let points: Vec<Point2<f64>> =
-        domain.rim.iter().copied().chain(chosen.iter().map(|c| c.plane)).map(|p| Point2::new(p.x, p.y)).collect();
-    let m = boundary.len();
-    let sides = (0..m).map(|k| [k, (k + 1) % m]).collect();
-    let count = points.len();
-    let mut crossing = false;
+    let points: Vec<DVec2> = domain.rim.iter().copied().chain(chosen.iter().map(|c| c.plane)).collect();
+    let m = boundary.len() as u32;
+    let sides: Vec<Constraint> =
+        (0..m).map(|k| Constraint { from: k, to: (k + 1) % m, border: Border::Outline }).collect();
     let failed = |detail: &str| Error::no_result("no_initial_mesh", detail);
-    let plane = ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(points, sides, |_| crossing = true)
-        .map_err(|error| failed(&format!("The loop's image cannot be triangulated: {error:?}.")))?;
-    if crossing || plane.num_vertices() != count {
-        return Err(failed("The loop's image crosses or touches itself."));
-    }
-    execution.look(count as u64)?;
-    let mut triangles = Vec::with_capacity(2 * count);
-    for face in plane.inner_faces() {
-        let corners = face.vertices();
-        let middle = corners.iter().map(|v| DVec2::new(v.position().x, v.position().y)).sum::<DVec2>() / 3.0;
-        if domain.contains(middle) {
-            triangles.push(corners.map(|v| v.fix().index() as u32));
-        }
-        if triangles.len() % 1024 == 0 {
-            execution.look((1024 * m) as u64)?;
-        }
-    }
+    let triangles =
+        triangles_inside(&points, &sides).map_err(|_| failed("The loop's image crosses or touches itself."))?;
+    execution.look(points.len() as u64)?;
     let vertices = boundary.iter().copied().chain(chosen.iter().map(|c| c.space)).collect();
-    let rim: Vec<u32> = (0..m as u32).collect();
+    let rim: Vec<u32> = (0..m).collect();
     Film::new(vertices, &triangles, vec![rim])
-        .filter(|film| film.topology.euler_characteristic() == 1 && is_only_boundary(film, m as u32))
+        .filter(|film| film.topology.euler_characteristic() == 1 && is_only_boundary(film, m))
         .ok_or_else(|| failed("The loop's image does not bound one disk."))
 }
 
@@ -114,7 +99,7 @@ fn candidates(
     let centre =
         Candidate { space: polyline::mean(boundary), plane: snapped(domain.rim.iter().sum::<DVec2>() / m as f64) };
     let mut found = Vec::new();
-    if domain.contains(centre.plane) {
+    if contains(&domain.rim, centre.plane) {
         found.push(centre);
     }
     let mut triangles: Vec<[Candidate; 3]> = (0..m).map(|k| [corner(k), corner((k + 1) % m), centre]).collect();
@@ -125,7 +110,7 @@ fn candidates(
         let mut parts = Vec::with_capacity(3 * triangles.len());
         for (k, &[a, b, c]) in triangles.iter().enumerate() {
             let middle = Candidate::barycentre([a, b, c]);
-            if domain.contains(middle.plane) {
+            if contains(&domain.rim, middle.plane) {
                 found.push(middle);
             }
             parts.extend([[a, b, middle], [a, c, middle], [b, c, middle]]);

@@ -2,76 +2,54 @@
 
 use super::sampling::Sampled;
 use super::strip::Matching;
+use crate::plane::frame::Frame;
+use crate::plane::polygon::doubled_area_vector;
 use crate::{DVec3, polyline};
 use glam::{DMat3, DVec2};
 use std::f64::consts::TAU;
 
-/// An orthonormal frame: `origin + x e₁ + y e₂ + z n`.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
-    pub origin: DVec3,
-    pub x: DVec3,
-    pub y: DVec3,
-    pub normal: DVec3,
+/// The plane through the mean of the points whose normal is the largest of the area vectors of the boundaries: the plane
+/// in which that boundary encloses most. If the area vectors vanish, the plane contains the two directions in which the
+/// points spread most. `None` if all points lie on one line.
+pub(super) fn best_plane(boundaries: &[Vec<DVec3>]) -> Option<Frame> {
+    let all: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
+    let origin = polyline::mean(&all);
+    let spread = all.iter().map(|p| p.distance_squared(origin)).fold(0.0, f64::max);
+    let mut normal = DVec3::ZERO;
+    for vector in boundaries.iter().map(|points| doubled_area_vector(points)) {
+        if vector.length() > normal.length() * (1.0 + 1e-9) {
+            normal = vector;
+        }
+    }
+    if normal.length() <= 1e-6 * spread {
+        // The plane contains the farthest point, and the one farthest from the line to it.
+        let far = all
+            .iter()
+            .map(|p| *p - origin)
+            .fold(DVec3::ZERO, |best, p| if p.length() > best.length() * (1.0 + 1e-9) { p } else { best });
+        normal = all
+            .iter()
+            .map(|p| far.cross(*p - origin))
+            .fold(DVec3::ZERO, |best, p| if p.length() > best.length() * (1.0 + 1e-9) { p } else { best });
+        if normal.length() <= 1e-12 * spread {
+            return None;
+        }
+    }
+    let normal = normal.normalize();
+    // The first segment of the first boundary that is not along the normal determines the direction of x, so that
+    // the frame turns with the input.
+    let first = &boundaries[0];
+    let x = (0..first.len())
+        .map(|k| (first[(k + 1) % first.len()] - first[k]).reject_from_normalized(normal))
+        .find(|along| along.length_squared() > 1e-12 * spread)
+        .unwrap_or_else(|| normal.any_orthonormal_vector());
+    let x = x.normalize();
+    Some(Frame { origin, x, y: normal.cross(x), normal })
 }
 
-impl Frame {
-    /// The plane through the mean of the points whose normal is the largest of the area vectors of the boundaries: the
-    /// plane in which that boundary encloses most. If the area vectors vanish, the plane contains the two directions in
-    /// which the points spread most. `None` if all points lie on one line.
-    pub fn best(boundaries: &[Vec<DVec3>]) -> Option<Self> {
-        let all: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
-        let origin = polyline::mean(&all);
-        let spread = all.iter().map(|p| p.distance_squared(origin)).fold(0.0, f64::max);
-        let mut normal = DVec3::ZERO;
-        for vector in boundaries.iter().map(|points| area_vector(points)) {
-            if vector.length() > normal.length() * (1.0 + 1e-9) {
-                normal = vector;
-            }
-        }
-        if normal.length() <= 1e-6 * spread {
-            // The plane contains the farthest point, and the one farthest from the line to it.
-            let far = all
-                .iter()
-                .map(|p| *p - origin)
-                .fold(DVec3::ZERO, |best, p| if p.length() > best.length() * (1.0 + 1e-9) { p } else { best });
-            normal = all
-                .iter()
-                .map(|p| far.cross(*p - origin))
-                .fold(DVec3::ZERO, |best, p| if p.length() > best.length() * (1.0 + 1e-9) { p } else { best });
-            if normal.length() <= 1e-12 * spread {
-                return None;
-            }
-        }
-        let normal = normal.normalize();
-        // The first segment of the first boundary that is not along the normal determines the direction of x, so that
-        // the frame turns with the input.
-        let first = &boundaries[0];
-        let x = (0..first.len())
-            .map(|k| (first[(k + 1) % first.len()] - first[k]).reject_from_normalized(normal))
-            .find(|along| along.length_squared() > 1e-12 * spread)
-            .unwrap_or_else(|| normal.any_orthonormal_vector());
-        let x = x.normalize();
-        Some(Self { origin, x, y: normal.cross(x), normal })
-    }
-
-    pub fn project(&self, point: DVec3) -> DVec2 {
-        let p = point - self.origin;
-        DVec2::new(p.dot(self.x), p.dot(self.y))
-    }
-
-    pub fn lift(&self, p: DVec2) -> DVec3 {
-        self.origin + p.x * self.x + p.y * self.y
-    }
-
-    /// Distance of a point from the plane.
-    pub fn height(&self, point: DVec3) -> f64 {
-        (point - self.origin).dot(self.normal).abs()
-    }
-
-    pub fn largest_height(&self, boundaries: &[Vec<DVec3>]) -> f64 {
-        boundaries.iter().flatten().map(|&p| self.height(p)).fold(0.0, f64::max)
-    }
+/// Largest distance of a point of the boundaries from the plane.
+pub(super) fn largest_height(frame: &Frame, boundaries: &[Vec<DVec3>]) -> f64 {
+    boundaries.iter().flatten().map(|&p| frame.height(p)).fold(0.0, f64::max)
 }
 
 /// The map from boundaries in space to polygons in the plane.
@@ -182,7 +160,7 @@ fn meeting_point(boundaries: &[Vec<DVec3>]) -> Option<DVec3> {
     let mut right = DVec3::ZERO;
     for points in boundaries {
         let mean = polyline::mean(points);
-        let axis = area_vector(points).try_normalize()?;
+        let axis = doubled_area_vector(points).try_normalize()?;
         let across = DMat3::IDENTITY - DMat3::from_cols(axis * axis.x, axis * axis.y, axis * axis.z);
         matrix += across;
         right += across * mean;
@@ -190,11 +168,6 @@ fn meeting_point(boundaries: &[Vec<DVec3>]) -> Option<DVec3> {
     let farthest = boundaries.iter().flatten().map(|p| p.length()).fold(0.0, f64::max);
     let parallel = matrix.determinant() < 1e-3 * (boundaries.len() as f64).powi(3) / 27.0;
     (!parallel).then(|| matrix.inverse() * right).filter(|point| point.length() < farthest)
-}
-
-fn area_vector(points: &[DVec3]) -> DVec3 {
-    let centre = polyline::mean(points);
-    (0..points.len()).map(|k| (points[k] - centre).cross(points[(k + 1) % points.len()] - centre)).sum()
 }
 
 /// The circle inside the unit disc that a boundary becomes.

@@ -185,38 +185,6 @@ impl SizeField<'_> {
     }
 }
 
-/// For each point (sorted by y) whether it lies inside the closed polygons, by the parity of crossings.
-pub(super) fn inside(loops: &[Vec<DVec2>], points: &[DVec2]) -> Vec<bool> {
-    let mut segments: Vec<(DVec2, DVec2)> = Vec::new();
-    for points in loops {
-        for (k, &a) in points.iter().enumerate() {
-            let b = points[(k + 1) % points.len()];
-            segments.push(if a.y <= b.y { (a, b) } else { (b, a) });
-        }
-    }
-    segments.sort_by(|s, t| s.0.y.total_cmp(&t.0.y));
-    let (mut next, mut active): (usize, Vec<(DVec2, DVec2)>) = (0, Vec::new());
-    let mut crossings: Vec<f64> = Vec::new();
-    let mut row = f64::NEG_INFINITY;
-    points
-        .iter()
-        .map(|point| {
-            if point.y > row {
-                row = point.y;
-                while next < segments.len() && segments[next].0.y <= row {
-                    active.push(segments[next]);
-                    next += 1;
-                }
-                active.retain(|(_, upper)| upper.y > row);
-                crossings.clear();
-                crossings.extend(active.iter().map(|(a, b)| a.x + (b.x - a.x) * ((row - a.y) / (b.y - a.y))));
-                crossings.sort_by(f64::total_cmp);
-            }
-            crossings.partition_point(|&x| x < point.x) % 2 == 1
-        })
-        .collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -253,16 +221,6 @@ mod tests {
             let covered = field.sources.iter().map(|source| source.distance(p)).fold(nearest, f64::min);
             assert!(covered < 1.3 * size, "{covered} {size}");
         }
-    }
-
-    #[test]
-    fn parity_is_that_of_a_square_with_a_hole() {
-        let at = |x, y| DVec2::new(x, y);
-        let square = |low: f64, high: f64| vec![at(low, low), at(high, low), at(high, high), at(low, high)];
-        let points =
-            [at(-1.0, 0.1), at(0.1, 0.1), at(0.5, 0.1), at(0.1, 0.5), at(0.5, 0.5), at(0.9, 0.5), at(1.1, 0.5)];
-        let expected = [false, true, true, true, false, true, false];
-        assert_eq!(inside(&[square(0.0, 1.0), square(0.3, 0.7)], &points), expected);
     }
 
     #[test]

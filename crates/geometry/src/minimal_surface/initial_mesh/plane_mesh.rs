@@ -1,12 +1,13 @@
 //! A graded triangulation of a plane domain between closed polygons: boundary, lattice points, constrained Delaunay.
 
-use super::lattice::{SizeField, Source, inside};
+use super::lattice::{SizeField, Source};
 use crate::mesh::film::Film;
-use crate::mesh::topology::{NONE, Topology};
+use crate::mesh::topology::Topology;
+use crate::plane::polygon::{doubled_area, inside};
+use crate::plane::triangulation::{Border, Constraint, Tangle, triangles_inside};
 use crate::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
 use crate::{DVec3, Execution, Interruption};
 use glam::DVec2;
-use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
 /// A plane region to be meshed. Its lengths are of the order of 1.
 #[derive(Clone, Debug, Default)]
@@ -124,15 +125,12 @@ impl PlaneRegion {
 
     /// The area inside the loops.
     pub fn area(&self) -> f64 {
-        let signed = |points: &[DVec2]| -> f64 {
-            let edge = |k: usize| (points[k] - points[0]).perp_dot(points[(k + 1) % points.len()] - points[0]);
-            (0..points.len()).map(edge).sum::<f64>() * 0.5
-        };
+        let area = |points: &[DVec2]| 0.5 * doubled_area(points.iter().copied(), points[0]).abs();
         let part = |(k, points): (usize, &Vec<DVec2>)| {
             let others: Vec<Vec<DVec2>> =
                 self.loops.iter().enumerate().filter(|&(i, _)| i != k).map(|(_, l)| l.clone()).collect();
             let hole = inside(&others, &points[..1])[0];
-            if hole { -signed(points).abs() } else { signed(points).abs() }
+            if hole { -area(points) } else { area(points) }
         };
         self.loops.iter().enumerate().map(part).sum()
     }
@@ -210,70 +208,23 @@ impl PlaneRegion {
         }
     }
 
-    /// Constrained Delaunay triangles inside the loops.
+    /// Constrained Delaunay triangles inside the loops. `edges` are those of the loops, and then the fixed ones.
     fn triangulate(&self, points: &[DVec2], edges: &[[u32; 2]]) -> Result<Vec<[u32; 3]>, PlaneError> {
-        let vertices: Vec<Point2<f64>> =
-            points.iter().map(|p| spade::mitigate_underflow(Point2::new(p.x, p.y))).collect();
-        let constraints = edges.iter().map(|edge| edge.map(|v| v as usize)).collect();
-        let mut crossing = None;
-        let triangulation =
-            ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(vertices, constraints, |[a, b]| {
-                crossing.get_or_insert([a as u32, b as u32]);
-            })
-            .map_err(|_| PlaneError::NotSimple(edges[0]))?;
-        if let Some(edge) = crossing {
-            return Err(PlaneError::NotSimple(edge));
-        }
-        if triangulation.num_vertices() != points.len() {
-            // Two points coincide, so the numbers after the first of them have shifted.
-            return Err(PlaneError::NotSimple(edges[0]));
-        }
-        let hull: Vec<[u32; 3]> =
-            triangulation.inner_faces().map(|face| face.vertices().map(|vertex| vertex.fix().index() as u32)).collect();
-        let topology = Topology::build(&hull, points.len()).map_err(|_| PlaneError::NotSimple(edges[0]))?;
-        let mut boundary: Vec<[u32; 2]> = self.boundary_edges().iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
-        boundary.sort_unstable();
-        let is_boundary = |h: u32| {
-            let (a, b) = (topology.from(h), topology.to(h));
-            boundary.binary_search(&[a.min(b), a.max(b)]).is_ok()
+        let outlines = self.boundary_points();
+        let constraint = |(k, &[from, to]): (usize, &[u32; 2])| {
+            let border = if k < outlines { Border::Outline } else { Border::Slit };
+            Constraint { from, to, border }
         };
-        // The search goes from the hull inwards. Crossing the boundary changes between outside and inside.
-        let mut side: Vec<Option<bool>> = vec![None; hull.len()];
-        let mut stack: Vec<(u32, bool)> = (0..3 * hull.len() as u32)
-            .filter(|&h| topology.twin[h as usize] == NONE)
-            .map(|h| (h / 3, is_boundary(h)))
-            .collect();
-        while let Some((triangle, inner)) = stack.pop() {
-            if side[triangle as usize].is_some() {
-                continue;
-            }
-            side[triangle as usize] = Some(inner);
-            for h in 3 * triangle..3 * triangle + 3 {
-                let twin = topology.twin[h as usize];
-                if twin != NONE && side[twin as usize / 3].is_none() {
-                    stack.push((twin / 3, inner != is_boundary(h)));
+        let constraints: Vec<Constraint> = edges.iter().enumerate().map(constraint).collect();
+        triangles_inside(points, &constraints).map_err(|tangle| {
+            PlaneError::NotSimple(match tangle {
+                Tangle::Crossing { from, to } | Tangle::WrongSide { from, to } => [from, to],
+                Tangle::Coincident(a, b) => {
+                    edges.iter().copied().find(|edge| edge.contains(&a) || edge.contains(&b)).unwrap_or(edges[0])
                 }
-            }
-        }
-        let kept = |t: usize| side[t] == Some(true);
-        // Every boundary edge must separate inside from outside. An edge that passes through a vertex is missing in the
-        // triangulation.
-        let present = (0..3 * hull.len() as u32)
-            .filter(|&h| {
-                let twin = topology.twin[h as usize];
-                kept(h as usize / 3) && is_boundary(h) && (twin == NONE || !kept(twin as usize / 3))
+                Tangle::OutOfRange => edges[0],
             })
-            .count();
-        if present != boundary.len() {
-            return Err(PlaneError::NotSimple(self.missing_edge(&topology)));
-        }
-        Ok((0..hull.len()).filter(|&t| kept(t)).map(|t| hull[t]).collect())
-    }
-
-    /// A boundary edge that the triangulation lacks because it passes through a vertex, or the first edge.
-    fn missing_edge(&self, topology: &Topology) -> [u32; 2] {
-        let edges = self.boundary_edges();
-        edges.iter().copied().find(|&[a, b]| !topology.are_adjacent(a, b)).unwrap_or(edges[0])
+        })
     }
 }
 

@@ -1,29 +1,13 @@
 //! Plane images of a boundary loop in which a triangulation can be made.
 
+use crate::plane::frame::Frame;
+use crate::plane::polygon::doubled_area_vector;
 use crate::{DVec2, DVec3, polyline};
 
 /// The images of the loop's points, anticlockwise.
 #[derive(Clone, Debug)]
 pub(super) struct PlaneLoop {
     pub rim: Vec<DVec2>,
-}
-
-impl PlaneLoop {
-    /// Whether a point lies inside the polygon, by the parity of crossings. A point on the polygon may count either
-    /// way.
-    pub fn contains(&self, point: DVec2) -> bool {
-        let mut inside = false;
-        let mut previous = self.rim[self.rim.len() - 1];
-        for &current in &self.rim {
-            if (current.y > point.y) != (previous.y > point.y) {
-                let (low, high) = if current.y > previous.y { (previous, current) } else { (current, previous) };
-                let coord = |p: DVec2| robust::Coord { x: p.x, y: p.y };
-                inside ^= robust::orient2d(coord(low), coord(high), coord(point)) > 0.0;
-            }
-            previous = current;
-        }
-        inside
-    }
 }
 
 /// The images to try, the best first: in the plane across the area vector of the loop, then on the unit circle by arc
@@ -34,7 +18,7 @@ pub(super) fn domain_of(boundary: &[DVec3]) -> Vec<PlaneLoop> {
     let centre = polyline::mean(boundary);
     let m = boundary.len();
     let offset: Vec<DVec3> = boundary.iter().map(|p| *p - centre).collect();
-    let area_vector: DVec3 = (0..m).map(|k| offset[k].cross(offset[(k + 1) % m])).sum();
+    let area_vector = doubled_area_vector(boundary);
     let reach2 = offset.iter().map(|p| p.length_squared()).fold(0.0, f64::max);
     let mut domains = Vec::new();
     if area_vector.length() > 1e-6 * reach2 {
@@ -46,10 +30,9 @@ pub(super) fn domain_of(boundary: &[DVec3]) -> Vec<PlaneLoop> {
             if reach(k) > reach(best) * (1.0 + 1e-9) { k } else { best }
         });
         let u = offset[farthest].reject_from_normalized(normal).normalize();
-        let v = normal.cross(u);
+        let frame = Frame { origin: centre, x: u, y: normal.cross(u), normal };
         let scale = 1.0 / reach2.sqrt();
-        domains
-            .push(PlaneLoop { rim: offset.iter().map(|p| snapped(DVec2::new(p.dot(u), p.dot(v)) * scale)).collect() });
+        domains.push(PlaneLoop { rim: boundary.iter().map(|&p| snapped(frame.project(p) * scale)).collect() });
     }
     let total = polyline::length(boundary, true);
     let mut walked = 0.0;

@@ -10,7 +10,7 @@
 //!    this is a convex combination map (Tutte 1963, Floater 1997).
 //! 4. A fine mesh is made as a coarse one and a number of regular subdivisions.
 
-use super::domain::Shape;
+use super::domain::{Shape, largest_height};
 use super::pins::{Pin, Pins};
 use super::plane_mesh::{PlaneError, PlaneMesh, PlaneRegion};
 use super::sampling::{Sampled, numbers, sample};
@@ -18,7 +18,7 @@ use crate::mesh::edit::orient_along;
 use crate::mesh::film::Film;
 use crate::mesh::measure;
 use crate::mesh::topology::Topology;
-use crate::minimal_surface::estimate::estimate_triangles;
+use crate::minimal_surface::estimate::estimate;
 use crate::minimal_surface::harmonic::Dirichlet;
 use crate::minimal_surface::options::{BoundarySampling, Constraints, LARGEST_COUNT, Options, Resolution};
 use crate::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
@@ -284,7 +284,7 @@ impl Spanning<'_> {
         if self.options.boundary_sampling == BoundarySampling::Keep {
             return Ok(());
         }
-        let most = estimate_triangles(self.boundaries, self.options).clamp(1e3, MOST_PINS);
+        let most = estimate(self.boundaries, self.options).triangles.clamp(1e3, MOST_PINS);
         let mut pieces = 0.0;
         for (k, curve) in self.constraints.polylines.iter().enumerate() {
             pieces += polyline::length(curve, false) / size;
@@ -313,7 +313,7 @@ impl Spanning<'_> {
     /// not without bound (a spike that is a million long).
     fn largest_lattice(&self) -> usize {
         let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
-        let asked = estimate_triangles(self.boundaries, self.options) + boundary as f64;
+        let asked = estimate(self.boundaries, self.options).triangles + boundary as f64;
         (64.0 * asked + 1e6).min(LARGEST_COUNT as f64) as usize
     }
 
@@ -591,7 +591,7 @@ impl Spanning<'_> {
             Shape::Plane(frame) => {
                 let limit = 1e-13 * self.largest_size();
                 let fixed = self.constraints.points.iter().chain(self.constraints.polylines.iter().flatten());
-                frame.largest_height(self.boundaries) <= limit && fixed.into_iter().all(|&p| frame.height(p) <= limit)
+                largest_height(frame, self.boundaries) <= limit && fixed.into_iter().all(|&p| frame.height(p) <= limit)
             }
             Shape::Disc { .. } | Shape::Sphere(_) => false,
         }

@@ -21,7 +21,6 @@
 
 use crate::mesh::film::Film;
 use crate::mesh::measure::{double_area_vector, is_degenerate};
-use crate::mesh::topology::NONE;
 use crate::minimal_surface::curvature::Curvature;
 use crate::minimal_surface::options::{Limits, Process, Solver, VertexRelaxation};
 use crate::minimal_surface::run::{HistoryRow, Run, StopReason};
@@ -226,17 +225,12 @@ impl Relaxation<'_> {
 
 /// Whether swapping the edge reduces the area by more than rounding and leaves no degenerate triangle.
 fn gains(film: &Film, h: u32) -> bool {
-    let topology = &film.topology;
-    let twin = topology.twin[h as usize];
-    if twin == NONE {
-        return false;
-    }
-    let (a, b, c, d) = (topology.from(h), topology.to(h), topology.opposite(h), topology.opposite(twin));
-    let [p, q, r, s] = [a, b, c, d].map(|v| film.vertices[v as usize]);
+    let Some(hinge) = film.topology.hinge(h) else { return false };
+    let [p, q, r, s] = hinge.map(|v| film.vertices[v as usize]);
     let double_area = |corners| double_area_vector(corners).length();
     let before = double_area([p, q, r]) + double_area([q, p, s]);
     let after = double_area([s, r, p]) + double_area([r, s, q]);
-    after < before * (1.0 - 1e-12) && !is_degenerate([s, r, p]) && !is_degenerate([r, s, q]) && !film.is_locked(a, b)
+    after < before * (1.0 - 1e-12) && !is_degenerate([s, r, p]) && !is_degenerate([r, s, q]) && !film.is_locked(hinge[0], hinge[1])
 }
 
 /// The step of eq. 5 for one vertex, and the number of the vertex's triangles.

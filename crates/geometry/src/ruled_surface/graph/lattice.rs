@@ -92,39 +92,43 @@ impl RailNumbers {
     }
 }
 
-/// The lanes that start at one position of a rail, of its first `ROWS` rows. All loads are checked when the window is
-/// made, because a check at each of the 22 loads of a step took a twelfth of the time of a strip of least bending energy.
+/// The lanes that start at one position of a rail and at the position before it, of the rail's first `ROWS` rows. All loads
+/// are checked when the window is made, because a check at each of the 22 loads of a step took a twelfth of the time of a
+/// strip of least bending energy.
 #[derive(Clone, Copy)]
 struct Window<'a, V: Lanes, const ROWS: usize> {
     simd: V::Simd,
-    /// At least `ROWS * stride` numbers, where `at + V::WIDTH <= stride`.
+    /// At least `ROWS * stride` numbers, where `1 <= at` and `at + V::WIDTH <= stride`.
     numbers: &'a [f64],
     stride: usize,
     at: usize,
 }
 
 impl RailNumbers {
-    /// Panics if a lane lies beyond the end of a row, or if there are fewer than `ROWS` rows.
+    /// Panics if a lane lies beyond either end of a row, or if there are fewer than `ROWS` rows.
     #[inline(always)]
     fn window<V: Lanes, const ROWS: usize>(&self, simd: V::Simd, at: usize) -> Window<'_, V, ROWS> {
         let Self { stride, ref numbers } = *self;
-        assert!(at < stride && stride - at >= V::WIDTH && numbers.len() >= ROWS.saturating_mul(stride));
+        let inside = at >= 1 && at < stride && stride - at >= V::WIDTH;
+        assert!(inside && numbers.len() >= ROWS.saturating_mul(stride));
         Window { simd, numbers, stride, at }
     }
 }
 
 impl<V: Lanes, const ROWS: usize> Window<'_, V, ROWS> {
+    /// `BEFORE` is 0 for the window's position, and 1 for the position before it.
     #[inline(always)]
-    fn vector(&self, row: usize) -> Vector<V> {
-        Vector::new(self.number(row), self.number(row + 1), self.number(row + 2))
+    fn vector<const BEFORE: usize>(&self, row: usize) -> Vector<V> {
+        Vector::new(self.number::<BEFORE>(row), self.number::<BEFORE>(row + 1), self.number::<BEFORE>(row + 2))
     }
 
     #[inline(always)]
-    fn number(&self, row: usize) -> V {
+    fn number<const BEFORE: usize>(&self, row: usize) -> V {
+        const { assert!(BEFORE <= 1) };
         assert!(row < ROWS);
-        let start = row * self.stride + self.at;
-        // SAFETY: `row < ROWS` and `at + V::WIDTH <= stride`, so the range ends at `ROWS * stride` at the latest, and
-        // there are as many numbers: `RailNumbers::window` has checked both.
+        let start = row * self.stride + self.at - BEFORE;
+        // SAFETY: `BEFORE <= at`, `row < ROWS` and `at + V::WIDTH <= stride`, so the range begins inside its row and ends at
+        // `ROWS * stride` at the latest, and there are as many numbers: `RailNumbers::window` has checked all of this.
         V::load(self.simd, unsafe { self.numbers.get_unchecked(start..start + V::WIDTH) })
     }
 }
@@ -190,14 +194,14 @@ impl Lattice {
     #[inline(always)]
     pub(crate) fn wings<V: Lanes>(&self, rows: &BandRows<V>, t: usize) -> (Vector<V>, V, [Wing<V>; 4]) {
         let (simd, at) = (rows.point.x.simd(), self.at(t));
-        let here: Window<'_, V, TANGENT> = self.column.window(simd, at);
-        let next: Window<'_, V, TANGENT> = self.column.window(simd, at - 1);
-        let bridge = here.vector(POINT).minus(rows.point);
+        // The columns are stored backwards, so the next column stands before this one.
+        let column: Window<'_, V, TANGENT> = self.column.window(simd, at);
+        let bridge = column.vector::<0>(POINT).minus(rows.point);
         let squared = bridge.dot(bridge);
         let in_p = Wing::new(rows.banks[0].0, rows.banks[0].1, bridge, squared);
-        let in_q = Wing::new(here.vector(BANK), here.number(BANK_SQUARED), bridge, squared);
+        let in_q = Wing::new(column.vector::<0>(BANK), column.number::<0>(BANK_SQUARED), bridge, squared);
         let out_p = Wing::new(rows.banks[1].0, rows.banks[1].1, bridge, squared);
-        let out_q = Wing::new(next.vector(BANK), next.number(BANK_SQUARED), bridge, squared);
+        let out_q = Wing::new(column.vector::<1>(BANK), column.number::<1>(BANK_SQUARED), bridge, squared);
         (bridge, squared, [in_p, in_q, out_p, out_q])
     }
 }

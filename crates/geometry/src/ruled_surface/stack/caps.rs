@@ -2,8 +2,9 @@
 
 use crate::error::{Error, Place};
 use crate::execution::{Execution, Interruption};
+use crate::plane::frame::Frame;
+use crate::plane::triangulation::{Border, Constraint, triangles_inside};
 use crate::{DVec2, DVec3, Mesh};
-use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
 /// Largest distance of a point of a planar contour from its plane, as a fraction of the contour's size; rounding of the
 /// input comes on top. A larger value closes ends that are visibly bent.
@@ -64,56 +65,15 @@ fn cap(
     if points.iter().any(|p| p.dot(normal).abs() > tolerance) {
         return Ok(Err("flat caps need planar end contours"));
     }
-    let (u, v) = normal.any_orthonormal_pair();
-    let flat: Vec<DVec2> = points.iter().map(|p| DVec2::new(p.dot(u), p.dot(v)) / size).collect();
-    let crossing = Ok(Err("flat caps need end contours that do not cross or touch themselves"));
-    let mut triangulation = ConstrainedDelaunayTriangulation::<Point2<f64>>::new();
-    let mut handles = Vec::with_capacity(flat.len());
-    for (k, point) in flat.iter().enumerate() {
-        look_now_and_then(k, execution)?;
-        match triangulation.insert(Point2::new(point.x, point.y)) {
-            Ok(handle) if handle.index() == handles.len() => handles.push(handle),
-            // The point of an earlier one, or coordinates too small for the triangulation.
-            _ => return crossing,
-        }
-    }
-    for k in 0..handles.len() {
-        look_now_and_then(k, execution)?;
-        let (from, to) = (handles[k], handles[(k + 1) % handles.len()]);
-        if !triangulation.can_add_constraint(from, to) || !triangulation.add_constraint(from, to) {
-            return crossing;
-        }
-        // A constraint through a third point is split there.
-        if !triangulation.exists_constraint(from, to) {
-            return crossing;
-        }
-    }
-    // Faces inside: reached from the outer face over an odd number of contour edges.
-    let mut inside = vec![None; triangulation.num_all_faces()];
-    inside[triangulation.outer_face().index()] = Some(false);
-    let mut open = vec![triangulation.outer_face()];
-    let mut triangles = Vec::with_capacity(flat.len());
-    while let Some(face) = open.pop() {
-        let here = inside[face.index()] == Some(true);
-        let edges: Vec<_> = match face.as_inner() {
-            Some(inner) => inner.adjacent_edges().to_vec(),
-            None => triangulation.convex_hull().collect(),
-        };
-        if let (true, Some(inner)) = (here, face.as_inner()) {
-            triangles.push(inner.vertices().map(|vertex| contour[vertex.fix().index()]));
-        }
-        for edge in edges {
-            // The hull's edges run along the outer face, a triangle's along the triangle: the other side is the twin's.
-            let other = edge.rev().face();
-            if inside[other.index()].is_none() {
-                inside[other.index()] = Some(here != edge.is_constraint_edge());
-                open.push(other);
-            }
-        }
-    }
-    if triangles.len() != contour.len() - 2 {
-        return crossing;
-    }
+    let frame = Frame::with_normal(normal);
+    let flat: Vec<DVec2> = points.iter().map(|&p| frame.coordinates(p) / size).collect();
+    let n = flat.len() as u32;
+    let outline = |k| Constraint { from: k, to: (k + 1) % n, border: Border::Outline };
+    execution.look(contour.len() as u64)?;
+    let Ok(triangles) = triangles_inside(&flat, &(0..n).map(outline).collect::<Vec<_>>()) else {
+        return Ok(Err("flat caps need end contours that do not cross or touch themselves"));
+    };
+    let mut triangles: Vec<[u32; 3]> = triangles.into_iter().map(|t| t.map(|v| contour[v as usize])).collect();
     // The plane's axes make the contour run counter-clockwise, as the faces do.
     if !along {
         for triangle in &mut triangles {
@@ -121,9 +81,4 @@ fn cap(
         }
     }
     Ok(Ok(triangles))
-}
-
-/// A point or an edge of the triangulation takes some microseconds.
-fn look_now_and_then(k: usize, execution: &Execution<'_>) -> Result<(), Interruption> {
-    if k % 256 == 255 { execution.look(256) } else { Ok(()) }
 }

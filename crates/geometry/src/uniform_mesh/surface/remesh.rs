@@ -13,7 +13,7 @@ use crate::DVec3;
 use crate::execution::{Execution, Interruption};
 use crate::mesh::edit::may_collapse;
 use crate::mesh::measure::double_area_vector;
-use crate::mesh::topology::{NONE, Topology, next, previous};
+use crate::mesh::topology::{NONE, Topology};
 
 /// The constants of the remeshing.
 struct Remeshing {
@@ -416,15 +416,9 @@ impl<'a> Net<'a> {
 
     /// Whether an edge may flip: not along a curve, and the two new triangles are upright.
     pub fn can_flip(&self, h: u32) -> bool {
-        let topology = &self.topology;
-        let twin = topology.twin[h as usize];
-        if twin == NONE {
-            return false;
-        }
-        let (a, b) = (topology.from(h), topology.to(h));
-        let (c, d) = (topology.opposite(h), topology.opposite(twin));
+        let Some([a, b, c, d]) = self.topology.hinge(h) else { return false };
         self.curve_of(a, b).is_none()
-            && topology.can_flip(h)
+            && self.topology.can_flip(h)
             && self.triangle_is_upright([d, c, a])
             && self.triangle_is_upright([c, d, b])
     }
@@ -434,12 +428,11 @@ impl<'a> Net<'a> {
         for _ in 0..REMESHING.flip_sweeps {
             let mut flips = 0;
             for h in 0..self.topology.twin.len() as u32 {
-                let twin = self.topology.twin[h as usize];
-                if twin == NONE || twin < h {
+                if self.topology.twin[h as usize] < h {
                     continue;
                 }
-                let around = [h, next(h), previous(h), previous(twin)].map(|h| self.topology.from(h));
-                let [a, b, c, d] = around.map(|v| self.positions[v as usize]);
+                let Some(hinge) = self.topology.hinge(h) else { continue };
+                let [a, b, c, d] = hinge.map(|v| self.positions[v as usize]);
                 let angle = |at: DVec3| (a - at).angle_between(b - at);
                 // On a crest an edge may be bent by so much that its flip would cut the crest: length decides there.
                 if angle(c) + angle(d) > std::f64::consts::PI + REMESHING.flat && self.can_flip(h) {

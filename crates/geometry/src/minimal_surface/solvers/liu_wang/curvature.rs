@@ -1,6 +1,7 @@
 //! The discrete mean curvature of Cohen-Steiner and Morvan at the vertices of a mesh, and its closed gradient.
 
 use crate::DVec3;
+use crate::energy::area::Facet;
 use crate::mesh::measure::double_area_vector;
 use crate::mesh::topology::{NONE, Topology, previous};
 
@@ -195,8 +196,7 @@ impl CurvatureRows {
         }
         for k in 0..self.triangles.len() {
             let triangle = self.triangles[k];
-            let corners = triangle.map(|v| vertices[v as usize]);
-            let normal = double_area_vector(corners).normalize_or_zero();
+            let facet = Facet::of(vertices, &triangle);
             for end in triangle {
                 let row = self.row_of[end as usize];
                 if row == FIXED {
@@ -204,9 +204,8 @@ impl CurvatureRows {
                 }
                 let factor = -bending[row as usize] / (third[row as usize] * third[row as usize]);
                 for k in 0..3 {
-                    // The area's gradient at corner k is ½ n × (the opposite edge); B counts a third of it.
-                    let opposite = corners[(k + 2) % 3] - corners[(k + 1) % 3];
-                    self.add(row as usize, triangle[k], normal.cross(opposite) * (factor / 6.0));
+                    // B counts a third of the area.
+                    self.add(row as usize, triangle[k], facet.gradient(k) * (factor / 3.0));
                 }
             }
         }

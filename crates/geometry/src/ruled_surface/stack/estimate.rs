@@ -1,20 +1,17 @@
-//! What a solve will take, priced before the work.
+//! What a solve will take, estimated before the work.
 
 use super::options::{Direction, Options};
 use super::warnings::{BENDING_CHECKED_UP_TO, CLOSED_BENDING_CHECKED_UP_TO};
+use crate::Estimate;
 use crate::ruled_surface::strip::objective::{Goal, Objective};
 
-/// What a solve will take, to price it before the work.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Cost {
-    /// Grid cells visited, about; open strips visit exactly these, closed ones may need fewer or somewhat more.
-    pub cells: u64,
-    /// Working memory above input and result, at most, for the largest strip.
-    pub bytes: u64,
-}
+/// Number of bytes of memory that each point takes in addition to the search: its triangles, and their copy for a file. A
+/// larger value refuses more requests.
+const BYTES_PER_POINT: u64 = 2_000;
 
-/// What a stack of directrices with so many points takes.
-pub(crate) fn cost(lengths: &[usize], options: &Options) -> Cost {
+/// What a stack of directrices with these numbers of points takes. An open strip visits exactly as many cells; a closed
+/// strip may need fewer or somewhat more.
+pub(crate) fn estimate(lengths: &[usize], options: &Options) -> Estimate {
     let goal = Goal { objective: options.objective, secondary: options.secondary };
     let mut goals = vec![goal];
     if let Objective::Weighted(weights) = options.objective
@@ -22,8 +19,10 @@ pub(crate) fn cost(lengths: &[usize], options: &Options) -> Cost {
     {
         goals.extend(weights.terms().iter().filter(|(_, weight)| *weight > 0.0).map(|&(o, _)| Goal::single(o)));
     }
-    let mut total = Cost::default();
+    let mut total = Estimate::default();
     for pair in lengths.windows(2) {
+        let ends = if options.closed { 0 } else { 2 };
+        total.triangles += (pair[0] + pair[1]).saturating_sub(ends) as f64;
         if pair[0].min(pair[1]) < 2 {
             continue;
         }
@@ -60,5 +59,6 @@ pub(crate) fn cost(lengths: &[usize], options: &Options) -> Cost {
         total.cells += cells;
         total.bytes = total.bytes.max(bytes);
     }
+    total.bytes += BYTES_PER_POINT * lengths.iter().sum::<usize>() as u64;
     total
 }
