@@ -261,11 +261,7 @@ impl UniformMeshRequest {
             return Err(Rejection::TooLarge(vec![FieldError::new("/edge_length", detail)]));
         }
         geometry::check(&domain, &options)?;
-        Ok(Checked {
-            memory_bytes: estimate.bytes,
-            quick: false,
-            problem: Problem::UniformMesh { domain, options },
-        })
+        Ok(Checked { memory_bytes: estimate.bytes, quick: false, problem: Problem::UniformMesh { domain, options } })
     }
 
     /// Converts the request to the geometry's types.

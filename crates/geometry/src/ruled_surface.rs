@@ -193,7 +193,11 @@ pub fn estimate(points: &[usize], options: &Options) -> Estimate {
 ///
 /// # Errors
 /// The [`Error::Input`] that [`solve`] would begin with; [`Error::Interrupted`].
-pub fn estimate_for(directrices: &[Vec<DVec3>], options: &Options, execution: &Execution<'_>) -> Result<Estimate, Error> {
+pub fn estimate_for(
+    directrices: &[Vec<DVec3>],
+    options: &Options,
+    execution: &Execution<'_>,
+) -> Result<Estimate, Error> {
     let prepared = prepare(directrices, options, options.sampling, execution)?;
     let mut estimate = stack::estimate::estimate(&prepared.lengths(), options);
     let keeps_to_corridor = options.objective == Objective::MinimalArea

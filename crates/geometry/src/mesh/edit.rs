@@ -56,7 +56,8 @@ impl Topology {
     #[must_use]
     pub fn hinge(&self, half_edge: u32) -> Option<[u32; 4]> {
         let twin = self.twin[half_edge as usize];
-        (twin != NONE).then(|| [self.from(half_edge), self.to(half_edge), self.opposite(half_edge), self.opposite(twin)])
+        (twin != NONE)
+            .then(|| [self.from(half_edge), self.to(half_edge), self.opposite(half_edge), self.opposite(twin)])
     }
 
     /// The half-edge that runs from one vertex to the other; `None` if no triangle has it.

@@ -5,7 +5,7 @@
 use crate::DVec3;
 use crate::mesh::film::Film;
 use crate::mesh::measure::double_area_vector;
-use crate::mesh::topology::{NONE, next, previous};
+use crate::mesh::topology::{next, previous};
 
 /// Largest number of flips of one call, as a multiple of the number of edges. It bounds the work on curved surfaces, on
 /// which flips can undo each other. With a larger value such a call may run longer.
@@ -129,15 +129,8 @@ mod tests {
         assert!(flip_to_delaunay(&mut film) > 10);
         for h in 0..film.topology.twin.len() as u32 {
             assert!(!wants_flip(&film, h));
-            let twin = film.topology.twin[h as usize];
-            if twin != NONE {
-                let [p, q, r, s] = [
-                    film.topology.from(h),
-                    film.topology.to(h),
-                    film.topology.opposite(h),
-                    film.topology.opposite(twin),
-                ]
-                .map(|v| film.vertices[v as usize].truncate());
+            if let Some(hinge) = film.topology.hinge(h) {
+                let [p, q, r, s] = hinge.map(|v| film.vertices[v as usize].truncate());
                 let coord = |v: glam::DVec2| robust::Coord { x: v.x, y: v.y };
                 assert!(robust::incircle(coord(p), coord(q), coord(r), coord(s)) <= 1e-9);
             }

@@ -7,11 +7,11 @@ use super::plane::polygon::{self, Polygon};
 use super::report::UniformMesh;
 use super::surface::auxiliary::{self, film_area};
 use super::surface::nurbs::Nurbs;
-use crate::{DVec2, Estimate};
 use crate::error::{Error, InputError, Place};
 use crate::execution::Execution;
 use crate::mesh::self_intersections::{self, Order};
 use crate::polyline::LARGEST_COORDINATE;
+use crate::{DVec2, Estimate};
 
 /// Largest number of nodes that a solve may ask for; with more the indices no longer fit.
 const MOST_NODES: f64 = 5e7;
@@ -49,7 +49,9 @@ fn most_nodes(domain: &Domain, options: &Options) -> Result<f64, Error> {
             let (area, perimeter) = polygon::extent(outer, holes)?;
             Ok(packed_nodes(area, perimeter, options.edge_length))
         }
-        Domain::Bezier { control_points } => most_nodes_of_patch(&Nurbs::bezier(control_points.clone()), "bezier", options),
+        Domain::Bezier { control_points } => {
+            most_nodes_of_patch(&Nurbs::bezier(control_points.clone()), "bezier", options)
+        }
         Domain::Nurbs(patch) => most_nodes_of_patch(patch, "nurbs", options),
         Domain::Boundaries(boundaries) => {
             for (k, boundary) in boundaries.iter().enumerate() {

@@ -230,7 +230,10 @@ fn gains(film: &Film, h: u32) -> bool {
     let double_area = |corners| double_area_vector(corners).length();
     let before = double_area([p, q, r]) + double_area([q, p, s]);
     let after = double_area([s, r, p]) + double_area([r, s, q]);
-    after < before * (1.0 - 1e-12) && !is_degenerate([s, r, p]) && !is_degenerate([r, s, q]) && !film.is_locked(hinge[0], hinge[1])
+    after < before * (1.0 - 1e-12)
+        && !is_degenerate([s, r, p])
+        && !is_degenerate([r, s, q])
+        && !film.is_locked(hinge[0], hinge[1])
 }
 
 /// The step of eq. 5 for one vertex, and the number of the vertex's triangles.
