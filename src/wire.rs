@@ -1,8 +1,8 @@
 //! Request and result types, their JSON Schemas for the OpenAPI document, and their conversion to and from the
 //! geometry's types.
 //!
-//! The schema derived from the Rust types is published in the OpenAPI document, and bodies are validated against the
-//! same schema before serde reads them. Every error has a JSON Pointer. Long lists of points are read before that, and
+//! The schemas derived from the Rust types are published in the API document ([`components`]), and bodies are validated
+//! against the same schemas before serde reads them ([`schema`]). Every error has a JSON Pointer. Long lists of points are read before that, and
 //! the schema sees only their first points ([`body`]). After the schema come checks that a schema cannot express, such
 //! as too few distinct points or two directrices of a single point each. The last checks are the geometry's own.
 //! Besides `jobs/solve.rs`, only this module knows both wire names and geometry types.
@@ -10,6 +10,7 @@
 pub mod batch;
 pub mod body;
 pub mod common;
+pub mod components;
 pub mod job;
 pub mod json;
 pub mod minimal_surface;

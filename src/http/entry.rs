@@ -1,6 +1,6 @@
 //! Building blocks of the handlers' entries in the API document.
 
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 /// Returns a reference to a component schema.
 pub fn reference(component: &str) -> Value {
@@ -11,6 +11,7 @@ pub fn reference(component: &str) -> Value {
 pub fn problem(description: &str, headers: &[(&str, &str)]) -> Value {
     let mut response = json!({
         "description": description,
+        "headers": { "X-Request-Id": { "$ref": "#/components/headers/RequestId" } },
         "content": { "application/problem+json": { "schema": reference("Problem") } },
     });
     for (name, component) in headers {
@@ -26,6 +27,13 @@ pub fn with_problems(mut responses: Value, names: &[(&str, &str)]) -> Value {
     }
     responses["500"] = json!({ "$ref": "#/components/responses/Failed" });
     responses
+}
+
+/// Returns the content of a response that is a file of one of these media types.
+pub fn file_content<'m>(media_types: impl IntoIterator<Item = &'m str>) -> Value {
+    let file =
+        |media_type: &str| (media_type.to_owned(), json!({ "schema": { "type": "string", "format": "binary" } }));
+    Value::Object(media_types.into_iter().map(file).collect())
 }
 
 pub fn json_response(description: &str, component: &str) -> Value {
@@ -63,6 +71,10 @@ pub fn prefer_parameter() -> Value {
         "schema": { "type": "string" }, "example": "wait=10" })
 }
 
+/// Media type under which every file can be fetched. Client generators take bytes of this type as bytes, and do not know
+/// the media types of meshes.
+pub const BYTES: &str = "application/octet-stream";
+
 /// Returns the parameter `format` and the responses of a file in several formats, each given as `(name, media type)`.
 pub fn representation(
     formats: &[(&str, &str)],
@@ -70,15 +82,15 @@ pub fn representation(
     description: &str,
     problems: &[(&str, &str)],
 ) -> (Value, Value) {
-    let binary = json!({ "type": "string", "format": "binary" });
-    let content: Map<String, Value> =
-        formats.iter().map(|(_, media_type)| ((*media_type).to_owned(), json!({ "schema": binary }))).collect();
+    let content = file_content(formats.iter().map(|(_, media_type)| *media_type).chain([BYTES]));
     let names: Vec<&str> = formats.iter().map(|(name, _)| *name).collect();
     let headers = json!({ "ETag": { "description": "Hash of these bytes.", "schema": { "type": "string" } },
         "Vary": { "description": "Accept", "schema": { "type": "string" } } });
     let parameter = query_parameter(
         "format",
-        &format!("Takes precedence over `Accept`. The default is `{default}`."),
+        &format!(
+            "Takes precedence over `Accept`. The default is `{default}`. With `Accept: {BYTES}` the file has that type."
+        ),
         json!({ "type": "string", "enum": names }),
     );
     let responses = with_problems(

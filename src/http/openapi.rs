@@ -1,12 +1,12 @@
 //! The OpenAPI 3.1 document. Its paths come from the [`router`], which lists each handler with its entry, and its
-//! schemas from the Rust types ([`wire::schema`](crate::wire::schema)).
+//! schemas from the Rust types ([`wire::components`](crate::wire::components)).
 //!
 //! `api/openapi.json` is the committed copy of this document. `plateau openapi` prints it, and a test compares both.
 
 use crate::http::access::is_public;
 use crate::http::entry::problem;
 use crate::http::router;
-use crate::wire::schema;
+use crate::wire::components::components;
 use serde_json::{Map, Value, json};
 use std::sync::LazyLock;
 
@@ -58,7 +58,7 @@ fn document() -> Value {
             "securitySchemes": {
                 "key": { "type": "http", "scheme": "bearer", "description": "API key of this server, created with `plateau key new`." },
             },
-            "schemas": schema::components(),
+            "schemas": components(),
             "responses": problems(),
             "headers": {
                 "RequestId": { "description": "Identifier of this request in the server's logs.", "schema": { "type": "string" } },

@@ -1,5 +1,6 @@
 //! `POST /v1/batches`: many requests at once, each with its `kind`.
 
+use super::components::{self, REQUEST_WITH_KIND};
 use super::job::Links;
 use super::{FieldError, Kind, MAX_ERRORS, Rejection, Request, json, schema};
 use crate::config::LimitsConfig;
@@ -23,11 +24,6 @@ pub struct BatchRequest {
 
 /// Returns the published schema of the body.
 pub(super) fn request_schema() -> Value {
-    let kinds = Kind::ALL.map(|kind| {
-        let request = format!("#/components/schemas/{}", schema::request_component(kind));
-        let says_kind = json!({ "required": ["kind"], "properties": { "kind": { "const": kind.name() } } });
-        json!({ "allOf": [{ "$ref": request }, says_kind] })
-    });
     json!({
         "type": "object",
         "description": "Requests of any kinds. Each becomes a separate job.",
@@ -35,11 +31,11 @@ pub(super) fn request_schema() -> Value {
         "additionalProperties": false,
         "properties": {
             "requests": {
-                "type": "array", "minItems": 1, "items": { "anyOf": kinds },
+                "type": "array", "minItems": 1, "items": components::reference(REQUEST_WITH_KIND),
                 "description": "Each request names its `kind`. `GET /v1/limits` shows how many requests a batch may have.",
             },
             "callback_url": {
-                "type": ["string", "null"], "maxLength": URL_BYTES, "default": null,
+                "type": ["string", "null"], "maxLength": URL_BYTES,
                 "description": "URL (https) that receives a signed POST when every job has ended. Requires webhooks to be enabled on this server: see `webhooks` of `GET /v1/limits`.",
             },
         },

@@ -128,8 +128,8 @@ impl<'de> Visitor<'de> for Reader {
 mod tests {
     use super::*;
     use crate::wire::Kind;
+    use crate::wire::components::{components, request_component};
     use crate::wire::json;
-    use crate::wire::schema;
 
     fn read(body: &str) -> Option<Body> {
         Body::read(body.as_bytes(), &["rails", "normals"])
@@ -183,9 +183,13 @@ mod tests {
         let mut seen = 0;
         for kind in Kind::ALL {
             for field in kind.point_fields() {
-                let list = &schema::components()[schema::request_component(kind)]["properties"][field];
-                let line = &list["items"];
-                let point = &line["items"];
+                let resolved = |schema: &'static Value| {
+                    let name = schema["$ref"].as_str().and_then(|reference| reference.rsplit('/').next());
+                    name.map_or(schema, |name| &components()[name])
+                };
+                let list = resolved(&components()[request_component(kind)]["properties"][field]);
+                let line = resolved(&list["items"]);
+                let point = resolved(&line["items"]);
                 assert!(line["minItems"].as_u64().unwrap_or(0) <= OUTLINE_POINTS as u64, "{field}");
                 assert_eq!((point["minItems"].as_u64(), point["maxItems"].as_u64()), (Some(3), Some(3)), "{field}");
                 let known = ["type", "items", "minItems", "description", "default"];

@@ -70,8 +70,8 @@ pub struct MinimalSurfaceRequest {
     /// Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
     /// stages.
     #[serde(default)]
-    #[schemars(length(min = 1, max = 16), inner(length(min = 1, max = 16)))]
-    pub processes: Option<Vec<Vec<Process>>>,
+    #[schemars(length(min = 1, max = 16))]
+    pub processes: Option<Vec<ProcessStage>>,
     /// Maximum number of iterations. Null means the solver's default.
     #[serde(default)]
     #[schemars(range(min = 1, max = 1_000_000_000))]
@@ -119,6 +119,7 @@ pub enum MinimalSurfaceKind {
 
 /// Quantity that is minimised. `GET /v1/objectives` has the formulas.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[schemars(rename = "MinimalSurfaceObjective")]
 #[serde(rename_all = "snake_case")]
 pub enum Objective {
     #[default]
@@ -261,6 +262,24 @@ pub enum LinearSolver {
     ConjugateGradients,
 }
 
+/// One process, or several that take turns.
+// The union also has a practical use: openapi-generator's Python cannot read a list of lists of names.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum ProcessStage {
+    One(Process),
+    Several(#[schemars(length(min = 1, max = 16))] Vec<Process>),
+}
+
+impl ProcessStage {
+    fn processes(&self) -> &[Process] {
+        match self {
+            Self::One(process) => std::slice::from_ref(process),
+            Self::Several(processes) => processes,
+        }
+    }
+}
+
 /// A process of vertex relaxation.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -393,7 +412,8 @@ impl MinimalSurfaceRequest {
                 geometry::Method::VertexRelaxation(geometry::VertexRelaxation {
                     area_tolerance,
                     fairing_tolerance: self.fairing_tolerance,
-                    processes: stages.map(|all| all.iter().map(|stage| stage.iter().map(process).collect()).collect()),
+                    processes: stages
+                        .map(|all| all.iter().map(|stage| stage.processes().iter().map(process).collect()).collect()),
                 })
             }
             (Objective::MinimalArea, Solver::PinkallPolthier) => {

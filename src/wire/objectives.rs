@@ -2,7 +2,7 @@
 
 use super::Kind;
 use crate::config::Config;
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
 use serde_json::Value;
 use std::sync::LazyLock;
@@ -88,7 +88,12 @@ pub struct Example {
     pub kind: Kind,
     pub title: &'static str,
     /// Request to post to the path of its kind.
+    #[schemars(schema_with = "request_with_kind")]
     pub request: Value,
+}
+
+fn request_with_kind(_: &mut SchemaGenerator) -> Schema {
+    schemars::json_schema!({ "$ref": "#/components/schemas/RequestWithKind" })
 }
 
 #[derive(Clone, Debug, Serialize, JsonSchema)]

@@ -181,6 +181,7 @@ pub enum RuledSurfaceKind {
 
 /// Quantity that is minimised. `GET /v1/objectives` has the formulas.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[schemars(rename = "RuledSurfaceObjective")]
 #[serde(rename_all = "snake_case")]
 pub enum Objective {
     #[default]

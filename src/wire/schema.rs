@@ -1,72 +1,12 @@
-//! JSON Schemas of the Rust types, and validation of bodies against them.
+//! Validation of bodies against the schemas of the API document.
 
+use super::components::{BATCH, components, for_each_schema, request_component};
 use super::{FieldError, Kind, MAX_ERRORS, Rejection};
 use jsonschema::error::ValidationErrorKind;
 use jsonschema::{ValidationError, Validator};
-use schemars::JsonSchema;
-use schemars::generate::{SchemaGenerator, SchemaSettings};
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
 use std::sync::LazyLock;
-
-/// Returns the component schemas of the OpenAPI document by name.
-#[must_use]
-pub fn components() -> &'static Map<String, Value> {
-    static COMPONENTS: LazyLock<Map<String, Value>> = LazyLock::new(|| {
-        let settings = SchemaSettings::draft2020_12().with(|settings| {
-            settings.definitions_path = "/components/schemas".into();
-            settings.meta_schema = None;
-        });
-        let mut generator = settings.into_generator();
-        requests(&mut generator);
-        super::job::schemas(&mut generator);
-        let mut components = generator.take_definitions(true);
-        components.insert(BATCH.into(), super::batch::request_schema());
-        for schema in components.values_mut() {
-            remove_unsigned_formats(schema);
-        }
-        components
-    });
-    &COMPONENTS
-}
-
-fn add<T: JsonSchema>(generator: &mut SchemaGenerator) {
-    generator.subschema_for::<T>();
-}
-
-fn requests(generator: &mut SchemaGenerator) {
-    add::<super::ruled_surface::RuledSurfaceRequest>(generator);
-    add::<super::minimal_surface::MinimalSurfaceRequest>(generator);
-    add::<super::uniform_mesh::UniformMeshRequest>(generator);
-}
-
-/// Removes unsigned-integer formats, because OpenAPI tools warn about them. The type, minimum and maximum already say
-/// the same.
-fn remove_unsigned_formats(schema: &mut Value) {
-    match schema {
-        Value::Object(map) => {
-            if map.get("format").and_then(Value::as_str).is_some_and(|format| format.starts_with("uint")) {
-                map.remove("format");
-            }
-            map.values_mut().for_each(remove_unsigned_formats);
-        }
-        Value::Array(list) => list.iter_mut().for_each(remove_unsigned_formats),
-        _ => {}
-    }
-}
-
-/// Returns the component name of a kind's request.
-#[must_use]
-pub fn request_component(kind: Kind) -> &'static str {
-    match kind {
-        Kind::RuledSurface => "RuledSurfaceRequest",
-        Kind::MinimalSurface => "MinimalSurfaceRequest",
-        Kind::UniformMesh => "UniformMeshRequest",
-    }
-}
-
-/// Component name of a batch's body.
-pub const BATCH: &str = "BatchRequest";
 
 /// Validates a batch's body and the kind of each request. The other fields of a request are validated later against the
 /// request's own schema.
@@ -90,6 +30,20 @@ pub fn validate_outline(value: &Value) -> Result<(), Rejection> {
     if errors.is_empty() { Ok(()) } else { Err(Rejection::Invalid(errors)) }
 }
 
+/// Returns the component schemas without the types of enumerations. The values have that type, and a value of another
+/// type would otherwise have two errors.
+fn without_types_of_enums() -> Map<String, Value> {
+    let mut schemas = components().clone();
+    for schema in schemas.values_mut() {
+        for_each_schema(schema, &mut |schema: &mut Value| {
+            if let Some(keywords) = schema.as_object_mut().filter(|keywords| keywords.contains_key("enum")) {
+                keywords.remove("type");
+            }
+        });
+    }
+    schemas
+}
+
 fn validator(kind: Kind) -> &'static Validator {
     static VALIDATORS: LazyLock<Vec<Validator>> = LazyLock::new(|| {
         Kind::ALL
@@ -97,7 +51,7 @@ fn validator(kind: Kind) -> &'static Validator {
             .map(|&kind| {
                 let schema = json!({
                     "$ref": format!("#/components/schemas/{}", request_component(kind)),
-                    "components": { "schemas": components() },
+                    "components": { "schemas": without_types_of_enums() },
                 });
                 jsonschema::validator_for(&schema).expect("the schema of a request type is a valid schema")
             })
@@ -191,11 +145,6 @@ fn collect(error: &ValidationError<'_>, errors: &mut Vec<FieldError>) {
     }
     match error.kind() {
         ValidationErrorKind::AnyOf { context } | ValidationErrorKind::OneOfNotValid { context } => {
-            if let Some(names) = allowed_names(context) {
-                let detail = format!("it is not one of {}", names.join(", "));
-                errors.push(FieldError::new(error.instance_path().as_str(), detail));
-                return;
-            }
             let depth = |branch: &Vec<ValidationError<'_>>| {
                 branch
                     .iter()
@@ -211,6 +160,11 @@ fn collect(error: &ValidationError<'_>, errors: &mut Vec<FieldError>) {
             } else {
                 branch.iter().for_each(|error| collect(error, errors));
             }
+        }
+        ValidationErrorKind::Enum { options } => {
+            let names: Vec<String> = options.as_array().into_iter().flatten().map(Value::to_string).collect();
+            let detail = format!("it is not one of {}", names.join(", "));
+            errors.push(FieldError::new(error.instance_path().as_str(), detail));
         }
         ValidationErrorKind::AdditionalProperties { unexpected } => {
             for name in unexpected {
@@ -233,20 +187,6 @@ fn collect(error: &ValidationError<'_>, errors: &mut Vec<FieldError>) {
             errors.push(FieldError::new(error.instance_path().as_str(), detail));
         }
     }
-}
-
-/// Returns the values of a union whose branches are all named values: an enumeration whose values have descriptions.
-fn allowed_names(branches: &[Vec<ValidationError<'_>>]) -> Option<Vec<String>> {
-    let mut names = Vec::new();
-    for branch in branches {
-        let named = branch.iter().find_map(|error| match error.kind() {
-            ValidationErrorKind::Constant { expected_value } => Some(vec![expected_value.to_string()]),
-            ValidationErrorKind::Enum { options } => Some(options.as_array()?.iter().map(Value::to_string).collect()),
-            _ => None,
-        });
-        names.extend(named?);
-    }
-    Some(names)
 }
 
 fn type_matched(error: &ValidationError<'_>) -> bool {

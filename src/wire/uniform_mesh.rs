@@ -138,6 +138,7 @@ pub struct Nurbs {
 
 /// Quantity that is optimised. `GET /v1/objectives` has the formulas.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[schemars(rename = "UniformMeshObjective")]
 #[serde(rename_all = "snake_case")]
 pub enum Objective {
     /// As few nodes as possible.

@@ -27,6 +27,19 @@ async fn format_beats_accept_and_glb_is_the_default() {
     assert_eq!(media_type("?format=stl", "*/*").await, "model/stl");
     let glb = app.get(mesh).await.bytes().await.unwrap();
     assert_eq!(&glb[..4], b"glTF");
+    // Generated clients know no media type of a mesh, and take this one as bytes.
+    let bytes = "application/octet-stream";
+    for (query, accept, expected) in [
+        ("", bytes, bytes),
+        ("?format=obj", bytes, bytes),
+        ("?format=obj", "*/*, application/octet-stream", "model/obj"),
+        ("?format=obj", "text/html", "model/obj"),
+        ("", "application/octet-stream;q=0.5, model/stl", "model/stl"),
+    ] {
+        assert_eq!(media_type(query, accept).await, expected, "{query} {accept}");
+    }
+    let same = get_with(&app, mesh, &[("accept", bytes)]).await.bytes().await.unwrap();
+    assert!(same == glb);
 }
 
 #[tokio::test]

@@ -79,3 +79,63 @@ async fn the_server_accepts_exactly_the_documented_methods() {
         assert!(document["paths"].get(path).is_some(), "{path} is not documented");
     }
 }
+
+/// Calls `check` with every object of a document and the path to it.
+fn for_each_object(value: &Value, path: &str, check: &mut impl FnMut(&str, &serde_json::Map<String, Value>)) {
+    match value {
+        Value::Object(map) => {
+            check(path, map);
+            map.iter().for_each(|(key, value)| for_each_object(value, &format!("{path}/{key}"), check));
+        }
+        Value::Array(list) => {
+            list.iter()
+                .enumerate()
+                .for_each(|(index, value)| for_each_object(value, &format!("{path}/{index}"), check));
+        }
+        _ => {}
+    }
+}
+
+/// Each rule is one on which a client generator failed.
+#[tokio::test]
+async fn the_schemas_have_only_forms_that_generators_take() {
+    let app = TestApp::start().await;
+    let document = app.get_json("/openapi.json").await;
+    let schemas = &document["components"]["schemas"];
+    for_each_object(schemas, "", &mut |path, schema| {
+        if path.ends_with("/properties") {
+            return;
+        }
+        assert!(!schema.contains_key("default"), "{path}: openapi-typescript makes a field with a default required");
+        assert!(schema.get("items").is_none_or(Value::is_object), "{path}: openapi-python-client takes no true");
+        assert!(!schema.contains_key("const"), "{path}: a list with one value is clearer to openapi-generator");
+        if let Some(parts) = schema.get("oneOf").and_then(Value::as_array) {
+            assert!(parts.iter().all(|part| part["$ref"].is_string()), "{path}: a union without names");
+            assert_eq!(schema["discriminator"]["propertyName"], "kind", "{path}: a union without a discriminator");
+        }
+    });
+    for name in
+        ["Point", "Polyline", "Polygon", "MinimalSurfaceObjective", "RuledSurfaceObjective", "MinimalSurfaceJob"]
+    {
+        assert!(schemas.get(name).is_some(), "{name}");
+    }
+    let boundaries = &schemas["MinimalSurfaceRequest"]["properties"]["boundaries"];
+    assert_eq!(boundaries["items"]["$ref"], "#/components/schemas/Polygon");
+    let units = &schemas["MinimalSurfaceRequest"]["properties"]["units"];
+    assert_eq!((&units["x-default"], &schemas["Units"]["enum"][0]), (&"m".into(), &"mm".into()));
+    let statistics = &schemas["UniformMeshJob"]["properties"]["statistics"]["anyOf"];
+    assert_eq!(statistics[0]["$ref"], "#/components/schemas/UniformStatistics");
+    let answer = &document["paths"]["/v1/uniform-meshes"]["post"]["responses"]["200"]["content"]["application/json"];
+    assert_eq!(answer["schema"]["$ref"], "#/components/schemas/UniformMeshJob");
+}
+
+/// What was null may still be null, although null is no longer the documented default.
+#[tokio::test]
+async fn null_is_accepted_where_the_document_says_so() {
+    let app = TestApp::start().await;
+    let body = serde_json::json!({
+        "kind": null, "callback_url": null, "fairing_tolerance": null, "processes": null, "max_iterations": null,
+        "boundaries": [[[0, 0, 0], [1, 0, 0], [0, 1, 1]]],
+    });
+    assert_eq!(app.post("/v1/minimal-surfaces", &body).await.status(), 202);
+}

@@ -478,7 +478,7 @@ export interface components {
             /** @description Time of submission (RFC 3339, UTC). */
             created_at: string;
             /** @description Time at which the last job ended. Null until then. */
-            finished_at?: string | null;
+            finished_at: string | null;
             /** @description ULID, which sorts by time of submission. */
             id: string;
             /** @description Jobs in the order of the requests. Jobs that were deleted or have expired are left out. */
@@ -516,34 +516,28 @@ export interface components {
         };
         /** @description Requests of any kinds. Each becomes a separate job. */
         BatchRequest: {
-            /**
-             * @description URL (https) that receives a signed POST when every job has ended. Requires webhooks to be enabled on this server: see `webhooks` of `GET /v1/limits`.
-             * @default null
-             */
+            /** @description URL (https) that receives a signed POST when every job has ended. Requires webhooks to be enabled on this server: see `webhooks` of `GET /v1/limits`. */
             callback_url?: string | null;
             /** @description Each request names its `kind`. `GET /v1/limits` shows how many requests a batch may have. */
-            requests: ((components["schemas"]["RuledSurfaceRequest"] & {
-                /** @constant */
-                kind: "ruled_surface";
-            }) | (components["schemas"]["MinimalSurfaceRequest"] & {
-                /** @constant */
-                kind: "minimal_surface";
-            }) | (components["schemas"]["UniformMeshRequest"] & {
-                /** @constant */
-                kind: "uniform_mesh";
-            }))[];
+            requests: components["schemas"]["RequestWithKind"][];
         };
         /** @description A tensor-product Bézier patch. */
         Bezier: {
             /** @description Control points: rows along u, each with the points along v. */
-            control_points: number[][][];
+            control_points: components["schemas"]["Polyline"][];
         };
         /**
          * @description Sampling of the boundary. `refine` may add points on its segments, and `keep` uses only the polygon's vertices.
          * @enum {string}
          */
         BoundarySampling: "refine" | "keep";
-        /** @description Whether the result of an equal earlier request may be returned. Results are deterministic, so it has the same bytes. */
+        /**
+         * @description Whether the result of an equal earlier request may be returned. Results are deterministic, so it has the same bytes.
+         *
+         *     - `reuse`: Return a stored result if there is one, and store this one for later requests.
+         *     - `bypass`: Solve again, and do not store the result for later requests.
+         * @enum {string}
+         */
         Cache: "reuse" | "bypass";
         /** @enum {string} */
         Caps: "none" | "flat";
@@ -577,19 +571,19 @@ export interface components {
              * Format: double
              * @description Value of `minimal_normal_variation`. Null without normals.
              */
-            normal_variation?: number | null;
+            normal_variation: number | null;
             objective: string;
             /**
              * Format: double
              * @description Value of the objective. For `maximal_convexity` it is the number of convex bridges.
              */
             objective_value: number;
-            secondary_objective?: string | null;
+            secondary_objective: string | null;
             /**
              * Format: double
              * @description Value of the secondary objective. Null without one.
              */
-            secondary_value?: number | null;
+            secondary_value: number | null;
             /** Format: double */
             shortest_bridge: number;
             /**
@@ -601,39 +595,30 @@ export interface components {
         };
         /** @description Fixed points and curves inside the surface. They become vertices and edges of the mesh. */
         Constraints: {
-            /** @default [] */
-            points?: number[][];
-            /** @default [] */
-            polylines?: number[][][];
+            /** @description Default: `[]`. */
+            points?: components["schemas"]["Point"][];
+            /** @description Default: `[]`. */
+            polylines?: components["schemas"]["Polyline"][];
         };
         /** @enum {string} */
         Direction: "as_given" | "auto";
         /** @description Domain of the mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs` and `boundaries`. */
         Domain: {
             bezier?: components["schemas"]["Bezier"];
-            /**
-             * @description Closed polygons. The domain is the minimal surface that spans them.
-             * @default null
-             */
-            boundaries?: number[][][];
-            /**
-             * @description Holes of the polygon.
-             * @default []
-             */
-            holes?: number[][][];
+            /** @description Closed polygons. The domain is the minimal surface that spans them. */
+            boundaries?: components["schemas"]["Polygon"][];
+            /** @description Holes of the polygon. Default: `[]`. */
+            holes?: components["schemas"]["Polygon"][];
             nurbs?: components["schemas"]["Nurbs"];
-            /**
-             * @description A planar polygon in space that does not repeat its first point.
-             * @default null
-             */
-            polygon?: number[][];
+            /** @description A planar polygon in space that does not repeat its first point. */
+            polygon?: components["schemas"]["Point"][];
         };
         /** @description An example request. */
         Example: {
             kind: components["schemas"]["Kind"];
             name: string;
             /** @description Request to post to the path of its kind. */
-            request: unknown;
+            request: components["schemas"]["RequestWithKind"];
             title: string;
         };
         ExampleList: {
@@ -684,10 +669,10 @@ export interface components {
         GivenMesh: {
             /** @description Vertex indices of each triangle, counted from 0. */
             triangles: number[][];
-            vertices: number[][];
+            vertices: components["schemas"]["Polygon"];
         };
         /** @description A named objective, or a weighted sum. */
-        Goal: components["schemas"]["Objective"] | components["schemas"]["WeightedSum"];
+        Goal: components["schemas"]["RuledSurfaceObjective"] | components["schemas"]["WeightedSum"];
         /** @description Count, minimum, mean, maximum and standard deviation of a group of lengths. All are 0 for an empty group. */
         GroupLengths: {
             count: number;
@@ -712,25 +697,7 @@ export interface components {
         /** @description Mesh that the solver starts from: built by the service, or supplied by the client. */
         InitialMesh: components["schemas"]["MadeMesh"] | components["schemas"]["GivenMesh"];
         /** @description A job: an accepted request and its state. */
-        Job: {
-            /** @description Time of submission (RFC 3339, UTC). */
-            created_at: string;
-            /** @description Null unless the job has failed. */
-            error?: components["schemas"]["JobError"] | null;
-            /** @description Time at which the job and its mesh are removed. */
-            expires_at?: string | null;
-            finished_at?: string | null;
-            /** @description ULID, which sorts by time of submission. */
-            id: string;
-            kind: components["schemas"]["Kind"];
-            links: components["schemas"]["Links"];
-            progress: components["schemas"]["Progress"];
-            started_at?: string | null;
-            /** @description Null until the job has succeeded. The fields depend on the kind. */
-            statistics: components["schemas"]["RuledStatistics"] | components["schemas"]["MinimalStatistics"] | components["schemas"]["UniformStatistics"] | null;
-            status: components["schemas"]["Status"];
-            warnings: components["schemas"]["JobWarning"][];
-        };
+        Job: components["schemas"]["RuledSurfaceJob"] | components["schemas"]["MinimalSurfaceJob"] | components["schemas"]["UniformMeshJob"];
         /** @description Reason for a failure: what was wrong with the geometry, and what to try. */
         JobError: {
             detail: string;
@@ -743,23 +710,23 @@ export interface components {
         JobList: {
             jobs: components["schemas"]["JobSummary"][];
             /** @description Value of `?cursor=` for the next page; null on the last page. */
-            next_cursor?: string | null;
+            next_cursor: string | null;
         };
         /** @description A job of a list, without its statistics. */
         JobSummary: {
             /** @description Time of submission (RFC 3339, UTC). */
             created_at: string;
             /** @description Null unless the job has failed. */
-            error?: components["schemas"]["JobError"] | null;
+            error: components["schemas"]["JobError"] | null;
             /** @description Time at which the job and its mesh are removed. */
-            expires_at?: string | null;
-            finished_at?: string | null;
+            expires_at: string | null;
+            finished_at: string | null;
             /** @description ULID, which sorts by time of submission. */
             id: string;
             kind: components["schemas"]["Kind"];
             links: components["schemas"]["Links"];
             progress: components["schemas"]["Progress"];
-            started_at?: string | null;
+            started_at: string | null;
             status: components["schemas"]["Status"];
             warnings: components["schemas"]["JobWarning"][];
         };
@@ -802,7 +769,7 @@ export interface components {
              */
             mean_deviation_deg: number;
             /** @description Number of negative eigenvalues of the second variation with moving junctions. Null if it was not computed. */
-            morse_index?: number | null;
+            morse_index: number | null;
             /** @description Number of vertices inside the film where such curves meet. */
             points: number;
             /**
@@ -870,7 +837,16 @@ export interface components {
             pattern?: string | null;
             self: string;
         };
-        /** @description Construction of the initial mesh. The statistics name the construction that `auto` chose. */
+        /**
+         * @description Construction of the initial mesh. The statistics name the construction that `auto` chose.
+         *
+         *     - `auto`: Chooses the best of the others for these boundaries.
+         *     - `planar`: Delaunay triangulation in a plane onto which the boundary projects without crossing itself.
+         *     - `disk`: Delaunay triangulation of a round disc, mapped harmonically.
+         *     - `rings`: Rings of vertices (Chen, Cai, Zheng, section 3.4).
+         *     - `barycentres`: Liu, Wang.
+         * @enum {string}
+         */
         MadeMesh: "auto" | "planar" | "disk" | "rings" | "barycentres";
         MeanCurvature: {
             /** Format: double */
@@ -897,13 +873,13 @@ export interface components {
             /** Format: int64 */
             euler_characteristic: number;
             /** @description Null if the boundary's points do not allow a second resolution, and for unstable surfaces. */
-            extrapolated_area?: components["schemas"]["ExtrapolatedArea"] | null;
+            extrapolated_area: components["schemas"]["ExtrapolatedArea"] | null;
             flipped_triangles: number;
             /**
              * Format: int64
              * @description Null for films with junctions, for which it is not defined.
              */
-            genus?: number | null;
+            genus: number | null;
             history: components["schemas"]["HistoryRow"][];
             /**
              * Format: double
@@ -914,7 +890,7 @@ export interface components {
             initial_mesh: string;
             iterations: number;
             /** @description Null unless the initial mesh of the film has edges with three triangles. */
-            junctions?: components["schemas"]["Junctions"] | null;
+            junctions: components["schemas"]["Junctions"] | null;
             mean_curvature: components["schemas"]["MeanCurvature"];
             objective: string;
             /** Format: double */
@@ -935,35 +911,60 @@ export interface components {
              * @description Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
              *     mesh. Null if not all pairs were looked at.
              */
-            self_intersections?: number | null;
+            self_intersections: number | null;
             /** @description Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`. */
-            self_intersections_skipped?: string | null;
+            self_intersections_skipped: string | null;
             /** @description Solver that was used. */
             solver: string;
             /** @description Null without `topology: best`. */
-            spanning?: components["schemas"]["Spanning"] | null;
+            spanning: components["schemas"]["Spanning"] | null;
             /** @description Null if it was not computed. */
-            stability?: components["schemas"]["Stability"] | null;
+            stability: components["schemas"]["Stability"] | null;
             stop_reason: string;
             triangles: number;
             vertices: number;
         };
+        /** @description A job: an accepted request and its state. */
+        MinimalSurfaceJob: {
+            /** @description Time of submission (RFC 3339, UTC). */
+            created_at: string;
+            /** @description Null unless the job has failed. */
+            error: components["schemas"]["JobError"] | null;
+            /** @description Time at which the job and its mesh are removed. */
+            expires_at: string | null;
+            finished_at: string | null;
+            /** @description ULID, which sorts by time of submission. */
+            id: string;
+            /**
+             * @description Kind of the request. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "minimal_surface";
+            links: components["schemas"]["Links"];
+            progress: components["schemas"]["Progress"];
+            started_at: string | null;
+            /** @description Null until the job has succeeded. */
+            statistics: components["schemas"]["MinimalStatistics"] | null;
+            status: components["schemas"]["Status"];
+            warnings: components["schemas"]["JobWarning"][];
+        };
         /** @enum {string} */
         MinimalSurfaceKind: "minimal_surface";
+        /**
+         * @description Quantity that is minimised. `GET /v1/objectives` has the formulas.
+         * @enum {string}
+         */
+        MinimalSurfaceObjective: "minimal_area" | "minimal_dirichlet_energy" | "minimal_mean_curvature";
         /** @description Boundary polygons, and options for the surface that spans them. */
         MinimalSurfaceRequest: {
             /**
              * Format: double
-             * @description Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop.
-             * @default 0.000001
+             * @description Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop. Default: `1e-6`.
              */
             area_tolerance?: number;
             /** @description Closed polygons that do not repeat their first point. */
-            boundaries: number[][][];
-            /**
-             * @description Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do.
-             * @default true
-             */
+            boundaries: components["schemas"]["Polygon"][];
+            /** @description Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do. Default: `true`. */
             boundary_curvature?: boolean;
             boundary_sampling?: components["schemas"]["BoundarySampling"];
             /** @description Whether the stored result of an equal earlier request may be returned. */
@@ -971,22 +972,19 @@ export interface components {
             /**
              * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
              *     `webhooks` of `GET /v1/limits`.
-             * @default null
              */
             callback_url?: string | null;
             constraints?: components["schemas"]["Constraints"];
             /**
              * Format: double
              * @description Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
-             *     angle. 0 removes none.
-             * @default 1
+             *     angle. 0 removes none. Default: `1.0`.
              */
             degenerate_angle_deg?: number;
             /**
              * Format: double
              * @description Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
              *     `area_tolerance`.
-             * @default null
              */
             fairing_tolerance?: number | null;
             initial_mesh?: components["schemas"]["InitialMesh"];
@@ -994,74 +992,111 @@ export interface components {
             kind?: components["schemas"]["MinimalSurfaceKind"] | null;
             /** @description Method by which `pinkall_polthier` solves its linear systems. */
             linear_solver?: components["schemas"]["LinearSolver"];
-            /**
-             * @description Maximum number of iterations. Null means the solver's default.
-             * @default null
-             */
+            /** @description Maximum number of iterations. Null means the solver's default. */
             max_iterations?: number | null;
-            objective?: components["schemas"]["Objective2"];
+            objective?: components["schemas"]["MinimalSurfaceObjective"];
             on_unstable?: components["schemas"]["OnUnstable"];
             /**
              * @description Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
              *     stages.
              */
-            processes?: components["schemas"]["Process"][][] | null;
+            processes?: components["schemas"]["ProcessStage"][] | null;
             resolution?: components["schemas"]["Resolution"];
-            /**
-             * @description Seed of the choice among the candidate points of `initial_mesh: barycentres`.
-             * @default 1
-             */
+            /** @description Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`. */
             seed?: number;
             /** @description Method that minimises the area. */
             solver?: components["schemas"]["Solver"];
             /**
              * Format: double
-             * @description Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged.
-             * @default 0.000001
+             * @description Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged. Default: `1e-6`.
              */
             tolerance?: number;
             topology?: components["schemas"]["Topology"];
-            /**
-             * @description Unit of the coordinates.
-             * @default m
-             */
+            /** @description Unit of the coordinates. Default: `m`. */
             units?: components["schemas"]["Units"];
+            /** @description Axis that points up. Default: `z`. */
+            up?: components["schemas"]["UpAxis"];
+        };
+        /** @description Boundary polygons, and options for the surface that spans them. */
+        MinimalSurfaceRequestWithKind: {
             /**
-             * @description Axis that points up.
-             * @default z
+             * Format: double
+             * @description Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop. Default: `1e-6`.
              */
+            area_tolerance?: number;
+            /** @description Closed polygons that do not repeat their first point. */
+            boundaries: components["schemas"]["Polygon"][];
+            /** @description Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do. Default: `true`. */
+            boundary_curvature?: boolean;
+            boundary_sampling?: components["schemas"]["BoundarySampling"];
+            /** @description Whether the stored result of an equal earlier request may be returned. */
+            cache?: components["schemas"]["Cache"];
+            /**
+             * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+             *     `webhooks` of `GET /v1/limits`.
+             */
+            callback_url?: string | null;
+            constraints?: components["schemas"]["Constraints"];
+            /**
+             * Format: double
+             * @description Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
+             *     angle. 0 removes none. Default: `1.0`.
+             */
+            degenerate_angle_deg?: number;
+            /**
+             * Format: double
+             * @description Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
+             *     `area_tolerance`.
+             */
+            fairing_tolerance?: number | null;
+            initial_mesh?: components["schemas"]["InitialMesh"];
+            /**
+             * @description Kind of the request. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "minimal_surface";
+            /** @description Method by which `pinkall_polthier` solves its linear systems. */
+            linear_solver?: components["schemas"]["LinearSolver"];
+            /** @description Maximum number of iterations. Null means the solver's default. */
+            max_iterations?: number | null;
+            objective?: components["schemas"]["MinimalSurfaceObjective"];
+            on_unstable?: components["schemas"]["OnUnstable"];
+            /**
+             * @description Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
+             *     stages.
+             */
+            processes?: components["schemas"]["ProcessStage"][] | null;
+            resolution?: components["schemas"]["Resolution"];
+            /** @description Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`. */
+            seed?: number;
+            /** @description Method that minimises the area. */
+            solver?: components["schemas"]["Solver"];
+            /**
+             * Format: double
+             * @description Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged. Default: `1e-6`.
+             */
+            tolerance?: number;
+            topology?: components["schemas"]["Topology"];
+            /** @description Unit of the coordinates. Default: `m`. */
+            units?: components["schemas"]["Units"];
+            /** @description Axis that points up. Default: `z`. */
             up?: components["schemas"]["UpAxis"];
         };
         /** @description A NURBS patch. */
         Nurbs: {
             /** @description Control points: rows along u, each with the points along v. */
-            control_points: number[][][];
+            control_points: components["schemas"]["Polyline"][];
             /** @description Degrees along u and along v. */
             degrees: number[];
             /** @description Knots along u and along v: control points + degree + 1 each, in non-decreasing order. */
             knots: number[][];
-            /**
-             * @description Trimmed patches are not supported, so only null or an empty list is accepted.
-             * @default null
-             */
+            /** @description Trimmed patches are not supported, so only null or an empty list is accepted. */
             trim_curves?: unknown[] | null;
-            /**
-             * @description Weights in the shape of the control points. Null means equal weights.
-             * @default null
-             */
+            /** @description Weights in the shape of the control points. Null means equal weights. */
             weights?: number[][] | null;
         };
-        /** @description Quantity that is minimised. `GET /v1/objectives` has the formulas. */
-        Objective: ("minimal_area" | "minimal_twist" | "maximal_convexity" | "minimal_bending_energy" | "minimal_mean_curvature_variation") | "minimal_normal_variation";
-        /**
-         * @description Quantity that is minimised. `GET /v1/objectives` has the formulas.
-         * @enum {string}
-         */
-        Objective2: "minimal_area" | "minimal_dirichlet_energy" | "minimal_mean_curvature";
-        /** @description Quantity that is optimised. `GET /v1/objectives` has the formulas. */
-        Objective3: "fewest_nodes" | "most_equal_edges";
         /** @description One objective of one kind of request. */
-        Objective4: {
+        Objective: {
             kind: components["schemas"]["Kind"];
             /** @description Quantity that is minimised or maximised, as a formula in words and symbols. */
             minimises: string;
@@ -1074,7 +1109,7 @@ export interface components {
             unit: string;
         };
         ObjectiveList: {
-            objectives: components["schemas"]["Objective4"][];
+            objectives: components["schemas"]["Objective"][];
         };
         /**
          * @description Treatment of a stationary surface that is not a local minimum. `report` adds a warning, and `descend` leaves it
@@ -1107,6 +1142,12 @@ export interface components {
              */
             what: string;
         };
+        /** @description A point or vector `[x, y, z]` in the client's axes and unit. */
+        Point: number[];
+        /** @description The points of a closed polygon in order. The first point is not repeated. */
+        Polygon: components["schemas"]["Point"][];
+        /** @description Points in order. */
+        Polyline: components["schemas"]["Point"][];
         /** @description A problem document, RFC 9457. */
         Problem: {
             detail: string;
@@ -1127,6 +1168,8 @@ export interface components {
          * @enum {string}
          */
         Process: "laplacian_fairing" | "area_minimising" | "edge_swapping";
+        /** @description One process, or several that take turns. */
+        ProcessStage: components["schemas"]["Process"] | components["schemas"]["Process"][];
         /** @description Progress of a job. */
         Progress: {
             /**
@@ -1136,12 +1179,14 @@ export interface components {
             fraction: number;
             iteration: number;
             /** Format: double */
-            objective_value?: number | null;
+            objective_value: number | null;
             /** @description Name of the solver's current phase. */
             phase: string;
             /** Format: double */
-            residual?: number | null;
+            residual: number | null;
         };
+        /** @description A request that names its kind. */
+        RequestWithKind: components["schemas"]["RuledSurfaceRequestWithKind"] | components["schemas"]["MinimalSurfaceRequestWithKind"] | components["schemas"]["UniformMeshRequestWithKind"];
         /** @description Resolution of the mesh, given by exactly one of the three fields. */
         Resolution: {
             /**
@@ -1168,7 +1213,7 @@ export interface components {
             bending_energy: number;
             bridges: number;
             /** @description Statistics of each objective's optimum (Wang-Tang's Table 1). Null without `all_objectives`. */
-            comparison?: components["schemas"]["Comparison"][] | null;
+            comparison: components["schemas"]["Comparison"][] | null;
             /** Format: double */
             convex_bridge_ratio: number;
             /** @description Number of bridges that are locally convex. */
@@ -1180,7 +1225,7 @@ export interface components {
              */
             developability_deviation_deg: number;
             /** @description Null for closed strips, which cannot be unrolled. */
-            flat_pattern?: components["schemas"]["FlatPatternStatistics"] | null;
+            flat_pattern: components["schemas"]["FlatPatternStatistics"] | null;
             /**
              * Format: double
              * @description Largest angle between the normals of neighbouring triangles.
@@ -1194,7 +1239,7 @@ export interface components {
              * Format: double
              * @description Value of `minimal_normal_variation`. Null without normals.
              */
-            normal_variation?: number | null;
+            normal_variation: number | null;
             /** @description Name of the objective, or `weighted` for a weighted sum. */
             objective: string;
             /**
@@ -1208,14 +1253,14 @@ export interface components {
              * Format: double
              * @description Value of the secondary objective. Null without one.
              */
-            secondary_value?: number | null;
+            secondary_value: number | null;
             /**
              * @description Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
              *     mesh. Null if not all pairs were looked at.
              */
-            self_intersections?: number | null;
+            self_intersections: number | null;
             /** @description Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`. */
-            self_intersections_skipped?: string | null;
+            self_intersections_skipped: string | null;
             /** Format: double */
             shortest_bridge: number;
             /** @description Statistics of each strip, in order. */
@@ -1229,35 +1274,58 @@ export interface components {
             /** @description Number of vertices of the mesh. */
             vertices: number;
         };
+        /** @description A job: an accepted request and its state. */
+        RuledSurfaceJob: {
+            /** @description Time of submission (RFC 3339, UTC). */
+            created_at: string;
+            /** @description Null unless the job has failed. */
+            error: components["schemas"]["JobError"] | null;
+            /** @description Time at which the job and its mesh are removed. */
+            expires_at: string | null;
+            finished_at: string | null;
+            /** @description ULID, which sorts by time of submission. */
+            id: string;
+            /**
+             * @description Kind of the request. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "ruled_surface";
+            links: components["schemas"]["Links"];
+            progress: components["schemas"]["Progress"];
+            started_at: string | null;
+            /** @description Null until the job has succeeded. */
+            statistics: components["schemas"]["RuledStatistics"] | null;
+            status: components["schemas"]["Status"];
+            warnings: components["schemas"]["JobWarning"][];
+        };
         /** @enum {string} */
         RuledSurfaceKind: "ruled_surface";
+        /**
+         * @description Quantity that is minimised. `GET /v1/objectives` has the formulas.
+         *
+         *     - `minimal_normal_variation`: Requires `normals`.
+         * @enum {string}
+         */
+        RuledSurfaceObjective: "minimal_area" | "minimal_twist" | "maximal_convexity" | "minimal_bending_energy" | "minimal_mean_curvature_variation" | "minimal_normal_variation";
         /** @description Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh. */
         RuledSurfaceRequest: {
-            /**
-             * @description Solve for every objective and add the comparison to the statistics.
-             * @default false
-             */
+            /** @description Solve for every objective and add the comparison to the statistics. Default: `false`. */
             all_objectives?: boolean;
             /** @description Whether the stored result of an equal earlier request may be returned. */
             cache?: components["schemas"]["Cache"];
             /**
              * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
              *     `webhooks` of `GET /v1/limits`.
-             * @default null
              */
             callback_url?: string | null;
             /** @description Treatment of the ends of a closed stack: open, or closed by flat caps. */
             caps?: components["schemas"]["Caps"];
-            /**
-             * @description Whether the directrices are closed polygons (which do not repeat their first point).
-             * @default false
-             */
+            /** @description Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`. */
             closed?: boolean;
             /**
              * Format: double
              * @description Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
-             *     half-plane. 0 is the exact test.
-             * @default 0.000001
+             *     half-plane. 0 is the exact test. Default: `1e-6`.
              */
             convexity_tolerance_deg?: number;
             /**
@@ -1266,15 +1334,14 @@ export interface components {
              */
             direction?: components["schemas"]["Direction"];
             /** @description Polylines in order. A single point is an apex. */
-            directrices: number[][][];
+            directrices: components["schemas"]["Point"][][];
             /** @description Optional here, because the path names the kind. `plateau solve` needs it. */
             kind?: components["schemas"]["RuledSurfaceKind"] | null;
             /**
              * @description Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
              *     them.
-             * @default null
              */
-            normals?: number[][][] | null;
+            normals?: components["schemas"]["Point"][][] | null;
             /** @description One of the named objectives, or a weighted sum of them. */
             objective?: components["schemas"]["Goal"];
             /** @description Rule by which the directrices are resampled before solving. If null, they are used as given. */
@@ -1284,18 +1351,65 @@ export interface components {
             /**
              * @description Tangents along the directrices, with the same shape as `directrices`. If null, they are estimated from the
              *     points.
-             * @default null
              */
-            tangents?: number[][][] | null;
-            /**
-             * @description Unit of the coordinates.
-             * @default m
-             */
+            tangents?: components["schemas"]["Point"][][] | null;
+            /** @description Unit of the coordinates. Default: `m`. */
             units?: components["schemas"]["Units"];
+            /** @description Axis that points up. Default: `z`. */
+            up?: components["schemas"]["UpAxis"];
+        };
+        /** @description Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh. */
+        RuledSurfaceRequestWithKind: {
+            /** @description Solve for every objective and add the comparison to the statistics. Default: `false`. */
+            all_objectives?: boolean;
+            /** @description Whether the stored result of an equal earlier request may be returned. */
+            cache?: components["schemas"]["Cache"];
             /**
-             * @description Axis that points up.
-             * @default z
+             * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+             *     `webhooks` of `GET /v1/limits`.
              */
+            callback_url?: string | null;
+            /** @description Treatment of the ends of a closed stack: open, or closed by flat caps. */
+            caps?: components["schemas"]["Caps"];
+            /** @description Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`. */
+            closed?: boolean;
+            /**
+             * Format: double
+             * @description Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
+             *     half-plane. 0 is the exact test. Default: `1e-6`.
+             */
+            convexity_tolerance_deg?: number;
+            /**
+             * @description `auto` reverses a directrix if that improves the objective, and the statistics list the reversed directrices.
+             *     `as_given` reverses none.
+             */
+            direction?: components["schemas"]["Direction"];
+            /** @description Polylines in order. A single point is an apex. */
+            directrices: components["schemas"]["Point"][][];
+            /**
+             * @description Kind of the request. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "ruled_surface";
+            /**
+             * @description Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
+             *     them.
+             */
+            normals?: components["schemas"]["Point"][][] | null;
+            /** @description One of the named objectives, or a weighted sum of them. */
+            objective?: components["schemas"]["Goal"];
+            /** @description Rule by which the directrices are resampled before solving. If null, they are used as given. */
+            sampling?: components["schemas"]["Sampling"] | null;
+            /** @description Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`. */
+            secondary_objective?: components["schemas"]["SecondaryObjective"] | null;
+            /**
+             * @description Tangents along the directrices, with the same shape as `directrices`. If null, they are estimated from the
+             *     points.
+             */
+            tangents?: components["schemas"]["Point"][][] | null;
+            /** @description Unit of the coordinates. Default: `m`. */
+            units?: components["schemas"]["Units"];
+            /** @description Axis that points up. Default: `z`. */
             up?: components["schemas"]["UpAxis"];
         };
         /**
@@ -1307,14 +1421,12 @@ export interface components {
             /**
              * @description Number of points of each directrix. With `chord_height` it is the largest number of points that are kept; null
              *     then keeps all points that the tolerance requires.
-             * @default null
              */
             samples?: number | null;
             /**
              * Format: double
              * @description Largest distance, in the request's unit, between the polyline and the chords of the kept points. It is used only
              *     with `chord_height`.
-             * @default null
              */
             tolerance?: number | null;
         };
@@ -1343,7 +1455,14 @@ export interface components {
             deviation_before: number;
             lengths: number;
         };
-        /** @description Method that minimises the area. `auto` chooses the best of the others for the request. */
+        /**
+         * @description Method that minimises the area. `auto` chooses the best of the others for the request.
+         *
+         *     - `vertex_relaxation`: Chen, Cai, Zheng.
+         *     - `pinkall_polthier`: Bento, Cavalcanti.
+         *     - `newton`: Newton's method in normal heights, which also gives the Morse index.
+         * @enum {string}
+         */
         Solver: "auto" | "vertex_relaxation" | "pinkall_polthier" | "newton";
         /** @description Comparison of the ways to span the boundaries, made with `topology: best`. */
         Spanning: {
@@ -1353,7 +1472,7 @@ export interface components {
              * Format: double
              * @description For two boundaries without a connected film, the largest fraction of their gap at which a connected film exists.
              */
-            largest_gap_fraction?: number | null;
+            largest_gap_fraction: number | null;
             /** @description The topologies in order of area. Topologies without a film are last. */
             topologies: components["schemas"]["SpanningTopology"][];
         };
@@ -1363,17 +1482,17 @@ export interface components {
              * Format: double
              * @description Total area. Null if one of the films does not exist.
              */
-            area?: number | null;
+            area: number | null;
             /** @description Whether this topology was returned. */
             chosen: boolean;
             /** @description Sets of boundaries by their numbers. A connected film spans each set. */
             films: number[][];
             /**
-             * @description Whether its films pass through each other or themselves, so that no soap film takes this shape. Such a topology comes
-             *     after all others.
+             * @description Whether its films pass through each other or through themselves. No soap film has such a shape, so the topology
+             *     comes after all others.
              */
             films_cross: boolean;
-            stability?: components["schemas"]["Stability"] | null;
+            stability: components["schemas"]["Stability"] | null;
         };
         /** @description Minimum, mean, maximum and standard deviation. */
         Spread: {
@@ -1404,7 +1523,7 @@ export interface components {
         Stage: {
             all: components["schemas"]["StageGroup"];
             /** @description Null for the auxiliary triangulation. */
-            lattice?: components["schemas"]["StageGroup"] | null;
+            lattice: components["schemas"]["StageGroup"] | null;
             /**
              * @description Name of the stage: `auxiliary_surface`, `auxiliary_plane`, `plane`, `surface`, `optimised_nodes` or
              *     `shared_lengths`.
@@ -1465,7 +1584,7 @@ export interface components {
              * Format: double
              * @description Value of `minimal_normal_variation`. Null without normals.
              */
-            normal_variation?: number | null;
+            normal_variation: number | null;
             /**
              * Format: double
              * @description Value of the objective. For `maximal_convexity` it is the number of convex bridges.
@@ -1475,7 +1594,7 @@ export interface components {
              * Format: double
              * @description Value of the secondary objective. Null without one.
              */
-            secondary_value?: number | null;
+            secondary_value: number | null;
             /** Format: double */
             shortest_bridge: number;
             /**
@@ -1519,24 +1638,49 @@ export interface components {
          * @enum {string}
          */
         Topology: "fixed" | "free" | "best";
+        /** @description A job: an accepted request and its state. */
+        UniformMeshJob: {
+            /** @description Time of submission (RFC 3339, UTC). */
+            created_at: string;
+            /** @description Null unless the job has failed. */
+            error: components["schemas"]["JobError"] | null;
+            /** @description Time at which the job and its mesh are removed. */
+            expires_at: string | null;
+            finished_at: string | null;
+            /** @description ULID, which sorts by time of submission. */
+            id: string;
+            /**
+             * @description Kind of the request. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "uniform_mesh";
+            links: components["schemas"]["Links"];
+            progress: components["schemas"]["Progress"];
+            started_at: string | null;
+            /** @description Null until the job has succeeded. */
+            statistics: components["schemas"]["UniformStatistics"] | null;
+            status: components["schemas"]["Status"];
+            warnings: components["schemas"]["JobWarning"][];
+        };
         /** @enum {string} */
         UniformMeshKind: "uniform_mesh";
+        /**
+         * @description Quantity that is optimised. `GET /v1/objectives` has the formulas.
+         *
+         *     - `fewest_nodes`: As few nodes as possible.
+         *     - `most_equal_edges`: As many members of the edge length as possible.
+         * @enum {string}
+         */
+        UniformMeshObjective: "fewest_nodes" | "most_equal_edges";
         /** @description A domain and the edge length of its mesh. */
         UniformMeshRequest: {
-            /**
-             * @description Number of rectangles along u and v in the auxiliary triangulation of a patch.
-             * @default [
-             *       15,
-             *       15
-             *     ]
-             */
+            /** @description Number of rectangles along u and v in the auxiliary triangulation of a patch. Default: `[15,15]`. */
             auxiliary_grid?: number[];
             /** @description Whether the stored result of an equal earlier request may be returned. */
             cache?: components["schemas"]["Cache"];
             /**
              * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
              *     `webhooks` of `GET /v1/limits`.
-             * @default null
              */
             callback_url?: string | null;
             domain: components["schemas"]["Domain"];
@@ -1552,33 +1696,63 @@ export interface components {
              * Format: double
              * @description Largest difference between lengths that count as equal, in the request's unit. Null means a thousandth of the
              *     edge length.
-             * @default null
              */
             length_tolerance?: number | null;
-            /**
-             * @description Largest number of different member lengths. It is used only with `optimise: lengths`.
-             * @default null
-             */
+            /** @description Largest number of different member lengths. It is used only with `optimise: lengths`. */
             max_distinct_lengths?: number | null;
-            objective?: components["schemas"]["Objective3"];
+            objective?: components["schemas"]["UniformMeshObjective"];
             /** @description Aim of moving the nodes. */
             optimise?: components["schemas"]["Optimise"];
-            /**
-             * @description Whether the inner nodes of a curved domain move on the surface after meshing.
-             * @default true
-             */
+            /** @description Whether the inner nodes of a curved domain move on the surface after meshing. Default: `true`. */
             optimise_nodes?: boolean;
             /** @description Lengths that members outside the lattice group may take while the nodes move. */
             rim?: components["schemas"]["Rim"];
-            /**
-             * @description Unit of the coordinates.
-             * @default m
-             */
+            /** @description Unit of the coordinates. Default: `m`. */
             units?: components["schemas"]["Units"];
+            /** @description Axis that points up. Default: `z`. */
+            up?: components["schemas"]["UpAxis"];
+        };
+        /** @description A domain and the edge length of its mesh. */
+        UniformMeshRequestWithKind: {
+            /** @description Number of rectangles along u and v in the auxiliary triangulation of a patch. Default: `[15,15]`. */
+            auxiliary_grid?: number[];
+            /** @description Whether the stored result of an equal earlier request may be returned. */
+            cache?: components["schemas"]["Cache"];
             /**
-             * @description Axis that points up.
-             * @default z
+             * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+             *     `webhooks` of `GET /v1/limits`.
              */
+            callback_url?: string | null;
+            domain: components["schemas"]["Domain"];
+            /**
+             * Format: double
+             * @description Edge length ℓ in the request's unit: the length of as many members as possible, and the smallest length of all
+             *     members.
+             */
+            edge_length: number;
+            /**
+             * @description Kind of the request. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "uniform_mesh";
+            /**
+             * Format: double
+             * @description Largest difference between lengths that count as equal, in the request's unit. Null means a thousandth of the
+             *     edge length.
+             */
+            length_tolerance?: number | null;
+            /** @description Largest number of different member lengths. It is used only with `optimise: lengths`. */
+            max_distinct_lengths?: number | null;
+            objective?: components["schemas"]["UniformMeshObjective"];
+            /** @description Aim of moving the nodes. */
+            optimise?: components["schemas"]["Optimise"];
+            /** @description Whether the inner nodes of a curved domain move on the surface after meshing. Default: `true`. */
+            optimise_nodes?: boolean;
+            /** @description Lengths that members outside the lattice group may take while the nodes move. */
+            rim?: components["schemas"]["Rim"];
+            /** @description Unit of the coordinates. Default: `m`. */
+            units?: components["schemas"]["Units"];
+            /** @description Axis that points up. Default: `z`. */
             up?: components["schemas"]["UpAxis"];
         };
         /** @description Statistics of a uniform mesh. Lengths are in the request's unit, and angles are in degrees. */
@@ -1606,7 +1780,7 @@ export interface components {
              * @description For polygons, a lower bound of the number of nodes of any mesh with members of at most twice the edge length.
              *     Null for curved domains.
              */
-            node_lower_bound?: number | null;
+            node_lower_bound: number | null;
             nodes: number;
             objective: string;
             /** @description Number of nodes for `fewest_nodes`, and number of lattice edges for `most_equal_edges`. */
@@ -1622,15 +1796,15 @@ export interface components {
              * @description Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded mesh.
              *     Null if not all pairs were looked at.
              */
-            self_intersections?: number | null;
+            self_intersections: number | null;
             /** @description Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`. */
-            self_intersections_skipped?: string | null;
+            self_intersections_skipped: string | null;
             /** @description With `optimise: lengths`, the deviation for each number of lengths that was tried. */
             shared_lengths: components["schemas"]["SharedLengths"][];
             /** @description Rows of Katoh, Ohsaki and Xu's Table 1, stage by stage. */
             stages: components["schemas"]["Stage"][];
             /** @description Curved domains: the mesh beside its surface. Null for polygons. */
-            surface?: components["schemas"]["SurfaceFit"] | null;
+            surface: components["schemas"]["SurfaceFit"] | null;
             triangles: number;
             /** @description Entry k is the number of nodes with k members. */
             valence_histogram: number[];
@@ -1648,10 +1822,7 @@ export interface components {
         UpAxis: "z" | "y";
         /** @description The sum of the named objectives times their weights. */
         WeightedSum: {
-            /**
-             * @description Whether each term is first divided by its own optimum on the strip, because the terms have different units.
-             * @default true
-             */
+            /** @description Whether each term is first divided by its own optimum on the strip, because the terms have different units. Default: `true`. */
             normalise?: boolean;
             weights: components["schemas"]["Weights"];
         };
@@ -1659,27 +1830,27 @@ export interface components {
         Weights: {
             /**
              * Format: double
-             * @default 0
+             * @description Default: `0.0`.
              */
             minimal_area?: number;
             /**
              * Format: double
-             * @default 0
+             * @description Default: `0.0`.
              */
             minimal_bending_energy?: number;
             /**
              * Format: double
-             * @default 0
+             * @description Default: `0.0`.
              */
             minimal_mean_curvature_variation?: number;
             /**
              * Format: double
-             * @default 0
+             * @description Default: `0.0`.
              */
             minimal_normal_variation?: number;
             /**
              * Format: double
-             * @default 0
+             * @description Default: `0.0`.
              */
             minimal_twist?: number;
         };
@@ -1688,6 +1859,7 @@ export interface components {
         /** @description Malformed JSON, a repeated key, or an invalid query parameter */
         BadRequest: {
             headers: {
+                "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
             };
             content: {
@@ -1697,6 +1869,7 @@ export interface components {
         /** @description A defect of the server */
         Failed: {
             headers: {
+                "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
             };
             content: {
@@ -1706,6 +1879,7 @@ export interface components {
         /** @description A page of another origin sent the request, and `http.cors_origins` does not name that origin */
         ForeignPage: {
             headers: {
+                "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
             };
             content: {
@@ -1715,6 +1889,7 @@ export interface components {
         /** @description The job has expired */
         Gone: {
             headers: {
+                "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
             };
             content: {
@@ -1724,6 +1899,7 @@ export interface components {
         /** @description The request is well-formed JSON but invalid; `errors` names each offending value */
         Invalid: {
             headers: {
+                "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
             };
             content: {
@@ -1733,6 +1909,7 @@ export interface components {
         /** @description The request is for a host that this server does not answer to */
         Misdirected: {
             headers: {
+                "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
             };
             content: {
@@ -1742,6 +1919,7 @@ export interface components {
         /** @description The job has not ended, or ended without a mesh */
         NoMesh: {
             headers: {
+                "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
             };
             content: {
@@ -1751,6 +1929,7 @@ export interface components {
         /** @description None of the accepted media types is offered */
         NotAcceptable: {
             headers: {
+                "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
             };
             content: {
@@ -1760,6 +1939,7 @@ export interface components {
         /** @description The resource does not exist */
         NotFound: {
             headers: {
+                "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
             };
             content: {
@@ -1770,6 +1950,7 @@ export interface components {
         QueueFull: {
             headers: {
                 "Retry-After": components["headers"]["RetryAfter"];
+                "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
             };
             content: {
@@ -1780,6 +1961,7 @@ export interface components {
         RateLimited: {
             headers: {
                 "Retry-After": components["headers"]["RetryAfter"];
+                "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
             };
             content: {
@@ -1789,6 +1971,7 @@ export interface components {
         /** @description The body did not arrive in time */
         RequestTimeout: {
             headers: {
+                "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
             };
             content: {
@@ -1798,6 +1981,7 @@ export interface components {
         /** @description More bytes, points, triangles or cells than this server accepts */
         TooLarge: {
             headers: {
+                "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
             };
             content: {
@@ -1808,6 +1992,7 @@ export interface components {
         Unauthorized: {
             headers: {
                 "WWW-Authenticate": components["headers"]["WwwAuthenticate"];
+                "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
             };
             content: {
@@ -1818,6 +2003,7 @@ export interface components {
         Unavailable: {
             headers: {
                 "Retry-After": components["headers"]["RetryAfter"];
+                "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
             };
             content: {
@@ -1827,6 +2013,7 @@ export interface components {
         /** @description The body is not plain application/json */
         UnsupportedMediaType: {
             headers: {
+                "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
             };
             content: {
@@ -1930,7 +2117,11 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "*/*": string;
+                    "image/png": string;
+                    "text/css; charset=utf-8": string;
+                    "text/html; charset=utf-8": string;
+                    "text/javascript; charset=utf-8": string;
+                    "text/plain; charset=utf-8": string;
                 };
             };
             /** @description `If-None-Match` names the current entity tag */
@@ -2084,7 +2275,13 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "*/*": string;
+                    "font/woff2": string;
+                    "image/svg+xml": string;
+                    "image/webp": string;
+                    "text/css; charset=utf-8": string;
+                    "text/html; charset=utf-8": string;
+                    "text/javascript; charset=utf-8": string;
+                    "text/plain; charset=utf-8": string;
                 };
             };
             /** @description `If-None-Match` names the current entity tag */
@@ -2259,7 +2456,7 @@ export interface operations {
     getBatchMeshes: {
         parameters: {
             query?: {
-                /** @description Takes precedence over `Accept`. The default is `zip`. */
+                /** @description Takes precedence over `Accept`. The default is `zip`. With `Accept: application/octet-stream` the file has that type. */
                 format?: "zip" | "glb";
                 /** @description Format of the meshes in a ZIP. The default is `glb`. A scene is always GLB. */
                 mesh_format?: "glb" | "gltf" | "obj" | "ply" | "stl";
@@ -2283,6 +2480,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/octet-stream": string;
                     "application/zip": string;
                     "model/gltf-binary": string;
                 };
@@ -2297,6 +2495,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/octet-stream": string;
                     "application/zip": string;
                     "model/gltf-binary": string;
                 };
@@ -2317,6 +2516,7 @@ export interface operations {
             /** @description The range lies outside the file */
             416: {
                 headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -2566,7 +2766,7 @@ export interface operations {
     getMesh: {
         parameters: {
             query?: {
-                /** @description Takes precedence over `Accept`. The default is `glb`. */
+                /** @description Takes precedence over `Accept`. The default is `glb`. With `Accept: application/octet-stream` the file has that type. */
                 format?: "glb" | "gltf" | "obj" | "ply" | "stl";
             };
             header?: never;
@@ -2588,6 +2788,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/octet-stream": string;
                     "application/x-ply": string;
                     "model/gltf+json": string;
                     "model/gltf-binary": string;
@@ -2605,6 +2806,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/octet-stream": string;
                     "application/x-ply": string;
                     "model/gltf+json": string;
                     "model/gltf-binary": string;
@@ -2628,6 +2830,7 @@ export interface operations {
             /** @description The range lies outside the file */
             416: {
                 headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -2644,7 +2847,7 @@ export interface operations {
     getPattern: {
         parameters: {
             query?: {
-                /** @description Takes precedence over `Accept`. The default is `svg`. */
+                /** @description Takes precedence over `Accept`. The default is `svg`. With `Accept: application/octet-stream` the file has that type. */
                 format?: "svg" | "dxf";
             };
             header?: never;
@@ -2666,6 +2869,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/octet-stream": string;
                     "image/svg+xml": string;
                     "image/vnd.dxf": string;
                 };
@@ -2680,6 +2884,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/octet-stream": string;
                     "image/svg+xml": string;
                     "image/vnd.dxf": string;
                 };
@@ -2700,6 +2905,7 @@ export interface operations {
             /** @description The range lies outside the file */
             416: {
                 headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -2767,7 +2973,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Job"];
+                    "application/json": components["schemas"]["MinimalSurfaceJob"];
                 };
             };
             /** @description The job is stored on disk and will be solved. */
@@ -2781,7 +2987,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Job"];
+                    "application/json": components["schemas"]["MinimalSurfaceJob"];
                 };
             };
             400: components["responses"]["BadRequest"];
@@ -2852,7 +3058,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Job"];
+                    "application/json": components["schemas"]["RuledSurfaceJob"];
                 };
             };
             /** @description The job is stored on disk and will be solved. */
@@ -2866,7 +3072,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Job"];
+                    "application/json": components["schemas"]["RuledSurfaceJob"];
                 };
             };
             400: components["responses"]["BadRequest"];
@@ -2913,7 +3119,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Job"];
+                    "application/json": components["schemas"]["UniformMeshJob"];
                 };
             };
             /** @description The job is stored on disk and will be solved. */
@@ -2927,7 +3133,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Job"];
+                    "application/json": components["schemas"]["UniformMeshJob"];
                 };
             };
             400: components["responses"]["BadRequest"];

@@ -1,7 +1,7 @@
 //! `/v1/batches`: many requests at once, with one status and one file.
 
 use super::jobs::{checked, parameters};
-use super::mesh::{answer as file_answer, choose_named, describe};
+use super::mesh::{answer as file_answer, choose, describe};
 use super::submit::{answer, granted_wait_s, idempotency_key, submission_entry, with_wait};
 use crate::export::MeshFormat;
 use crate::http::access::Caller;
@@ -14,7 +14,7 @@ use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::jobs::submission::{Submitted, Submitter};
 use crate::wire::batch::Batch;
-use crate::wire::schema;
+use crate::wire::components::BATCH;
 use axum::Json;
 use axum::body::Body;
 use axum::extract::{Path, RawQuery, State};
@@ -60,7 +60,7 @@ pub fn submit_entry() -> Value {
         { "kind": "minimal_surface", "boundaries": [[[0, 0, 0], [1, 0, 0.5], [1, 1, 0], [0, 1, 0.5]]], "resolution": { "triangles": 200 } },
     ] });
     let examples = json!({ "mixed": { "summary": "A strip and a film", "value": example } });
-    let mut post = submission_entry(schema::BATCH, "Batch", examples);
+    let mut post = submission_entry(BATCH, "Batch", "batch", examples);
     post["operationId"] = "postBatch".into();
     post["summary"] = "Submits many requests at once; either all are accepted or none".into();
     post["responses"]["202"]["links"] =
@@ -128,7 +128,8 @@ pub async fn meshes(
 ) -> Result<Response, Failure> {
     let id = &checked_batch(&id)?;
     let [format, mesh_format] = parameters(query.as_deref(), ["format", "mesh_format"])?;
-    let (name, media_type) = FORMATS[choose_named(format, &headers, &FORMATS.map(|f| f.0), &FORMATS.map(|f| f.1))?];
+    let (chosen, media_type) = choose(format, &headers, &FORMATS)?;
+    let (name, _) = FORMATS[chosen];
     let mesh_format = match mesh_format {
         None => MeshFormat::Glb,
         Some(name) => MeshFormat::from_name(&name).ok_or_else(|| {

@@ -1,7 +1,7 @@
 //! `GET /docs/`: Swagger UI with this server's API document, embedded in the program so that it works offline.
 
 use crate::http::assets::{self, Asset};
-use crate::http::entry::{name_parameter, plain_get, with_problems};
+use crate::http::entry::{file_content, name_parameter, plain_get, with_problems};
 use crate::http::problem::Failure;
 use axum::extract::Path;
 use axum::http::HeaderMap;
@@ -54,7 +54,8 @@ pub async fn file(Path(name): Path<String>, headers: HeaderMap) -> Result<Respon
 
 pub fn file_entry() -> Value {
     let names: Vec<&str> = ASSETS.iter().map(|asset| asset.name).collect();
-    let file = json!({ "description": "The file", "content": { "*/*": { "schema": { "type": "string", "format": "binary" } } } });
+    let content = file_content(ASSETS.iter().map(|asset| asset.media_type));
+    let file = json!({ "description": "The file", "content": content });
     let responses = json!({ "200": file, "304": { "description": "`If-None-Match` names the current entity tag" } });
     json!({ "operationId": "getDocsFile", "tags": ["pages"], "summary": "A file of the API page",
         "parameters": [name_parameter("file", "Name of the file.", &names)],

@@ -3,7 +3,7 @@
 use super::jobs::{checked, parameters};
 use crate::export::{MeshFormat, PatternFormat};
 use crate::http::access::Caller;
-use crate::http::entry::{id_parameter, representation};
+use crate::http::entry::{BYTES, id_parameter, representation};
 use crate::http::negotiate::{Part, accepted, none_match_hits, part};
 use crate::http::problem::Failure;
 use crate::http::state::App;
@@ -23,8 +23,9 @@ pub async fn mesh(
     headers: HeaderMap,
 ) -> Result<Response, Failure> {
     let id = &checked(&id)?;
-    let names = MeshFormat::ALL.map(MeshFormat::name);
-    let chosen = choose(query.as_deref(), &headers, &names, &MeshFormat::ALL.map(MeshFormat::media_type))?;
+    let [format] = parameters(query.as_deref(), ["format"])?;
+    let formats = MeshFormat::ALL.map(|format| (format.name(), format.media_type()));
+    let (chosen, media_type) = choose(format, &headers, &formats)?;
     let format = MeshFormat::ALL[chosen];
     let file = app
         .jobs
@@ -32,7 +33,7 @@ pub async fn mesh(
             format.encode(archive).map_err(JobsError::Unwritable)
         })
         .await?;
-    Ok(answer(&headers, &file, format.media_type(), &format!("{id}.{}", format.name())))
+    Ok(answer(&headers, &file, media_type, &format!("{id}.{}", format.name())))
 }
 
 pub fn mesh_entry() -> Value {
@@ -61,14 +62,15 @@ pub async fn pattern(
     headers: HeaderMap,
 ) -> Result<Response, Failure> {
     let id = &checked(&id)?;
-    let names = PatternFormat::ALL.map(PatternFormat::name);
-    let chosen = choose(query.as_deref(), &headers, &names, &PatternFormat::ALL.map(PatternFormat::media_type))?;
+    let [format] = parameters(query.as_deref(), ["format"])?;
+    let formats = PatternFormat::ALL.map(|format| (format.name(), format.media_type()));
+    let (chosen, media_type) = choose(format, &headers, &formats)?;
     let format = PatternFormat::ALL[chosen];
     let file = app
         .jobs
         .convert(id, caller.owner(), format.name(), move |archive| format.encode(archive).ok_or(JobsError::NoPattern))
         .await?;
-    Ok(answer(&headers, &file, format.media_type(), &format!("{id}.{}", format.name())))
+    Ok(answer(&headers, &file, media_type, &format!("{id}.{}", format.name())))
 }
 
 pub fn pattern_entry() -> Value {
@@ -78,28 +80,26 @@ pub fn pattern_entry() -> Value {
         "parameters": [id_parameter("job"), format], "responses": responses })
 }
 
-/// Returns the index of the chosen format. `?format=` takes precedence over `Accept`. Without both, the first format is
-/// chosen.
-fn choose(query: Option<&str>, headers: &HeaderMap, names: &[&str], media_types: &[&str]) -> Result<usize, Failure> {
-    let [format] = parameters(query, ["format"])?;
-    choose_named(format, headers, names, media_types)
-}
-
-/// Same as [`choose`], with a `format` that has already been read from the query.
-pub fn choose_named(
+/// Returns the index of the chosen format and the media type of the answer. The query's `format` takes precedence over
+/// `Accept`. Without both, the first format is chosen. A client that accepts only [`BYTES`] gets that media type.
+pub fn choose(
     format: Option<String>,
     headers: &HeaderMap,
-    names: &[&str],
-    media_types: &[&str],
-) -> Result<usize, Failure> {
-    match format {
-        Some(name) => {
-            let known = || Failure::bad_query(format!("format must be one of: {}", names.join(", ")));
-            names.iter().position(|known| *known == name).ok_or_else(known)
-        }
-        None => accepted(headers, media_types)
-            .ok_or_else(|| Failure::not_acceptable(format!("the offered media types are: {}", media_types.join(", ")))),
-    }
+    formats: &[(&str, &'static str)],
+) -> Result<(usize, &'static str), Failure> {
+    let Some(name) = format else {
+        let offered: Vec<&'static str> = formats.iter().map(|(_, media_type)| *media_type).chain([BYTES]).collect();
+        let chosen = accepted(headers, &offered)
+            .ok_or_else(|| Failure::not_acceptable(format!("the offered media types are: {}", offered.join(", "))))?;
+        return Ok((if chosen == formats.len() { 0 } else { chosen }, offered[chosen]));
+    };
+    let chosen = formats.iter().position(|(known, _)| *known == name).ok_or_else(|| {
+        let names: Vec<&str> = formats.iter().map(|(name, _)| *name).collect();
+        Failure::bad_query(format!("format must be one of: {}", names.join(", ")))
+    })?;
+    let media_type = formats[chosen].1;
+    let as_bytes = accepted(headers, &[media_type, BYTES]) == Some(1);
+    Ok((chosen, if as_bytes { BYTES } else { media_type }))
 }
 
 /// Answers with the file, with a range of it, or with 304.

@@ -5,7 +5,7 @@
 //! loaded from another host. The files name each other and the API relative to the page, so a proxy may put the service
 //! below a path.
 
-use crate::http::entry::{name_parameter, plain_get, with_problems};
+use crate::http::entry::{file_content, name_parameter, plain_get, with_problems};
 use crate::http::negotiate::{entity_tag, none_match_hits};
 use crate::http::problem::Failure;
 use axum::extract::Path;
@@ -55,7 +55,8 @@ pub async fn file(Path(name): Path<String>, headers: HeaderMap) -> Result<Respon
 
 pub fn file_entry() -> Value {
     let names: Vec<&str> = ASSETS.iter().map(|(name, ..)| *name).collect();
-    let file = json!({ "description": "The file", "content": { "*/*": { "schema": { "type": "string", "format": "binary" } } } });
+    let content = file_content(ASSETS.iter().map(|(_, media_type, _)| *media_type));
+    let file = json!({ "description": "The file", "content": content });
     let responses = json!({ "200": file, "304": { "description": "`If-None-Match` names the current entity tag" } });
     json!({ "operationId": "getStudioFile", "tags": ["pages"], "summary": "A file of the studio",
         "parameters": [name_parameter("file", "Name of the file.", &names)],

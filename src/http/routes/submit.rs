@@ -8,8 +8,9 @@ use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::jobs::JobsError;
 use crate::jobs::submission::{Submitted, Submitter};
+use crate::wire::Kind;
+use crate::wire::components::{job_component, request_component};
 use crate::wire::objectives::examples as ready_requests;
-use crate::wire::{Kind, schema};
 use axum::Json;
 use axum::body::Body;
 use axum::extract::State;
@@ -92,7 +93,7 @@ pub fn entry(kind: Kind) -> Value {
         .filter(|example| example.kind == kind && example.request.to_string().len() <= MAX_EXAMPLE_BYTES)
         .map(|example| (example.name.into(), json!({ "summary": example.title, "value": example.request })))
         .collect();
-    let mut post = submission_entry(schema::request_component(kind), "Job", Value::Object(examples));
+    let mut post = submission_entry(request_component(kind), job_component(kind), "job", Value::Object(examples));
     post["operationId"] = id.into();
     post["summary"] = summary.into();
     post["responses"]["202"]["links"] =
@@ -100,9 +101,8 @@ pub fn entry(kind: Kind) -> Value {
     post
 }
 
-/// Returns the entry of a POST of `body` that answers with `answer`. The client may wait for the end.
-pub fn submission_entry(body: &str, answer: &str, examples: Value) -> Value {
-    let resource = answer.to_lowercase();
+/// Returns the entry of a POST of `body` that answers with `answer`, a job or a batch. The client may wait for the end.
+pub fn submission_entry(body: &str, answer: &str, resource: &str, examples: Value) -> Value {
     let location = json!({ "description": format!("Address of the {resource}."), "schema": { "type": "string" } });
     let wait = json!({ "description": "The wait that was granted.", "schema": { "type": "string" } });
     let finished = json!({

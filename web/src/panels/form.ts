@@ -6,7 +6,7 @@ import type { Request } from '../model/request';
 import { humanise } from '../text';
 
 export interface Schema {
-  $ref?: string; type?: string | string[]; description?: string; default?: unknown; enum?: unknown[]; const?: unknown; properties?: Record<string, Schema>;
+  $ref?: string; type?: string | string[]; description?: string; 'x-default'?: unknown; enum?: unknown[]; 'x-enum-descriptions'?: string[]; properties?: Record<string, Schema>;
   allOf?: Schema[]; anyOf?: Schema[]; oneOf?: Schema[]; items?: Schema; minimum?: number; maximum?: number; exclusiveMinimum?: number; maxProperties?: number;
   minItems?: number; maxItems?: number; required?: string[]; nullable?: boolean;
 }
@@ -25,7 +25,7 @@ function resolve(openapi: OpenApi, schema: Schema): Schema {
   const outer: Schema = {};
   for (let depth = 0; depth < 8; depth += 1) {
     if (found.description !== undefined) outer.description ??= found.description;
-    if (found.default !== undefined) outer.default ??= found.default;
+    if (found['x-default'] !== undefined) outer['x-default'] ??= found['x-default'];
     const union: Schema[] = found.anyOf ?? found.oneOf ?? [];
     if (union.some(isNull)) outer.nullable = true;
     const others: Schema[] = union.filter((each) => !isNull(each));
@@ -47,10 +47,10 @@ type Control =
 /** What kind of control a resolved schema calls for; null if none does it justice (lists of points). */
 export function controlOf(openapi: OpenApi, schema: Schema): Control | null {
   const variants = (schema.oneOf ?? schema.anyOf ?? [schema]).filter((each) => !isNull(each)).map((each) => resolve(openapi, each));
-  const named = variants.flatMap((each) => each.oneOf ?? each.anyOf ?? [each]).filter((each) => each.enum ?? each.const !== undefined);
-  const names = named.flatMap((each) => each.enum ?? [each.const]);
+  const named = variants.flatMap((each) => each.oneOf ?? each.anyOf ?? [each]).filter((each) => each.enum);
+  const names = named.flatMap((each) => each.enum ?? []);
   if (names.length > 0 && names.every((name) => typeof name === 'string')) {
-    const help = Object.fromEntries(named.flatMap((each) => (each.enum ?? [each.const]).map((name) => [String(name), each.description === schema.description ? undefined : each.description])));
+    const help = Object.fromEntries(named.flatMap((each) => (each.enum ?? []).map((name, i) => [String(name), each['x-enum-descriptions']?.[i] || undefined])));
     // A union of names and one object: the object is one more choice, with controls of its own.
     return { type: 'choice', names: names as string[], help, other: variants.find((each) => each.properties) ?? null };
   }
@@ -102,7 +102,7 @@ export function build(form: HTMLFormElement, schema: Schema, request: Request, h
 type Set = (value: unknown) => void;
 
 function make(host: FormHost, name: string, field: Schema, control: Control, given: unknown, set: Set, path: string[]): HTMLElement {
-  const value = given ?? field.default;
+  const value = given ?? field['x-default'];
   const title = field.description ?? '';
   const id = `option-${path.join('-')}`;
   if (control.type === 'flag') {
@@ -137,14 +137,14 @@ function make(host: FormHost, name: string, field: Schema, control: Control, giv
 /** Names, the null of a nullable field, and where the schema has one an object with fields of its own. */
 function choice(host: FormHost, name: string, field: Schema, control: Control & { type: 'choice' }, given: unknown, set: Set, path: string[]): HTMLElement {
   const id = `option-${path.join('-')}`;
-  let value = given ?? field.default;
+  let value = given ?? field['x-default'];
   const put = (next: unknown): void => {
-    value = next ?? field.default;
+    value = next ?? field['x-default'];
     set(next);
   };
   const OTHER = '(object)';
   const options = control.names.map((each) => el('option', { value: each, title: control.help[each] ?? '' }, humanise(each)));
-  if (field.nullable || field.default === undefined) options.unshift(el('option', { value: '' }, field.nullable ? 'None' : 'Default'));
+  if (field.nullable || field['x-default'] === undefined) options.unshift(el('option', { value: '' }, field.nullable ? 'None' : 'Default'));
   const isObject = (): boolean => value !== null && typeof value === 'object';
   const other = control.other && isForm(host.openapi, control.other) ? control.other : null;
   if (other) options.push(el('option', { value: OTHER }, 'Weighted sum'));
@@ -183,7 +183,7 @@ function firstOf(openapi: OpenApi, schema: Schema): Record<string, unknown> {
   return Object.fromEntries((schema.required ?? []).map((name) => {
     const field = resolve(openapi, schema.properties![name]!);
     const [first] = Object.keys(field.properties ?? {});
-    return [name, first ? { [first]: 1 } : field.default ?? (field.enum ?? field.oneOf?.map((each) => each.const))?.[0] ?? 1];
+    return [name, first ? { [first]: 1 } : field['x-default'] ?? field.enum?.[0] ?? 1];
   }));
 }
 

@@ -9,53 +9,83 @@ if TYPE_CHECKING:
 
 BoundarySampling = Literal['refine', 'keep']
 """Sampling of the boundary. `refine` may add points on its segments, and `keep` uses only the polygon's vertices."""
-Cache = Union[Literal['reuse'], Literal['bypass']]
-"""Whether the result of an equal earlier request may be returned. Results are deterministic, so it has the same bytes."""
+Cache = Literal['reuse', 'bypass']
+"""Whether the result of an equal earlier request may be returned. Results are deterministic, so it has the same bytes.
+
+- `reuse`: Return a stored result if there is one, and store this one for later requests.
+- `bypass`: Solve again, and do not store the result for later requests."""
 Caps = Literal['none', 'flat']
 Direction = Literal['as_given', 'auto']
-Goal = Union["Objective", "WeightedSum"]
+Goal = Union["RuledSurfaceObjective", "WeightedSum"]
 """A named objective, or a weighted sum."""
 InitialMesh = Union["MadeMesh", "GivenMesh"]
 """Mesh that the solver starts from: built by the service, or supplied by the client."""
+Job = Union["RuledSurfaceJob", "MinimalSurfaceJob", "UniformMeshJob"]
+"""A job: an accepted request and its state."""
 Kind = Literal['ruled_surface', 'minimal_surface', 'uniform_mesh']
 """Kind of a request."""
 LinearSolver = Literal['direct', 'conjugate_gradients']
 """Linear solver. `direct` always uses elimination. `conjugate_gradients` uses elimination only if the conjugate
 gradients do not converge."""
-MadeMesh = Union[Literal['auto'], Literal['planar'], Literal['disk'], Literal['rings'], Literal['barycentres']]
-"""Construction of the initial mesh. The statistics name the construction that `auto` chose."""
+MadeMesh = Literal['auto', 'planar', 'disk', 'rings', 'barycentres']
+"""Construction of the initial mesh. The statistics name the construction that `auto` chose.
+
+- `auto`: Chooses the best of the others for these boundaries.
+- `planar`: Delaunay triangulation in a plane onto which the boundary projects without crossing itself.
+- `disk`: Delaunay triangulation of a round disc, mapped harmonically.
+- `rings`: Rings of vertices (Chen, Cai, Zheng, section 3.4).
+- `barycentres`: Liu, Wang."""
 MinimalSurfaceKind = Literal['minimal_surface']
-Objective = Union[Literal['minimal_area', 'minimal_twist', 'maximal_convexity', 'minimal_bending_energy', 'minimal_mean_curvature_variation'], Literal['minimal_normal_variation']]
+MinimalSurfaceObjective = Literal['minimal_area', 'minimal_dirichlet_energy', 'minimal_mean_curvature']
 """Quantity that is minimised. `GET /v1/objectives` has the formulas."""
-Objective2 = Literal['minimal_area', 'minimal_dirichlet_energy', 'minimal_mean_curvature']
-"""Quantity that is minimised. `GET /v1/objectives` has the formulas."""
-Objective3 = Union[Literal['fewest_nodes'], Literal['most_equal_edges']]
-"""Quantity that is optimised. `GET /v1/objectives` has the formulas."""
 OnUnstable = Literal['report', 'descend']
 """Treatment of a stationary surface that is not a local minimum. `report` adds a warning, and `descend` leaves it
 along its most unstable mode."""
 Optimise = Literal['nodes', 'lengths']
 """`nodes` brings the members of the lattice as near to the edge length as possible. `lengths` then also reduces all
 members to at most `max_distinct_lengths` lengths."""
+Point = Sequence[float]
+"""A point or vector `[x, y, z]` in the client's axes and unit."""
+Polygon = Sequence["Point"]
+"""The points of a closed polygon in order. The first point is not repeated."""
+Polyline = Sequence["Point"]
+"""Points in order."""
 Process = Literal['laplacian_fairing', 'area_minimising', 'edge_swapping']
 """A process of vertex relaxation."""
+ProcessStage = Union["Process", Sequence["Process"]]
+"""One process, or several that take turns."""
+RequestWithKind = Union["RuledSurfaceRequestWithKind", "MinimalSurfaceRequestWithKind", "UniformMeshRequestWithKind"]
+"""A request that names its kind."""
 Rim = Literal['bounded', 'free']
 """`bounded` keeps the members between the edge length and its double wherever possible. `free` does not limit them, as
 in the paper."""
 RuledSurfaceKind = Literal['ruled_surface']
+RuledSurfaceObjective = Literal['minimal_area', 'minimal_twist', 'maximal_convexity', 'minimal_bending_energy', 'minimal_mean_curvature_variation', 'minimal_normal_variation']
+"""Quantity that is minimised. `GET /v1/objectives` has the formulas.
+
+- `minimal_normal_variation`: Requires `normals`."""
 SamplingRule = Literal['parameter', 'arc_length', 'chord_height']
 """`parameter` spaces the samples uniformly in the number of the point. `arc_length` spaces them uniformly along the
 polyline. `chord_height` keeps those of the given points that are needed to stay within `tolerance`."""
 SecondaryObjective = Literal['minimal_bending_energy', 'minimal_mean_curvature_variation']
 """Objective that decides among the strips with the most convex bridges, summed over the bridges that are not convex."""
-Solver = Union[Literal['auto'], Literal['vertex_relaxation'], Literal['pinkall_polthier'], Literal['newton']]
-"""Method that minimises the area. `auto` chooses the best of the others for the request."""
+Solver = Literal['auto', 'vertex_relaxation', 'pinkall_polthier', 'newton']
+"""Method that minimises the area. `auto` chooses the best of the others for the request.
+
+- `vertex_relaxation`: Chen, Cai, Zheng.
+- `pinkall_polthier`: Bento, Cavalcanti.
+- `newton`: Newton's method in normal heights, which also gives the Morse index."""
 Status = Literal['queued', 'running', 'succeeded', 'failed', 'cancelled']
 """State of a job. `succeeded`, `failed` and `cancelled` are final."""
 Topology = Literal['fixed', 'free', 'best']
 """`fixed` keeps the topology of the initial mesh. `free` allows necks to pinch. `best` solves every spanning topology
 and returns the surface of least area."""
 UniformMeshKind = Literal['uniform_mesh']
+UniformMeshObjective = Literal['fewest_nodes', 'most_equal_edges']
+"""Quantity that is optimised. `GET /v1/objectives` has the formulas.
+
+- `fewest_nodes`: As few nodes as possible.
+- `most_equal_edges`: As many members of the edge length as possible."""
 Units = Literal['mm', 'cm', 'm', 'in', 'ft']
 """Unit of the client's coordinates. Meshes in glTF are in metres, as glTF demands; OBJ, PLY and STL keep the client's
 unit."""
@@ -73,7 +103,7 @@ class Batch(TypedDict):
     counts: BatchCounts
     created_at: str
     """Time of submission (RFC 3339, UTC)."""
-    finished_at: NotRequired[Optional[str]]
+    finished_at: Optional[str]
     """Time at which the last job ended. Null until then."""
     id: str
     """ULID, which sorts by time of submission."""
@@ -116,13 +146,13 @@ class BatchRequest(TypedDict):
     """Requests of any kinds. Each becomes a separate job."""
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when every job has ended. Requires webhooks to be enabled on this server: see `webhooks` of `GET /v1/limits`."""
-    requests: List[Union[RuledSurfaceRequest, MinimalSurfaceRequest, UniformMeshRequest]]
+    requests: List[RequestWithKind]
     """Each request names its `kind`. `GET /v1/limits` shows how many requests a batch may have."""
 
 
 class Bezier(TypedDict):
     """A tensor-product Bézier patch."""
-    control_points: Sequence[Sequence[Sequence[float]]]
+    control_points: Sequence[Polyline]
     """Control points: rows along u, each with the points along v."""
 
 
@@ -141,13 +171,13 @@ class Comparison(TypedDict):
     """Largest angle between the normals of neighbouring triangles."""
     longest_bridge: float
     mean_curvature_variation: float
-    normal_variation: NotRequired[Optional[float]]
+    normal_variation: Optional[float]
     """Value of `minimal_normal_variation`. Null without normals."""
     objective: str
     objective_value: float
     """Value of the objective. For `maximal_convexity` it is the number of convex bridges."""
-    secondary_objective: NotRequired[Optional[str]]
-    secondary_value: NotRequired[Optional[float]]
+    secondary_objective: Optional[str]
+    secondary_value: Optional[float]
     """Value of the secondary objective. Null without one."""
     shortest_bridge: float
     total_normal_twist: float
@@ -157,19 +187,21 @@ class Comparison(TypedDict):
 
 class Constraints(TypedDict):
     """Fixed points and curves inside the surface. They become vertices and edges of the mesh."""
-    points: NotRequired[Sequence[Sequence[float]]]
-    polylines: NotRequired[Sequence[Sequence[Sequence[float]]]]
+    points: NotRequired[Sequence[Point]]
+    """Default: `[]`."""
+    polylines: NotRequired[Sequence[Polyline]]
+    """Default: `[]`."""
 
 
 class Domain(TypedDict):
     """Domain of the mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs` and `boundaries`."""
     bezier: NotRequired[Bezier]
-    boundaries: NotRequired[Sequence[Sequence[Sequence[float]]]]
+    boundaries: NotRequired[Sequence[Polygon]]
     """Closed polygons. The domain is the minimal surface that spans them."""
-    holes: NotRequired[Sequence[Sequence[Sequence[float]]]]
-    """Holes of the polygon."""
+    holes: NotRequired[Sequence[Polygon]]
+    """Holes of the polygon. Default: `[]`."""
     nurbs: NotRequired[Nurbs]
-    polygon: NotRequired[Sequence[Sequence[float]]]
+    polygon: NotRequired[Sequence[Point]]
     """A planar polygon in space that does not repeat its first point."""
 
 
@@ -177,7 +209,7 @@ class Example(TypedDict):
     """An example request."""
     kind: Kind
     name: str
-    request: Any
+    request: RequestWithKind
     """Request to post to the path of its kind."""
     title: str
 
@@ -224,7 +256,7 @@ class GivenMesh(TypedDict):
     `resolution` has no effect in either case."""
     triangles: Sequence[Sequence[int]]
     """Vertex indices of each triangle, counted from 0."""
-    vertices: Sequence[Sequence[float]]
+    vertices: Polygon
 
 
 class GroupLengths(TypedDict):
@@ -244,27 +276,6 @@ class HistoryRow(TypedDict):
     residual: float
 
 
-class Job(TypedDict):
-    """A job: an accepted request and its state."""
-    created_at: str
-    """Time of submission (RFC 3339, UTC)."""
-    error: NotRequired[Optional[JobError]]
-    """Null unless the job has failed."""
-    expires_at: NotRequired[Optional[str]]
-    """Time at which the job and its mesh are removed."""
-    finished_at: NotRequired[Optional[str]]
-    id: str
-    """ULID, which sorts by time of submission."""
-    kind: Kind
-    links: Links
-    progress: Progress
-    started_at: NotRequired[Optional[str]]
-    statistics: Optional[Union[RuledStatistics, MinimalStatistics, UniformStatistics]]
-    """Null until the job has succeeded. The fields depend on the kind."""
-    status: Status
-    warnings: List[JobWarning]
-
-
 class JobError(TypedDict):
     """Reason for a failure: what was wrong with the geometry, and what to try."""
     detail: str
@@ -277,7 +288,7 @@ class JobError(TypedDict):
 class JobList(TypedDict):
     """One page of jobs, newest first."""
     jobs: List[JobSummary]
-    next_cursor: NotRequired[Optional[str]]
+    next_cursor: Optional[str]
     """Value of `?cursor=` for the next page; null on the last page."""
 
 
@@ -285,17 +296,17 @@ class JobSummary(TypedDict):
     """A job of a list, without its statistics."""
     created_at: str
     """Time of submission (RFC 3339, UTC)."""
-    error: NotRequired[Optional[JobError]]
+    error: Optional[JobError]
     """Null unless the job has failed."""
-    expires_at: NotRequired[Optional[str]]
+    expires_at: Optional[str]
     """Time at which the job and its mesh are removed."""
-    finished_at: NotRequired[Optional[str]]
+    finished_at: Optional[str]
     id: str
     """ULID, which sorts by time of submission."""
     kind: Kind
     links: Links
     progress: Progress
-    started_at: NotRequired[Optional[str]]
+    started_at: Optional[str]
     status: Status
     warnings: List[JobWarning]
 
@@ -325,7 +336,7 @@ class Junctions(TypedDict):
     """Total length of these curves."""
     mean_deviation_deg: float
     """Mean departure of `sheet_angles_deg` from 120° over all these vertices."""
-    morse_index: NotRequired[Optional[int]]
+    morse_index: Optional[int]
     """Number of negative eigenvalues of the second variation with moving junctions. Null if it was not computed."""
     points: int
     """Number of vertices inside the film where such curves meet."""
@@ -397,10 +408,10 @@ class MinimalStatistics(TypedDict):
     edge_lengths: Spread
     edges_swapped: int
     euler_characteristic: int
-    extrapolated_area: NotRequired[Optional[ExtrapolatedArea]]
+    extrapolated_area: Optional[ExtrapolatedArea]
     """Null if the boundary's points do not allow a second resolution, and for unstable surfaces."""
     flipped_triangles: int
-    genus: NotRequired[Optional[int]]
+    genus: Optional[int]
     """Null for films with junctions, for which it is not defined."""
     history: List[HistoryRow]
     initial_area: float
@@ -408,7 +419,7 @@ class MinimalStatistics(TypedDict):
     initial_mesh: str
     """Initial mesh that was built."""
     iterations: int
-    junctions: NotRequired[Optional[Junctions]]
+    junctions: Optional[Junctions]
     """Null unless the initial mesh of the film has edges with three triangles."""
     mean_curvature: MeanCurvature
     objective: str
@@ -419,30 +430,52 @@ class MinimalStatistics(TypedDict):
     """Largest normal mean curvature times the boundary's radius, which is dimensionless."""
     residual_full: float
     """The same including the tangential part of the area gradient."""
-    self_intersections: NotRequired[Optional[int]]
+    self_intersections: Optional[int]
     """Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
     mesh. Null if not all pairs were looked at."""
-    self_intersections_skipped: NotRequired[Optional[str]]
+    self_intersections_skipped: Optional[str]
     """Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`."""
     solver: str
     """Solver that was used."""
-    spanning: NotRequired[Optional[Spanning]]
+    spanning: Optional[Spanning]
     """Null without `topology: best`."""
-    stability: NotRequired[Optional[Stability]]
+    stability: Optional[Stability]
     """Null if it was not computed."""
     stop_reason: str
     triangles: int
     vertices: int
 
 
+class MinimalSurfaceJob(TypedDict):
+    """A job: an accepted request and its state."""
+    created_at: str
+    """Time of submission (RFC 3339, UTC)."""
+    error: Optional[JobError]
+    """Null unless the job has failed."""
+    expires_at: Optional[str]
+    """Time at which the job and its mesh are removed."""
+    finished_at: Optional[str]
+    id: str
+    """ULID, which sorts by time of submission."""
+    kind: Literal['minimal_surface']
+    """Kind of the request."""
+    links: Links
+    progress: Progress
+    started_at: Optional[str]
+    statistics: Optional[MinimalStatistics]
+    """Null until the job has succeeded."""
+    status: Status
+    warnings: List[JobWarning]
+
+
 class MinimalSurfaceRequest(TypedDict):
     """Boundary polygons, and options for the surface that spans them."""
     area_tolerance: NotRequired[float]
-    """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop."""
-    boundaries: Sequence[Sequence[Sequence[float]]]
+    """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop. Default: `1e-6`."""
+    boundaries: Sequence[Polygon]
     """Closed polygons that do not repeat their first point."""
     boundary_curvature: NotRequired[bool]
-    """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do."""
+    """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do. Default: `true`."""
     boundary_sampling: NotRequired[BoundarySampling]
     cache: NotRequired[Cache]
     """Whether the stored result of an equal earlier request may be returned."""
@@ -452,7 +485,7 @@ class MinimalSurfaceRequest(TypedDict):
     constraints: NotRequired[Constraints]
     degenerate_angle_deg: NotRequired[float]
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
-    angle. 0 removes none."""
+    angle. 0 removes none. Default: `1.0`."""
     fairing_tolerance: NotRequired[Optional[float]]
     """Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
     `area_tolerance`."""
@@ -463,28 +496,75 @@ class MinimalSurfaceRequest(TypedDict):
     """Method by which `pinkall_polthier` solves its linear systems."""
     max_iterations: NotRequired[Optional[int]]
     """Maximum number of iterations. Null means the solver's default."""
-    objective: NotRequired[Objective2]
+    objective: NotRequired[MinimalSurfaceObjective]
     on_unstable: NotRequired[OnUnstable]
-    processes: NotRequired[Optional[Sequence[Sequence[Process]]]]
+    processes: NotRequired[Optional[Sequence[ProcessStage]]]
     """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
     stages."""
     resolution: NotRequired[Resolution]
     seed: NotRequired[int]
-    """Seed of the choice among the candidate points of `initial_mesh: barycentres`."""
+    """Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`."""
     solver: NotRequired[Solver]
     """Method that minimises the area."""
     tolerance: NotRequired[float]
-    """Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged."""
+    """Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged. Default: `1e-6`."""
     topology: NotRequired[Topology]
     units: NotRequired[Units]
-    """Unit of the coordinates."""
+    """Unit of the coordinates. Default: `m`."""
     up: NotRequired[UpAxis]
-    """Axis that points up."""
+    """Axis that points up. Default: `z`."""
+
+
+class MinimalSurfaceRequestWithKind(TypedDict):
+    """Boundary polygons, and options for the surface that spans them."""
+    area_tolerance: NotRequired[float]
+    """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop. Default: `1e-6`."""
+    boundaries: List[Polygon]
+    """Closed polygons that do not repeat their first point."""
+    boundary_curvature: NotRequired[bool]
+    """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do. Default: `true`."""
+    boundary_sampling: NotRequired[BoundarySampling]
+    cache: NotRequired[Cache]
+    """Whether the stored result of an equal earlier request may be returned."""
+    callback_url: NotRequired[Optional[str]]
+    """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+    `webhooks` of `GET /v1/limits`."""
+    constraints: NotRequired[Constraints]
+    degenerate_angle_deg: NotRequired[float]
+    """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
+    angle. 0 removes none. Default: `1.0`."""
+    fairing_tolerance: NotRequired[Optional[float]]
+    """Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
+    `area_tolerance`."""
+    initial_mesh: NotRequired[InitialMesh]
+    kind: Literal['minimal_surface']
+    """Kind of the request."""
+    linear_solver: NotRequired[LinearSolver]
+    """Method by which `pinkall_polthier` solves its linear systems."""
+    max_iterations: NotRequired[Optional[int]]
+    """Maximum number of iterations. Null means the solver's default."""
+    objective: NotRequired[MinimalSurfaceObjective]
+    on_unstable: NotRequired[OnUnstable]
+    processes: NotRequired[Optional[List[ProcessStage]]]
+    """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
+    stages."""
+    resolution: NotRequired[Resolution]
+    seed: NotRequired[int]
+    """Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`."""
+    solver: NotRequired[Solver]
+    """Method that minimises the area."""
+    tolerance: NotRequired[float]
+    """Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged. Default: `1e-6`."""
+    topology: NotRequired[Topology]
+    units: NotRequired[Units]
+    """Unit of the coordinates. Default: `m`."""
+    up: NotRequired[UpAxis]
+    """Axis that points up. Default: `z`."""
 
 
 class Nurbs(TypedDict):
     """A NURBS patch."""
-    control_points: Sequence[Sequence[Sequence[float]]]
+    control_points: Sequence[Polyline]
     """Control points: rows along u, each with the points along v."""
     degrees: Sequence[int]
     """Degrees along u and along v."""
@@ -496,7 +576,7 @@ class Nurbs(TypedDict):
     """Weights in the shape of the control points. Null means equal weights."""
 
 
-class Objective4(TypedDict):
+class Objective(TypedDict):
     """One objective of one kind of request."""
     kind: Kind
     minimises: str
@@ -511,7 +591,7 @@ class Objective4(TypedDict):
 
 
 class ObjectiveList(TypedDict):
-    objectives: List[Objective4]
+    objectives: List[Objective]
 
 
 class OutOfRange(TypedDict):
@@ -553,10 +633,10 @@ class Progress(TypedDict):
     fraction: float
     """Fraction of the work that is done, from 0 to 1. It never falls within one attempt."""
     iteration: int
-    objective_value: NotRequired[Optional[float]]
+    objective_value: Optional[float]
     phase: str
     """Name of the solver's current phase."""
-    residual: NotRequired[Optional[float]]
+    residual: Optional[float]
 
 
 class Resolution(TypedDict):
@@ -574,7 +654,7 @@ class RuledStatistics(TypedDict):
     area: float
     bending_energy: float
     bridges: int
-    comparison: NotRequired[Optional[List[Comparison]]]
+    comparison: Optional[List[Comparison]]
     """Statistics of each objective's optimum (Wang-Tang's Table 1). Null without `all_objectives`."""
     convex_bridge_ratio: float
     convex_bridges: int
@@ -582,13 +662,13 @@ class RuledStatistics(TypedDict):
     developability_deviation_deg: float
     """Largest angle between the normals of neighbouring triangles at bridges that are not locally convex. It is 0 for
     a strip that can be developed."""
-    flat_pattern: NotRequired[Optional[FlatPatternStatistics]]
+    flat_pattern: Optional[FlatPatternStatistics]
     """Null for closed strips, which cannot be unrolled."""
     largest_fold_deg: float
     """Largest angle between the normals of neighbouring triangles."""
     longest_bridge: float
     mean_curvature_variation: float
-    normal_variation: NotRequired[Optional[float]]
+    normal_variation: Optional[float]
     """Value of `minimal_normal_variation`. Null without normals."""
     objective: str
     """Name of the objective, or `weighted` for a weighted sum."""
@@ -596,12 +676,12 @@ class RuledStatistics(TypedDict):
     """Value of the objective. For `maximal_convexity` it is the number of convex bridges."""
     reversed: List[bool]
     """For each directrix, whether `direction: auto` reversed it."""
-    secondary_value: NotRequired[Optional[float]]
+    secondary_value: Optional[float]
     """Value of the secondary objective. Null without one."""
-    self_intersections: NotRequired[Optional[int]]
+    self_intersections: Optional[int]
     """Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
     mesh. Null if not all pairs were looked at."""
-    self_intersections_skipped: NotRequired[Optional[str]]
+    self_intersections_skipped: Optional[str]
     """Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`."""
     shortest_bridge: float
     strips: List[StripStatistics]
@@ -613,10 +693,32 @@ class RuledStatistics(TypedDict):
     """Number of vertices of the mesh."""
 
 
+class RuledSurfaceJob(TypedDict):
+    """A job: an accepted request and its state."""
+    created_at: str
+    """Time of submission (RFC 3339, UTC)."""
+    error: Optional[JobError]
+    """Null unless the job has failed."""
+    expires_at: Optional[str]
+    """Time at which the job and its mesh are removed."""
+    finished_at: Optional[str]
+    id: str
+    """ULID, which sorts by time of submission."""
+    kind: Literal['ruled_surface']
+    """Kind of the request."""
+    links: Links
+    progress: Progress
+    started_at: Optional[str]
+    statistics: Optional[RuledStatistics]
+    """Null until the job has succeeded."""
+    status: Status
+    warnings: List[JobWarning]
+
+
 class RuledSurfaceRequest(TypedDict):
     """Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh."""
     all_objectives: NotRequired[bool]
-    """Solve for every objective and add the comparison to the statistics."""
+    """Solve for every objective and add the comparison to the statistics. Default: `false`."""
     cache: NotRequired[Cache]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: NotRequired[Optional[str]]
@@ -625,18 +727,18 @@ class RuledSurfaceRequest(TypedDict):
     caps: NotRequired[Caps]
     """Treatment of the ends of a closed stack: open, or closed by flat caps."""
     closed: NotRequired[bool]
-    """Whether the directrices are closed polygons (which do not repeat their first point)."""
+    """Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`."""
     convexity_tolerance_deg: NotRequired[float]
     """Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
-    half-plane. 0 is the exact test."""
+    half-plane. 0 is the exact test. Default: `1e-6`."""
     direction: NotRequired[Direction]
     """`auto` reverses a directrix if that improves the objective, and the statistics list the reversed directrices.
     `as_given` reverses none."""
-    directrices: Sequence[Sequence[Sequence[float]]]
+    directrices: Sequence[Sequence[Point]]
     """Polylines in order. A single point is an apex."""
     kind: NotRequired[Optional[RuledSurfaceKind]]
     """Optional here, because the path names the kind. `plateau solve` needs it."""
-    normals: NotRequired[Optional[Sequence[Sequence[Sequence[float]]]]]
+    normals: NotRequired[Optional[Sequence[Sequence[Point]]]]
     """Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
     them."""
     objective: NotRequired[Goal]
@@ -645,13 +747,54 @@ class RuledSurfaceRequest(TypedDict):
     """Rule by which the directrices are resampled before solving. If null, they are used as given."""
     secondary_objective: NotRequired[Optional[SecondaryObjective]]
     """Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`."""
-    tangents: NotRequired[Optional[Sequence[Sequence[Sequence[float]]]]]
+    tangents: NotRequired[Optional[Sequence[Sequence[Point]]]]
     """Tangents along the directrices, with the same shape as `directrices`. If null, they are estimated from the
     points."""
     units: NotRequired[Units]
-    """Unit of the coordinates."""
+    """Unit of the coordinates. Default: `m`."""
     up: NotRequired[UpAxis]
-    """Axis that points up."""
+    """Axis that points up. Default: `z`."""
+
+
+class RuledSurfaceRequestWithKind(TypedDict):
+    """Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh."""
+    all_objectives: NotRequired[bool]
+    """Solve for every objective and add the comparison to the statistics. Default: `false`."""
+    cache: NotRequired[Cache]
+    """Whether the stored result of an equal earlier request may be returned."""
+    callback_url: NotRequired[Optional[str]]
+    """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+    `webhooks` of `GET /v1/limits`."""
+    caps: NotRequired[Caps]
+    """Treatment of the ends of a closed stack: open, or closed by flat caps."""
+    closed: NotRequired[bool]
+    """Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`."""
+    convexity_tolerance_deg: NotRequired[float]
+    """Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
+    half-plane. 0 is the exact test. Default: `1e-6`."""
+    direction: NotRequired[Direction]
+    """`auto` reverses a directrix if that improves the objective, and the statistics list the reversed directrices.
+    `as_given` reverses none."""
+    directrices: List[List[Point]]
+    """Polylines in order. A single point is an apex."""
+    kind: Literal['ruled_surface']
+    """Kind of the request."""
+    normals: NotRequired[Optional[List[List[Point]]]]
+    """Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
+    them."""
+    objective: NotRequired[Goal]
+    """One of the named objectives, or a weighted sum of them."""
+    sampling: NotRequired[Optional[Sampling]]
+    """Rule by which the directrices are resampled before solving. If null, they are used as given."""
+    secondary_objective: NotRequired[Optional[SecondaryObjective]]
+    """Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`."""
+    tangents: NotRequired[Optional[List[List[Point]]]]
+    """Tangents along the directrices, with the same shape as `directrices`. If null, they are estimated from the
+    points."""
+    units: NotRequired[Units]
+    """Unit of the coordinates. Default: `m`."""
+    up: NotRequired[UpAxis]
+    """Axis that points up. Default: `z`."""
 
 
 class Sampling(TypedDict):
@@ -679,7 +822,7 @@ class Spanning(TypedDict):
     """Comparison of the ways to span the boundaries, made with `topology: best`."""
     connected_film_exists: bool
     """Whether a film that connects all boundaries exists."""
-    largest_gap_fraction: NotRequired[Optional[float]]
+    largest_gap_fraction: Optional[float]
     """For two boundaries without a connected film, the largest fraction of their gap at which a connected film exists."""
     topologies: List[SpanningTopology]
     """The topologies in order of area. Topologies without a film are last."""
@@ -687,16 +830,16 @@ class Spanning(TypedDict):
 
 class SpanningTopology(TypedDict):
     """One way to span the boundaries."""
-    area: NotRequired[Optional[float]]
+    area: Optional[float]
     """Total area. Null if one of the films does not exist."""
     chosen: bool
     """Whether this topology was returned."""
     films: List[List[int]]
     """Sets of boundaries by their numbers. A connected film spans each set."""
     films_cross: bool
-    """Whether its films pass through each other or themselves, so that no soap film takes this shape. Such a topology comes
-    after all others."""
-    stability: NotRequired[Optional[Stability]]
+    """Whether its films pass through each other or through themselves. No soap film has such a shape, so the topology
+    comes after all others."""
+    stability: Optional[Stability]
 
 
 class Spread(TypedDict):
@@ -722,7 +865,7 @@ class Stability(TypedDict):
 class Stage(TypedDict):
     """One stage of the computation: a pair of rows of Katoh, Ohsaki and Xu's Table 1."""
     all: StageGroup
-    lattice: NotRequired[Optional[StageGroup]]
+    lattice: Optional[StageGroup]
     """Null for the auxiliary triangulation."""
     name: str
     """Name of the stage: `auxiliary_surface`, `auxiliary_plane`, `plane`, `surface`, `optimised_nodes` or
@@ -758,11 +901,11 @@ class StripStatistics(TypedDict):
     """Largest angle between the normals of neighbouring triangles."""
     longest_bridge: float
     mean_curvature_variation: float
-    normal_variation: NotRequired[Optional[float]]
+    normal_variation: Optional[float]
     """Value of `minimal_normal_variation`. Null without normals."""
     objective_value: float
     """Value of the objective. For `maximal_convexity` it is the number of convex bridges."""
-    secondary_value: NotRequired[Optional[float]]
+    secondary_value: Optional[float]
     """Value of the secondary objective. Null without one."""
     shortest_bridge: float
     total_normal_twist: float
@@ -785,10 +928,32 @@ class SurfaceFit(TypedDict):
     """Largest angle between the normals of a triangle and of the surface below its middle."""
 
 
+class UniformMeshJob(TypedDict):
+    """A job: an accepted request and its state."""
+    created_at: str
+    """Time of submission (RFC 3339, UTC)."""
+    error: Optional[JobError]
+    """Null unless the job has failed."""
+    expires_at: Optional[str]
+    """Time at which the job and its mesh are removed."""
+    finished_at: Optional[str]
+    id: str
+    """ULID, which sorts by time of submission."""
+    kind: Literal['uniform_mesh']
+    """Kind of the request."""
+    links: Links
+    progress: Progress
+    started_at: Optional[str]
+    statistics: Optional[UniformStatistics]
+    """Null until the job has succeeded."""
+    status: Status
+    warnings: List[JobWarning]
+
+
 class UniformMeshRequest(TypedDict):
     """A domain and the edge length of its mesh."""
     auxiliary_grid: NotRequired[Sequence[int]]
-    """Number of rectangles along u and v in the auxiliary triangulation of a patch."""
+    """Number of rectangles along u and v in the auxiliary triangulation of a patch. Default: `[15,15]`."""
     cache: NotRequired[Cache]
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: NotRequired[Optional[str]]
@@ -805,17 +970,50 @@ class UniformMeshRequest(TypedDict):
     edge length."""
     max_distinct_lengths: NotRequired[Optional[int]]
     """Largest number of different member lengths. It is used only with `optimise: lengths`."""
-    objective: NotRequired[Objective3]
+    objective: NotRequired[UniformMeshObjective]
     optimise: NotRequired[Optimise]
     """Aim of moving the nodes."""
     optimise_nodes: NotRequired[bool]
-    """Whether the inner nodes of a curved domain move on the surface after meshing."""
+    """Whether the inner nodes of a curved domain move on the surface after meshing. Default: `true`."""
     rim: NotRequired[Rim]
     """Lengths that members outside the lattice group may take while the nodes move."""
     units: NotRequired[Units]
-    """Unit of the coordinates."""
+    """Unit of the coordinates. Default: `m`."""
     up: NotRequired[UpAxis]
-    """Axis that points up."""
+    """Axis that points up. Default: `z`."""
+
+
+class UniformMeshRequestWithKind(TypedDict):
+    """A domain and the edge length of its mesh."""
+    auxiliary_grid: NotRequired[List[int]]
+    """Number of rectangles along u and v in the auxiliary triangulation of a patch. Default: `[15,15]`."""
+    cache: NotRequired[Cache]
+    """Whether the stored result of an equal earlier request may be returned."""
+    callback_url: NotRequired[Optional[str]]
+    """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+    `webhooks` of `GET /v1/limits`."""
+    domain: Domain
+    edge_length: float
+    """Edge length ℓ in the request's unit: the length of as many members as possible, and the smallest length of all
+    members."""
+    kind: Literal['uniform_mesh']
+    """Kind of the request."""
+    length_tolerance: NotRequired[Optional[float]]
+    """Largest difference between lengths that count as equal, in the request's unit. Null means a thousandth of the
+    edge length."""
+    max_distinct_lengths: NotRequired[Optional[int]]
+    """Largest number of different member lengths. It is used only with `optimise: lengths`."""
+    objective: NotRequired[UniformMeshObjective]
+    optimise: NotRequired[Optimise]
+    """Aim of moving the nodes."""
+    optimise_nodes: NotRequired[bool]
+    """Whether the inner nodes of a curved domain move on the surface after meshing. Default: `true`."""
+    rim: NotRequired[Rim]
+    """Lengths that members outside the lattice group may take while the nodes move."""
+    units: NotRequired[Units]
+    """Unit of the coordinates. Default: `m`."""
+    up: NotRequired[UpAxis]
+    """Axis that points up. Default: `z`."""
 
 
 class UniformStatistics(TypedDict):
@@ -834,7 +1032,7 @@ class UniformStatistics(TypedDict):
     length_histogram: LengthHistogram
     length_tolerance: float
     """Tolerance of `equal_edges` and `distinct_lengths`."""
-    node_lower_bound: NotRequired[Optional[int]]
+    node_lower_bound: Optional[int]
     """For polygons, a lower bound of the number of nodes of any mesh with members of at most twice the edge length.
     Null for curved domains."""
     nodes: int
@@ -846,16 +1044,16 @@ class UniformStatistics(TypedDict):
     out_of_range_edges: int
     out_of_range_reasons: Dict[str, int]
     """Number of members that are out of range, for each reason."""
-    self_intersections: NotRequired[Optional[int]]
+    self_intersections: Optional[int]
     """Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded mesh.
     Null if not all pairs were looked at."""
-    self_intersections_skipped: NotRequired[Optional[str]]
+    self_intersections_skipped: Optional[str]
     """Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`."""
     shared_lengths: List[SharedLengths]
     """With `optimise: lengths`, the deviation for each number of lengths that was tried."""
     stages: List[Stage]
     """Rows of Katoh, Ohsaki and Xu's Table 1, stage by stage."""
-    surface: NotRequired[Optional[SurfaceFit]]
+    surface: Optional[SurfaceFit]
     """Curved domains: the mesh beside its surface. Null for polygons."""
     triangles: int
     valence_histogram: List[int]
@@ -865,23 +1063,28 @@ class UniformStatistics(TypedDict):
 class WeightedSum(TypedDict):
     """The sum of the named objectives times their weights."""
     normalise: NotRequired[bool]
-    """Whether each term is first divided by its own optimum on the strip, because the terms have different units."""
+    """Whether each term is first divided by its own optimum on the strip, because the terms have different units. Default: `true`."""
     weights: Weights
 
 
 class Weights(TypedDict):
     """Weights of the objectives. At least one must be positive. `minimal_normal_variation` requires `normals`."""
     minimal_area: NotRequired[float]
+    """Default: `0.0`."""
     minimal_bending_energy: NotRequired[float]
+    """Default: `0.0`."""
     minimal_mean_curvature_variation: NotRequired[float]
+    """Default: `0.0`."""
     minimal_normal_variation: NotRequired[float]
+    """Default: `0.0`."""
     minimal_twist: NotRequired[float]
+    """Default: `0.0`."""
 
 
 class RuledSurfaceOptions(TypedDict, total=False):
     """Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh."""
     all_objectives: bool
-    """Solve for every objective and add the comparison to the statistics."""
+    """Solve for every objective and add the comparison to the statistics. Default: `false`."""
     cache: Cache
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: Optional[str]
@@ -890,14 +1093,14 @@ class RuledSurfaceOptions(TypedDict, total=False):
     caps: Caps
     """Treatment of the ends of a closed stack: open, or closed by flat caps."""
     closed: bool
-    """Whether the directrices are closed polygons (which do not repeat their first point)."""
+    """Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`."""
     convexity_tolerance_deg: float
     """Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
-    half-plane. 0 is the exact test."""
+    half-plane. 0 is the exact test. Default: `1e-6`."""
     direction: Direction
     """`auto` reverses a directrix if that improves the objective, and the statistics list the reversed directrices.
     `as_given` reverses none."""
-    normals: Optional[Sequence[Sequence[Sequence[float]]]]
+    normals: Optional[Sequence[Sequence[Point]]]
     """Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
     them."""
     objective: Goal
@@ -906,21 +1109,21 @@ class RuledSurfaceOptions(TypedDict, total=False):
     """Rule by which the directrices are resampled before solving. If null, they are used as given."""
     secondary_objective: Optional[SecondaryObjective]
     """Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`."""
-    tangents: Optional[Sequence[Sequence[Sequence[float]]]]
+    tangents: Optional[Sequence[Sequence[Point]]]
     """Tangents along the directrices, with the same shape as `directrices`. If null, they are estimated from the
     points."""
     units: Units
-    """Unit of the coordinates."""
+    """Unit of the coordinates. Default: `m`."""
     up: UpAxis
-    """Axis that points up."""
+    """Axis that points up. Default: `z`."""
 
 
 class MinimalSurfaceOptions(TypedDict, total=False):
     """Boundary polygons, and options for the surface that spans them."""
     area_tolerance: float
-    """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop."""
+    """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop. Default: `1e-6`."""
     boundary_curvature: bool
-    """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do."""
+    """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do. Default: `true`."""
     boundary_sampling: BoundarySampling
     cache: Cache
     """Whether the stored result of an equal earlier request may be returned."""
@@ -930,7 +1133,7 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     constraints: Constraints
     degenerate_angle_deg: float
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
-    angle. 0 removes none."""
+    angle. 0 removes none. Default: `1.0`."""
     fairing_tolerance: Optional[float]
     """Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
     `area_tolerance`."""
@@ -939,29 +1142,29 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     """Method by which `pinkall_polthier` solves its linear systems."""
     max_iterations: Optional[int]
     """Maximum number of iterations. Null means the solver's default."""
-    objective: Objective2
+    objective: MinimalSurfaceObjective
     on_unstable: OnUnstable
-    processes: Optional[Sequence[Sequence[Process]]]
+    processes: Optional[Sequence[ProcessStage]]
     """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
     stages."""
     resolution: Resolution
     seed: int
-    """Seed of the choice among the candidate points of `initial_mesh: barycentres`."""
+    """Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`."""
     solver: Solver
     """Method that minimises the area."""
     tolerance: float
-    """Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged."""
+    """Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged. Default: `1e-6`."""
     topology: Topology
     units: Units
-    """Unit of the coordinates."""
+    """Unit of the coordinates. Default: `m`."""
     up: UpAxis
-    """Axis that points up."""
+    """Axis that points up. Default: `z`."""
 
 
 class UniformMeshOptions(TypedDict, total=False):
     """A domain and the edge length of its mesh."""
     auxiliary_grid: Sequence[int]
-    """Number of rectangles along u and v in the auxiliary triangulation of a patch."""
+    """Number of rectangles along u and v in the auxiliary triangulation of a patch. Default: `[15,15]`."""
     cache: Cache
     """Whether the stored result of an equal earlier request may be returned."""
     callback_url: Optional[str]
@@ -972,14 +1175,14 @@ class UniformMeshOptions(TypedDict, total=False):
     edge length."""
     max_distinct_lengths: Optional[int]
     """Largest number of different member lengths. It is used only with `optimise: lengths`."""
-    objective: Objective3
+    objective: UniformMeshObjective
     optimise: Optimise
     """Aim of moving the nodes."""
     optimise_nodes: bool
-    """Whether the inner nodes of a curved domain move on the surface after meshing."""
+    """Whether the inner nodes of a curved domain move on the surface after meshing. Default: `true`."""
     rim: Rim
     """Lengths that members outside the lattice group may take while the nodes move."""
     units: Units
-    """Unit of the coordinates."""
+    """Unit of the coordinates. Default: `m`."""
     up: UpAxis
-    """Axis that points up."""
+    """Axis that points up. Default: `z`."""

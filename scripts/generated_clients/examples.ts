@@ -1,0 +1,32 @@
+// What both TypeScript programs share: the examples, and how an answer to one is checked.
+import assert from 'node:assert/strict';
+import { readFile, readdir } from 'node:fs/promises';
+
+export const url = process.env['PLATEAU_URL'] ?? '';
+export const PATIENCE = 'wait=60';
+
+const folder = `${process.cwd()}/api/examples`;
+
+/** Calls `solve` with the name of every example and its file's content. It returns the statistics and the mesh as GLB. */
+export async function run<Request>(
+  program: string,
+  example: (name: string) => Promise<Request>,
+  solve: (request: Request) => Promise<{ statistics: { triangles: number; objective: string }; mesh: ArrayBuffer }>,
+): Promise<void> {
+  const names = (await readdir(folder)).map((file) => file.replace('.json', '')).sort();
+  let failed = 0;
+  for (const name of names) {
+    try {
+      const request = await example(name);
+      assert.deepEqual(request, JSON.parse(await readFile(`${folder}/${name}.json`, 'utf8')));
+      const { statistics, mesh } = await solve(request);
+      assert.ok(statistics.triangles > 0 && statistics.objective.length > 0);
+      assert.equal(new TextDecoder().decode(mesh.slice(0, 4)), 'glTF');
+    } catch (error) {
+      failed += 1;
+      console.error(`${program}: ${name}:`, error);
+    }
+  }
+  console.log(`${program}: ${names.length - failed} of ${names.length} examples`);
+  process.exitCode = failed > 0 ? 1 : 0;
+}
