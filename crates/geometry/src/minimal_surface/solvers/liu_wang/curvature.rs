@@ -203,9 +203,9 @@ impl CurvatureRows {
                     continue;
                 }
                 let factor = -bending[row as usize] / (third[row as usize] * third[row as usize]);
-                for k in 0..3 {
+                for (k, vertex) in triangle.into_iter().enumerate() {
                     // B counts a third of the area.
-                    self.add(row as usize, triangle[k], facet.gradient(k) * (factor / 3.0));
+                    self.add(row as usize, vertex, facet.gradient(k) * (factor / 3.0));
                 }
             }
         }
