@@ -153,8 +153,10 @@ pub fn solve(domain: &Domain, options: &Options, execution: &Execution<'_>) -> R
         Domain::Nurbs(patch) => on_patch(patch, &Place::field("domain").then("nurbs"), options, execution),
         Domain::Boundaries(boundaries) => on_film(boundaries, options, execution),
     }?;
-    let (found, warning) = self_intersections::check(&solved.mesh, Order::Spatial, usize::MAX, execution)?;
-    solved.statistics.self_intersections = found;
-    solved.warnings.extend(warning);
+    if solved.statistics.self_intersections.pairs.is_none() {
+        let (found, warning) = self_intersections::check(&solved.mesh, Order::Spatial, usize::MAX, execution)?;
+        solved.statistics.self_intersections = found;
+        solved.warnings.extend(warning);
+    }
     Ok(solved)
 }
