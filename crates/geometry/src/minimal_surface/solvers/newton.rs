@@ -9,6 +9,7 @@
 //!    left along its lowest mode.
 
 use crate::equilibrium::newton::{Aim, Direct, Equations, Outcome, Settings, iterate, keeps_orientation};
+use crate::equilibrium::residual::curvature;
 use crate::equilibrium::stability::{self, SecondVariation, Unknown};
 use crate::equilibrium::{FilmState, NormalMotion};
 use crate::mesh::film::Film;
@@ -43,8 +44,10 @@ const SETTLED_AREA: f64 = 1e-3;
 /// Largest number of triangles for which the area is extrapolated with a mesh of four times as many. A larger value
 /// extrapolates the areas of larger meshes too, which takes longer.
 pub(crate) const EXTRAPOLATED_TRIANGLES: usize = 10_000;
-/// Residual below which a mesh of the caller counts as lying near a stationary surface. With a larger value more meshes
-/// are taken to their nearest stationary surface, whatever its Morse index.
+/// Root mean square of the vertices' residuals, weighted by area, below which a mesh of the caller counts as lying near a
+/// stationary surface. The largest residual does not tell: at vertices of uneven triangles it stays above 1 on the exact
+/// surface, however fine the mesh. With a larger value more meshes are taken to their nearest stationary surface,
+/// whatever its Morse index.
 const NEARLY_STATIONARY: f64 = 1.0;
 /// A converged film with an angle below this (radians, 22 degrees) has its small angles widened and is solved again. At
 /// re-entrant corners and where a film bends strongly, vertices that move along normals only shear their triangles. A
@@ -209,7 +212,10 @@ impl<'a> Solve<'a> {
     /// minimum, and Pinkall-Polthier solves would leave it. `None`, with the film unchanged, if there is none.
     fn stay(&mut self, film: &mut Film) -> Result<Option<(Pattern, Direct)>, Error> {
         let pattern = Pattern::new(film.triangles(), &film.fixed);
-        if self.state(film, &pattern).residual > NEARLY_STATIONARY {
+        let FilmState { gradient, mass, .. } = self.state(film, &pattern);
+        let squares = gradient.iter().zip(&mass).map(|(force, share)| curvature(*force, *share).powi(2) * share);
+        let mean_square = squares.sum::<f64>() / mass.iter().sum::<f64>();
+        if self.radius * mean_square.sqrt() > NEARLY_STATIONARY {
             return Ok(None);
         }
         let mut direct = Direct::new(pattern.matrix()).map_err(too_large)?;
