@@ -8,11 +8,18 @@ use plateau::jobs::solve::solve;
 use plateau::wire::Request;
 use serde_json::Value;
 
+fn body(name: &str) -> Vec<u8> {
+    std::fs::read(format!("{}/tests/cases/{name}.json", env!("CARGO_MANIFEST_DIR"))).expect("a case")
+}
+
 /// Statistics of a case, and the codes of all its warnings.
 fn solved(name: &str) -> (Value, Vec<String>) {
-    let path = format!("{}/tests/cases/{name}.json", env!("CARGO_MANIFEST_DIR"));
-    let body = std::fs::read(&path).expect("a case");
-    let request = Request::read_with_kind(&body, &LimitsConfig::default())
+    solved_body(name, &body(name))
+}
+
+/// The same for a request that is made from a case.
+fn solved_body(name: &str, body: &[u8]) -> (Value, Vec<String>) {
+    let request = Request::read_with_kind(body, &LimitsConfig::default())
         .unwrap_or_else(|rejection| panic!("{name} is refused: {rejection:?}"));
     let solved = solve(&request, &|| Signal::Continue, &|_| {}).unwrap_or_else(|failed| panic!("{name}: {failed:?}"));
     let statistics = serde_json::from_str(&solved.statistics).expect("statistics are JSON");
@@ -95,7 +102,60 @@ fn the_extrapolated_area_at_a_notch_allows_for_what_finer_meshes_reach() {
 
 #[test]
 fn a_film_with_one_side_is_refused_in_words() {
-    let path = format!("{}/tests/cases/moebius_own.json", env!("CARGO_MANIFEST_DIR"));
-    let refused = Request::read_with_kind(&std::fs::read(path).expect("a case"), &LimitsConfig::default()).unwrap_err();
+    let refused = Request::read_with_kind(&body("moebius_own"), &LimitsConfig::default()).unwrap_err();
     assert!(format!("{refused:?}").contains("has one side only, as a Möbius band"), "{refused:?}");
+}
+
+#[test]
+fn a_cone_of_eight_junctions_is_said_to_be_no_soap_film() {
+    let (statistics, warnings) = solved("cube_cone2_4");
+    assert!(statistics["junctions"]["morse_index"].is_null(), "{}", statistics["junctions"]);
+    assert!(has(&warnings, "junction_point"), "{warnings:?}");
+}
+
+#[test]
+fn angles_at_re_entrant_corners_do_not_fall_with_the_resolution() {
+    let (statistics, warnings) = solved("film_T_roof_200000");
+    assert_eq!(statistics["converged"], true, "{warnings:?}");
+    assert!(statistics["angles_deg"]["min"].as_f64().unwrap() >= 20.0, "{}", statistics["angles_deg"]);
+}
+
+/// Surface Evolver finds 3.686 with 8 flipped triangles at the same count; here 76 are left, which is said.
+#[test]
+fn a_noisy_loop_that_leaves_flipped_triangles_is_not_called_converged() {
+    let (statistics, warnings) = solved("film_gps_corr_4000");
+    let (flipped, area) = (statistics["flipped_triangles"].as_u64().unwrap(), statistics["area"].as_f64().unwrap());
+    assert!(flipped <= 76 && area < 3.72, "{flipped} flipped, area {area}");
+    assert_eq!(statistics["converged"] == true, flipped == 0);
+    assert!(flipped == 0 || has(&warnings, "not_converged"), "{warnings:?}");
+}
+
+/// A uniform mesh of a case under an objective: no triangle crosses another, and its area is that of the surface within a
+/// hundredth. Where the asked uniformity cannot be had, that is said.
+fn is_faithful(name: &str, objective: &str, area: Option<f64>) {
+    let mut request: Value = serde_json::from_slice(&body(name)).unwrap();
+    request["objective"] = objective.into();
+    let (statistics, warnings) = solved_body(name, request.to_string().as_bytes());
+    let surface = &statistics["surface"];
+    let name = format!("{name}, {objective}");
+    assert_eq!(statistics["self_intersections"], 0, "{name}");
+    assert_eq!(statistics["converged"] == true, !has(&warnings, "not_converged"), "{name}: {warnings:?}");
+    let error = surface["area_error"].as_f64().unwrap();
+    assert!(error.abs() < 0.01 || statistics["converged"] == false, "{name}: {surface}");
+    if let Some(area) = area {
+        let found = surface["area"].as_f64().unwrap();
+        assert!((found / area - 1.0).abs() < 0.01, "{name}: {found}, not {area}");
+        assert_eq!(statistics["converged"], true, "{name}: {warnings:?}");
+        assert!(statistics["angles_deg"]["min"].as_f64().unwrap() > 5.0, "{name}: {}", statistics["angles_deg"]);
+    }
+}
+
+#[test]
+fn uniform_meshes_of_strongly_curved_surfaces_keep_their_area_or_say_that_they_do_not() {
+    for objective in ["fewest_nodes", "most_equal_edges"] {
+        is_faithful("uni_panic_amp8_l2", objective, None);
+        is_faithful("uni_saddle12", objective, Some(678.2));
+        is_faithful("uni_rings", objective, Some(487.9));
+        is_faithful("uni_dome_bezier_tall", objective, None);
+    }
 }

@@ -46,6 +46,7 @@ pub const FAILURES: &[(&str, &str)] = &[
     ("internal", "The server failed"),
     ("invalid-geometry", "The geometry is invalid"),
     ("invalid-mesh", "The solver produced an invalid mesh"),
+    ("no-connected-film", "No minimal film connects the boundaries"),
     ("no-initial-mesh", "The boundary has no initial mesh"),
     ("no-room-for-interior-vertices", "The boundary is too small for the interior vertices"),
     ("not-flattenable", "The surface cannot be flattened"),

@@ -2237,7 +2237,7 @@ export interface operations {
             header?: never;
             path: {
                 /** @description Last part of the type. */
-                name: "bad-header" | "bad-query" | "body-timeout" | "deadline" | "degenerate-boundary" | "expired" | "foreign-page" | "idempotency-key-conflict" | "internal" | "invalid-geometry" | "invalid-mesh" | "invalid-request" | "malformed-body" | "mesh-lost" | "method-not-allowed" | "misdirected" | "no-initial-mesh" | "no-mesh" | "no-room-for-interior-vertices" | "not-acceptable" | "not-flattenable" | "not-found" | "queue-full" | "range-not-satisfiable" | "rate-limited" | "refused" | "self-intersecting-boundary" | "solver-panicked" | "too-large" | "unauthorized" | "unavailable" | "unknown-kind" | "unsupported-media-type" | "unwritable" | "worker-lost";
+                name: "bad-header" | "bad-query" | "body-timeout" | "deadline" | "degenerate-boundary" | "expired" | "foreign-page" | "idempotency-key-conflict" | "internal" | "invalid-geometry" | "invalid-mesh" | "invalid-request" | "malformed-body" | "mesh-lost" | "method-not-allowed" | "misdirected" | "no-connected-film" | "no-initial-mesh" | "no-mesh" | "no-room-for-interior-vertices" | "not-acceptable" | "not-flattenable" | "not-found" | "queue-full" | "range-not-satisfiable" | "rate-limited" | "refused" | "self-intersecting-boundary" | "solver-panicked" | "too-large" | "unauthorized" | "unavailable" | "unknown-kind" | "unsupported-media-type" | "unwritable" | "worker-lost";
             };
             cookie?: never;
         };

@@ -63,9 +63,10 @@ pub use run::{
 };
 pub use statistics::{MeanCurvature, Statistics};
 
+use crate::error::InputError;
 use crate::mesh::complex::has_junctions;
 use crate::mesh::film::Film;
-use crate::{DVec3, Error, Execution};
+use crate::{DVec3, Error, Execution, Place};
 use drivers::{best_topology, free_topology, nested};
 use outcome::finish;
 use request::Input;
@@ -85,7 +86,8 @@ use solvers::{chen_cai_zheng, dirichlet, liu_wang, newton as default_solver, pin
 /// # Errors
 /// [`Error::Input`] for what the arguments themselves show (a coordinate that is not finite or beyond 1e50, neighbours
 /// nearer than 1e-50 and not equal, fewer than three distinct points on a boundary, an impossible resolution);
-/// [`Error::NoResult`] if no valid mesh came out; [`Error::Interrupted`] on cancel, and on a deadline that passes
+/// [`Error::NoResult`] if no valid mesh came out, or `no_connected_film` if several boundaries had to be connected
+/// ([`TopologyRule::Fixed`]) and the film did not hold; [`Error::Interrupted`] on cancel, and on a deadline that passes
 /// before there is a mesh.
 pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<MinimalSurface, Error> {
     let input = Input::read(boundaries, options)?;
@@ -118,7 +120,36 @@ pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> 
             SolvedFilm { film, kind, initial_area, run }
         }
     };
-    Ok(finish(input, solved, given)?.checked(exec)?)
+    let surface = finish(input, solved, given)?;
+    if matches!(given.method, Method::Newton(Newton { topology: TopologyRule::Fixed, .. })) {
+        refuse_lost_film(&surface.statistics)?;
+    }
+    Ok(surface.checked(exec)?)
+}
+
+/// Residual above which a film that is not converged has nothing to do with a minimal surface: its mean curvature is that
+/// of the boundary itself.
+const LOST: f64 = 1.0;
+
+/// Refuses the remains of a film that had to connect several boundaries and found no minimal surface that does: it has
+/// collapsed, folded over, or stopped far from any.
+fn refuse_lost_film(statistics: &Statistics) -> Result<(), Error> {
+    let ended = match statistics.stop_reason {
+        StopReason::Collapsed => "collapsed",
+        StopReason::Stalled | StopReason::Residual if statistics.flipped_triangles > 0 => "folded over",
+        StopReason::Stalled if statistics.residual > LOST => "stopped far from any",
+        _ => return Ok(()),
+    };
+    if statistics.components >= statistics.boundary_loops {
+        return Ok(());
+    }
+    let detail = format!(
+        "no minimal film that connects the {} boundaries was found: the mesh {ended}. Ask for topology best or free, which \
+         let it come apart, or move the boundaries closer together",
+        statistics.boundary_loops
+    );
+    let place = InputError::new(Place::field("topology"), "fixed keeps the boundaries connected");
+    Err(Error::NoResult { reason: "no_connected_film", detail, places: vec![place] })
 }
 
 /// Runs the solver that is asked for from an initial mesh of the full size.

@@ -3,5 +3,6 @@
 pub(crate) mod delaunay;
 pub(crate) mod isotropic;
 pub(crate) mod sheets;
+pub(crate) mod small_angles;
 pub(crate) mod subdivision;
 pub(crate) mod thin_triangles;

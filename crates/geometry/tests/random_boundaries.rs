@@ -121,6 +121,54 @@ fn residual(mesh: &Mesh, fixed: &[bool], radius: f64) -> f64 {
     (0..n).filter(|&v| !fixed[v]).map(at).fold(0.0, f64::max)
 }
 
+/// Number of negative eigenvalues of the area's second derivatives along the vertex normals, by elimination of the dense
+/// matrix (Sylvester's law of inertia).
+fn morse_index(mesh: &Mesh, fixed: &[bool]) -> usize {
+    let mut normal = vec![DVec3::ZERO; mesh.vertices.len()];
+    for &t in &mesh.triangles {
+        let [a, b, c] = t.map(|v| mesh.vertices[v as usize]);
+        t.iter().for_each(|&v| normal[v as usize] += (b - a).cross(c - a));
+    }
+    normal.iter_mut().for_each(|n| *n = n.normalize());
+    let free: Vec<usize> = (0..fixed.len()).filter(|&v| !fixed[v]).collect();
+    let row = |v: u32| free.binary_search(&(v as usize)).ok();
+    let n = free.len();
+    let mut matrix = vec![0.0; n * n];
+    for &t in &mesh.triangles {
+        let p = t.map(|v| mesh.vertices[v as usize]);
+        let m = t.map(|v| normal[v as usize]);
+        // Twice the area vector p0 x p1 + p1 x p2 + p2 x p0, and its derivatives by the three heights.
+        let whole = (p[1] - p[0]).cross(p[2] - p[0]);
+        let length = whole.length();
+        let first = [0, 1, 2].map(|k: usize| m[k].cross(p[(k + 1) % 3] - p[(k + 2) % 3]));
+        for i in 0..3 {
+            for j in 0..3 {
+                let (Some(a), Some(b)) = (row(t[i]), row(t[j])) else { continue };
+                let mixed = match (j + 3 - i) % 3 {
+                    0 => DVec3::ZERO,
+                    1 => m[i].cross(m[j]),
+                    _ => m[j].cross(m[i]),
+                };
+                let along = whole.dot(first[i]) * whole.dot(first[j]) / length.powi(3);
+                matrix[a * n + b] += 0.5 * ((first[i].dot(first[j]) + whole.dot(mixed)) / length - along);
+            }
+        }
+    }
+    let mut negative = 0;
+    for k in 0..n {
+        let pivot = matrix[k * n + k];
+        negative += usize::from(pivot < 0.0);
+        let eliminating = matrix[k * n..(k + 1) * n].to_vec();
+        for i in k + 1..n {
+            let factor = matrix[i * n + k] / pivot;
+            if factor != 0.0 {
+                matrix[i * n + k..(i + 1) * n].iter_mut().zip(&eliminating[k..]).for_each(|(a, b)| *a -= factor * b);
+            }
+        }
+    }
+    negative
+}
+
 /// Whether two triangles without a common corner pierce each other.
 fn is_crossed(mesh: &Mesh) -> bool {
     let coord = |p: DVec3| Coord3D { x: p.x, y: p.y, z: p.z };
@@ -181,6 +229,14 @@ fn verdict(given: &[Vec<DVec3>], solved: Result<MinimalSurface, Error>) -> Strin
     let own = residual(&centred, &fixed, radius);
     if own > 1e-5 && !far {
         return format!("converged with a residual of {own:.1e}");
+    }
+    if let Some(stability) = statistics.stability.filter(|_| !far) {
+        let own = morse_index(&centred, &fixed);
+        // Below that the sign of an eigenvalue is a matter of rounding.
+        let decided = (stability.lowest_eigenvalue * radius * radius).abs() > 1e-6;
+        if own != stability.morse_index && decided {
+            return format!("converged with an index of {own}, not {}", stability.morse_index);
+        }
     }
     "right".into()
 }

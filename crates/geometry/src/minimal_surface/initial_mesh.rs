@@ -26,6 +26,7 @@ use pins::Pins;
 use plane_mesh::PlaneError;
 use spanning::Spanning;
 
+pub(super) use given::ON_SEGMENT;
 pub(super) use spanning::Start;
 
 /// Which initial mesh was built.

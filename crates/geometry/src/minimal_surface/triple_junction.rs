@@ -19,7 +19,7 @@
 //! next to an end is therefore reported separately.
 
 use super::harmonic::Dirichlet;
-use super::initial_mesh::InitialMeshKind;
+use super::initial_mesh::{InitialMeshKind, ON_SEGMENT};
 use super::junction_statistics::JunctionStatistics;
 use super::options::{Method, Objective, Options, Solver};
 use super::outcome::{ConstraintVertices, MinimalSurface};
@@ -60,7 +60,7 @@ const THIRD_OF_TURN: f64 = 2.0 * std::f64::consts::FRAC_PI_3;
 
 /// Minimises the area of the caller's own mesh, in which some edges have three triangles.
 ///
-/// The edges with one triangle must be the segments of the boundaries. Boundaries may share points and segments: three
+/// The edges with one triangle must be the segments of the boundaries, with or without further vertices on them. Boundaries may share points and segments: three
 /// half-circles between two poles are two loops, or three. `given` are the boundaries without equal neighbours.
 /// `input_vertices` gives for each input point its number among the points of all these boundaries.
 ///
@@ -164,12 +164,13 @@ fn check_options(options: &Options) -> Result<(), Error> {
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
 }
 
-/// The vertices of the mesh at the boundary points, numbered by first appearance.
+/// The vertices of the mesh at the boundary points, numbered by first appearance, and then those that the mesh has
+/// between two neighbouring points.
 #[derive(Debug)]
 struct Wires {
-    /// For each boundary its vertices, with the new numbers.
+    /// For each boundary its vertices, added ones included, with the new numbers.
     loops: Vec<Vec<u32>>,
-    /// The vertices of all boundaries, one boundary after the other.
+    /// The vertices at the points of all boundaries, one boundary after the other.
     vertex_of: Vec<u32>,
     /// Number of distinct boundary points, which are the first vertices.
     points: usize,
@@ -186,7 +187,7 @@ impl Wires {
         known.sort_unstable();
         let mut number = vec![u32::MAX; mesh.vertices.len()];
         let mut points = 0;
-        let mut loops = Vec::with_capacity(boundaries.len());
+        let mut corners: Vec<Vec<u32>> = Vec::with_capacity(boundaries.len());
         for (k, boundary) in boundaries.iter().enumerate() {
             let mut vertices = Vec::with_capacity(boundary.len());
             for &point in boundary {
@@ -199,18 +200,28 @@ impl Wires {
                     number[old as usize] = points;
                     points += 1;
                 }
-                vertices.push(number[old as usize]);
+                vertices.push(old);
             }
-            loops.push(vertices);
+            corners.push(vertices);
         }
+        let rim = Rim::of(mesh);
+        let loops: Vec<Vec<u32>> = corners
+            .iter()
+            .map(|corners| {
+                let along = |k: usize| rim.between(mesh, corners[k], corners[(k + 1) % corners.len()]);
+                (0..corners.len()).flat_map(|k| [vec![corners[k]], along(k)].concat()).collect()
+            })
+            .collect();
         let mut next = points;
-        for number in &mut number {
-            if *number == u32::MAX {
-                *number = next;
+        for old in loops.iter().flatten().copied().chain(0..mesh.vertices.len() as u32) {
+            if number[old as usize] == u32::MAX {
+                number[old as usize] = next;
                 next += 1;
             }
         }
-        let vertex_of = loops.iter().flatten().copied().collect();
+        let renumbered = |vertices: &Vec<u32>| -> Vec<u32> { vertices.iter().map(|&v| number[v as usize]).collect() };
+        let vertex_of = corners.iter().flat_map(renumbered).collect();
+        let loops = loops.iter().map(renumbered).collect();
         Ok(Self { loops, vertex_of, points: points as usize, number })
     }
 
@@ -245,6 +256,49 @@ impl Wires {
              such edges are no segment"
         );
         Err(Error::input(Place::field("initial_mesh"), detail))
+    }
+}
+
+/// The edges of one triangle in both directions, sorted.
+#[derive(Debug)]
+struct Rim(Vec<[u32; 2]>);
+
+impl Rim {
+    fn of(mesh: &Mesh) -> Self {
+        let mut sides: Vec<[u32; 2]> = mesh
+            .triangles
+            .iter()
+            .filter(|triangle| triangle.iter().all(|&v| (v as usize) < mesh.vertices.len()))
+            .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]))
+            .collect();
+        sides.sort_unstable();
+        let single = sides.chunk_by(|a, b| a == b).filter(|same| same.len() == 1).map(|same| same[0]);
+        let mut edges: Vec<[u32; 2]> = single.flat_map(|[a, b]| [[a, b], [b, a]]).collect();
+        edges.sort_unstable();
+        Self(edges)
+    }
+
+    /// The vertices that the mesh has on the segment between two of its vertices, in order. None if its edges do not lead
+    /// from one end to the other along the segment.
+    fn between(&self, mesh: &Mesh, from: u32, to: u32) -> Vec<u32> {
+        let (a, b) = (mesh.vertices[from as usize], mesh.vertices[to as usize]);
+        let along = b - a;
+        let part = |v: u32| along.dot(mesh.vertices[v as usize] - a) / along.length_squared();
+        let is_beside =
+            |v: u32| along.cross(mesh.vertices[v as usize] - a).length() > ON_SEGMENT * along.length_squared();
+        let (mut vertices, mut here) = (Vec::new(), from);
+        loop {
+            let first = self.0.partition_point(|edge| edge[0] < here);
+            let mut ahead = self.0[first..].iter().take_while(|edge| edge[0] == here).map(|edge| edge[1]);
+            if ahead.clone().any(|v| v == to) {
+                return vertices;
+            }
+            let Some(next) = ahead.find(|&v| !is_beside(v) && part(v) > part(here) && part(v) < 1.0) else {
+                return Vec::new();
+            };
+            vertices.push(next);
+            here = next;
+        }
     }
 }
 

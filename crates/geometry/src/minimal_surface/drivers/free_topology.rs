@@ -3,7 +3,8 @@
 //!
 //! 1. Iterate by Pinkall and Polthier with the rules until a neck closes (then start this step again) or the area
 //!    changes little.
-//! 2. Run the default solver on a copy, leaving unstable surfaces. If it reaches a stable film with a small residual,
+//! 2. Run the default solver on a copy, leaving unstable surfaces. The rules have taken triangles out, two thirds of them
+//!    along a long neck: if too few are left, the copy is first brought back to the number of the initial mesh. If it reaches a stable film with a small residual,
 //!    that is the result.
 //! 3. Otherwise the film only lingers where a minimal surface almost exists. Continue step 1 to a much smaller change
 //!    of area, and try step 2 again. If a closed neck left flipped triangles, average the vertices and start step 1
@@ -15,6 +16,7 @@ use crate::minimal_surface::run::{Record, Run, StopReason};
 use crate::minimal_surface::solvers::newton;
 use crate::minimal_surface::solvers::pinkall_polthier::{Until, iterate};
 use crate::remesh::delaunay::flip_to_delaunay;
+use crate::remesh::isotropic::{BoundaryEdges, resample};
 use crate::remesh::thin_triangles::{Necks, remove_degenerate_triangles};
 use crate::{DVec3, Error, Execution, Interruption};
 
@@ -31,6 +33,11 @@ const AT_REST: f64 = 1e-9;
 const MOST_UNFOLDINGS: u32 = 3;
 /// Triangles with an angle below this (radians) are removed in such a round. A larger value removes more of a spike.
 const NEEDLE: f64 = 0.15;
+/// Step 2 starts with new triangles if fewer than this fraction of the initial mesh are left. A larger value replaces
+/// smaller losses.
+const FEW: f64 = 0.8;
+/// Number of passes that bring their number back.
+const REFILL_PASSES: u32 = 12;
 /// Number of times that every free vertex is averaged in such a round. A larger value flattens the film further.
 const UNFOLDING_SWEEPS: u32 = 50;
 
@@ -52,6 +59,7 @@ pub(crate) fn run(
     // Each neck that closes changes the number of components or handles by one, so there are few rounds.
     let mut done = 0.0;
     let mut unfolded = 0;
+    let initial = film.triangles().len() as f64;
     loop {
         let part = 0.5 * (1.0 - done);
         let rules = PinkallPolthier { area_tolerance: change, linear_solver, degenerate_angle, cut_necks: true };
@@ -70,6 +78,9 @@ pub(crate) fn run(
             _ => {}
         }
         let mut held = film.clone();
+        if !given && (held.triangles().len() as f64) < FEW * initial {
+            resample(&mut held, initial, REFILL_PASSES, BoundaryEdges::Kept, exec)?;
+        }
         let left = limits.max_iterations.map(|_| limit.saturating_sub(run.iterations));
         let limits = Limits { max_iterations: left, ..limits };
         let task = newton::Task { limits, on_unstable: OnUnstable::Descend, given };

@@ -8,14 +8,20 @@
 //! 3. Newton's method in normal heights corrects the finer mesh. Its linear systems are solved by conjugate gradients
 //!    over the nested levels ([`multigrid`](crate::sparse::multigrid)). The start deviates by the sagitta of a coarse
 //!    edge, so one or two steps suffice.
+//! 4. Small angles of the corrected mesh are widened where they are, and the mesh is corrected again. Halving keeps
+//!    angles, but where the film bends strongly (at re-entrant corners) each correction makes them smaller.
+//!
+//! After step 4 the meshes are no longer exactly nested around the widened angles. The matrices of the levels remain a
+//! good preconditioner, because a vertex that is left keeps its parents. The extrapolated area is computed from the
+//! areas before step 4, whose meshes are nested.
 //!
 //! Work and memory are proportional to the size of the mesh. If the method does not apply (the corners are too dense to
 //! skip points, a triangle is flipped, multigrid does not converge), the caller solves the full mesh directly.
 
-use crate::equilibrium::NormalMotion;
 use crate::equilibrium::newton::{Aim, Equations, Outcome, Settings, iterate};
 use crate::equilibrium::stability::{self, Unknown};
 use crate::equilibrium::v_cycle::VCycleSteps;
+use crate::equilibrium::{FilmState, NormalMotion};
 use crate::mesh::film::Film;
 use crate::mesh::measure;
 use crate::minimal_surface::estimate::{area_of_fans, estimate, triangles_of_length};
@@ -24,11 +30,12 @@ use crate::minimal_surface::initial_mesh;
 use crate::minimal_surface::options::{BoundarySampling, InitialMesh, OnUnstable, Options, Resolution};
 use crate::minimal_surface::run::{ExtrapolatedArea, Stability, StabilityMethod, StopReason, geometric_part};
 use crate::minimal_surface::solved_film::SolvedFilm;
-use crate::minimal_surface::solvers::newton::{EXTRAPOLATED_TRIANGLES, Solve, Task};
+use crate::minimal_surface::solvers::newton::{EXTRAPOLATED_TRIANGLES, NARROW, Solve, Task, WIDE, WIDENINGS};
+use crate::remesh::small_angles::{smallest_angle, widen};
 use crate::remesh::subdivision::subdivided_inside;
-use crate::sparse::Symbolic;
-use crate::sparse::multigrid::{self, Hierarchy, parents_of};
+use crate::sparse::multigrid::{self, Hierarchy, Parents, parents_of};
 use crate::sparse::pattern::Pattern;
+use crate::sparse::{Symbolic, SymmetricMatrix};
 use crate::{DVec3, Error, Execution, Interruption, polyline};
 
 // Tunables. The figures in docs/VALIDATION.md were obtained with these values.
@@ -140,32 +147,44 @@ fn climb(
     for level in 1..=levels {
         let work = 4 * film.triangles().len() as u64;
         let (fine, midpoints) = places.refine(film);
+        let last = level == levels;
+        let coarse_order = if last { order(film) } else { 2.0 };
         *film = fine;
         solve.exec.look(work)?;
-        let finer = Pattern::new(film.triangles(), &film.fixed);
-        let parents = parents_of(&pattern.free.unknown, &finer.free.vertex, &midpoints);
-        pattern = finer;
-        solve.exec.look(work)?;
-        mode = multigrid::prolong(&mode, &parents);
-        let last = level == levels;
         let tolerance = if last { solve.tolerance } else { MIDDLE_TOLERANCE.max(solve.tolerance) };
         solve.radius = film.radius();
-        let settings = Settings { aim: Aim::Minimum, tolerance, max_steps: STEPS_PER_LEVEL };
-        let motion = NormalMotion { pattern: &pattern, triangles: film.topology.triangles(), radius: solve.radius };
-        let mut steps = VCycleSteps { hierarchy: &hierarchy, parents, matrix: pattern.matrix(), exec: solve.exec };
         solve.record.share = share(level);
-        let mut start = None;
-        let (outcome, state) =
-            iterate(&mut film.vertices, &motion, &mut steps, &settings, solve.exec, &mut |area, residual| {
-                let part = geometric_part(*start.get_or_insert(residual), residual, tolerance);
-                solve.record.iteration("newton", area, residual, 0.9 * part);
-            });
-        match outcome {
-            Outcome::Converged => {}
-            Outcome::Interrupted(interruption) => return Err(interruption.into()),
-            Outcome::Stalled | Outcome::StepsUsed | Outcome::Refused(_) => return Ok(None),
+        let coarse_unknown = pattern.free.unknown;
+        pattern = Pattern::new(film.triangles(), &film.fixed);
+        let parents = parents_of(&coarse_unknown, &pattern.free.vertex, &midpoints);
+        solve.exec.look(work)?;
+        let Some(mut corrected) = correct(film, &pattern, parents, &hierarchy, tolerance, solve)? else {
+            return Ok(None);
+        };
+        let nested_area = corrected.state.energy;
+        let mut origin: Vec<u32> = (0..film.vertices.len() as u32).collect();
+        for _ in 0..WIDENINGS {
+            let before = smallest_angle(film);
+            if before >= NARROW {
+                break;
+            }
+            let mut widened = film.clone();
+            let Some(kept) = widen(&mut widened, WIDE, solve.exec)? else { break };
+            let kept: Vec<u32> = kept.into_iter().map(|v| origin[v as usize]).collect();
+            let finer = Pattern::new(widened.triangles(), &widened.fixed);
+            let vertices: Vec<u32> = finer.free.vertex.iter().map(|&v| kept[v as usize]).collect();
+            let parents = parents_of(&coarse_unknown, &vertices, &midpoints);
+            solve.exec.look(work)?;
+            match correct(&mut widened, &finer, parents, &hierarchy, tolerance, solve)? {
+                Some(better) if smallest_angle(&widened) > before => {
+                    (*film, pattern, corrected, origin) = (widened, finer, better, kept);
+                }
+                _ => break,
+            }
         }
-        let VCycleSteps { parents, mut matrix, .. } = steps;
+        let Corrected { state, parents, mut matrix } = corrected;
+        mode = multigrid::prolong(&mode, &parents);
+        let motion = NormalMotion { pattern: &pattern, triangles: film.topology.triangles(), radius: solve.radius };
         if last {
             if measure::count_flipped(&film.vertices, film.triangles(), &state.frame) > 0 {
                 return Ok(None);
@@ -193,7 +212,8 @@ fn climb(
                 return Ok(None);
             }
             if places.same_polygon {
-                solve.extrapolated_area = Some(ExtrapolatedArea::new(coarse_area, state.energy, order(film)));
+                solve.extrapolated_area =
+                    Some(ExtrapolatedArea::new(coarse_area, nested_area, coarse_order.min(order(film))));
             } else if film.triangles().len() <= EXTRAPOLATED_TRIANGLES {
                 hierarchy.push(matrix, parents);
                 solve.extrapolated_area = ExtrapolatedArea::of(film, &pattern, &hierarchy, solve.radius, solve.exec)?;
@@ -206,6 +226,44 @@ fn climb(
         coarse_area = state.energy;
     }
     Ok(None)
+}
+
+/// A level whose film is stationary to the level's tolerance.
+struct Corrected {
+    state: FilmState,
+    parents: Parents,
+    /// The matrix of the last step.
+    matrix: SymmetricMatrix,
+}
+
+/// Step 3 on one level. `None` if Newton's method or its linear solver does not get there.
+fn correct(
+    film: &mut Film,
+    pattern: &Pattern,
+    parents: Parents,
+    hierarchy: &Hierarchy,
+    tolerance: f64,
+    solve: &mut Solve,
+) -> Result<Option<Corrected>, Error> {
+    let settings = Settings { aim: Aim::Minimum, tolerance, max_steps: STEPS_PER_LEVEL };
+    let motion = NormalMotion { pattern, triangles: film.topology.triangles(), radius: solve.radius };
+    let mut steps = VCycleSteps { hierarchy, parents, matrix: pattern.matrix(), exec: solve.exec };
+    let mut start = None;
+    let (outcome, state) =
+        iterate(&mut film.vertices, &motion, &mut steps, &settings, solve.exec, &mut |area, residual| {
+            let part = geometric_part(*start.get_or_insert(residual), residual, tolerance);
+            solve.record.iteration("newton", area, residual, 0.9 * part);
+        });
+    let VCycleSteps { parents, mut matrix, .. } = steps;
+    if start.is_none() {
+        // No step was needed (the film is plane), so nothing has assembled the matrix that the next level needs.
+        motion.second_variation(&film.vertices, &state, 0.0, &mut matrix);
+    }
+    match outcome {
+        Outcome::Converged => Ok(Some(Corrected { state, parents, matrix })),
+        Outcome::Interrupted(interruption) => Err(interruption.into()),
+        Outcome::Stalled | Outcome::StepsUsed | Outcome::Refused(_) => Ok(None),
+    }
 }
 
 /// Which input points bound the coarse mesh, how large it is, and how often it will be refined.

@@ -104,8 +104,10 @@ impl Directions {
         let count: usize = boundaries.iter().map(Vec::len).sum();
         let distance = boundaries.iter().flatten().map(|p| p.distance(centre)).sum::<f64>() / count as f64;
         let mut projection = Self { centre, x, y: pole.cross(x), pole, stretch: 1.0, distance, outer };
-        let farthest = boundaries.iter().flatten().map(|&p| projection.project(p).length()).fold(0.0, f64::max);
-        if !(farthest > 0.0 && farthest <= FARTHEST) {
+        let distances = || boundaries.iter().flatten().map(|&p| projection.project(p).length());
+        let farthest = distances().fold(0.0, f64::max);
+        // In the direction of the pole the projection is 0 / 0, which is no number.
+        if !(farthest > 0.0 && distances().all(|distance| distance <= FARTHEST)) {
             return None;
         }
         projection.stretch = 1.0 / farthest;

@@ -10,7 +10,7 @@ use crate::{DVec3, Error, Mesh, Place};
 
 /// Largest distance of an additional boundary vertex from its segment, as a fraction of the length of the segment. A
 /// larger value accepts less exact coordinates.
-const ON_SEGMENT: f64 = 1e-9;
+pub(crate) const ON_SEGMENT: f64 = 1e-9;
 
 /// A film from the client's mesh. The mesh must be an oriented manifold whose boundary loops are the boundaries: each
 /// point exactly, in either direction, with or without further vertices on the segments. Every component must have a

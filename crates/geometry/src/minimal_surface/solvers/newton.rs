@@ -3,11 +3,13 @@
 //! 1. *Settle*: rounds of Delaunay flips, tangential relaxation and one to four Pinkall-Polthier solves
 //!    ([`harmonic`](crate::minimal_surface::harmonic)). They accept any start and leave good triangles.
 //! 2. *Newton* in normal heights ([`newton`](crate::equilibrium::newton)). If it stalls, or a triangle is flipped, step
-//!    1 starts again.
+//!    1 starts again. If it converges with small angles, these are widened where they are, and it starts again from
+//!    there.
 //! 3. *Stability* ([`stability`](crate::equilibrium::stability)). If the caller asks for it, an unstable surface is
 //!    left along its lowest mode.
 
 use crate::equilibrium::newton::{Aim, Direct, Equations, Outcome, Settings, iterate, keeps_orientation};
+use crate::equilibrium::residual::curvature;
 use crate::equilibrium::stability::{self, SecondVariation, Unknown};
 use crate::equilibrium::{FilmState, NormalMotion};
 use crate::mesh::film::Film;
@@ -17,6 +19,7 @@ use crate::minimal_surface::run::{
     ExtrapolatedArea, Record, Run, Stability, StabilityMethod, StopReason, geometric_part,
 };
 use crate::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
+use crate::remesh::small_angles::{smallest_angle, widen};
 use crate::sparse::Factorisation;
 use crate::sparse::multigrid::Hierarchy;
 use crate::sparse::pattern::Pattern;
@@ -41,9 +44,19 @@ const SETTLED_AREA: f64 = 1e-3;
 /// Largest number of triangles for which the area is extrapolated with a mesh of four times as many. A larger value
 /// extrapolates the areas of larger meshes too, which takes longer.
 pub(crate) const EXTRAPOLATED_TRIANGLES: usize = 10_000;
-/// Residual below which a mesh of the caller counts as lying near a stationary surface. With a larger value more meshes
-/// are taken to their nearest stationary surface, whatever its Morse index.
+/// Root mean square of the vertices' residuals, weighted by area, below which a mesh of the caller counts as lying near a
+/// stationary surface. The largest residual does not tell: at vertices of uneven triangles it stays above 1 on the exact
+/// surface, however fine the mesh. With a larger value more meshes are taken to their nearest stationary surface,
+/// whatever its Morse index.
 const NEARLY_STATIONARY: f64 = 1.0;
+/// A converged film with an angle below this (radians, 22 degrees) has its small angles widened and is solved again. At
+/// re-entrant corners and where a film bends strongly, vertices that move along normals only shear their triangles. A
+/// larger value changes more films. It is above the 20 degrees that are promised, because a solve takes some back.
+pub(crate) const NARROW: f64 = 0.384;
+/// Angles are widened to this (radians, 28 degrees) where that is possible. A larger value changes more triangles.
+pub(crate) const WIDE: f64 = 0.489;
+/// Largest number of rounds of widening and solving. A larger value helps films whose angles a solve shrinks again.
+pub(crate) const WIDENINGS: u32 = 4;
 /// Largest number of times that a stalled Newton iteration is followed by another step 1.
 const MAX_RETURNS: u32 = 2;
 
@@ -86,6 +99,8 @@ pub(crate) struct Solve<'a> {
     pub extrapolated_area: Option<ExtrapolatedArea>,
     /// Whether the film is still the caller's own mesh.
     given: bool,
+    /// Whether vertices may be removed: not from a mesh of the caller.
+    may_widen: bool,
 }
 
 impl<'a> Solve<'a> {
@@ -100,6 +115,7 @@ impl<'a> Solve<'a> {
             unstable_mode: None,
             extrapolated_area: None,
             given: task.given,
+            may_widen: !task.given,
         }
     }
 
@@ -154,7 +170,7 @@ impl<'a> Solve<'a> {
             let mut direct = Direct::new(pattern.matrix()).map_err(too_large)?;
             reason = match self.newton(film, &pattern, &mut direct, Aim::Minimum)? {
                 StopReason::Residual if film.flipped_triangles() == 0 || attempt == MAX_RETURNS => {
-                    return Ok((StopReason::Residual, Some((pattern, direct))));
+                    return Ok((StopReason::Residual, Some(self.widen(film, pattern, direct)?)));
                 }
                 StopReason::MaxIterations => return Ok((StopReason::MaxIterations, None)),
                 _ if collapsed => return Ok((StopReason::Collapsed, None)),
@@ -164,11 +180,42 @@ impl<'a> Solve<'a> {
         Ok((reason, None))
     }
 
+    /// Widens the small angles of a converged film and lets it converge again, as long as that makes its smallest angle
+    /// larger. Returns the pattern and the factorisation of the connectivity that remains.
+    fn widen(&mut self, film: &mut Film, pattern: Pattern, direct: Direct) -> Result<(Pattern, Direct), Error> {
+        let (mut pattern, mut direct) = (pattern, direct);
+        for _ in 0..if self.may_widen { WIDENINGS } else { 0 } {
+            self.exec.look(film.triangles().len() as u64)?;
+            let before = smallest_angle(film);
+            if before >= NARROW {
+                break;
+            }
+            let mut widened = film.clone();
+            if widen(&mut widened, WIDE, self.exec)?.is_none() {
+                break;
+            }
+            let new_pattern = Pattern::new(widened.triangles(), &widened.fixed);
+            let mut solver = Direct::new(new_pattern.matrix()).map_err(too_large)?;
+            let reason = self.newton(&mut widened, &new_pattern, &mut solver, Aim::Minimum)?;
+            if reason != StopReason::Residual
+                || smallest_angle(&widened) <= before
+                || widened.flipped_triangles() > film.flipped_triangles()
+            {
+                break;
+            }
+            (*film, pattern, direct) = (widened, new_pattern, solver);
+        }
+        Ok((pattern, direct))
+    }
+
     /// Looks for a stationary surface near the caller's own mesh by Newton's method alone. Such a surface need not be a
     /// minimum, and Pinkall-Polthier solves would leave it. `None`, with the film unchanged, if there is none.
     fn stay(&mut self, film: &mut Film) -> Result<Option<(Pattern, Direct)>, Error> {
         let pattern = Pattern::new(film.triangles(), &film.fixed);
-        if self.state(film, &pattern).residual > NEARLY_STATIONARY {
+        let FilmState { gradient, mass, .. } = self.state(film, &pattern);
+        let squares = gradient.iter().zip(&mass).map(|(force, share)| curvature(*force, *share).powi(2) * share);
+        let mean_square = squares.sum::<f64>() / mass.iter().sum::<f64>();
+        if self.radius * mean_square.sqrt() > NEARLY_STATIONARY {
             return Ok(None);
         }
         let mut direct = Direct::new(pattern.matrix()).map_err(too_large)?;

@@ -97,6 +97,36 @@ fn three_half_circles_120_degrees_apart_carry_three_half_discs() {
     }
 }
 
+/// Every second wire edge has a vertex in its middle, which the boundary does not name.
+#[test]
+fn further_vertices_on_the_wires_are_taken_as_they_are() {
+    let (loops, mesh) = half_discs(&[0.0, 120.0, 240.0], 12, 4, 2.0, DVec3::new(0.3, -0.2, 0.0));
+    let plain = solved(&loops, &mesh);
+    let rim = Rim::of(&mesh);
+    let mut halved = mesh.clone();
+    let mut added = 0;
+    for (k, &[a, b]) in rim.0.iter().filter(|[a, b]| a < b).enumerate().filter(|(k, _)| k % 2 == 0) {
+        let middle = halved.vertices.len() as u32;
+        halved.vertices.push(0.5 * (mesh.vertices[a as usize] + mesh.vertices[b as usize]));
+        let t = halved.triangles.iter().position(|t| t.contains(&a) && t.contains(&b)).unwrap();
+        let triangle = halved.triangles[t];
+        halved.triangles[t] = triangle.map(|v| if v == a { middle } else { v });
+        halved.triangles.push(triangle.map(|v| if v == b { middle } else { v }));
+        added += 1;
+        assert!(k < 36);
+    }
+    let surface = solved(&loops, &halved);
+    assert_eq!((added, surface.mesh.vertices.len()), (18, mesh.vertices.len() + 18));
+    assert!(surface.statistics.converged);
+    assert!((surface.statistics.area - plain.statistics.area).abs() < 1e-9 * plain.statistics.area);
+    for (boundary, points) in surface.boundaries.iter().zip(&loops) {
+        assert!(boundary.len() > points.len());
+    }
+    for (numbers, points) in surface.input_vertices.iter().zip(&loops) {
+        assert!(numbers.iter().zip(points).all(|(&v, &p)| surface.mesh.vertices[v as usize] == p));
+    }
+}
+
 #[test]
 fn half_circles_100_120_and_140_degrees_apart_still_meet_at_120() {
     let mut in_the_middle = Vec::new();
