@@ -1,4 +1,4 @@
-//! Unit of length and upward axis of the client, shared by the wire, the stored archive and every download.
+//! Units of length and force and upward axis of the client, shared by the wire, the stored archive and every download.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -55,6 +55,36 @@ impl Unit {
             Self::Metre => 1.0,
             Self::Inch => 0.0254,
             Self::Foot => 0.3048,
+        }
+    }
+}
+
+/// Unit of the client's forces. A film's tension is a force per unit of length, and a pressure a force per unit of area.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum ForceUnit {
+    #[serde(rename = "N")]
+    Newton,
+    #[default]
+    #[serde(rename = "kN")]
+    Kilonewton,
+    #[serde(rename = "MN")]
+    Meganewton,
+    #[serde(rename = "lbf")]
+    PoundForce,
+    #[serde(rename = "kip")]
+    Kip,
+}
+
+impl ForceUnit {
+    /// `N`, `kN`, `MN`, `lbf` or `kip`.
+    #[must_use]
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Newton => "N",
+            Self::Kilonewton => "kN",
+            Self::Meganewton => "MN",
+            Self::PoundForce => "lbf",
+            Self::Kip => "kip",
         }
     }
 }

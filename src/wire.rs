@@ -17,10 +17,11 @@ pub mod minimal_surface;
 pub mod objectives;
 pub mod ruled_surface;
 pub mod schema;
+pub mod tensile_structure;
 pub mod uniform_mesh;
 
 use crate::config::LimitsConfig;
-use crate::units::{Unit, UpAxis};
+use crate::units::{ForceUnit, Unit, UpAxis};
 use body::{Body, PointList};
 use plateau_geometry::error::Step;
 use plateau_geometry::{DVec3, Error as GeometryError, InputError};
@@ -107,10 +108,11 @@ pub enum Kind {
     RuledSurface,
     MinimalSurface,
     UniformMesh,
+    TensileStructure,
 }
 
 impl Kind {
-    pub const ALL: [Self; 3] = [Self::RuledSurface, Self::MinimalSurface, Self::UniformMesh];
+    pub const ALL: [Self; 4] = [Self::RuledSurface, Self::MinimalSurface, Self::UniformMesh, Self::TensileStructure];
 
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -118,6 +120,7 @@ impl Kind {
             Self::RuledSurface => "ruled_surface",
             Self::MinimalSurface => "minimal_surface",
             Self::UniformMesh => "uniform_mesh",
+            Self::TensileStructure => "tensile_structure",
         }
     }
 
@@ -131,7 +134,7 @@ impl Kind {
     pub fn point_fields(self) -> &'static [&'static str] {
         match self {
             Self::RuledSurface => &["directrices", "normals", "tangents"],
-            Self::MinimalSurface => &["boundaries"],
+            Self::MinimalSurface | Self::TensileStructure => &["boundaries"],
             Self::UniformMesh => &[],
         }
     }
@@ -143,6 +146,7 @@ impl Kind {
             Self::RuledSurface => "/v1/ruled-surfaces",
             Self::MinimalSurface => "/v1/minimal-surfaces",
             Self::UniformMesh => "/v1/uniform-meshes",
+            Self::TensileStructure => "/v1/tensile-structures",
         }
     }
 }
@@ -177,9 +181,23 @@ pub struct Request {
 /// Input of a solver.
 #[derive(Clone, Debug)]
 pub enum Problem {
-    RuledSurface { directrices: Vec<Vec<DVec3>>, options: plateau_geometry::ruled_surface::Options },
-    MinimalSurface { boundaries: Vec<Vec<DVec3>>, options: plateau_geometry::minimal_surface::Options },
-    UniformMesh { domain: plateau_geometry::uniform_mesh::Domain, options: plateau_geometry::uniform_mesh::Options },
+    RuledSurface {
+        directrices: Vec<Vec<DVec3>>,
+        options: plateau_geometry::ruled_surface::Options,
+    },
+    MinimalSurface {
+        boundaries: Vec<Vec<DVec3>>,
+        options: plateau_geometry::minimal_surface::Options,
+    },
+    UniformMesh {
+        domain: plateau_geometry::uniform_mesh::Domain,
+        options: plateau_geometry::uniform_mesh::Options,
+    },
+    TensileStructure {
+        structure: plateau_geometry::tensile_structure::Structure,
+        options: plateau_geometry::tensile_structure::Options,
+        force: ForceUnit,
+    },
 }
 
 /// Result of the checks of one kind of request.
@@ -195,7 +213,7 @@ macro_rules! checked {
     ($request:ident, $limits:expr) => {{
         let Checked { memory_bytes, quick, problem } = $request.check($limits)?;
         Request {
-            unit: $request.units,
+            unit: $request.units.into(),
             up: $request.up,
             cache: $request.cache,
             callback_url: $request.callback_url,
@@ -246,6 +264,11 @@ impl Request {
                 let request: uniform_mesh::UniformMeshRequest = serde_json::from_slice(body).map_err(unknown)?;
                 checked!(request, limits)
             }
+            Kind::TensileStructure => {
+                let request: tensile_structure::TensileStructureRequest =
+                    serde_json::from_slice(body).map_err(unknown)?;
+                checked!(request, limits)
+            }
         };
         request.within(limits)
     }
@@ -294,6 +317,11 @@ impl Request {
                 let request: uniform_mesh::UniformMeshRequest = schema::deserialize(value)?;
                 checked!(request, limits)
             }
+            Kind::TensileStructure => {
+                let mut request: tensile_structure::TensileStructureRequest = schema::deserialize(value)?;
+                lists.iter().for_each(|list| request.take(list));
+                checked!(request, limits)
+            }
         })
     }
 
@@ -313,6 +341,7 @@ impl Request {
             Problem::RuledSurface { .. } => Kind::RuledSurface,
             Problem::MinimalSurface { .. } => Kind::MinimalSurface,
             Problem::UniformMesh { .. } => Kind::UniformMesh,
+            Problem::TensileStructure { .. } => Kind::TensileStructure,
         }
     }
 }

@@ -40,7 +40,7 @@ fn examples() -> Vec<Value> {
     files.sort();
     let read = |file| {
         let mut value: Value = serde_json::from_slice(&std::fs::read(file).unwrap()).unwrap();
-        if value["kind"] == "minimal_surface" {
+        if value["kind"] == "minimal_surface" || value["kind"] == "tensile_structure" {
             value["resolution"] = serde_json::json!({ "triangles": 300 });
             value["max_iterations"] = serde_json::json!(40);
         }

@@ -63,12 +63,17 @@ pub enum Lines {
         pairs: Vec<[u32; 2]>,
         values: Option<SegmentValues>,
     },
+    /// Straight lines with their own ends, which are no vertices of the mesh, in the client's unit and axes.
+    Arrows {
+        ends: Vec<[[f64; 3]; 2]>,
+        values: Option<SegmentValues>,
+    },
 }
 
 /// Lines along the mesh that a viewer can switch on.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LineSet {
-    /// Name of the set: `boundaries`, `junctions`, `directrices`, `bridges` or `members`.
+    /// Name of the set: `boundaries`, `junctions`, `directrices`, `bridges`, `members`, `cables` or `reactions`.
     pub name: String,
     /// Subset of the lines with this name, such as `lattice`. Empty if all lines with this name are in one set.
     pub group: String,
@@ -222,21 +227,32 @@ fn check(contents: &Contents) -> Result<(), &'static str> {
             }
             Lines::Segments { pairs, values } => {
                 ensure(pairs.iter().flatten().all(exists), "a line names a vertex that does not exist")?;
-                if let Some(values) = values {
-                    ensure(values.values.len() == pairs.len(), "segments and their values differ in number")?;
-                    ensure(values.values.iter().all(|value| value.is_finite()), "a segment's value is not finite")?;
-                    let letters = |b: u8| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'_';
-                    ensure(
-                        !values.name.is_empty() && values.name.bytes().all(letters),
-                        "a value's name is not lower case",
-                    )?;
-                }
+                check_values(values.as_ref(), pairs.len())?;
+            }
+            Lines::Arrows { ends, values } => {
+                let finite = ends.iter().flatten().flatten().all(|coordinate| coordinate.is_finite());
+                ensure(finite, "an arrow's coordinate is not finite")?;
+                check_values(values.as_ref(), ends.len())?;
             }
         }
     }
     ensure(contents.input_vertices.iter().flatten().all(exists), "an input point's vertex does not exist")?;
     ensure(serde_json::from_str::<serde::de::IgnoredAny>(&contents.statistics).is_ok(), "the statistics are not JSON")?;
     ensure(!contents.unrolls || unrolls(contents), "the bridges are not those of the mesh's strips")
+}
+
+fn check_values(values: Option<&SegmentValues>, lines: usize) -> Result<(), &'static str> {
+    let Some(values) = values else { return Ok(()) };
+    let letters = |b: u8| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'_';
+    if values.values.len() != lines {
+        Err("segments and their values differ in number")
+    } else if !values.values.iter().all(|value| value.is_finite()) {
+        Err("a segment's value is not finite")
+    } else if values.name.is_empty() || !values.name.bytes().all(letters) {
+        Err("a value's name is not lower case")
+    } else {
+        Ok(())
+    }
 }
 
 /// Returns true if the mesh consists of the strips that its bridges describe. Only what unrolling relies on is checked.

@@ -18,7 +18,7 @@ use plateau_geometry::mesh::measure;
 use plateau_geometry::{DVec3, Mesh};
 use serde_json::{Value, json};
 
-use super::archive::{Archive, Contents, LineSet, Lines, MeanCurvature, Polyline};
+use super::archive::{Archive, Contents, LineSet, Lines, MeanCurvature, Polyline, SegmentValues};
 use super::{Error, sheets};
 use crate::units::UpAxis;
 
@@ -264,13 +264,15 @@ impl Scene {
         ] }));
         materials.push(material("surface", base_color, true));
         for set in &contents.line_sets {
-            let primitives = line_primitives(set, materials.len(), shared, &positions, buffer);
+            let primitives = line_primitives(set, materials.len(), shared, &positions, frame, buffer);
             if primitives.is_empty() {
                 continue;
             }
             let name = set.full_name();
             let mut node = json!({ "name": name, "mesh": meshes.len(), "translation": translation });
-            if let Lines::Segments { values: Some(values), .. } = &set.lines {
+            if let Lines::Segments { values: Some(values), .. } | Lines::Arrows { values: Some(values), .. } =
+                &set.lines
+            {
                 node["extras"] = json!({ attribute_name(&values.name): { "unit": values.unit } });
             }
             nodes.push(node);
@@ -324,6 +326,7 @@ fn line_primitives(
     material: usize,
     shared: usize,
     positions: &[[f32; 3]],
+    frame: &Frame,
     buffer: &mut Buffer,
 ) -> Vec<Value> {
     match &set.lines {
@@ -341,13 +344,24 @@ fn line_primitives(
         }
         Lines::Segments { pairs, values: Some(values) } => {
             let ends: Vec<[f32; 3]> = pairs.iter().flatten().map(|&vertex| positions[vertex as usize]).collect();
-            let own = buffer.positions(&ends);
-            let at_ends: Vec<f32> = values.values.iter().flat_map(|&value| [clamped(value); 2]).collect();
-            let scalars = buffer.scalars(at_ends.into_iter());
-            let attributes = json!({ "POSITION": own, attribute_name(&values.name): scalars });
-            vec![json!({ "attributes": attributes, "material": material, "mode": LINES })]
+            own_lines(&ends, Some(values), material, buffer)
+        }
+        Lines::Arrows { ends, .. } if ends.is_empty() => Vec::new(),
+        Lines::Arrows { ends, values } => {
+            let ends: Vec<[f32; 3]> = ends.iter().flatten().map(|&end| frame.position(DVec3::from_array(end))).collect();
+            own_lines(&ends, values.as_ref(), material, buffer)
         }
     }
+}
+
+/// Returns the primitive of lines with their own positions, two for each line, and a value at both ends of each.
+fn own_lines(ends: &[[f32; 3]], values: Option<&SegmentValues>, material: usize, buffer: &mut Buffer) -> Vec<Value> {
+    let mut attributes = json!({ "POSITION": buffer.positions(ends) });
+    if let Some(values) = values {
+        let at_ends: Vec<f32> = values.values.iter().flat_map(|&value| [clamped(value); 2]).collect();
+        attributes[attribute_name(&values.name)] = buffer.scalars(at_ends.into_iter()).into();
+    }
+    vec![json!({ "attributes": attributes, "material": material, "mode": LINES })]
 }
 
 fn along(line: &Polyline) -> impl Iterator<Item = u32> {

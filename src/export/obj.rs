@@ -24,7 +24,14 @@ pub fn to_obj(archive: &Archive) -> Vec<u8> {
     for [a, b, c] in contents.mesh.triangles.iter().map(|t| t.map(from_one)) {
         put!("f {a} {b} {c}");
     }
+    let mut count = contents.mesh.vertices.len() as u64;
     for set in &contents.line_sets {
+        if let Lines::Arrows { ends, .. } = &set.lines {
+            // Their own vertices follow those of the mesh, whose numbers stay.
+            for [x, y, z] in ends.iter().flatten() {
+                put!("v {x:?} {y:?} {z:?}");
+            }
+        }
         put!("o {}", one_line(&set.full_name()).replace(' ', "_"));
         match &set.lines {
             Lines::Polylines(polylines) => {
@@ -37,6 +44,12 @@ pub fn to_obj(archive: &Archive) -> Vec<u8> {
             Lines::Segments { pairs, .. } => {
                 for [a, b] in pairs.iter().map(|pair| pair.map(from_one)) {
                     put!("l {a} {b}");
+                }
+            }
+            Lines::Arrows { ends, .. } => {
+                for _ in ends {
+                    put!("l {} {}", count + 1, count + 2);
+                    count += 2;
                 }
             }
         }

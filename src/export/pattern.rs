@@ -70,7 +70,7 @@ pub const BRIDGES: &str = "bridges";
 pub(super) fn bridges(contents: &Contents) -> Option<&[[u32; 2]]> {
     contents.line_sets.iter().find(|set| set.name == BRIDGES).and_then(|set| match &set.lines {
         Lines::Segments { pairs, .. } => Some(pairs.as_slice()),
-        Lines::Polylines(_) => None,
+        Lines::Polylines(_) | Lines::Arrows { .. } => None,
     })
 }
 

@@ -26,6 +26,8 @@ pub fn resources(with_metrics: bool) -> Vec<Resource> {
         Resource::at(Kind::RuledSurface.path()).post(submit::ruled_surface, submit::entry(Kind::RuledSurface)),
         Resource::at(Kind::MinimalSurface.path()).post(submit::minimal_surface, submit::entry(Kind::MinimalSurface)),
         Resource::at(Kind::UniformMesh.path()).post(submit::uniform_mesh, submit::entry(Kind::UniformMesh)),
+        Resource::at(Kind::TensileStructure.path())
+            .post(submit::tensile_structure, submit::entry(Kind::TensileStructure)),
         Resource::at("/v1/jobs").get(jobs::list, jobs::list_entry()),
         Resource::at("/v1/jobs/{id}").get(jobs::get, jobs::get_entry()).delete(jobs::delete, jobs::delete_entry()),
         Resource::at("/v1/jobs/{id}/cancel").post(jobs::cancel, jobs::cancel_entry()),

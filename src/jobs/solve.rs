@@ -5,13 +5,16 @@ use super::progress::Signal;
 use crate::export::archive::Contents;
 use crate::export::pattern::BRIDGES;
 use crate::export::{Archive, LineSet, Lines, MeanCurvature, Polyline, SegmentValues};
+use crate::units::ForceUnit;
 use crate::wire::job::{JobError, JobWarning, Progress};
 use crate::wire::minimal_surface::MinimalStatistics;
 use crate::wire::ruled_surface::RuledStatistics;
+use crate::wire::tensile_structure::TensileStatistics;
 use crate::wire::uniform_mesh::{UniformStatistics, input_vertices};
 use crate::wire::{FieldError, MAX_ERRORS, Problem, Request};
 use plateau_geometry::minimal_surface::{self, StopReason};
 use plateau_geometry::ruled_surface;
+use plateau_geometry::tensile_structure;
 use plateau_geometry::uniform_mesh;
 use plateau_geometry::{DVec3, Error, Execution, Interruption, polyline};
 use serde::Serialize;
@@ -76,6 +79,7 @@ pub fn solve(request: &Request, signal: &dyn Fn() -> Signal, report: &dyn Fn(Pro
         Problem::RuledSurface { directrices, options } => ruled(request, directrices, options, &exec),
         Problem::MinimalSurface { boundaries, options } => minimal(request, boundaries, options, &exec),
         Problem::UniformMesh { domain, options } => uniform(request, domain, options, &exec),
+        Problem::TensileStructure { structure, options, force } => tensile(request, structure, options, *force, &exec),
     };
     Ok(solved?)
 }
@@ -212,4 +216,55 @@ fn uniform(
         unrolls: false,
     })?;
     Ok(Solved { statistics, warnings: warnings(solved.warnings), archive, reproducible: solved.converged })
+}
+
+/// Length of the longest arrow of a reaction, as a fraction of the radius of the mesh.
+const LONGEST_ARROW: f64 = 0.25;
+
+fn tensile(
+    request: &Request,
+    structure: &tensile_structure::Structure,
+    options: &tensile_structure::Options,
+    force: ForceUnit,
+    exec: &Execution,
+) -> Result<Solved, Error> {
+    let found = tensile_structure::solve(structure, options, exec)?;
+    let statistics = to_json(&TensileStatistics::of(&found, structure, force))?;
+    let forces = |values: Vec<f64>| Some(SegmentValues { name: "force".into(), unit: force.symbol().into(), values });
+    let mut line_sets = vec![line_set("boundaries", polylines(&found.boundaries, true))];
+    for (cable, result) in structure.cables.iter().zip(&found.cables) {
+        let pairs = result.vertices.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        let lines = Lines::Segments { pairs, values: forces(result.segment_forces.clone()) };
+        line_sets.push(LineSet { name: "cables".into(), group: cable.name.clone(), lines });
+    }
+    line_sets.push(line_set("reactions", reactions(&found, forces)));
+    let archive = archive(Contents {
+        generator: generator(),
+        title: "tensile structure".into(),
+        unit: request.unit,
+        up: request.up,
+        input_vertices: found.input_vertices,
+        mesh: found.mesh,
+        mean_curvature: None,
+        line_sets,
+        statistics: statistics.clone(),
+        unrolls: false,
+    })?;
+    let reproducible = found.statistics.stop_reason != tensile_structure::StopReason::Deadline;
+    Ok(Solved { statistics, warnings: warnings(found.warnings), archive, reproducible })
+}
+
+/// Returns an arrow for each support at the end of a cable, from the support in the direction of its force on the
+/// structure. The longest arrow has [`LONGEST_ARROW`] of the mesh's radius.
+fn reactions(found: &tensile_structure::TensileStructure, forces: impl Fn(Vec<f64>) -> Option<SegmentValues>) -> Lines {
+    let largest = found.reactions.iter().map(|reaction| reaction.force.length()).fold(0.0, f64::max);
+    let scale = LONGEST_ARROW * polyline::radius(&found.mesh.vertices) / largest.max(f64::MIN_POSITIVE);
+    let arrow = |reaction: &tensile_structure::Reaction| {
+        let foot = found.mesh.vertices[reaction.vertex as usize];
+        [foot, foot + scale * reaction.force].map(|end| end.to_array())
+    };
+    Lines::Arrows {
+        ends: found.reactions.iter().map(arrow).collect(),
+        values: forces(found.reactions.iter().map(|reaction| reaction.force.length()).collect()),
+    }
 }

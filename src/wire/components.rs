@@ -12,7 +12,7 @@
 //! | `true` as a schema | `{}` | openapi-python-client writes nothing at all |
 //! | formats of unsigned integers | nothing | tools warn about unknown formats; type and minimum say the same |
 
-use super::{Kind, batch, job, minimal_surface, ruled_surface, uniform_mesh};
+use super::{Kind, batch, job, minimal_surface, ruled_surface, tensile_structure, uniform_mesh};
 use schemars::generate::{SchemaGenerator, SchemaSettings};
 use serde_json::{Map, Value, json};
 use std::sync::LazyLock;
@@ -51,6 +51,7 @@ pub fn request_component(kind: Kind) -> &'static str {
         Kind::RuledSurface => "RuledSurfaceRequest",
         Kind::MinimalSurface => "MinimalSurfaceRequest",
         Kind::UniformMesh => "UniformMeshRequest",
+        Kind::TensileStructure => "TensileStructureRequest",
     }
 }
 
@@ -61,6 +62,7 @@ pub fn job_component(kind: Kind) -> &'static str {
         Kind::RuledSurface => "RuledSurfaceJob",
         Kind::MinimalSurface => "MinimalSurfaceJob",
         Kind::UniformMesh => "UniformMeshJob",
+        Kind::TensileStructure => "TensileStructureJob",
     }
 }
 
@@ -69,6 +71,7 @@ fn statistics_component(kind: Kind) -> &'static str {
         Kind::RuledSurface => "RuledStatistics",
         Kind::MinimalSurface => "MinimalStatistics",
         Kind::UniformMesh => "UniformStatistics",
+        Kind::TensileStructure => "TensileStatistics",
     }
 }
 
@@ -82,6 +85,7 @@ fn requests(generator: &mut SchemaGenerator) {
     generator.subschema_for::<ruled_surface::RuledSurfaceRequest>();
     generator.subschema_for::<minimal_surface::MinimalSurfaceRequest>();
     generator.subschema_for::<uniform_mesh::UniformMeshRequest>();
+    generator.subschema_for::<tensile_structure::TensileStructureRequest>();
 }
 
 fn definitions(settings: SchemaSettings, add: impl FnOnce(&mut SchemaGenerator)) -> Map<String, Value> {

@@ -47,11 +47,13 @@ pub const FAILURES: &[(&str, &str)] = &[
     ("invalid-geometry", "The geometry is invalid"),
     ("invalid-mesh", "The solver produced an invalid mesh"),
     ("no-connected-film", "No minimal film connects the boundaries"),
+    ("no-equilibrium", "The structure has no equilibrium"),
     ("no-initial-mesh", "The boundary has no initial mesh"),
     ("no-room-for-interior-vertices", "The boundary is too small for the interior vertices"),
     ("not-flattenable", "The surface cannot be flattened"),
     ("refused", "The request exceeds this worker's limits or is unknown to its version"),
     ("self-intersecting-boundary", "The boundary crosses itself"),
+    ("slack-cable", "A cable would be slack"),
     ("solver-panicked", "The solver failed"),
     ("too-large", "The mesh is too large"),
     ("unknown-kind", "This version does not know this kind of job"),
@@ -166,7 +168,8 @@ fn statistics_schema(generator: &mut SchemaGenerator) -> schemars::Schema {
     let ruled = generator.subschema_for::<super::ruled_surface::RuledStatistics>();
     let minimal = generator.subschema_for::<super::minimal_surface::MinimalStatistics>();
     let uniform = generator.subschema_for::<super::uniform_mesh::UniformStatistics>();
-    schemars::json_schema!({ "anyOf": [ruled, minimal, uniform, { "type": "null" }] })
+    let tensile = generator.subschema_for::<super::tensile_structure::TensileStatistics>();
+    schemars::json_schema!({ "anyOf": [ruled, minimal, uniform, tensile, { "type": "null" }] })
 }
 
 /// One page of jobs, newest first.

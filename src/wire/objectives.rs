@@ -32,6 +32,7 @@ pub fn objectives() -> ObjectiveList {
     let mut objectives = super::ruled_surface::objectives();
     objectives.extend(super::minimal_surface::objectives());
     objectives.extend(super::uniform_mesh::objectives());
+    objectives.extend(super::tensile_structure::objectives());
     ObjectiveList { objectives }
 }
 
@@ -42,7 +43,7 @@ pub struct Limits {
     pub body_bytes: usize,
     /// Largest number of points of all polylines of a request.
     pub points: usize,
-    /// Largest number of triangles of a minimal surface or a uniform mesh.
+    /// Largest number of triangles of a minimal surface, a uniform mesh or a tensile structure.
     pub triangles: usize,
     /// Largest number of cells of the grids of all strips of a ruled surface.
     pub grid_cells: u64,
@@ -266,6 +267,21 @@ const FILES: &[(&str, &str, &str)] = &[
         "courtyard",
         "A plaza with a courtyard and a re-entrant corner, as few nodes as possible",
         include_str!("../../api/examples/courtyard.json"),
+    ),
+    (
+        "plane-sail",
+        "A plane sail: four edge cables of one force, each an arc",
+        include_str!("../../api/examples/plane-sail.json"),
+    ),
+    (
+        "four-point-sail",
+        "A sail between two low and two high points, its edge cables by force, sag, length and unstressed length",
+        include_str!("../../api/examples/four-point-sail.json"),
+    ),
+    (
+        "inflated-disc",
+        "A round film under pressure: a cap of a sphere",
+        include_str!("../../api/examples/inflated-disc.json"),
     ),
     ("vault", "A cylindrical vault (NURBS) with at most eight lengths", include_str!("../../api/examples/vault.json")),
 ];

@@ -137,6 +137,7 @@ impl TestApp {
 pub const MINIMAL: &str = "/v1/minimal-surfaces";
 pub const RULED: &str = "/v1/ruled-surfaces";
 pub const UNIFORM: &str = "/v1/uniform-meshes";
+pub const TENSILE: &str = "/v1/tensile-structures";
 
 pub fn example(name: &str) -> Value {
     let text = std::fs::read_to_string(root().join(format!("api/examples/{name}.json"))).expect("the example's file");
@@ -157,6 +158,7 @@ pub fn path_of(kind: &str) -> &'static str {
         "minimal_surface" => MINIMAL,
         "ruled_surface" => RULED,
         "uniform_mesh" => UNIFORM,
+        "tensile_structure" => TENSILE,
         other => panic!("unknown kind {other}"),
     }
 }

@@ -13,6 +13,7 @@ async fn objectives_have_a_formula_a_unit_and_a_source() {
         ("minimal_surface", "minimal_area"),
         ("uniform_mesh", "fewest_nodes"),
         ("uniform_mesh", "most_equal_edges"),
+        ("tensile_structure", "equilibrium"),
     ] {
         assert!(objectives.iter().any(|objective| objective["kind"] == kind && objective["name"] == name), "{kind}");
     }

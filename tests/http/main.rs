@@ -27,5 +27,6 @@ mod restart;
 mod ruled_surfaces;
 mod shutdown;
 mod studio;
+mod tensile_structures;
 mod uniform_meshes;
 mod webhooks;

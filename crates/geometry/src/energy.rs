@@ -7,21 +7,29 @@
 //! same second variation without a block per pair of vertices.
 
 pub mod area;
+pub mod cable;
 pub mod dirichlet;
 #[cfg(test)]
 pub(crate) mod elastic_line;
 #[cfg(test)]
 pub(crate) mod finite_differences;
 pub mod length;
+pub mod load;
+pub mod prestress;
 pub mod volume;
+pub mod weight;
 
 use crate::DVec3;
 use glam::DMat3;
 use std::fmt;
 
 pub use area::Area;
+pub use cable::Cable;
 pub use length::Length;
+pub use load::Load;
+pub use prestress::{ForceDensity, Prestress};
 pub use volume::Volume;
+pub use weight::Weight;
 
 /// One energy over the vertices of a body.
 ///
@@ -45,6 +53,9 @@ pub trait Term: fmt::Debug {
     /// Adds to each vertex its share of tension times size (of σ A for a surface, of T L for a line): the scale of the
     /// forces there, and the vertex's mass. A term without tension adds nothing.
     fn add_shares(&self, _at: &[DVec3], _shares: &mut [f64]) {}
+
+    /// Calls `visit` with the force in each line element, in order; positive in tension. Surfaces have none.
+    fn visit_forces(&self, _at: &[DVec3], _visit: &mut dyn FnMut(f64)) {}
 
     /// Renews coefficients that are constant during one solve and depend on the equilibrium that the solve found (a
     /// force density from a target force, a reference configuration). Returns the largest relative change; 0 ends the

@@ -1,4 +1,4 @@
-//! Minimal surfaces, optimal ruled strips and uniform meshes.
+//! Minimal surfaces, tensile structures, optimal ruled strips and uniform meshes.
 //!
 //! Each kind of surface has a module with a function `solve`. It takes slices, options, and an [`Execution`] for
 //! progress and cancellation. It returns a mesh with statistics and warnings.
@@ -39,8 +39,8 @@
 //!
 //! # Layers
 //! Each module knows only those above it: `mesh`, `sparse` (linear systems), `plane`, `remesh`, `energy`,
-//! `equilibrium`, [`minimal_surface`], [`uniform_mesh`], [`ruled_surface`]. The crate knows no HTTP, no serde, no
-//! async, no clock, no thread pool and no file.
+//! `equilibrium`, [`minimal_surface`], [`tensile_structure`], [`uniform_mesh`], [`ruled_surface`]. The crate knows no
+//! HTTP, no serde, no async, no clock, no thread pool and no file.
 
 #![warn(missing_docs)]
 
@@ -57,6 +57,7 @@ pub mod random;
 mod remesh;
 pub mod ruled_surface;
 mod sparse;
+pub mod tensile_structure;
 pub mod uniform_mesh;
 
 pub use error::{Error, InputError, Place};

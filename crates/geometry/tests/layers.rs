@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Files and folders of `src`, earliest layer first. A file belongs to the longest entry that its path starts with.
-const LAYERS: [&str; 35] = [
+const LAYERS: [&str; 40] = [
     "execution",
     "error",
     "estimate",
@@ -39,6 +39,11 @@ const LAYERS: [&str; 35] = [
     "minimal_surface/outcome",
     "minimal_surface/triple_junction",
     "minimal_surface",
+    "tensile_structure/options",
+    "tensile_structure/model",
+    "tensile_structure/form_finding",
+    "tensile_structure/outcome",
+    "tensile_structure",
     "lower_bound",
     "uniform_mesh",
     "ruled_surface/graph",

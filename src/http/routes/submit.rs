@@ -43,6 +43,14 @@ pub async fn uniform_mesh(State(app): State<App>, caller: Caller, request: Reque
     submit(&app, &caller, Kind::UniformMesh, request).await
 }
 
+pub async fn tensile_structure(
+    State(app): State<App>,
+    caller: Caller,
+    request: Request<Body>,
+) -> Result<Response, Failure> {
+    submit(&app, &caller, Kind::TensileStructure, request).await
+}
+
 async fn submit(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) -> Result<Response, Failure> {
     let wait_s = granted_wait_s(app, request.headers());
     let key = idempotency_key(request.headers())?;
@@ -86,6 +94,9 @@ pub fn entry(kind: Kind) -> Value {
         Kind::MinimalSurface => ("postMinimalSurface", "Finds the minimal surface that spans boundary polylines"),
         Kind::UniformMesh => {
             ("postUniformMesh", "Finds a mesh of a polygon, patch or film with as many equal edges as possible")
+        }
+        Kind::TensileStructure => {
+            ("postTensileStructure", "Finds the shape in equilibrium of a film with cables, pressure and weight")
         }
     };
     let examples: Map<String, Value> = ready_requests()

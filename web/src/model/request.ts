@@ -12,10 +12,15 @@ export const KINDS: Record<Kind, KindFacts> = {
   minimal_surface: { path: '/v1/minimal-surfaces', label: 'Film', line: 'boundary', lines: ['boundaries'], least: 3, purpose: 'A membrane of least area on its boundary' },
   ruled_surface: { path: '/v1/ruled-surfaces', label: 'Strip', line: 'rail', lines: ['directrices'], least: 2, purpose: 'A ruled strip between two rails' },
   uniform_mesh: { path: '/v1/uniform-meshes', label: 'Lattice', line: 'hole', lines: ['domain', 'holes'], least: 3, purpose: 'A gridshell or floor of equal members' },
+  tensile_structure: { path: '/v1/tensile-structures', label: 'Tensile', line: 'boundary', lines: ['boundaries'], least: 3, purpose: 'A film with cables, pressure and weight in equilibrium' },
 };
 
 const METRES: Record<string, number> = { mm: 0.001, cm: 0.01, m: 1, in: 0.0254, ft: 0.3048 };
-export const unitOf = (request: Request): string => (String(request.units) in METRES ? String(request.units) : 'm');
+/** The unit of length: `units` itself, or its `length` where there is a unit of force beside it. */
+export const unitOf = (request: Request): string => {
+  const length = String(asObject(request.units)?.length ?? request.units);
+  return length in METRES ? length : 'm';
+};
 export const metresOf = (request: Request): number => METRES[unitOf(request)] ?? 1;
 export const upAxisOf = (request: Request): 1 | 2 => (request.up === 'y' ? 1 : 2);
 
@@ -41,6 +46,7 @@ export function linesOf(kind: Kind, request: Request): Line[] {
     if (Array.isArray(list)) list.forEach((points, i) => one(`${name} ${i + 1}`, [...path, i], points, closed, planar));
   };
   if (kind === 'ruled_surface') many('rail', ['directrices'], request.directrices, request.closed === true);
+  if (kind === 'tensile_structure') many('boundary', ['boundaries'], request.boundaries, true);
   if (kind === 'minimal_surface') {
     many('boundary', ['boundaries'], request.boundaries, true);
     const constraints = asObject(request.constraints);
@@ -94,6 +100,7 @@ export function place(lines: Line[], pointer: string): Place {
 export function blank(kind: Kind): Request {
   if (kind === 'ruled_surface') return { directrices: [] };
   if (kind === 'uniform_mesh') return { domain: {}, edge_length: 1 };
+  if (kind === 'tensile_structure') return { boundaries: [], film: { tension: 1 } };
   return { boundaries: [] };
 }
 

@@ -9,9 +9,10 @@ const GROUPS: { title: string; about: string; names: (string | RegExp)[] }[] = [
   { title: 'Canopies and soap films', about: 'Several rings, every way to span them', names: [/rings/, /loops/, /half-circles/] },
   { title: 'Strips', about: 'Ruled surfaces that fold flat', names: ['two-rails', 'wavy-strip', 'contour-stack', /^wang-tang/] },
   { title: 'Gridshells and floors', about: 'Lattices of equal members', names: [/^latticed/, 'vault', 'courtyard', /^floor/] },
+  { title: 'Tensile structures', about: 'Films with cables, pressure and weight', names: [/sail/, 'inflated-disc'] },
   { title: 'From the papers', about: 'Helicoid, catenoid, Scherk and the methods that found them', names: [/./] },
 ];
-const PREFIX: Record<string, number> = { minimal_surface: 4, ruled_surface: 2, uniform_mesh: 3 };
+const PREFIX: Record<string, number> = { minimal_surface: 5, ruled_surface: 2, uniform_mesh: 3, tensile_structure: 4 };
 
 /** A line of a few words for a card; the whole title is its tooltip. */
 const short = (title: string): string => title.replace(/ \((.*)\)$/, '').replace(/, every way to span them compared$/, ', compared');
@@ -19,12 +20,12 @@ const short = (title: string): string => title.replace(/ \((.*)\)$/, '').replace
 export function gallery(examples: ExampleSummary[], choose: (example: ExampleSummary) => void): HTMLElement[] {
   const left = new Set(examples);
   const groups = GROUPS.map((group, g) => {
-    const found = [...left].filter((each) => group.names.some((name) => (typeof name === 'string' ? name === each.name : name.test(each.name))) && (g < 4 || left.has(each)));
+    const found = [...left].filter((each) => group.names.some((name) => (typeof name === 'string' ? name === each.name : name.test(each.name))) && (g < GROUPS.length - 1 || left.has(each)));
     found.forEach((each) => left.delete(each));
     return { ...group, found };
   });
   // What this page was not told of goes to the group of its kind.
-  for (const each of left) groups[PREFIX[each.kind] ?? 4]!.found.push(each);
+  for (const each of left) groups[PREFIX[each.kind] ?? GROUPS.length - 1]!.found.push(each);
   return groups.filter(({ found }) => found.length > 0).map(({ title, about, found }) => el('section', {},
     el('h3', {}, title, el('small', {}, about)),
     el('div', { className: 'cards' }, ...found.map((each) => {

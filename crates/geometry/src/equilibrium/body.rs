@@ -8,8 +8,8 @@ use super::stability::{self, Unknown};
 use crate::energy::{Area, Term};
 use crate::mesh::complex::{Complex, VertexKind};
 use crate::mesh::measure;
-use crate::sparse::SymmetricMatrix;
 use crate::sparse::pattern::BlockPattern;
+use crate::sparse::{LinearError, SymmetricMatrix};
 use crate::{DVec3, Execution, polyline};
 use glam::DMat3;
 use std::fmt;
@@ -212,11 +212,13 @@ impl Body {
                     };
                     let report = match analysed {
                         Ok(variation) => {
-                            let found = variation.map(|variation| Stability {
+                            let found = variation.as_ref().map(|variation| Stability {
                                 morse_index: variation.morse_index,
                                 lowest_eigenvalue: variation.lowest.eigenvalue,
                             });
-                            Report::new(outcome, &state, found)
+                            let lowest_mode =
+                                variation.map(|variation| motion.displacements(&state, &variation.lowest.vector));
+                            Report { lowest_mode, ..Report::new(outcome, &state, found) }
                         }
                         Err(Unknown::Refused(_)) => Report::new(outcome, &state, None),
                         Err(Unknown::Interrupted(interruption)) => {
@@ -236,6 +238,26 @@ impl Body {
                 return Ok(Report { outcome: Outcome::StepsUsed, ..report });
             }
         }
+    }
+
+    /// One solve of [`relax`](Self::relax), without the check, the renewal and the stability. Also returns the state that
+    /// was reached.
+    ///
+    /// # Errors
+    /// [`LinearError::TooLarge`].
+    pub(crate) fn solve_once(
+        &mut self,
+        settings: &Settings,
+        exec: &Execution,
+        record: &mut dyn FnMut(f64, f64),
+    ) -> Result<(Outcome, State<Frame>), LinearError> {
+        let mut vertices = self.vertices.clone();
+        let motion = Motion::new(self);
+        let mut direct = Direct::new(motion.matrix())?;
+        let solved = iterate(&mut vertices, &motion, &mut direct, settings, exec, record);
+        drop(motion);
+        self.vertices = vertices;
+        Ok(solved)
     }
 
     fn quantities(&self) -> impl Iterator<Item = &dyn Term> {
@@ -275,12 +297,15 @@ pub struct Report {
     pub multipliers: Vec<f64>,
     /// `None` where the body has no unknowns, did not converge, or is too degenerate to factorise.
     pub stability: Option<Stability>,
+    /// The displacement of each vertex in the mode of the lowest eigenvalue, the largest of length 1. `None` where the
+    /// stability is unknown.
+    pub lowest_mode: Option<Vec<DVec3>>,
 }
 
 impl Report {
     fn new(outcome: Outcome, state: &State<Frame>, stability: Option<Stability>) -> Self {
         let multipliers = state.constraints.iter().map(|constraint| constraint.multiplier).collect();
-        Self { outcome, energy: state.energy, residual: state.residual, multipliers, stability }
+        Self { outcome, energy: state.energy, residual: state.residual, multipliers, stability, lowest_mode: None }
     }
 }
 
@@ -346,6 +371,14 @@ impl<'a> Motion<'a> {
                 .extend(directions[self.pattern.unknowns(v as u32)].iter().map(|direction| vector.dot(*direction)));
         }
         components
+    }
+
+    /// The displacement of each vertex in a motion given as one number per unknown, the largest of length 1.
+    fn displacements(&self, state: &State<Frame>, motion: &[f64]) -> Vec<DVec3> {
+        let of = |v: usize| self.pattern.unknowns(v as u32).map(|k| motion[k] * state.frame.directions[k]).sum();
+        let moved: Vec<DVec3> = (0..self.body.vertices.len()).map(of).collect();
+        let largest = moved.iter().map(|d| d.length()).fold(f64::MIN_POSITIVE, f64::max);
+        moved.into_iter().map(|d| d / largest).collect()
     }
 
     /// The part of the gradient along each vertex's directions, with its share: what the residual is made of.

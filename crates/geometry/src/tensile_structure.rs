@@ -1,0 +1,117 @@
+//! Tensile structures: films of constant tension with cables, pressure and weight, in the shape in which all forces
+//! balance.
+//!
+//! [`solve`] takes a [`Structure`] and a resolution and returns a mesh with the forces in its cables and at its
+//! supports. A film with nothing but fixed boundaries is a minimal surface; every further effect is a term of one energy
+//! or a freedom of its vertices in the [equilibrium core](crate::equilibrium):
+//!
+//! ```text
+//! E = σ Σ A + Σ T L + Σ (EA / 2 L0) (L - L0)²₊ - p V + weights          volumes and lengths as constraints where given
+//! ```
+//!
+//! ```
+//! use plateau_geometry::minimal_surface::Resolution;
+//! use plateau_geometry::tensile_structure::{Cable, CableMode, Course, FilmStress, Options, Pressure, Structure, solve};
+//! use plateau_geometry::{DVec3, Execution};
+//!
+//! // A plane sail: four corners, an edge cable of force 10 along each side, tension 1. Each edge is an arc of radius 10.
+//! let corners = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
+//! let cable = |k: usize| Cable {
+//!     name: format!("edge {k}"),
+//!     course: Course::Boundary { boundary: 0, from: k, to: (k + 1) % 4 },
+//!     mode: CableMode::Force(10.0),
+//!     axial_stiffness: None,
+//!     weight: 0.0,
+//! };
+//! let structure = Structure {
+//!     boundaries: vec![corners.to_vec()],
+//!     film: FilmStress { tension: 1.0, weight: 0.0 },
+//!     cables: (0..4).map(cable).collect(),
+//!     free_points: Vec::new(),
+//!     sliding: Vec::new(),
+//!     pressure: Pressure::None,
+//!     up: DVec3::Z,
+//! };
+//! let sail = solve(&structure, &Options::new(Resolution::Triangles(500)), &Execution::default())?;
+//! assert!(sail.statistics.converged);
+//! assert!((sail.cables[0].length - 10.471976).abs() < 0.01);
+//! # Ok::<(), plateau_geometry::Error>(())
+//! ```
+//!
+//! Sources: Schek, *The force density method for form finding* (1974); Bletzinger, Ramm, *A general finite element
+//! approach to the form finding of tensile structures by the updated reference strategy* (1999).
+
+mod form_finding;
+mod model;
+mod options;
+mod outcome;
+
+pub use form_finding::StopReason;
+pub use options::{
+    BoundaryPoint, Cable, CableMode, Course, FilmStress, Options, Pressure, Sliding, SlidingPart, Structure,
+};
+pub use outcome::{CableResult, EdgeReaction, ForceBalance, Reaction, Stability, Statistics, Stress, TensileStructure};
+
+use crate::error::Step;
+use crate::minimal_surface;
+use crate::{Error, Estimate, Execution, InputError, Place};
+use model::Model;
+
+/// Finds the shape of a structure in equilibrium.
+///
+/// The result depends on nothing but the arguments, to the byte, and moves and scales with them up to rounding. A shape
+/// that stopped above the tolerance because the iterations or the time were used up is returned with `converged: false`
+/// and the warning `not_converged`.
+///
+/// # Errors
+/// [`Error::Input`] for what the arguments themselves show; [`Error::NoResult`] if there is no equilibrium near the
+/// boundaries or no mesh; [`Error::Interrupted`] on cancel, and on a deadline that passes before there is a mesh.
+pub fn solve(structure: &Structure, options: &Options, exec: &Execution) -> Result<TensileStructure, Error> {
+    check(structure, options)?;
+    let mut model = exec
+        .part_as("initial_mesh", [0.0, 0.1], |exec| Model::build(structure, options, exec))
+        .map_err(|error| placed(structure, error))?;
+    let found = exec.part([0.1, 1.0], |exec| form_finding::run(&mut model, structure, options, exec))?;
+    outcome::finish(model, found, structure)
+}
+
+/// Checks the arguments of [`solve`] before any work: linear in the number of points.
+///
+/// # Errors
+/// The [`Error::Input`] that [`solve`] would begin with.
+pub fn check(structure: &Structure, options: &Options) -> Result<(), Error> {
+    options::check(structure, options)?;
+    let start = model::start_options(structure, options);
+    minimal_surface::check(&structure.boundaries, &start).map_err(|error| placed(structure, error))
+}
+
+/// The error of the initial mesh with the cables across the film at their own places.
+fn placed(structure: &Structure, mut error: Error) -> Error {
+    let across = |cable: &(usize, &Cable)| matches!(cable.1.course, Course::Across(_));
+    let numbers: Vec<usize> = structure.cables.iter().enumerate().filter(across).map(|(k, _)| k).collect();
+    let (Error::Input(errors) | Error::NoResult { places: errors, .. }) = &mut error else { return error };
+    for InputError { place: Place(steps), .. } in errors {
+        *steps = match &steps[..] {
+            [Step::Field("constraints"), Step::Field("polylines"), Step::Index(k), rest @ ..] => {
+                let cable = numbers.get(*k).copied().unwrap_or_default();
+                let own = [Step::Field("cables"), Step::Index(cable), Step::Field("across")];
+                own.iter().chain(rest).copied().collect()
+            }
+            [Step::Field("constraints"), ..] => vec![Step::Field("cables")],
+            _ => continue,
+        };
+    }
+    error
+}
+
+/// Number of bytes of memory per triangle. The factor with three unknowns at every vertex takes most of it: about 1,800
+/// bytes at 50,000 triangles. A larger value refuses more requests.
+const BYTES_PER_TRIANGLE: f64 = 8_000.0;
+
+/// Estimates the triangles of the result and the memory that solving takes. The number of triangles is that of the film
+/// over the boundaries before form finding ([`minimal_surface::estimate`]).
+#[must_use]
+pub fn estimate(structure: &Structure, options: &Options) -> Estimate {
+    let start = minimal_surface::estimate(&structure.boundaries, &model::start_options(structure, options));
+    Estimate { bytes: (start.triangles * BYTES_PER_TRIANGLE) as u64, ..start }
+}

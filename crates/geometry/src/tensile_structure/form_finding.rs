@@ -1,0 +1,443 @@
+//! From the initial mesh to the shape in equilibrium.
+//!
+//! 1. *Settle*: rounds of the update reference strategy ([`prestress`](crate::energy::prestress)). The film's area is
+//!    replaced by the quadratic energy of its present shape, in which every vertex inside moves freely, so that the mesh
+//!    follows an edge that moves. Between the rounds edges are flipped and vertices slide within the film.
+//! 2. *Newton*: the energy itself. Vertices inside the film move along their normals and those of a cable across it,
+//!    until the residual is small. Coefficients that depend on the shape (the force of a cable of given sag) are renewed
+//!    between solves. Then the stability is analysed.
+//! 3. *Balance*: the shape becomes the reference of a last solve in which all vertices move in all directions. It moves
+//!    the vertices within the film, by less than the mesh's error, until the forces balance at every vertex and in every
+//!    direction. The stress then deviates from the constant one; the statistics say by how much.
+
+use super::model::Model;
+use super::options::{Options, Pressure, Structure};
+use crate::energy::{self, ForceDensity, Load, Prestress, Term, Volume};
+use crate::equilibrium::newton::State;
+use crate::equilibrium::{Aim, Body, Frame, Freedom, Outcome, Settings, Stability};
+use crate::mesh::measure::double_area_vector;
+use crate::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
+use crate::sparse::LinearError;
+use crate::{DVec3, Error, Execution, Interruption, Progress};
+
+// Tunables.
+
+/// Largest number of linear solves if the caller gives none.
+const DEFAULT_SOLVES: u32 = 400;
+/// Largest number of rounds of step 1. Structures of the examples settle in 4 to 15.
+const MAX_ROUNDS: u32 = 60;
+/// Newton steps of one round. More would be spent on a reference shape that is replaced at once.
+const STEPS_PER_ROUND: u32 = 3;
+/// A round that moves no vertex by more than this fraction of the mean edge is the last. With a larger value Newton's
+/// method starts further from the solution.
+const SETTLED: f64 = 0.05;
+/// Rounds in which an enclosed volume grows to its required value.
+const VOLUME_ROUNDS: u32 = 8;
+/// Largest number of Newton steps of one solve of step 2.
+const NEWTON_STEPS: u32 = 30;
+/// Largest number of renewals of coefficients. Each brings a sag or a horizontal component nearer by a factor of five
+/// or more.
+const MAX_RENEWALS: u32 = 60;
+/// Largest number of times that a stalled Newton iteration is followed by another step 1.
+const MAX_RETURNS: u32 = 3;
+/// Newton steps of the balance, which is linear but for a pressure.
+const BALANCE_STEPS: u32 = 12;
+/// The residual to which forces are balanced.
+const BALANCED: f64 = 1e-12;
+
+/// Why form finding ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StopReason {
+    /// The residual is at most the tolerance.
+    Residual,
+    /// No step improves the shape: a triangle would turn over or collapse, or rounding errors are reached.
+    Stalled,
+    /// The allowed solves are used up.
+    MaxIterations,
+    /// The linear system has no trustworthy solution: a part of the structure collapsed or moves freely.
+    Collapsed,
+    /// The caller's deadline passed.
+    Deadline,
+}
+
+impl StopReason {
+    /// A stable name in snake case.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Residual => "residual",
+            Self::Stalled => "stalled",
+            Self::MaxIterations => "max_iterations",
+            Self::Collapsed => "collapsed",
+            Self::Deadline => "deadline",
+        }
+    }
+}
+
+/// The shape that was found.
+#[derive(Debug)]
+pub(super) struct Found {
+    pub stop_reason: StopReason,
+    /// The residual of step 2.
+    pub residual: f64,
+    pub iterations: u32,
+    pub energy: f64,
+    pub stability: Option<Stability>,
+    /// Displacements of the vertices in the lowest mode.
+    pub lowest_mode: Option<Vec<DVec3>>,
+    /// The pressure, given or found.
+    pub pressure: f64,
+    /// Per cable the part of its force that is the multiplier of its length.
+    pub length_forces: Vec<f64>,
+    /// Step 3, if step 2 converged.
+    pub balance: Option<Balance>,
+}
+
+/// A shape above the tolerance counts as one up to this residual. A larger value returns shapes whose forces are further
+/// from those of an equilibrium.
+const NEARLY: f64 = 1e-3;
+
+impl Found {
+    /// Whether the shape is an equilibrium up to the tolerance or nearly so.
+    pub fn is_shape(&self) -> bool {
+        match self.stop_reason {
+            StopReason::Residual => true,
+            StopReason::Stalled | StopReason::MaxIterations => self.residual <= NEARLY,
+            StopReason::Collapsed | StopReason::Deadline => false,
+        }
+    }
+}
+
+/// The balanced shape's forces.
+#[derive(Debug)]
+pub(super) struct Balance {
+    /// Per vertex the force that film and cables exert less the loads: at a support the reaction, elsewhere what is not
+    /// balanced.
+    pub forces: Vec<DVec3>,
+    /// Per vertex the load: weights and pressure.
+    pub loads: Vec<DVec3>,
+    /// Per cable the force of each segment.
+    pub cable_forces: Vec<Vec<f64>>,
+    /// The triangles' edges in the reference shape: positions before the balance.
+    pub reference: Vec<DVec3>,
+    /// Per triangle the tension in the reference shape.
+    pub tensions: Vec<f64>,
+}
+
+/// State of a run.
+struct Run<'a> {
+    structure: &'a Structure,
+    options: &'a Options,
+    exec: &'a Execution<'a>,
+    model: &'a mut Model,
+    solves: u32,
+    limit: u32,
+    fraction: f64,
+}
+
+/// Why a phase ended early.
+enum Stop {
+    Reason(StopReason),
+    Failed(Error),
+}
+
+impl From<Error> for Stop {
+    fn from(error: Error) -> Self {
+        match error {
+            Error::Interrupted(Interruption::DeadlinePassed) => Self::Reason(StopReason::Deadline),
+            error => Self::Failed(error),
+        }
+    }
+}
+
+fn too_large(error: LinearError) -> Error {
+    Error::no_result("too_large", format!("the linear system is too large: {error:?}"))
+}
+
+/// Finds the shape. The model's vertices become those of the shape.
+///
+/// # Errors
+/// The cancel; [`Error::NoResult`] for a mesh that is too large.
+pub(super) fn run(
+    model: &mut Model,
+    structure: &Structure,
+    options: &Options,
+    exec: &Execution,
+) -> Result<Found, Error> {
+    let limit = options.max_iterations.unwrap_or(DEFAULT_SOLVES);
+    let mut run = Run { structure, options, exec, model, solves: 0, limit, fraction: 0.0 };
+    let mut found = Found {
+        stop_reason: StopReason::Stalled,
+        residual: f64::INFINITY,
+        iterations: 0,
+        energy: 0.0,
+        stability: None,
+        lowest_mode: None,
+        pressure: 0.0,
+        length_forces: vec![0.0; structure.cables.len()],
+        balance: None,
+    };
+    match run.shape(&mut found) {
+        Ok(()) => {}
+        Err(Stop::Reason(reason)) => found.stop_reason = reason,
+        Err(Stop::Failed(error)) => return Err(error),
+    }
+    if !found.residual.is_finite() {
+        run.measure(&mut found)?;
+    }
+    found.iterations = run.solves;
+    Ok(found)
+}
+
+impl Run<'_> {
+    fn shape(&mut self, found: &mut Found) -> Result<(), Stop> {
+        let volume = if let Pressure::Volume(volume) = self.structure.pressure { Some(volume) } else { None };
+        let mut first_round = 1;
+        for attempt in 0..=MAX_RETURNS {
+            self.settle(volume, first_round)?;
+            first_round = VOLUME_ROUNDS;
+            let reason = self.newton(volume, found)?;
+            found.stop_reason = reason;
+            match reason {
+                StopReason::Residual => break,
+                StopReason::Stalled | StopReason::MaxIterations if attempt < MAX_RETURNS => {}
+                _ => return Ok(()),
+            }
+        }
+        if found.is_shape() && self.model.flipped() == 0 {
+            self.balance(volume, found)?;
+        }
+        Ok(())
+    }
+
+    /// The residual and the energy of a shape that was left before Newton's method began.
+    fn measure(&mut self, found: &mut Found) -> Result<(), Error> {
+        let volume = if let Pressure::Volume(volume) = self.structure.pressure { Some(volume) } else { None };
+        let mut body = self.model.body(self.structure, volume, false)?;
+        let settings = Settings { max_steps: 0, ..Settings::default() };
+        let (_, state) = body.solve_once(&settings, &Execution::default(), &mut |_, _| {}).map_err(too_large)?;
+        (found.residual, found.energy) = (state.residual, state.energy);
+        Ok(())
+    }
+
+    /// Steps are recorded with the progress: `share` of what is left of the fraction is used up by each.
+    fn solve(
+        &mut self,
+        body: &mut Body,
+        settings: &Settings,
+        phase: &'static str,
+        share: f64,
+    ) -> Result<(Outcome, State<Frame>), Stop> {
+        let left = self.limit.saturating_sub(self.solves);
+        if left == 0 {
+            return Err(Stop::Reason(StopReason::MaxIterations));
+        }
+        let settings = Settings { max_steps: settings.max_steps.min(left), ..*settings };
+        let (exec, mut solves, mut fraction) = (self.exec, self.solves, self.fraction);
+        let mut record = |energy: f64, residual: f64| {
+            solves += 1;
+            fraction += share * (0.95 - fraction);
+            exec.report(Progress {
+                fraction,
+                phase,
+                iteration: u64::from(solves),
+                objective_value: Some(energy),
+                residual: Some(residual),
+            });
+        };
+        let solved = body.solve_once(&settings, exec, &mut record).map_err(|error| Stop::Failed(too_large(error)))?;
+        (self.solves, self.fraction) = (solves, fraction);
+        match solved.0 {
+            Outcome::Interrupted(interruption) => Err(Error::Interrupted(interruption).into()),
+            _ => Ok(solved),
+        }
+    }
+
+    fn look(&self) -> Result<(), Stop> {
+        let work = 20 * self.model.film.triangles().len() as u64;
+        self.exec.look(work).map_err(|interruption| Stop::from(Error::from(interruption)))
+    }
+
+    /// Step 1.
+    fn settle(&mut self, volume: Option<f64>, first_round: u32) -> Result<(), Stop> {
+        let settings = Settings { aim: Aim::Minimum, tolerance: 1e-6, max_steps: STEPS_PER_ROUND };
+        for round in first_round..=MAX_ROUNDS {
+            let grown = volume.map(|volume| volume * f64::from(round.min(VOLUME_ROUNDS)) / f64::from(VOLUME_ROUNDS));
+            let mut body = self.model.body(self.structure, grown, true)?;
+            self.look()?;
+            let tension = self.structure.film.tension;
+            let before = body.vertices.clone();
+            body.terms[0] = Box::new(Prestress::isotropic(self.model.film.triangles(), |_| tension, &before));
+            for freedom in &mut body.freedoms {
+                if *freedom == Freedom::Normal {
+                    *freedom = Freedom::Free;
+                }
+            }
+            let (outcome, _) = self.solve(&mut body, &settings, "settle", 0.02)?;
+            let moved = before.iter().zip(&body.vertices).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+            self.model.set_vertices(&body.vertices);
+            for cable in &mut self.model.cables {
+                cable.renew(&body.vertices);
+            }
+            self.look()?;
+            flip_to_delaunay(&mut self.model.film);
+            self.look()?;
+            tangential_relaxation(&mut self.model.film, 1);
+            flip_to_delaunay(&mut self.model.film);
+            self.look()?;
+            if matches!(outcome, Outcome::Refused(_)) {
+                return Err(Stop::Reason(StopReason::Collapsed));
+            }
+            let grown = volume.is_none() || round >= VOLUME_ROUNDS;
+            if grown && moved <= SETTLED * self.model.mean_edge() {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Step 2.
+    fn newton(&mut self, volume: Option<f64>, found: &mut Found) -> Result<StopReason, Stop> {
+        let settings = Settings { aim: Aim::Minimum, tolerance: self.options.tolerance, max_steps: NEWTON_STEPS };
+        for _ in 0..MAX_RENEWALS {
+            let mut body = self.model.body(self.structure, volume, false)?;
+            let mut weight = self.model.weight(self.structure, &body.vertices);
+            let (outcome, state) = self.solve(&mut body, &settings, "newton", 0.05)?;
+            self.model.set_vertices(&body.vertices);
+            found.residual = state.residual;
+            found.energy = state.energy;
+            self.multipliers(&state, volume, found);
+            match outcome {
+                Outcome::Converged => {}
+                Outcome::Stalled => return Ok(StopReason::Stalled),
+                Outcome::StepsUsed => return Ok(StopReason::MaxIterations),
+                Outcome::Refused(_) => return Ok(StopReason::Collapsed),
+                Outcome::Interrupted(interruption) => return Err(Error::Interrupted(interruption).into()),
+            }
+            let change = self.model.cables.iter_mut().map(|cable| cable.renew(&body.vertices)).fold(0.0, f64::max);
+            let change =
+                if self.structure.film.weight > 0.0 { change.max(weight.renew(&body.vertices)) } else { change };
+            if change <= self.options.tolerance.max(1e-12) {
+                if self.model.flipped() > 0 {
+                    return Ok(StopReason::Stalled);
+                }
+                return self.stability(volume, found);
+            }
+        }
+        Ok(StopReason::MaxIterations)
+    }
+
+    /// The stability of the converged shape.
+    fn stability(&mut self, volume: Option<f64>, found: &mut Found) -> Result<StopReason, Stop> {
+        let mut body = self.model.body(self.structure, volume, false)?;
+        // The terms' own renewals end at once, because the coefficients have just been renewed.
+        let settings = Settings {
+            aim: Aim::Stationary,
+            tolerance: 2.0 * found.residual.max(self.options.tolerance),
+            max_steps: 2,
+        };
+        let report = body
+            .relax(&settings, self.exec, &mut |_, _| {})
+            .map_err(|defect| Stop::Failed(Error::no_result("invalid_mesh", defect.to_string())))?;
+        if let Outcome::Interrupted(interruption) = report.outcome {
+            return Err(Error::Interrupted(interruption).into());
+        }
+        found.stability = report.stability;
+        found.lowest_mode = report.lowest_mode;
+        Ok(StopReason::Residual)
+    }
+
+    /// The constraints' multipliers: the forces of cables of given length, and the pressure of a given volume.
+    fn multipliers(&self, state: &State<Frame>, volume: Option<f64>, found: &mut Found) {
+        let mut multipliers = state.constraints.iter().map(|constraint| constraint.multiplier);
+        for (force, length) in found.length_forces.iter_mut().zip(&self.model.lengths) {
+            if length.is_some() {
+                // A tension shortens the cable: it is the energy's fall per length, with the other sign.
+                *force = -multipliers.next().unwrap_or(0.0);
+            }
+        }
+        found.pressure = match (volume, self.structure.pressure) {
+            (Some(_), _) => multipliers.next().unwrap_or(0.0),
+            (None, Pressure::Constant(pressure)) => pressure,
+            (None, _) => 0.0,
+        };
+    }
+
+    /// Step 3.
+    fn balance(&mut self, volume: Option<f64>, found: &mut Found) -> Result<(), Stop> {
+        let structure = self.structure;
+        let mut body = self.model.body(structure, volume, false)?;
+        let reference = body.vertices.clone();
+        let triangles = self.model.film.triangles().to_vec();
+        let weight = self.model.weight(structure, &reference);
+        let tensions: Vec<f64> =
+            triangles.iter().map(|triangle| structure.film.tension + weight.tension(triangle, &reference)).collect();
+        let mut loads = vec![DVec3::ZERO; reference.len()];
+        for triangle in &triangles {
+            let area = 0.5 * double_area_vector(triangle.map(|v| reference[v as usize])).length();
+            let third = structure.up * (structure.film.weight * area / 3.0);
+            triangle.iter().for_each(|&v| loads[v as usize] -= third);
+        }
+        let mut densities = Vec::with_capacity(self.model.cables.len());
+        for (cable, further) in self.model.cables.iter().zip(&found.length_forces) {
+            let mut own = ForceDensity { segments: cable.segments.clone(), densities: Vec::new() };
+            for (k, &segment) in cable.segments.iter().enumerate() {
+                let length = energy::length::length(segment, &reference);
+                own.densities.push((cable.force(k, &reference) + further) / length);
+                let half = structure.up * (0.5 * cable.weight * length);
+                segment.into_iter().for_each(|v| loads[v as usize] -= half);
+            }
+            densities.push(own);
+        }
+        body.terms.clear();
+        body.terms.push(Box::new(Prestress::isotropic(&triangles, |t| tensions[t], &reference)));
+        body.terms.push(Box::new(Load { forces: loads.clone() }));
+        densities.iter().for_each(|own| body.terms.push(Box::new(own.clone())));
+        if let Pressure::Constant(pressure) = structure.pressure {
+            body.terms.push(Box::new(Volume { triangles: triangles.clone(), pressure }));
+        }
+        for freedom in &mut body.freedoms {
+            *freedom = match *freedom {
+                Freedom::Normal | Freedom::Across(_) => Freedom::Free,
+                Freedom::AcrossOn { support, .. } => Freedom::On(support),
+                other => other,
+            };
+        }
+        let settings = Settings { aim: Aim::Stationary, tolerance: BALANCED, max_steps: BALANCE_STEPS };
+        let (outcome, state) = self.solve(&mut body, &settings, "balance", 0.2)?;
+        if matches!(outcome, Outcome::Refused(_)) {
+            return Ok(());
+        }
+        let at = &body.vertices;
+        let pressure = match (volume, state.constraints.last()) {
+            (Some(_), Some(constraint)) => constraint.multiplier,
+            _ => found.pressure,
+        };
+        // The cone over the film's edge belongs to the volume and not to the film: a pressure acts on the triangles.
+        let mut forces = state.frame.gradient.clone();
+        if pressure != 0.0 {
+            let mut cone = vec![DVec3::ZERO; at.len()];
+            Volume { triangles: triangles.clone(), pressure: -1.0 }.add_gradient(at, &mut cone);
+            for triangle in &triangles {
+                let sixth = double_area_vector(triangle.map(|v| at[v as usize])) / 6.0;
+                for &v in triangle {
+                    loads[v as usize] += pressure * sixth;
+                    forces[v as usize] -= pressure * sixth;
+                }
+            }
+            forces.iter_mut().zip(&cone).for_each(|(force, cone)| *force += pressure * *cone);
+        }
+        let mut multipliers = state.constraints.iter().map(|constraint| constraint.multiplier);
+        let mut cable_forces = Vec::with_capacity(densities.len());
+        for (own, length) in densities.iter().zip(&self.model.lengths) {
+            let more = if length.is_some() { -multipliers.next().unwrap_or(0.0) } else { 0.0 };
+            let mut forces = Vec::with_capacity(own.segments.len());
+            own.visit_forces(at, &mut |force| forces.push(force + more));
+            cable_forces.push(forces);
+        }
+        found.pressure = pressure;
+        self.model.set_vertices(&body.vertices);
+        found.balance = Some(Balance { forces, loads, cable_forces, reference, tensions });
+        Ok(())
+    }
+}

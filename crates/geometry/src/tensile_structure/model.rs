@@ -1,0 +1,438 @@
+//! The mesh of a tensile structure: the film's triangles, the vertices of its cables, and what each vertex may do.
+
+use super::options::{BoundaryPoint, Cable, CableMode, Course, Options, Pressure, Sliding, SlidingPart, Structure};
+use crate::energy::cable::{self, Datum, Law, Target};
+use crate::energy::{Term, Volume, Weight};
+use crate::equilibrium::{Body, Constraint, Freedom, Support};
+use crate::error::Warning;
+use crate::mesh::complex::Complex;
+use crate::mesh::film::Film;
+use crate::mesh::measure;
+use crate::minimal_surface::{self, Constraints, Method};
+use crate::{DVec3, Error, Execution, Place, energy, polyline};
+
+/// Fewest segments of a heavy cable in the air.
+const LEAST_AIR_SEGMENTS: f64 = 16.0;
+/// Largest distance of a vertex from the segment of a cable across the film, as a fraction of the segment's length.
+const ON_SEGMENT: f64 = 1e-9;
+/// Most segments of a heavy cable in the air. More would not show in the shape of a catenary.
+const MOST_AIR_SEGMENTS: f64 = 1000.0;
+
+/// A structure as a mesh. Positions are relative to the mean of the boundaries' points.
+#[derive(Debug)]
+pub(super) struct Model {
+    pub centre: DVec3,
+    pub film: Film,
+    /// Vertices of cables in the air, numbered after those of the film.
+    pub air: Vec<DVec3>,
+    /// For each vertex in the air whether it is a support.
+    pub air_fixed: Vec<bool>,
+    /// For each cable its vertices from the first end to the last.
+    pub chains: Vec<Vec<u32>>,
+    /// The vertices of the free points.
+    pub free: Vec<u32>,
+    /// For each input point its vertex.
+    pub input_vertices: Vec<Vec<u32>>,
+    /// The volume between fans from each boundary to its mean and the origin, which closes the film's own.
+    pub cap_volume: f64,
+    /// The surfaces on which vertices slide, and the freedom of each vertex that does.
+    pub supports: Vec<Support>,
+    pub sliding: Vec<(u32, Freedom)>,
+    pub cables: Vec<energy::Cable>,
+    /// The required length of each cable whose length is a constraint.
+    pub lengths: Vec<Option<f64>>,
+    pub warnings: Vec<Warning>,
+}
+
+/// The options of the surface that the form finding starts from: one harmonic map.
+pub(super) fn start_options(structure: &Structure, options: &Options) -> minimal_surface::Options {
+    let across = structure.cables.iter().filter_map(|cable| match &cable.course {
+        Course::Across(points) => Some(points.clone()),
+        Course::Boundary { .. } | Course::Air(_) => None,
+    });
+    minimal_surface::Options {
+        method: Method::Harmonic,
+        constraints: Constraints { points: Vec::new(), polylines: across.collect() },
+        ..minimal_surface::Options::new(options.resolution)
+    }
+}
+
+impl Model {
+    /// Meshes the boundaries and finds the vertices of the cables.
+    pub fn build(structure: &Structure, options: &Options, exec: &Execution) -> Result<Self, Error> {
+        let all: Vec<DVec3> = structure.boundaries.iter().flatten().copied().collect();
+        let centre = polyline::mean(&all);
+        let centred: Vec<Vec<DVec3>> =
+            structure.boundaries.iter().map(|points| points.iter().map(|&p| p - centre).collect()).collect();
+        let mut start = start_options(structure, options);
+        start.constraints.polylines.iter_mut().flatten().for_each(|point| *point -= centre);
+        let surface = minimal_surface::solve(&centred, &start, exec)?;
+        let mut across = surface.constraints.polylines.into_iter();
+        let warnings = surface.warnings.into_iter().filter(|warning| warning.code == "merged_points").collect();
+        // The numbers of the input's vertices count through all boundaries.
+        let input_vertices = surface.input_vertices;
+        let invalid = || Error::no_result("invalid_mesh", "the initial mesh is no oriented manifold");
+        let lost = || Error::no_result("invalid_mesh", "a cable across the film has no edges in the initial mesh");
+        let film = Film::new(surface.mesh.vertices, &surface.mesh.triangles, surface.boundaries).ok_or_else(invalid)?;
+        let mut model = Self {
+            centre,
+            film,
+            air: Vec::new(),
+            air_fixed: Vec::new(),
+            chains: Vec::new(),
+            free: Vec::new(),
+            input_vertices,
+            cap_volume: 0.0,
+            supports: Vec::new(),
+            sliding: Vec::new(),
+            cables: Vec::new(),
+            lengths: Vec::new(),
+            warnings,
+        };
+        for sliding in &structure.sliding {
+            model.slide(sliding);
+        }
+        model.cap_volume = model.caps();
+        model.free = structure.free_points.iter().map(|&point| model.input_vertex(point)).collect();
+        let edge = model.mean_edge();
+        for cable in &structure.cables {
+            let chain = match &cable.course {
+                Course::Boundary { boundary, from, to } => model.along(*boundary, *from, *to),
+                Course::Across(_) => model.across(&across.next().unwrap_or_default()).ok_or_else(lost)?,
+                Course::Air(ends) => model.through_the_air(structure, cable, *ends, edge),
+            };
+            model.chains.push(chain);
+        }
+        let vertices = model.vertices();
+        for (cable, chain) in structure.cables.iter().zip(&model.chains) {
+            let segments: Vec<[u32; 2]> = chain.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+            let (law, target, datum) = law(cable, structure, chain, &vertices);
+            let mut term = energy::Cable::new(segments, law, &vertices);
+            term.target = target;
+            model.cables.push(term.heavy(cable.weight, structure.up, datum, &vertices));
+            model.lengths.push(if let CableMode::Length(length) = cable.mode { Some(length) } else { None });
+        }
+        Ok(model)
+    }
+
+    pub fn input_vertex(&self, BoundaryPoint { boundary, point }: BoundaryPoint) -> u32 {
+        self.input_vertices[boundary][point]
+    }
+
+    /// All vertices: the film's, then those in the air.
+    pub fn vertices(&self) -> Vec<DVec3> {
+        self.film.vertices.iter().chain(&self.air).copied().collect()
+    }
+
+    pub fn set_vertices(&mut self, vertices: &[DVec3]) {
+        let count = self.film.vertices.len();
+        self.film.vertices.copy_from_slice(&vertices[..count]);
+        self.air.copy_from_slice(&vertices[count..]);
+    }
+
+    pub fn mean_edge(&self) -> f64 {
+        let triangles = self.film.triangles();
+        let sum: f64 = triangles
+            .iter()
+            .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
+            .map(|[a, b]| self.film.vertices[a as usize].distance(self.film.vertices[b as usize]))
+            .sum();
+        sum / (3 * triangles.len()) as f64
+    }
+
+    fn along(&self, boundary: usize, from: usize, to: usize) -> Vec<u32> {
+        let rim = &self.film.boundaries[boundary];
+        let vertex = |point: usize| self.input_vertices[boundary][point];
+        let place = |v: u32| rim.iter().position(|&w| w == v).expect("an input point is a vertex of its boundary");
+        let (first, last) = (place(vertex(from)), place(vertex(to)));
+        let count = (last + rim.len() - first) % rim.len();
+        (0..=count).map(|k| rim[(first + k) % rim.len()]).collect()
+    }
+
+    /// The vertices of a cable across the film, with those that were added between its points. Its edges stay.
+    fn across(&mut self, points: &[u32]) -> Option<Vec<u32>> {
+        let mut chain = vec![*points.first()?];
+        for pair in points.windows(2) {
+            let (mut here, end) = (pair[0], pair[1]);
+            let at = |v: u32| self.film.vertices[v as usize];
+            let span = at(end) - at(here);
+            let (start, direction) = (at(here), span.normalize_or_zero());
+            while here != end {
+                // The next vertex on the segment: the nearest neighbour ahead that lies on it.
+                let ahead = |v: &u32| {
+                    let place = at(*v) - start;
+                    place.dot(direction) > (at(here) - start).dot(direction)
+                        && place.reject_from_normalized(direction).length() <= ON_SEGMENT * span.length()
+                };
+                let nearer = |a: &u32, b: &u32| at(*a).distance(at(here)).total_cmp(&at(*b).distance(at(here)));
+                here = self.film.topology.neighbours(here).filter(ahead).min_by(nearer)?;
+                chain.push(here);
+            }
+        }
+        for pair in chain.windows(2) {
+            self.film.locked.push([pair[0].min(pair[1]), pair[0].max(pair[1])]);
+        }
+        self.film.locked.sort_unstable();
+        chain.iter().for_each(|&v| self.film.fixed[v as usize] = true);
+        (chain.len() > 1).then_some(chain)
+    }
+
+    fn through_the_air(&mut self, structure: &Structure, cable: &Cable, ends: [DVec3; 2], edge: f64) -> Vec<u32> {
+        let mut joined = |end: DVec3| {
+            for (boundary, points) in structure.boundaries.iter().enumerate() {
+                if let Some(point) = points.iter().position(|p| *p == end) {
+                    return self.input_vertices[boundary][point];
+                }
+            }
+            let place = end - self.centre;
+            let count = self.film.vertices.len();
+            if let Some(k) = (0..self.air.len()).find(|&k| self.air_fixed[k] && self.air[k] == place) {
+                return (count + k) as u32;
+            }
+            self.air.push(place);
+            self.air_fixed.push(true);
+            (count + self.air.len() - 1) as u32
+        };
+        let [first, last] = ends.map(&mut joined);
+        let straight = ends[0].distance(ends[1]);
+        let pieces = if cable.weight > 0.0 {
+            (straight / edge).ceil().clamp(LEAST_AIR_SEGMENTS, MOST_AIR_SEGMENTS) as usize
+        } else {
+            1
+        };
+        let mut chain = vec![first];
+        for k in 1..pieces {
+            let share = k as f64 / pieces as f64;
+            // The cable starts from a sag of a tenth of its length, so that it has a curvature to begin with.
+            let sag = 0.4 * straight * share * (1.0 - share) * structure.up;
+            chain.push((self.film.vertices.len() + self.air.len()) as u32);
+            self.air.push(ends[0] - self.centre + share * (ends[1] - ends[0]) - sag);
+            self.air_fixed.push(false);
+        }
+        chain.push(last);
+        chain
+    }
+
+    fn slide(&mut self, sliding: &Sliding) {
+        let number = self.supports.len() as u32;
+        self.supports.push(moved(sliding.on, -self.centre));
+        let on = &self.supports[number as usize];
+        let (vertices, closed): (Vec<u32>, bool) = match sliding.part {
+            SlidingPart::Point(point) => {
+                let v = self.input_vertex(point);
+                self.film.vertices[v as usize] = on.nearest(self.film.vertices[v as usize]);
+                self.sliding.push((v, Freedom::On(number)));
+                return;
+            }
+            SlidingPart::Edge { boundary, from, to } => (self.along(boundary, from, to), false),
+            SlidingPart::Boundary(boundary) => (self.film.boundaries[boundary].clone(), true),
+        };
+        let count = vertices.len();
+        let inner = if closed { 0..count } else { 1..count - 1 };
+        for k in inner {
+            let v = vertices[k];
+            self.film.vertices[v as usize] = on.nearest(self.film.vertices[v as usize]);
+            let beside = [vertices[(k + count - 1) % count], vertices[(k + 1) % count]];
+            self.sliding.push((v, Freedom::AcrossOn { support: number, beside }));
+        }
+    }
+
+    fn caps(&self) -> f64 {
+        let mut sixfold = 0.0;
+        for rim in self.film.topology.boundary_loops() {
+            let points: Vec<DVec3> = rim.iter().map(|&v| self.film.vertices[v as usize]).collect();
+            let mean = polyline::mean(&points);
+            for k in 0..points.len() {
+                sixfold += mean.dot(points[(k + 1) % points.len()].cross(points[k]));
+            }
+        }
+        sixfold / 6.0
+    }
+
+    /// The volume that the film and the fans from each boundary to its mean enclose.
+    pub fn volume(&self, vertices: &[DVec3]) -> f64 {
+        let triangles = self.film.triangles().to_vec();
+        Volume { triangles, pressure: -1.0 }.value(vertices) + self.cap_volume
+    }
+
+    /// The body with the terms of the structure, the film's area first. `volume` is the volume to be enclosed, if that
+    /// is required. At the `start` a curved cable of given length has the force of an arc instead: the length of a
+    /// straight one does not change to first order, so no force could be found for it.
+    pub fn body(&self, structure: &Structure, volume: Option<f64>, start: bool) -> Result<Body, Error> {
+        let vertices = self.vertices();
+        let invalid = |defect| Error::no_result("invalid_mesh", format!("the film's mesh is damaged: {defect}"));
+        let complex = Complex::build(self.film.triangles().to_vec(), self.film.vertices.len()).map_err(invalid)?;
+        let tensions = vec![structure.film.tension; complex.sheets.len()];
+        let mut body = Body::new(vertices, &complex, &tensions);
+        // All sheets have one tension, so one term serves them all.
+        body.terms.truncate(0);
+        let area = energy::Area { triangles: self.film.triangles().to_vec(), tension: structure.film.tension };
+        body.terms.push(Box::new(area));
+        for (k, &fixed) in self.air_fixed.iter().enumerate() {
+            body.freedoms[self.film.vertices.len() + k] = if fixed { Freedom::Fixed } else { Freedom::Free };
+        }
+        for chain in &self.chains {
+            for three in chain.windows(3) {
+                body.freedoms[three[1] as usize] = Freedom::Across([three[0], three[2]]);
+            }
+        }
+        for &v in &self.free {
+            body.freedoms[v as usize] = Freedom::Free;
+        }
+        body.supports.clone_from(&self.supports);
+        for &(v, freedom) in &self.sliding {
+            body.freedoms[v as usize] = freedom;
+        }
+        if structure.film.weight > 0.0 {
+            body.terms.push(Box::new(self.weight(structure, &body.vertices)));
+        }
+        for (cable, length) in self.cables.iter().zip(&self.lengths) {
+            if let Some(target) = *length
+                && start
+                && cable.segments.len() > 1
+            {
+                let in_air = cable.segments[0][1] as usize >= self.film.vertices.len();
+                let load = if in_air { cable.weight } else { structure.film.tension };
+                let mut arc = cable.clone();
+                arc.law = Law::Force(load * arc_radius(chord_of(cable, &body.vertices), target));
+                add_start(&mut body, arc);
+                continue;
+            }
+            if start {
+                add_start(&mut body, cable.clone());
+            } else {
+                body.terms.push(Box::new(cable.clone()));
+            }
+            if let Some(target) = *length {
+                let quantity = energy::Length { segments: cable.segments.clone(), tension: 1.0 };
+                body.constraints.push(Constraint { quantity: Box::new(quantity), target });
+            }
+        }
+        let triangles = || self.film.triangles().to_vec();
+        match (structure.pressure, volume) {
+            (_, Some(volume)) => {
+                let quantity = Box::new(Volume { triangles: triangles(), pressure: -1.0 });
+                body.constraints.push(Constraint { quantity, target: volume - self.cap_volume });
+            }
+            (Pressure::Constant(pressure), None) => {
+                body.terms.push(Box::new(Volume { triangles: triangles(), pressure }));
+            }
+            (Pressure::None | Pressure::Volume(_), None) => {}
+        }
+        body.check().map_err(|defect| match defect {
+            crate::equilibrium::BodyDefect::Target(_) => Error::input(
+                Place::field("volume"),
+                "cannot be told from an empty one; move the boundaries or change it",
+            ),
+            other => Error::no_result("invalid_mesh", other.to_string()),
+        })?;
+        Ok(body)
+    }
+
+    /// The film's weight, with the datum at the mean height of these positions.
+    pub fn weight(&self, structure: &Structure, vertices: &[DVec3]) -> Weight {
+        Weight::new(self.film.triangles().to_vec(), structure.film.weight, structure.up, vertices)
+    }
+
+    /// Number of flipped triangles of the film.
+    pub fn flipped(&self) -> usize {
+        let normals = measure::normals(&self.film.vertices, self.film.triangles());
+        measure::count_flipped(&self.film.vertices, self.film.triangles(), &normals)
+    }
+}
+
+/// A support at another place.
+fn moved(support: Support, by: DVec3) -> Support {
+    match support {
+        Support::Line { point, direction } => Support::Line { point: point + by, direction },
+        Support::Circle { centre, axis, radius } => Support::Circle { centre: centre + by, axis, radius },
+        Support::Plane { point, normal } => Support::Plane { point: point + by, normal },
+        Support::Sphere { centre, radius } => Support::Sphere { centre: centre + by, radius },
+        Support::Cylinder { point, axis, radius } => Support::Cylinder { point: point + by, axis, radius },
+    }
+}
+
+/// Least force of a segment of a heavy cable at the start, as a fraction of the cable's mean force. The positions may be
+/// far from those of an equilibrium, where no part of a cable pushes.
+const LEAST_FORCE: f64 = 0.1;
+
+/// Adds a cable as it is at the start. A heavy one has the force densities and the weights of its present shape: its own
+/// energy has no minimum as long as its force is too small for its sag.
+fn add_start(body: &mut Body, cable: energy::Cable) {
+    if cable.weight == 0.0 {
+        body.terms.push(Box::new(cable));
+        return;
+    }
+    let at = &body.vertices;
+    let (mean, ..) = forces(&cable, 0.0, at);
+    let mut loads = vec![DVec3::ZERO; at.len()];
+    let mut densities = Vec::with_capacity(cable.segments.len());
+    for (k, &segment) in cable.segments.iter().enumerate() {
+        let length = energy::length::length(segment, at);
+        densities.push(cable.force(k, at).max(LEAST_FORCE * mean) / length);
+        let half = cable.up * (0.5 * cable.weight * length);
+        segment.into_iter().for_each(|v| loads[v as usize] -= half);
+    }
+    body.terms.push(Box::new(energy::ForceDensity { segments: cable.segments, densities }));
+    body.terms.push(Box::new(energy::Load { forces: loads }));
+}
+
+fn chord_of(cable: &energy::Cable, at: &[DVec3]) -> f64 {
+    let (Some(&[first, _]), Some(&[_, last])) = (cable.segments.first(), cable.segments.last()) else { return 0.0 };
+    at[first as usize].distance(at[last as usize])
+}
+
+/// The radius of an arc of the given length over a chord; half the length if the chord is not shorter.
+fn arc_radius(chord: f64, length: f64) -> f64 {
+    if chord >= length {
+        return 0.5 * length;
+    }
+    // The half angle t with sin t / t = chord / length, by bisection: the quotient falls from 1 to 0.
+    let (mut low, mut high) = (0.0, std::f64::consts::PI);
+    for _ in 0..60 {
+        let middle: f64 = 0.5 * (low + high);
+        *(if middle.sin() * length > chord * middle { &mut low } else { &mut high }) = middle;
+    }
+    0.5 * length / low.max(1e-6)
+}
+
+/// The law of a cable at the start, what its force is adjusted to, and where the law's force acts.
+fn law(cable: &Cable, structure: &Structure, chain: &[u32], vertices: &[DVec3]) -> (Law, Option<Target>, Datum) {
+    let ends = [chain[0], chain[chain.len() - 1]].map(|v| vertices[v as usize]);
+    let chord = ends[0].distance(ends[1]);
+    // The force of an arc under a load per length across it.
+    let load = if matches!(cable.course, Course::Air(_)) { cable.weight } else { structure.film.tension };
+    match cable.mode {
+        CableMode::Force(force) => (Law::Force(force), None, Datum::Mean),
+        CableMode::EndTension(force) => (Law::Force(force), None, Datum::FirstEnd),
+        CableMode::HorizontalComponent(wanted) => {
+            let across = (ends[1] - ends[0]).normalize_or_zero().reject_from_normalized(structure.up).length();
+            let force = wanted / across.max(0.1);
+            (Law::Force(force), Some(Target::HorizontalComponent(wanted)), Datum::Mean)
+        }
+        CableMode::ForceDensity(density) => (Law::Density(density), None, Datum::Mean),
+        // The force is the multiplier of the constraint.
+        CableMode::Length(_) => (Law::Force(0.0), None, Datum::Mean),
+        CableMode::UnstressedLength(unstressed) => {
+            let stiffness = cable.axial_stiffness.unwrap_or(1.0);
+            (Law::Elastic { unstressed, stiffness }, None, Datum::Mean)
+        }
+        CableMode::Sag(sag) => {
+            let radius = (0.25 * chord * chord + sag * sag) / (2.0 * sag);
+            (Law::Force(load * radius), Some(Target::Sag(sag)), Datum::Mean)
+        }
+    }
+}
+
+/// The mean force of a cable, weighted by the lengths of its segments, its least and its largest force.
+pub(super) fn forces(term: &cable::Cable, further: f64, at: &[DVec3]) -> (f64, f64, f64) {
+    let (mut sum, mut total, mut least, mut most) = (0.0, 0.0, f64::INFINITY, f64::NEG_INFINITY);
+    for (k, &segment) in term.segments.iter().enumerate() {
+        let (force, length) = (term.force(k, at) + further, energy::length::length(segment, at));
+        sum += force * length;
+        total += length;
+        least = least.min(force);
+        most = most.max(force);
+    }
+    (sum / total.max(f64::MIN_POSITIVE), least, most)
+}

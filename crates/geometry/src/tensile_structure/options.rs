@@ -1,0 +1,583 @@
+//! A tensile structure as the caller describes it, and the checks that need no mesh.
+
+use crate::equilibrium::Support;
+use crate::error::InputError;
+use crate::minimal_surface::Resolution;
+use crate::polyline::{self, merge_near_neighbours};
+use crate::{DVec3, Error, Place};
+
+/// A film with its cables, loads and supports.
+///
+/// Every point of the boundaries is a support unless it lies strictly inside the stretch of a cable or is one of
+/// [`free_points`](Self::free_points). The segments between supports without a cable are supports, too.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Structure {
+    /// Closed polygons that do not repeat their first point: the edges of the film before form finding.
+    pub boundaries: Vec<Vec<DVec3>>,
+    /// The film.
+    pub film: FilmStress,
+    /// Cables along the boundaries and in the air.
+    pub cables: Vec<Cable>,
+    /// Points of the boundaries at which cables end and which no support holds.
+    pub free_points: Vec<BoundaryPoint>,
+    /// Supports on which points or edges slide without friction.
+    pub sliding: Vec<Sliding>,
+    /// The pressure on the film.
+    pub pressure: Pressure,
+    /// The unit vector that points up. Weights pull against it.
+    pub up: DVec3,
+}
+
+/// The stress of the film and its weight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FilmStress {
+    /// The isotropic tension σ, a force per length. It is the same at every point, apart from what the weight adds.
+    pub tension: f64,
+    /// The weight per area of the found shape.
+    pub weight: f64,
+}
+
+/// A point of a boundary, by its number in the input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BoundaryPoint {
+    /// The number of the boundary.
+    pub boundary: usize,
+    /// The number of the point.
+    pub point: usize,
+}
+
+/// A support without friction: it bears forces at right angles to a surface, or across a line, and none along it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sliding {
+    /// What slides.
+    pub part: SlidingPart,
+    /// The line or surface on which it slides. Directions and axes are unit vectors.
+    pub on: Support,
+}
+
+/// The part of a boundary that slides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SlidingPart {
+    /// The edge from one point of a boundary to another, in the boundary's direction, without the two points.
+    Edge {
+        /// The number of the boundary.
+        boundary: usize,
+        /// The number of the point at which the edge begins.
+        from: usize,
+        /// The number of the point at which it ends.
+        to: usize,
+    },
+    /// A whole boundary.
+    Boundary(usize),
+    /// One point.
+    Point(BoundaryPoint),
+}
+
+/// The pressure on the side that the film's normals point away from. The normals point to the side from which the first
+/// boundary runs counter-clockwise.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Pressure {
+    /// None.
+    #[default]
+    None,
+    /// This pressure, a force per area. It may be negative.
+    Constant(f64),
+    /// The pressure at which the film and fans from each boundary to its mean enclose this volume.
+    Volume(f64),
+}
+
+/// A cable.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cable {
+    /// The name in messages.
+    pub name: String,
+    /// Where the cable runs.
+    pub course: Course,
+    /// What the cable holds constant.
+    pub mode: CableMode,
+    /// EA, a force. It is needed for [`CableMode::UnstressedLength`]; otherwise it gives the unstressed length.
+    pub axial_stiffness: Option<f64>,
+    /// The weight per length of the found shape.
+    pub weight: f64,
+}
+
+/// The course of a cable.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Course {
+    /// Along a boundary in its direction, from one point to another. The film's edge hangs on the cable.
+    Boundary {
+        /// The number of the boundary.
+        boundary: usize,
+        /// The number of the point at which the cable begins.
+        from: usize,
+        /// The number of the point at which it ends.
+        to: usize,
+    },
+    /// Across the film, as a ridge or a valley, through these points before form finding. Both ends are points of the
+    /// boundaries.
+    Across(Vec<DVec3>),
+    /// In the air, from the first point to the second. A point that equals a boundary's point is joined to it; any
+    /// other is a support.
+    Air([DVec3; 2]),
+}
+
+/// What a cable holds constant. Lengths and forces are those of the whole cable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CableMode {
+    /// The (mean) force.
+    Force(f64),
+    /// The force at the first end.
+    EndTension(f64),
+    /// The part of the force at the first end that is across the vertical.
+    HorizontalComponent(f64),
+    /// The force divided by the length.
+    ForceDensity(f64),
+    /// The length.
+    Length(f64),
+    /// The length without force; needs the axial stiffness.
+    UnstressedLength(f64),
+    /// The largest distance from the chord between the ends.
+    Sag(f64),
+}
+
+impl CableMode {
+    /// The name in requests.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Force(_) => "force",
+            Self::EndTension(_) => "end_tension",
+            Self::HorizontalComponent(_) => "horizontal_component",
+            Self::ForceDensity(_) => "force_density",
+            Self::Length(_) => "length",
+            Self::UnstressedLength(_) => "unstressed_length",
+            Self::Sag(_) => "sag",
+        }
+    }
+
+    /// The value that is held.
+    #[must_use]
+    pub fn value(self) -> f64 {
+        match self {
+            Self::Force(value)
+            | Self::EndTension(value)
+            | Self::HorizontalComponent(value)
+            | Self::ForceDensity(value)
+            | Self::Length(value)
+            | Self::UnstressedLength(value)
+            | Self::Sag(value) => value,
+        }
+    }
+}
+
+/// Options of form finding.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// How fine the mesh of the film is to be.
+    pub resolution: Resolution,
+    /// The residual at which the shape counts as found.
+    pub tolerance: f64,
+    /// Largest number of linear solves. `None` stands for 400.
+    pub max_iterations: Option<u32>,
+}
+
+impl Options {
+    /// The default options at a resolution.
+    #[must_use]
+    pub fn new(resolution: Resolution) -> Self {
+        Self { resolution, tolerance: 1e-8, max_iterations: None }
+    }
+}
+
+/// A length counts as longer than a chord from this ratio on: at a smaller one the force would exceed the film's tension
+/// times the chord by a factor of more than 10,000.
+const LEAST_EXCESS: f64 = 1e-9;
+
+const COORDINATE: &str = "every coordinate must be a finite number of magnitude at most 1e50";
+
+fn is_usable(point: DVec3) -> bool {
+    point.is_finite() && point.abs().max_element() <= polyline::LARGEST_COORDINATE
+}
+
+fn cable_place(k: usize) -> Place {
+    Place::field("cables").at(k)
+}
+
+/// The chord of a cable before form finding, if its course is in range.
+pub(super) fn chord(structure: &Structure, cable: &Cable) -> Option<f64> {
+    match &cable.course {
+        Course::Boundary { boundary, from, to } => {
+            let points = structure.boundaries.get(*boundary)?;
+            Some(points.get(*from)?.distance(*points.get(*to)?))
+        }
+        Course::Across(points) => Some(points.first()?.distance(*points.last()?)),
+        Course::Air([a, b]) => Some(a.distance(*b)),
+    }
+}
+
+/// The segments of a boundary from one point to another, by the number of their first point.
+fn stretch(count: usize, from: usize, to: usize) -> impl Iterator<Item = usize> {
+    (0..(to + count - from) % count).map(move |k| (from + k) % count)
+}
+
+fn require(errors: &mut Vec<InputError>, holds: bool, place: Place, detail: &str) {
+    if !holds {
+        errors.push(InputError::new(place, detail));
+    }
+}
+
+/// Checks what needs no mesh. The boundaries themselves are checked by the minimal surface that they span.
+pub(super) fn check(structure: &Structure, options: &Options) -> Result<(), Error> {
+    let mut errors = Vec::new();
+    let positive = |value: f64| value.is_finite() && value > 0.0;
+    let not_negative = |value: f64| value.is_finite() && value >= 0.0;
+    let above = "must be a finite number above 0";
+    let film = || Place::field("film");
+    require(&mut errors, positive(structure.film.tension), film().then("tension"), above);
+    require(
+        &mut errors,
+        not_negative(structure.film.weight),
+        film().then("weight"),
+        "must be a finite number, not negative",
+    );
+    require(
+        &mut errors,
+        not_negative(options.tolerance),
+        Place::field("tolerance"),
+        "must be a finite number, not negative",
+    );
+    let mut taken: Vec<Vec<Option<usize>>> =
+        structure.boundaries.iter().map(|boundary| vec![None; boundary.len()]).collect();
+    for (k, cable) in structure.cables.iter().enumerate() {
+        check_cable(structure, k, cable, &mut taken, &mut errors);
+    }
+    for (k, sliding) in structure.sliding.iter().enumerate() {
+        check_sliding(structure, k, sliding, &mut taken, &mut errors);
+    }
+    check_free_points(structure, &mut errors);
+    if errors.is_empty() {
+        check_pressure(structure, &mut errors);
+        check_supports(structure, &mut errors);
+    }
+    if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
+}
+
+fn check_cable(
+    structure: &Structure,
+    k: usize,
+    cable: &Cable,
+    taken: &mut [Vec<Option<usize>>],
+    errors: &mut Vec<InputError>,
+) {
+    let place = || cable_place(k);
+    let value = cable.mode.value();
+    require(errors, value.is_finite() && value > 0.0, place().then("value"), "must be a finite number above 0");
+    require(
+        errors,
+        cable.weight.is_finite() && cable.weight >= 0.0,
+        place().then("weight"),
+        "must be a finite number, not negative",
+    );
+    if let Some(stiffness) = cable.axial_stiffness {
+        let sound = stiffness.is_finite() && stiffness > 0.0;
+        require(errors, sound, place().then("axial_stiffness"), "must be a finite number above 0");
+    } else if matches!(cable.mode, CableMode::UnstressedLength(_)) {
+        let detail = "is required with the mode unstressed_length, because the force follows from it";
+        errors.push(InputError::new(place().then("axial_stiffness"), detail));
+    }
+    match &cable.course {
+        Course::Boundary { boundary, from, to } => {
+            let along = || place().then("along");
+            let Some(points) = structure.boundaries.get(*boundary) else {
+                let detail = format!("there are {} boundaries, numbered from 0", structure.boundaries.len());
+                errors.push(InputError::new(along().then("boundary"), detail));
+                return;
+            };
+            for (name, point) in [("from", *from), ("to", *to)] {
+                if point >= points.len() {
+                    let detail = format!("the boundary has {} points, numbered from 0", points.len());
+                    errors.push(InputError::new(along().then(name), detail));
+                    return;
+                }
+            }
+            let merged = merge_near_neighbours(points, true);
+            if merged.vertex_of[*from] == merged.vertex_of[*to] {
+                errors
+                    .push(InputError::new(along().then("to"), "must be another point than the one at which it begins"));
+                return;
+            }
+            for segment in stretch(points.len(), *from, *to) {
+                let owner = &mut taken[*boundary][segment];
+                if let Some(other) = *owner {
+                    let detail = format!("runs along a part of the boundary on which cable {other} runs already");
+                    errors.push(InputError::new(along(), detail));
+                    return;
+                }
+                *owner = Some(k);
+            }
+        }
+        Course::Across(points) => {
+            for (i, point) in points.iter().enumerate() {
+                require(errors, is_usable(*point), place().then("across").at(i), COORDINATE);
+            }
+            if points.len() < 2 || points[0] == points[points.len() - 1] {
+                errors.push(InputError::new(place().then("across"), "needs two distinct ends"));
+                return;
+            }
+            for i in [0, points.len() - 1] {
+                let detail = "must be a point of the boundaries, at exactly its coordinates";
+                let found = structure.boundaries.iter().flatten().any(|p| *p == points[i]);
+                require(errors, found, place().then("across").at(i), detail);
+            }
+        }
+        Course::Air(ends) => {
+            for (i, end) in ends.iter().enumerate() {
+                require(errors, is_usable(*end), place().then("points").at(i), COORDINATE);
+            }
+            if ends[0] == ends[1] {
+                errors.push(InputError::new(place().then("points"), "needs two distinct points"));
+                return;
+            }
+        }
+    }
+    let Some(chord) = chord(structure, cable) else { return };
+    if ends_freely(structure, cable) {
+        return;
+    }
+    let straight = matches!(cable.course, Course::Air(_)) && cable.weight == 0.0;
+    let detail = match cable.mode {
+        CableMode::Length(length) if length <= chord * (1.0 + LEAST_EXCESS) => {
+            format!("must be longer than the chord between the cable's ends ({chord:.6})")
+        }
+        CableMode::Length(_) | CableMode::Sag(_) if straight => {
+            "a cable in the air without weight is straight, so it would be slack; give its force or its weight".into()
+        }
+        CableMode::UnstressedLength(length) if straight && length >= chord => {
+            format!("must be shorter than the chord between the cable's ends ({chord:.6}), or the cable is slack")
+        }
+        _ => return,
+    };
+    errors.push(InputError::new(place().then("value"), detail));
+}
+
+/// Whether an end of the cable is a free point.
+fn ends_freely(structure: &Structure, cable: &Cable) -> bool {
+    let position = |free: &BoundaryPoint| structure.boundaries.get(free.boundary)?.get(free.point).copied();
+    let free: Vec<DVec3> = structure.free_points.iter().filter_map(position).collect();
+    let ends = match &cable.course {
+        Course::Boundary { boundary, from, to } => {
+            let points = &structure.boundaries[*boundary];
+            [points[*from], points[*to]]
+        }
+        Course::Across(points) => [points[0], points[points.len() - 1]],
+        Course::Air(ends) => *ends,
+    };
+    ends.iter().any(|end| free.contains(end))
+}
+
+/// Largest distance of a boundary's point from the surface on which it slides, as a fraction of the boundaries' radius.
+const ON_SUPPORT: f64 = 1e-9;
+
+fn check_sliding(
+    structure: &Structure,
+    k: usize,
+    sliding: &Sliding,
+    taken: &mut [Vec<Option<usize>>],
+    errors: &mut Vec<InputError>,
+) {
+    let place = || Place::field("supports").at(k);
+    let (name, boundary) = match sliding.part {
+        SlidingPart::Edge { boundary, .. } => ("along", boundary),
+        SlidingPart::Boundary(boundary) => ("boundary", boundary),
+        SlidingPart::Point(point) => ("point", point.boundary),
+    };
+    let Some(points) = structure.boundaries.get(boundary) else {
+        let detail = format!("there are {} boundaries, numbered from 0", structure.boundaries.len());
+        let inside = if name == "boundary" { place().then(name) } else { place().then(name).then("boundary") };
+        errors.push(InputError::new(inside, detail));
+        return;
+    };
+    let count = points.len();
+    let exists = |point: usize, field: &'static str, errors: &mut Vec<InputError>| {
+        let detail = format!("the boundary has {count} points, numbered from 0");
+        require(errors, point < count, place().then(name).then(field), &detail);
+        point < count
+    };
+    let segments: Vec<usize> = match sliding.part {
+        SlidingPart::Edge { from, to, .. } => {
+            if !exists(from, "from", errors) || !exists(to, "to", errors) {
+                return;
+            }
+            if from == to {
+                let detail = "must be another point than the one at which the edge begins";
+                errors.push(InputError::new(place().then(name).then("to"), detail));
+                return;
+            }
+            stretch(count, from, to).collect()
+        }
+        SlidingPart::Boundary(_) => (0..count).collect(),
+        SlidingPart::Point(BoundaryPoint { point, .. }) => {
+            if !exists(point, "point", errors) {
+                return;
+            }
+            let inside = |cable: &Cable| match cable.course {
+                Course::Boundary { boundary: own, from, to } => {
+                    own == boundary && stretch(count, from, to).skip(1).any(|inner| inner == point)
+                }
+                Course::Across(_) | Course::Air(_) => false,
+            };
+            if structure.cables.iter().any(inside) {
+                errors.push(InputError::new(place().then(name), "lies inside the stretch of a cable"));
+                return;
+            }
+            Vec::new()
+        }
+    };
+    if !matches!(sliding.part, SlidingPart::Point(_)) {
+        let detail = "an edge slides on a plane, a sphere or a cylinder; only a point slides on a line or a circle";
+        require(errors, sliding.on.dimension() == 2, place().then("on"), detail);
+    }
+    for &segment in &segments {
+        if taken[boundary][segment].replace(usize::MAX).is_some() {
+            let detail = "runs along a part of the boundary on which a cable or another support runs already";
+            errors.push(InputError::new(place().then(name), detail));
+            return;
+        }
+    }
+    let all: Vec<DVec3> = structure.boundaries.iter().flatten().copied().collect();
+    let allowed = ON_SUPPORT * polyline::radius(&all);
+    let sliders: Vec<usize> = match sliding.part {
+        SlidingPart::Edge { .. } => segments.into_iter().skip(1).collect(),
+        SlidingPart::Boundary(_) => segments,
+        SlidingPart::Point(point) => vec![point.point],
+    };
+    for point in sliders {
+        if sliding.on.nearest(points[point]).distance(points[point]) > allowed {
+            let detail = format!("does not lie on the surface of support {k}, on which it slides");
+            errors.push(InputError::new(Place::field("boundaries").at(boundary).at(point), detail));
+        }
+    }
+}
+
+fn check_free_points(structure: &Structure, errors: &mut Vec<InputError>) {
+    for (k, free) in structure.free_points.iter().enumerate() {
+        let place = || Place::field("free_points").at(k);
+        let Some(points) = structure.boundaries.get(free.boundary) else {
+            let detail = format!("there are {} boundaries, numbered from 0", structure.boundaries.len());
+            errors.push(InputError::new(place().then("boundary"), detail));
+            continue;
+        };
+        if free.point >= points.len() {
+            let detail = format!("the boundary has {} points, numbered from 0", points.len());
+            errors.push(InputError::new(place().then("point"), detail));
+            continue;
+        }
+        let on =
+            |cable: &&Cable| matches!(cable.course, Course::Boundary { boundary, .. } if boundary == free.boundary);
+        let ends = |cable: &Cable, last: bool| match cable.course {
+            Course::Boundary { from, to, .. } => (if last { to } else { from }) == free.point,
+            Course::Across(_) | Course::Air(_) => false,
+        };
+        let mut cables = structure.cables.iter().filter(on);
+        let (arrives, leaves) = (cables.clone().any(|cable| ends(cable, true)), cables.any(|cable| ends(cable, false)));
+        let detail = "a free point needs a boundary cable on both of its sides";
+        require(errors, arrives && leaves, place(), detail);
+    }
+}
+
+fn check_pressure(structure: &Structure, errors: &mut Vec<InputError>) {
+    let (name, value) = match structure.pressure {
+        Pressure::None => return,
+        Pressure::Constant(value) => ("pressure", value),
+        Pressure::Volume(value) => ("volume", value),
+    };
+    let place = || Place::field(name);
+    if !value.is_finite() {
+        errors.push(InputError::new(place(), "must be a finite number"));
+        return;
+    }
+    if structure.cables.iter().any(|cable| matches!(cable.course, Course::Boundary { .. })) {
+        let detail = "is not offered for a film whose edge hangs on a cable, because the space below it is not closed; \
+                      leave the cables or the pressure out";
+        errors.push(InputError::new(place(), detail));
+        return;
+    }
+    if !structure.sliding.is_empty() {
+        let detail = "is not offered for a film whose edge slides, because the space below it is not closed";
+        errors.push(InputError::new(place(), detail));
+        return;
+    }
+    if name == "volume" {
+        require(errors, value > 0.0, place(), "must be above 0; reverse the first boundary to inflate the other side");
+        return;
+    }
+    let limit = pressure_limit(structure);
+    if value.abs() > limit {
+        let detail = format!(
+            "is above the limit of the opening, {limit:.6}: the film's tension times the length of the boundaries, \
+             divided by the area that they enclose; no film of this tension holds more"
+        );
+        errors.push(InputError::new(place(), detail));
+    }
+}
+
+/// Supports count as lying on one line up to this fraction of their extent. A structure on such supports turns about
+/// the line.
+const COLLINEAR: f64 = 1e-9;
+
+/// For each boundary and each of its points whether a support holds it.
+fn held(structure: &Structure) -> Vec<Vec<bool>> {
+    let mut held: Vec<Vec<bool>> = structure.boundaries.iter().map(|points| vec![true; points.len()]).collect();
+    for cable in &structure.cables {
+        if let Course::Boundary { boundary, from, to } = cable.course {
+            stretch(held[boundary].len(), from, to).skip(1).for_each(|point| held[boundary][point] = false);
+        }
+    }
+    structure.free_points.iter().for_each(|free| held[free.boundary][free.point] = false);
+    held
+}
+
+/// Refuses a mechanism: supports on one line, about which a structure without weight turns freely.
+fn check_supports(structure: &Structure, errors: &mut Vec<InputError>) {
+    let held = held(structure);
+    let mut supports: Vec<DVec3> = Vec::new();
+    for (points, held) in structure.boundaries.iter().zip(&held) {
+        supports.extend(points.iter().zip(held).filter(|(_, held)| **held).map(|(point, _)| *point));
+    }
+    for cable in &structure.cables {
+        if let Course::Air(ends) = cable.course {
+            supports.extend(ends.into_iter().filter(|end| !structure.boundaries.iter().flatten().any(|p| p == end)));
+        }
+    }
+    let heavy = structure.film.weight > 0.0 || structure.cables.iter().any(|cable| cable.weight > 0.0);
+    let first = supports.first().copied().unwrap_or_default();
+    let farthest =
+        supports.iter().map(|p| *p - first).fold(DVec3::ZERO, |a, b| if b.length() > a.length() { b } else { a });
+    let axis = farthest.normalize_or_zero();
+    let off = |p: &DVec3| (*p - first).reject_from_normalized(axis).length();
+    let collinear = supports.iter().all(|p| off(p) <= COLLINEAR * farthest.length());
+    if !collinear || (heavy && farthest != DVec3::ZERO) {
+        return;
+    }
+    let detail = if farthest == DVec3::ZERO {
+        "moves freely: fewer than two points are supports"
+    } else {
+        "moves freely: all supports lie on one line, about which the structure turns"
+    };
+    for (boundary, held) in held.iter().enumerate() {
+        for point in (0..held.len()).filter(|&point| !held[point]) {
+            errors.push(InputError::new(Place::field("boundaries").at(boundary).at(point), detail));
+        }
+    }
+}
+
+/// The largest pressure that a film of constant tension can hold: the pressure on the opening's vector area is borne by
+/// the tension along its perimeter, |p A| <= σ P. Infinite for several boundaries, whose openings may balance each
+/// other.
+pub(super) fn pressure_limit(structure: &Structure) -> f64 {
+    let [points] = &structure.boundaries[..] else { return f64::INFINITY };
+    let mean = polyline::mean(points);
+    let next = |k: usize| points[(k + 1) % points.len()] - mean;
+    let area: DVec3 = (0..points.len()).map(|k| 0.5 * (points[k] - mean).cross(next(k))).sum();
+    structure.film.tension * polyline::length(points, true) / area.length()
+}

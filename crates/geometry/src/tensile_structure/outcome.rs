@@ -1,0 +1,477 @@
+//! A shape that was found: mesh, forces, figures and warnings, at the position of the caller's boundaries.
+
+use super::form_finding::{Balance, Found, StopReason};
+use super::model::{Model, forces};
+use super::options::{BoundaryPoint, CableMode, Course, Structure, chord};
+use crate::equilibrium::{Freedom, Support};
+use crate::error::{InputError, Warning};
+use crate::mesh::measure::{self, Spread, double_area_vector};
+use crate::{DVec3, Error, Mesh, Place};
+
+/// A support at one vertex: the end of a cable, or an anchor in the air.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reaction {
+    /// The vertex.
+    pub vertex: u32,
+    /// The point of the boundary, if it is one.
+    pub point: Option<BoundaryPoint>,
+    /// The force of the support on the structure.
+    pub force: DVec3,
+}
+
+/// The supports along the fixed parts of a boundary together, without those of [`Reaction`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EdgeReaction {
+    /// The boundary.
+    pub boundary: usize,
+    /// The sum of the forces of the supports on the structure.
+    pub force: DVec3,
+}
+
+/// A cable of the shape.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CableResult {
+    /// Its vertices from the first end to the last.
+    pub vertices: Vec<u32>,
+    /// The force in each segment.
+    pub segment_forces: Vec<f64>,
+    /// The mean force, weighted by length.
+    pub force: f64,
+    /// Length.
+    pub length: f64,
+    /// L0 = L / (1 + F / EA), if the axial stiffness is known.
+    pub unstressed_length: Option<f64>,
+    /// The largest distance from the chord between the ends.
+    pub sag: f64,
+    /// Whether it carries no force.
+    pub slack: bool,
+}
+
+/// Principal stresses of the film over all triangles.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Stress {
+    /// The least principal stress, a force per length.
+    pub min: f64,
+    /// The largest principal stress.
+    pub max: f64,
+    /// The largest deviation of a principal stress from the required one, as a fraction of it.
+    pub deviation: f64,
+}
+
+/// The sums of the forces.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ForceBalance {
+    /// The sum of all loads: weights and pressure.
+    pub loads: DVec3,
+    /// The sum of all reactions.
+    pub reactions: DVec3,
+    /// The sum of the reactions' magnitudes, support by support.
+    pub magnitudes: f64,
+    /// |loads + reactions| over the sum of the magnitudes.
+    pub imbalance: f64,
+    /// The largest force on a vertex that is not balanced.
+    pub residual_force: f64,
+}
+
+/// The stability of the shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stability {
+    /// Whether the Morse index is 0: a true local minimum of the energy.
+    pub stable: bool,
+    /// Number of negative eigenvalues of the second variation.
+    pub morse_index: usize,
+    /// Lowest eigenvalue against the lumped mass, in 1/unit².
+    pub lowest_eigenvalue: f64,
+}
+
+/// Figures of the shape and of the run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Statistics {
+    /// σ A + Σ T L + …, a force times a length.
+    pub energy: f64,
+    /// Number of vertices, those of cables in the air included.
+    pub vertices: usize,
+    /// Number of triangles.
+    pub triangles: usize,
+    /// Area of the film.
+    pub area: f64,
+    /// The volume between the film and fans from each boundary to its mean, if there is a pressure.
+    pub volume: Option<f64>,
+    /// The pressure, given or found; zero for none.
+    pub pressure: f64,
+    /// How far the shape is from equilibrium, dimensionless.
+    pub residual: f64,
+    /// Whether the residual is at most the tolerance and no triangle is flipped or degenerate.
+    pub converged: bool,
+    /// Why form finding ended.
+    pub stop_reason: StopReason,
+    /// Number of linear solves.
+    pub iterations: u32,
+    /// Principal stresses; `None` if the forces could not be balanced.
+    pub stress: Option<Stress>,
+    /// Sums of the forces; `None` if the forces could not be balanced.
+    pub balance: Option<ForceBalance>,
+    /// The least and the largest angle between the film's pull on an edge that slides on a surface and that surface, in
+    /// radians; a right angle in equilibrium. `None` without such an edge.
+    pub contact_angle: Option<(f64, f64)>,
+    /// Stability, if it was found.
+    pub stability: Option<Stability>,
+    /// The least slope of a triangle against the horizontal, in radians.
+    pub minimum_slope: f64,
+    /// Lengths of the film's edges.
+    pub edge_lengths: Spread,
+    /// Smallest and largest inner angle, in radians.
+    pub angles: (f64, f64),
+    /// Number of flipped triangles.
+    pub flipped_triangles: usize,
+    /// Number of degenerate triangles.
+    pub degenerate_triangles: usize,
+}
+
+/// A tensile structure in equilibrium.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TensileStructure {
+    /// Vertices: the input's points in input order, equal neighbours once, fixed ones at exactly the given coordinates;
+    /// then the film's others; then those of cables in the air, which belong to no triangle.
+    pub mesh: Mesh,
+    /// Each boundary as a loop of vertices, in the input's direction, added points included.
+    pub boundaries: Vec<Vec<u32>>,
+    /// For each input point its vertex.
+    pub input_vertices: Vec<Vec<u32>>,
+    /// The cables in the order of the input.
+    pub cables: Vec<CableResult>,
+    /// Supports at single vertices.
+    pub reactions: Vec<Reaction>,
+    /// Supports along edges.
+    pub edge_reactions: Vec<EdgeReaction>,
+    /// Figures.
+    pub statistics: Statistics,
+    /// Facts that the caller should know although the solve went through.
+    pub warnings: Vec<Warning>,
+}
+
+/// A cable counts as slack below this fraction of the film's tension times the cable's length. Rounding errors are far
+/// below, and every force that holds an edge of the film is above 1/2.
+const SLACK: f64 = 1e-9;
+/// A structure counts as a mechanism if its lowest eigenvalue is below this, in units of 1/R². That of a plane film
+/// between cables is about 1 to 10.
+const MECHANISM: f64 = 1e-6;
+/// Vertices that move by more than this fraction of the largest displacement of the lowest mode are named.
+const MOVES: f64 = 0.5;
+/// Number of points that a message lists.
+const LISTED: usize = 12;
+
+/// The largest and the least principal stress of a triangle over its tension in the reference shape.
+fn stretch_ratio(reference: [DVec3; 3], now: [DVec3; 3]) -> f64 {
+    let (a, b) = (reference[1] - reference[0], reference[2] - reference[0]);
+    let x = a.normalize_or_zero();
+    let (along, across) = (b.dot(x), b.reject_from_normalized(x).length());
+    let (p, q) = (now[1] - now[0], now[2] - now[0]);
+    // The columns of the deformation gradient in the orthonormal basis of the reference triangle.
+    let first = p / a.length();
+    let second = (q - first * along) / across;
+    let (trace, product) = (first.length_squared() + second.length_squared(), first.cross(second).length());
+    let root = (0.25 * trace * trace - product * product).max(0.0).sqrt();
+    (0.5 * trace + root) / product
+}
+
+fn stress(balance: &Balance, tension: f64, triangles: &[[u32; 3]], at: &[DVec3]) -> Stress {
+    let mut stress = Stress { min: f64::INFINITY, max: 0.0, deviation: 0.0 };
+    for (triangle, own) in triangles.iter().zip(&balance.tensions) {
+        let ratio = stretch_ratio(triangle.map(|v| balance.reference[v as usize]), triangle.map(|v| at[v as usize]));
+        stress.min = stress.min.min(own / ratio);
+        stress.max = stress.max.max(own * ratio);
+    }
+    stress.deviation = (stress.max / tension - 1.0).abs().max((1.0 - stress.min / tension).abs());
+    stress
+}
+
+/// The names of cables whose force cannot hold a plane edge: an arc of radius F / σ does not reach across the chord.
+fn weak_cables(structure: &Structure) -> Vec<InputError> {
+    let weak = |(k, cable): (usize, &super::options::Cable)| {
+        let CableMode::Force(force) = cable.mode else { return None };
+        if !matches!(cable.course, Course::Boundary { .. }) {
+            return None;
+        }
+        let least = 0.5 * structure.film.tension * chord(structure, cable)?;
+        (force < least).then(|| {
+            let detail = format!("holds no plane edge of this film: half the tension times the chord is {least:.6}");
+            InputError::new(Place::field("cables").at(k).then("value"), detail)
+        })
+    };
+    structure.cables.iter().enumerate().filter_map(weak).collect()
+}
+
+fn no_equilibrium(structure: &Structure) -> Error {
+    let places = weak_cables(structure);
+    let detail = if places.is_empty() {
+        "no shape in equilibrium was reached: the film collapses or bulges without end; try larger cable forces, a \
+         smaller pressure, or supports nearer to each other"
+    } else {
+        "no shape in equilibrium was reached: the film pulls the edge cables in without end; give them larger forces"
+    };
+    Error::NoResult { reason: "no_equilibrium", detail: detail.into(), places }
+}
+
+/// A cable of given length that would have to push.
+fn pushing_cable(structure: &Structure, found: &Found) -> Option<Error> {
+    let k = found.length_forces.iter().position(|&force| force < 0.0)?;
+    let place = InputError::new(
+        Place::field("cables").at(k).then("value"),
+        "is longer than the film pulls it: the cable would be slack",
+    );
+    let detail = format!("cable {} would be slack at this length", structure.cables[k].name);
+    Some(Error::NoResult { reason: "slack_cable", detail, places: vec![place] })
+}
+
+/// Measures the shape and moves it back to the position of the input.
+pub(super) fn finish(model: Model, found: Found, structure: &Structure) -> Result<TensileStructure, Error> {
+    let gave_up = matches!(found.stop_reason, StopReason::Stalled | StopReason::Collapsed);
+    if !found.residual.is_finite() || (gave_up && !(found.is_shape() && model.flipped() == 0)) {
+        return Err(no_equilibrium(structure));
+    }
+    if let Some(error) = pushing_cable(structure, &found) {
+        return Err(error);
+    }
+    let at = model.vertices();
+    let film = model.film.mesh();
+    let topology = film.check().map_err(|defect| Error::no_result("invalid_mesh", defect.to_string()))?;
+    let triangles = film.triangles.clone();
+    let cables = cables(&model, &found, structure, &at);
+    let (flipped, degenerate) = (model.flipped(), measure::degenerate_triangles(&film));
+    let slope = |triangle: &[u32; 3]| {
+        let normal = double_area_vector(triangle.map(|v| at[v as usize])).normalize_or_zero();
+        normal.cross(structure.up).length().atan2(normal.dot(structure.up).abs())
+    };
+    let has_pressure = structure.pressure != super::options::Pressure::None;
+    let holds = holds(&model);
+    let balance = found.balance.as_ref().map(|balance| sums(balance, &holds, &at));
+    let (reactions, edge_reactions) = reactions(&model, &found, &holds);
+    let statistics = Statistics {
+        energy: found.energy,
+        vertices: at.len(),
+        triangles: triangles.len(),
+        area: measure::area(&film),
+        volume: has_pressure.then(|| model.volume(&at)),
+        pressure: found.pressure,
+        residual: found.residual,
+        converged: found.stop_reason == StopReason::Residual && flipped == 0 && degenerate == 0,
+        stop_reason: found.stop_reason,
+        iterations: found.iterations,
+        stress: found.balance.as_ref().map(|balance| stress(balance, structure.film.tension, &triangles, &at)),
+        balance,
+        contact_angle: found.balance.as_ref().and_then(|balance| contact_angles(balance, &holds, &at)),
+        stability: found.stability.map(|stability| Stability {
+            stable: stability.morse_index == 0,
+            morse_index: stability.morse_index,
+            lowest_eigenvalue: stability.lowest_eigenvalue,
+        }),
+        minimum_slope: triangles.iter().map(slope).fold(f64::INFINITY, f64::min),
+        edge_lengths: Spread::of(measure::edge_lengths(&film, &topology).into_iter()),
+        angles: measure::angle_range(&film),
+        flipped_triangles: flipped,
+        degenerate_triangles: degenerate,
+    };
+    let mut warnings = model.warnings.clone();
+    warnings.extend(warn(&model, &found, structure, &statistics, &cables));
+    let mut vertices: Vec<DVec3> = at.iter().map(|p| *p + model.centre).collect();
+    for (points, numbers) in structure.boundaries.iter().zip(&model.input_vertices) {
+        // Backwards, so that of merged points the first gives the place.
+        for (&point, &v) in points.iter().zip(numbers).rev() {
+            if holds[v as usize] == Hold::Fixed {
+                vertices[v as usize] = point;
+            }
+        }
+    }
+    Ok(TensileStructure {
+        mesh: Mesh::new(vertices, triangles),
+        boundaries: model.film.boundaries.clone(),
+        input_vertices: model.input_vertices,
+        cables,
+        reactions,
+        edge_reactions,
+        statistics,
+        warnings,
+    })
+}
+
+/// What holds a vertex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Hold {
+    Nothing,
+    Fixed,
+    Slides(Support),
+}
+
+fn holds(model: &Model) -> Vec<Hold> {
+    let fixed = model.film.fixed.iter().chain(&model.air_fixed);
+    let mut holds: Vec<Hold> = fixed.map(|fixed| if *fixed { Hold::Fixed } else { Hold::Nothing }).collect();
+    for chain in &model.chains {
+        for &v in chain.get(1..chain.len() - 1).unwrap_or_default() {
+            holds[v as usize] = Hold::Nothing;
+        }
+    }
+    model.free.iter().for_each(|&v| holds[v as usize] = Hold::Nothing);
+    for &(v, freedom) in &model.sliding {
+        if let Some(support) = freedom.support() {
+            holds[v as usize] = Hold::Slides(model.supports[support as usize]);
+        }
+    }
+    holds
+}
+
+/// The part of a force along a line or surface.
+fn along(support: Support, at: DVec3, force: DVec3) -> DVec3 {
+    let tangents = support.tangents(at);
+    tangents[..usize::from(support.dimension())].iter().map(|t| *t * t.dot(force)).sum()
+}
+
+fn sums(balance: &Balance, holds: &[Hold], at: &[DVec3]) -> ForceBalance {
+    let loads: DVec3 = balance.loads.iter().sum();
+    let (mut reactions, mut magnitudes, mut residual_force) = (DVec3::ZERO, 0.0, 0.0f64);
+    for ((&force, hold), &place) in balance.forces.iter().zip(holds).zip(at) {
+        let unbalanced = match *hold {
+            Hold::Nothing => force,
+            Hold::Fixed => DVec3::ZERO,
+            Hold::Slides(support) => along(support, place, force),
+        };
+        let reaction = force - unbalanced;
+        reactions += reaction;
+        magnitudes += reaction.length();
+        residual_force = residual_force.max(unbalanced.length());
+    }
+    ForceBalance {
+        loads,
+        reactions,
+        magnitudes,
+        imbalance: (loads + reactions).length() / magnitudes.max(f64::MIN_POSITIVE),
+        residual_force,
+    }
+}
+
+/// The angles between the film's pull on a sliding edge and the surface on which it slides, least and largest.
+fn contact_angles(balance: &Balance, holds: &[Hold], at: &[DVec3]) -> Option<(f64, f64)> {
+    let mut range = None;
+    for ((&force, hold), &place) in balance.forces.iter().zip(holds).zip(at) {
+        let Hold::Slides(support) = *hold else { continue };
+        if support.dimension() != 2 || force == DVec3::ZERO {
+            continue;
+        }
+        let tangential = along(support, place, force);
+        let angle = (force - tangential).length().atan2(tangential.length());
+        let (least, most) = range.unwrap_or((angle, angle));
+        range = Some((angle.min(least), angle.max(most)));
+    }
+    range
+}
+
+fn reactions(model: &Model, found: &Found, holds: &[Hold]) -> (Vec<Reaction>, Vec<EdgeReaction>) {
+    let Some(balance) = &found.balance else { return (Vec::new(), Vec::new()) };
+    let held = |v: u32| holds[v as usize] != Hold::Nothing;
+    let mut single = vec![false; holds.len()];
+    let ends = model.chains.iter().flat_map(|chain| [chain[0], chain[chain.len() - 1]]);
+    let points = model.sliding.iter().filter(|(_, freedom)| matches!(freedom, Freedom::On(_))).map(|(v, _)| *v);
+    for v in ends.chain(points) {
+        single[v as usize] = held(v);
+    }
+    let point_of = |vertex: u32| {
+        let of = |(boundary, numbers): (usize, &Vec<u32>)| {
+            let point = numbers.iter().position(|&v| v == vertex)?;
+            Some(BoundaryPoint { boundary, point })
+        };
+        model.input_vertices.iter().enumerate().find_map(of)
+    };
+    let reactions = (0..holds.len() as u32)
+        .filter(|&v| single[v as usize])
+        .map(|vertex| Reaction { vertex, point: point_of(vertex), force: balance.forces[vertex as usize] })
+        .collect();
+    let edges = model.film.boundaries.iter().enumerate().filter_map(|(boundary, rim)| {
+        let borne = || rim.iter().filter(|&&v| held(v) && !single[v as usize]);
+        let force = borne().map(|&v| balance.forces[v as usize]).sum();
+        borne().next().map(|_| EdgeReaction { boundary, force })
+    });
+    (reactions, edges.collect())
+}
+
+fn cables(model: &Model, found: &Found, structure: &Structure, at: &[DVec3]) -> Vec<CableResult> {
+    let one = |(k, cable): (usize, &super::options::Cable)| {
+        let term = &model.cables[k];
+        let segment_forces = match &found.balance {
+            Some(balance) => balance.cable_forces[k].clone(),
+            None => (0..term.segments.len()).map(|s| term.force(s, at) + found.length_forces[k]).collect(),
+        };
+        let length = term.length(at);
+        let (force, ..) = forces(term, found.length_forces[k], at);
+        let largest = segment_forces.iter().copied().fold(0.0, f64::max);
+        CableResult {
+            vertices: model.chains[k].clone(),
+            force,
+            length,
+            unstressed_length: cable.axial_stiffness.map(|stiffness| length / (1.0 + force / stiffness)),
+            sag: term.sag(at),
+            slack: largest <= SLACK * structure.film.tension * length,
+            segment_forces,
+        }
+    };
+    structure.cables.iter().enumerate().map(one).collect()
+}
+
+fn warn(
+    model: &Model,
+    found: &Found,
+    structure: &Structure,
+    statistics: &Statistics,
+    cables: &[CableResult],
+) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    for (cable, result) in structure.cables.iter().zip(cables) {
+        if result.slack {
+            let detail = format!("cable {} carries no force: it is longer than the shape needs", cable.name);
+            warnings.push(Warning::new("slack_cable", detail));
+        }
+    }
+    if !statistics.converged {
+        let detail = format!(
+            "the residual is {:.1e} ({}): forces and lengths are not those of an equilibrium",
+            statistics.residual,
+            statistics.stop_reason.name()
+        );
+        warnings.push(Warning::new("not_converged", detail));
+    } else if statistics.balance.is_none() {
+        let detail =
+            "the forces within the film could not be balanced, so there are no reactions; try another resolution";
+        warnings.push(Warning::new("not_balanced", detail));
+    }
+    if let Some(stability) = statistics.stability {
+        let radius = crate::polyline::radius(&model.film.vertices);
+        if (stability.lowest_eigenvalue * radius * radius).abs() < MECHANISM {
+            warnings.push(Warning::new("mechanism", mechanism(model, found)));
+        } else if !stability.stable {
+            let detail = format!(
+                "the shape is in equilibrium but no minimum of the energy (Morse index {}): it would leave it",
+                stability.morse_index
+            );
+            warnings.push(Warning::new("unstable", detail));
+        }
+    }
+    warnings
+}
+
+/// Which points move freely.
+fn mechanism(model: &Model, found: &Found) -> String {
+    let mode = found.lowest_mode.as_deref().unwrap_or_default();
+    let moves = |v: u32| mode.get(v as usize).is_some_and(|d| d.length() > MOVES);
+    let mut points = Vec::new();
+    for (boundary, numbers) in model.input_vertices.iter().enumerate() {
+        points.extend(
+            numbers.iter().enumerate().filter(|(_, v)| moves(**v)).map(|(k, _)| format!("/boundaries/{boundary}/{k}")),
+        );
+    }
+    let count = (0..mode.len() as u32).filter(|&v| moves(v)).count();
+    let named = if points.is_empty() {
+        "none of them a point of the boundaries".to_owned()
+    } else {
+        format!("among them {}", points.iter().take(LISTED).cloned().collect::<Vec<_>>().join(", "))
+    };
+    format!("the structure moves freely: nothing resists a motion of {count} vertices, {named}; add supports or cables")
+}

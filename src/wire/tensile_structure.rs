@@ -1,0 +1,666 @@
+//! `POST /v1/tensile-structures`: the request, its statistics, and their conversion to and from the geometry's types.
+
+use super::body::PointList;
+use super::common::{self, Cache, Point};
+use super::minimal_surface::{AngleRange, Resolution, Spread};
+use super::objectives::Objective as ObjectiveDoc;
+use super::{Checked, FieldError, Kind, Problem, Rejection};
+use crate::config::LimitsConfig;
+use crate::units::{ForceUnit, Unit, UpAxis};
+use plateau_geometry::DVec3;
+use plateau_geometry::equilibrium::Support;
+use plateau_geometry::minimal_surface as surface;
+use plateau_geometry::tensile_structure as geometry;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Largest number of cables, and of free points, of a request.
+const MAX_CABLES: u32 = 1000;
+
+/// A film with cables, pressure and weight, whose shape in equilibrium is found.
+///
+/// Every point of the boundaries is a support, unless it lies strictly inside the stretch of a cable or is listed in
+/// `free_points`.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TensileStructureRequest {
+    /// Optional here, because the path names the kind. `plateau solve` needs it.
+    #[serde(default)]
+    pub kind: Option<TensileStructureKind>,
+    /// Whether the stored result of an equal earlier request may be returned.
+    #[serde(default)]
+    pub cache: Cache,
+    /// URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+    /// `webhooks` of `GET /v1/limits`.
+    #[serde(default)]
+    #[schemars(length(max = 2000))]
+    pub callback_url: Option<String>,
+    #[serde(default)]
+    pub units: LengthAndForce,
+    /// Axis that points up. Weights pull against it.
+    #[serde(default)]
+    pub up: UpAxis,
+    /// Closed polygons that do not repeat their first point: the edges of the film before form finding.
+    #[schemars(length(min = 1), inner(length(min = 3)))]
+    pub boundaries: Vec<Vec<Point>>,
+    pub film: Film,
+    /// Cables along the boundaries and in the air.
+    #[serde(default)]
+    #[schemars(length(max = MAX_CABLES))]
+    pub cables: Vec<Cable>,
+    /// Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
+    /// on both sides; cables in the air can tie it back.
+    #[serde(default)]
+    #[schemars(length(max = MAX_CABLES))]
+    pub free_points: Vec<BoundaryPoint>,
+    /// Supports on which points or edges of the film slide without friction.
+    #[serde(default)]
+    #[schemars(length(max = MAX_CABLES))]
+    pub supports: Vec<SlidingSupport>,
+    /// Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
+    /// with `volume`, and not with cables along a boundary or with `supports`.
+    #[serde(default)]
+    #[schemars(range(min = -1e50, max = 1e50))]
+    pub pressure: Option<f64>,
+    /// Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
+    /// pressure is found. Not with cables along a boundary or with `supports`.
+    #[serde(default)]
+    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
+    pub volume: Option<f64>,
+    #[serde(default)]
+    pub resolution: Resolution,
+    /// Residual (largest unbalanced force over twice the vertex's share of tension times area, times the radius of the
+    /// supports) at which the shape counts as found.
+    #[serde(default = "default_tolerance")]
+    #[schemars(range(min = 0, max = 1))]
+    pub tolerance: f64,
+    /// Maximum number of linear solves. Null means 400.
+    #[serde(default)]
+    #[schemars(range(min = 1, max = 1_000_000_000))]
+    pub max_iterations: Option<u32>,
+}
+
+fn default_tolerance() -> f64 {
+    1e-8
+}
+
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum TensileStructureKind {
+    TensileStructure,
+}
+
+/// Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
+/// weight of a cable a force per length, and an axial stiffness a force.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LengthAndForce {
+    #[serde(default)]
+    pub length: Unit,
+    #[serde(default)]
+    pub force: ForceUnit,
+}
+
+impl From<LengthAndForce> for Unit {
+    fn from(units: LengthAndForce) -> Self {
+        units.length
+    }
+}
+
+/// The film's stress and weight.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "TensileFilm")]
+pub struct Film {
+    /// Isotropic tension, a force per length.
+    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
+    pub tension: f64,
+    /// Weight per area of the found shape. The tension is `tension` at the film's mean height and grows with the height
+    /// by the weight.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1e50))]
+    pub weight: f64,
+}
+
+/// A cable. Its course is exactly one of `along`, `across` and `points`.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Cable {
+    /// Name in statistics and warnings. Null means its number, as in `cable 0`.
+    #[serde(default)]
+    #[schemars(length(min = 1, max = 100))]
+    pub name: Option<String>,
+    /// Part of a boundary along which the cable runs. The film's edge hangs on the cable.
+    #[serde(default)]
+    #[schemars(with = "Along")]
+    pub along: Option<Along>,
+    /// Points through which the cable runs across the film before form finding, as a ridge or a valley. The first and
+    /// the last are points of the boundaries. Cables across the film may share points but must not cross.
+    #[serde(default)]
+    #[schemars(with = "Vec<Point>", length(min = 2))]
+    pub across: Option<Vec<Point>>,
+    /// Two points between which the cable runs in the air. A point that equals a boundary's point is joined to it; any
+    /// other point is a support.
+    #[serde(default)]
+    #[schemars(with = "[Point; 2]")]
+    pub points: Option<[Point; 2]>,
+    #[serde(default)]
+    pub mode: Mode,
+    /// Value that the mode holds constant: a force, a force per length (`force_density`) or a length.
+    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
+    pub value: f64,
+    /// EA, a force. `unstressed_length` needs it; with other modes it gives the unstressed length.
+    #[serde(default)]
+    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
+    pub axial_stiffness: Option<f64>,
+    /// Weight per length of the found shape.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1e50))]
+    pub weight: f64,
+}
+
+/// A part of a boundary, in the boundary's direction. Points are counted from 0.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Along {
+    #[serde(default)]
+    #[schemars(range(max = 4_294_967_295u32))]
+    pub boundary: u32,
+    /// Number of the point at which the cable begins.
+    #[schemars(range(max = 4_294_967_295u32))]
+    pub from: u32,
+    /// Number of the point at which it ends.
+    #[schemars(range(max = 4_294_967_295u32))]
+    pub to: u32,
+}
+
+/// A point of a boundary, counted from 0.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BoundaryPoint {
+    #[serde(default)]
+    #[schemars(range(max = 4_294_967_295u32))]
+    pub boundary: u32,
+    #[schemars(range(max = 4_294_967_295u32))]
+    pub point: u32,
+}
+
+/// A support without friction. What slides is exactly one of `along`, `boundary` and `point`.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SlidingSupport {
+    /// Part of a boundary, without its two ends.
+    #[serde(default)]
+    #[schemars(with = "Along")]
+    pub along: Option<Along>,
+    /// Number of a boundary that slides as a whole.
+    #[serde(default)]
+    #[schemars(with = "u32", range(max = 4_294_967_295u32))]
+    pub boundary: Option<u32>,
+    #[serde(default)]
+    #[schemars(with = "BoundaryPoint")]
+    pub point: Option<BoundaryPoint>,
+    pub on: Guide,
+}
+
+/// A line or surface to slide on, given by exactly one of its fields. Edges slide on surfaces only. Directions need no
+/// unit length.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("minProperties" = 1, "maxProperties" = 1))]
+pub struct Guide {
+    #[serde(default)]
+    #[schemars(with = "LineGuide")]
+    pub line: Option<LineGuide>,
+    #[serde(default)]
+    #[schemars(with = "CircleGuide")]
+    pub circle: Option<CircleGuide>,
+    #[serde(default)]
+    #[schemars(with = "PlaneGuide")]
+    pub plane: Option<PlaneGuide>,
+    #[serde(default)]
+    #[schemars(with = "SphereGuide")]
+    pub sphere: Option<SphereGuide>,
+    #[serde(default)]
+    #[schemars(with = "CylinderGuide")]
+    pub cylinder: Option<CylinderGuide>,
+}
+
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LineGuide {
+    pub point: Point,
+    pub direction: Point,
+}
+
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CircleGuide {
+    pub centre: Point,
+    /// Normal of the circle's plane.
+    pub axis: Point,
+    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+}
+
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlaneGuide {
+    pub point: Point,
+    pub normal: Point,
+}
+
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SphereGuide {
+    pub centre: Point,
+    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+}
+
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CylinderGuide {
+    /// A point of the axis.
+    pub point: Point,
+    pub axis: Point,
+    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+}
+
+impl Guide {
+    /// Converts the guide, or returns the field of a direction without length. The schema demands exactly one field.
+    fn to_geometry(self) -> Result<Support, &'static str> {
+        let unit = |vector: Point, field: &'static str| DVec3::from_array(vector).try_normalize().ok_or(field);
+        let place = DVec3::from_array;
+        if let Some(LineGuide { point, direction }) = self.line {
+            let direction = unit(direction, "line/direction")?;
+            return Ok(Support::Line { point: place(point), direction });
+        }
+        if let Some(CircleGuide { centre, axis, radius }) = self.circle {
+            return Ok(Support::Circle { centre: place(centre), axis: unit(axis, "circle/axis")?, radius });
+        }
+        if let Some(SphereGuide { centre, radius }) = self.sphere {
+            return Ok(Support::Sphere { centre: place(centre), radius });
+        }
+        if let Some(CylinderGuide { point, axis, radius }) = self.cylinder {
+            return Ok(Support::Cylinder { point: place(point), axis: unit(axis, "cylinder/axis")?, radius });
+        }
+        let PlaneGuide { point, normal } = self.plane.ok_or("plane")?;
+        Ok(Support::Plane { point: place(point), normal: unit(normal, "plane/normal")? })
+    }
+}
+
+impl BoundaryPoint {
+    fn to_geometry(self) -> geometry::BoundaryPoint {
+        geometry::BoundaryPoint { boundary: self.boundary as usize, point: self.point as usize }
+    }
+}
+
+/// Quantity of a cable that is held constant.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+#[schemars(rename = "CableMode")]
+pub enum Mode {
+    /// The force. With a weight, the mean force.
+    #[default]
+    Force,
+    /// The force at the first end.
+    EndTension,
+    /// The part of the force at the first end that is across the up axis.
+    HorizontalComponent,
+    /// The force divided by the length of the whole cable.
+    ForceDensity,
+    /// The length in the found shape.
+    Length,
+    /// The length without force. The force is EA (length / unstressed length - 1), and 0 if that is negative.
+    UnstressedLength,
+    /// The largest distance from the chord between the ends.
+    Sag,
+}
+
+impl Cable {
+    fn to_geometry(&self, number: usize) -> geometry::Cable {
+        let name = self.name.clone().unwrap_or_else(|| format!("{number}"));
+        let course = match (&self.along, &self.across, &self.points) {
+            (_, Some(points), _) => geometry::Course::Across(common::points(points)),
+            (Some(Along { boundary, from, to }), ..) => {
+                geometry::Course::Boundary { boundary: *boundary as usize, from: *from as usize, to: *to as usize }
+            }
+            (None, None, points) => geometry::Course::Air(points.unwrap_or_default().map(DVec3::from_array)),
+        };
+        let mode = match self.mode {
+            Mode::Force => geometry::CableMode::Force,
+            Mode::EndTension => geometry::CableMode::EndTension,
+            Mode::HorizontalComponent => geometry::CableMode::HorizontalComponent,
+            Mode::ForceDensity => geometry::CableMode::ForceDensity,
+            Mode::Length => geometry::CableMode::Length,
+            Mode::UnstressedLength => geometry::CableMode::UnstressedLength,
+            Mode::Sag => geometry::CableMode::Sag,
+        };
+        let (axial_stiffness, weight) = (self.axial_stiffness, self.weight);
+        geometry::Cable { name, course, mode: mode(self.value), axial_stiffness, weight }
+    }
+}
+
+impl TensileStructureRequest {
+    /// Takes the points of a field that was read separately.
+    pub(super) fn take(&mut self, list: &PointList) {
+        if list.field == "boundaries" {
+            self.boundaries.clone_from(&list.polylines);
+        }
+    }
+
+    /// Makes the checks that the schema cannot express, and converts the request to the geometry's types.
+    ///
+    /// # Errors
+    /// Returns every offending value.
+    pub(super) fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
+        common::check_point_count("/boundaries", &self.boundaries, limits.points)?;
+        let too_many = |pointer: &str, detail: String| Err(Rejection::TooLarge(vec![FieldError::new(pointer, detail)]));
+        let (triangles, interior) = (self.resolution.triangles, self.resolution.interior_vertices);
+        for (pointer, count, most) in [
+            ("/resolution/triangles", triangles, limits.triangles),
+            ("/resolution/interior_vertices", interior, limits.triangles / 2),
+        ] {
+            if count.is_some_and(|count| count as usize > most) {
+                return too_many(pointer, format!("is more than this server allows ({most}); see GET /v1/limits"));
+            }
+        }
+        if self.max_iterations.is_some_and(|count| count > limits.iterations) {
+            let detail = format!("is more than this server allows ({}); see GET /v1/limits", limits.iterations);
+            return too_many("/max_iterations", detail);
+        }
+        let across: usize = self.cables.iter().filter_map(|cable| cable.across.as_ref()).map(Vec::len).sum();
+        if across > limits.points {
+            let detail = format!("has more points than this server accepts ({}); see GET /v1/limits", limits.points);
+            return too_many("/cables", detail);
+        }
+        let mut errors = Vec::new();
+        if self.pressure.is_some() && self.volume.is_some() {
+            errors.push(FieldError::new(
+                "/volume",
+                "is not allowed with a pressure: one of the two follows from the other",
+            ));
+        }
+        for (k, cable) in self.cables.iter().enumerate() {
+            let courses = [cable.along.is_some(), cable.across.is_some(), cable.points.is_some()];
+            if courses.into_iter().filter(|given| *given).count() != 1 {
+                errors.push(FieldError::new(format!("/cables/{k}"), "needs exactly one of: along, across, points"));
+            }
+        }
+        let mut sliding = Vec::with_capacity(self.supports.len());
+        for (k, support) in self.supports.iter().enumerate() {
+            let part = match (support.along, support.boundary, support.point) {
+                (Some(Along { boundary, from, to }), None, None) => {
+                    let [boundary, from, to] = [boundary, from, to].map(|number| number as usize);
+                    geometry::SlidingPart::Edge { boundary, from, to }
+                }
+                (None, Some(boundary), None) => geometry::SlidingPart::Boundary(boundary as usize),
+                (None, None, Some(point)) => geometry::SlidingPart::Point(point.to_geometry()),
+                _ => {
+                    let detail = "needs exactly one of: along, boundary, point";
+                    errors.push(FieldError::new(format!("/supports/{k}"), detail));
+                    continue;
+                }
+            };
+            match support.on.to_geometry() {
+                Ok(on) => sliding.push(geometry::Sliding { part, on }),
+                Err(field) => {
+                    let detail = "must be a vector with a length";
+                    errors.push(FieldError::new(format!("/supports/{k}/on/{field}"), detail));
+                }
+            }
+        }
+        if !errors.is_empty() {
+            return Err(Rejection::Invalid(errors));
+        }
+        let (structure, options) = self.to_geometry(sliding);
+        geometry::check(&structure, &options)?;
+        let estimate = geometry::estimate(&structure, &options);
+        if estimate.triangles > limits.triangles as f64 {
+            let detail = format!(
+                "asks for about {:.0} triangles, more than this server allows ({})",
+                estimate.triangles, limits.triangles
+            );
+            return too_many("/resolution", detail);
+        }
+        Ok(Checked {
+            memory_bytes: estimate.bytes,
+            quick: false,
+            problem: Problem::TensileStructure { structure, options, force: self.units.force },
+        })
+    }
+
+    /// Converts the request to the geometry's types.
+    fn to_geometry(&self, sliding: Vec<geometry::Sliding>) -> (geometry::Structure, geometry::Options) {
+        let resolution = match self.resolution {
+            Resolution { triangles: Some(count), .. } => surface::Resolution::Triangles(count as usize),
+            Resolution { edge_length: Some(length), .. } => surface::Resolution::EdgeLength(length),
+            Resolution { interior_vertices, .. } => {
+                surface::Resolution::InteriorVertices(interior_vertices.unwrap_or(1000) as usize)
+            }
+        };
+        let structure = geometry::Structure {
+            boundaries: common::polylines(&self.boundaries),
+            film: geometry::FilmStress { tension: self.film.tension, weight: self.film.weight },
+            cables: self.cables.iter().enumerate().map(|(k, cable)| cable.to_geometry(k)).collect(),
+            free_points: self.free_points.iter().map(|point| point.to_geometry()).collect(),
+            sliding,
+            pressure: match (self.pressure, self.volume) {
+                (Some(pressure), _) => geometry::Pressure::Constant(pressure),
+                (None, Some(volume)) => geometry::Pressure::Volume(volume),
+                (None, None) => geometry::Pressure::None,
+            },
+            up: match self.up {
+                UpAxis::Z => DVec3::Z,
+                UpAxis::Y => DVec3::Y,
+            },
+        };
+        (structure, geometry::Options { resolution, tolerance: self.tolerance, max_iterations: self.max_iterations })
+    }
+}
+
+/// Returns the objectives of this kind.
+#[must_use]
+pub fn objectives() -> Vec<ObjectiveDoc> {
+    vec![ObjectiveDoc {
+        name: "equilibrium",
+        kind: Kind::TensileStructure,
+        minimises: "σ A + Σ T L + Σ (EA / 2 L0) (L - L0)²₊ - p V and the potential energy of the weights, with lengths \
+                    and volumes as constraints where they are given",
+        unit: "force u",
+        source: "Schek 1974; Bletzinger, Ramm 1999, section 3",
+        options: vec![
+            "film",
+            "cables",
+            "free_points",
+            "supports",
+            "pressure",
+            "volume",
+            "resolution",
+            "tolerance",
+            "max_iterations",
+        ],
+    }]
+}
+
+/// A cable of the found shape.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct CableForce {
+    pub name: String,
+    pub mode: &'static str,
+    /// Mean force, weighted by length.
+    pub force: f64,
+    pub force_min: f64,
+    pub force_max: f64,
+    pub length: f64,
+    /// Length / (1 + force / axial stiffness); null without an axial stiffness.
+    pub unstressed_length: Option<f64>,
+    /// Largest distance from the chord between the ends.
+    pub sag: f64,
+    /// Whether it carries no force.
+    pub slack: bool,
+}
+
+/// A support at the end of a cable.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct SupportReaction {
+    pub vertex: u32,
+    /// Number of the boundary, or null for a support in the air.
+    pub boundary: Option<usize>,
+    /// Number of the boundary's point.
+    pub point: Option<usize>,
+    /// Force of the support on the structure.
+    pub force: Point,
+}
+
+/// The supports along the fixed parts of a boundary together.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct EdgeReaction {
+    pub boundary: usize,
+    /// Force of the supports on the structure.
+    pub force: Point,
+}
+
+/// Sums of the forces.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct ForceBalance {
+    /// Sum of all loads: weights and pressure.
+    pub loads: Point,
+    /// Sum of all reactions.
+    pub reactions: Point,
+    /// Sum of the reactions' magnitudes, vertex by vertex.
+    pub magnitudes: f64,
+    /// |loads + reactions| / magnitudes.
+    pub imbalance: f64,
+    /// Largest force on a vertex that is not balanced.
+    pub residual_force: f64,
+}
+
+/// Principal stresses of the film.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct FilmStress {
+    pub min: f64,
+    pub max: f64,
+    /// Largest deviation of a principal stress from the required tension, as a fraction of it. It falls with the edge
+    /// length.
+    pub deviation: f64,
+}
+
+/// Second variation of the energy.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct EquilibriumStability {
+    /// Whether the Morse index is 0: a true local minimum.
+    pub stable: bool,
+    pub morse_index: usize,
+    /// Lowest eigenvalue with respect to the lumped mass, in 1/unit².
+    pub lowest_eigenvalue: f64,
+}
+
+/// Statistics of a tensile structure.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct TensileStatistics {
+    pub objective: &'static str,
+    /// Energy of the found shape.
+    pub objective_value: f64,
+    /// Unit of the forces.
+    pub force_unit: &'static str,
+    pub vertices: usize,
+    pub triangles: usize,
+    pub area: f64,
+    /// Null without a pressure.
+    pub volume: Option<f64>,
+    /// Pressure, given or found; 0 for none.
+    pub pressure: f64,
+    pub cables: Vec<CableForce>,
+    /// Supports at the ends of cables.
+    pub reactions: Vec<SupportReaction>,
+    /// Supports along the fixed parts of the boundaries.
+    pub edge_reactions: Vec<EdgeReaction>,
+    /// Null if the forces could not be balanced.
+    pub balance: Option<ForceBalance>,
+    /// Null if the forces could not be balanced.
+    pub stress: Option<FilmStress>,
+    /// Angle between the film's pull on sliding edges and their surface. Null without such an edge.
+    pub contact_angle_deg: Option<AngleRange>,
+    pub stability: Option<EquilibriumStability>,
+    /// Smallest slope of a triangle in degrees. Water stands on a film that is flatter than about 5.
+    pub minimum_slope_deg: f64,
+    pub residual: f64,
+    pub converged: bool,
+    pub stop_reason: &'static str,
+    pub iterations: u32,
+    pub edge_lengths: Spread,
+    pub angles_deg: AngleRange,
+    pub flipped_triangles: usize,
+    pub degenerate_triangles: usize,
+}
+
+impl TensileStatistics {
+    #[must_use]
+    pub fn of(result: &geometry::TensileStructure, structure: &geometry::Structure, force: ForceUnit) -> Self {
+        let statistics = &result.statistics;
+        let cable = |(cable, found): (&geometry::Cable, &geometry::CableResult)| CableForce {
+            name: cable.name.clone(),
+            mode: cable.mode.name(),
+            force: found.force,
+            force_min: found.segment_forces.iter().copied().fold(f64::INFINITY, f64::min),
+            force_max: found.segment_forces.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            length: found.length,
+            unstressed_length: found.unstressed_length,
+            sag: found.sag,
+            slack: found.slack,
+        };
+        let reaction = |reaction: &geometry::Reaction| SupportReaction {
+            vertex: reaction.vertex,
+            boundary: reaction.point.map(|point| point.boundary),
+            point: reaction.point.map(|point| point.point),
+            force: reaction.force.to_array(),
+        };
+        let edge =
+            |edge: &geometry::EdgeReaction| EdgeReaction { boundary: edge.boundary, force: edge.force.to_array() };
+        Self {
+            objective: "equilibrium",
+            objective_value: statistics.energy,
+            force_unit: force.symbol(),
+            vertices: statistics.vertices,
+            triangles: statistics.triangles,
+            area: statistics.area,
+            volume: statistics.volume,
+            pressure: statistics.pressure,
+            cables: structure.cables.iter().zip(&result.cables).map(cable).collect(),
+            reactions: result.reactions.iter().map(reaction).collect(),
+            edge_reactions: result.edge_reactions.iter().map(edge).collect(),
+            balance: statistics.balance.map(|balance| ForceBalance {
+                loads: balance.loads.to_array(),
+                reactions: balance.reactions.to_array(),
+                magnitudes: balance.magnitudes,
+                imbalance: balance.imbalance,
+                residual_force: balance.residual_force,
+            }),
+            stress: statistics.stress.map(|stress| FilmStress {
+                min: stress.min,
+                max: stress.max,
+                deviation: stress.deviation,
+            }),
+            contact_angle_deg: statistics
+                .contact_angle
+                .map(|(min, max)| AngleRange { min: min.to_degrees(), max: max.to_degrees() }),
+            stability: statistics.stability.map(|stability| EquilibriumStability {
+                stable: stability.stable,
+                morse_index: stability.morse_index,
+                lowest_eigenvalue: stability.lowest_eigenvalue,
+            }),
+            minimum_slope_deg: statistics.minimum_slope.to_degrees(),
+            residual: statistics.residual,
+            converged: statistics.converged,
+            stop_reason: statistics.stop_reason.name(),
+            iterations: statistics.iterations,
+            edge_lengths: statistics.edge_lengths.into(),
+            angles_deg: AngleRange { min: statistics.angles.0.to_degrees(), max: statistics.angles.1.to_degrees() },
+            flipped_triangles: statistics.flipped_triangles,
+            degenerate_triangles: statistics.degenerate_triangles,
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! Tensile structures over HTTP: forces in statistics and glTF, warnings, and errors.
+
+use crate::app::{TENSILE, TestApp, example, pointers, problem};
+use serde_json::{Value, json};
+
+fn square() -> Value {
+    json!([[0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0]])
+}
+
+fn edge(from: u32, extra: Value) -> Value {
+    let mut cable = json!({ "along": { "from": from, "to": (from + 1) % 4 }, "mode": "force", "value": 10 });
+    cable.as_object_mut().unwrap().extend(extra.as_object().unwrap().clone());
+    cable
+}
+
+fn sail(extra: Value) -> Value {
+    let cables: Vec<Value> = (0..4).map(|k| edge(k, json!({}))).collect();
+    let mut body = json!({
+        "boundaries": [square()], "film": { "tension": 1 }, "cables": cables, "resolution": { "triangles": 400 }
+    });
+    body.as_object_mut().unwrap().extend(extra.as_object().unwrap().clone());
+    body
+}
+
+#[tokio::test]
+async fn a_plane_sail_has_the_forces_that_were_asked_for_and_balanced_reactions() {
+    let app = TestApp::start().await;
+    let job = app.solve(TENSILE, &example("plane-sail")).await;
+    let statistics = &job["statistics"];
+    assert_eq!((&statistics["objective"], &statistics["converged"]), (&json!("equilibrium"), &json!(true)));
+    assert_eq!(statistics["force_unit"], "kN");
+    assert_eq!(statistics["cables"][0]["name"], "edge 1");
+    let number = |value: &Value| value.as_f64().unwrap();
+    // Arcs of radius 10 over chords of 10.
+    assert!((number(&statistics["area"]) - 63.765571).abs() < 0.05, "{statistics}");
+    for cable in statistics["cables"].as_array().unwrap() {
+        assert!((number(&cable["force"]) - 10.0).abs() < 1e-6);
+        assert!((number(&cable["length"]) - 10.471976).abs() < 1e-3);
+        assert!((number(&cable["sag"]) - 1.339746).abs() < 1e-2);
+    }
+    assert_eq!(statistics["reactions"].as_array().unwrap().len(), 4);
+    assert!(number(&statistics["balance"]["imbalance"]) < 1e-9);
+    assert_eq!(statistics["stability"]["stable"], true);
+    assert_eq!(job["warnings"], json!([]));
+}
+
+#[tokio::test]
+async fn cables_and_reactions_are_lines_with_their_forces() {
+    let app = TestApp::start().await;
+    let job = app.solve(TENSILE, &example("four-point-sail")).await;
+    let mesh = job["links"]["mesh"].as_str().unwrap();
+    let document = app.get_json(&format!("{mesh}?format=gltf")).await;
+    let named = |name: &str| {
+        let meshes = document["meshes"].as_array().unwrap();
+        meshes.iter().find(|mesh| mesh["name"] == name).unwrap_or_else(|| panic!("{name}"))["primitives"][0].clone()
+    };
+    for name in ["cables south", "cables east", "cables north", "cables west", "reactions"] {
+        let primitive = named(name);
+        assert_eq!(primitive["mode"], 1, "{name}");
+        let forces = &document["accessors"][primitive["attributes"]["_FORCE"].as_u64().unwrap() as usize];
+        let positions = &document["accessors"][primitive["attributes"]["POSITION"].as_u64().unwrap() as usize];
+        assert_eq!(forces["count"], positions["count"], "{name}");
+    }
+    let reactions = &document["accessors"][named("reactions")["attributes"]["_FORCE"].as_u64().unwrap() as usize];
+    assert_eq!(reactions["count"], 8);
+    let node = document["nodes"].as_array().unwrap().iter().find(|node| node["name"] == "reactions").unwrap();
+    assert_eq!(node["extras"]["_FORCE"]["unit"], "kN");
+    let obj = app.get(&format!("{mesh}?format=obj")).await.text().await.unwrap();
+    let vertices = obj.lines().filter(|line| line.starts_with("v ")).count() as u64;
+    let largest = obj.lines().filter_map(|line| line.strip_prefix("l ")).flat_map(|line| line.split(' '));
+    assert_eq!(largest.map(|index| index.parse::<u64>().unwrap()).max(), Some(vertices));
+}
+
+#[tokio::test]
+async fn each_wrong_value_gets_an_error_with_its_pointer() {
+    let app = TestApp::start().await;
+    let cable = |extra: Value| sail(json!({ "cables": [edge(0, extra)] }));
+    let circle: Vec<Value> = (0..32)
+        .map(|k| f64::from(k) * std::f64::consts::TAU / 32.0)
+        .map(|angle| json!([5.0 * angle.cos(), 5.0 * angle.sin(), 0]))
+        .collect();
+    let disc = |extra: Value| {
+        let mut body = json!({ "boundaries": [circle], "film": { "tension": 1 } });
+        body.as_object_mut().unwrap().extend(extra.as_object().unwrap().clone());
+        body
+    };
+    let air = |extra: Value| {
+        let mut cable = json!({ "points": [[0, 0, 5], [3, 0, 5]], "value": 1 });
+        cable.as_object_mut().unwrap().extend(extra.as_object().unwrap().clone());
+        sail(json!({ "cables": [cable] }))
+    };
+    let cases = [
+        (json!({}), vec!["/boundaries", "/film"]),
+        (sail(json!({ "film": {} })), vec!["/film/tension"]),
+        (sail(json!({ "film": { "tension": 0 } })), vec!["/film/tension"]),
+        (sail(json!({ "film": { "tension": 1, "weight": -1 } })), vec!["/film/weight"]),
+        (sail(json!({ "units": "m" })), vec!["/units"]),
+        (sail(json!({ "units": { "length": "kN" } })), vec!["/units/length"]),
+        (sail(json!({ "units": { "force": "m" } })), vec!["/units/force"]),
+        (cable(json!({ "mode": "tension" })), vec!["/cables/0/mode"]),
+        (cable(json!({ "value": 0 })), vec!["/cables/0/value"]),
+        (cable(json!({ "points": [[0, 0, 5], [3, 0, 5]] })), vec!["/cables/0"]),
+        (cable(json!({ "mode": "length", "value": 9.9 })), vec!["/cables/0/value"]),
+        (cable(json!({ "mode": "unstressed_length", "value": 9.9 })), vec!["/cables/0/axial_stiffness"]),
+        (cable(json!({ "along": { "boundary": 1, "from": 0, "to": 1 } })), vec!["/cables/0/along/boundary"]),
+        (cable(json!({ "along": { "from": 0, "to": 4 } })), vec!["/cables/0/along/to"]),
+        (cable(json!({ "along": { "from": 2, "to": 2 } })), vec!["/cables/0/along/to"]),
+        (sail(json!({ "cables": [edge(0, json!({})), edge(0, json!({}))] })), vec!["/cables/1/along"]),
+        (air(json!({ "mode": "sag" })), vec!["/cables/0/value"]),
+        (air(json!({ "mode": "length", "value": 4 })), vec!["/cables/0/value"]),
+        (air(json!({ "points": [[0, 0, 5], [0, 0, 5]] })), vec!["/cables/0/points"]),
+        (sail(json!({ "free_points": [{ "point": 4 }] })), vec!["/free_points/0/point"]),
+        (sail(json!({ "cables": [], "free_points": [{ "point": 1 }] })), vec!["/free_points/0"]),
+        (sail(json!({ "pressure": 0.1 })), vec!["/pressure"]),
+        (disc(json!({ "pressure": 0.1, "volume": 3 })), vec!["/volume"]),
+        (disc(json!({ "pressure": 0.5 })), vec!["/pressure"]),
+        (disc(json!({ "volume": 0 })), vec!["/volume"]),
+        (disc(json!({ "resolution": { "edge_length": 1e-9 } })), vec!["/resolution"]),
+    ];
+    for (body, expected) in cases {
+        let response = app.post(TENSILE, &body).await;
+        let status = if expected == ["/resolution"] { 413 } else { 422 };
+        assert_eq!(pointers(&problem(response, status).await), expected, "{body}");
+    }
+    // The error for a pressure above the limit says the limit, 2 σ / r for a disc.
+    let refused = problem(app.post(TENSILE, &disc(json!({ "pressure": 0.5 }))).await, 422).await;
+    assert!(refused["errors"][0]["detail"].as_str().unwrap().contains("0.40"), "{refused}");
+}
+
+#[tokio::test]
+async fn a_structure_without_an_equilibrium_fails_and_names_its_cables() {
+    let app = TestApp::start().await;
+    let cables: Vec<Value> = (0..4).map(|k| edge(k, json!({ "value": 3 }))).collect();
+    let posted = app.post(TENSILE, &sail(json!({ "cables": cables }))).await;
+    let job = app.ended(posted.json().await.unwrap()).await;
+    assert_eq!(job["status"], "failed");
+    assert_eq!(job["error"]["type"], "/problems/no-equilibrium");
+    assert_eq!(job["error"]["errors"][3]["pointer"], "/cables/3/value");
+}
