@@ -3,7 +3,7 @@
 use crate::auth::Keys;
 use crate::config::Config;
 use crate::http::state::App;
-use crate::http::{body, openapi, router, serve};
+use crate::http::{body, mcp, openapi, router, serve};
 use crate::jobs::{self, Jobs, callbacks};
 use crate::store::{Store, StoreError, StoreOptions, redacted};
 use crate::telemetry;
@@ -20,6 +20,8 @@ pub enum Role {
     Serve,
     /// Workers only.
     Worker,
+    /// HTTP, workers, and tools for a language model on standard input and output.
+    Mcp,
 }
 
 /// Reason why the process did not start.
@@ -38,7 +40,8 @@ const URGENT_SWEEP_INTERVAL: Duration = Duration::from_secs(5);
 /// Size of the ballast file, which is deleted on a full disk to make room for a sweep. A sweep writes a few megabytes.
 const BALLAST_BYTES: u64 = 16 << 20;
 
-/// Runs until the process is told to stop (SIGTERM, Ctrl-C).
+/// Runs until the process is told to stop (SIGTERM, Ctrl-C). In the role [`Role::Mcp`] it also stops when standard input
+/// ends.
 ///
 /// # Errors
 /// A store that cannot be opened, or an address that cannot be bound.
@@ -46,7 +49,14 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     let config = Arc::new(config);
     let keys = Arc::new(Keys::load(&config.auth).map_err(StartError::Configuration)?);
     let address = config.http.listen;
-    if role == Role::Serve && !keys.required() && !address.ip().is_loopback() && !config.auth.open_without_keys {
+    if role == Role::Mcp && keys.required() {
+        return Err(StartError::Configuration(
+            "plateau mcp serves one user, whose links carry no key: remove auth.keys and auth.keys_file, or use the setting \
+             http.mcp of plateau serve"
+                .into(),
+        ));
+    }
+    if role != Role::Worker && !keys.required() && !address.ip().is_loopback() && !config.auth.open_without_keys {
         return Err(StartError::Configuration(format!(
             "http.listen {address} is open to others: configure auth.keys or auth.keys_file, or set auth.open_without_keys"
         )));
@@ -56,7 +66,7 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     let store = open_store(&config).await?;
     let listener = match role {
         Role::Worker => None,
-        Role::Serve => {
+        Role::Serve | Role::Mcp => {
             let bound = TcpListener::bind(address).await;
             Some(bound.map_err(|error| StartError::Failed(format!("http.listen {address}: {error}")))?)
         }
@@ -90,12 +100,25 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     });
     if let Some(listener) = listener {
         let address = listener.local_addr().map_err(|error| StartError::Failed(error.to_string()))?;
-        println!("listening on http://{address}");
+        match role {
+            // Standard output belongs to the protocol.
+            Role::Mcp => eprintln!("listening on http://{address}"),
+            Role::Serve | Role::Worker => println!("listening on http://{address}"),
+        }
         tracing::info!(%address, workers = count, "open http://{address}/ in a browser");
         let bodies = Arc::new(Semaphore::new(body::permits(config.http.bodies_in_flight_bytes)));
         let document = openapi::served_at(&config.http.public_base_path).into();
         let app = App { config: config.clone(), jobs: jobs.clone(), metrics, bodies, keys, document };
-        serve::serve(listener, router::router(app), &config.http, jobs.shutdown()).await;
+        let tools = (role == Role::Mcp).then(|| tokio::spawn(mcp::serve_stdio(app.clone(), address)));
+        let until_input_ends = async {
+            if let Some(tools) = tools {
+                // The task fails only by a panic. The process stops after one too.
+                let _ = tools.await;
+                jobs.shut_down();
+            }
+        };
+        let serving = serve::serve(listener, router::router(app), &config.http, jobs.shutdown());
+        tokio::join!(serving, until_input_ends);
     }
     jobs.idle().await;
     // If shutdown interrupts a webhook attempt, another process repeats it.

@@ -1,4 +1,4 @@
-//! The command line: `plateau [serve] | worker | solve | openapi`.
+//! The command line: `plateau [serve] | worker | mcp | solve | openapi`.
 
 use crate::app;
 use crate::auth;
@@ -37,6 +37,9 @@ enum Command {
     Serve,
     /// Work on jobs of a shared database, without HTTP.
     Worker,
+    /// Offer the service as tools for a language model (Model Context Protocol) on standard input and output, until the
+    /// input ends. Meshes are served on a free port of this machine; --listen sets another address.
+    Mcp,
     /// Solve one request without a server, and print its statistics.
     Solve {
         /// File with the request as JSON, including its "kind". Use - for standard input.
@@ -97,7 +100,7 @@ struct Settings {
 }
 
 impl Settings {
-    fn load(&self) -> Result<Config, String> {
+    fn load(&self, defaults: Config) -> Result<Config, String> {
         let mut flags = Table::new();
         let mut set = |section: &str, key: &str, value: Option<Value>| {
             if let Some(value) = value {
@@ -114,7 +117,7 @@ impl Settings {
         // A variable that is not UTF-8 is skipped, because no setting of this program has such a name or value.
         let environment =
             std::env::vars_os().filter_map(|(name, value)| Some((name.into_string().ok()?, value.into_string().ok()?)));
-        Config::load(self.config.as_ref(), environment, flags)
+        defaults.overlaid(self.config.as_ref(), environment, flags)
     }
 }
 
@@ -123,7 +126,8 @@ const USAGE: u8 = 2;
 
 pub fn main() -> ExitCode {
     let cli = Cli::parse();
-    let config = match cli.settings.load() {
+    let defaults = if matches!(cli.command, Some(Command::Mcp)) { Config::of_mcp() } else { Config::default() };
+    let config = match cli.settings.load(defaults) {
         Ok(config) => config,
         Err(message) => return fail(USAGE, &message),
     };
@@ -153,8 +157,17 @@ pub fn main() -> ExitCode {
                 Ok(runtime) => runtime,
                 Err(error) => return fail(1, &error.to_string()),
             };
-            let role = if matches!(command, Command::Worker) { app::Role::Worker } else { app::Role::Serve };
-            match runtime.block_on(app::run(config, role)) {
+            let role = match command {
+                Command::Worker => app::Role::Worker,
+                Command::Mcp => app::Role::Mcp,
+                _ => app::Role::Serve,
+            };
+            let ended = runtime.block_on(app::run(config, role));
+            if role == app::Role::Mcp {
+                // A thread may still wait for standard input, which nothing can interrupt.
+                runtime.shutdown_background();
+            }
+            match ended {
                 Ok(()) => ExitCode::SUCCESS,
                 Err(app::StartError::Configuration(message)) => fail(USAGE, &message),
                 Err(app::StartError::Failed(message)) => fail(1, &message),

@@ -61,6 +61,9 @@ pub struct HttpConfig {
     pub public_base_path: String,
     /// Number of bytes for a cache of files that were made from results (meshes in a format, flat patterns).
     pub files_kept_bytes: usize,
+    /// Whether `/mcp` offers this server's operations as tools for language models (Model Context Protocol, streamable
+    /// HTTP). `plateau mcp` offers the same tools on standard input and output and needs no setting.
+    pub mcp: bool,
     /// Address of a separate listener for `/metrics` that needs no API key; `plateau worker` has it too. If empty,
     /// `/metrics` is served by the main listener.
     pub metrics_listen: String,
@@ -82,6 +85,7 @@ impl Default for HttpConfig {
             cors_origins: Vec::new(),
             public_base_path: String::new(),
             files_kept_bytes: 64 << 20,
+            mcp: false,
             metrics_listen: String::new(),
         }
     }
@@ -292,6 +296,18 @@ pub enum LogFormat {
 }
 
 impl Config {
+    /// Returns the defaults of `plateau mcp`. The program is a part of its user's assistant: it takes any free port of this
+    /// machine, and no load balancer has to notice that it stops.
+    #[must_use]
+    pub fn of_mcp() -> Self {
+        let http = HttpConfig {
+            listen: SocketAddr::from(([127, 0, 0, 1], 0)),
+            shutdown_notice_ms: 0,
+            ..HttpConfig::default()
+        };
+        Self { http, ..Self::default() }
+    }
+
     /// Merges the layers and checks the result.
     ///
     /// `environment` is every variable of the process; only `PLATEAU_SECTION__KEY` ones are read here.
@@ -303,7 +319,20 @@ impl Config {
         environment: impl Iterator<Item = (String, String)>,
         flags: Table,
     ) -> Result<Self, String> {
-        let mut merged = Table::try_from(Self::default()).map_err(|error| error.to_string())?;
+        Self::default().overlaid(file, environment, flags)
+    }
+
+    /// Same as [`Config::load`], with these settings in place of the defaults.
+    ///
+    /// # Errors
+    /// Returns the errors of [`Config::load`].
+    pub fn overlaid(
+        self,
+        file: Option<&PathBuf>,
+        environment: impl Iterator<Item = (String, String)>,
+        flags: Table,
+    ) -> Result<Self, String> {
+        let mut merged = Table::try_from(self).map_err(|error| error.to_string())?;
         if let Some(path) = file {
             let text =
                 std::fs::read_to_string(path).map_err(|error| format!("config file {}: {error}", path.display()))?;

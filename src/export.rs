@@ -10,6 +10,8 @@
 //! | [`stl`] | the client's | f32 |
 //! | [`svg`], [`dxf`] (flat pattern) | flat; SVG in mm, DXF in the client's unit | f64, every digit |
 //!
+//! [`picture`] draws a mesh as a small PNG.
+//!
 //! This module knows no job and no HTTP. It depends only on the geometry crate.
 
 pub mod archive;
@@ -17,6 +19,7 @@ pub mod dxf;
 pub mod gltf;
 pub mod obj;
 pub mod pattern;
+pub mod picture;
 pub mod ply;
 mod sheets;
 pub mod stl;

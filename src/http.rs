@@ -1,10 +1,11 @@
-//! HTTP: parses requests, calls `jobs` and writes responses. Business rules belong to `jobs`, and only [`problem`]
+//! HTTP: parses requests, calls `jobs` and writes responses. [`mcp`] offers the same operations as tools. Business rules belong to `jobs`, and only [`problem`]
 //! knows the status codes of failures.
 
 pub mod access;
 pub mod assets;
 pub mod body;
 pub mod entry;
+pub mod mcp;
 pub mod negotiate;
 pub mod observe;
 pub mod openapi;

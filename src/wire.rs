@@ -74,6 +74,15 @@ pub enum Rejection {
 }
 
 impl Rejection {
+    /// Prefixes each pointer, for a request that lies at `pointer` of a larger body.
+    #[must_use]
+    pub fn within(mut self, pointer: &str) -> Self {
+        if let Self::Invalid(errors) | Self::TooLarge(errors) = &mut self {
+            errors.iter_mut().for_each(|error| error.pointer.insert_str(0, pointer));
+        }
+        self
+    }
+
     /// Shortens each pointer to the first member that the body lacks, if it leads through one. The default of that
     /// member is then the wrong value.
     fn placed_in(mut self, body: &Value) -> Self {
@@ -139,6 +148,17 @@ impl Kind {
         }
     }
 
+    /// Returns what requests of this kind ask for, as a phrase with a verb.
+    #[must_use]
+    pub fn summary(self) -> &'static str {
+        match self {
+            Self::RuledSurface => "Finds the globally optimal ruled strip between directrices for an objective",
+            Self::MinimalSurface => "Finds the minimal surface that spans boundary polylines",
+            Self::UniformMesh => "Finds a mesh of a polygon, patch or film with as many equal edges as possible",
+            Self::TensileStructure => "Finds the shape in equilibrium of a film with cables, pressure and weight",
+        }
+    }
+
     /// Returns the path that accepts requests of this kind.
     #[must_use]
     pub fn path(self) -> &'static str {
@@ -153,7 +173,10 @@ impl Kind {
 
 /// Refuses bodies with too many values before they are parsed, because a value takes much more memory than its text.
 /// Points, normals and tangents with three coordinates each have twelve values per point.
-fn refuse_too_many_values(body: &[u8], limits: &LimitsConfig) -> Result<(), Rejection> {
+///
+/// # Errors
+/// Returns [`Rejection::TooLarge`].
+pub fn refuse_too_many_values(body: &[u8], limits: &LimitsConfig) -> Result<(), Rejection> {
     let max_values = limits.points.saturating_mul(16).saturating_add(10_000);
     if body.iter().filter(|&&byte| byte == b',').count() <= max_values {
         return Ok(());

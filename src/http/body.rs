@@ -25,6 +25,13 @@ pub struct Received {
     _share: OwnedSemaphorePermit,
 }
 
+/// Lets [`Bytes::from_owner`] keep the share until the bytes are no longer used.
+impl AsRef<[u8]> for Received {
+    fn as_ref(&self) -> &[u8] {
+        &self.bytes
+    }
+}
+
 /// Reads a JSON body. The headers are checked before the first byte of the body is read.
 ///
 /// # Errors

@@ -74,6 +74,19 @@ impl Failure {
         Self { status, kind, title, detail, errors: Vec::new(), headers }
     }
 
+    /// Returns the failure for a status that a library has chosen. Its text becomes the detail.
+    #[must_use]
+    pub fn of_library(status: StatusCode, detail: String) -> Self {
+        match status {
+            StatusCode::NOT_ACCEPTABLE => Self::not_acceptable(detail),
+            StatusCode::PAYLOAD_TOO_LARGE => Self::too_large(detail),
+            // Libraries answer 415 to JSON that is not a message of their protocol.
+            StatusCode::UNSUPPORTED_MEDIA_TYPE => Self::malformed(detail),
+            status if status.is_client_error() => Self::bad_header(detail),
+            _ => Self::internal(detail),
+        }
+    }
+
     #[must_use]
     pub fn with_errors(mut self, errors: Vec<FieldError>) -> Self {
         self.errors = errors;
@@ -85,6 +98,18 @@ impl Failure {
         self.headers.retain(|(present, _)| *present != name);
         self.headers.push((name, value));
         self
+    }
+}
+
+/// Text for clients that read no problem documents: title, detail, and a line for each offending value.
+impl std::fmt::Display for Failure {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(formatter, "{} ({}): {}", self.title, self.kind, self.detail)?;
+        for FieldError { pointer, detail } in self.errors.iter().take(MAX_ERRORS) {
+            let pointer = if pointer.is_empty() { "/" } else { pointer };
+            write!(formatter, "\n{pointer}: {detail}")?;
+        }
+        if self.errors.len() > MAX_ERRORS { write!(formatter, "\nThere are more errors.") } else { Ok(()) }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::http::problem::Failure;
 use crate::http::resource::Resource;
-use crate::http::routes::{batches, catalogue, docs, events, health, jobs, mesh, studio, submit};
+use crate::http::routes::{batches, catalogue, docs, events, health, jobs, mcp, mesh, studio, submit};
 use crate::http::state::App;
 use crate::http::{access, observe};
 use crate::jobs::Jobs;
@@ -44,6 +44,7 @@ pub fn resources(with_metrics: bool) -> Vec<Resource> {
         Resource::at("/v1/limits").get(catalogue::limits, catalogue::limits_entry()),
         Resource::at("/v1/examples").get(catalogue::examples, catalogue::examples_entry()),
         Resource::at("/v1/examples/{name}").get(catalogue::example, catalogue::example_entry()),
+        Resource::at("/mcp").post(mcp::post, mcp::post_entry()),
         Resource::at("/openapi.json").get(catalogue::openapi, catalogue::openapi_entry()),
         Resource::at("/problems/{name}").get(catalogue::problem_kind, catalogue::problem_kind_entry()),
         Resource::at("/docs").get(docs::redirect, docs::redirect_entry()),

@@ -6,6 +6,7 @@ pub mod docs;
 pub mod events;
 pub mod health;
 pub mod jobs;
+pub mod mcp;
 pub mod mesh;
 pub mod studio;
 pub mod submit;

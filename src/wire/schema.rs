@@ -1,12 +1,56 @@
-//! Validation of bodies against the schemas of the API document.
+//! Validation of bodies against the schemas of the API document, and schemas that stand alone.
 
 use super::components::{BATCH, components, for_each_schema, request_component};
 use super::{FieldError, Kind, MAX_ERRORS, Rejection};
 use jsonschema::error::ValidationErrorKind;
 use jsonschema::{ValidationError, Validator};
+use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value, json};
 use std::sync::LazyLock;
+
+/// Returns the schema of one type with every schema that it refers to below `$defs`.
+#[must_use]
+pub fn standalone<T: JsonSchema>() -> Map<String, Value> {
+    let generator = SchemaSettings::draft2020_12().into_generator();
+    let mut schema = generator.into_root_schema_for::<T>().to_value();
+    remove_unsigned_formats(&mut schema);
+    match schema {
+        Value::Object(schema) => schema,
+        // The schema of a type without conditions is `true`.
+        _ => Map::new(),
+    }
+}
+
+/// Removes unsigned-integer formats, because validators warn about them. The type, minimum and maximum already say the
+/// same.
+fn remove_unsigned_formats(schema: &mut Value) {
+    match schema {
+        Value::Object(map) => {
+            if map.get("format").and_then(Value::as_str).is_some_and(|format| format.starts_with("uint")) {
+                map.remove("format");
+            }
+            map.values_mut().for_each(remove_unsigned_formats);
+        }
+        Value::Array(list) => list.iter_mut().for_each(remove_unsigned_formats),
+        _ => {}
+    }
+}
+
+/// Reads a small value after validating it against the [standalone] schema of its type.
+///
+/// # Errors
+/// Returns the errors of [`validate`].
+pub fn read<T: JsonSchema + DeserializeOwned>(value: &Value) -> Result<T, Rejection> {
+    let schema = Value::Object(standalone::<T>());
+    let validator = jsonschema::validator_for(&schema).expect("the schema of a type is a valid schema");
+    let mut errors = Vec::new();
+    if !validator.is_valid(value) {
+        validator.iter_errors(value).for_each(|error| collect(&error, &mut errors));
+    }
+    if errors.is_empty() { deserialize(value) } else { Err(Rejection::Invalid(errors)) }
+}
 
 /// Validates a batch's body and the kind of each request. The other fields of a request are validated later against the
 /// request's own schema.

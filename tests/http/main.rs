@@ -20,6 +20,7 @@ mod initial_meshes;
 mod jobs;
 mod limits;
 mod load;
+mod mcp;
 mod meshes;
 mod openapi;
 mod prefer;

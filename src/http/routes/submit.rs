@@ -87,17 +87,11 @@ async fn submit(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) 
 const MAX_EXAMPLE_BYTES: usize = 1200;
 
 pub fn entry(kind: Kind) -> Value {
-    let (id, summary) = match kind {
-        Kind::RuledSurface => {
-            ("postRuledSurface", "Finds the globally optimal ruled strip between directrices for an objective")
-        }
-        Kind::MinimalSurface => ("postMinimalSurface", "Finds the minimal surface that spans boundary polylines"),
-        Kind::UniformMesh => {
-            ("postUniformMesh", "Finds a mesh of a polygon, patch or film with as many equal edges as possible")
-        }
-        Kind::TensileStructure => {
-            ("postTensileStructure", "Finds the shape in equilibrium of a film with cables, pressure and weight")
-        }
+    let id = match kind {
+        Kind::RuledSurface => "postRuledSurface",
+        Kind::MinimalSurface => "postMinimalSurface",
+        Kind::UniformMesh => "postUniformMesh",
+        Kind::TensileStructure => "postTensileStructure",
     };
     let examples: Map<String, Value> = ready_requests()
         .iter()
@@ -106,7 +100,7 @@ pub fn entry(kind: Kind) -> Value {
         .collect();
     let mut post = submission_entry(request_component(kind), job_component(kind), "job", Value::Object(examples));
     post["operationId"] = id.into();
-    post["summary"] = summary.into();
+    post["summary"] = kind.summary().into();
     post["responses"]["202"]["links"] =
         json!({ "job": { "operationId": "getJob", "parameters": { "id": "$response.body#/id" } } });
     post

@@ -1,0 +1,296 @@
+//! The service as tools for language models: the Model Context Protocol (MCP), on standard input and output and at
+//! `POST /mcp`.
+//!
+//! The tools call `jobs` as the handlers of [`routes`](crate::http::routes) do, and jobs belong to the same owners. A
+//! failed call is a result with the text of its problem document, which a model can read. Protocol errors are left for
+//! calls that name no tool.
+
+pub mod schemas;
+
+use crate::config::HttpConfig;
+use crate::export::{MeshFormat, picture};
+use crate::http::problem::Failure;
+use crate::http::routes::jobs::checked;
+use crate::http::state::App;
+use crate::jobs::JobsError;
+use crate::jobs::submission::{Submitted, Submitter};
+use crate::status::Status;
+use crate::wire::job::{Job, JobSummary};
+use crate::wire::objectives::{self, Limits};
+use crate::wire::{FieldError, Kind, Rejection, schema};
+use axum::http::uri::Authority;
+use base64::Engine as _;
+use rmcp::model::{
+    CallToolRequestParams, CallToolResponse, CallToolResult, ContentBlock, Implementation, ListToolsResult,
+    PaginatedRequestParams, ServerCapabilities, ServerConfig,
+};
+use rmcp::service::RequestContext;
+use rmcp::transport::async_rw::AsyncRwTransport;
+use rmcp::{ErrorData, RoleServer, ServerHandler, ServiceExt};
+use schemas::{Arguments, DescribeArguments, Description, GetArguments, LinkArguments, SolveArguments, StartArguments};
+use serde::Serialize;
+use serde_json::Value;
+use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
+use std::time::Duration;
+
+/// Text that a client may give its model before the first call.
+const INSTRUCTIONS: &str = "Plateau finds forms: minimal surfaces over boundary curves, optimal ruled strips between \
+    curves, and meshes of surfaces and polygons with as many equal edges as possible. Call describe to see the kinds, and \
+    describe with a kind for its request's schema and an example. Then call solve, or start and get for requests that take \
+    minutes. link gives the address of the mesh. Lengths are in the request's unit, and angles are in degrees.";
+
+/// Bytes that a message may have besides the body of its request.
+const ENVELOPE_BYTES: usize = 64 << 10;
+
+/// The tools for one caller.
+#[derive(Clone, Debug)]
+pub struct Tools {
+    app: App,
+    /// Owner of the caller's jobs. `None` means all jobs.
+    owner: Option<String>,
+    /// Address of this server, to which the paths of links are added: `http://localhost:8080/plateau`.
+    address: String,
+}
+
+/// Speaks MCP on standard input and output until the input ends or a shutdown begins. `listening` is the address at
+/// which this process serves meshes.
+pub async fn serve_stdio(app: App, listening: SocketAddr) {
+    let jobs = app.jobs.clone();
+    let longest = app.config.limits.body_bytes.saturating_add(ENVELOPE_BYTES);
+    let address = address(&app.config.http, "http", &reachable(listening).to_string());
+    let (reader, writer) = rmcp::transport::stdio_pipes();
+    let transport = AsyncRwTransport::new_server(reader, writer).with_max_line_length(longest);
+    let starting = Tools { app, owner: None, address }.serve(transport);
+    let service = tokio::select! {
+        started = starting => match started {
+            Ok(service) => service,
+            Err(error) => return tracing::warn!(%error, "the client did not open a session"),
+        },
+        () = jobs.shutdown() => return,
+    };
+    let stop = service.cancellation_token();
+    let mut ended = std::pin::pin!(service.waiting());
+    tokio::select! {
+        _ = &mut ended => {}
+        () = jobs.shutdown() => {
+            stop.cancel();
+            let _ = ended.await;
+        }
+    }
+}
+
+/// Returns the address at which a client on this machine reaches a listener.
+fn reachable(listening: SocketAddr) -> SocketAddr {
+    let ip = match listening.ip() {
+        IpAddr::V4(ip) if ip.is_unspecified() => IpAddr::V4(Ipv4Addr::LOCALHOST),
+        IpAddr::V6(ip) if ip.is_unspecified() => IpAddr::V6(Ipv6Addr::LOCALHOST),
+        ip => ip,
+    };
+    SocketAddr::new(ip, listening.port())
+}
+
+fn address(http: &HttpConfig, scheme: &str, authority: &str) -> String {
+    format!("{scheme}://{authority}{}", http.public_base_path)
+}
+
+impl Tools {
+    /// Returns the tools for a request. `host` is the authority that the client used, and `scheme` is `http` or `https`.
+    #[must_use]
+    pub fn of_request(app: App, owner: Option<&str>, scheme: &str, host: Option<&str>) -> Self {
+        let host = host.and_then(|host| host.parse::<Authority>().ok());
+        let host = host.map_or_else(|| reachable(app.config.http.listen).to_string(), |host| host.to_string());
+        let address = address(&app.config.http, scheme, &host);
+        Self { owner: owner.map(str::to_owned), address, app }
+    }
+
+    fn describe(&self, arguments: &Value) -> Result<CallToolResult, Failure> {
+        let DescribeArguments { kind, example } = schema::read(arguments)?;
+        let wanted = |kind_of: Kind| kind.is_none_or(|kind| kind == kind_of);
+        let mut objectives = objectives::objectives().objectives;
+        objectives.retain(|objective| wanted(objective.kind));
+        let mut examples = objectives::example_list().examples;
+        examples.retain(|example| wanted(example.kind));
+        let example = match (example, kind) {
+            (Some(name), _) => Some(named_example(&name)?),
+            // The shortest example shows the form of a request at the lowest price.
+            (None, Some(kind)) => {
+                let of_kind = objectives::examples().iter().filter(|example| example.kind == kind);
+                of_kind.min_by_key(|example| example.request.to_string().len())
+            }
+            (None, None) => None,
+        };
+        complete(
+            &Description {
+                kinds: Kind::ALL.into_iter().filter(|&kind| wanted(kind)).map(Into::into).collect(),
+                objectives,
+                examples,
+                limits: Limits::of(&self.app.config),
+                request_schema: kind.map(schemas::request),
+                statistics_schema: kind.map(schemas::statistics),
+                example,
+            },
+            Vec::new(),
+        )
+    }
+
+    async fn solve(&self, arguments: Value, context: RequestContext<RoleServer>) -> Result<CallToolResult, Failure> {
+        let SolveArguments { request, wait_s } = read(arguments)?;
+        let job = self.submit(request, wait_s > 0).await?;
+        if job.status.is_final() {
+            return self.answer(job).await;
+        }
+        let job = tokio::select! {
+            job = self.app.jobs.wait(&job.id, self.owner(), self.granted(wait_s)) => job?,
+            // The caller has cancelled the call or has gone away.
+            () = context.ct.cancelled() => self.app.jobs.cancel(&job.id, self.owner()).await?,
+        };
+        self.answer(job).await
+    }
+
+    async fn start(&self, arguments: Value) -> Result<CallToolResult, Failure> {
+        let StartArguments { request } = read(arguments)?;
+        let job = self.submit(request, false).await?;
+        complete(&JobSummary::from(job), Vec::new())
+    }
+
+    async fn get(&self, arguments: Value) -> Result<CallToolResult, Failure> {
+        let GetArguments { id, wait_s } = read(arguments)?;
+        let id = checked(&id)?;
+        let job = match wait_s {
+            0 => self.app.jobs.get(&id, self.owner()).await?,
+            wait_s => self.app.jobs.wait(&id, self.owner(), self.granted(wait_s)).await?,
+        };
+        self.answer(job).await
+    }
+
+    async fn link(&self, arguments: Value) -> Result<CallToolResult, Failure> {
+        let LinkArguments { id, format } = read(arguments)?;
+        let job = self.app.jobs.get(&checked(&id)?, self.owner()).await?;
+        let mesh = job.links.mesh.filter(|_| job.status == Status::Succeeded);
+        let mesh = mesh.ok_or(JobsError::NoMesh(job.status))?;
+        // The schema admits only known names.
+        let format = MeshFormat::from_name(&format).unwrap_or(MeshFormat::Glb);
+        // The job's links begin with the base path, and so does the address.
+        let path = mesh.strip_prefix(&self.app.config.http.public_base_path).unwrap_or(&mesh);
+        let link = schemas::Link {
+            url: format!("{}{path}?format={}", self.address, format.name()),
+            format: format.name(),
+            media_type: format.media_type(),
+            needs_key: self.app.keys.required(),
+        };
+        complete(&link, Vec::new())
+    }
+
+    fn owner(&self) -> Option<&str> {
+        self.owner.as_deref()
+    }
+
+    /// Returns the wait that a caller asks for, limited to this server's maximum.
+    fn granted(&self, wait_s: u64) -> Duration {
+        Duration::from_secs(wait_s.min(self.app.config.http.wait_max_s))
+    }
+
+    /// Submits a request that names its kind. Pointers of errors begin at the tool's arguments.
+    async fn submit(&self, request: Value, waited_for: bool) -> Result<Job, Failure> {
+        const POINTER: &str = "/request";
+        // The schema of the arguments requires a known kind.
+        let kind = request["kind"].as_str().and_then(Kind::from_name).unwrap_or(Kind::RuledSurface);
+        let body = serde_json::to_vec(&request).map_err(|error| Failure::internal(error.to_string()))?;
+        drop(request);
+        let limit = self.app.config.limits.body_bytes;
+        if body.len() > limit {
+            let detail = format!("has more than the {limit} bytes that this server accepts; see limits of describe");
+            return Err(Rejection::TooLarge(vec![FieldError::new(POINTER, detail)]).into());
+        }
+        let from = Submitter { owner: self.owner.clone(), idempotency_key: None };
+        match self.app.jobs.submit(kind, body.into(), from, waited_for).await {
+            Ok(Submitted::Created(job) | Submitted::Existing(job)) => Ok(job),
+            Err(JobsError::Rejected(rejection)) => Err(rejection.within(POINTER).into()),
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    /// Returns the result of a call about a job, with a picture if the job has succeeded.
+    async fn answer(&self, job: Job) -> Result<CallToolResult, Failure> {
+        let mut further = Vec::new();
+        if job.status == Status::Succeeded {
+            let drawn = self
+                .app
+                .jobs
+                .convert(&job.id, self.owner(), "png", |archive| picture::to_png(archive).map_err(JobsError::Internal));
+            match drawn.await {
+                Ok(file) => {
+                    let data = base64::engine::general_purpose::STANDARD.encode(&file.bytes);
+                    further.push(ContentBlock::image(data, "image/png"));
+                }
+                Err(error) => {
+                    further.push(ContentBlock::text(format!("There is no picture. {}", Failure::from(error))))
+                }
+            }
+        }
+        let mut result = complete(&job, further)?;
+        result.is_error = Some(job.status == Status::Failed);
+        Ok(result)
+    }
+}
+
+/// Reads a tool's arguments and frees their JSON values.
+fn read<T: Arguments>(arguments: Value) -> Result<T, Failure> {
+    Ok(schema::read(&arguments)?)
+}
+
+fn named_example(name: &str) -> Result<&'static objectives::Example, Failure> {
+    let examples = objectives::examples();
+    examples.iter().find(|example| example.name == name).ok_or_else(|| {
+        let names: Vec<&str> = examples.iter().map(|example| example.name).collect();
+        let detail = format!("must be one of: {}", names.join(", "));
+        Rejection::Invalid(vec![FieldError::new("/example", detail)]).into()
+    })
+}
+
+/// Returns a result as structured content and as the same JSON in a text, followed by further content.
+fn complete(result: &impl Serialize, further: Vec<ContentBlock>) -> Result<CallToolResult, Failure> {
+    let value = serde_json::to_value(result).map_err(|error| Failure::internal(error.to_string()))?;
+    let mut result = CallToolResult::structured(value);
+    result.content.extend(further);
+    Ok(result)
+}
+
+impl ServerHandler for Tools {
+    fn get_info(&self) -> ServerConfig {
+        let name = Implementation::new("plateau", env!("CARGO_PKG_VERSION")).with_title("Plateau");
+        ServerConfig::new(ServerCapabilities::builder().enable_tools().build())
+            .with_server_info(name)
+            .with_instructions(INSTRUCTIONS)
+    }
+
+    async fn list_tools(
+        &self,
+        _: Option<PaginatedRequestParams>,
+        _: RequestContext<RoleServer>,
+    ) -> Result<ListToolsResult, ErrorData> {
+        Ok(ListToolsResult::with_all_items(schemas::tools().to_vec()))
+    }
+
+    async fn call_tool(
+        &self,
+        request: CallToolRequestParams,
+        context: RequestContext<RoleServer>,
+    ) -> Result<CallToolResponse, ErrorData> {
+        let arguments = Value::Object(request.arguments.unwrap_or_default());
+        let result = match &*request.name {
+            schemas::DESCRIBE => self.describe(&arguments),
+            schemas::SOLVE => self.solve(arguments, context).await,
+            schemas::START => self.start(arguments).await,
+            schemas::GET => self.get(arguments).await,
+            schemas::LINK => self.link(arguments).await,
+            _ => {
+                let names: Vec<&str> = schemas::tools().iter().map(|tool| &*tool.name).collect();
+                let detail = format!("there is no tool of this name; the tools are: {}", names.join(", "));
+                return Err(ErrorData::invalid_params(detail, None));
+            }
+        };
+        let failed = |failure: Failure| CallToolResult::error(vec![ContentBlock::text(failure.to_string())]);
+        Ok(result.unwrap_or_else(failed).into())
+    }
+}

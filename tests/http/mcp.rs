@@ -1,0 +1,315 @@
+//! The tools for language models, at `POST /mcp` and on standard input and output.
+
+use crate::access::new_key;
+use crate::app::{TestApp, binary, example, problem, small_film};
+use base64::Engine as _;
+use reqwest::{Method, Response, StatusCode};
+use serde_json::{Value, json};
+use std::process::Stdio;
+use tokio::io::{AsyncBufReadExt, AsyncReadExt, AsyncWriteExt, BufReader};
+
+const ON: (&str, &str) = ("PLATEAU_HTTP__MCP", "true");
+
+fn message(method: &str, params: Value) -> Value {
+    json!({ "jsonrpc": "2.0", "id": 1, "method": method, "params": params })
+}
+
+fn call(tool: &str, arguments: &Value) -> Value {
+    message("tools/call", json!({ "name": tool, "arguments": arguments }))
+}
+
+async fn post(app: &TestApp, key: Option<&str>, body: &Value) -> Response {
+    let request = app.request(Method::POST, "/mcp").header("accept", "application/json, text/event-stream");
+    let request = key.into_iter().fold(request, |request, key| request.bearer_auth(key));
+    request.json(body).send().await.expect("an answer")
+}
+
+/// Calls a tool and returns its result.
+async fn result_of(app: &TestApp, key: Option<&str>, tool: &str, arguments: &Value) -> Value {
+    let response = post(app, key, &call(tool, arguments)).await;
+    assert_eq!(response.status(), StatusCode::OK);
+    let mut answer: Value = response.json().await.expect("JSON");
+    assert!(answer["error"].is_null(), "{answer:#}");
+    answer["result"].take()
+}
+
+/// Calls a tool that must succeed, and returns its result.
+async fn succeed(app: &TestApp, tool: &str, arguments: &Value) -> Value {
+    let result = result_of(app, None, tool, arguments).await;
+    assert_eq!(result["isError"], false, "{result:#}");
+    let text: Value = serde_json::from_str(result["content"][0]["text"].as_str().unwrap()).unwrap();
+    assert_eq!(text, result["structuredContent"], "the text and the structured content differ");
+    result
+}
+
+/// Calls a tool that must fail, and returns its text.
+async fn fail(app: &TestApp, key: Option<&str>, tool: &str, arguments: &Value) -> String {
+    let result = result_of(app, key, tool, arguments).await;
+    assert_eq!(result["isError"], true, "{result:#}");
+    result["content"][0]["text"].as_str().unwrap().to_owned()
+}
+
+/// Returns the width and height of the PNG file in a result's picture.
+fn size_of_picture(result: &Value) -> (u32, u32) {
+    let picture = result["content"].as_array().unwrap().iter().find(|part| part["type"] == "image").expect("a picture");
+    assert_eq!(picture["mimeType"], "image/png");
+    let bytes = base64::engine::general_purpose::STANDARD.decode(picture["data"].as_str().unwrap()).unwrap();
+    let reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+    (reader.info().width, reader.info().height)
+}
+
+#[tokio::test]
+async fn every_tool_has_schemas_that_stand_alone_and_describe_lists_what_can_be_solved() {
+    let app = TestApp::start_with(&[ON]).await;
+    let answer: Value = post(&app, None, &message("tools/list", json!({}))).await.json().await.unwrap();
+    let tools = answer["result"]["tools"].as_array().unwrap();
+    let names: Vec<&str> = tools.iter().map(|tool| tool["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["describe", "solve", "start", "get", "link"]);
+    for tool in tools {
+        for schema in [&tool["inputSchema"], &tool["outputSchema"]] {
+            assert_eq!(schema["type"], "object", "{tool:#}");
+            jsonschema::validator_for(schema).expect("a valid schema without outer references");
+        }
+    }
+    let described = &succeed(&app, "describe", &json!({})).await["structuredContent"];
+    assert_eq!(described["kinds"].as_array().unwrap().len(), 3);
+    assert_eq!(described["limits"], app.get_json("/v1/limits").await);
+    assert_eq!(described["objectives"], app.get_json("/v1/objectives").await["objectives"]);
+    for kind in ["ruled_surface", "minimal_surface", "uniform_mesh"] {
+        let described = &succeed(&app, "describe", &json!({ "kind": kind })).await["structuredContent"];
+        let request = &described["example"]["request"];
+        assert_eq!(request["kind"], kind);
+        let schema = jsonschema::validator_for(&described["request_schema"]).unwrap();
+        assert!(schema.is_valid(request) && !schema.is_valid(&json!({ "kind": kind })), "{kind}");
+        let solved = &succeed(&app, "solve", &json!({ "request": request })).await["structuredContent"];
+        assert_eq!(solved["status"], "succeeded");
+        let schema = jsonschema::validator_for(&described["statistics_schema"]).unwrap();
+        assert!(schema.is_valid(&solved["statistics"]), "{kind}");
+        let schema = jsonschema::validator_for(&tools[1]["outputSchema"]).unwrap();
+        assert!(schema.is_valid(solved), "{kind}");
+    }
+    let helicoid = &succeed(&app, "describe", &json!({ "example": "helicoid" })).await["structuredContent"];
+    assert_eq!(helicoid["example"]["request"], example("helicoid"));
+}
+
+#[tokio::test]
+async fn a_started_job_can_be_got_with_its_picture_and_linked() {
+    let app = TestApp::start_with(&[ON]).await;
+    let mut request = small_film(0.7);
+    request["kind"] = "minimal_surface".into();
+    let started = succeed(&app, "start", &json!({ "request": request })).await["structuredContent"].take();
+    assert!(started.get("statistics").is_none());
+    let id = started["id"].as_str().unwrap();
+    let got = succeed(&app, "get", &json!({ "id": id, "wait_s": 60 })).await;
+    assert_eq!(size_of_picture(&got), (480, 360));
+    assert_eq!(got["structuredContent"], app.get_json(&format!("/v1/jobs/{id}")).await);
+    for format in ["glb", "gltf", "obj", "ply", "stl"] {
+        let link = &succeed(&app, "link", &json!({ "id": id, "format": format })).await["structuredContent"];
+        let url = link["url"].as_str().unwrap();
+        assert!(url.starts_with(&app.url) && link["needs_key"] == false, "{link:#}");
+        let mesh = app.client.get(url).send().await.unwrap();
+        assert_eq!(mesh.status(), StatusCode::OK);
+        assert_eq!(mesh.headers()["content-type"], link["media_type"].as_str().unwrap());
+    }
+    // A wait of 0 s asks for the state only.
+    let strip = json!({ "request": { "kind": "ruled_surface", "directrices": crate::app::large_strip(1500)["directrices"] }, "wait_s": 0 });
+    let running = succeed(&app, "solve", &strip).await;
+    let state = running["structuredContent"]["status"].as_str().unwrap();
+    assert!(["queued", "running"].contains(&state), "{state}");
+    assert_eq!(running["content"].as_array().unwrap().len(), 1, "there is no picture yet");
+    let id = running["structuredContent"]["id"].as_str().unwrap();
+    assert!(fail(&app, None, "link", &json!({ "id": id })).await.contains("no-mesh"));
+}
+
+#[tokio::test]
+async fn a_wrong_argument_is_named_by_its_pointer() {
+    let app = TestApp::start_with(&[ON]).await;
+    let film = |boundary: Value| json!({ "request": { "kind": "minimal_surface", "boundaries": [boundary] } });
+    let unknown = "0".repeat(26);
+    for (tool, arguments, expected) in [
+        ("solve", film(json!([[0, 0, 0], [1, 0, "x"], [1, 1, 0]])), "/request/boundaries/0/1/2"),
+        ("start", film(json!([[0, 0, 0]])), "/request/boundaries/0"),
+        ("solve", json!({ "request": { "kind": "sphere" } }), "/request/kind: it is not one of \"ruled_surface\""),
+        ("solve", json!({ "request": {} }), "/request/kind: is required"),
+        ("solve", json!({}), "/request: is required"),
+        ("start", json!({ "request": { "kind": "uniform_mesh" }, "wait_s": 1 }), "/wait_s: is not a known field"),
+        ("solve", json!({ "request": { "kind": "uniform_mesh" }, "wait_s": -1 }), "/wait_s"),
+        ("describe", json!({ "kind": "sphere" }), "/kind: it is not one of"),
+        ("describe", json!({ "example": "sphere" }), "/example: must be one of: two-rails, helicoid"),
+        ("get", json!({ "id": 7 }), "/id"),
+        ("get", json!({ "id": unknown }), "not-found"),
+        ("get", json!({ "id": "../limits" }), "not-found"),
+        ("link", json!({ "id": unknown, "format": "fbx" }), "/format: it is not one of \"glb\""),
+    ] {
+        let text = fail(&app, None, tool, &arguments).await;
+        assert!(text.contains(expected), "{tool} {arguments}: {text}");
+    }
+    let answer: Value = post(&app, None, &call("melt", &json!({}))).await.json().await.unwrap();
+    let text = answer["error"]["message"].as_str().unwrap();
+    assert!(text.contains("describe, solve, start, get, link"), "{text}");
+}
+
+#[tokio::test]
+async fn mcp_is_behind_the_same_checks_as_every_other_resource() {
+    let secrets = tempfile::tempdir().unwrap();
+    let ((alice, first), (bob, second)) = (new_key("alice").await, new_key("bob").await);
+    let file = secrets.path().join("keys");
+    std::fs::write(&file, format!("{first}\n{second}\n")).unwrap();
+    let file = file.display().to_string();
+    let keys = ("PLATEAU_AUTH__KEYS_FILE", file.as_str());
+    let app = TestApp::start_with(&[ON, keys]).await;
+    let list = message("tools/list", json!({}));
+    problem(post(&app, None, &list).await, 401).await;
+    problem(post(&app, Some("plateau_0"), &list).await, 401).await;
+    assert_eq!(post(&app, Some(&alice), &list).await.status(), StatusCode::OK);
+
+    // A job belongs to the key that submitted it.
+    let mut request = small_film(0.5);
+    request["kind"] = "minimal_surface".into();
+    let solved = result_of(&app, Some(&alice), "solve", &json!({ "request": request })).await;
+    assert_eq!(solved["structuredContent"]["status"], "succeeded", "{solved:#}");
+    let id = &solved["structuredContent"]["id"];
+    for tool in ["get", "link"] {
+        assert!(fail(&app, Some(&bob), tool, &json!({ "id": id })).await.contains("not-found"));
+        let own = result_of(&app, Some(&alice), tool, &json!({ "id": id })).await;
+        assert_eq!(own["isError"], false, "{own:#}");
+    }
+    let link = result_of(&app, Some(&alice), "link", &json!({ "id": id })).await;
+    assert_eq!(link["structuredContent"]["needs_key"], true);
+
+    let with = |name: &'static str, value: &'static str| {
+        let request = app.request(Method::POST, "/mcp").header("accept", "application/json, text/event-stream");
+        request.bearer_auth(&alice).header(name, value).json(&list).send()
+    };
+    problem(with("host", "evil.example").await.unwrap(), 421).await;
+    problem(with("origin", "https://evil.example").await.unwrap(), 403).await;
+    let response = with("x-forwarded-proto", "https").await.unwrap();
+    assert_eq!(response.status(), StatusCode::OK);
+}
+
+#[tokio::test]
+async fn mcp_is_off_by_default_and_its_faults_are_problem_documents() {
+    let app = TestApp::start().await;
+    let list = message("tools/list", json!({}));
+    let off = problem(post(&app, None, &list).await, 404).await;
+    assert!(off["detail"].as_str().unwrap().contains("http.mcp"), "{off}");
+
+    let app = TestApp::start_with(&[ON, ("PLATEAU_LIMITS__BODY_BYTES", "10000")]).await;
+    let request = || app.request(Method::POST, "/mcp").header("accept", "application/json, text/event-stream");
+    let json = || request().header("content-type", "application/json");
+    problem(json().body("{").send().await.unwrap(), 400).await;
+    problem(json().body("[1]").send().await.unwrap(), 400).await;
+    problem(request().header("content-type", "text/plain").body("{}").send().await.unwrap(), 415).await;
+    problem(app.request(Method::POST, "/mcp").json(&list).send().await.unwrap(), 406).await;
+    problem(json().body("x".repeat(20_000)).send().await.unwrap(), 413).await;
+    let allowed = app.get("/mcp").await;
+    assert_eq!((allowed.status().as_u16(), allowed.headers()["allow"].to_str().unwrap()), (405, "POST"));
+}
+
+/// A session with `plateau mcp`.
+struct Session {
+    child: tokio::process::Child,
+    input: tokio::process::ChildStdin,
+    output: tokio::io::Lines<BufReader<tokio::process::ChildStdout>>,
+    folder: tempfile::TempDir,
+}
+
+impl Session {
+    async fn open() -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let mut child = binary()
+            .args(["mcp", "--data"])
+            .arg(folder.path().join("data"))
+            .env("PLATEAU_LOG__LEVEL", "warn")
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let output = BufReader::new(child.stdout.take().unwrap()).lines();
+        let mut session = Self { input: child.stdin.take().unwrap(), output, child, folder };
+        let client = json!({ "name": "test", "version": "1" });
+        let initialize = json!({ "protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": client });
+        let opened = session.ask(&message("initialize", initialize)).await;
+        assert_eq!(opened["result"]["serverInfo"]["name"], "plateau", "{opened:#}");
+        assert!(opened["result"]["instructions"].as_str().unwrap().contains("describe"));
+        session.send(&json!({ "jsonrpc": "2.0", "method": "notifications/initialized" })).await;
+        session
+    }
+
+    async fn send(&mut self, message: &Value) {
+        self.input.write_all(format!("{message}\n").as_bytes()).await.unwrap();
+    }
+
+    async fn ask(&mut self, message: &Value) -> Value {
+        self.send(message).await;
+        serde_json::from_str(&self.output.next_line().await.unwrap().expect("an answer")).expect("only JSON")
+    }
+}
+
+#[tokio::test]
+async fn a_session_on_standard_input_solves_and_ends_in_order_with_its_input() {
+    let mut session = Session::open().await;
+    let solved = session.ask(&call("solve", &json!({ "request": example("helicoid") }))).await["result"].take();
+    assert_eq!(solved["structuredContent"]["status"], "succeeded", "{solved:#}");
+    assert_eq!(size_of_picture(&solved), (480, 360));
+    let id = &solved["structuredContent"]["id"];
+    let link = session.ask(&call("link", &json!({ "id": id, "format": "ply" }))).await["result"].take();
+    let url = link["structuredContent"]["url"].as_str().unwrap();
+    let mesh = crate::app::client().get(url).send().await.unwrap();
+    assert_eq!(mesh.status(), StatusCode::OK);
+    assert!(mesh.bytes().await.unwrap().starts_with(b"ply\n"));
+    let refused = session.ask(&call("solve", &json!({ "request": { "kind": "minimal_surface" } }))).await;
+    assert!(refused["result"]["content"][0]["text"].as_str().unwrap().contains("/request/boundaries: is required"));
+
+    let Session { mut child, input, mut output, folder: _folder } = session;
+    drop(input);
+    assert!(child.wait().await.unwrap().success());
+    assert_eq!(output.next_line().await.unwrap(), None, "nothing else may be on standard output");
+    let mut log = String::new();
+    child.stderr.take().unwrap().read_to_string(&mut log).await.unwrap();
+    assert!(log.contains("listening on http://127.0.0.1:"), "{log}");
+}
+
+#[tokio::test]
+async fn a_session_ends_at_sigterm_although_its_input_is_open() {
+    let mut session = Session::open().await;
+    let id = session.child.id().unwrap().to_string();
+    assert!(tokio::process::Command::new("kill").args(["-TERM", &id]).status().await.unwrap().success());
+    assert!(session.child.wait().await.unwrap().success());
+}
+
+#[tokio::test]
+async fn a_cancelled_call_cancels_its_job() {
+    let mut session = Session::open().await;
+    let mut request = crate::app::endless_film(0.5);
+    request["kind"] = "minimal_surface".into();
+    session.send(&call("solve", &json!({ "request": request }))).await;
+    let params = json!({ "requestId": 1, "reason": "the user pressed Esc" });
+    tokio::time::sleep(std::time::Duration::from_millis(500)).await;
+    session.send(&json!({ "jsonrpc": "2.0", "method": "notifications/cancelled", "params": params })).await;
+    let log = session.child.stderr.take().unwrap();
+    let address = BufReader::new(log).lines().next_line().await.unwrap().unwrap();
+    let url = format!("{}/v1/jobs", address.strip_prefix("listening on ").unwrap());
+    for _ in 0..100 {
+        let list: Value = crate::app::client().get(&url).send().await.unwrap().json().await.unwrap();
+        if list["jobs"][0]["status"] == "cancelled" {
+            return;
+        }
+        tokio::time::sleep(std::time::Duration::from_millis(100)).await;
+    }
+    panic!("the job was not cancelled");
+}
+
+#[tokio::test]
+async fn a_session_refuses_keys_because_its_links_carry_none() {
+    let (_, line) = new_key("alice").await;
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("keys");
+    std::fs::write(&file, format!("{line}\n")).unwrap();
+    let mut command = binary();
+    command.arg("mcp").arg("--data").arg(folder.path()).env("PLATEAU_AUTH__KEYS_FILE", &file);
+    let run = command.stdin(Stdio::null()).output().await.unwrap();
+    assert_eq!(run.status.code(), Some(2));
+    assert!(run.stdout.is_empty() && String::from_utf8_lossy(&run.stderr).contains("auth.keys_file"));
+}
