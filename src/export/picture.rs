@@ -186,10 +186,12 @@ impl Pen {
     }
 }
 
-/// Calls `visit` with the two vertices of each segment of a line set.
+/// Calls `visit` with the two vertices of each segment of a line set. Arrows are left out, because a viewer shows them only
+/// when asked.
 fn each_segment(set: &LineSet, mut visit: impl FnMut([u32; 2])) {
     match &set.lines {
         Lines::Segments { pairs, .. } => pairs.iter().for_each(|&pair| visit(pair)),
+        Lines::Arrows { .. } => {}
         Lines::Polylines(polylines) => {
             for line in polylines {
                 line.vertices.windows(2).for_each(|pair| visit([pair[0], pair[1]]));

@@ -6,6 +6,7 @@ use crate::wire::job::JobSummary;
 use crate::wire::minimal_surface::{MinimalStatistics, MinimalSurfaceRequest};
 use crate::wire::objectives::{Example, ExampleSummary, Limits, Objective};
 use crate::wire::ruled_surface::{RuledStatistics, RuledSurfaceRequest};
+use crate::wire::tensile_structure::{TensileStatistics, TensileStructureRequest};
 use crate::wire::uniform_mesh::{UniformMeshRequest, UniformStatistics};
 use crate::wire::{Kind, schema};
 use rmcp::model::{JsonObject, Tool, ToolAnnotations};
@@ -155,6 +156,7 @@ pub fn request(kind: Kind) -> Value {
         Kind::RuledSurface => schema::standalone::<RuledSurfaceRequest>(),
         Kind::MinimalSurface => schema::standalone::<MinimalSurfaceRequest>(),
         Kind::UniformMesh => schema::standalone::<UniformMeshRequest>(),
+        Kind::TensileStructure => schema::standalone::<TensileStructureRequest>(),
     })
 }
 
@@ -165,6 +167,7 @@ pub fn statistics(kind: Kind) -> Value {
         Kind::RuledSurface => schema::standalone::<RuledStatistics>(),
         Kind::MinimalSurface => schema::standalone::<MinimalStatistics>(),
         Kind::UniformMesh => schema::standalone::<UniformStatistics>(),
+        Kind::TensileStructure => schema::standalone::<TensileStatistics>(),
     })
 }
 
