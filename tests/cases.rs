@@ -130,8 +130,8 @@ fn a_noisy_loop_that_leaves_flipped_triangles_is_not_called_converged() {
     assert!(flipped == 0 || has(&warnings, "not_converged"), "{warnings:?}");
 }
 
-/// A uniform mesh of a case under an objective: no triangle crosses another, and its area is that of the surface within a
-/// hundredth. Where the asked uniformity cannot be had, that is said.
+/// A uniform mesh of a case under an objective: no triangle crosses another, and its area is that of the surface within
+/// a hundredth. Where the asked uniformity cannot be had, that is said.
 fn is_faithful(name: &str, objective: &str, area: Option<f64>) {
     let mut request: Value = serde_json::from_slice(&body(name)).unwrap();
     request["objective"] = objective.into();

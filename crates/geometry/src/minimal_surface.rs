@@ -127,8 +127,8 @@ pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> 
     Ok(surface.checked(exec)?)
 }
 
-/// Residual above which a film that is not converged has nothing to do with a minimal surface: its mean curvature is that
-/// of the boundary itself.
+/// Residual above which a film that is not converged has nothing to do with a minimal surface: its mean curvature is
+/// that of the boundary itself.
 const LOST: f64 = 1.0;
 
 /// Refuses the remains of a film that had to connect several boundaries and found no minimal surface that does: it has
@@ -144,8 +144,8 @@ fn refuse_lost_film(statistics: &Statistics) -> Result<(), Error> {
         return Ok(());
     }
     let detail = format!(
-        "no minimal film that connects the {} boundaries was found: the mesh {ended}. Ask for topology best or free, which \
-         let it come apart, or move the boundaries closer together",
+        "no minimal film that connects the {} boundaries was found: the mesh {ended}. Ask for topology best or free, \
+         which let it come apart, or move the boundaries closer together",
         statistics.boundary_loops
     );
     let place = InputError::new(Place::field("topology"), "fixed keeps the boundaries connected");

@@ -24,8 +24,8 @@ fn spanned(boundaries: &[Vec<DVec3>], options: &Options) -> Result<MinimalSurfac
     solve(boundaries, options, &Execution::default())
 }
 
-/// Enneper's surface over a disc of radius 1.2 is stationary, but no minimum (it is one up to 1). Its area is 14.17; the
-/// minimum that an unstable film is left for has 13.72.
+/// Enneper's surface over a disc of radius 1.2 is stationary, but no minimum (it is one up to 1). Its area is 14.17;
+/// the minimum that an unstable film is left for has 13.72.
 #[test]
 fn the_clients_exact_unstable_patch_is_reported_and_not_left() {
     let radius = 1.2f64;

@@ -60,9 +60,10 @@ const THIRD_OF_TURN: f64 = 2.0 * std::f64::consts::FRAC_PI_3;
 
 /// Minimises the area of the caller's own mesh, in which some edges have three triangles.
 ///
-/// The edges with one triangle must be the segments of the boundaries, with or without further vertices on them. Boundaries may share points and segments: three
-/// half-circles between two poles are two loops, or three. `given` are the boundaries without equal neighbours.
-/// `input_vertices` gives for each input point its number among the points of all these boundaries.
+/// The edges with one triangle must be the segments of the boundaries, with or without further vertices on them.
+/// Boundaries may share points and segments: three half-circles between two poles are two loops, or three. `given` are
+/// the boundaries without equal neighbours. `input_vertices` gives for each input point its number among the points of
+/// all these boundaries.
 ///
 /// # Errors
 /// [`Error::Input`] for a mesh that is not such a film or has another boundary; [`Error::Interrupted`] on cancel.
@@ -278,8 +279,8 @@ impl Rim {
         Self(edges)
     }
 
-    /// The vertices that the mesh has on the segment between two of its vertices, in order. None if its edges do not lead
-    /// from one end to the other along the segment.
+    /// The vertices that the mesh has on the segment between two of its vertices, in order. None if its edges do not
+    /// lead from one end to the other along the segment.
     fn between(&self, mesh: &Mesh, from: u32, to: u32) -> Vec<u32> {
         let (a, b) = (mesh.vertices[from as usize], mesh.vertices[to as usize]);
         let along = b - a;

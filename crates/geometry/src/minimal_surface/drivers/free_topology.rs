@@ -3,9 +3,9 @@
 //!
 //! 1. Iterate by Pinkall and Polthier with the rules until a neck closes (then start this step again) or the area
 //!    changes little.
-//! 2. Run the default solver on a copy, leaving unstable surfaces. The rules have taken triangles out, two thirds of them
-//!    along a long neck: if too few are left, the copy is first brought back to the number of the initial mesh. If it reaches a stable film with a small residual,
-//!    that is the result.
+//! 2. Run the default solver on a copy, leaving unstable surfaces. The rules have taken triangles out, two thirds of
+//!    them along a long neck: if too few are left, the copy is first brought back to the number of the initial mesh. If
+//!    the solver reaches a stable film with a small residual, that is the result.
 //! 3. Otherwise the film only lingers where a minimal surface almost exists. Continue step 1 to a much smaller change
 //!    of area, and try step 2 again. If a closed neck left flipped triangles, average the vertices and start step 1
 //!    again. If no neck closes after that either, return what the default solver reached, not converged.

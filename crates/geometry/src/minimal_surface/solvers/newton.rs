@@ -44,9 +44,9 @@ const SETTLED_AREA: f64 = 1e-3;
 /// Largest number of triangles for which the area is extrapolated with a mesh of four times as many. A larger value
 /// extrapolates the areas of larger meshes too, which takes longer.
 pub(crate) const EXTRAPOLATED_TRIANGLES: usize = 10_000;
-/// Root mean square of the vertices' residuals, weighted by area, below which a mesh of the caller counts as lying near a
-/// stationary surface. The largest residual does not tell: at vertices of uneven triangles it stays above 1 on the exact
-/// surface, however fine the mesh. With a larger value more meshes are taken to their nearest stationary surface,
+/// Root mean square of the vertices' residuals, weighted by area, below which a mesh of the caller counts as lying near
+/// a stationary surface. The largest residual does not tell: at vertices of uneven triangles it stays above 1 on the
+/// exact surface, however fine the mesh. With a larger value more meshes are taken to their nearest stationary surface,
 /// whatever its Morse index.
 const NEARLY_STATIONARY: f64 = 1.0;
 /// A converged film with an angle below this (radians, 22 degrees) has its small angles widened and is solved again. At
