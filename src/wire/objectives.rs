@@ -275,7 +275,7 @@ const FILES: &[(&str, &str, &str)] = &[
     ),
     (
         "four-point-sail",
-        "A sail between two low and two high points, its edge cables by force, sag, length and unstressed length",
+        "A sail between two low and two high points, its edge cables by force, sag, length and force density",
         include_str!("../../api/examples/four-point-sail.json"),
     ),
     (

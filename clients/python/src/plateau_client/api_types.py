@@ -9,6 +9,16 @@ if TYPE_CHECKING:
 
 BoundarySampling = Literal['refine', 'keep']
 """Sampling of the boundary. `refine` may add points on its segments, and `keep` uses only the polygon's vertices."""
+CableMode = Literal['force', 'end_tension', 'horizontal_component', 'force_density', 'length', 'unstressed_length', 'sag']
+"""Quantity of a cable that is held constant.
+
+- `force`: The force. With a weight, the mean force.
+- `end_tension`: The force at the first end.
+- `horizontal_component`: The part of the force at the first end that is across the up axis.
+- `force_density`: The force divided by the length of the whole cable.
+- `length`: The length in the found shape.
+- `unstressed_length`: The length without force. The force is EA (length / unstressed length - 1), and 0 if that is negative.
+- `sag`: The largest distance from the chord between the ends."""
 Cache = Literal['reuse', 'bypass']
 """Whether the result of an equal earlier request may be returned. Results are deterministic, so it has the same bytes.
 
@@ -16,13 +26,15 @@ Cache = Literal['reuse', 'bypass']
 - `bypass`: Solve again, and do not store the result for later requests."""
 Caps = Literal['none', 'flat']
 Direction = Literal['as_given', 'auto']
+ForceUnit = Literal['N', 'kN', 'MN', 'lbf', 'kip']
+"""Unit of the client's forces. A film's tension is a force per unit of length, and a pressure a force per unit of area."""
 Goal = Union["RuledSurfaceObjective", "WeightedSum"]
 """A named objective, or a weighted sum."""
 InitialMesh = Union["MadeMesh", "GivenMesh"]
 """Mesh that the solver starts from: built by the service, or supplied by the client."""
-Job = Union["RuledSurfaceJob", "MinimalSurfaceJob", "UniformMeshJob"]
+Job = Union["RuledSurfaceJob", "MinimalSurfaceJob", "UniformMeshJob", "TensileStructureJob"]
 """A job: an accepted request and its state."""
-Kind = Literal['ruled_surface', 'minimal_surface', 'uniform_mesh']
+Kind = Literal['ruled_surface', 'minimal_surface', 'uniform_mesh', 'tensile_structure']
 """Kind of a request."""
 LinearSolver = Literal['direct', 'conjugate_gradients']
 """Linear solver. `direct` always uses elimination. `conjugate_gradients` uses elimination only if the conjugate
@@ -54,7 +66,7 @@ Process = Literal['laplacian_fairing', 'area_minimising', 'edge_swapping']
 """A process of vertex relaxation."""
 ProcessStage = Union["Process", Sequence["Process"]]
 """One process, or several that take turns."""
-RequestWithKind = Union["RuledSurfaceRequestWithKind", "MinimalSurfaceRequestWithKind", "UniformMeshRequestWithKind"]
+RequestWithKind = Union["RuledSurfaceRequestWithKind", "MinimalSurfaceRequestWithKind", "UniformMeshRequestWithKind", "TensileStructureRequestWithKind"]
 """A request that names its kind."""
 Rim = Literal['bounded', 'free']
 """`bounded` keeps the members between the edge length and its double wherever possible. `free` does not limit them, as
@@ -77,6 +89,7 @@ Solver = Literal['auto', 'vertex_relaxation', 'pinkall_polthier', 'newton']
 - `newton`: Newton's method in normal heights, which also gives the Morse index."""
 Status = Literal['queued', 'running', 'succeeded', 'failed', 'cancelled']
 """State of a job. `succeeded`, `failed` and `cancelled` are final."""
+TensileStructureKind = Literal['tensile_structure']
 Topology = Literal['fixed', 'free', 'best']
 """`fixed` keeps the topology of the initial mesh. `free` allows necks to pinch. `best` solves every spanning topology
 and returns the surface of least area."""
@@ -91,6 +104,10 @@ Units = Literal['mm', 'cm', 'm', 'in', 'ft']
 unit."""
 UpAxis = Literal['z', 'y']
 """Axis of the client's coordinates that points up."""
+
+
+Along = TypedDict("Along", {"boundary": "NotRequired[int]", "from": "int", "to": "int"})
+"""A part of a boundary, in the boundary's direction. Points are counted from 0."""
 
 
 class AngleRange(TypedDict):
@@ -156,6 +173,58 @@ class Bezier(TypedDict):
     """Control points: rows along u, each with the points along v."""
 
 
+class BoundaryPoint(TypedDict):
+    """A point of a boundary, counted from 0."""
+    boundary: NotRequired[int]
+    """Default: `0`."""
+    point: int
+
+
+class Cable(TypedDict):
+    """A cable. Its course is exactly one of `along`, `across` and `points`."""
+    across: NotRequired[List[Point]]
+    """Points through which the cable runs across the film before form finding, as a ridge or a valley. The first and
+    the last are points of the boundaries. Cables across the film may share points but must not cross."""
+    along: NotRequired[Along]
+    """Part of a boundary along which the cable runs. The film's edge hangs on the cable."""
+    axial_stiffness: NotRequired[Optional[float]]
+    """EA, a force. `unstressed_length` needs it; with other modes it gives the unstressed length."""
+    mode: NotRequired[CableMode]
+    name: NotRequired[Optional[str]]
+    """Name in statistics and warnings. Null means its number, as in `cable 0`."""
+    points: NotRequired[List[Point]]
+    """Two points between which the cable runs in the air. A point that equals a boundary's point is joined to it; any
+    other point is a support."""
+    value: float
+    """Value that the mode holds constant: a force, a force per length (`force_density`) or a length."""
+    weight: NotRequired[float]
+    """Weight per length of the found shape. Default: `0.0`."""
+
+
+class CableForce(TypedDict):
+    """A cable of the found shape."""
+    force: float
+    """Mean force, weighted by length."""
+    force_max: float
+    force_min: float
+    length: float
+    mode: str
+    name: str
+    sag: float
+    """Largest distance from the chord between the ends."""
+    slack: bool
+    """Whether it carries no force."""
+    unstressed_length: Optional[float]
+    """Length / (1 + force / axial stiffness); null without an axial stiffness."""
+
+
+class CircleGuide(TypedDict):
+    axis: List[float]
+    """Normal of the circle's plane."""
+    centre: Point
+    radius: float
+
+
 class Comparison(TypedDict):
     """Statistics of one objective's optimum."""
     area: float
@@ -193,6 +262,13 @@ class Constraints(TypedDict):
     """Default: `[]`."""
 
 
+class CylinderGuide(TypedDict):
+    axis: Point
+    point: List[float]
+    """A point of the axis."""
+    radius: float
+
+
 class Domain(TypedDict):
     """Domain of the mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs` and `boundaries`."""
     bezier: NotRequired[Bezier]
@@ -203,6 +279,22 @@ class Domain(TypedDict):
     nurbs: NotRequired[Nurbs]
     polygon: NotRequired[Sequence[Point]]
     """A planar polygon in space that does not repeat its first point."""
+
+
+class EdgeReaction(TypedDict):
+    """The supports along the fixed parts of a boundary together."""
+    boundary: int
+    force: List[float]
+    """Force of the supports on the structure."""
+
+
+class EquilibriumStability(TypedDict):
+    """Second variation of the energy."""
+    lowest_eigenvalue: float
+    """Lowest eigenvalue with respect to the lumped mass, in 1/unit²."""
+    morse_index: int
+    stable: bool
+    """Whether the Morse index is 0: a true local minimum."""
 
 
 class Example(TypedDict):
@@ -239,6 +331,15 @@ class FieldError(TypedDict):
     """JSON Pointer (RFC 6901) to the offending value."""
 
 
+class FilmStress(TypedDict):
+    """Principal stresses of the film."""
+    deviation: float
+    """Largest deviation of a principal stress from the required tension, as a fraction of it. It falls with the edge
+    length."""
+    max: float
+    min: float
+
+
 class FlatPatternStatistics(TypedDict):
     """Quality of the strips' flat pattern."""
     edge_length_error_max: float
@@ -247,6 +348,20 @@ class FlatPatternStatistics(TypedDict):
     self_overlap: bool
     """Whether an unrolled strip overlaps itself."""
     width: float
+
+
+class ForceBalance(TypedDict):
+    """Sums of the forces."""
+    imbalance: float
+    """|loads + reactions| / magnitudes."""
+    loads: List[float]
+    """Sum of all loads: weights and pressure."""
+    magnitudes: float
+    """Sum of the reactions' magnitudes, vertex by vertex."""
+    reactions: List[float]
+    """Sum of all reactions."""
+    residual_force: float
+    """Largest force on a vertex that is not balanced."""
 
 
 class GivenMesh(TypedDict):
@@ -266,6 +381,16 @@ class GroupLengths(TypedDict):
     mean: float
     min: float
     std_dev: float
+
+
+class Guide(TypedDict):
+    """A line or surface to slide on, given by exactly one of its fields. Edges slide on surfaces only. Directions need no
+    unit length."""
+    circle: NotRequired[CircleGuide]
+    cylinder: NotRequired[CylinderGuide]
+    line: NotRequired[LineGuide]
+    plane: NotRequired[PlaneGuide]
+    sphere: NotRequired[SphereGuide]
 
 
 class HistoryRow(TypedDict):
@@ -349,6 +474,15 @@ class Junctions(TypedDict):
     """Number of parts of the film that are connected without crossing a junction."""
 
 
+class LengthAndForce(TypedDict):
+    """Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
+    weight of a cable a force per length, and an axial stiffness a force."""
+    force: NotRequired[ForceUnit]
+    """Default: `kN`."""
+    length: NotRequired[Units]
+    """Default: `m`."""
+
+
 LengthHistogram = TypedDict("LengthHistogram", {"counts": "List[int]", "from": "float", "width": "float"})
 """Histogram of lengths. Bin k counts lengths from `from` + k · `width` up to the next bin."""
 
@@ -372,11 +506,16 @@ class Limits(TypedDict):
     retention_s: int
     """Time in seconds after its end at which a job is removed with its mesh. 0 means never."""
     triangles: int
-    """Largest number of triangles of a minimal surface or a uniform mesh."""
+    """Largest number of triangles of a minimal surface, a uniform mesh or a tensile structure."""
     wait_max_s: int
     """Longest wait that `Prefer: wait` can ask for, in seconds."""
     webhooks: bool
     """Whether requests may name a `callback_url`."""
+
+
+class LineGuide(TypedDict):
+    direction: Point
+    point: Point
 
 
 class Links(TypedDict):
@@ -612,6 +751,11 @@ class Pinch(TypedDict):
     `closed_component_removed`."""
 
 
+class PlaneGuide(TypedDict):
+    normal: Point
+    point: Point
+
+
 class Problem(TypedDict):
     """A problem document, RFC 9457."""
     detail: str
@@ -818,6 +962,16 @@ class SharedLengths(TypedDict):
     lengths: int
 
 
+class SlidingSupport(TypedDict):
+    """A support without friction. What slides is exactly one of `along`, `boundary` and `point`."""
+    along: NotRequired[Along]
+    """Part of a boundary, without its two ends."""
+    boundary: NotRequired[int]
+    """Number of a boundary that slides as a whole."""
+    on: Guide
+    point: NotRequired[BoundaryPoint]
+
+
 class Spanning(TypedDict):
     """Comparison of the ways to span the boundaries, made with `topology: best`."""
     connected_film_exists: bool
@@ -840,6 +994,11 @@ class SpanningTopology(TypedDict):
     """Whether its films pass through each other or through themselves. No soap film has such a shape, so the topology
     comes after all others."""
     stability: Optional[Stability]
+
+
+class SphereGuide(TypedDict):
+    centre: Point
+    radius: float
 
 
 class Spread(TypedDict):
@@ -913,6 +1072,17 @@ class StripStatistics(TypedDict):
     triangles: int
 
 
+class SupportReaction(TypedDict):
+    """A support at the end of a cable."""
+    boundary: Optional[int]
+    """Number of the boundary, or null for a support in the air."""
+    force: List[float]
+    """Force of the support on the structure."""
+    point: Optional[int]
+    """Number of the boundary's point."""
+    vertex: int
+
+
 class SurfaceFit(TypedDict):
     """The mesh beside the curved surface that it stands for. All nodes lie on the surface."""
     area: float
@@ -926,6 +1096,153 @@ class SurfaceFit(TypedDict):
     it cannot be laid into the plane with a bounded distortion."""
     normal_deviation_max_deg: float
     """Largest angle between the normals of a triangle and of the surface below its middle."""
+
+
+class TensileFilm(TypedDict):
+    """The film's stress and weight."""
+    tension: float
+    """Isotropic tension, a force per length."""
+    weight: NotRequired[float]
+    """Weight per area of the found shape. The tension is `tension` at the film's mean height and grows with the height
+    by the weight. Default: `0.0`."""
+
+
+class TensileStatistics(TypedDict):
+    """Statistics of a tensile structure."""
+    angles_deg: AngleRange
+    area: float
+    balance: Optional[ForceBalance]
+    """Null if the forces could not be balanced."""
+    cables: List[CableForce]
+    contact_angle_deg: Optional[AngleRange]
+    """Angle between the film's pull on sliding edges and their surface. Null without such an edge."""
+    converged: bool
+    degenerate_triangles: int
+    edge_lengths: Spread
+    edge_reactions: List[EdgeReaction]
+    """Supports along the fixed parts of the boundaries."""
+    flipped_triangles: int
+    force_unit: str
+    """Unit of the forces."""
+    iterations: int
+    minimum_slope_deg: float
+    """Smallest slope of a triangle in degrees. Water stands on a film that is flatter than about 5."""
+    objective: str
+    objective_value: float
+    """Energy of the found shape."""
+    pressure: float
+    """Pressure, given or found; 0 for none."""
+    reactions: List[SupportReaction]
+    """Supports at the ends of cables."""
+    residual: float
+    stability: Optional[EquilibriumStability]
+    stop_reason: str
+    stress: Optional[FilmStress]
+    """Null if the forces could not be balanced."""
+    triangles: int
+    vertices: int
+    volume: Optional[float]
+    """Null without a pressure."""
+
+
+class TensileStructureJob(TypedDict):
+    """A job: an accepted request and its state."""
+    created_at: str
+    """Time of submission (RFC 3339, UTC)."""
+    error: Optional[JobError]
+    """Null unless the job has failed."""
+    expires_at: Optional[str]
+    """Time at which the job and its mesh are removed."""
+    finished_at: Optional[str]
+    id: str
+    """ULID, which sorts by time of submission."""
+    kind: Literal['tensile_structure']
+    """Kind of the request."""
+    links: Links
+    progress: Progress
+    started_at: Optional[str]
+    statistics: Optional[TensileStatistics]
+    """Null until the job has succeeded."""
+    status: Status
+    warnings: List[JobWarning]
+
+
+class TensileStructureRequest(TypedDict):
+    """A film with cables, pressure and weight, whose shape in equilibrium is found.
+
+    Every point of the boundaries is a support, unless it lies strictly inside the stretch of a cable or is listed in
+    `free_points`."""
+    boundaries: List[Polygon]
+    """Closed polygons that do not repeat their first point: the edges of the film before form finding."""
+    cables: NotRequired[List[Cable]]
+    """Cables along the boundaries and in the air."""
+    cache: NotRequired[Cache]
+    """Whether the stored result of an equal earlier request may be returned."""
+    callback_url: NotRequired[Optional[str]]
+    """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+    `webhooks` of `GET /v1/limits`."""
+    film: TensileFilm
+    free_points: NotRequired[List[BoundaryPoint]]
+    """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
+    on both sides; cables in the air can tie it back."""
+    kind: NotRequired[Optional[TensileStructureKind]]
+    """Optional here, because the path names the kind. `plateau solve` needs it."""
+    max_iterations: NotRequired[Optional[int]]
+    """Maximum number of linear solves. Null means 400."""
+    pressure: NotRequired[Optional[float]]
+    """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
+    with `volume`, and not with cables along a boundary or with `supports`."""
+    resolution: NotRequired[Resolution]
+    supports: NotRequired[List[SlidingSupport]]
+    """Supports on which points or edges of the film slide without friction."""
+    tolerance: NotRequired[float]
+    """Residual (largest unbalanced force over twice the vertex's share of tension times area, times the radius of the
+    supports) at which the shape counts as found. Default: `1e-8`."""
+    units: NotRequired[LengthAndForce]
+    up: NotRequired[UpAxis]
+    """Axis that points up. Weights pull against it. Default: `z`."""
+    volume: NotRequired[Optional[float]]
+    """Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
+    pressure is found. Not with cables along a boundary or with `supports`."""
+
+
+class TensileStructureRequestWithKind(TypedDict):
+    """A film with cables, pressure and weight, whose shape in equilibrium is found.
+
+    Every point of the boundaries is a support, unless it lies strictly inside the stretch of a cable or is listed in
+    `free_points`."""
+    boundaries: List[Polygon]
+    """Closed polygons that do not repeat their first point: the edges of the film before form finding."""
+    cables: NotRequired[List[Cable]]
+    """Cables along the boundaries and in the air."""
+    cache: NotRequired[Cache]
+    """Whether the stored result of an equal earlier request may be returned."""
+    callback_url: NotRequired[Optional[str]]
+    """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+    `webhooks` of `GET /v1/limits`."""
+    film: TensileFilm
+    free_points: NotRequired[List[BoundaryPoint]]
+    """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
+    on both sides; cables in the air can tie it back."""
+    kind: Literal['tensile_structure']
+    """Kind of the request."""
+    max_iterations: NotRequired[Optional[int]]
+    """Maximum number of linear solves. Null means 400."""
+    pressure: NotRequired[Optional[float]]
+    """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
+    with `volume`, and not with cables along a boundary or with `supports`."""
+    resolution: NotRequired[Resolution]
+    supports: NotRequired[List[SlidingSupport]]
+    """Supports on which points or edges of the film slide without friction."""
+    tolerance: NotRequired[float]
+    """Residual (largest unbalanced force over twice the vertex's share of tension times area, times the radius of the
+    supports) at which the shape counts as found. Default: `1e-8`."""
+    units: NotRequired[LengthAndForce]
+    up: NotRequired[UpAxis]
+    """Axis that points up. Weights pull against it. Default: `z`."""
+    volume: NotRequired[Optional[float]]
+    """Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
+    pressure is found. Not with cables along a boundary or with `supports`."""
 
 
 class UniformMeshJob(TypedDict):
