@@ -34,6 +34,7 @@ OPTIONS = {
     "RuledSurfaceOptions": ("RuledSurfaceRequest", {"kind", "directrices"}),
     "MinimalSurfaceOptions": ("MinimalSurfaceRequest", {"kind", "boundaries"}),
     "UniformMeshOptions": ("UniformMeshRequest", {"kind", "domain", "edge_length"}),
+    "TensileStructureOptions": ("TensileStructureRequest", {"kind", "boundaries", "film"}),
 }
 
 

@@ -47,6 +47,10 @@ def test_every_kind_is_solved_and_saved(tmp_path: Path) -> None:
         strip = client.ruled_surface([TENT[:2], [(0, 8, 3), (4, 8, 2), (8, 8, 0)]], objective="minimal_twist")
         film = client.minimal_surface([TENT], resolution={"triangles": 2000}, units="mm")
         floor = client.uniform_mesh([(0, 0), (30, 0), (30, 20), (0, 20)], 2.5)
+        square = [(0, 0, 0), (10, 0, 0), (10, 10, 0), (0, 10, 0)]
+        edges = [{"along": {"from": k, "to": (k + 1) % 4}, "mode": "force", "value": 10} for k in range(4)]
+        sail = client.tensile_structure([square], {"tension": 1}, cables=edges, resolution={"triangles": 500})
+        assert sail.statistics["converged"] and sail.statistics["area"] == pytest.approx(63.77, rel=0.01)
         assert len(strip.triangles) == strip.statistics["triangles"] == 3
         assert film.statistics["converged"] and len(film.vertices) == film.statistics["vertices"]
         assert (film.unit, film.up) == ("mm", "z") and film.mean_curvature is not None and strip.mean_curvature is None

@@ -5,7 +5,8 @@ import { readEvents } from './events.js';
 import { Mesh, readLines } from './mesh.js';
 import type {
   JobInfo, JobSummary, Kind, Limits, MeshFormat, MinimalStatistics, MinimalSurfaceOptions, ObjectiveList, PatternFormat,
-  Progress, Request, RuledStatistics, RuledSurfaceOptions, StatisticsOf, Status, UniformMeshOptions, UniformStatistics,
+  Progress, Request, RuledStatistics, RuledSurfaceOptions, StatisticsOf, Status, TensileFilm, TensileStatistics,
+  TensileStructureOptions, UniformMeshOptions, UniformStatistics,
 } from './types.js';
 
 export interface PlateauOptions {
@@ -36,6 +37,7 @@ const PATHS: Record<Kind, string> = {
   ruled_surface: 'v1/ruled-surfaces',
   minimal_surface: 'v1/minimal-surfaces',
   uniform_mesh: 'v1/uniform-meshes',
+  tensile_structure: 'v1/tensile-structures',
 };
 
 /** Seconds that one request waits for a job's end; the server may grant less. */
@@ -145,6 +147,14 @@ export class Plateau {
     const isCurve = Array.isArray(domain) || ArrayBuffer.isView(domain);
     const given = isCurve ? { polygon: points(domain as CurveLike) } : (domain as { polygon?: number[][] });
     return this.solve({ kind: 'uniform_mesh', domain: given, edge_length: edgeLength, ...options }, control);
+  }
+
+  /** The shape in equilibrium of a film of constant tension with cables, pressure and weight. */
+  async tensileStructure(
+    boundaries: readonly CurveLike[], film: TensileFilm, options: TensileStructureOptions = {}, control?: SolveControl,
+  ): Promise<Result<TensileStatistics>> {
+    const loops = curves('boundaries', boundaries);
+    return this.solve({ kind: 'tensile_structure', boundaries: loops, film, ...options }, control);
   }
 
   /** Solves a request with its `kind` in it, such as those of `GET /v1/examples`. */

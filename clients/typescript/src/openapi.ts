@@ -462,6 +462,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/tensile-structures": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Finds the shape in equilibrium of a film with cables, pressure and weight */
+        post: operations["postTensileStructure"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/uniform-meshes": {
         parameters: {
             query?: never;
@@ -483,6 +500,15 @@ export interface paths {
 export type webhooks = Record<string, never>;
 export interface components {
     schemas: {
+        /** @description A part of a boundary, in the boundary's direction. Points are counted from 0. */
+        Along: {
+            /** @description Default: `0`. */
+            boundary?: number;
+            /** @description Number of the point at which the cable begins. */
+            from: number;
+            /** @description Number of the point at which it ends. */
+            to: number;
+        };
         AngleRange: {
             /** Format: double */
             max: number;
@@ -543,11 +569,91 @@ export interface components {
             /** @description Control points: rows along u, each with the points along v. */
             control_points: components["schemas"]["Polyline"][];
         };
+        /** @description A point of a boundary, counted from 0. */
+        BoundaryPoint: {
+            /** @description Default: `0`. */
+            boundary?: number;
+            point: number;
+        };
         /**
          * @description Sampling of the boundary. `refine` may add points on its segments, and `keep` uses only the polygon's vertices.
          * @enum {string}
          */
         BoundarySampling: "refine" | "keep";
+        /** @description A cable. Its course is exactly one of `along`, `across` and `points`. */
+        Cable: {
+            /**
+             * @description Points through which the cable runs across the film before form finding, as a ridge or a valley. The first and
+             *     the last are points of the boundaries. Cables across the film may share points but must not cross.
+             */
+            across?: components["schemas"]["Point"][];
+            /** @description Part of a boundary along which the cable runs. The film's edge hangs on the cable. */
+            along?: components["schemas"]["Along"];
+            /**
+             * Format: double
+             * @description EA, a force. `unstressed_length` needs it; with other modes it gives the unstressed length.
+             */
+            axial_stiffness?: number | null;
+            mode?: components["schemas"]["CableMode"];
+            /** @description Name in statistics and warnings. Null means its number, as in `cable 0`. */
+            name?: string | null;
+            /**
+             * @description Two points between which the cable runs in the air. A point that equals a boundary's point is joined to it; any
+             *     other point is a support.
+             */
+            points?: components["schemas"]["Point"][];
+            /**
+             * Format: double
+             * @description Value that the mode holds constant: a force, a force per length (`force_density`) or a length.
+             */
+            value: number;
+            /**
+             * Format: double
+             * @description Weight per length of the found shape. Default: `0.0`.
+             */
+            weight?: number;
+        };
+        /** @description A cable of the found shape. */
+        CableForce: {
+            /**
+             * Format: double
+             * @description Mean force, weighted by length.
+             */
+            force: number;
+            /** Format: double */
+            force_max: number;
+            /** Format: double */
+            force_min: number;
+            /** Format: double */
+            length: number;
+            mode: string;
+            name: string;
+            /**
+             * Format: double
+             * @description Largest distance from the chord between the ends.
+             */
+            sag: number;
+            /** @description Whether it carries no force. */
+            slack: boolean;
+            /**
+             * Format: double
+             * @description Length / (1 + force / axial stiffness); null without an axial stiffness.
+             */
+            unstressed_length: number | null;
+        };
+        /**
+         * @description Quantity of a cable that is held constant.
+         *
+         *     - `force`: The force. With a weight, the mean force.
+         *     - `end_tension`: The force at the first end.
+         *     - `horizontal_component`: The part of the force at the first end that is across the up axis.
+         *     - `force_density`: The force divided by the length of the whole cable.
+         *     - `length`: The length in the found shape.
+         *     - `unstressed_length`: The length without force. The force is EA (length / unstressed length - 1), and 0 if that is negative.
+         *     - `sag`: The largest distance from the chord between the ends.
+         * @enum {string}
+         */
+        CableMode: "force" | "end_tension" | "horizontal_component" | "force_density" | "length" | "unstressed_length" | "sag";
         /**
          * @description Whether the result of an equal earlier request may be returned. Results are deterministic, so it has the same bytes.
          *
@@ -558,6 +664,13 @@ export interface components {
         Cache: "reuse" | "bypass";
         /** @enum {string} */
         Caps: "none" | "flat";
+        CircleGuide: {
+            /** @description Normal of the circle's plane. */
+            axis: number[];
+            centre: components["schemas"]["Point"];
+            /** Format: double */
+            radius: number;
+        };
         /** @description Statistics of one objective's optimum. */
         Comparison: {
             /** Format: double */
@@ -617,6 +730,13 @@ export interface components {
             /** @description Default: `[]`. */
             polylines?: components["schemas"]["Polyline"][];
         };
+        CylinderGuide: {
+            axis: components["schemas"]["Point"];
+            /** @description A point of the axis. */
+            point: number[];
+            /** Format: double */
+            radius: number;
+        };
         /** @enum {string} */
         Direction: "as_given" | "auto";
         /** @description Domain of the mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs` and `boundaries`. */
@@ -629,6 +749,23 @@ export interface components {
             nurbs?: components["schemas"]["Nurbs"];
             /** @description A planar polygon in space that does not repeat its first point. */
             polygon?: components["schemas"]["Point"][];
+        };
+        /** @description The supports along the fixed parts of a boundary together. */
+        EdgeReaction: {
+            boundary: number;
+            /** @description Force of the supports on the structure. */
+            force: number[];
+        };
+        /** @description Second variation of the energy. */
+        EquilibriumStability: {
+            /**
+             * Format: double
+             * @description Lowest eigenvalue with respect to the lumped mass, in 1/unit².
+             */
+            lowest_eigenvalue: number;
+            morse_index: number;
+            /** @description Whether the Morse index is 0: a true local minimum. */
+            stable: boolean;
         };
         /** @description An example request. */
         Example: {
@@ -663,6 +800,19 @@ export interface components {
             /** @description JSON Pointer (RFC 6901) to the offending value. */
             pointer: string;
         };
+        /** @description Principal stresses of the film. */
+        FilmStress: {
+            /**
+             * Format: double
+             * @description Largest deviation of a principal stress from the required tension, as a fraction of it. It falls with the edge
+             *     length.
+             */
+            deviation: number;
+            /** Format: double */
+            max: number;
+            /** Format: double */
+            min: number;
+        };
         /** @description Quality of the strips' flat pattern. */
         FlatPatternStatistics: {
             /**
@@ -677,6 +827,33 @@ export interface components {
             /** Format: double */
             width: number;
         };
+        /** @description Sums of the forces. */
+        ForceBalance: {
+            /**
+             * Format: double
+             * @description |loads + reactions| / magnitudes.
+             */
+            imbalance: number;
+            /** @description Sum of all loads: weights and pressure. */
+            loads: number[];
+            /**
+             * Format: double
+             * @description Sum of the reactions' magnitudes, vertex by vertex.
+             */
+            magnitudes: number;
+            /** @description Sum of all reactions. */
+            reactions: number[];
+            /**
+             * Format: double
+             * @description Largest force on a vertex that is not balanced.
+             */
+            residual_force: number;
+        };
+        /**
+         * @description Unit of the client's forces. A film's tension is a force per unit of length, and a pressure a force per unit of area.
+         * @enum {string}
+         */
+        ForceUnit: "N" | "kN" | "MN" | "lbf" | "kip";
         /**
          * @description The client's own initial mesh. It is either an oriented manifold whose boundary loops are `boundaries`, with or
          *     without further vertices on their segments, or a film whose sheets meet three by three along edges with three
@@ -702,6 +879,17 @@ export interface components {
             /** Format: double */
             std_dev: number;
         };
+        /**
+         * @description A line or surface to slide on, given by exactly one of its fields. Edges slide on surfaces only. Directions need no
+         *     unit length.
+         */
+        Guide: {
+            circle?: components["schemas"]["CircleGuide"];
+            cylinder?: components["schemas"]["CylinderGuide"];
+            line?: components["schemas"]["LineGuide"];
+            plane?: components["schemas"]["PlaneGuide"];
+            sphere?: components["schemas"]["SphereGuide"];
+        };
         /** @description One iteration of the solver. */
         HistoryRow: {
             /** Format: double */
@@ -714,7 +902,7 @@ export interface components {
         /** @description Mesh that the solver starts from: built by the service, or supplied by the client. */
         InitialMesh: components["schemas"]["MadeMesh"] | components["schemas"]["GivenMesh"];
         /** @description A job: an accepted request and its state. */
-        Job: components["schemas"]["RuledSurfaceJob"] | components["schemas"]["MinimalSurfaceJob"] | components["schemas"]["UniformMeshJob"];
+        Job: components["schemas"]["RuledSurfaceJob"] | components["schemas"]["MinimalSurfaceJob"] | components["schemas"]["UniformMeshJob"] | components["schemas"]["TensileStructureJob"];
         /** @description Reason for a failure: what was wrong with the geometry, and what to try. */
         JobError: {
             detail: string;
@@ -804,7 +992,17 @@ export interface components {
          * @description Kind of a request.
          * @enum {string}
          */
-        Kind: "ruled_surface" | "minimal_surface" | "uniform_mesh";
+        Kind: "ruled_surface" | "minimal_surface" | "uniform_mesh" | "tensile_structure";
+        /**
+         * @description Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
+         *     weight of a cable a force per length, and an axial stiffness a force.
+         */
+        LengthAndForce: {
+            /** @description Default: `kN`. */
+            force?: components["schemas"]["ForceUnit"];
+            /** @description Default: `m`. */
+            length?: components["schemas"]["Units"];
+        };
         /** @description Histogram of lengths. Bin k counts lengths from `from` + k · `width` up to the next bin. */
         LengthHistogram: {
             counts: number[];
@@ -831,12 +1029,16 @@ export interface components {
             queue_length: number;
             /** @description Time in seconds after its end at which a job is removed with its mesh. 0 means never. */
             retention_s: number;
-            /** @description Largest number of triangles of a minimal surface or a uniform mesh. */
+            /** @description Largest number of triangles of a minimal surface, a uniform mesh or a tensile structure. */
             triangles: number;
             /** @description Longest wait that `Prefer: wait` can ask for, in seconds. */
             wait_max_s: number;
             /** @description Whether requests may name a `callback_url`. */
             webhooks: boolean;
+        };
+        LineGuide: {
+            direction: components["schemas"]["Point"];
+            point: components["schemas"]["Point"];
         };
         /**
          * @description Linear solver. `direct` always uses elimination. `conjugate_gradients` uses elimination only if the conjugate
@@ -1159,6 +1361,10 @@ export interface components {
              */
             what: string;
         };
+        PlaneGuide: {
+            normal: components["schemas"]["Point"];
+            point: components["schemas"]["Point"];
+        };
         /** @description A point or vector `[x, y, z]` in the client's axes and unit. */
         Point: number[];
         /** @description The points of a closed polygon in order. The first point is not repeated. */
@@ -1203,7 +1409,7 @@ export interface components {
             residual: number | null;
         };
         /** @description A request that names its kind. */
-        RequestWithKind: components["schemas"]["RuledSurfaceRequestWithKind"] | components["schemas"]["MinimalSurfaceRequestWithKind"] | components["schemas"]["UniformMeshRequestWithKind"];
+        RequestWithKind: components["schemas"]["RuledSurfaceRequestWithKind"] | components["schemas"]["MinimalSurfaceRequestWithKind"] | components["schemas"]["UniformMeshRequestWithKind"] | components["schemas"]["TensileStructureRequestWithKind"];
         /** @description Resolution of the mesh, given by exactly one of the three fields. */
         Resolution: {
             /**
@@ -1472,6 +1678,15 @@ export interface components {
             deviation_before: number;
             lengths: number;
         };
+        /** @description A support without friction. What slides is exactly one of `along`, `boundary` and `point`. */
+        SlidingSupport: {
+            /** @description Part of a boundary, without its two ends. */
+            along?: components["schemas"]["Along"];
+            /** @description Number of a boundary that slides as a whole. */
+            boundary?: number;
+            on: components["schemas"]["Guide"];
+            point?: components["schemas"]["BoundaryPoint"];
+        };
         /**
          * @description Method that minimises the area. `auto` chooses the best of the others for the request.
          *
@@ -1510,6 +1725,11 @@ export interface components {
              */
             films_cross: boolean;
             stability: components["schemas"]["Stability"] | null;
+        };
+        SphereGuide: {
+            centre: components["schemas"]["Point"];
+            /** Format: double */
+            radius: number;
         };
         /** @description Minimum, mean, maximum and standard deviation. */
         Spread: {
@@ -1621,6 +1841,16 @@ export interface components {
             total_normal_twist: number;
             triangles: number;
         };
+        /** @description A support at the end of a cable. */
+        SupportReaction: {
+            /** @description Number of the boundary, or null for a support in the air. */
+            boundary: number | null;
+            /** @description Force of the support on the structure. */
+            force: number[];
+            /** @description Number of the boundary's point. */
+            point: number | null;
+            vertex: number;
+        };
         /** @description The mesh beside the curved surface that it stands for. All nodes lie on the surface. */
         SurfaceFit: {
             /**
@@ -1648,6 +1878,206 @@ export interface components {
              * @description Largest angle between the normals of a triangle and of the surface below its middle.
              */
             normal_deviation_max_deg: number;
+        };
+        /** @description The film's stress and weight. */
+        TensileFilm: {
+            /**
+             * Format: double
+             * @description Isotropic tension, a force per length.
+             */
+            tension: number;
+            /**
+             * Format: double
+             * @description Weight per area of the found shape. The tension is `tension` at the film's mean height and grows with the height
+             *     by the weight. Default: `0.0`.
+             */
+            weight?: number;
+        };
+        /** @description Statistics of a tensile structure. */
+        TensileStatistics: {
+            angles_deg: components["schemas"]["AngleRange"];
+            /** Format: double */
+            area: number;
+            /** @description Null if the forces could not be balanced. */
+            balance: components["schemas"]["ForceBalance"] | null;
+            cables: components["schemas"]["CableForce"][];
+            /** @description Angle between the film's pull on sliding edges and their surface. Null without such an edge. */
+            contact_angle_deg: components["schemas"]["AngleRange"] | null;
+            converged: boolean;
+            degenerate_triangles: number;
+            edge_lengths: components["schemas"]["Spread"];
+            /** @description Supports along the fixed parts of the boundaries. */
+            edge_reactions: components["schemas"]["EdgeReaction"][];
+            flipped_triangles: number;
+            /** @description Unit of the forces. */
+            force_unit: string;
+            iterations: number;
+            /**
+             * Format: double
+             * @description Smallest slope of a triangle in degrees. Water stands on a film that is flatter than about 5.
+             */
+            minimum_slope_deg: number;
+            objective: string;
+            /**
+             * Format: double
+             * @description Energy of the found shape.
+             */
+            objective_value: number;
+            /**
+             * Format: double
+             * @description Pressure, given or found; 0 for none.
+             */
+            pressure: number;
+            /** @description Supports at the ends of cables. */
+            reactions: components["schemas"]["SupportReaction"][];
+            /** Format: double */
+            residual: number;
+            stability: components["schemas"]["EquilibriumStability"] | null;
+            stop_reason: string;
+            /** @description Null if the forces could not be balanced. */
+            stress: components["schemas"]["FilmStress"] | null;
+            triangles: number;
+            vertices: number;
+            /**
+             * Format: double
+             * @description Null without a pressure.
+             */
+            volume: number | null;
+        };
+        /** @description A job: an accepted request and its state. */
+        TensileStructureJob: {
+            /** @description Time of submission (RFC 3339, UTC). */
+            created_at: string;
+            /** @description Null unless the job has failed. */
+            error: components["schemas"]["JobError"] | null;
+            /** @description Time at which the job and its mesh are removed. */
+            expires_at: string | null;
+            finished_at: string | null;
+            /** @description ULID, which sorts by time of submission. */
+            id: string;
+            /**
+             * @description Kind of the request. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "tensile_structure";
+            links: components["schemas"]["Links"];
+            progress: components["schemas"]["Progress"];
+            started_at: string | null;
+            /** @description Null until the job has succeeded. */
+            statistics: components["schemas"]["TensileStatistics"] | null;
+            status: components["schemas"]["Status"];
+            warnings: components["schemas"]["JobWarning"][];
+        };
+        /** @enum {string} */
+        TensileStructureKind: "tensile_structure";
+        /**
+         * @description A film with cables, pressure and weight, whose shape in equilibrium is found.
+         *
+         *     Every point of the boundaries is a support, unless it lies strictly inside the stretch of a cable or is listed in
+         *     `free_points`.
+         */
+        TensileStructureRequest: {
+            /** @description Closed polygons that do not repeat their first point: the edges of the film before form finding. */
+            boundaries: components["schemas"]["Polygon"][];
+            /** @description Cables along the boundaries and in the air. */
+            cables?: components["schemas"]["Cable"][];
+            /** @description Whether the stored result of an equal earlier request may be returned. */
+            cache?: components["schemas"]["Cache"];
+            /**
+             * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+             *     `webhooks` of `GET /v1/limits`.
+             */
+            callback_url?: string | null;
+            film: components["schemas"]["TensileFilm"];
+            /**
+             * @description Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
+             *     on both sides; cables in the air can tie it back.
+             */
+            free_points?: components["schemas"]["BoundaryPoint"][];
+            /** @description Optional here, because the path names the kind. `plateau solve` needs it. */
+            kind?: components["schemas"]["TensileStructureKind"] | null;
+            /** @description Maximum number of linear solves. Null means 400. */
+            max_iterations?: number | null;
+            /**
+             * Format: double
+             * @description Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
+             *     with `volume`, and not with cables along a boundary or with `supports`.
+             */
+            pressure?: number | null;
+            resolution?: components["schemas"]["Resolution"];
+            /** @description Supports on which points or edges of the film slide without friction. */
+            supports?: components["schemas"]["SlidingSupport"][];
+            /**
+             * Format: double
+             * @description Residual (largest unbalanced force over twice the vertex's share of tension times area, times the radius of the
+             *     supports) at which the shape counts as found. Default: `1e-8`.
+             */
+            tolerance?: number;
+            units?: components["schemas"]["LengthAndForce"];
+            /** @description Axis that points up. Weights pull against it. Default: `z`. */
+            up?: components["schemas"]["UpAxis"];
+            /**
+             * Format: double
+             * @description Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
+             *     pressure is found. Not with cables along a boundary or with `supports`.
+             */
+            volume?: number | null;
+        };
+        /**
+         * @description A film with cables, pressure and weight, whose shape in equilibrium is found.
+         *
+         *     Every point of the boundaries is a support, unless it lies strictly inside the stretch of a cable or is listed in
+         *     `free_points`.
+         */
+        TensileStructureRequestWithKind: {
+            /** @description Closed polygons that do not repeat their first point: the edges of the film before form finding. */
+            boundaries: components["schemas"]["Polygon"][];
+            /** @description Cables along the boundaries and in the air. */
+            cables?: components["schemas"]["Cable"][];
+            /** @description Whether the stored result of an equal earlier request may be returned. */
+            cache?: components["schemas"]["Cache"];
+            /**
+             * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+             *     `webhooks` of `GET /v1/limits`.
+             */
+            callback_url?: string | null;
+            film: components["schemas"]["TensileFilm"];
+            /**
+             * @description Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
+             *     on both sides; cables in the air can tie it back.
+             */
+            free_points?: components["schemas"]["BoundaryPoint"][];
+            /**
+             * @description Kind of the request. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "tensile_structure";
+            /** @description Maximum number of linear solves. Null means 400. */
+            max_iterations?: number | null;
+            /**
+             * Format: double
+             * @description Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
+             *     with `volume`, and not with cables along a boundary or with `supports`.
+             */
+            pressure?: number | null;
+            resolution?: components["schemas"]["Resolution"];
+            /** @description Supports on which points or edges of the film slide without friction. */
+            supports?: components["schemas"]["SlidingSupport"][];
+            /**
+             * Format: double
+             * @description Residual (largest unbalanced force over twice the vertex's share of tension times area, times the radius of the
+             *     supports) at which the shape counts as found. Default: `1e-8`.
+             */
+            tolerance?: number;
+            units?: components["schemas"]["LengthAndForce"];
+            /** @description Axis that points up. Weights pull against it. Default: `z`. */
+            up?: components["schemas"]["UpAxis"];
+            /**
+             * Format: double
+             * @description Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
+             *     pressure is found. Not with cables along a boundary or with `supports`.
+             */
+            volume?: number | null;
         };
         /**
          * @description `fixed` keeps the topology of the initial mesh. `free` allows necks to pinch. `best` solves every spanning topology
@@ -2303,7 +2733,7 @@ export interface operations {
             header?: never;
             path: {
                 /** @description Last part of the type. */
-                name: "bad-header" | "bad-query" | "body-timeout" | "deadline" | "degenerate-boundary" | "expired" | "foreign-page" | "idempotency-key-conflict" | "internal" | "invalid-geometry" | "invalid-mesh" | "invalid-request" | "malformed-body" | "mesh-lost" | "method-not-allowed" | "misdirected" | "no-connected-film" | "no-initial-mesh" | "no-mesh" | "no-room-for-interior-vertices" | "not-acceptable" | "not-flattenable" | "not-found" | "queue-full" | "range-not-satisfiable" | "rate-limited" | "refused" | "self-intersecting-boundary" | "solver-panicked" | "too-large" | "unauthorized" | "unavailable" | "unknown-kind" | "unsupported-media-type" | "unwritable" | "worker-lost";
+                name: "bad-header" | "bad-query" | "body-timeout" | "deadline" | "degenerate-boundary" | "expired" | "foreign-page" | "idempotency-key-conflict" | "internal" | "invalid-geometry" | "invalid-mesh" | "invalid-request" | "malformed-body" | "mesh-lost" | "method-not-allowed" | "misdirected" | "no-connected-film" | "no-equilibrium" | "no-initial-mesh" | "no-mesh" | "no-room-for-interior-vertices" | "not-acceptable" | "not-flattenable" | "not-found" | "queue-full" | "range-not-satisfiable" | "rate-limited" | "refused" | "self-intersecting-boundary" | "slack-cable" | "solver-panicked" | "too-large" | "unauthorized" | "unavailable" | "unknown-kind" | "unsupported-media-type" | "unwritable" | "worker-lost";
             };
             cookie?: never;
         };
@@ -2626,7 +3056,7 @@ export interface operations {
             header?: never;
             path: {
                 /** @description Name of the example. */
-                name: "two-rails" | "helicoid" | "catenoid" | "tent" | "four-corners" | "ridge-rope" | "own-mesh" | "helicoid-relaxation" | "two-rings" | "rings-12-free" | "rings-12-best" | "rings-14-free" | "rings-14-best" | "rings-14-pinkall-polthier" | "cut-cylinder" | "three-rings" | "tetrahedron-loops" | "nested-loops" | "three-half-circles" | "three-half-circles-uneven" | "helicoid-liu-wang" | "scherk-relaxation" | "wavy-strip" | "contour-stack" | "wang-tang-i" | "wang-tang-ii" | "wang-tang-iii" | "wang-tang-iv" | "wang-tang-v" | "wang-tang-vi" | "latticed-roof" | "latticed-roof-steep" | "latticed-film" | "latticed-roof-few-lengths" | "floor-fewest-nodes" | "floor-equal-members" | "courtyard" | "vault";
+                name: "two-rails" | "helicoid" | "catenoid" | "tent" | "four-corners" | "ridge-rope" | "own-mesh" | "helicoid-relaxation" | "two-rings" | "rings-12-free" | "rings-12-best" | "rings-14-free" | "rings-14-best" | "rings-14-pinkall-polthier" | "cut-cylinder" | "three-rings" | "tetrahedron-loops" | "nested-loops" | "three-half-circles" | "three-half-circles-uneven" | "helicoid-liu-wang" | "scherk-relaxation" | "wavy-strip" | "contour-stack" | "wang-tang-i" | "wang-tang-ii" | "wang-tang-iii" | "wang-tang-iv" | "wang-tang-v" | "wang-tang-vi" | "latticed-roof" | "latticed-roof-steep" | "latticed-film" | "latticed-roof-few-lengths" | "floor-fewest-nodes" | "floor-equal-members" | "courtyard" | "plane-sail" | "four-point-sail" | "inflated-disc" | "vault";
             };
             cookie?: never;
         };
@@ -2654,7 +3084,7 @@ export interface operations {
                 /** @description Only jobs in this state. */
                 status?: "queued" | "running" | "succeeded" | "failed" | "cancelled";
                 /** @description Only jobs of this kind. */
-                kind?: "ruled_surface" | "minimal_surface" | "uniform_mesh";
+                kind?: "ruled_surface" | "minimal_surface" | "uniform_mesh" | "tensile_structure";
                 /** @description Only jobs that were submitted with this `Idempotency-Key`. */
                 idempotency_key?: string;
                 /** @description Maximum number of jobs on the page. The default is 50. */
@@ -3139,6 +3569,67 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["RuledSurfaceJob"];
+                };
+            };
+            400: components["responses"]["BadRequest"];
+            401: components["responses"]["Unauthorized"];
+            403: components["responses"]["ForeignPage"];
+            408: components["responses"]["RequestTimeout"];
+            413: components["responses"]["TooLarge"];
+            415: components["responses"]["UnsupportedMediaType"];
+            421: components["responses"]["Misdirected"];
+            422: components["responses"]["Invalid"];
+            429: components["responses"]["QueueFull"];
+            500: components["responses"]["Failed"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    postTensileStructure: {
+        parameters: {
+            query?: never;
+            header?: {
+                /**
+                 * @description `wait=N` waits up to N seconds for the end (RFC 7240). An invalid preference is ignored.
+                 * @example wait=10
+                 */
+                Prefer?: string;
+                /** @description Printable ASCII text. The same key with the same body returns the same job; with another body the answer is 422. */
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["TensileStructureRequest"];
+            };
+        };
+        responses: {
+            /** @description The job ended within the time of `Prefer: wait` (read its `status`), or this idempotency key was used before with this body. */
+            200: {
+                headers: {
+                    /** @description Address of the job. */
+                    Location?: string;
+                    /** @description The wait that was granted. */
+                    "Preference-Applied"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TensileStructureJob"];
+                };
+            };
+            /** @description The job is stored on disk and will be solved. */
+            202: {
+                headers: {
+                    /** @description Address of the job. */
+                    Location?: string;
+                    /** @description The wait that was granted. */
+                    "Preference-Applied"?: string;
+                    "Retry-After": components["headers"]["RetryAfter"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TensileStructureJob"];
                 };
             };
             400: components["responses"]["BadRequest"];

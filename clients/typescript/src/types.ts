@@ -18,16 +18,20 @@ export type Problem = Schemas['Problem'];
 export type RuledStatistics = Schemas['RuledStatistics'];
 export type MinimalStatistics = Schemas['MinimalStatistics'];
 export type UniformStatistics = Schemas['UniformStatistics'];
+export type TensileStatistics = Schemas['TensileStatistics'];
+export type TensileFilm = Schemas['TensileFilm'];
 
 export type RuledSurfaceOptions = Omit<Schemas['RuledSurfaceRequest'], 'kind' | 'directrices'>;
 export type MinimalSurfaceOptions = Omit<Schemas['MinimalSurfaceRequest'], 'kind' | 'boundaries'>;
 export type UniformMeshOptions = Omit<Schemas['UniformMeshRequest'], 'kind' | 'domain' | 'edge_length'>;
+export type TensileStructureOptions = Omit<Schemas['TensileStructureRequest'], 'kind' | 'boundaries' | 'film'>;
 
 /** A request with its kind, as `GET /v1/examples` has them. */
 export type Request =
   | (Omit<Schemas['RuledSurfaceRequest'], 'kind'> & { kind: 'ruled_surface' })
   | (Omit<Schemas['MinimalSurfaceRequest'], 'kind'> & { kind: 'minimal_surface' })
-  | (Omit<Schemas['UniformMeshRequest'], 'kind'> & { kind: 'uniform_mesh' });
+  | (Omit<Schemas['UniformMeshRequest'], 'kind'> & { kind: 'uniform_mesh' })
+  | (Omit<Schemas['TensileStructureRequest'], 'kind'> & { kind: 'tensile_structure' });
 
 /** What the statistics of a request's mesh are. */
 export type StatisticsOf<R extends { kind: Kind }> = R['kind'] extends 'ruled_surface'
@@ -36,7 +40,9 @@ export type StatisticsOf<R extends { kind: Kind }> = R['kind'] extends 'ruled_su
     ? MinimalStatistics
     : R['kind'] extends 'uniform_mesh'
       ? UniformStatistics
-      : RuledStatistics | MinimalStatistics | UniformStatistics;
+      : R['kind'] extends 'tensile_structure'
+        ? TensileStatistics
+        : RuledStatistics | MinimalStatistics | UniformStatistics | TensileStatistics;
 
 export type MeshFormat = 'glb' | 'gltf' | 'obj' | 'ply' | 'stl';
 export type PatternFormat = 'svg' | 'dxf';

@@ -56,6 +56,10 @@ test('every kind is solved', async () => {
   const strip = await client.ruledSurface(rails, { objective: 'minimal_twist' });
   const film = await client.minimalSurface([TENT], { resolution: { triangles: 2000 }, units: 'mm' });
   const floor = await client.uniformMesh([[0, 0, 0], [30, 0, 0], [30, 20, 0], [0, 20, 0]], 2.5);
+  const edges = [0, 1, 2, 3].map((k) => ({ along: { from: k, to: (k + 1) % 4 }, mode: 'force', value: 10 }));
+  const square = [[0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0]];
+  const sail = await client.tensileStructure([square], { tension: 1 }, { cables: edges, resolution: { triangles: 500 } });
+  assert.ok(sail.statistics.converged && Math.abs(sail.statistics.area - 63.77) < 0.6);
   assert.equal(strip.triangles.length, 3 * strip.statistics.triangles);
   assert.equal(strip.meanCurvature, null);
   assert.equal(film.vertices.length, 3 * film.statistics.vertices);

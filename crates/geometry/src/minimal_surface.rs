@@ -165,7 +165,9 @@ fn relax(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Er
             free_topology::run(film, free, limits, given, exec)
         }
         Method::Newton(Newton { on_unstable, .. }) => {
-            default_solver::run(film, default_solver::Task { limits, on_unstable: *on_unstable, given }, exec)
+            let may_widen = !given && options.initial_mesh != InitialMesh::Rings;
+            let task = default_solver::Task { limits, on_unstable: *on_unstable, given, may_widen };
+            default_solver::run(film, task, exec)
         }
     }
 }

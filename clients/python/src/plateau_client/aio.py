@@ -166,6 +166,20 @@ class AsyncPlateau:
         request = requests.uniform_mesh(domain, edge_length, **options)
         return await self._solve(request, Watch(on_progress, bar), timeout)
 
+    async def tensile_structure(
+        self,
+        boundaries: CurveLike,
+        film: api.TensileFilm,
+        *,
+        on_progress: Optional[ProgressCallback] = None,
+        bar: bool = False,
+        timeout: Optional[float] = None,
+        **options: Unpack[api.TensileStructureOptions],
+    ) -> AsyncResult[api.TensileStatistics]:
+        """The shape in equilibrium of a film of constant tension with cables, pressure and weight."""
+        request = requests.tensile_structure(boundaries, film, **options)
+        return await self._solve(request, Watch(on_progress, bar), timeout)
+
     async def solve(
         self,
         request: Mapping[str, Any],

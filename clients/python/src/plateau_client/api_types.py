@@ -182,7 +182,7 @@ class BoundaryPoint(TypedDict):
 
 class Cable(TypedDict):
     """A cable. Its course is exactly one of `along`, `across` and `points`."""
-    across: NotRequired[List[Point]]
+    across: NotRequired[Sequence[Point]]
     """Points through which the cable runs across the film before form finding, as a ridge or a valley. The first and
     the last are points of the boundaries. Cables across the film may share points but must not cross."""
     along: NotRequired[Along]
@@ -192,7 +192,7 @@ class Cable(TypedDict):
     mode: NotRequired[CableMode]
     name: NotRequired[Optional[str]]
     """Name in statistics and warnings. Null means its number, as in `cable 0`."""
-    points: NotRequired[List[Point]]
+    points: NotRequired[Sequence[Point]]
     """Two points between which the cable runs in the air. A point that equals a boundary's point is joined to it; any
     other point is a support."""
     value: float
@@ -219,7 +219,7 @@ class CableForce(TypedDict):
 
 
 class CircleGuide(TypedDict):
-    axis: List[float]
+    axis: Sequence[float]
     """Normal of the circle's plane."""
     centre: Point
     radius: float
@@ -264,7 +264,7 @@ class Constraints(TypedDict):
 
 class CylinderGuide(TypedDict):
     axis: Point
-    point: List[float]
+    point: Sequence[float]
     """A point of the axis."""
     radius: float
 
@@ -1172,9 +1172,9 @@ class TensileStructureRequest(TypedDict):
 
     Every point of the boundaries is a support, unless it lies strictly inside the stretch of a cable or is listed in
     `free_points`."""
-    boundaries: List[Polygon]
+    boundaries: Sequence[Polygon]
     """Closed polygons that do not repeat their first point: the edges of the film before form finding."""
-    cables: NotRequired[List[Cable]]
+    cables: NotRequired[Sequence[Cable]]
     """Cables along the boundaries and in the air."""
     cache: NotRequired[Cache]
     """Whether the stored result of an equal earlier request may be returned."""
@@ -1182,7 +1182,7 @@ class TensileStructureRequest(TypedDict):
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
     film: TensileFilm
-    free_points: NotRequired[List[BoundaryPoint]]
+    free_points: NotRequired[Sequence[BoundaryPoint]]
     """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     on both sides; cables in the air can tie it back."""
     kind: NotRequired[Optional[TensileStructureKind]]
@@ -1193,7 +1193,7 @@ class TensileStructureRequest(TypedDict):
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary or with `supports`."""
     resolution: NotRequired[Resolution]
-    supports: NotRequired[List[SlidingSupport]]
+    supports: NotRequired[Sequence[SlidingSupport]]
     """Supports on which points or edges of the film slide without friction."""
     tolerance: NotRequired[float]
     """Residual (largest unbalanced force over twice the vertex's share of tension times area, times the radius of the
@@ -1503,3 +1503,37 @@ class UniformMeshOptions(TypedDict, total=False):
     """Unit of the coordinates. Default: `m`."""
     up: UpAxis
     """Axis that points up. Default: `z`."""
+
+
+class TensileStructureOptions(TypedDict, total=False):
+    """A film with cables, pressure and weight, whose shape in equilibrium is found.
+
+    Every point of the boundaries is a support, unless it lies strictly inside the stretch of a cable or is listed in
+    `free_points`."""
+    cables: Sequence[Cable]
+    """Cables along the boundaries and in the air."""
+    cache: Cache
+    """Whether the stored result of an equal earlier request may be returned."""
+    callback_url: Optional[str]
+    """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+    `webhooks` of `GET /v1/limits`."""
+    free_points: Sequence[BoundaryPoint]
+    """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
+    on both sides; cables in the air can tie it back."""
+    max_iterations: Optional[int]
+    """Maximum number of linear solves. Null means 400."""
+    pressure: Optional[float]
+    """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
+    with `volume`, and not with cables along a boundary or with `supports`."""
+    resolution: Resolution
+    supports: Sequence[SlidingSupport]
+    """Supports on which points or edges of the film slide without friction."""
+    tolerance: float
+    """Residual (largest unbalanced force over twice the vertex's share of tension times area, times the radius of the
+    supports) at which the shape counts as found. Default: `1e-8`."""
+    units: LengthAndForce
+    up: UpAxis
+    """Axis that points up. Weights pull against it. Default: `z`."""
+    volume: Optional[float]
+    """Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
+    pressure is found. Not with cables along a boundary or with `supports`."""

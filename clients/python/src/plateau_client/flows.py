@@ -27,6 +27,7 @@ PATHS = {
     "ruled_surface": "v1/ruled-surfaces",
     "minimal_surface": "v1/minimal-surfaces",
     "uniform_mesh": "v1/uniform-meshes",
+    "tensile_structure": "v1/tensile-structures",
 }
 ENDED = ("succeeded", "failed", "cancelled")
 

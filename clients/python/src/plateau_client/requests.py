@@ -25,3 +25,10 @@ def uniform_mesh(
     domain: Union[CurveLike, Mapping[str, Any]], edge_length: float, **options: Unpack[api.UniformMeshOptions]
 ) -> Dict[str, Any]:
     return {"kind": "uniform_mesh", "domain": read_domain(domain), "edge_length": edge_length, **options}
+
+
+def tensile_structure(
+    boundaries: CurveLike, film: api.TensileFilm, **options: Unpack[api.TensileStructureOptions]
+) -> Dict[str, Any]:
+    loops = curves("boundaries", boundaries)
+    return {"kind": "tensile_structure", "boundaries": loops, "film": film, **options}

@@ -257,7 +257,7 @@ impl SpanningProblem<'_> {
     }
 
     fn task(&self) -> newton::Task {
-        newton::Task { limits: self.options.limits(), on_unstable: OnUnstable::Descend, given: false }
+        newton::Task { limits: self.options.limits(), on_unstable: OnUnstable::Descend, given: false, may_widen: true }
     }
 
     /// Step 1 for one set.

@@ -97,7 +97,8 @@ fn follow(
     let may_add = options.boundary_sampling != BoundarySampling::Keep;
     let Some(mut places) = BoundaryPlaces::new(&mut film, plan, boundaries, may_add) else { return Ok(None) };
     let initial_area = film.area();
-    let mut solve = Solve::new(&film, Task { limits: options.limits(), on_unstable, given: false }, exec);
+    let mut solve =
+        Solve::new(&film, Task { limits: options.limits(), on_unstable, given: false, may_widen: true }, exec);
     let (stop_reason, stability) = match climb(&mut film, &mut places, plan.levels, &mut solve) {
         Ok(Some(stability)) => (StopReason::Residual, Some(stability)),
         Ok(None) | Err(Error::NoResult { .. }) => return Ok(None),

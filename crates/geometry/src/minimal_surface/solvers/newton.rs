@@ -69,6 +69,9 @@ pub(crate) struct Task {
     pub on_unstable: OnUnstable,
     /// Whether the initial mesh is the caller's own, which may lie near a stationary surface.
     pub given: bool,
+    /// Whether small angles may be widened, which changes the number of triangles. Not where the caller was promised a
+    /// mesh: their own, or rings.
+    pub may_widen: bool,
 }
 
 /// Steps 1 to 3 on a film.
@@ -115,7 +118,7 @@ impl<'a> Solve<'a> {
             unstable_mode: None,
             extrapolated_area: None,
             given: task.given,
-            may_widen: !task.given,
+            may_widen: task.may_widen,
         }
     }
 
@@ -358,7 +361,7 @@ mod tests {
     fn beyond_the_critical_gap_nothing_is_called_converged() {
         let mut film = cylinder(48, 16, 1.5);
         let limits = Limits { tolerance: 1e-6, max_iterations: None };
-        let task = Task { limits, on_unstable: OnUnstable::Report, given: false };
+        let task = Task { limits, on_unstable: OnUnstable::Report, given: false, may_widen: true };
         let run = run(&mut film, task, &Execution::default()).unwrap();
         assert_ne!(run.stop_reason, StopReason::Residual);
         assert!(film.vertices.iter().all(|vertex| vertex.is_finite()));

@@ -75,7 +75,8 @@ impl Polygon {
             .enumerate()
             .flat_map(|(ring, m)| m.points.iter().zip(&m.source).map(move |(p, &k)| (ring, k, p)))
             .map(|(ring, k, p)| (frame.height(*p), ring, k))
-            .fold((0.0, 0, 0), |worst, here| if here.0 > worst.0 { here } else { worst });
+            // Points that are equally far off up to rounding are named in the order of the input.
+            .fold((0.0, 0, 0), |worst, here| if here.0 > worst.0 * (1.0 + 1e-9) { here } else { worst });
         if off.0 > tolerance {
             let detail = format!(
                 "the polygon is not planar: this point is {:.6e} off the plane through it all (allowed: {:.1e} of its size, {:.6e})",
