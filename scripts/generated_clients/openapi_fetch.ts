@@ -21,6 +21,7 @@ function post(request: Schemas['RequestWithKind']) {
     case 'ruled_surface': return client.POST('/v1/ruled-surfaces', { body: request, params: { header } });
     case 'minimal_surface': return client.POST('/v1/minimal-surfaces', { body: request, params: { header } });
     case 'uniform_mesh': return client.POST('/v1/uniform-meshes', { body: request, params: { header } });
+    case 'tensile_structure': return client.POST('/v1/tensile-structures', { body: request, params: { header } });
   }
 }
 

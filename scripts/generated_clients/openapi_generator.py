@@ -11,6 +11,7 @@ KINDS: dict[str, Any] = {
     "ruled_surface": (generated.RuledSurfaceRequest, "post_ruled_surface", generated.RuledSurfaceJob),
     "minimal_surface": (generated.MinimalSurfaceRequest, "post_minimal_surface", generated.MinimalSurfaceJob),
     "uniform_mesh": (generated.UniformMeshRequest, "post_uniform_mesh", generated.UniformMeshJob),
+    "tensile_structure": (generated.TensileStructureRequest, "post_tensile_structure", generated.TensileStructureJob),
 }
 
 
