@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { request, solved, useStudio } from './harness.mjs';
 
 const studio = useStudio();
-const FIRST = { minimal_surface: 'tent', ruled_surface: 'wang-tang-v', uniform_mesh: 'floor-fewest-nodes' };
+const FIRST = { minimal_surface: 'tent', ruled_surface: 'wang-tang-v', uniform_mesh: 'floor-fewest-nodes', tensile_structure: 'plane-sail' };
 
 test('the control offers each objective of each kind, and sets the request', async () => {
   const { page } = studio;
