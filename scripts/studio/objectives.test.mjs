@@ -5,15 +5,17 @@ import { test } from 'node:test';
 import { request, solved, useStudio } from './harness.mjs';
 
 const studio = useStudio();
-const FIRST = { minimal_surface: 'tent', ruled_surface: 'wang-tang-v', uniform_mesh: 'floor-fewest-nodes', tensile_structure: 'plane-sail' };
+const FIRST = { minimal_surface: 'tent', ruled_surface: 'wang-tang-v', uniform_mesh: 'floor-fewest-nodes' };
 
 test('the control offers each objective of each kind, and sets the request', async () => {
   const { page } = studio;
   const { objectives } = await (await fetch(`${studio.url}/v1/objectives`)).json();
   for (const kind of new Set(objectives.map((each) => each.kind))) {
+    const names = objectives.filter((each) => each.kind === kind).map(({ name }) => name);
+    // A tensile structure has one objective, equilibrium, so its request has no field to choose it.
+    if (names.length === 1) continue;
     await studio.open(FIRST[kind]);
     await page.uncheck('#live');
-    const names = objectives.filter((each) => each.kind === kind).map(({ name }) => name);
     for (const name of [...names.slice(1), names[0]]) {
       await page.selectOption('#options [name="objective"]', name);
       assert.equal((await request(page)).objective, name);
