@@ -48,6 +48,7 @@ pub mod energy;
 pub mod equilibrium;
 pub mod error;
 pub mod execution;
+pub mod lower_bound;
 pub mod mesh;
 pub mod minimal_surface;
 mod plane;
