@@ -177,7 +177,12 @@ pub struct Request {
 #[derive(Clone, Debug)]
 pub enum Problem {
     RuledSurface { directrices: Vec<Vec<DVec3>>, options: plateau_geometry::ruled_surface::Options },
-    MinimalSurface { boundaries: Vec<Vec<DVec3>>, options: plateau_geometry::minimal_surface::Options },
+    MinimalSurface {
+        boundaries: Vec<Vec<DVec3>>,
+        options: plateau_geometry::minimal_surface::Options,
+        /// Whether and how to prove a lower bound of the area.
+        certify: Option<plateau_geometry::lower_bound::Options>,
+    },
     UniformMesh { domain: plateau_geometry::uniform_mesh::Domain, options: plateau_geometry::uniform_mesh::Options },
 }
 

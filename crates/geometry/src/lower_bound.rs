@@ -1,26 +1,28 @@
-//! How far a film is at most from the least area over *all* oriented surfaces with its boundary: a lower bound by duality.
+//! How far a film is at most from the least area over *all* oriented surfaces with its boundary: a lower bound by
+//! duality.
 //!
 //! # The theorem
-//! Let Γ be closed polygons inside a box, and A a field on the box with |curl A| <= 1. Every oriented surface S with boundary Γ
-//! has an area of at least ∮_Γ A·dl: inside the box by Stokes' theorem, ∮_Γ A = ∫_S curl A·n <= area(S). A surface that leaves the
-//! box does no better, because the nearest-point projection onto a convex set lengthens nothing: it maps S to a surface in the
-//! box with the same boundary and no more area. The topology of S plays no part; "surface" may be read as integral current.
-//! Surfaces without an orientation (a Möbius film) and films with triple junctions are outside of the theorem.
+//! Let Γ be closed polygons inside a box, and A a field on the box with |curl A| <= 1. Every oriented surface S with
+//! boundary Γ has an area of at least ∮_Γ A·dl: inside the box by Stokes' theorem, ∮_Γ A = ∫_S curl A·n <= area(S). A
+//! surface that leaves the box does no better, because the nearest-point projection onto a convex set lengthens
+//! nothing: it maps S to a surface in the box with the same boundary and no more area. The topology of S plays no part;
+//! "surface" may be read as integral current. Surfaces without an orientation (a Möbius film) and films with triple
+//! junctions are outside of the theorem.
 //!
 //! A is piecewise polynomial with continuous tangential components ([`element`]). Mollified, it becomes a smooth field
-//! whose curl is an average of values of norm at most 1, and whose integral along Γ tends to that of A, since only
-//! the tangential component can matter where Γ runs inside a face or an edge. So Stokes' theorem applies.
+//! whose curl is an average of values of norm at most 1, and whose integral along Γ tends to that of A, since only the
+//! tangential component can matter where Γ runs inside a face or an edge. So Stokes' theorem applies.
 //!
 //! # The computation
-//! Every A gives a bound; the largest is the solution of a convex problem, dual to that of the least area. The box is cut into
-//! tetrahedra by bisection ([`bisection`]), finer where the film lies. A maximises ∮A under |curl A| <= 1 ([`admm`]); the
-//! multipliers of the constraint are the dual surface, and the mesh is refined where that surface bends inside a
-//! tetrahedron. Meshes are nested, so every level starts from the field of the one before. At the end |curl A| and ∮A are computed
-//! with outward rounding ([`rigorous`]): the bound is a theorem about the given polygons in f64.
+//! Every A gives a bound; the largest is the solution of a convex problem, dual to that of the least area. The box is
+//! cut into tetrahedra by bisection ([`bisection`]), finer where the film lies. A maximises ∮A under |curl A| <= 1
+//! ([`admm`]); the multipliers of the constraint are the dual surface, and the mesh is refined where that surface bends
+//! inside a tetrahedron. Meshes are nested, so every level starts from the field of the one before. At the end |curl A|
+//! and ∮A are computed with outward rounding ([`rigorous`]): the bound is a theorem about the given polygons in f64.
 //!
 //! # Work instead of time
-//! This crate knows no clock. The budget in seconds is converted to work by fixed rates, so the same request always gives
-//! the same bytes; a deadline of the caller only stops it earlier.
+//! This crate knows no clock. The budget in seconds is converted to work by fixed rates, so the same request always
+//! gives the same bytes; a deadline of the caller only stops it earlier.
 
 mod admm;
 mod bisection;
@@ -82,7 +84,8 @@ pub struct Field {
 pub struct LowerBound {
     /// No oriented surface of any topology with this boundary has a smaller area.
     pub area: f64,
-    /// One field for each orientation of the loops that differs by more than a reversal of all; the bound is the least of theirs.
+    /// One field for each orientation of the loops that differs by more than a reversal of all; the bound is the least
+    /// of theirs.
     pub fields: Vec<Field>,
     /// Whether `fields` has all of these orientations, or (beyond [`MOST_LOOPS`]) the film's own alone.
     pub every_orientation: bool,
@@ -92,7 +95,8 @@ pub struct LowerBound {
     pub seconds: f64,
     /// Whether a deadline of the caller ended the search.
     pub interrupted: bool,
-    /// 1 - |curl A · n| at each vertex of the film, 0 to 1, for the orientation with the least bound: where the bound is not tight.
+    /// 1 - |curl A · n| at each vertex of the film, 0 to 1, for the orientation with the least bound: where the bound
+    /// is not tight.
     pub slack: Vec<f64>,
 }
 
@@ -118,13 +122,13 @@ const MOST_LEAVES: usize = 60_000;
 const MOST_ENTRIES: usize = 60_000_000;
 /// Fraction of the indicator that the marked leaves of one round of refinement have together.
 const MARKED_SHARE: f64 = 0.4;
-/// Weight of a leaf's share of the film's area, and of the box's volume, in units of the augmented Lagrangian's penalty. Products
-/// from 3 to 30 of the two converge about as fast; measured on rings and the skew quadrilateral.
+/// Weight of a leaf's share of the film's area, and of the box's volume, in units of the augmented Lagrangian's
+/// penalty. Products from 3 to 30 of the two converge about as fast; measured on rings and the skew quadrilateral.
 const PENALTY: f64 = 10.0;
 const VOLUME_SHARE: f64 = 1.0;
 
-/// Nominal seconds of a factorisation, per (entries of the factor)² / rows, and of its preparation per leaf. Measured on a core of
-/// a shared machine, so that a free core is faster.
+/// Nominal seconds of a factorisation, per (entries of the factor)² / rows, and of its preparation per leaf. Measured
+/// on a core of a shared machine, so that a free core is faster.
 const FACTORISATION_RATE: f64 = 6e-10;
 const PREPARATION_RATE: f64 = 2e-5;
 /// Nominal seconds of an iteration, per entry of the factor and per leaf.
@@ -161,11 +165,11 @@ struct Budget<'a> {
     iterations: u32,
 }
 
-/// Proves a lower bound of the area of every oriented surface bounded by the loops; `film` is a surface that they bound, and
-/// shows where the bound has to be sharp.
+/// Proves a lower bound of the area of every oriented surface bounded by the loops; `film` is a surface that they
+/// bound, and shows where the bound has to be sharp.
 ///
-/// With several loops the bound is the least over all their orientations. `None` if the coordinates are so large for the
-/// loops' size that f64 has no digits left for the mesh, or if the film has no area.
+/// With several loops the bound is the least over all their orientations. `None` if the coordinates are so large for
+/// the loops' size that f64 has no digits left for the mesh, or if the film has no area.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on a cancel. A deadline ends the search with what is proven so far.
@@ -238,8 +242,8 @@ pub fn certify(
     Ok(Some(LowerBound { area, fields, every_orientation, iterations, seconds: spent, interrupted, slack }))
 }
 
-/// The integral of the unit normal over any surface that the loops bound. Its length is the bound that a field of constant curl
-/// gives: the area itself for plane polygons.
+/// The integral of the unit normal over any surface that the loops bound. Its length is the bound that a field of
+/// constant curl gives: the area itself for plane polygons.
 fn vector_area(loops: &[Vec<DVec3>]) -> DVec3 {
     let origin = loops[0][0];
     let of = |points: &Vec<DVec3>| -> DVec3 {

@@ -1,5 +1,5 @@
-//! Lower bounds of the area: never above a film's area, sharp on plane polygons, and confirmed by a program of its own in
-//! exact arithmetic.
+//! Lower bounds of the area: never above a film's area, sharp on plane polygons, and confirmed by a program of its own
+//! in exact arithmetic.
 
 mod boundaries;
 

@@ -1,8 +1,8 @@
 //! The largest circulation of a field with |curl| <= 1 on one mesh, by the alternating direction method of multipliers.
 //!
-//! Maximise g·a subject to C a = z, |z| <= 1 at every vertex of every tetrahedron. The steps for the field a solve one and the same
-//! symmetric system, factorised once; the steps for z project onto the unit ball. Every iterate gives a bound, g·a / max |C a|,
-//! and the best is kept.
+//! Maximise g·a subject to C a = z, |z| <= 1 at every vertex of every tetrahedron. The steps for the field a solve one
+//! and the same symmetric system, factorised once; the steps for z project onto the unit ball. Every iterate gives a
+//! bound, g·a / max |C a|, and the best is kept.
 
 use super::bisection::BisectionMesh;
 use super::space::Space;

@@ -1,9 +1,10 @@
 //! The finite element: Nédélec's of second order without the gradients of second order, so that its curls are all the
 //! vector fields that are linear on every tetrahedron, have continuous normal components and no divergence.
 //!
-//! A field has one unknown an edge (its circulation) and two a face. On an edge ij (i < j, by the vertices' numbers) the basis function
-//! is Whitney's w_ij = λi ∇λj - λj ∇λi; on a face ijk (i < j < k) they are λk w_ij and λi w_jk, which have no tangential
-//! component on any edge. The curl is linear on a tetrahedron, so |curl| is largest at one of its four vertices.
+//! A field has one unknown an edge (its circulation) and two a face. On an edge ij (i < j, by the vertices' numbers)
+//! the basis function is Whitney's w_ij = λi ∇λj - λj ∇λi; on a face ijk (i < j < k) they are λk w_ij and λi w_jk,
+//! which have no tangential component on any edge. The curl is linear on a tetrahedron, so |curl| is largest at one of
+//! its four vertices.
 
 use super::bisection::{EDGES, FACES};
 use crate::DVec3;

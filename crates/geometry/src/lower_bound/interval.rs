@@ -1,6 +1,7 @@
 //! Interval arithmetic with outward rounding: every result contains the exact one.
 //!
-//! The five operations of IEEE 754 are correctly rounded, so the exact result lies between the neighbours of the rounded one.
+//! The five operations of IEEE 754 are correctly rounded, so the exact result lies between the neighbours of the
+//! rounded one.
 
 use crate::DVec3;
 use std::ops::{Add, Div, Mul, Neg, Sub};

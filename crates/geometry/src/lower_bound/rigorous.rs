@@ -2,12 +2,13 @@
 //!
 //! **|curl A|.** The curl is linear on a tetrahedron and |·| is convex, so its values at the four vertices suffice.
 //!
-//! **∮A.** A segment of the boundary is followed through the mesh by rounded barycentric coordinates. Coordinates that do not vanish
-//! together stand for an exact point of the tetrahedron, their weighted mean of its vertices, so rounded coordinates describe
-//! *another* polygon exactly: it follows the given one within rounding, and each of its pieces lies in one tetrahedron, where the
-//! integral has a closed form. Where a piece ends and the next one starts, only the coordinates at vertices that both
-//! tetrahedra have are kept, so that both mean the same point. Between the two polygons lies a strip of triangles, all in
-//! the box; as |curl A| <= 1 there, the two circulations differ by at most the strip's area, which is bounded too.
+//! **∮A.** A segment of the boundary is followed through the mesh by rounded barycentric coordinates. Coordinates that
+//! do not vanish together stand for an exact point of the tetrahedron, their weighted mean of its vertices, so rounded
+//! coordinates describe *another* polygon exactly: it follows the given one within rounding, and each of its pieces
+//! lies in one tetrahedron, where the integral has a closed form. Where a piece ends and the next one starts, only the
+//! coordinates at vertices that both tetrahedra have are kept, so that both mean the same point. Between the two
+//! polygons lies a strip of triangles, all in the box; as |curl A| <= 1 there, the two circulations differ by at most
+//! the strip's area, which is bounded too.
 
 use super::bisection::{BisectionMesh, EDGES, Piece};
 use super::element::{EVEN, Orientation, UNKNOWNS};
@@ -77,7 +78,8 @@ struct Link {
     segment: [DVec3; 2],
 }
 
-/// A lower bound of the circulation of a field with |curl| <= 1 around closed polygons; `None` if the tracing lost its way.
+/// A lower bound of the circulation of a field with |curl| <= 1 around closed polygons; `None` if the tracing lost its
+/// way.
 pub(super) fn circulation(space: &Space, mesh: &BisectionMesh, field: &[f64], loops: &[Vec<DVec3>]) -> Option<f64> {
     let mut sum = Interval::ZERO;
     for points in loops {

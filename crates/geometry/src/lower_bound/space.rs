@@ -14,8 +14,8 @@ pub(super) struct Space {
     pub orientations: Vec<Orientation>,
     /// Corners of each leaf.
     pub corners: Vec<[DVec3; 4]>,
-    /// For each unknown whether it is left as it is: the edges of a spanning tree, which settle the gradient that may be
-    /// added to the field without changing its curl.
+    /// For each unknown whether it is left as it is: the edges of a spanning tree, which settle the gradient that may
+    /// be added to the field without changing its curl.
     pub gauge: Vec<bool>,
 }
 
