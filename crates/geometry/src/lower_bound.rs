@@ -16,7 +16,7 @@
 //! # The computation
 //! Every A gives a bound; the largest is the solution of a convex problem, dual to that of the least area. The box is
 //! cut into tetrahedra by bisection ([`bisection`]), finer where the film lies. A maximises ∮A under |curl A| <= 1
-//! ([`admm`]); the multipliers of the constraint are the dual surface, and the mesh is refined where that surface bends
+//! ([`barrier`]); the multipliers of the constraint are the dual surface, and the mesh is refined where that surface bends
 //! inside a tetrahedron. Meshes are nested, so every level starts from the field of the one before. At the end |curl A|
 //! and ∮A are computed with outward rounding ([`rigorous`]): the bound is a theorem about the given polygons in f64.
 //!
@@ -24,7 +24,7 @@
 //! This crate knows no clock. The budget in seconds is converted to work by fixed rates, so the same request always
 //! gives the same bytes; a deadline of the caller only stops it earlier.
 
-mod admm;
+mod barrier;
 mod bisection;
 mod element;
 mod interval;
@@ -36,7 +36,7 @@ mod tests;
 
 use crate::execution::Interruption;
 use crate::{DVec3, Error, Execution, Mesh, Progress};
-use admm::Level;
+use barrier::Level;
 use bisection::{BisectionMesh, VertexMap};
 use space::Space;
 use system::System;
@@ -89,7 +89,7 @@ pub struct LowerBound {
     pub fields: Vec<Field>,
     /// Whether `fields` has all of these orientations, or (beyond [`MOST_LOOPS`]) the film's own alone.
     pub every_orientation: bool,
-    /// Iterations of all searches together.
+    /// Steps of Newton's method of all searches together.
     pub iterations: u32,
     /// Nominal seconds that the work amounts to.
     pub seconds: f64,
@@ -111,29 +111,24 @@ const FIRST_LEAVES: usize = 2_000;
 const GROWTH: f64 = 2.5;
 /// A mesh that is not finer by this much is not worth a factorisation.
 const LEAST_GROWTH: f64 = 1.4;
-/// Iterations on a mesh before the next one.
-const ITERATIONS: u32 = 120;
-/// Iterations that the budget must allow for on a mesh: the last one needs more of them.
-const LAST_ITERATIONS: u32 = 150;
-/// Iterations on the last mesh at most.
-const MOST_ITERATIONS: u32 = 400;
+/// Steps on a mesh at most. The method converges in about 20.
+const MOST_STEPS: u32 = 60;
+/// Steps that the budget must allow for on a finer mesh, which starts from the field of the mesh before.
+const STEPS: u32 = 10;
+/// A mesh is left for a finer one once its own optimum is reached to this fraction of what is missing to the film's area.
+const CONVERGED: f64 = 0.1;
 /// Tetrahedra and factor entries of the largest mesh; they limit the memory.
 const MOST_LEAVES: usize = 60_000;
 const MOST_ENTRIES: usize = 60_000_000;
 /// Fraction of the indicator that the marked leaves of one round of refinement have together.
 const MARKED_SHARE: f64 = 0.4;
-/// Weight of a leaf's share of the film's area, and of the box's volume, in units of the augmented Lagrangian's
-/// penalty. Products from 3 to 30 of the two converge about as fast; measured on rings and the skew quadrilateral.
-const PENALTY: f64 = 10.0;
-const VOLUME_SHARE: f64 = 1.0;
-
 /// Nominal seconds of a factorisation, per (entries of the factor)² / rows, and of its preparation per leaf. Measured
 /// on a core of a shared machine, so that a free core is faster.
 const FACTORISATION_RATE: f64 = 6e-10;
 const PREPARATION_RATE: f64 = 2e-5;
-/// Nominal seconds of an iteration, per entry of the factor and per leaf.
+/// Nominal seconds of a step besides the factorisation, per entry of the factor and per leaf.
 const SOLVE_RATE: f64 = 4e-9;
-const CURL_RATE: f64 = 1e-6;
+const ASSEMBLY_RATE: f64 = 5e-6;
 
 /// Upper bound of the memory that [`certify`] takes.
 #[must_use]
@@ -328,23 +323,21 @@ impl Budget<'_> {
         Ok(mesh)
     }
 
-    /// Nominal seconds of a level of some iterations.
-    fn price([entries, rows]: [f64; 2], leaves: f64, iterations: u32) -> f64 {
-        FACTORISATION_RATE * entries * entries / rows
-            + PREPARATION_RATE * leaves
-            + f64::from(iterations) * (SOLVE_RATE * entries + CURL_RATE * leaves)
+    /// Nominal seconds of a level of some steps.
+    fn price([entries, rows]: [f64; 2], leaves: f64, steps: u32) -> f64 {
+        let a_step = FACTORISATION_RATE * entries * entries / rows + SOLVE_RATE * entries + ASSEMBLY_RATE * leaves;
+        PREPARATION_RATE * leaves + f64::from(steps) * a_step
     }
 
     /// Leaves of the next mesh, if the rest of the budget allows for a finer one.
-    fn next_leaves(&self, search: &Search) -> Option<usize> {
-        let Some([entries, rows]) = search.system else { return Some(search.mesh.leaf_count()) };
-        let leaves = search.mesh.leaf_count() as f64;
+    fn next_leaves(&self, [entries, rows]: [f64; 2], leaves: usize) -> Option<usize> {
+        let leaves = leaves as f64;
         let affordable = |growth: f64| {
             // Fill grows a little faster than the mesh.
             let system = [entries * growth.powf(1.3), rows * growth];
             leaves * growth <= MOST_LEAVES as f64
                 && system[0] <= MOST_ENTRIES as f64
-                && Self::price(system, leaves * growth, LAST_ITERATIONS) <= self.left()
+                && Self::price(system, leaves * growth, STEPS) <= self.left()
         };
         let mut growth = GROWTH;
         while growth >= LEAST_GROWTH {
@@ -359,21 +352,13 @@ impl Budget<'_> {
     /// Refines the search's mesh and iterates on it.
     fn level(&mut self, search: &mut Search, storage: &mut Vec<f64>, exec: &Execution) -> Result<(), Error> {
         let first = search.system.is_none();
-        if let Some(leaves) = self.next_leaves(search) {
+        if let Some(leaves) = search.system.and_then(|system| self.next_leaves(system, search.mesh.leaf_count())) {
             search.mesh.refine(leaves, exec)?;
         }
         let Search { loops, mesh, bound, system: size, finished } = search;
         exec.look(mesh.leaf_count() as u64)?;
         let space = Space::of(mesh);
         let form = space.circulation(mesh, loops);
-        let film = self.film_in_leaves(mesh);
-        let volume = mesh.volume();
-        let weight: Vec<f64> = (0..mesh.leaf_count())
-            .map(|leaf| {
-                let share = VOLUME_SHARE * self.film_area * mesh.leaf_volume(leaf) / volume;
-                0.25 * PENALTY * (film[leaf] + share)
-            })
-            .collect();
         exec.look(mesh.leaf_count() as u64)?;
         let failed = |_| Error::no_result("internal", "the linear system of the lower bound could not be solved");
         let mut system = System::of(&space).map_err(failed)?;
@@ -383,31 +368,23 @@ impl Budget<'_> {
             *finished = true;
             return Ok(());
         }
-        exec.look(mesh.leaf_count() as u64)?;
-        let factor = system.factorise(&space, &weight, std::mem::take(storage)).map_err(failed)?;
         self.spent += Self::price(dimensions, leaves, 0);
         *size = Some(dimensions);
-        let mut level = Level::new(&space, mesh, &form, &weight);
-        let an_iteration = Self::price(dimensions, leaves, 1) - Self::price(dimensions, leaves, 0);
+        let mut level = Level::new(&space, mesh, &form, self.film_area);
+        let a_step = Self::price(dimensions, leaves, 1) - Self::price(dimensions, leaves, 0);
         let mut interrupted = Ok(());
-        let mut last = false;
-        for iteration in 0..MOST_ITERATIONS {
-            if iteration == ITERATIONS {
-                let next = Search { loops: Vec::new(), mesh: mesh.clone(), bound: 0.0, system: *size, finished: false };
-                last = self.next_leaves(&next).is_none();
-                if !last {
-                    break;
-                }
-            }
-            if self.reached(level.best.bound) || (iteration >= ITERATIONS && self.left() < an_iteration) {
+        let missing = |bound: f64| (self.film_area - bound).max(0.0);
+        for _ in 0..MOST_STEPS {
+            let converged = level.gap() <= CONVERGED * missing(level.best.bound);
+            if converged || self.options.gap * level.best.bound >= missing(level.best.bound) || self.left() < a_step {
                 break;
             }
             if let Err(interruption) = exec.look(dimensions[0] as u64) {
                 interrupted = Err(interruption);
                 break;
             }
-            level.step(&factor).map_err(failed)?;
-            self.spent += an_iteration;
+            level.step(&mut system, storage).map_err(failed)?;
+            self.spent += a_step;
             self.iterations += 1;
             exec.report(Progress {
                 fraction: (self.spent / self.options.seconds.min(MOST_SECONDS)).min(1.0),
@@ -417,11 +394,10 @@ impl Budget<'_> {
                 residual: None,
             });
         }
-        *finished = last;
+        *finished = self.next_leaves(dimensions, mesh.leaf_count()).is_none();
         *bound = level.best.bound;
         let currents: Vec<[DVec3; 4]> = (0..mesh.leaf_count()).map(|leaf| level.current(leaf)).collect();
         let field = level.best.field;
-        *storage = factor.into_storage();
         let curl = space.curl(&field);
         for (leaf, nodal) in mesh.nodal.iter_mut().enumerate() {
             (nodal.curl, nodal.current) = (curl[leaf], currents[leaf]);

@@ -1,8 +1,9 @@
-//! The symmetric matrix Cᵀ W C of the curl C, with a weight W for each tetrahedron, and its factor.
+//! The symmetric matrix Cᵀ W C of the curl C, with a matrix W for each vertex of a tetrahedron, and its factor.
 
 use super::element::{self, UNKNOWNS};
 use super::space::Space;
 use crate::sparse::{LinearError, Symbolic, SymmetricMatrix};
+use glam::DMat3;
 
 /// The pattern of the matrix, its analysis, and where each tetrahedron adds to it.
 #[derive(Debug)]
@@ -84,16 +85,24 @@ impl System {
         self.rows
     }
 
-    /// Assembles and factorises the matrix for one weight a leaf, that of each of its four vertices.
-    pub fn factorise(&mut self, space: &Space, weight: &[f64], storage: Vec<f64>) -> Result<Factor<'_>, LinearError> {
+    /// Assembles and factorises the matrix for the weights at the four vertices of each leaf: symmetric positive definite
+    /// matrices.
+    pub fn factorise(
+        &mut self,
+        space: &Space,
+        weight: impl Fn(usize, usize) -> DMat3,
+        storage: Vec<f64>,
+    ) -> Result<Factor<'_>, LinearError> {
         self.matrix.values.fill(0.0);
-        for (leaf, &weight) in weight.iter().enumerate() {
+        for leaf in 0..space.unknowns.len() {
             let basis = element::basis_curls(space.corners[leaf], &space.orientations[leaf]);
             let mut local = [[0.0; UNKNOWNS]; UNKNOWNS];
-            for curls in &basis {
+            for (p, curls) in basis.iter().enumerate() {
+                let weight = weight(leaf, p);
                 for i in 0..UNKNOWNS {
+                    let weighted = weight * curls[i];
                     for j in 0..=i {
-                        local[i][j] += weight * curls[i].dot(curls[j]);
+                        local[i][j] += weighted.dot(curls[j]);
                     }
                 }
             }
@@ -121,8 +130,9 @@ pub(super) struct Factor<'a> {
 }
 
 impl Factor<'_> {
-    /// Solves for all unknowns; those of the gauge are zero.
-    pub fn solve(&self, right_hand_side: &[f64]) -> Result<Vec<f64>, LinearError> {
+    /// Solves for all unknowns; those of the gauge are zero. An inaccurate solution is still a direction of Newton's
+    /// method, whose step the line search decides.
+    pub fn solve(&self, right_hand_side: &[f64]) -> Vec<f64> {
         let mut reduced = vec![0.0; self.rows];
         for (&row, &value) in self.row.iter().zip(right_hand_side) {
             if row != NONE {
@@ -130,7 +140,7 @@ impl Factor<'_> {
             }
         }
         self.factor.solve_unchecked(&mut reduced);
-        Ok(self.row.iter().map(|&row| if row == NONE { 0.0 } else { reduced[row as usize] }).collect())
+        self.row.iter().map(|&row| if row == NONE { 0.0 } else { reduced[row as usize] }).collect()
     }
 
     pub fn into_storage(self) -> Vec<f64> {
