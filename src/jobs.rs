@@ -62,6 +62,8 @@ pub enum JobsError {
     Lost,
     /// Only open ruled surfaces have a flat pattern.
     NoPattern,
+    /// The request did not ask for a lower bound of the area, or none could be computed.
+    NoCertificate,
     /// The answer is larger than one file can hold. The text says what to do instead.
     TooMuch(String),
     /// The mesh cannot be written in the format.

@@ -211,6 +211,8 @@ pub enum Problem {
     MinimalSurface {
         boundaries: Vec<Vec<DVec3>>,
         options: plateau_geometry::minimal_surface::Options,
+        /// Whether and how to prove a lower bound of the area.
+        certify: Option<plateau_geometry::lower_bound::Options>,
     },
     UniformMesh {
         domain: plateau_geometry::uniform_mesh::Domain,

@@ -15,7 +15,7 @@ use crate::units::{Unit, UpAxis};
 
 const MAGIC: &[u8; 8] = b"\x89PLATEAU";
 /// Version of the format. This program reads and writes only this version.
-pub const VERSION: u32 = 4;
+pub const VERSION: u32 = 5;
 const HEAD_BYTES: usize = MAGIC.len() + 4;
 const CHECKSUM_BYTES: usize = 32;
 
@@ -35,6 +35,15 @@ impl MeanCurvature {
     pub fn range(&self) -> f64 {
         self.values.iter().copied().fold(self.least_range, f64::max)
     }
+}
+
+/// Proof of a lower bound of the area.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Certificate {
+    /// One value per vertex, from 0 to 1: how far the bound is from being tight there.
+    pub slack: Vec<f64>,
+    /// The proof as JSON text, which this module does not interpret.
+    pub proof: String,
 }
 
 /// Vertices joined in order. A closed polyline does not repeat its first vertex.
@@ -110,6 +119,7 @@ pub struct Contents {
     /// True if the mesh consists of developable strips that can be unrolled. The line set [`pattern::BRIDGES`] then has
     /// the strips' bridges from first to last, and the mesh has their triangles in the same order.
     pub unrolls: bool,
+    pub certificate: Option<Certificate>,
 }
 
 /// Validated [`Contents`]: indices are in range, numbers are finite, and lists have matching lengths. The formats rely
@@ -238,6 +248,11 @@ fn check(contents: &Contents) -> Result<(), &'static str> {
     }
     ensure(contents.input_vertices.iter().flatten().all(exists), "an input point's vertex does not exist")?;
     ensure(serde_json::from_str::<serde::de::IgnoredAny>(&contents.statistics).is_ok(), "the statistics are not JSON")?;
+    if let Some(Certificate { slack, proof }) = &contents.certificate {
+        ensure(slack.len() == vertices.len(), "slack and vertices differ in number")?;
+        ensure(slack.iter().all(|value| (0.0..=1.0).contains(value)), "a slack is not between 0 and 1")?;
+        ensure(serde_json::from_str::<serde::de::IgnoredAny>(proof).is_ok(), "the proof is not JSON")?;
+    }
     ensure(!contents.unrolls || unrolls(contents), "the bridges are not those of the mesh's strips")
 }
 

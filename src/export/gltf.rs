@@ -8,6 +8,8 @@
 //!   a viewer can switch it on and off. Segments with values have separate positions and carry the value at both ends.
 //! - `NORMAL` is area-weighted and has unit length everywhere. If no triangle gives a direction, it is the up axis.
 //! - Where three sheets meet, each sheet has its own vertices with their own normals, after all vertices of the mesh.
+//! - `_LOWER_BOUND_SLACK` is 1 - |curl A · n| of the field that proves the lower bound of the area. It is 0 where the
+//!   bound is tight.
 //! - `_MEAN_CURVATURE` is in 1/m (clamped to f32). `COLOR_0` runs from blue through green to red over
 //!   `asset.extras.color_range`, interpolated linearly between its stops.
 //!
@@ -241,18 +243,25 @@ impl Scene {
         let positions: Vec<[f32; 3]> = mesh.vertices.iter().map(|&vertex| frame.position(vertex)).collect();
         let shared = buffer.positions(&positions);
 
+        // Where sheets meet, each sheet has vertices of its own, which follow the vertices of the mesh.
+        let with_split_vertices = |values: &[f64]| -> Vec<f64> {
+            let further = split.iter().flat_map(|(_, source)| &source[values.len()..]);
+            values.iter().copied().chain(further.map(|&vertex| values[vertex as usize])).collect()
+        };
         let mut attributes = json!({
             "POSITION": shared,
             "NORMAL": buffer.vectors(normals(mesh, frame).into_iter()),
         });
         if let Some(curvature) = &contents.mean_curvature {
             let per_metre = |value: f64| (value / frame.metres).min(f64::from(f32::MAX)) as f32;
-            let further = split.iter().flat_map(|(_, source)| &source[curvature.values.len()..]);
-            let further = further.map(|&vertex| curvature.values[vertex as usize]);
-            let values: Vec<f64> = curvature.values.iter().copied().chain(further).collect();
+            let values = with_split_vertices(&curvature.values);
             attributes["_MEAN_CURVATURE"] = buffer.scalars(values.iter().map(|&value| per_metre(value))).into();
             let range = curvature.range();
             attributes["COLOR_0"] = buffer.colors(values.iter().map(|&value| color(value, range))).into();
+        }
+        if let Some(certificate) = &contents.certificate {
+            let slack = with_split_vertices(&certificate.slack);
+            attributes["_LOWER_BOUND_SLACK"] = buffer.scalars(slack.iter().map(|&value| value as f32)).into();
         }
         let triangles = buffer.indices(mesh.triangles.iter().flatten().copied());
 

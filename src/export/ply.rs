@@ -1,5 +1,5 @@
-//! Binary little-endian PLY in the client's axes and unit. Coordinates are `double`, and `mean_curvature` (1/unit) is
-//! included if known.
+//! Binary little-endian PLY in the client's axes and unit. Coordinates are `double`, and `mean_curvature` (1/unit) and
+//! `lower_bound_slack` are included if known.
 
 use super::archive::Archive;
 use super::obj::one_line;
@@ -9,7 +9,9 @@ use super::obj::one_line;
 pub fn to_ply(archive: &Archive) -> Vec<u8> {
     let contents = archive.contents();
     let (vertices, triangles) = (&contents.mesh.vertices, &contents.mesh.triangles);
-    let curvature = contents.mean_curvature.as_ref().map(|curvature| curvature.values.as_slice());
+    let curvature = contents.mean_curvature.as_ref().map(|curvature| ("mean_curvature", curvature.values.as_slice()));
+    let slack = contents.certificate.as_ref().map(|proof| ("lower_bound_slack", proof.slack.as_slice()));
+    let properties: Vec<(&str, &[f64])> = [curvature, slack].into_iter().flatten().collect();
     let mut header = format!(
         "ply\nformat binary_little_endian 1.0\ncomment {}\ncomment unit {}, {} up\n\
          element vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
@@ -18,8 +20,8 @@ pub fn to_ply(archive: &Archive) -> Vec<u8> {
         contents.up.symbol(),
         vertices.len(),
     );
-    if curvature.is_some() {
-        header.push_str("property double mean_curvature\n");
+    for (name, _) in &properties {
+        header.push_str(&format!("property double {name}\n"));
     }
     header
         .push_str(&format!("element face {}\nproperty list uchar uint vertex_indices\nend_header\n", triangles.len()));
@@ -28,8 +30,8 @@ pub fn to_ply(archive: &Archive) -> Vec<u8> {
     out.reserve(32 * vertices.len() + 13 * triangles.len());
     for (index, vertex) in vertices.iter().enumerate() {
         vertex.to_array().iter().for_each(|x| out.extend_from_slice(&x.to_le_bytes()));
-        if let Some(curvature) = curvature {
-            out.extend_from_slice(&curvature[index].to_le_bytes());
+        for (_, values) in &properties {
+            out.extend_from_slice(&values[index].to_le_bytes());
         }
     }
     for triangle in triangles {

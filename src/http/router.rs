@@ -32,6 +32,7 @@ pub fn resources(with_metrics: bool) -> Vec<Resource> {
         Resource::at("/v1/jobs/{id}").get(jobs::get, jobs::get_entry()).delete(jobs::delete, jobs::delete_entry()),
         Resource::at("/v1/jobs/{id}/cancel").post(jobs::cancel, jobs::cancel_entry()),
         Resource::at("/v1/jobs/{id}/mesh").get(mesh::mesh, mesh::mesh_entry()),
+        Resource::at("/v1/jobs/{id}/certificate").get(mesh::certificate, mesh::certificate_entry()),
         Resource::at("/v1/jobs/{id}/pattern").get(mesh::pattern, mesh::pattern_entry()),
         Resource::at("/v1/jobs/{id}/events").get(events::events, events::events_entry()),
         Resource::at("/v1/batches").post(batches::submit, batches::submit_entry()),

@@ -2,16 +2,18 @@
 //! `wire`, this is the only file that knows both the types of the wire and those of the geometry.
 
 use super::progress::Signal;
-use crate::export::archive::Contents;
+use crate::export::archive::{Certificate, Contents};
 use crate::export::pattern::BRIDGES;
 use crate::export::{Archive, LineSet, Lines, MeanCurvature, Polyline, SegmentValues};
 use crate::units::ForceUnit;
 use crate::wire::job::{JobError, JobWarning, Progress};
-use crate::wire::minimal_surface::MinimalStatistics;
+use crate::wire::minimal_surface::{CertificateDocument, MinimalStatistics};
 use crate::wire::ruled_surface::RuledStatistics;
 use crate::wire::tensile_structure::TensileStatistics;
 use crate::wire::uniform_mesh::{UniformStatistics, input_vertices};
 use crate::wire::{FieldError, MAX_ERRORS, Problem, Request};
+use plateau_geometry::error::Warning;
+use plateau_geometry::lower_bound;
 use plateau_geometry::minimal_surface::{self, StopReason};
 use plateau_geometry::ruled_surface;
 use plateau_geometry::tensile_structure;
@@ -77,7 +79,9 @@ pub fn solve(request: &Request, signal: &dyn Fn() -> Signal, report: &dyn Fn(Pro
     let exec = Execution::new(&signal, &report);
     let solved = match &request.problem {
         Problem::RuledSurface { directrices, options } => ruled(request, directrices, options, &exec),
-        Problem::MinimalSurface { boundaries, options } => minimal(request, boundaries, options, &exec),
+        Problem::MinimalSurface { boundaries, options, certify } => {
+            minimal(request, boundaries, options, certify.as_ref(), &exec)
+        },
         Problem::UniformMesh { domain, options } => uniform(request, domain, options, &exec),
         Problem::TensileStructure { structure, options, force } => tensile(request, structure, options, *force, &exec),
     };
@@ -128,10 +132,33 @@ fn minimal(
     request: &Request,
     boundaries: &[Vec<DVec3>],
     options: &minimal_surface::Options,
+    certify: Option<&lower_bound::Options>,
     exec: &Execution,
 ) -> Result<Solved, Error> {
-    let surface = minimal_surface::solve(boundaries, options, exec)?;
-    let statistics = to_json(&MinimalStatistics::from(&surface.statistics))?;
+    let share = if certify.is_some() { 0.5 } else { 1.0 };
+    let mut surface = exec.part([0.0, share], |exec| minimal_surface::solve(boundaries, options, exec))?;
+    let mut statistics = MinimalStatistics::from(&surface.statistics);
+    let mut reproducible = surface.statistics.stop_reason != StopReason::Deadline;
+    let mut certificate = None;
+    if let Some(certify) = certify {
+        let bound = |exec: &Execution| lower_bound::certify(boundaries, &surface.mesh, certify, exec);
+        let bound = if surface.statistics.junctions.is_some() {
+            Err("the film has triple junctions, and the bound holds for oriented surfaces only")
+        } else {
+            let bound = exec.part([share, 1.0], bound)?;
+            bound.ok_or("the coordinates are too large for the boundary's size, or the film has no area")
+        };
+        match bound {
+            Ok(bound) => {
+                statistics = statistics.certified(&bound);
+                reproducible &= !bound.interrupted;
+                let proof = to_json(&CertificateDocument::of(&bound))?;
+                certificate = Some(Certificate { slack: bound.slack, proof });
+            }
+            Err(reason) => surface.warnings.push(Warning::new("no_certificate", format!("no lower bound was computed: {reason}"))),
+        }
+    }
+    let statistics = to_json(&statistics)?;
     let points: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
     let centre = polyline::mean(&points);
     let radius = points.iter().map(|point| point.distance(centre)).fold(0.0, f64::max);
@@ -153,8 +180,8 @@ fn minimal(
         input_vertices: surface.input_vertices,
         statistics: statistics.clone(),
         unrolls: false,
+        certificate,
     })?;
-    let reproducible = surface.statistics.stop_reason != StopReason::Deadline;
     Ok(Solved { statistics, warnings: warnings(surface.warnings), archive, reproducible })
 }
 
@@ -181,6 +208,7 @@ fn ruled(
         input_vertices: surface.input_vertices,
         statistics: statistics.clone(),
         unrolls,
+        certificate: None,
     })?;
     Ok(Solved { statistics, warnings: warnings(surface.warnings), archive, reproducible: true })
 }
@@ -214,6 +242,7 @@ fn uniform(
         line_sets,
         statistics: statistics.clone(),
         unrolls: false,
+        certificate: None,
     })?;
     Ok(Solved { statistics, warnings: warnings(solved.warnings), archive, reproducible: solved.converged })
 }
@@ -249,6 +278,7 @@ fn tensile(
         line_sets,
         statistics: statistics.clone(),
         unrolls: false,
+        certificate: None,
     })?;
     let reproducible = found.statistics.stop_reason != tensile_structure::StopReason::Deadline;
     Ok(Solved { statistics, warnings: warnings(found.warnings), archive, reproducible })

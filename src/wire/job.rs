@@ -83,6 +83,9 @@ pub struct Links {
     /// Address of the flat pattern. Only ruled surfaces have it, and it is absent from failed and cancelled jobs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pattern: Option<String>,
+    /// Address of the proof of the area's lower bound. Only minimal surfaces have it, and only if the request has `certify`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub certificate: Option<String>,
     pub events: String,
     pub cancel: String,
 }
@@ -96,6 +99,7 @@ impl Links {
         Self {
             mesh: may_have_mesh.then(|| format!("{this}/mesh")),
             pattern: (may_have_mesh && kind == Kind::RuledSurface).then(|| format!("{this}/pattern")),
+            certificate: (may_have_mesh && kind == Kind::MinimalSurface).then(|| format!("{this}/certificate")),
             events: format!("{this}/events"),
             cancel: format!("{this}/cancel"),
             this,

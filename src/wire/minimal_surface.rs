@@ -1,8 +1,10 @@
 //! `POST /v1/minimal-surfaces`: the request and its conversion to the geometry's types. [`statistics`] converts the
 //! result.
 
+mod certificate;
 mod statistics;
 
+pub use certificate::{Certificate, CertificateDocument};
 pub use statistics::{AngleRange, MinimalStatistics, Spread};
 
 use super::body::PointList;
@@ -11,6 +13,7 @@ use super::objectives::Objective as ObjectiveDoc;
 use super::{Checked, FieldError, Kind, Problem, Rejection};
 use crate::config::LimitsConfig;
 use crate::units::{Unit, UpAxis};
+use plateau_geometry::lower_bound;
 use plateau_geometry::minimal_surface as geometry;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -93,6 +96,48 @@ pub struct MinimalSurfaceRequest {
     /// Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do.
     #[serde(default = "default_true")]
     pub boundary_curvature: bool,
+    /// Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
+    /// bound is to be and how long the search may take. Only for `minimal_area`.
+    #[serde(default)]
+    pub certify: Certify,
+}
+
+/// Whether and how to prove a lower bound of the area.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Certify {
+    /// `true` stands for the default options.
+    Default(bool),
+    Options(CertifyOptions),
+}
+
+impl Default for Certify {
+    fn default() -> Self {
+        Self::Default(false)
+    }
+}
+
+/// Sharpness of the lower bound, and the limit of the search for it.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CertifyOptions {
+    /// The search ends once the film's area is at most this fraction above the bound.
+    #[serde(default = "default_gap")]
+    #[schemars(range(min = 0, max = 1))]
+    pub gap: f64,
+    /// Number of nominal seconds of one core that the search may take. They are converted to work by fixed rates, so that
+    /// the same request gives the same result on every machine.
+    #[serde(default = "default_seconds")]
+    #[schemars(range(min = 0, max = 600))]
+    pub seconds: f64,
+}
+
+fn default_gap() -> f64 {
+    lower_bound::Options::default().gap
+}
+
+fn default_seconds() -> f64 {
+    lower_bound::Options::default().seconds
 }
 
 fn default_degenerate_angle_deg() -> f64 {
@@ -331,6 +376,11 @@ impl MinimalSurfaceRequest {
         if !errors.is_empty() {
             return Err(Rejection::Invalid(errors));
         }
+        let certify = self.certify_options();
+        if certify.is_some() && !matches!(self.objective, Objective::MinimalArea) {
+            let detail = "is only allowed with the objective minimal_area, because the bound is one of the area";
+            return Err(Rejection::Invalid(vec![FieldError::new("/certify", detail)]));
+        }
         let (boundaries, options) = self.to_geometry();
         geometry::check(&boundaries, &options)?;
         let estimate = geometry::estimate(&boundaries, &options);
@@ -341,11 +391,21 @@ impl MinimalSurfaceRequest {
             );
             return too_many("/resolution", detail);
         }
+        let bound = certify.map_or(0, |options| lower_bound::memory_bytes(boundaries.len(), &options));
         Ok(Checked {
-            memory_bytes: estimate.bytes,
+            memory_bytes: estimate.bytes.saturating_add(bound),
             quick: false,
-            problem: Problem::MinimalSurface { boundaries, options },
+            problem: Problem::MinimalSurface { boundaries, options, certify },
         })
+    }
+
+    /// Returns the options of the search for a lower bound of the area, if the request asks for one.
+    fn certify_options(&self) -> Option<lower_bound::Options> {
+        match self.certify {
+            Certify::Default(false) => None,
+            Certify::Default(true) => Some(lower_bound::Options::default()),
+            Certify::Options(CertifyOptions { gap, seconds }) => Some(lower_bound::Options { gap, seconds }),
+        }
     }
 
     /// Converts the request to the geometry's types.
@@ -496,6 +556,7 @@ pub fn objectives() -> Vec<ObjectiveDoc> {
                     "degenerate_angle_deg",
                     "seed",
                     "boundary_curvature",
+                    "certify",
                 ],
             }
         })

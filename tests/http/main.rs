@@ -8,6 +8,7 @@ mod batches;
 mod bucket;
 mod cancel;
 mod catalogue;
+mod certificates;
 mod command_line;
 mod connections;
 mod errors;

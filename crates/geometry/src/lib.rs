@@ -49,6 +49,7 @@ pub mod equilibrium;
 pub mod error;
 mod estimate;
 pub mod execution;
+pub mod lower_bound;
 pub mod mesh;
 pub mod minimal_surface;
 mod plane;

@@ -1,7 +1,7 @@
-//! `/v1/jobs/{id}/mesh` and `/pattern`: files made from the stored mesh, with entity tags and ranges.
+//! `/v1/jobs/{id}/mesh`, `/pattern` and `/certificate`: files made from the stored mesh, with entity tags and ranges.
 
 use super::jobs::{checked, parameters};
-use crate::export::{MeshFormat, PatternFormat};
+use crate::export::{Archive, MeshFormat, PatternFormat};
 use crate::http::access::Caller;
 use crate::http::entry::{BYTES, id_parameter, representation};
 use crate::http::negotiate::{Part, accepted, none_match_hits, part};
@@ -77,6 +77,35 @@ pub fn pattern_entry() -> Value {
     let formats = PatternFormat::ALL.map(|format| (format.name(), format.media_type()));
     let (format, responses) = representation(&formats, "svg", "The flat pattern, true to scale", &FILE_PROBLEMS);
     json!({ "operationId": "getPattern", "tags": ["jobs"], "summary": "The flat pattern of an open ruled surface as SVG or DXF",
+        "parameters": [id_parameter("job"), format], "responses": responses })
+}
+
+/// The formats of a certificate, with their media types.
+const CERTIFICATE_FORMATS: [(&str, &str); 1] = [("json", "application/json")];
+
+pub async fn certificate(
+    State(app): State<App>,
+    caller: Caller,
+    Path(id): Path<String>,
+    RawQuery(query): RawQuery,
+    headers: HeaderMap,
+) -> Result<Response, Failure> {
+    let id = &checked(&id)?;
+    let [format] = parameters(query.as_deref(), ["format"])?;
+    let (_, media_type) = choose(format, &headers, &CERTIFICATE_FORMATS)?;
+    let proof = |archive: &Archive| {
+        let certificate = archive.contents().certificate.as_ref().ok_or(JobsError::NoCertificate)?;
+        Ok(certificate.proof.clone().into_bytes())
+    };
+    let file = app.jobs.convert(id, caller.owner(), "certificate", proof).await?;
+    Ok(answer(&headers, &file, media_type, &format!("{id}.certificate.json")))
+}
+
+pub fn certificate_entry() -> Value {
+    let description = "The field that proves the lower bound of the area: tetrahedra and the field's values on them";
+    let (format, responses) = representation(&CERTIFICATE_FORMATS, "json", description, &FILE_PROBLEMS);
+    json!({ "operationId": "getCertificate", "tags": ["jobs"],
+        "summary": "The proof of a minimal surface's `area_lower_bound`, for a check by another program",
         "parameters": [id_parameter("job"), format], "responses": responses })
 }
 

@@ -1,5 +1,6 @@
 //! Statistics of a minimal surface.
 
+use super::certificate::Certificate;
 use crate::wire::common::Point;
 use plateau_geometry::mesh::self_intersections::Skipped;
 use plateau_geometry::minimal_surface as geometry;
@@ -99,6 +100,9 @@ pub struct SpanningTopology {
     pub films_cross: bool,
     /// Whether this topology was returned.
     pub chosen: bool,
+    /// With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this boundary.
+    /// Null if nothing is proven.
+    pub gap: Option<f64>,
 }
 
 /// Comparison of the ways to span the boundaries, made with `topology: best`.
@@ -120,6 +124,7 @@ impl From<&geometry::SpanningComparison> for Spanning {
             stability: topology.stability.map(Into::into),
             films_cross: topology.films_cross,
             chosen: topology.chosen,
+            gap: None,
         };
         Self {
             topologies: spanning.topologies.iter().map(topology).collect(),
@@ -235,6 +240,8 @@ pub struct MinimalStatistics {
     pub spanning: Option<Spanning>,
     /// Null unless the initial mesh of the film has edges with three triangles.
     pub junctions: Option<Junctions>,
+    /// Proven lower bound of the area. Null without `certify`.
+    pub certificate: Option<Certificate>,
 }
 
 impl From<&geometry::Statistics> for MinimalStatistics {
@@ -291,6 +298,7 @@ impl From<&geometry::Statistics> for MinimalStatistics {
             pinches: statistics.pinches.iter().map(pinch).collect(),
             spanning: statistics.spanning.as_ref().map(Into::into),
             junctions: statistics.junctions.as_ref().map(Into::into),
+            certificate: None,
         }
     }
 }

@@ -1,5 +1,5 @@
 //! The pictures and tables of docs/VALIDATION.md on films: Chen-Cai-Zheng, Liu-Wang, Bento-Cavalcanti, spanning
-//! topologies, triple junctions.
+//! topologies, triple junctions, lower bounds.
 //!
 //! `cargo run --release -p plateau-geometry --example validation_films -- docs/validation` writes the SVG files there
 //! and prints the tables.
@@ -9,6 +9,7 @@ mod bento_cavalcanti;
 mod boundaries;
 mod chen_cai_zheng;
 mod liu_wang;
+mod lower_bounds;
 mod picture;
 mod spanning;
 mod triple_junctions;
@@ -32,6 +33,7 @@ fn main() {
     bento_cavalcanti::run_all(&save);
     spanning::run_all(&save);
     triple_junctions::run_all(&save);
+    lower_bounds::run_all();
 }
 
 type Save<'a> = &'a dyn Fn(&str, &[Picture]);

@@ -1,0 +1,503 @@
+//! How far a film is at most from the least area over *all* oriented surfaces with its boundary: a lower bound by
+//! duality.
+//!
+//! # The theorem
+//! Let Γ be closed polygons inside a box, and A a field on the box with |curl A| <= 1. Every oriented surface S with
+//! boundary Γ has an area of at least ∮_Γ A·dl: inside the box by Stokes' theorem, ∮_Γ A = ∫_S curl A·n <= area(S). A
+//! surface that leaves the box does no better, because the nearest-point projection onto a convex set lengthens
+//! nothing: it maps S to a surface in the box with the same boundary and no more area. The topology of S plays no part;
+//! "surface" may be read as integral current. Surfaces without an orientation (a Möbius film) and films with triple
+//! junctions are outside of the theorem.
+//!
+//! A is piecewise polynomial with continuous tangential components ([`element`]). Mollified, it becomes a smooth field
+//! whose curl is an average of values of norm at most 1, and whose integral along Γ tends to that of A, since only the
+//! tangential component can matter where Γ runs inside a face or an edge. So Stokes' theorem applies.
+//!
+//! # The computation
+//! Every A gives a bound; the largest is the solution of a convex problem, dual to that of the least area. The box is
+//! cut into tetrahedra by bisection ([`bisection`]), finer where the film lies. A maximises ∮A under |curl A| <= 1
+//! ([`barrier`]); the multipliers of the constraint are the dual surface, and the mesh is refined where that surface bends
+//! inside a tetrahedron. Meshes are nested, so every level starts from the field of the one before. At the end |curl A|
+//! and ∮A are computed with outward rounding ([`rigorous`]): the bound is a theorem about the given polygons in f64.
+//!
+//! # Work instead of time
+//! This crate knows no clock. The budget in seconds is converted to work by fixed rates, so the same request always
+//! gives the same bytes; a deadline of the caller only stops it earlier.
+
+mod barrier;
+mod bisection;
+mod element;
+mod interval;
+mod rigorous;
+mod space;
+mod system;
+#[cfg(test)]
+mod tests;
+
+use crate::execution::Interruption;
+use crate::{DVec3, Error, Execution, Mesh, Progress};
+use barrier::Level;
+use bisection::{BisectionMesh, VertexMap};
+use space::Space;
+use system::System;
+
+/// What is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// The search ends once the film's area is at most this fraction above the bound.
+    pub gap: f64,
+    /// Nominal seconds of one core, converted to work by fixed rates.
+    pub seconds: f64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { gap: 0.005, seconds: 2.0 }
+    }
+}
+
+/// The field that proves a bound for one orientation of the boundary.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    /// The boundary, oriented.
+    pub loops: Vec<Vec<DVec3>>,
+    /// Every oriented surface with this oriented boundary has at least this area.
+    pub area_lower_bound: f64,
+    /// Opposite corners of the box.
+    pub corners: [DVec3; 2],
+    /// Corners of the tetrahedra.
+    pub vertices: Vec<DVec3>,
+    /// Vertices of each tetrahedron; the tetrahedra fill the box.
+    pub tetrahedra: Vec<[u32; 4]>,
+    /// The edges, i < j.
+    pub edges: Vec<[u32; 2]>,
+    /// The circulation along each edge, from i to j.
+    pub edge_values: Vec<f64>,
+    /// The faces, i < j < k.
+    pub faces: Vec<[u32; 3]>,
+    /// The coefficients of λk w_ij and λi w_jk of each face.
+    pub face_values: Vec<[f64; 2]>,
+}
+
+/// A proven lower bound.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LowerBound {
+    /// No oriented surface of any topology with this boundary has a smaller area.
+    pub area: f64,
+    /// One field for each orientation of the loops that differs by more than a reversal of all; the bound is the least
+    /// of theirs.
+    pub fields: Vec<Field>,
+    /// Whether `fields` has all of these orientations, or (beyond [`MOST_LOOPS`]) the film's own alone.
+    pub every_orientation: bool,
+    /// Steps of Newton's method of all searches together.
+    pub iterations: u32,
+    /// Nominal seconds that the work amounts to.
+    pub seconds: f64,
+    /// Whether a deadline of the caller ended the search.
+    pub interrupted: bool,
+    /// 1 - |curl A · n| at each vertex of the film, 0 to 1, for the orientation with the least bound: where the bound
+    /// is not tight.
+    pub slack: Vec<f64>,
+}
+
+/// Loops up to which every orientation is searched: 32 of six.
+pub const MOST_LOOPS: usize = 6;
+/// Longest budget, nominal seconds.
+pub const MOST_SECONDS: f64 = 600.0;
+
+/// Leaves of the first mesh.
+const FIRST_LEAVES: usize = 2_000;
+/// Leaves of a mesh in terms of the mesh before, if the budget allows it.
+const GROWTH: f64 = 2.5;
+/// A mesh that is not finer by this much is not worth a factorisation.
+const LEAST_GROWTH: f64 = 1.4;
+/// Steps on a mesh at most. The method converges in about 20.
+const MOST_STEPS: u32 = 60;
+/// Steps that the budget must allow for on a finer mesh, which starts from the field of the mesh before.
+const STEPS: u32 = 10;
+/// A mesh is left for a finer one once its own optimum is reached to this fraction of what is missing to the film's area.
+const CONVERGED: f64 = 0.1;
+/// Tetrahedra and factor entries of the largest mesh; they limit the memory.
+const MOST_LEAVES: usize = 60_000;
+const MOST_ENTRIES: usize = 60_000_000;
+/// Fraction of the indicator that the marked leaves of one round of refinement have together.
+const MARKED_SHARE: f64 = 0.4;
+/// Nominal seconds of a factorisation, per (entries of the factor)² / rows, and of its preparation per leaf. Measured
+/// on a core of a shared machine, so that a free core is faster.
+const FACTORISATION_RATE: f64 = 6e-10;
+const PREPARATION_RATE: f64 = 2e-5;
+/// Nominal seconds of a step besides the factorisation, per entry of the factor and per leaf.
+const SOLVE_RATE: f64 = 4e-9;
+const ASSEMBLY_RATE: f64 = 5e-6;
+
+/// Upper bound of the memory that [`certify`] takes.
+#[must_use]
+pub fn memory_bytes(loops: usize, options: &Options) -> u64 {
+    let orientations = if loops <= MOST_LOOPS { 1u64 << loops.saturating_sub(1) } else { 1 };
+    // A mesh of the first size takes 8 MB; the largest 1.2 GB, most of it the factor.
+    let largest = (options.seconds.clamp(0.0, MOST_SECONDS) * 60e6).min(1.2e9) as u64;
+    orientations * 8_000_000 + 50_000_000 + largest
+}
+
+/// The search for one orientation.
+#[derive(Debug)]
+struct Search {
+    loops: Vec<Vec<DVec3>>,
+    mesh: BisectionMesh,
+    bound: f64,
+    /// Size of the last system: entries of the factor and rows.
+    system: Option<[f64; 2]>,
+    /// Whether no further level is possible.
+    finished: bool,
+}
+
+/// What all searches share.
+struct Budget<'a> {
+    options: &'a Options,
+    film_area: f64,
+    samples: &'a [(DVec3, f64)],
+    spent: f64,
+    iterations: u32,
+}
+
+/// Proves a lower bound of the area of every oriented surface bounded by the loops; `film` is a surface that they
+/// bound, and shows where the bound has to be sharp.
+///
+/// With several loops the bound is the least over all their orientations. `None` if the coordinates are so large for
+/// the loops' size that f64 has no digits left for the mesh, or if the film has no area.
+///
+/// # Errors
+/// [`Error::Interrupted`] on a cancel. A deadline ends the search with what is proven so far.
+pub fn certify(
+    loops: &[Vec<DVec3>],
+    film: &Mesh,
+    options: &Options,
+    exec: &Execution,
+) -> Result<Option<LowerBound>, Error> {
+    let samples: Vec<(DVec3, f64)> = film
+        .triangles
+        .iter()
+        .map(|&triangle| {
+            let [a, b, c] = film.corners(triangle);
+            ((a + b + c) / 3.0, 0.5 * (b - a).cross(c - a).length())
+        })
+        .collect();
+    let film_area: f64 = samples.iter().map(|(_, area)| area).sum();
+    let every_orientation = loops.len() <= MOST_LOOPS;
+    let Ok(mesh) = BisectionMesh::around(loops.iter().flatten().copied()) else { return Ok(None) };
+    if !(film_area.is_finite() && film_area > 0.0 && mesh.volume().is_finite() && mesh.volume() > 0.0) {
+        return Ok(None);
+    }
+    let mut budget = Budget { options, film_area, samples: &samples, spent: 0.0, iterations: 0 };
+    let first = budget.first_mesh(mesh, exec)?;
+    let patterns = if every_orientation { 1u32 << (loops.len() - 1) } else { 1 };
+    let own = own_orientation(loops, film);
+    let mut searches: Vec<Search> = (0..patterns)
+        .map(|pattern| {
+            // The first pattern is the film's own orientation.
+            let oriented = |(k, points): (usize, &Vec<DVec3>)| {
+                if own[k] == (pattern >> k & 1 == 1) { points.iter().rev().copied().collect() } else { points.clone() }
+            };
+            let loops: Vec<Vec<DVec3>> = loops.iter().enumerate().map(oriented).collect();
+            let mut mesh = first.clone();
+            mesh.set_constant_curl(vector_area(&loops).normalize_or_zero());
+            Search { loops, mesh, bound: 0.0, system: None, finished: false }
+        })
+        .collect();
+    let mut storage = Vec::new();
+    let mut interrupted = false;
+    loop {
+        // The weakest orientation decides; one without a level is the weakest.
+        let weakest = (0..searches.len()).min_by(|&a, &b| searches[a].bound.total_cmp(&searches[b].bound));
+        let Some(weakest) = weakest.filter(|&k| !searches[k].finished && !budget.reached(searches[k].bound)) else {
+            break;
+        };
+        match budget.level(&mut searches[weakest], &mut storage, exec) {
+            Ok(()) => {}
+            Err(Error::Interrupted(Interruption::DeadlinePassed)) => {
+                interrupted = true;
+                break;
+            }
+            Err(error) => return Err(error),
+        }
+    }
+    drop(storage);
+    let mut fields = Vec::with_capacity(searches.len());
+    for search in &searches {
+        let Some(field) = search.prove() else { return Ok(None) };
+        fields.push(field);
+    }
+    let (weakest, area) = fields
+        .iter()
+        .enumerate()
+        .map(|(k, field)| (k, field.area_lower_bound))
+        .fold((0, f64::INFINITY), |least, this| if this.1 < least.1 { this } else { least });
+    let slack = searches[weakest].slack(film);
+    let Budget { iterations, spent, .. } = budget;
+    Ok(Some(LowerBound { area, fields, every_orientation, iterations, seconds: spent, interrupted, slack }))
+}
+
+/// The integral of the unit normal over any surface that the loops bound. Its length is the bound that a field of
+/// constant curl gives: the area itself for plane polygons.
+fn vector_area(loops: &[Vec<DVec3>]) -> DVec3 {
+    let origin = loops[0][0];
+    let of = |points: &Vec<DVec3>| -> DVec3 {
+        (0..points.len()).map(|k| (points[k] - origin).cross(points[(k + 1) % points.len()] - origin)).sum()
+    };
+    0.5 * loops.iter().map(of).sum::<DVec3>()
+}
+
+/// For each loop whether the film's triangles run along it in the loop's direction.
+fn own_orientation(loops: &[Vec<DVec3>], film: &Mesh) -> Vec<bool> {
+    let bits = |p: DVec3| (p + DVec3::ZERO).to_array().map(f64::to_bits);
+    let mut first: VertexMap<u32, Vec<u32>> = VertexMap::default();
+    for (t, triangle) in film.triangles.iter().enumerate() {
+        for &v in triangle {
+            first.entry(v).or_default().push(t as u32);
+        }
+    }
+    let mut places: Vec<([u64; 3], u32)> =
+        film.vertices.iter().enumerate().map(|(v, &p)| (bits(p), v as u32)).collect();
+    places.sort_unstable();
+    loops
+        .iter()
+        .map(|points| {
+            // A triangle at the loop's first vertex whose edge leaves it along the first segment, or arrives along it.
+            let vertex = places.get(places.partition_point(|place| place.0 < bits(points[0]))).map(|place| place.1);
+            let along = (points[1] - points[0]).normalize_or_zero();
+            let mut best = (0.0, true);
+            for &t in vertex.and_then(|v| first.get(&v)).into_iter().flatten() {
+                let triangle = film.triangles[t as usize];
+                for k in 0..3 {
+                    let (a, b) = (triangle[k], triangle[(k + 1) % 3]);
+                    let forward = Some(a) == vertex;
+                    if !forward && Some(b) != vertex {
+                        continue;
+                    }
+                    let other = film.vertices[if forward { b } else { a } as usize];
+                    let cosine = (other - points[0]).normalize_or_zero().dot(along);
+                    // The boundary edge is the one along the segment; an interior edge runs both ways.
+                    if cosine > best.0 + 1e-9 {
+                        best = (cosine, forward);
+                    }
+                }
+            }
+            best.1
+        })
+        .collect()
+}
+
+impl Budget<'_> {
+    fn reached(&self, bound: f64) -> bool {
+        bound * (1.0 + self.options.gap) >= self.film_area
+    }
+
+    fn left(&self) -> f64 {
+        self.options.seconds.min(MOST_SECONDS) - self.spent
+    }
+
+    /// Area of the film in each leaf.
+    fn film_in_leaves(&self, mesh: &BisectionMesh) -> Vec<f64> {
+        let mut area = vec![0.0; mesh.leaf_count()];
+        for &(point, of) in self.samples {
+            area[mesh.locate(point).0 as usize] += of;
+        }
+        area
+    }
+
+    /// Bisects the largest leaves that hold a part of the film until there are enough.
+    fn first_mesh(&self, mut mesh: BisectionMesh, exec: &Execution) -> Result<BisectionMesh, Error> {
+        while mesh.leaf_count() < FIRST_LEAVES {
+            exec.look(self.samples.len() as u64)?;
+            let area = self.film_in_leaves(&mesh);
+            let held = |leaf: &usize| area[*leaf] > 0.0 && mesh.can_bisect(*leaf);
+            let Some(least) = (0..mesh.leaf_count()).filter(held).map(|leaf| mesh.leaf_level(leaf)).min() else {
+                break;
+            };
+            let marked: Vec<u32> = (0..mesh.leaf_count())
+                .filter(|leaf| held(leaf) && mesh.leaf_level(*leaf) == least)
+                .map(|leaf| leaf as u32)
+                .collect();
+            mesh.bisect(&marked);
+        }
+        Ok(mesh)
+    }
+
+    /// Nominal seconds of a level of some steps.
+    fn price([entries, rows]: [f64; 2], leaves: f64, steps: u32) -> f64 {
+        let a_step = FACTORISATION_RATE * entries * entries / rows + SOLVE_RATE * entries + ASSEMBLY_RATE * leaves;
+        PREPARATION_RATE * leaves + f64::from(steps) * a_step
+    }
+
+    /// Leaves of the next mesh, if the rest of the budget allows for a finer one.
+    fn next_leaves(&self, [entries, rows]: [f64; 2], leaves: usize) -> Option<usize> {
+        let leaves = leaves as f64;
+        let affordable = |growth: f64| {
+            // Fill grows a little faster than the mesh.
+            let system = [entries * growth.powf(1.3), rows * growth];
+            leaves * growth <= MOST_LEAVES as f64
+                && system[0] <= MOST_ENTRIES as f64
+                && Self::price(system, leaves * growth, STEPS) <= self.left()
+        };
+        let mut growth = GROWTH;
+        while growth >= LEAST_GROWTH {
+            if affordable(growth) {
+                return Some((leaves * growth) as usize);
+            }
+            growth *= 0.9;
+        }
+        None
+    }
+
+    /// Refines the search's mesh and iterates on it.
+    fn level(&mut self, search: &mut Search, storage: &mut Vec<f64>, exec: &Execution) -> Result<(), Error> {
+        let first = search.system.is_none();
+        if let Some(leaves) = search.system.and_then(|system| self.next_leaves(system, search.mesh.leaf_count())) {
+            search.mesh.refine(leaves, exec)?;
+        }
+        let Search { loops, mesh, bound, system: size, finished } = search;
+        exec.look(mesh.leaf_count() as u64)?;
+        let space = Space::of(mesh);
+        let form = space.circulation(mesh, loops);
+        exec.look(mesh.leaf_count() as u64)?;
+        let failed = |_| Error::no_result("internal", "the linear system of the lower bound could not be solved");
+        let mut system = System::of(&space).map_err(failed)?;
+        let dimensions = [system.factor_entries() as f64, system.rows() as f64];
+        let leaves = mesh.leaf_count() as f64;
+        if !first && dimensions[0] > 1.5 * MOST_ENTRIES as f64 {
+            *finished = true;
+            return Ok(());
+        }
+        self.spent += Self::price(dimensions, leaves, 0);
+        *size = Some(dimensions);
+        let mut level = Level::new(&space, mesh, &form, self.film_area);
+        let a_step = Self::price(dimensions, leaves, 1) - Self::price(dimensions, leaves, 0);
+        let mut interrupted = Ok(());
+        let missing = |bound: f64| (self.film_area - bound).max(0.0);
+        for _ in 0..MOST_STEPS {
+            let converged = level.gap() <= CONVERGED * missing(level.best.bound);
+            if converged || self.options.gap * level.best.bound >= missing(level.best.bound) || self.left() < a_step {
+                break;
+            }
+            if let Err(interruption) = exec.look(dimensions[0] as u64) {
+                interrupted = Err(interruption);
+                break;
+            }
+            level.step(&mut system, storage).map_err(failed)?;
+            self.spent += a_step;
+            self.iterations += 1;
+            exec.report(Progress {
+                fraction: (self.spent / self.options.seconds.min(MOST_SECONDS)).min(1.0),
+                phase: "lower_bound",
+                iteration: u64::from(self.iterations),
+                objective_value: Some(level.best.bound),
+                residual: None,
+            });
+        }
+        *finished = self.next_leaves(dimensions, mesh.leaf_count()).is_none();
+        *bound = level.best.bound;
+        let currents: Vec<[DVec3; 4]> = (0..mesh.leaf_count()).map(|leaf| level.current(leaf)).collect();
+        let field = level.best.field;
+        let curl = space.curl(&field);
+        for (leaf, nodal) in mesh.nodal.iter_mut().enumerate() {
+            (nodal.curl, nodal.current) = (curl[leaf], currents[leaf]);
+        }
+        for (key, value) in space.edges.iter().zip(&field) {
+            if let Some(edge) = mesh.edges.get_mut(key) {
+                edge.circulation = *value;
+            }
+        }
+        interrupted.map_err(Error::from)
+    }
+}
+
+impl BisectionMesh {
+    /// Bisects the leaves in which the dual surface bends most, until there are about as many as asked for.
+    fn refine(&mut self, leaves: usize, exec: &Execution) -> Result<(), Error> {
+        while self.leaf_count() < leaves {
+            exec.look(self.leaf_count() as u64)?;
+            let bend = |leaf: usize| {
+                let current = self.nodal[leaf].current;
+                current.iter().map(|y| y.length()).sum::<f64>() - current.iter().copied().sum::<DVec3>().length()
+            };
+            let bends: Vec<f64> = (0..self.leaf_count()).map(bend).collect();
+            let mut order: Vec<u32> = (0..self.leaf_count() as u32).collect();
+            order.retain(|&leaf| self.can_bisect(leaf as usize));
+            order.sort_by(|&a, &b| bends[b as usize].total_cmp(&bends[a as usize]).then(a.cmp(&b)));
+            let total: f64 = bends.iter().sum();
+            let most = (leaves - self.leaf_count()) / 2 + 1;
+            let mut sum = 0.0;
+            let marked: Vec<u32> = order
+                .into_iter()
+                .take(most)
+                .take_while(|&leaf| {
+                    let more = sum <= MARKED_SHARE * total;
+                    sum += bends[leaf as usize];
+                    more
+                })
+                .collect();
+            if marked.is_empty() {
+                break;
+            }
+            self.bisect(&marked);
+        }
+        Ok(())
+    }
+}
+
+impl Search {
+    /// The field scaled to |curl A| <= 1, and its circulation, both with outward rounding.
+    fn prove(&self) -> Option<Field> {
+        let space = Space::of(&self.mesh);
+        let mut field = space.field(&self.mesh);
+        let area_lower_bound = scale_to_one(&space, &mut field)
+            .then(|| rigorous::circulation(&space, &self.mesh, &field, &self.loops))??
+            .max(0.0);
+        let (edge_values, faces) = field.split_at(space.edges.len());
+        Some(Field {
+            loops: self.loops.clone(),
+            area_lower_bound,
+            corners: self.mesh.corners(),
+            vertices: self.mesh.vertices.clone(),
+            tetrahedra: (0..self.mesh.leaf_count()).map(|leaf| self.mesh.leaf_vertices(leaf)).collect(),
+            edge_values: edge_values.to_vec(),
+            face_values: faces.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect(),
+            edges: space.edges,
+            faces: space.faces,
+        })
+    }
+
+    fn slack(&self, film: &Mesh) -> Vec<f64> {
+        let mut normals = vec![DVec3::ZERO; film.vertices.len()];
+        for &triangle in &film.triangles {
+            let [a, b, c] = film.corners(triangle);
+            let area = (b - a).cross(c - a);
+            triangle.iter().for_each(|&v| normals[v as usize] += area);
+        }
+        let largest = self.mesh.nodal.iter().flat_map(|nodal| nodal.curl).map(DVec3::length).fold(0.0, f64::max);
+        let at = |(point, normal): (&DVec3, DVec3)| {
+            let (leaf, weights) = self.mesh.locate(*point);
+            let curls = self.mesh.nodal[leaf as usize].curl;
+            let curl: DVec3 = curls.iter().zip(weights).map(|(&curl, weight)| curl * weight).sum();
+            let along = if largest > 0.0 { curl.dot(normal.normalize_or_zero()).abs() / largest } else { 0.0 };
+            (1.0 - along).clamp(0.0, 1.0)
+        };
+        film.vertices.iter().zip(normals).map(at).collect()
+    }
+}
+
+/// Scales a field so that interval arithmetic proves |curl A| <= 1; a field without a curl stays.
+fn scale_to_one(space: &Space, field: &mut [f64]) -> bool {
+    for margin in [1e-14, 1e-13, 1e-11, 1e-8] {
+        let largest = rigorous::largest_curl(space, field);
+        if largest <= 1.0 && (largest == 0.0 || largest > 1.0 - 1e-6) {
+            return true;
+        }
+        if !largest.is_finite() || largest == 0.0 {
+            return largest == 0.0;
+        }
+        let factor = (1.0 - margin) / largest;
+        field.iter_mut().for_each(|value| *value *= factor);
+    }
+    rigorous::largest_curl(space, field) <= 1.0
+}

@@ -1,0 +1,149 @@
+//! The symmetric matrix Cᵀ W C of the curl C, with a matrix W for each vertex of a tetrahedron, and its factor.
+
+use super::element::{self, UNKNOWNS};
+use super::space::Space;
+use crate::sparse::{LinearError, Symbolic, SymmetricMatrix};
+use glam::DMat3;
+
+/// The pattern of the matrix, its analysis, and where each tetrahedron adds to it.
+#[derive(Debug)]
+pub(super) struct System {
+    /// For each unknown its row, or `NONE` for the gauge.
+    row: Vec<u32>,
+    rows: usize,
+    matrix: SymmetricMatrix,
+    /// For each leaf where its entries stand in the matrix.
+    entries: Vec<[u32; UNKNOWNS * UNKNOWNS]>,
+    symbolic: Symbolic,
+}
+
+const NONE: u32 = u32::MAX;
+
+impl System {
+    pub fn of(space: &Space) -> Result<Self, LinearError> {
+        let mut rows = 0u32;
+        let mut row = vec![NONE; space.count()];
+        for (unknown, row) in row.iter_mut().enumerate() {
+            if !space.gauge[unknown] {
+                *row = rows;
+                rows += 1;
+            }
+        }
+        // The leaves around each row.
+        let mut start = vec![0u32; rows as usize + 1];
+        let numbers = |leaf: usize| space.unknowns[leaf].map(|unknown| row[unknown as usize]);
+        for leaf in 0..space.unknowns.len() {
+            numbers(leaf).iter().filter(|&&r| r != NONE).for_each(|&r| start[r as usize + 1] += 1);
+        }
+        for k in 0..rows as usize {
+            start[k + 1] += start[k];
+        }
+        let mut around = vec![(0u32, 0u8); start[rows as usize] as usize];
+        let mut next = start.clone();
+        for leaf in 0..space.unknowns.len() {
+            for (local, &r) in numbers(leaf).iter().enumerate() {
+                if r != NONE {
+                    around[next[r as usize] as usize] = (leaf as u32, local as u8);
+                    next[r as usize] += 1;
+                }
+            }
+        }
+        let mut matrix = SymmetricMatrix { row_start: vec![0], ..SymmetricMatrix::default() };
+        let mut entries = vec![[NONE; UNKNOWNS * UNKNOWNS]; space.unknowns.len()];
+        let mut place = vec![NONE; rows as usize];
+        for r in 0..rows {
+            let begin = matrix.columns.len();
+            place[r as usize] = begin as u32;
+            matrix.columns.push(r);
+            for &(leaf, local) in &around[start[r as usize] as usize..start[r as usize + 1] as usize] {
+                for (other, &column) in numbers(leaf as usize).iter().enumerate() {
+                    if column == NONE {
+                        continue;
+                    }
+                    if place[column as usize] == NONE {
+                        place[column as usize] = matrix.columns.len() as u32;
+                        matrix.columns.push(column);
+                    }
+                    entries[leaf as usize][local as usize * UNKNOWNS + other] = place[column as usize];
+                }
+            }
+            matrix.columns[begin..].iter().for_each(|&column| place[column as usize] = NONE);
+            matrix.row_start.push(matrix.columns.len() as u32);
+        }
+        matrix.values = vec![0.0; matrix.columns.len()];
+        let symbolic = Symbolic::analyse(&matrix, None)?;
+        Ok(Self { row, rows: rows as usize, matrix, entries, symbolic })
+    }
+
+    /// Entries of the factor.
+    pub fn factor_entries(&self) -> usize {
+        self.symbolic.factor_entries()
+    }
+
+    /// Unknowns without the gauge.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// Assembles and factorises the matrix for the weights at the four vertices of each leaf: symmetric positive definite
+    /// matrices.
+    pub fn factorise(
+        &mut self,
+        space: &Space,
+        weight: impl Fn(usize, usize) -> DMat3,
+        storage: Vec<f64>,
+    ) -> Result<Factor<'_>, LinearError> {
+        self.matrix.values.fill(0.0);
+        for leaf in 0..space.unknowns.len() {
+            let basis = element::basis_curls(space.corners[leaf], &space.orientations[leaf]);
+            let mut local = [[0.0; UNKNOWNS]; UNKNOWNS];
+            for (p, curls) in basis.iter().enumerate() {
+                let weight = weight(leaf, p);
+                for i in 0..UNKNOWNS {
+                    let weighted = weight * curls[i];
+                    for j in 0..=i {
+                        local[i][j] += weighted.dot(curls[j]);
+                    }
+                }
+            }
+            let entries = &self.entries[leaf];
+            for i in 0..UNKNOWNS {
+                for j in 0..UNKNOWNS {
+                    let entry = entries[i * UNKNOWNS + j];
+                    if entry != NONE {
+                        self.matrix.values[entry as usize] += local[i.max(j)][i.min(j)];
+                    }
+                }
+            }
+        }
+        let factor = self.symbolic.factorise_into(&self.matrix, storage)?;
+        Ok(Factor { row: &self.row, factor, rows: self.rows })
+    }
+}
+
+/// One factorised matrix.
+#[derive(Debug)]
+pub(super) struct Factor<'a> {
+    row: &'a [u32],
+    factor: crate::sparse::Factorisation<'a>,
+    rows: usize,
+}
+
+impl Factor<'_> {
+    /// Solves for all unknowns; those of the gauge are zero. An inaccurate solution is still a direction of Newton's
+    /// method, whose step the line search decides.
+    pub fn solve(&self, right_hand_side: &[f64]) -> Vec<f64> {
+        let mut reduced = vec![0.0; self.rows];
+        for (&row, &value) in self.row.iter().zip(right_hand_side) {
+            if row != NONE {
+                reduced[row as usize] = value;
+            }
+        }
+        self.factor.solve_unchecked(&mut reduced);
+        self.row.iter().map(|&row| if row == NONE { 0.0 } else { reduced[row as usize] }).collect()
+    }
+
+    pub fn into_storage(self) -> Vec<f64> {
+        self.factor.into_storage()
+    }
+}

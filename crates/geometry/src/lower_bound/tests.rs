@@ -1,0 +1,165 @@
+use super::bisection::{BisectionMesh, EDGES, VertexMap};
+use super::element::{Orientation, UNKNOWNS, basis_curls, integrals};
+use super::space::Space;
+use crate::DVec3;
+
+/// A deterministic sequence of numbers in [0, 1).
+fn noise(seed: &mut u64) -> f64 {
+    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    (*seed >> 11) as f64 / (1u64 << 53) as f64
+}
+
+fn ring() -> Vec<DVec3> {
+    (0..7).map(|k| f64::from(k) * 0.9).map(|t| DVec3::new(t.cos(), t.sin(), 0.4 * (2.0 * t).sin())).collect()
+}
+
+/// A mesh of a ring with random leaves bisected, round after round.
+fn random_mesh(rounds: usize, seed: &mut u64) -> BisectionMesh {
+    let mut mesh = BisectionMesh::around(ring().into_iter()).unwrap();
+    for _ in 0..rounds {
+        let marked: Vec<u32> = (0..mesh.leaf_count() as u32).filter(|_| noise(seed) < 0.1).collect();
+        mesh.bisect(&marked);
+    }
+    mesh
+}
+
+/// Puts a random field on the mesh.
+fn randomise(mesh: &mut BisectionMesh, seed: &mut u64) {
+    let space = Space::of(mesh);
+    let field: Vec<f64> = (0..space.count()).map(|_| noise(seed) - 0.5).collect();
+    let curl = space.curl(&field);
+    mesh.nodal.iter_mut().zip(curl).for_each(|(nodal, curl)| nodal.curl = curl);
+    for (key, value) in space.edges.iter().zip(&field) {
+        mesh.edges.get_mut(key).unwrap().circulation = *value;
+    }
+}
+
+#[test]
+fn bisected_leaves_fill_the_box_and_conform() {
+    let mesh = random_mesh(6, &mut 1);
+    assert!(mesh.leaf_count() > 1000);
+    let mut volume = 0.0;
+    let mut sides: VertexMap<[u32; 3], Vec<u32>> = VertexMap::default();
+    for leaf in 0..mesh.leaf_count() {
+        let vertices = mesh.leaf_vertices(leaf);
+        let [a, b, c, d] = vertices.map(|v| mesh.vertices[v as usize]);
+        let own = (b - a).cross(c - a).dot(d - a).abs() / 6.0;
+        assert!((own / mesh.leaf_volume(leaf) - 1.0).abs() < 1e-9);
+        volume += own;
+        for k in 0..4 {
+            let mut face: Vec<u32> = (0..4).filter(|&p| p != k).map(|p| vertices[p]).collect();
+            face.sort_unstable();
+            sides.entry([face[0], face[1], face[2]]).or_default().push(leaf as u32);
+        }
+    }
+    assert!((volume / mesh.volume() - 1.0).abs() < 1e-9);
+    let corners = mesh.corners();
+    for (face, leaves) in &sides {
+        let points = face.map(|v| mesh.vertices[v as usize]);
+        let on_the_box =
+            (0..3).any(|axis| corners.iter().any(|corner| points.iter().all(|point| point[axis] == corner[axis])));
+        assert_eq!(leaves.len(), if on_the_box { 1 } else { 2 });
+    }
+}
+
+#[test]
+fn bisection_leaves_the_field_as_it_is() {
+    let mut seed = 3;
+    let mut mesh = random_mesh(1, &mut seed);
+    randomise(&mut mesh, &mut seed);
+    let circulation = |mesh: &BisectionMesh| {
+        let space = Space::of(mesh);
+        let form = space.circulation(mesh, &[ring()]);
+        space.field(mesh).iter().zip(form).map(|(a, b)| a * b).sum::<f64>()
+    };
+    let before = circulation(&mesh);
+    for _ in 0..4 {
+        let marked: Vec<u32> = (0..mesh.leaf_count() as u32).filter(|_| noise(&mut seed) < 0.2).collect();
+        mesh.bisect(&marked);
+    }
+    let space = Space::of(&mesh);
+    let curl = space.curl(&space.field(&mesh));
+    let largest = curl.iter().flatten().map(|v| v.length()).fold(0.0, f64::max);
+    for (nodal, curl) in mesh.nodal.iter().zip(&curl) {
+        // What was interpolated is the curl of the values on the new edges and faces.
+        nodal.curl.iter().zip(curl).for_each(|(a, b)| assert!(a.distance(*b) < 1e-9 * largest));
+    }
+    assert!((circulation(&mesh) - before).abs() < 1e-9 * before.abs().max(1.0));
+}
+
+#[test]
+fn integrals_and_curls_of_the_basis_obey_stokes() {
+    let mut seed = 5;
+    for vertices in [[3, 1, 2, 0], [0, 1, 2, 3], [7, 4, 9, 5]] {
+        let corners: [DVec3; 4] =
+            std::array::from_fn(|_| DVec3::new(noise(&mut seed), noise(&mut seed), noise(&mut seed)));
+        let orientation = Orientation::of(vertices);
+        let curls = basis_curls(corners, &orientation);
+        let triangle: [[f64; 4]; 3] = std::array::from_fn(|_| {
+            let weights: [f64; 4] = std::array::from_fn(|_| noise(&mut seed));
+            weights.map(|w| w / weights.iter().sum::<f64>())
+        });
+        let point = |at: [f64; 4]| at.iter().zip(corners).map(|(&w, corner)| corner * w).sum::<DVec3>();
+        let [a, b, c] = triangle.map(point);
+        let area = 0.5 * (b - a).cross(c - a);
+        let sides: [[f64; UNKNOWNS]; 3] =
+            std::array::from_fn(|k| integrals(triangle[k], triangle[(k + 1) % 3], &orientation));
+        let middle: [f64; 4] = std::array::from_fn(|p| triangle.iter().map(|at| at[p]).sum::<f64>() / 3.0);
+        for unknown in 0..UNKNOWNS {
+            let around: f64 = sides.iter().map(|side| side[unknown]).sum();
+            // The curl is linear, so its mean is its value at the middle.
+            let mean = curls.iter().zip(middle).map(|(at, weight)| at[unknown] * weight);
+            assert!((around - mean.sum::<DVec3>().dot(area)).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn a_located_point_is_the_mean_of_the_leaf_s_corners() {
+    let mut seed = 7;
+    let mesh = random_mesh(5, &mut seed);
+    let [low, high] = mesh.corners();
+    for _ in 0..200 {
+        let point = low + (high - low) * DVec3::new(noise(&mut seed), noise(&mut seed), noise(&mut seed));
+        let (leaf, at) = mesh.locate(point);
+        assert!(at.iter().all(|&w| w >= 0.0));
+        let corners = mesh.leaf_vertices(leaf as usize).map(|v| mesh.vertices[v as usize]);
+        let found: DVec3 = corners.iter().zip(at).map(|(&corner, w)| corner * w).sum();
+        assert!(found.distance(point) < 1e-12);
+    }
+    assert_eq!(EDGES.len(), 6);
+}
+
+#[test]
+fn a_traced_segment_is_covered_once() {
+    let mut seed = 9;
+    let mesh = random_mesh(5, &mut seed);
+    let points = ring();
+    for (k, &from) in points.iter().enumerate() {
+        let to = points[(k + 1) % points.len()];
+        let pieces = mesh.trace(from, to);
+        assert!(pieces.len() > 3);
+        assert_eq!((pieces[0].range[0], pieces[pieces.len() - 1].range[1]), (0.0, 1.0));
+        assert!(pieces.windows(2).all(|pair| pair[0].range[1] == pair[1].range[0]));
+        for piece in pieces {
+            let corners = mesh.leaf_vertices(piece.leaf as usize).map(|v| mesh.vertices[v as usize]);
+            for (at, t) in [(piece.from, piece.range[0]), (piece.to, piece.range[1])] {
+                let found: DVec3 = corners.iter().zip(at).map(|(&corner, w)| corner * w).sum();
+                assert!(found.distance(from.lerp(to, t)) < 1e-12);
+            }
+        }
+    }
+}
+
+#[test]
+fn interval_results_contain_the_exact_ones() {
+    use super::interval::Interval;
+    let third = Interval::exactly(1.0) / Interval::exactly(3.0);
+    assert!(third.low < third.high && third.low <= 1.0 / 3.0 && third.high >= 1.0 / 3.0);
+    let one = third * Interval::exactly(3.0);
+    assert!(one.low < 1.0 && one.high > 1.0);
+    let two = Interval::exactly(2.0).sqrt().square();
+    assert!(two.low < 2.0 && two.high > 2.0);
+    let tiny = Interval::exactly(1.0) + Interval::exactly(1e-30);
+    assert!(tiny.low <= 1.0 && tiny.high > 1.0);
+}

@@ -1,0 +1,211 @@
+//! Lower bounds of the area: never above a film's area, sharp on plane polygons, and confirmed by a program of its own
+//! in exact arithmetic.
+
+mod boundaries;
+
+use plateau_geometry::lower_bound::{self, LowerBound, Options as Budget};
+use plateau_geometry::minimal_surface::{
+    self, FreeTopology, Method, Newton, Options, PinkallPolthier, Resolution, TopologyRule, VertexRelaxation,
+};
+use plateau_geometry::{DVec3, Error, Execution, Interruption, Mesh, Signal};
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+use std::path::Path;
+use std::process::Command;
+
+fn film(loops: &[Vec<DVec3>], method: Method) -> Option<(Mesh, f64)> {
+    let options = Options { method, ..Options::new(Resolution::Triangles(2000)) };
+    let film = minimal_surface::solve(loops, &options, &Execution::default()).ok()?;
+    Some((film.mesh, film.statistics.area))
+}
+
+fn bound(loops: &[Vec<DVec3>], film: &Mesh, seconds: f64) -> LowerBound {
+    lower_bound::certify(loops, film, &Budget { gap: 1e-4, seconds }, &Execution::default()).unwrap().unwrap()
+}
+
+#[test]
+fn plane_polygons_have_their_own_area_as_bound() {
+    for (k, corners) in [4, 5, 9].into_iter().enumerate() {
+        // A star-shaped polygon in a tilted plane.
+        let (u, v) = (DVec3::new(0.8, 0.1, 0.3).normalize(), DVec3::new(-0.2, 0.9, 0.1));
+        let v = (v - u * u.dot(v)).normalize();
+        let points: Vec<DVec3> = (0..corners)
+            .map(|i| {
+                let angle = TAU * i as f64 / corners as f64;
+                let radius = 1.0 + 0.4 * (3.0 * angle + k as f64).sin();
+                (u * angle.cos() + v * angle.sin()) * radius + DVec3::new(5.0, -3.0, 2.0)
+            })
+            .collect();
+        let exact: f64 = (0..corners).map(|i| 0.5 * points[i].cross(points[(i + 1) % corners]).dot(u.cross(v))).sum();
+        let loops = [points];
+        let (mesh, area) = film(&loops, Method::default()).unwrap();
+        let found = bound(&loops, &mesh, 1.0);
+        assert!(found.area <= exact && found.area <= area * (1.0 + 1e-12));
+        assert!(found.area >= 0.999 * exact, "{corners} corners: {} of {exact}", found.area);
+        assert!(found.slack.iter().all(|&slack| slack < 0.01));
+    }
+}
+
+/// Closed curves of a few random waves; every third boundary has two of them.
+fn random_boundary(seed: u64) -> Vec<Vec<DVec3>> {
+    let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
+    let mut noise = move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+    };
+    let loops = if seed.is_multiple_of(3) { 2 } else { 1 };
+    (0..loops)
+        .map(|k| {
+            let waves: Vec<[f64; 6]> = (0..3).map(|_| std::array::from_fn(|_| 0.35 * noise())).collect();
+            let offset = DVec3::new(0.2 * noise(), 0.2 * noise(), 0.9 * f64::from(k));
+            (0..36)
+                .map(|i| {
+                    let t = TAU * f64::from(i) / 36.0;
+                    let mut point = DVec3::new(t.cos(), t.sin(), 0.0) + offset;
+                    for (n, w) in waves.iter().enumerate() {
+                        let (sin, cos) = (t * (n + 1) as f64).sin_cos();
+                        point += DVec3::new(w[0], w[1], w[2]) * cos + DVec3::new(w[3], w[4], w[5]) * sin;
+                    }
+                    point
+                })
+                .collect()
+        })
+        .collect()
+}
+
+#[test]
+fn no_film_has_less_area_than_the_bound() {
+    let count = if std::env::var_os("PLATEAU_LONG").is_some() { 200 } else { 4 };
+    let mut gaps = Vec::new();
+    for seed in 1..=count {
+        let loops = random_boundary(seed);
+        let by_topology = |topology| Method::Newton(Newton { topology, ..Newton::default() });
+        let solved: Vec<(Mesh, f64)> = [
+            Method::default(),
+            Method::VertexRelaxation(VertexRelaxation::default()),
+            Method::PinkallPolthier(PinkallPolthier::default()),
+            by_topology(TopologyRule::Free(FreeTopology::default())),
+            by_topology(TopologyRule::Best),
+        ]
+        .into_iter()
+        .filter_map(|method| film(&loops, method))
+        .collect();
+        let Some((mesh, least)) = solved.into_iter().min_by(|a, b| a.1.total_cmp(&b.1)) else {
+            continue;
+        };
+        let found = bound(&loops, &mesh, 0.3);
+        assert!(found.area > 0.0 && found.area <= least, "boundary {seed}: {} above {least}", found.area);
+        assert_eq!(found.fields.len(), 1 << (loops.len() - 1));
+        gaps.push(1.0 - found.area / least);
+    }
+    assert!(gaps.len() * 10 >= count as usize * 9, "films of only {} boundaries", gaps.len());
+    gaps.sort_by(f64::total_cmp);
+    // A bound that is always true but says nothing would be useless.
+    assert!(gaps[gaps.len() / 2] < 0.1, "median gap {}", gaps[gaps.len() / 2]);
+}
+
+#[test]
+fn two_rings_are_bounded_over_both_orientations() {
+    let loops = boundaries::rings(24, 0.7);
+    let (mesh, area) = film(&loops, Method::default()).unwrap();
+    let found = bound(&loops, &mesh, 1.0);
+    assert!(found.every_orientation && found.fields.len() == 2);
+    let least = found.fields.iter().map(|field| field.area_lower_bound).fold(f64::INFINITY, f64::min);
+    assert_eq!(found.area, least);
+    assert!(found.area <= area && found.area > 0.93 * area, "{} of {area}", found.area);
+}
+
+#[test]
+fn the_same_request_gives_the_same_bytes_and_an_offset_keeps_the_bound_true() {
+    let loops = vec![boundaries::skew_quadrilateral(1)];
+    let (mesh, area) = film(&loops, Method::default()).unwrap();
+    let first = bound(&loops, &mesh, 0.4);
+    assert_eq!(first, bound(&loops, &mesh, 0.4));
+    assert!(first.area <= area && first.area > 0.97 * area);
+    let shift = DVec3::new(1e7, -2e7, 3e6);
+    let moved: Vec<Vec<DVec3>> = loops.iter().map(|points| points.iter().map(|&p| p + shift).collect()).collect();
+    let mesh = Mesh::new(mesh.vertices.iter().map(|&p| p + shift).collect(), mesh.triangles);
+    let found = bound(&moved, &mesh, 0.4);
+    assert!(found.area <= area * (1.0 + 1e-8) && found.area > 0.97 * area);
+}
+
+#[test]
+fn a_cancel_stops_the_search_and_a_deadline_keeps_what_is_proven() {
+    let loops = vec![boundaries::skew_quadrilateral(1)];
+    let (mesh, area) = film(&loops, Method::default()).unwrap();
+    let looks = std::cell::Cell::new(0);
+    let stop = |after: u32, how: Signal| {
+        looks.set(0);
+        let signal = || {
+            looks.set(looks.get() + 1);
+            if looks.get() > after { how } else { Signal::Continue }
+        };
+        let exec = Execution::new(&signal, &|_| {});
+        lower_bound::certify(&loops, &mesh, &Budget { gap: 0.0, seconds: 5.0 }, &exec)
+    };
+    assert_eq!(stop(20, Signal::Cancel).err(), Some(Error::Interrupted(Interruption::Cancelled)));
+    let found = stop(60, Signal::Deadline).unwrap().unwrap();
+    assert!(found.iterations < 60 && found.area > 0.5 * area && found.area <= area);
+}
+
+/// The certificate as the service writes it.
+fn json(found: &LowerBound, edge_scale: f64, bound_scale: f64) -> String {
+    let points = |points: &[DVec3]| format!("{:?}", points.iter().map(|p| p.to_array()).collect::<Vec<_>>());
+    let mut out = format!(
+        "{{\"area_lower_bound\":{:?},\"every_orientation\":{},\"orientations\":[",
+        found.area * bound_scale,
+        found.every_orientation
+    );
+    for (k, field) in found.fields.iter().enumerate() {
+        let loops: Vec<String> = field.loops.iter().map(|of| points(of)).collect();
+        let edge_values: Vec<f64> = field.edge_values.iter().map(|value| value * edge_scale).collect();
+        let face_values: Vec<[f64; 2]> =
+            field.face_values.iter().map(|of| of.map(|value| value * edge_scale)).collect();
+        write!(
+            out,
+            "{}{{\"loops\":[{}],\"area_lower_bound\":{:?},\"box\":{},\"vertices\":{},\"tetrahedra\":{:?},\"edges\":{:?},\
+             \"edge_values\":{edge_values:?},\"faces\":{:?},\"face_values\":{face_values:?}}}",
+            if k == 0 { "" } else { "," },
+            loops.join(","),
+            field.area_lower_bound * bound_scale,
+            points(&field.corners),
+            points(&field.vertices),
+            field.tetrahedra,
+            field.edges,
+            field.faces,
+        )
+        .unwrap();
+    }
+    out + "]}"
+}
+
+fn check(certificate: &str, name: &str) -> (bool, String) {
+    let path = std::env::temp_dir().join(format!("plateau-certificate-{}-{name}.json", std::process::id()));
+    std::fs::write(&path, certificate).unwrap();
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scripts/check_certificate.py");
+    let output = Command::new("python3").arg(script).arg(&path).output().expect("python3 runs");
+    std::fs::remove_file(&path).unwrap();
+    (output.status.success(), String::from_utf8_lossy(&output.stderr).into_owned())
+}
+
+#[test]
+fn an_independent_program_confirms_the_certificate_and_refuses_a_false_one() {
+    let loops = boundaries::rings(6, 0.5);
+    let (mesh, _) = film(&loops, Method::default()).unwrap();
+    let found = bound(&loops, &mesh, 0.2);
+    let (confirmed, message) = check(&json(&found, 1.0, 1.0), "true");
+    assert!(confirmed, "{message}");
+    // The largest |curl A| understated: the field is not scaled down as far as it must be.
+    let (confirmed, message) = check(&json(&found, 1.0 + 1e-12, 1.0), "curl");
+    assert!(!confirmed && message.contains("|curl A|"), "{message}");
+    // A bound that was rounded up.
+    let (confirmed, message) = check(&json(&found, 1.0, 1.0 + 1e-12), "bound");
+    assert!(!confirmed && message.contains("circulation"), "{message}");
+    // A tetrahedron left out.
+    let mut holed = found;
+    holed.fields[0].tetrahedra.pop();
+    let (confirmed, message) = check(&json(&holed, 1.0, 1.0), "hole");
+    assert!(!confirmed && message.contains("volume"), "{message}");
+}

@@ -1,0 +1,136 @@
+//! The lower bound of the area: its figures in the statistics, and the document that proves it.
+
+use super::MinimalStatistics;
+use crate::wire::common::Point;
+use plateau_geometry::lower_bound::{Field, LowerBound};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Above this gap the statement adds that the film is not proven to be the global minimum.
+const LARGE_GAP: f64 = 0.05;
+
+/// A proven lower bound of the area of all oriented surfaces with this boundary.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Certificate {
+    /// No oriented surface of any topology with this boundary has a smaller area.
+    pub area_lower_bound: f64,
+    /// The film's area is at most this fraction above the least area. Null if the bound is 0.
+    pub gap: Option<f64>,
+    /// The surfaces for which the bound holds.
+    pub scope: String,
+    /// Number of nominal seconds to which the work of the search amounts. No clock is read, so that the result is the same
+    /// on every machine.
+    pub seconds: f64,
+    pub iterations: u32,
+    /// Number of tetrahedra of all fields together.
+    pub tetrahedra: usize,
+    /// Number of orientations of the loops for which a field was found.
+    pub orientations: usize,
+    /// The result in words.
+    pub statement: String,
+}
+
+fn gap(area: f64, bound: f64) -> Option<f64> {
+    Some(area / bound - 1.0).filter(|gap| bound > 0.0 && gap.is_finite()).map(|gap| gap.max(0.0))
+}
+
+impl Certificate {
+    /// Returns the certificate of a film with this area.
+    #[must_use]
+    pub fn of(found: &LowerBound, area: f64) -> Self {
+        let orientation = if found.every_orientation {
+            "in whichever direction each loop is traversed"
+        } else {
+            "with the loops in the directions of the film"
+        };
+        let scope = format!(
+            "oriented surfaces (integral currents) of any topology bounded by exactly these polygons, {orientation}. Films \
+             without an orientation (Möbius bands) and films with triple junctions are not included."
+        );
+        let bound = found.area;
+        let gap = gap(area, bound);
+        let statement = match gap {
+            Some(gap) => {
+                // The percentage is rounded up, so that the statement stays true.
+                let percent = (gap * 1e5).ceil() / 1e3;
+                let proven = format!(
+                    "No oriented surface of any topology with this boundary has an area below {bound}; this film is at most \
+                     {percent}% above the global minimum."
+                );
+                if gap > LARGE_GAP {
+                    proven + " It is not proven that this film is the global minimum."
+                } else {
+                    proven
+                }
+            }
+            None => "No lower bound above 0 was found, so nothing is proven.".into(),
+        };
+        Self {
+            area_lower_bound: bound,
+            gap,
+            scope,
+            seconds: found.seconds,
+            iterations: found.iterations,
+            tetrahedra: found.fields.iter().map(|field| field.tetrahedra.len()).sum(),
+            orientations: found.fields.len(),
+            statement,
+        }
+    }
+}
+
+impl MinimalStatistics {
+    /// Adds the bound, and how far each compared topology is from the least area at most.
+    #[must_use]
+    pub fn certified(mut self, found: &LowerBound) -> Self {
+        self.certificate = Some(Certificate::of(found, self.area));
+        for topology in self.spanning.iter_mut().flat_map(|spanning| &mut spanning.topologies) {
+            topology.gap = topology.area.and_then(|area| gap(area, found.area));
+        }
+        self
+    }
+}
+
+/// The field for one orientation of the loops.
+#[derive(Clone, Debug, Serialize)]
+struct Orientation<'a> {
+    loops: Vec<Vec<Point>>,
+    area_lower_bound: f64,
+    r#box: [Point; 2],
+    vertices: Vec<Point>,
+    tetrahedra: &'a [[u32; 4]],
+    edges: &'a [[u32; 2]],
+    edge_values: &'a [f64],
+    faces: &'a [[u32; 3]],
+    face_values: &'a [[f64; 2]],
+}
+
+/// The proof, which `scripts/check_certificate.py` reads and confirms.
+#[derive(Clone, Debug, Serialize)]
+pub struct CertificateDocument<'a> {
+    area_lower_bound: f64,
+    every_orientation: bool,
+    orientations: Vec<Orientation<'a>>,
+}
+
+impl<'a> CertificateDocument<'a> {
+    /// Returns the document of a lower bound.
+    #[must_use]
+    pub fn of(found: &'a LowerBound) -> Self {
+        let orientation = |field: &'a Field| Orientation {
+            loops: field.loops.iter().map(|points| points.iter().map(|p| p.to_array()).collect()).collect(),
+            area_lower_bound: field.area_lower_bound,
+            r#box: field.corners.map(|corner| corner.to_array()),
+            vertices: field.vertices.iter().map(|vertex| vertex.to_array()).collect(),
+            tetrahedra: &field.tetrahedra,
+            edges: &field.edges,
+            edge_values: &field.edge_values,
+            faces: &field.faces,
+            face_values: &field.face_values,
+        };
+        Self {
+            area_lower_bound: found.area,
+            every_orientation: found.every_orientation,
+            orientations: found.fields.iter().map(orientation).collect(),
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! `certify`: the lower bound in the statistics, and its proof as a document that a program of its own confirms.
+
+use crate::app::{MINIMAL, TestApp, pointers, problem, root};
+use serde_json::{Value, json};
+use std::io::Write;
+use std::process::{Command, Stdio};
+
+fn request() -> Value {
+    let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 1.0], [1.0, 1.0, 0.0], [0.0, 1.0, 1.0]];
+    json!({ "boundaries": [corners], "resolution": { "triangles": 400 }, "certify": { "gap": 0.02, "seconds": 0.2 } })
+}
+
+#[tokio::test]
+async fn a_certificate_is_stated_and_an_independent_program_confirms_it() {
+    let app = TestApp::start().await;
+    let job = app.solve(MINIMAL, &request()).await;
+    let (statistics, certificate) = (&job["statistics"], &job["statistics"]["certificate"]);
+    let (area, bound) = (statistics["area"].as_f64().unwrap(), certificate["area_lower_bound"].as_f64().unwrap());
+    assert!(bound > 0.9 * area && bound <= area);
+    assert!((certificate["gap"].as_f64().unwrap() - (area / bound - 1.0)).abs() < 1e-12);
+    let statement = certificate["statement"].as_str().unwrap();
+    assert!(statement.starts_with("No oriented surface of any topology with this boundary has an area below "));
+    let proof = app.get(job["links"]["certificate"].as_str().unwrap()).await;
+    assert_eq!(proof.status(), 200);
+    assert_eq!(proof.headers()["content-type"], "application/json");
+    let proof = proof.bytes().await.unwrap();
+    let mut script = Command::new("python3")
+        .arg(root().join("scripts/check_certificate.py"))
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("python3 runs");
+    script.stdin.take().unwrap().write_all(&proof).unwrap();
+    let output = script.wait_with_output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stdout));
+    let ply = app.get(&format!("{}?format=ply", job["links"]["mesh"].as_str().unwrap())).await.bytes().await.unwrap();
+    assert!(String::from_utf8_lossy(&ply[..400]).contains("property double lower_bound_slack"));
+}
+
+#[tokio::test]
+async fn every_compared_topology_says_how_far_it_is_from_the_minimum() {
+    let app = TestApp::start().await;
+    let ring = |z: f64| -> Vec<[f64; 3]> {
+        (0..16).map(|k| std::f64::consts::TAU * f64::from(k) / 16.0).map(|a| [a.cos(), a.sin(), z]).collect()
+    };
+    let request = json!({ "boundaries": [ring(0.0), ring(0.8)], "topology": "best", "resolution": { "triangles": 600 },
+        "certify": { "seconds": 0.2 } });
+    let statistics = app.solve(MINIMAL, &request).await["statistics"].clone();
+    let bound = statistics["certificate"]["area_lower_bound"].as_f64().unwrap();
+    let topologies = statistics["spanning"]["topologies"].as_array().unwrap();
+    assert_eq!(topologies.len(), 2);
+    for topology in topologies {
+        let (area, gap) = (topology["area"].as_f64().unwrap(), topology["gap"].as_f64().unwrap());
+        assert!((gap - (area / bound - 1.0)).abs() < 1e-12 && gap > 0.0);
+    }
+}
+
+#[tokio::test]
+async fn without_certify_there_is_none_and_other_objectives_cannot_have_one() {
+    let app = TestApp::start().await;
+    let mut plain = request();
+    plain["certify"] = json!(false);
+    let job = app.solve(MINIMAL, &plain).await;
+    assert_eq!(job["statistics"]["certificate"], Value::Null);
+    problem(app.get(job["links"]["certificate"].as_str().unwrap()).await, 404).await;
+    let mut curvature = request();
+    curvature["objective"] = json!("minimal_mean_curvature");
+    let refused = problem(app.post(MINIMAL, &curvature).await, 422).await;
+    assert_eq!(pointers(&refused), ["/certify"]);
+    let mut wrong = request();
+    wrong["certify"] = json!({ "gap": -1.0 });
+    let refused = problem(app.post(MINIMAL, &wrong).await, 422).await;
+    assert!(pointers(&refused)[0].starts_with("/certify"));
+}
