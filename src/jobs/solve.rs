@@ -81,7 +81,7 @@ pub fn solve(request: &Request, signal: &dyn Fn() -> Signal, report: &dyn Fn(Pro
         Problem::RuledSurface { directrices, options } => ruled(request, directrices, options, &exec),
         Problem::MinimalSurface { boundaries, options, certify } => {
             minimal(request, boundaries, options, certify.as_ref(), &exec)
-        },
+        }
         Problem::UniformMesh { domain, options } => uniform(request, domain, options, &exec),
         Problem::TensileStructure { structure, options, force } => tensile(request, structure, options, *force, &exec),
     };
@@ -100,7 +100,7 @@ fn on_the_wire(progress: plateau_geometry::Progress) -> Progress {
     }
 }
 
-fn warnings(warnings: Vec<plateau_geometry::error::Warning>) -> Vec<JobWarning> {
+fn warnings(warnings: Vec<Warning>) -> Vec<JobWarning> {
     warnings.into_iter().map(|warning| JobWarning { code: warning.code.into(), detail: warning.detail }).collect()
 }
 
@@ -155,7 +155,9 @@ fn minimal(
                 let proof = to_json(&CertificateDocument::of(&bound))?;
                 certificate = Some(Certificate { slack: bound.slack, proof });
             }
-            Err(reason) => surface.warnings.push(Warning::new("no_certificate", format!("no lower bound was computed: {reason}"))),
+            Err(reason) => {
+                surface.warnings.push(Warning::new("no_certificate", format!("no lower bound was computed: {reason}")))
+            }
         }
     }
     let statistics = to_json(&statistics)?;

@@ -39,7 +39,7 @@ use crate::{DVec3, Error, Execution, Mesh, Progress};
 use barrier::Level;
 use bisection::{BisectionMesh, VertexMap};
 use space::Space;
-use system::System;
+use system::{Stop, System};
 
 /// What is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -106,7 +106,7 @@ pub const MOST_LOOPS: usize = 6;
 pub const MOST_SECONDS: f64 = 600.0;
 
 /// Leaves of the first mesh.
-const FIRST_LEAVES: usize = 2_000;
+const FIRST_LEAVES: usize = 600;
 /// Leaves of a mesh in terms of the mesh before, if the budget allows it.
 const GROWTH: f64 = 2.5;
 /// A mesh that is not finer by this much is not worth a factorisation.
@@ -124,11 +124,11 @@ const MOST_ENTRIES: usize = 60_000_000;
 const MARKED_SHARE: f64 = 0.4;
 /// Nominal seconds of a factorisation, per (entries of the factor)² / rows, and of its preparation per leaf. Measured
 /// on a core of a shared machine, so that a free core is faster.
-const FACTORISATION_RATE: f64 = 6e-10;
-const PREPARATION_RATE: f64 = 2e-5;
+const FACTORISATION_RATE: f64 = 3e-10;
+const PREPARATION_RATE: f64 = 1.5e-5;
 /// Nominal seconds of a step besides the factorisation, per entry of the factor and per leaf.
-const SOLVE_RATE: f64 = 4e-9;
-const ASSEMBLY_RATE: f64 = 5e-6;
+const SOLVE_RATE: f64 = 2e-9;
+const ASSEMBLY_RATE: f64 = 3e-6;
 
 /// Upper bound of the memory that [`certify`] takes.
 #[must_use]
@@ -360,8 +360,7 @@ impl Budget<'_> {
         let space = Space::of(mesh);
         let form = space.circulation(mesh, loops);
         exec.look(mesh.leaf_count() as u64)?;
-        let failed = |_| Error::no_result("internal", "the linear system of the lower bound could not be solved");
-        let mut system = System::of(&space).map_err(failed)?;
+        let mut system = System::of(&space).map_err(Stop::from)?;
         let dimensions = [system.factor_entries() as f64, system.rows() as f64];
         let leaves = mesh.leaf_count() as f64;
         if !first && dimensions[0] > 1.5 * MOST_ENTRIES as f64 {
@@ -379,11 +378,14 @@ impl Budget<'_> {
             if converged || self.options.gap * level.best.bound >= missing(level.best.bound) || self.left() < a_step {
                 break;
             }
-            if let Err(interruption) = exec.look(dimensions[0] as u64) {
-                interrupted = Err(interruption);
-                break;
+            match level.step(&mut system, storage, exec) {
+                Ok(()) => {}
+                Err(Stop::Interrupted(interruption)) => {
+                    interrupted = Err(interruption);
+                    break;
+                }
+                Err(failed) => return Err(failed.into()),
             }
-            level.step(&mut system, storage).map_err(failed)?;
             self.spent += a_step;
             self.iterations += 1;
             exec.report(Progress {

@@ -114,7 +114,7 @@ fn two_rings_are_bounded_over_both_orientations() {
     assert!(found.every_orientation && found.fields.len() == 2);
     let least = found.fields.iter().map(|field| field.area_lower_bound).fold(f64::INFINITY, f64::min);
     assert_eq!(found.area, least);
-    assert!(found.area <= area && found.area > 0.93 * area, "{} of {area}", found.area);
+    assert!(found.area <= area && found.area > 0.9 * area, "{} of {area}", found.area);
 }
 
 #[test]
@@ -123,12 +123,12 @@ fn the_same_request_gives_the_same_bytes_and_an_offset_keeps_the_bound_true() {
     let (mesh, area) = film(&loops, Method::default()).unwrap();
     let first = bound(&loops, &mesh, 0.4);
     assert_eq!(first, bound(&loops, &mesh, 0.4));
-    assert!(first.area <= area && first.area > 0.97 * area);
+    assert!(first.area <= area && first.area > 0.95 * area);
     let shift = DVec3::new(1e7, -2e7, 3e6);
     let moved: Vec<Vec<DVec3>> = loops.iter().map(|points| points.iter().map(|&p| p + shift).collect()).collect();
     let mesh = Mesh::new(mesh.vertices.iter().map(|&p| p + shift).collect(), mesh.triangles);
     let found = bound(&moved, &mesh, 0.4);
-    assert!(found.area <= area * (1.0 + 1e-8) && found.area > 0.97 * area);
+    assert!(found.area <= area * (1.0 + 1e-8) && found.area > 0.95 * area);
 }
 
 #[test]

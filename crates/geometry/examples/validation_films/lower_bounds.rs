@@ -56,9 +56,7 @@ fn cases() -> Vec<(&'static str, Vec<Vec<DVec3>>)> {
         let (u, v) = (0.9 * t.cos(), 0.9 * t.sin());
         [u - u.powi(3) / 3.0 + u * v * v, v - v.powi(3) / 3.0 + v * u * u, u * u - v * v]
     };
-    let trefoil = |t: f64| {
-        [t.sin() + 2.0 * (2.0 * t).sin(), t.cos() - 2.0 * (2.0 * t).cos(), -(3.0 * t).sin()]
-    };
+    let trefoil = |t: f64| [t.sin() + 2.0 * (2.0 * t).sin(), t.cos() - 2.0 * (2.0 * t).cos(), -(3.0 * t).sin()];
     // A loop of two lobes whose waists are a twentieth of their length apart.
     let nearly_touching = |t: f64| [1.5 * t.cos(), (0.05 + 0.6 * t.cos() * t.cos()) * t.sin(), 0.2 * (2.0 * t).sin()];
     vec![

@@ -17,9 +17,8 @@
 
 use super::bisection::BisectionMesh;
 use super::space::Space;
-use super::system::System;
-use crate::DVec3;
-use crate::sparse::LinearError;
+use super::system::{Stop, System};
+use crate::{DVec3, Execution};
 use glam::DMat3;
 
 /// Part of the way to the boundary |v| = 1 that a step may go at most.
@@ -99,8 +98,8 @@ impl<'a> Level<'a> {
     /// One step of Newton's method. `storage` is the memory of the factor.
     ///
     /// # Errors
-    /// The error of the factorisation.
-    pub fn step(&mut self, system: &mut System, storage: &mut Vec<f64>) -> Result<(), LinearError> {
+    /// The error of the factorisation, or an interruption, which leaves the iterate as it was.
+    pub fn step(&mut self, system: &mut System, storage: &mut Vec<f64>, exec: &Execution) -> Result<(), Stop> {
         let Self { space, form, curl, .. } = self;
         let mut gradient: Vec<f64> = form.iter().map(|g| g / self.weight).collect();
         space.transposed_curl(|leaf, p| curl[leaf][p] * (-2.0 / slack(curl[leaf][p])), &mut gradient);
@@ -109,7 +108,7 @@ impl<'a> Level<'a> {
             let outer = DMat3::from_cols(v * v.x, v * v.y, v * v.z);
             DMat3::from_diagonal(DVec3::splat(2.0 * inverse)) + outer * (4.0 * inverse * inverse)
         };
-        let factor = system.factorise(space, block, std::mem::take(storage))?;
+        let factor = system.factorise(space, block, storage, exec)?;
         let direction = factor.solve(&gradient);
         *storage = factor.into_storage();
         let predicted = dot(&gradient, &direction);

@@ -251,6 +251,7 @@ impl BisectionMesh {
         u32::from(self.leaf_level(leaf)) < 3 * self.cell.ilog2()
     }
 
+    #[cfg(test)]
     pub fn leaf_volume(&self, leaf: usize) -> f64 {
         let side = self.step * f64::from(self.cell);
         side.x * side.y * side.z / 6.0 * 0.5f64.powi(i32::from(self.leaf_level(leaf)))

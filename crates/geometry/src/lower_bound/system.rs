@@ -2,7 +2,9 @@
 
 use super::element::{self, UNKNOWNS};
 use super::space::Space;
+use crate::execution::Interruption;
 use crate::sparse::{LinearError, Symbolic, SymmetricMatrix};
+use crate::{Error, Execution};
 use glam::DMat3;
 
 /// The pattern of the matrix, its analysis, and where each tetrahedron adds to it.
@@ -18,6 +20,36 @@ pub(super) struct System {
 }
 
 const NONE: u32 = u32::MAX;
+/// Leaves that are assembled between two looks at the caller's signal: a few milliseconds of work.
+const LEAVES_A_LOOK: usize = 1_000;
+
+/// Why there is no factor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stop {
+    Interrupted(Interruption),
+    Failed(LinearError),
+}
+
+impl From<Interruption> for Stop {
+    fn from(interruption: Interruption) -> Self {
+        Self::Interrupted(interruption)
+    }
+}
+
+impl From<LinearError> for Stop {
+    fn from(error: LinearError) -> Self {
+        Self::Failed(error)
+    }
+}
+
+impl From<Stop> for Error {
+    fn from(stop: Stop) -> Self {
+        match stop {
+            Stop::Interrupted(interruption) => interruption.into(),
+            Stop::Failed(_) => Self::no_result("internal", "the linear system of the lower bound could not be solved"),
+        }
+    }
+}
 
 impl System {
     pub fn of(space: &Space) -> Result<Self, LinearError> {
@@ -91,10 +123,14 @@ impl System {
         &mut self,
         space: &Space,
         weight: impl Fn(usize, usize) -> DMat3,
-        storage: Vec<f64>,
-    ) -> Result<Factor<'_>, LinearError> {
+        storage: &mut Vec<f64>,
+        exec: &Execution,
+    ) -> Result<Factor<'_>, Stop> {
         self.matrix.values.fill(0.0);
         for leaf in 0..space.unknowns.len() {
+            if leaf.is_multiple_of(LEAVES_A_LOOK) {
+                exec.look((LEAVES_A_LOOK * UNKNOWNS * UNKNOWNS) as u64)?;
+            }
             let basis = element::basis_curls(space.corners[leaf], &space.orientations[leaf]);
             let mut local = [[0.0; UNKNOWNS]; UNKNOWNS];
             for (p, curls) in basis.iter().enumerate() {
@@ -116,7 +152,7 @@ impl System {
                 }
             }
         }
-        let factor = self.symbolic.factorise_into(&self.matrix, storage)?;
+        let factor = self.symbolic.factorise_into(&self.matrix, std::mem::take(storage))?;
         Ok(Factor { row: &self.row, factor, rows: self.rows })
     }
 }
