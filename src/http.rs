@@ -8,6 +8,7 @@ pub mod entry;
 pub mod negotiate;
 pub mod observe;
 pub mod openapi;
+pub mod parameters;
 pub mod problem;
 pub mod resource;
 pub mod router;

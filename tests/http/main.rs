@@ -25,6 +25,7 @@ mod openapi;
 mod prefer;
 mod restart;
 mod ruled_surfaces;
+mod series;
 mod shutdown;
 mod studio;
 mod uniform_meshes;

@@ -38,5 +38,5 @@ export type StatisticsOf<R extends { kind: Kind }> = R['kind'] extends 'ruled_su
       ? UniformStatistics
       : RuledStatistics | MinimalStatistics | UniformStatistics;
 
-export type MeshFormat = 'glb' | 'gltf' | 'obj' | 'ply' | 'stl';
+export type MeshFormat = 'glb' | 'gltf' | 'obj' | 'ply' | 'stl' | 'json';
 export type PatternFormat = 'svg' | 'dxf';
