@@ -15,6 +15,7 @@ pub struct Failure {
     title: &'static str,
     detail: String,
     errors: Vec<FieldError>,
+    errors_omitted: bool,
     headers: Vec<(HeaderName, HeaderValue)>,
 }
 
@@ -71,7 +72,7 @@ impl Failure {
             }
             _ => Vec::new(),
         };
-        Self { status, kind, title, detail, errors: Vec::new(), headers }
+        Self { status, kind, title, detail, errors: Vec::new(), errors_omitted: false, headers }
     }
 
     /// Returns the failure for a status that a library has chosen. Its text becomes the detail.
@@ -118,6 +119,10 @@ impl From<Rejection> for Failure {
         match rejection {
             Rejection::Malformed(detail) => Self::malformed(detail),
             Rejection::Invalid(errors) => Self::invalid(summary(&errors)).with_errors(errors),
+            Rejection::InvalidInPart(errors) => {
+                let detail = format!("the first {} invalid values of very many are listed", errors.len());
+                Self { errors_omitted: true, ..Self::invalid(detail).with_errors(errors) }
+            }
             Rejection::TooLarge(errors) => Self::too_large(summary(&errors)).with_errors(errors),
         }
     }
@@ -159,7 +164,7 @@ pub struct Unaddressed(Problem);
 
 impl IntoResponse for Failure {
     fn into_response(mut self) -> Response<Body> {
-        let errors_omitted = self.errors.len() > MAX_ERRORS;
+        let errors_omitted = self.errors_omitted || self.errors.len() > MAX_ERRORS;
         self.errors.truncate(MAX_ERRORS);
         let problem = Problem {
             kind: format!("/problems/{}", self.kind),
@@ -186,6 +191,13 @@ impl IntoResponse for Failure {
 pub fn write_problem(mut response: Response<Body>, base: &str, path: &str) -> Response<Body> {
     if let Some(Unaddressed(mut problem)) = response.extensions_mut().remove::<Unaddressed>() {
         problem.kind.insert_str(0, base);
+        // The router knows the path's methods only after the failure was made.
+        let allowed = response.headers().get(header::ALLOW).and_then(|value| value.to_str().ok());
+        if let Some(allowed) = allowed.filter(|_| response.status() == StatusCode::METHOD_NOT_ALLOWED) {
+            let mut methods: Vec<&str> = allowed.split(',').map(str::trim).collect();
+            methods.sort_unstable();
+            problem.detail = format!("this path supports {}", methods.join(", "));
+        }
         problem.instance = base.chars().chain(path.chars()).take(300).collect();
         // Serialization cannot fail because a problem has only strings and numbers.
         let text = serde_json::to_vec(&problem).unwrap_or_default();

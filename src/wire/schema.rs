@@ -1,7 +1,7 @@
 //! Validation of bodies against the schemas of the API document, and schemas that stand alone.
 
 use super::components::{BATCH, components, for_each_schema, request_component};
-use super::{FieldError, Kind, MAX_ERRORS, Rejection};
+use super::{FieldError, Kind, MAX_ERRORS, Rejection, shapes};
 use jsonschema::error::ValidationErrorKind;
 use jsonschema::{ValidationError, Validator};
 use schemars::JsonSchema;
@@ -118,7 +118,7 @@ pub fn validate(kind: Kind, value: &Value) -> Result<(), Rejection> {
     if validator.is_valid(value) {
         return Ok(());
     }
-    let part = if count(value) > MAX_VALUES_AT_ONCE { Some(first_invalid_part(validator, value)) } else { None };
+    let part = (count(value) > MAX_VALUES_AT_ONCE).then(|| first_invalid_part(validator, value));
     let mut errors = Vec::new();
     for error in validator.iter_errors(part.as_ref().unwrap_or(value)) {
         collect(&error, &mut errors);
@@ -126,7 +126,37 @@ pub fn validate(kind: Kind, value: &Value) -> Result<(), Rejection> {
             break;
         }
     }
-    if errors.is_empty() { Ok(()) } else { Err(Rejection::Invalid(errors)) }
+    if errors.is_empty() {
+        return Ok(());
+    }
+    let omitted = part.is_some() && errors.len() <= MAX_ERRORS && !validator.is_valid(&without(value, &errors));
+    shapes::explain(kind, value, &mut errors);
+    Err(if omitted { Rejection::InvalidInPart(errors) } else { Rejection::Invalid(errors) })
+}
+
+/// Returns a value without the elements of lists that contain the errors, and without the fields that are errors.
+fn without(value: &Value, errors: &[FieldError]) -> Value {
+    let mut rest = value.clone();
+    // From the last element to the first, so that the indices of the others stay the same.
+    for error in errors.iter().rev() {
+        let Some((mut parent, mut name)) = error.pointer.rsplit_once('/') else { continue };
+        // A coordinate goes with its point.
+        if let Some((list, index)) = parent.rsplit_once('/').filter(|(list, _)| list.matches('/').count() >= 2) {
+            (parent, name) = (list, index);
+        }
+        match rest.pointer_mut(parent) {
+            Some(Value::Array(elements)) => {
+                if let Some(index) = name.parse().ok().filter(|&index: &usize| index < elements.len()) {
+                    elements.remove(index);
+                }
+            }
+            Some(Value::Object(fields)) => {
+                fields.remove(name);
+            }
+            _ => {}
+        }
+    }
+    rest
 }
 
 fn count(value: &Value) -> usize {
