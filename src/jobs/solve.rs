@@ -50,8 +50,9 @@ impl Unsolved {
 
 impl From<Error> for Unsolved {
     fn from(error: Error) -> Self {
-        let fields =
-            |errors: &[plateau_geometry::InputError]| errors.iter().take(MAX_ERRORS).map(FieldError::from).collect();
+        let fields = |errors: &[plateau_geometry::InputError]| -> Vec<FieldError> {
+            errors.iter().take(MAX_ERRORS).map(FieldError::from).collect()
+        };
         Self::Failed(match error {
             Error::Interrupted(Interruption::Cancelled) => return Self::Cancelled,
             Error::Interrupted(Interruption::DeadlinePassed) => return Self::deadline(),
