@@ -191,13 +191,6 @@ impl IntoResponse for Failure {
 pub fn write_problem(mut response: Response<Body>, base: &str, path: &str) -> Response<Body> {
     if let Some(Unaddressed(mut problem)) = response.extensions_mut().remove::<Unaddressed>() {
         problem.kind.insert_str(0, base);
-        // The router knows the path's methods only after the failure was made.
-        let allowed = response.headers().get(header::ALLOW).and_then(|value| value.to_str().ok());
-        if let Some(allowed) = allowed.filter(|_| response.status() == StatusCode::METHOD_NOT_ALLOWED) {
-            let mut methods: Vec<&str> = allowed.split(',').map(str::trim).collect();
-            methods.sort_unstable();
-            problem.detail = format!("this path supports {}", methods.join(", "));
-        }
         problem.instance = base.chars().chain(path.chars()).take(300).collect();
         // Serialization cannot fail because a problem has only strings and numbers.
         let text = serde_json::to_vec(&problem).unwrap_or_default();

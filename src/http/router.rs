@@ -8,7 +8,7 @@ use crate::http::{access, observe};
 use crate::jobs::Jobs;
 use crate::wire::Kind;
 use axum::Router;
-use axum::extract::Request;
+use axum::extract::{MatchedPath, Request};
 use axum::http::{HeaderName, HeaderValue, Method, Uri, header};
 use axum::middleware;
 use axum::response::Redirect;
@@ -70,7 +70,9 @@ pub fn router(app: App) -> Router {
         .into_iter()
         .fold(Router::new(), |router, resource| resource.route(router))
         .fallback(|uri: Uri| async move { Failure::not_found(no_resource(uri.path())) })
-        .method_not_allowed_fallback(|| async { Failure::method_not_allowed("see the Allow header") })
+        .method_not_allowed_fallback(|path: Option<MatchedPath>| async move {
+            Failure::method_not_allowed(supported_methods(path.as_ref().map_or("", MatchedPath::as_str)))
+        })
         // The last layer is the outermost. A request is first observed, and then its host is checked. Then CORS answers
         // preflights, which need no key. Then foreign pages are refused, and last the key is checked.
         .layer(middleware::from_fn_with_state(app.clone(), access::authenticate))
@@ -82,6 +84,22 @@ pub fn router(app: App) -> Router {
         .layer(middleware::from_fn_with_state(base.clone(), observe::observe))
         .with_state(app);
     mount_below(&base, routes)
+}
+
+/// Returns the text for a method that the resource at this path does not have.
+fn supported_methods(path: &str) -> String {
+    let documented = resources(true).into_iter().map(Resource::documented);
+    let item = documented.filter(|(known, _)| *known == path).find_map(|(_, item)| item.as_object().cloned());
+    let mut methods: Vec<String> = item.iter().flat_map(|item| item.keys()).map(|name| name.to_uppercase()).collect();
+    // Whatever can be fetched also answers with its headers alone.
+    if methods.iter().any(|method| method == "GET") {
+        methods.push("HEAD".into());
+    }
+    methods.sort_unstable();
+    match methods.is_empty() {
+        true => "see the Allow header".into(),
+        false => format!("this path supports {}", methods.join(", ")),
+    }
 }
 
 /// Returns the text for a path without a resource. It names the path of this server that is most like it.

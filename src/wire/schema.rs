@@ -129,21 +129,25 @@ pub fn validate(kind: Kind, value: &Value) -> Result<(), Rejection> {
     if errors.is_empty() {
         return Ok(());
     }
-    let omitted = part.is_some() && errors.len() <= MAX_ERRORS && !validator.is_valid(&without(value, &errors));
+    let omitted = part.is_some() && errors.len() <= MAX_ERRORS && !validator.is_valid(&mended(kind, value, &errors));
     shapes::explain(kind, value, &mut errors);
     Err(if omitted { Rejection::InvalidInPart(errors) } else { Rejection::Invalid(errors) })
 }
 
-/// Returns a value without the elements of lists that contain the errors, and without the fields that are errors.
-fn without(value: &Value, errors: &[FieldError]) -> Value {
+/// Returns a value in which valid points replace those that contain the errors, without the other elements and fields that
+/// contain them.
+fn mended(kind: Kind, value: &Value, errors: &[FieldError]) -> Value {
     let mut rest = value.clone();
     // From the last element to the first, so that the indices of the others stay the same.
     for error in errors.iter().rev() {
-        let Some((mut parent, mut name)) = error.pointer.rsplit_once('/') else { continue };
-        // A coordinate goes with its point.
-        if let Some((list, index)) = parent.rsplit_once('/').filter(|(list, _)| list.matches('/').count() >= 2) {
-            (parent, name) = (list, index);
+        // An error at a coordinate is mended with its whole point.
+        let up = error.pointer.rsplit_once('/').map_or("", |(parent, _)| parent);
+        let valid = [error.pointer.as_str(), up].into_iter().find_map(|at| Some((at, shapes::valid_at(kind, at)?)));
+        if let Some((at, points)) = valid {
+            rest.pointer_mut(at).into_iter().for_each(|wrong| *wrong = points.clone());
+            continue;
         }
+        let Some((parent, name)) = error.pointer.rsplit_once('/') else { continue };
         match rest.pointer_mut(parent) {
             Some(Value::Array(elements)) => {
                 if let Some(index) = name.parse().ok().filter(|&index: &usize| index < elements.len()) {

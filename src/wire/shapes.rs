@@ -3,7 +3,7 @@
 
 use super::components::{components, request_component};
 use super::{FieldError, Kind};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// Replaces the details of errors at points and at lists of points by the expected form with an example. If a whole list
 /// lacks a level of brackets, one error at the list replaces those at each of its values.
@@ -50,6 +50,18 @@ fn levels(value: &Value) -> Option<usize> {
     match value {
         Value::Array(elements) => Some(1 + levels(elements.first()?)?),
         Value::Number(_) => Some(0),
+        _ => None,
+    }
+}
+
+/// Returns points that the schema accepts at this place: a point, a polyline or a list of polylines. Returns `None` if it
+/// wants no points there.
+pub(super) fn valid_at(kind: Kind, pointer: &str) -> Option<Value> {
+    let polyline = json!([[0, 0, 0], [1, 0, 0], [0, 1, 0]]);
+    match form_at(kind, pointer)? {
+        1 => Some(json!([0, 0, 0])),
+        2 => Some(polyline),
+        3 => Some(json!([polyline, polyline])),
         _ => None,
     }
 }
@@ -114,7 +126,6 @@ fn wanted(form: usize) -> &'static str {
 mod tests {
     use super::*;
     use crate::wire::{Rejection, schema};
-    use serde_json::json;
 
     fn errors(kind: Kind, body: &Value) -> Vec<(String, String)> {
         match schema::validate(kind, body) {
