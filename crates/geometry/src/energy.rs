@@ -48,8 +48,8 @@ pub trait Term: fmt::Debug {
     fn add_second_derivative(&self, at: &[DVec3], shift: f64, add: &mut dyn FnMut(u32, u32, DMat3));
 
     /// Calls `add(stiffness, gradient)` for each part `stiffness · gradient gradientᵀ` of the second derivative that
-    /// couples all vertices of the term, such as the stiffness of a cable whose force depends on its whole length. It is
-    /// not among the blocks of [`add_second_derivative`](Self::add_second_derivative). Most terms have none.
+    /// couples all vertices of the term, such as the stiffness of a cable whose force depends on its whole length. It
+    /// is not among the blocks of [`add_second_derivative`](Self::add_second_derivative). Most terms have none.
     fn visit_rank_one_parts(&self, _at: &[DVec3], _add: &mut dyn FnMut(f64, &[DVec3])) {}
 
     /// Calls `visit` with the vertices of each element. Two vertices without a common element have no block.
@@ -70,8 +70,9 @@ pub trait Term: fmt::Debug {
     }
 }
 
-/// An equation that determines the multiplier of a constrained quantity in place of the quantity's own value. Example: a
-/// heavy cable with a given horizontal component. The multiplier of its length is a force, and the length is not known.
+/// An equation that determines the multiplier of a constrained quantity in place of the quantity's own value. Example:
+/// a heavy cable with a given horizontal component. The multiplier of its length is a force, and the length is not
+/// known.
 pub trait Condition: fmt::Debug {
     /// The value that must vanish, and its derivative by the multiplier.
     fn value(&self, at: &[DVec3], multiplier: f64) -> (f64, f64);

@@ -143,8 +143,8 @@ fn a_volume_beyond_the_hemisphere_is_reached() {
     assert!((cap.statistics.pressure - 2.0 / radius).abs() < 0.01 * 2.0 / radius);
 }
 
-/// Delaunay's surface of revolution between two rings of radius 1 at heights 0 and `height`, tension 1: the profile from
-/// the middle, where its radius is `middle`, by Runge and Kutta's method.
+/// Delaunay's surface of revolution between two rings of radius 1 at heights 0 and `height`, tension 1: the profile
+/// from the middle, where its radius is `middle`, by Runge and Kutta's method.
 struct Delaunay {
     /// The radius at the rings.
     ring: f64,
@@ -196,8 +196,8 @@ fn a_film_under_pressure_between_rings_is_a_surface_of_delaunay() {
         structure.pressure = pressure;
         structure
     };
-    // A neck and a bulge of the unduloid, a neck and a bulge of the nodoid. With the axial force 2 r - p r² at the middle
-    // the unduloid has p (2 r - p r²) > 0, the nodoid < 0.
+    // A neck and a bulge of the unduloid, a neck and a bulge of the nodoid. With the axial force 2 r - p r² at the
+    // middle the unduloid has p (2 r - p r²) > 0, the nodoid < 0.
     let bulge = 1.3;
     let beyond = root(1.9, 3.3, |p| Delaunay::integrate(bulge, p, height).ring - 1.0);
     let given = |pressure: f64, low: f64, high: f64| {

@@ -14,8 +14,8 @@
 //! and uniqueness of solutions to the general equality quadratic programming problem*, 1985).
 //!
 //! Two further kinds of rows share the elimination:
-//! - A constraint that yields by its compliance d, c(x) + d λ = 0, has the row C x - d μ = -(c + d λ). It adds d to S, and
-//!   by the same count the index of K + Cᵀ C / d is n₋(K) - n₋(S) as before. A rank-one part s c cᵀ of the second
+//! - A constraint that yields by its compliance d, c(x) + d λ = 0, has the row C x - d μ = -(c + d λ). It adds d to S,
+//!   and by the same count the index of K + Cᵀ C / d is n₋(K) - n₋(S) as before. A rank-one part s c cᵀ of the second
 //!   variation (a cable whose force depends on its whole length) is such a row with d = 1 / s and no excess.
 //! - A quantity whose multiplier is determined by another equation h(x, λ) = 0 ([`Condition`]) keeps its column Cᵀ, and
 //!   its row is ∂h x - h_λ μ = -h. The step then solves a system that is not symmetric. The index stays that of
@@ -41,8 +41,8 @@ pub enum Determined {
     /// The value that the quantity keeps; not zero.
     Value(f64),
     /// A value that yields to the multiplier λ: the quantity is `value` - `compliance` · λ. The energy of the yielding,
-    /// ½ `compliance` λ², belongs to the body's. Example: the length of an elastic cable, whose force is the multiplier.
-    /// A stiff one is solved as easily as one of given length.
+    /// ½ `compliance` λ², belongs to the body's. Example: the length of an elastic cable, whose force is the
+    /// multiplier. A stiff one is solved as easily as one of given length.
     Yielding {
         /// The value without multiplier; not zero.
         value: f64,
@@ -114,7 +114,8 @@ pub(crate) struct Bordered<'a> {
     conditioned: Option<Mat<f64>>,
     /// Number of negative eigenvalues of `schur`.
     negative: usize,
-    /// Number of rank-one parts of negative stiffness, each of which lets the count of `negative` exceed its share by one.
+    /// Number of rank-one parts of negative stiffness, each of which lets the count of `negative` exceed its share by
+    /// one.
     softening: usize,
 }
 

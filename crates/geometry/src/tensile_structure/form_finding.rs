@@ -1,14 +1,14 @@
 //! From the initial mesh to the shape in equilibrium.
 //!
 //! 1. *Settle*: rounds of the update reference strategy ([`prestress`](crate::energy::prestress)). The film's area is
-//!    replaced by the quadratic energy of its present shape, in which every vertex inside moves freely, so that the mesh
-//!    follows an edge that moves. Between the rounds edges are flipped and vertices slide within the film.
+//!    replaced by the quadratic energy of its present shape, in which every vertex inside moves freely, so that the
+//!    mesh follows an edge that moves. Between the rounds edges are flipped and vertices slide within the film.
 //! 2. *Newton*: the energy itself. Vertices inside the film move along their normals and those of a cable across it,
-//!    until the residual is small. The mean height of a heavy film, at which its tension is the required one, is renewed
-//!    between solves. Then the stability is analysed.
+//!    until the residual is small. The mean height of a heavy film, at which its tension is the required one, is
+//!    renewed between solves. Then the stability is analysed.
 //! 3. *Balance*: the shape becomes the reference of a last solve in which all vertices move in all directions. It moves
-//!    the vertices within the film, by less than the mesh's error, until the forces balance at every vertex and in every
-//!    direction. The stress then deviates from the constant one; the statistics say by how much.
+//!    the vertices within the film, by less than the mesh's error, until the forces balance at every vertex and in
+//!    every direction. The stress then deviates from the constant one; the statistics say by how much.
 
 use super::model::{ForceBy, Model};
 use super::options::{Options, Pressure, Structure};
@@ -93,8 +93,8 @@ pub(super) struct Found {
     pub balance: Option<Balance>,
 }
 
-/// A shape above the tolerance counts as one up to this residual. A larger value returns shapes whose forces are further
-/// from those of an equilibrium.
+/// A shape above the tolerance counts as one up to this residual. A larger value returns shapes whose forces are
+/// further from those of an equilibrium.
 const NEARLY: f64 = 1e-3;
 
 impl Found {

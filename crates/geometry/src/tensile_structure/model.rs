@@ -322,8 +322,8 @@ impl Model {
     }
 
     /// The body with the terms of the structure, the film's area first. `volume` is the volume to be enclosed, if that
-    /// is required. At the `start` every cable has the force densities and the loads of its present shape and of a force
-    /// that comes near the required one.
+    /// is required. At the `start` every cable has the force densities and the loads of its present shape and of a
+    /// force that comes near the required one.
     pub fn body(&self, structure: &Structure, volume: Option<f64>, start: bool) -> Result<Body, Error> {
         let vertices = self.vertices();
         let invalid = |defect| Error::no_result("invalid_mesh", format!("the film's mesh is damaged: {defect}"));
@@ -455,8 +455,8 @@ fn moved(support: Support, by: DVec3) -> Support {
 
 /// The least part of a chord across the vertical that a start uses to estimate the force from its horizontal component.
 const LEAST_ACROSS: f64 = 0.1;
-/// Least force of a segment of a heavy cable at the start, as a fraction of the cable's mean force. The positions may be
-/// far from those of an equilibrium, where no part of a cable pushes.
+/// Least force of a segment of a heavy cable at the start, as a fraction of the cable's mean force. The positions may
+/// be far from those of an equilibrium, where no part of a cable pushes.
 const LEAST_FORCE: f64 = 0.1;
 
 /// The radius of an arc of the given length over a chord; half the length if the chord is not shorter.
