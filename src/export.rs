@@ -7,7 +7,8 @@
 //! | --- | --- | --- |
 //! | [`gltf`] (GLB, glTF JSON) | Y up, metres | f32 around an f64 origin |
 //! | [`obj`], [`ply`] | the client's | f64, every digit |
-//! | [`stl`] | the client's | f32 |
+//! | [`json`] | the client's | f64, every digit |
+//! | [`stl`] | the client's | f32, around the mesh's middle if it is far from zero |
 //! | [`svg`], [`dxf`] (flat pattern) | flat; SVG in mm, DXF in the client's unit | f64, every digit |
 //!
 //! [`picture`] draws a mesh as a small PNG.
@@ -17,6 +18,7 @@
 pub mod archive;
 pub mod dxf;
 pub mod gltf;
+pub mod json;
 pub mod obj;
 pub mod pattern;
 pub mod picture;
@@ -29,6 +31,8 @@ pub mod zip;
 pub use archive::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Polyline, SegmentValues};
 pub use pattern::{Fold, Pattern, Piece};
 
+use plateau_geometry::DVec3;
+
 /// Format in which a mesh can be downloaded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MeshFormat {
@@ -37,10 +41,50 @@ pub enum MeshFormat {
     Obj,
     Ply,
     Stl,
+    Json,
+}
+
+/// Point that the coordinates of a file are relative to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Origin {
+    /// The client's zero, except in an STL file of a mesh that is too far from it for f32.
+    #[default]
+    Automatic,
+    /// The client's zero.
+    Given,
+    /// The middle of the mesh's bounding box.
+    Local,
+}
+
+/// Choices beside the format.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Choices {
+    pub origin: Origin,
+    /// Whether lines along the mesh are written too. PLY and STL never have them.
+    pub lines: bool,
+    /// Whether a PLY file is text.
+    pub ascii: bool,
+}
+
+impl Default for Choices {
+    fn default() -> Self {
+        Self { origin: Origin::Automatic, lines: true, ascii: false }
+    }
+}
+
+impl Choices {
+    /// Returns the vector that is subtracted from every coordinate.
+    fn shift(self, contents: &Contents) -> DVec3 {
+        if self.origin == Origin::Local { contents.origin() } else { DVec3::ZERO }
+    }
+
+    fn line_sets(self, contents: &Contents) -> &[LineSet] {
+        if self.lines { &contents.line_sets } else { &[] }
+    }
 }
 
 impl MeshFormat {
-    pub const ALL: [Self; 5] = [Self::Glb, Self::Gltf, Self::Obj, Self::Ply, Self::Stl];
+    pub const ALL: [Self; 6] = [Self::Glb, Self::Gltf, Self::Obj, Self::Ply, Self::Stl, Self::Json];
 
     /// Returns the short name, which is also the file's extension.
     #[must_use]
@@ -51,6 +95,7 @@ impl MeshFormat {
             Self::Obj => "obj",
             Self::Ply => "ply",
             Self::Stl => "stl",
+            Self::Json => "json",
         }
     }
 
@@ -62,6 +107,7 @@ impl MeshFormat {
             Self::Obj => "model/obj",
             Self::Ply => "application/x-ply",
             Self::Stl => "model/stl",
+            Self::Json => "application/vnd.plateau.mesh+json",
         }
     }
 
@@ -70,18 +116,33 @@ impl MeshFormat {
         Self::ALL.into_iter().find(|format| format.name() == name)
     }
 
+    /// Returns true if files of this format have the lines along the mesh.
+    #[must_use]
+    pub fn has_lines(self) -> bool {
+        !matches!(self, Self::Ply | Self::Stl)
+    }
+
+    /// Writes the mesh in this format with the default choices.
+    ///
+    /// # Errors
+    /// Returns the errors of [`MeshFormat::encode_with`].
+    pub fn encode(self, archive: &Archive) -> Result<Vec<u8>, Error> {
+        self.encode_with(archive, Choices::default())
+    }
+
     /// Writes the mesh in this format. Time and memory are linear in the mesh's size.
     ///
     /// # Errors
     /// Returns [`Error`] if the format cannot hold this mesh: a coordinate exceeds f32, or the file exceeds the
     /// format's 4 GiB.
-    pub fn encode(self, archive: &Archive) -> Result<Vec<u8>, Error> {
+    pub fn encode_with(self, archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
         match self {
-            Self::Glb => gltf::to_glb(archive),
-            Self::Gltf => gltf::to_gltf_json(archive),
-            Self::Obj => Ok(obj::to_obj(archive)),
-            Self::Ply => Ok(ply::to_ply(archive)),
-            Self::Stl => stl::to_stl(archive),
+            Self::Glb => gltf::to_glb(archive, choices),
+            Self::Gltf => gltf::to_gltf_json(archive, choices),
+            Self::Obj => Ok(obj::to_obj(archive, choices)),
+            Self::Ply => Ok(ply::to_ply(archive, choices)),
+            Self::Stl => stl::to_stl(archive, choices),
+            Self::Json => json::to_json(archive, choices),
         }
     }
 }
@@ -135,6 +196,9 @@ pub enum Error {
     /// A coordinate is outside the range of f32 (STL, glTF), or the mesh is so small that its vertices coincide in f32.
     #[error("the mesh does not fit into {format}'s 32-bit coordinates: {detail}; OBJ and PLY hold every digit")]
     OutOfRange { format: &'static str, detail: &'static str },
+    /// The values cannot be written, which valid archives never cause.
+    #[error("the mesh cannot be written as {format}")]
+    Unwritable { format: &'static str },
     /// The file would exceed the format's 32-bit lengths.
     #[error("this is more than the 4 GiB that a {format} file can hold")]
     TooLarge { format: &'static str },

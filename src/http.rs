@@ -9,6 +9,7 @@ pub mod mcp;
 pub mod negotiate;
 pub mod observe;
 pub mod openapi;
+pub mod parameters;
 pub mod problem;
 pub mod resource;
 pub mod router;

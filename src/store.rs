@@ -386,6 +386,12 @@ impl Store {
         self.write_with(move |tx, options| jobs::cancel(tx, &id, owner.as_deref(), options)).await
     }
 
+    /// Cancels the owner's jobs of a series that are older than the job `id` and have not ended. Returns them.
+    pub async fn supersede(&self, id: &str, owner: Option<&str>, series: &str) -> Result<Vec<JobRow>> {
+        let ((id, owner), series) = (owned(id, owner), series.to_owned());
+        self.write_with(move |tx, options| jobs::supersede(tx, &id, owner.as_deref(), &series, options)).await
+    }
+
     /// Removes a job, whatever its status. The next sweep removes its result unless another job shares it. Returns
     /// false if the job does not exist.
     pub async fn delete(&self, id: &str, owner: Option<&str>) -> Result<bool> {

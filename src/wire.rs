@@ -13,10 +13,12 @@ pub mod common;
 pub mod components;
 pub mod job;
 pub mod json;
+pub mod mesh;
 pub mod minimal_surface;
 pub mod objectives;
 pub mod ruled_surface;
 pub mod schema;
+mod shapes;
 pub mod tensile_structure;
 pub mod uniform_mesh;
 
@@ -69,6 +71,8 @@ pub enum Rejection {
     Malformed(String),
     /// The body is JSON but not a valid request.
     Invalid(Vec<FieldError>),
+    /// The body is not a valid request. It is so large that only a part of its errors was looked for.
+    InvalidInPart(Vec<FieldError>),
     /// The request is valid but exceeds a limit of this server.
     TooLarge(Vec<FieldError>),
 }
@@ -86,7 +90,7 @@ impl Rejection {
     /// Shortens each pointer to the first member that the body lacks, if it leads through one. The default of that
     /// member is then the wrong value.
     fn placed_in(mut self, body: &Value) -> Self {
-        if let Self::Invalid(errors) | Self::TooLarge(errors) = &mut self {
+        if let Self::Invalid(errors) | Self::InvalidInPart(errors) | Self::TooLarge(errors) = &mut self {
             for error in errors {
                 let ends = error.pointer.match_indices('/').map(|(at, _)| at).skip(1).chain([error.pointer.len()]);
                 let lacking = ends.into_iter().find(|&end| body.pointer(&error.pointer[..end]).is_none());
@@ -194,6 +198,7 @@ pub struct Request {
     pub cache: common::Cache,
     /// The URL that receives a message when the job ends.
     pub callback_url: Option<String>,
+    pub marks: common::Marks,
     /// Estimate of the memory that solving takes, including the result. The estimate is an upper bound.
     pub memory_bytes: u64,
     /// True if solving takes at most about a millisecond, so that it may run on a thread of the server.
@@ -237,11 +242,18 @@ struct Checked {
 macro_rules! checked {
     ($request:ident, $limits:expr) => {{
         let Checked { memory_bytes, quick, problem } = $request.check($limits)?;
+        let marks = common::Marks::new(
+            $request.label,
+            $request.metadata.as_ref(),
+            $request.supersede,
+            $request.cancel_on_disconnect,
+        )?;
         Request {
             unit: $request.units.into(),
             up: $request.up,
             cache: $request.cache,
             callback_url: $request.callback_url,
+            marks,
             memory_bytes,
             quick,
             problem,

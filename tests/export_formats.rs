@@ -4,9 +4,11 @@
 mod sample;
 
 use plateau::export::{
-    Archive, Contents, Error, LineSet, Lines, MeanCurvature, MeshFormat, PatternFormat, dxf, picture, svg,
+    Archive, Choices, Contents, Error, LineSet, Lines, MeanCurvature, MeshFormat, Origin, PatternFormat, dxf, picture,
+    svg,
 };
 use plateau::units::{Unit, UpAxis};
+use plateau::wire::mesh::{LineValues, Mesh as JsonMesh, MeshLines};
 use plateau_geometry::{DVec3, Mesh};
 use serde_json::{Value, json};
 
@@ -261,7 +263,9 @@ fn coordinates_beyond_f32_are_refused_by_f32_formats_only() {
         assert!(MeshFormat::Obj.encode(&archive).is_ok() && MeshFormat::Ply.encode(&archive).is_ok());
     }
     let archive = archive(sample::roof(1.0, DVec3::X * 1e39));
-    assert!(matches!(MeshFormat::Stl.encode(&archive), Err(Error::OutOfRange { format: "STL", .. })));
+    let given = MeshFormat::Stl.encode_with(&archive, choices(Origin::Given));
+    assert!(matches!(given, Err(Error::OutOfRange { format: "STL", .. })));
+    assert!(MeshFormat::Stl.encode(&archive).is_ok(), "the mesh is written around its middle");
 }
 
 /// Returns a mesh whose coordinates have awkward shortest texts: many digits, exponents, a signed zero, and a large
@@ -334,11 +338,139 @@ fn ply_reads_back_to_the_same_bits() {
 fn ply_has_the_mean_curvature() {
     let bytes = MeshFormat::Ply.encode(&sample::full()).unwrap();
     let end = bytes.windows(11).position(|w| w == b"end_header\n").unwrap() + 11;
-    assert!(
-        std::str::from_utf8(&bytes[..end]).unwrap().contains("\nproperty double z\nproperty double mean_curvature\n")
+    assert!(std::str::from_utf8(&bytes[..end]).unwrap().contains(
+        "\nproperty double z\nproperty double mean_curvature\nproperty float quality\n\
+             property uchar red\nproperty uchar green\nproperty uchar blue\nelement face"
+    ));
+    assert_eq!(bytes.len(), end + 5 * 39 + 4 * 13);
+    let last = &bytes[end + 4 * 39..end + 5 * 39];
+    assert_eq!(f64::from_le_bytes(last[24..32].try_into().unwrap()), 0.02);
+    assert_eq!(f32::from_le_bytes(last[32..36].try_into().unwrap()), 0.02);
+    // The same colour as in glTF.
+    let glb = Glb::of(&sample::full());
+    let colors = glb.items(&glb.primitive(0)["attributes"]["COLOR_0"], 4);
+    assert_eq!(last[36..], colors[4][..3]);
+}
+
+fn with(format: MeshFormat, contents: &Contents, choices: Choices) -> Vec<u8> {
+    format.encode_with(&archive(contents.clone()), choices).unwrap()
+}
+
+fn choices(origin: Origin) -> Choices {
+    Choices { origin, ..Choices::default() }
+}
+
+#[test]
+fn ply_as_text_reads_back_to_the_same_bits() {
+    for contents in [awkward().contents().clone(), sample::full().contents().clone()] {
+        let text = with(MeshFormat::Ply, &contents, Choices { ascii: true, ..Choices::default() });
+        let text = String::from_utf8(text).unwrap();
+        let (header, body) = text.split_once("end_header\n").unwrap();
+        assert!(header.starts_with("ply\nformat ascii 1.0\n"), "{header}");
+        let columns = header.lines().filter(|line| line.starts_with("property ") && !line.contains("list")).count();
+        let rows: Vec<Vec<f64>> =
+            body.lines().map(|line| line.split(' ').map(|word| word.parse().unwrap()).collect()).collect();
+        let (vertices, faces) = rows.split_at(contents.mesh.vertices.len());
+        assert!(vertices.iter().all(|row| row.len() == columns));
+        let read: Vec<DVec3> = vertices.iter().map(|row| DVec3::from_slice(row)).collect();
+        assert_eq!(bits(&read), bits(&contents.mesh.vertices));
+        if let Some(curvature) = &contents.mean_curvature {
+            assert_eq!(vertices.iter().map(|row| row[3]).collect::<Vec<_>>(), curvature.values);
+        }
+        let triangles: Vec<[u32; 3]> = faces.iter().map(|row| [1, 2, 3].map(|k| row[k] as u32)).collect();
+        assert_eq!(triangles, contents.mesh.triangles);
+    }
+}
+
+#[test]
+fn json_has_every_number_and_the_documented_form() {
+    let full = sample::full();
+    let contents = full.contents();
+    let mesh: JsonMesh = serde_json::from_slice(&MeshFormat::Json.encode(&full).unwrap()).unwrap();
+    assert_eq!((mesh.unit, mesh.up, mesh.origin), (Unit::Centimetre, UpAxis::Z, [0.0; 3]));
+    let read: Vec<DVec3> = mesh.vertices.iter().map(|&vertex| DVec3::from_array(vertex)).collect();
+    assert_eq!(bits(&read), bits(&contents.mesh.vertices));
+    assert_eq!((&mesh.triangles, &mesh.input_vertices), (&contents.mesh.triangles, &contents.input_vertices));
+    assert_eq!(mesh.attributes.mean_curvature.as_ref(), contents.mean_curvature.as_ref().map(|known| &known.values));
+    let lines = |name: &str, paths: Vec<Vec<u32>>| MeshLines { name: name.into(), paths, arrows: vec![], values: None };
+    let length = LineValues { name: "length".into(), unit: "cm".into(), values: vec![2.5, 0.125] };
+    assert_eq!(
+        mesh.lines,
+        [
+            lines("boundaries", vec![vec![0, 1, 2, 3, 0]]),
+            lines("bridges", vec![vec![0, 4], vec![1, 4]]),
+            MeshLines { values: Some(length), ..lines("members lattice", vec![vec![2, 4], vec![3, 4]]) },
+            lines("directrices", vec![]),
+        ]
     );
-    assert_eq!(bytes.len(), end + 5 * 32 + 4 * 13);
-    assert_eq!(f64::from_le_bytes(bytes[end + 4 * 32 + 24..end + 5 * 32].try_into().unwrap()), 0.02);
+    let bare: JsonMesh = serde_json::from_slice(&MeshFormat::Json.encode(&awkward()).unwrap()).unwrap();
+    assert_eq!(bare.attributes.mean_curvature, None);
+}
+
+/// A roof of one metre, a thousand kilometres away.
+fn far_roof() -> Contents {
+    sample::roof(1.0, DVec3::new(1e6, -5e6, 300.0))
+}
+
+#[test]
+fn every_format_can_be_relative_to_the_middle_of_the_mesh() {
+    let contents = far_roof();
+    let origin = contents.origin();
+    let expected: Vec<DVec3> = contents.mesh.vertices.iter().map(|&vertex| vertex - origin).collect();
+    let local = |format| with(format, &contents, choices(Origin::Local));
+    let mesh: JsonMesh = serde_json::from_slice(&local(MeshFormat::Json)).unwrap();
+    assert_eq!(mesh.origin, origin.to_array());
+    assert_eq!(mesh.vertices, expected.iter().map(DVec3::to_array).collect::<Vec<_>>());
+    let obj = String::from_utf8(local(MeshFormat::Obj)).unwrap();
+    let first = expected[0];
+    assert!(obj.contains(&format!("\nv {:?} {:?} {:?}\n", first.x, first.y, first.z)), "{obj}");
+    assert!(obj.contains(&format!("\n# origin {:?} {:?} {:?}\n", origin.x, origin.y, origin.z)), "{obj}");
+    let ply = local(MeshFormat::Ply);
+    let end = ply.windows(11).position(|w| w == b"end_header\n").unwrap() + 11;
+    let comment = format!("\ncomment origin {:?} {:?} {:?}\n", origin.x, origin.y, origin.z);
+    assert!(std::str::from_utf8(&ply[..end]).unwrap().contains(&comment));
+    assert_eq!(f64::from_le_bytes(ply[end..end + 8].try_into().unwrap()), first.x);
+    let gltf: Value = serde_json::from_slice(&local(MeshFormat::Gltf)).unwrap();
+    assert_eq!(gltf["nodes"][0]["translation"], json!([0.0, 0.0, 0.0]));
+    assert_eq!(gltf["asset"]["extras"]["origin"], json!(origin.to_array()));
+}
+
+#[test]
+fn stl_of_a_far_mesh_is_relative_to_its_middle_unless_asked_otherwise() {
+    let contents = far_roof();
+    let corner = |bytes: &[u8]| f32::from_bits(word(bytes, 84 + 12));
+    let (first, origin) = (contents.mesh.vertices[0].x, contents.origin().x);
+    assert!(contents.is_far_from_zero());
+    assert_eq!(corner(&with(MeshFormat::Stl, &contents, Choices::default())), (first - origin) as f32);
+    assert_eq!(corner(&with(MeshFormat::Stl, &contents, choices(Origin::Given))), first as f32);
+    let near = sample::roof(1.0, DVec3::new(100.0, 0.0, 0.0));
+    assert!(!near.is_far_from_zero());
+    assert_eq!(corner(&with(MeshFormat::Stl, &near, Choices::default())), 100.0);
+    assert_eq!(corner(&with(MeshFormat::Stl, &near, choices(Origin::Local))), -0.5);
+}
+
+#[test]
+fn lines_can_be_left_out() {
+    let without = Choices { lines: false, ..Choices::default() };
+    let full = sample::full();
+    let gltf: Value = serde_json::from_slice(&MeshFormat::Gltf.encode_with(&full, without).unwrap()).unwrap();
+    assert_eq!((gltf["nodes"].as_array().unwrap().len(), gltf["meshes"].as_array().unwrap().len()), (1, 1));
+    let obj = String::from_utf8(MeshFormat::Obj.encode_with(&full, without).unwrap()).unwrap();
+    assert!(!obj.contains("\nl ") && obj.contains("\nf 1 2 5\n"), "{obj}");
+    let mesh: JsonMesh = serde_json::from_slice(&MeshFormat::Json.encode_with(&full, without).unwrap()).unwrap();
+    assert!(mesh.lines.is_empty());
+}
+
+/// Blender drops the extras of the asset and keeps those of scenes and nodes.
+#[test]
+fn scene_and_surface_have_extras_too() {
+    let glb = Glb::of(&sample::full());
+    let (asset, scene) = (&glb.document["asset"]["extras"], &glb.document["scenes"][0]["extras"]);
+    for name in ["origin", "unit", "up", "title", "statistics", "color_range"] {
+        assert_eq!(asset[name], scene[name], "{name}");
+    }
+    let surface = &glb.document["nodes"][0]["extras"];
+    assert_eq!((&surface["origin"], &surface["unit"]), (&asset["origin"], &asset["unit"]));
 }
 
 #[test]

@@ -104,6 +104,8 @@ cases! {
     an_idempotency_key_makes_one_job,
     equal_submissions_at_once_make_one_job,
     a_cancel_takes_effect_at_once_and_is_final,
+    a_newer_job_of_a_series_cancels_the_older_ones,
+    a_label_and_metadata_stay_with_the_job,
     a_deleted_job_is_missing_and_its_worker_is_told,
     an_owner_sees_no_job_of_another,
     a_list_pages_through_every_job_once,
@@ -148,6 +150,9 @@ fn job(number: usize) -> NewJob {
         idempotency_key: None,
         body_hash: [number as u8; 32],
         callback_url: None,
+        label: None,
+        metadata: None,
+        supersede: None,
         reuse: true,
     }
 }
@@ -410,6 +415,47 @@ async fn a_cancel_takes_effect_at_once_and_is_final(database: Database) {
     assert!(!store.finish(&running, claimed.attempt, success(b"late")).await.unwrap());
     assert_eq!(find(&store, &running).await.status, Status::Cancelled);
     assert_eq!(store.cancel("nothing", None).await.unwrap(), Lookup::Missing);
+}
+
+async fn a_newer_job_of_a_series_cancels_the_older_ones(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    let of = |series: &str, owner: &str, number| NewJob { supersede: Some(series.into()), ..job_of(owner, number) };
+    let done = create(&store, of("drag", "me", 1)).await.id;
+    work_one(&store, b"mesh").await;
+    let running = create(&store, of("drag", "me", 2)).await.id;
+    let claimed = store.claim("worker", LEASE).await.unwrap().unwrap();
+    let queued = create(&store, of("drag", "me", 3)).await.id;
+    let mut others = Vec::new();
+    for other in [of("drag", "you", 4), of("other", "me", 5), job_of("me", 6)] {
+        others.push(create(&store, other).await.id);
+    }
+    let newest = create(&store, of("drag", "me", 7)).await.id;
+    let newer = create(&store, of("drag", "me", 8)).await.id;
+    let cancelled = store.supersede(&newest, Some("me"), "drag").await.unwrap();
+    let cancelled: BTreeSet<String> = cancelled.into_iter().map(|row| row.id).collect();
+    assert_eq!(cancelled, BTreeSet::from([running.clone(), queued.clone()]));
+    for (id, status) in [(&done, Status::Succeeded), (&running, Status::Cancelled), (&queued, Status::Cancelled)] {
+        assert_eq!(find(&store, id).await.status, status);
+    }
+    for id in others.iter().chain([&newest, &newer]) {
+        assert_eq!(find(&store, id).await.status, Status::Queued);
+    }
+    assert_eq!(store.renew(&running, claimed.attempt, LEASE).await.unwrap(), Renewed::Cancelled);
+    assert!(store.supersede(&newest, Some("me"), "drag").await.unwrap().is_empty());
+}
+
+async fn a_label_and_metadata_stay_with_the_job(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    let (label, metadata) = (Some("Façade 3".to_owned()), Some(r#"{"a":[1,null,"\u0000"]}"#.to_owned()));
+    let marked = NewJob { label: label.clone(), metadata: metadata.clone(), ..job(1) };
+    let created = create(&store, marked).await;
+    assert_eq!((&created.label, &created.metadata), (&label, &metadata));
+    work_one(&store, b"mesh").await;
+    let found = find(&store, &created.id).await;
+    assert_eq!((&found.label, &found.metadata), (&label, &metadata));
+    // A job that shares the result has its own label.
+    let shared = create(&store, NewJob { id: job(2).id, label: None, metadata: None, ..job(1) }).await;
+    assert_eq!((shared.status, shared.label, shared.metadata), (Status::Succeeded, None, None));
 }
 
 async fn a_deleted_job_is_missing_and_its_worker_is_told(database: Database) {

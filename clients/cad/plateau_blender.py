@@ -87,12 +87,13 @@ def read_ply(data):
     """Vertices (f64) and triangles of the server's binary PLY."""
     end = data.index(b"end_header\n") + len(b"end_header\n")
     header = [line.split() for line in data[:end].decode().splitlines()]
-    columns = sum(line[:2] == ["property", "double"] for line in header)
+    types = {"double": "<f8", "float": "<f4", "uchar": "u1"}
+    columns = np.dtype([(line[2], types[line[1]]) for line in header if line[0] == "property" and line[1] != "list"])
     counts = {line[1]: int(line[2]) for line in header if line[0] == "element"}
-    table = np.frombuffer(data, "<f8", counts["vertex"] * columns, end).reshape(-1, columns)
+    table = np.frombuffer(data, columns, counts["vertex"], end)
     face = np.dtype([("size", "u1"), ("corners", "<u4", 3)])
     faces = np.frombuffer(data, face, counts["face"], end + table.nbytes)
-    return table[:, :3], faces["corners"].astype(np.int32)
+    return np.stack([table[axis] for axis in "xyz"], axis=1), faces["corners"].astype(np.int32)
 
 
 def scene_units(scene):

@@ -101,9 +101,10 @@ def read_ply(data):
     """Vertices (f64) and triangles of the server's binary PLY."""
     end = data.index(b"end_header\n") + len(b"end_header\n")
     header = [line.split() for line in data[:end].decode().splitlines()]
-    columns = sum(line[:2] == ["property", "double"] for line in header)
+    types = {"double": "d", "float": "f", "uchar": "B"}
+    columns = "".join(types[line[1]] for line in header if line[0] == "property" and line[1] != "list")
     counts = {line[1]: int(line[2]) for line in header if line[0] == "element"}
-    row, face = struct.Struct(f"<{columns}d"), struct.Struct("<B3I")
+    row, face = struct.Struct("<" + columns), struct.Struct("<B3I")
     faces = end + row.size * counts["vertex"]
     vertices = [values[:3] for values in row.iter_unpack(data[end:faces])]
     return vertices, [values[1:] for values in face.iter_unpack(data[faces : faces + face.size * counts["face"]])]

@@ -122,6 +122,45 @@ pub struct Contents {
     pub certificate: Option<Certificate>,
 }
 
+/// Largest distance from zero, in extents of the mesh, at which f32 coordinates are exact enough: rounding moves a vertex
+/// by at most a 100,000th of the extent.
+const FAR: f64 = 168.0;
+
+/// Returns the corners of the bounding box.
+fn bounds(vertices: &[DVec3]) -> (DVec3, DVec3) {
+    let empty = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    vertices.iter().fold(empty, |(low, high), &vertex| (low.min(vertex), high.max(vertex)))
+}
+
+/// Returns the middle of the bounding box.
+#[must_use]
+pub fn middle(vertices: &[DVec3]) -> DVec3 {
+    let (low, high) = bounds(vertices);
+    0.5 * low + 0.5 * high
+}
+
+impl Contents {
+    /// Returns the largest side of the bounding box.
+    #[must_use]
+    pub fn extent(&self) -> f64 {
+        let (low, high) = bounds(&self.mesh.vertices);
+        (high - low).max_element()
+    }
+
+    /// Returns the middle of the mesh's bounding box.
+    #[must_use]
+    pub fn origin(&self) -> DVec3 {
+        middle(&self.mesh.vertices)
+    }
+
+    /// Returns true if the mesh is so far from zero, compared with its size, that f32 coordinates would be visibly wrong.
+    #[must_use]
+    pub fn is_far_from_zero(&self) -> bool {
+        let (low, high) = bounds(&self.mesh.vertices);
+        low.abs().max(high.abs()).max_element() > FAR * (high - low).max_element()
+    }
+}
+
 /// Validated [`Contents`]: indices are in range, numbers are finite, and lists have matching lengths. The formats rely
 /// on this.
 #[derive(Clone, Debug, PartialEq)]

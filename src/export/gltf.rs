@@ -3,7 +3,8 @@
 //! - Meshes are in metres with Y up, as glTF demands: a client's (x, y, z) with z up becomes (x, z, -y).
 //! - Positions are f32 around an origin, the middle of the mesh's bounding box. Every node has the origin as its f64
 //!   translation. Survey coordinates of 1e7 therefore keep a ten-millionth of the mesh's size. `asset.extras.origin` is
-//!   the same point in the client's unit and axes.
+//!   the same point in the client's unit and axes. With `Origin::Local` the nodes have no translation.
+//! - The scene and the node of the surface repeat the extras, because some programs drop those of the asset.
 //! - The surface is node 0. Every line set is a separate node (`LINES`, `LINE_STRIP`) over the same positions, so that
 //!   a viewer can switch it on and off. Segments with values have separate positions and carry the value at both ends.
 //! - `NORMAL` is area-weighted and has unit length everywhere. If no triangle gives a direction, it is the up axis.
@@ -21,7 +22,7 @@ use plateau_geometry::{DVec3, Mesh};
 use serde_json::{Value, json};
 
 use super::archive::{Archive, Contents, LineSet, Lines, MeanCurvature, Polyline, SegmentValues};
-use super::{Error, sheets};
+use super::{Choices, Error, Origin, sheets};
 use crate::units::UpAxis;
 
 const ARRAY_BUFFER: u32 = 34962;
@@ -44,8 +45,8 @@ const COLOR_STOPS: [[f64; 3]; 5] =
 ///
 /// # Errors
 /// Returns [`Error::OutOfRange`] if f32 cannot hold the positions, and [`Error::TooLarge`] from 4 GiB.
-pub fn to_glb(archive: &Archive) -> Result<Vec<u8>, Error> {
-    let (document, buffer) = document(archive)?;
+pub fn to_glb(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
+    let (document, buffer) = document(archive, choices)?;
     binary(document, &buffer)
 }
 
@@ -58,14 +59,15 @@ pub fn to_glb_scene(title: &str, parts: &[(String, Archive)]) -> Result<Vec<u8>,
     let mut scene = Scene::default();
     let mut roots = Vec::with_capacity(parts.len());
     for (name, archive) in parts {
-        let frame = Frame::new(archive.contents())?;
-        let children = scene.add(archive.contents(), &frame);
+        let frame = Frame::new(archive.contents(), Origin::Given)?;
+        let children = scene.add(archive.contents(), &frame, Choices::default());
         roots.push(scene.nodes.len());
         let extras = asset_extras(archive.contents(), &frame);
         scene.nodes.push(json!({ "name": name, "children": children, "extras": extras }));
     }
     let generator = parts.first().map_or("", |(_, archive)| archive.contents().generator.as_str());
-    let (document, buffer) = scene.document(json!({ "version": "2.0", "generator": generator }), title, &roots);
+    let asset = json!({ "version": "2.0", "generator": generator });
+    let (document, buffer) = scene.document(asset, json!({ "name": title, "nodes": roots }));
     binary(document, &buffer)
 }
 
@@ -93,8 +95,8 @@ fn binary(mut document: Value, buffer: &[u8]) -> Result<Vec<u8>, Error> {
 ///
 /// # Errors
 /// Returns the errors of [`to_glb`].
-pub fn to_gltf_json(archive: &Archive) -> Result<Vec<u8>, Error> {
-    let (mut document, buffer) = document(archive)?;
+pub fn to_gltf_json(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
+    let (mut document, buffer) = document(archive, choices)?;
     let mut uri = String::from("data:application/octet-stream;base64,");
     base64::engine::general_purpose::STANDARD.encode_string(&buffer, &mut uri);
     document["buffers"] = json!([{ "byteLength": buffer.len(), "uri": uri }]);
@@ -110,16 +112,14 @@ struct Frame {
     origin: DVec3,
     metres: f64,
     up: UpAxis,
+    /// Whether the nodes are at the origin instead of at zero.
+    placed: bool,
 }
 
 impl Frame {
-    fn new(contents: &Contents) -> Result<Self, Error> {
-        let bounds =
-            contents.mesh.vertices.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), &vertex| {
-                (low.min(vertex), high.max(vertex))
-            });
+    fn new(contents: &Contents, origin: Origin) -> Result<Self, Error> {
         let metres = contents.unit.metres();
-        let extent = (bounds.1 - bounds.0).max_element() * metres;
+        let extent = contents.extent() * metres;
         let fault = |detail| Err(Error::OutOfRange { format: "glTF", detail });
         if extent > f64::from(f32::MAX) {
             return fault("it is larger than 3e38 m");
@@ -127,7 +127,7 @@ impl Frame {
         if extent > 0.0 && extent < MIN_EXTENT_METRES {
             return fault("it is smaller than 1e-30 m");
         }
-        let frame = Self { origin: 0.5 * bounds.0 + 0.5 * bounds.1, metres, up: contents.up };
+        let frame = Self { origin: contents.origin(), metres, up: contents.up, placed: origin != Origin::Local };
         if !frame.translation().is_finite() {
             return fault("it is too far from the origin");
         }
@@ -143,7 +143,7 @@ impl Frame {
     }
 
     fn translation(&self) -> DVec3 {
-        self.turn(self.origin) * self.metres
+        if self.placed { self.turn(self.origin) * self.metres } else { DVec3::ZERO }
     }
 
     fn position(&self, vertex: DVec3) -> [f32; 3] {
@@ -215,13 +215,19 @@ impl Buffer {
 }
 
 /// Returns the document without `buffers`, and the buffer.
-fn document(archive: &Archive) -> Result<(Value, Vec<u8>), Error> {
+fn document(archive: &Archive, choices: Choices) -> Result<(Value, Vec<u8>), Error> {
     let contents = archive.contents();
-    let frame = Frame::new(contents)?;
+    let frame = Frame::new(contents, choices.origin)?;
     let mut scene = Scene::default();
-    let nodes = scene.add(contents, &frame);
-    let asset = json!({ "version": "2.0", "generator": contents.generator, "extras": asset_extras(contents, &frame) });
-    Ok(scene.document(asset, &contents.title, &nodes))
+    let nodes = scene.add(contents, &frame, choices);
+    let extras = asset_extras(contents, &frame);
+    // The scene has everything but the list of the input's vertices, which may be as long as the mesh.
+    let mut figures = extras.clone();
+    if let Some(figures) = figures.as_object_mut() {
+        figures.remove("input_vertices");
+    }
+    let asset = json!({ "version": "2.0", "generator": contents.generator, "extras": extras });
+    Ok(scene.document(asset, json!({ "name": contents.title, "nodes": nodes, "extras": figures })))
 }
 
 /// A scene that is being built.
@@ -235,7 +241,7 @@ struct Scene {
 
 impl Scene {
     /// Adds a surface and its line sets, and returns their nodes.
-    fn add(&mut self, contents: &Contents, frame: &Frame) -> Vec<usize> {
+    fn add(&mut self, contents: &Contents, frame: &Frame, choices: Choices) -> Vec<usize> {
         let Self { nodes, meshes, materials, buffer } = self;
         let first_node = nodes.len();
         let split = sheets::split_by_sheet(&contents.mesh);
@@ -267,12 +273,14 @@ impl Scene {
 
         let base_color = if contents.mean_curvature.is_some() { [1.0, 1.0, 1.0, 1.0] } else { [0.55, 0.68, 0.8, 1.0] };
         let translation = frame.translation().to_array();
-        nodes.push(json!({ "name": "surface", "mesh": meshes.len(), "translation": translation }));
+        let place =
+            json!({ "origin": frame.origin.to_array(), "unit": contents.unit.symbol(), "up": contents.up.symbol() });
+        nodes.push(json!({ "name": "surface", "mesh": meshes.len(), "translation": translation, "extras": place }));
         meshes.push(json!({ "name": "surface", "primitives": [
             { "attributes": attributes, "indices": triangles, "material": materials.len(), "mode": TRIANGLES }
         ] }));
         materials.push(material("surface", base_color, true));
-        for set in &contents.line_sets {
+        for set in choices.line_sets(contents) {
             let primitives = line_primitives(set, materials.len(), shared, &positions, frame, buffer);
             if primitives.is_empty() {
                 continue;
@@ -291,11 +299,11 @@ impl Scene {
         (first_node..nodes.len()).collect()
     }
 
-    fn document(self, asset: Value, title: &str, roots: &[usize]) -> (Value, Vec<u8>) {
+    fn document(self, asset: Value, scene: Value) -> (Value, Vec<u8>) {
         let document = json!({
             "asset": asset,
             "scene": 0,
-            "scenes": [{ "name": title, "nodes": roots }],
+            "scenes": [scene],
             "nodes": self.nodes, "meshes": self.meshes, "materials": self.materials,
             "accessors": self.buffer.accessors, "bufferViews": self.buffer.views,
         });
@@ -398,7 +406,7 @@ fn line_color(set: &LineSet) -> [f64; 4] {
 }
 
 /// Returns the colour of a value, from blue at 0 to red at `range`. If the range is empty, the colour is blue.
-fn color(value: f64, range: f64) -> [u8; 4] {
+pub(super) fn color(value: f64, range: f64) -> [u8; 4] {
     let steps = (COLOR_STOPS.len() - 1) as f64;
     let position = if range > 0.0 { (value / range).clamp(0.0, 1.0) * steps } else { 0.0 };
     let low = (position.floor() as usize).min(COLOR_STOPS.len() - 2);

@@ -3,12 +3,15 @@
 use std::io::Write as _;
 
 use super::archive::{Archive, Lines};
+use super::{Choices, Origin};
+use plateau_geometry::DVec3;
 
 /// Writes the vertices in archive order (OBJ counts from 1), one object `surface` of triangles, and one object per line
 /// set.
 #[must_use]
-pub fn to_obj(archive: &Archive) -> Vec<u8> {
+pub fn to_obj(archive: &Archive, choices: Choices) -> Vec<u8> {
     let contents = archive.contents();
+    let shift = choices.shift(contents);
     let mut out = Vec::with_capacity(64 * contents.mesh.vertices.len() + 24 * contents.mesh.triangles.len());
     // Writing to a Vec cannot fail, so `put` handles no errors.
     macro_rules! put {
@@ -16,7 +19,10 @@ pub fn to_obj(archive: &Archive) -> Vec<u8> {
     }
     put!("# {}", one_line(&contents.generator));
     put!("# unit {}, {} up", contents.unit.symbol(), contents.up.symbol());
-    for vertex in &contents.mesh.vertices {
+    if choices.origin == Origin::Local {
+        put!("# origin {:?} {:?} {:?}", shift.x, shift.y, shift.z);
+    }
+    for vertex in contents.mesh.vertices.iter().map(|&vertex| vertex - shift) {
         // `{:?}` gives the shortest text that reads back as the same f64, with an exponent if that is shorter.
         put!("v {:?} {:?} {:?}", vertex.x, vertex.y, vertex.z);
     }
@@ -25,10 +31,11 @@ pub fn to_obj(archive: &Archive) -> Vec<u8> {
         put!("f {a} {b} {c}");
     }
     let mut count = contents.mesh.vertices.len() as u64;
-    for set in &contents.line_sets {
+    for set in choices.line_sets(contents) {
         if let Lines::Arrows { ends, .. } = &set.lines {
             // Their own vertices follow those of the mesh, whose numbers stay.
-            for [x, y, z] in ends.iter().flatten() {
+            for end in ends.iter().flatten() {
+                let [x, y, z] = (DVec3::from_array(*end) - shift).to_array();
                 put!("v {x:?} {y:?} {z:?}");
             }
         }

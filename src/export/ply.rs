@@ -1,42 +1,92 @@
-//! Binary little-endian PLY in the client's axes and unit. Coordinates are `double`, and `mean_curvature` (1/unit) and
-//! `lower_bound_slack` are included if known.
+//! PLY in the client's axes and unit, binary little-endian or text. Coordinates are `double` with every digit. If the mean
+//! curvature (1/unit) is known, it is `mean_curvature`. It is also `quality`, which MeshLab shows, and the colours of glTF.
+//! If a lower bound of the area is known, `lower_bound_slack` says where it is not tight.
+
+use std::io::Write as _;
 
 use super::archive::Archive;
+use super::gltf::color;
 use super::obj::one_line;
+use super::{Choices, Origin};
 
 /// Writes the vertices and triangles in archive order.
 #[must_use]
-pub fn to_ply(archive: &Archive) -> Vec<u8> {
+pub fn to_ply(archive: &Archive, choices: Choices) -> Vec<u8> {
     let contents = archive.contents();
     let (vertices, triangles) = (&contents.mesh.vertices, &contents.mesh.triangles);
-    let curvature = contents.mean_curvature.as_ref().map(|curvature| ("mean_curvature", curvature.values.as_slice()));
-    let slack = contents.certificate.as_ref().map(|proof| ("lower_bound_slack", proof.slack.as_slice()));
-    let properties: Vec<(&str, &[f64])> = [curvature, slack].into_iter().flatten().collect();
+    let curvature = contents.mean_curvature.as_ref().map(|curvature| (curvature.values.as_slice(), curvature.range()));
+    let slack = contents.certificate.as_ref().map(|certificate| certificate.slack.as_slice());
+    let shift = choices.shift(contents);
+    let encoding = if choices.ascii { "ascii" } else { "binary_little_endian" };
     let mut header = format!(
-        "ply\nformat binary_little_endian 1.0\ncomment {}\ncomment unit {}, {} up\n\
-         element vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
+        "ply\nformat {encoding} 1.0\ncomment {}\ncomment unit {}, {} up\n",
         one_line(&contents.generator),
         contents.unit.symbol(),
         contents.up.symbol(),
-        vertices.len(),
     );
-    for (name, _) in &properties {
-        header.push_str(&format!("property double {name}\n"));
+    if choices.origin == Origin::Local {
+        header.push_str(&format!("comment origin {:?} {:?} {:?}\n", shift.x, shift.y, shift.z));
+    }
+    header.push_str(&format!(
+        "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
+        vertices.len()
+    ));
+    if curvature.is_some() {
+        header.push_str("property double mean_curvature\nproperty float quality\n");
+        header.push_str("property uchar red\nproperty uchar green\nproperty uchar blue\n");
+    }
+    if slack.is_some() {
+        header.push_str("property double lower_bound_slack\n");
     }
     header
         .push_str(&format!("element face {}\nproperty list uchar uint vertex_indices\nend_header\n", triangles.len()));
 
     let mut out = header.into_bytes();
-    out.reserve(32 * vertices.len() + 13 * triangles.len());
+    let a_vertex = 24 + 15 * usize::from(curvature.is_some()) + 8 * usize::from(slack.is_some());
+    out.reserve(a_vertex * vertices.len() + 13 * triangles.len());
+    // Writing to a Vec cannot fail, so `put` handles no errors.
+    macro_rules! put {
+        ($($argument:tt)*) => { write!(out, $($argument)*).expect("writing to memory") };
+    }
     for (index, vertex) in vertices.iter().enumerate() {
-        vertex.to_array().iter().for_each(|x| out.extend_from_slice(&x.to_le_bytes()));
-        for (_, values) in &properties {
-            out.extend_from_slice(&values[index].to_le_bytes());
+        let vertex = *vertex - shift;
+        // `{:?}` gives the shortest text that reads back as the same number.
+        let known = curvature.map(|(values, range)| (values[index], color(values[index], range)));
+        match (choices.ascii, known) {
+            (true, None) => put!("{:?} {:?} {:?}", vertex.x, vertex.y, vertex.z),
+            (true, Some((value, [red, green, blue, _]))) => put!(
+                "{:?} {:?} {:?} {value:?} {:?} {red} {green} {blue}",
+                vertex.x,
+                vertex.y,
+                vertex.z,
+                value.min(f64::from(f32::MAX)) as f32
+            ),
+            (false, known) => {
+                vertex.to_array().iter().for_each(|x| out.extend_from_slice(&x.to_le_bytes()));
+                if let Some((value, [red, green, blue, _])) = known {
+                    out.extend_from_slice(&value.to_le_bytes());
+                    out.extend_from_slice(&(value.min(f64::from(f32::MAX)) as f32).to_le_bytes());
+                    out.extend_from_slice(&[red, green, blue]);
+                }
+            }
+        }
+        match (choices.ascii, slack) {
+            (true, Some(slack)) => put!(" {:?}", slack[index]),
+            (false, Some(slack)) => out.extend_from_slice(&slack[index].to_le_bytes()),
+            (_, None) => {}
+        }
+        if choices.ascii {
+            out.push(b'\n');
         }
     }
-    for triangle in triangles {
-        out.push(3);
-        triangle.iter().for_each(|v| out.extend_from_slice(&v.to_le_bytes()));
+    for [a, b, c] in triangles {
+        if choices.ascii {
+            put!("3 {a} {b} {c}");
+            out.push(b'\n');
+        } else {
+            out.push(3);
+            [a, b, c].iter().for_each(|v| out.extend_from_slice(&v.to_le_bytes()));
+        }
     }
     out
 }

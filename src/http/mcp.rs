@@ -9,8 +9,8 @@ pub mod schemas;
 
 use crate::config::HttpConfig;
 use crate::export::{MeshFormat, picture};
+use crate::http::parameters::checked;
 use crate::http::problem::Failure;
-use crate::http::routes::jobs::checked;
 use crate::http::state::App;
 use crate::jobs::JobsError;
 use crate::jobs::submission::{Submitted, Submitter};
@@ -204,7 +204,9 @@ impl Tools {
         }
         let from = Submitter { owner: self.owner.clone(), idempotency_key: None };
         match self.app.jobs.submit(kind, body.into(), from, waited_for).await {
-            Ok(Submitted::Created(job) | Submitted::Existing(job)) => Ok(job),
+            Ok(accepted) => match accepted.submitted {
+                Submitted::Created(job) | Submitted::Existing(job) => Ok(job),
+            },
             Err(JobsError::Rejected(rejection)) => Err(rejection.within(POINTER).into()),
             Err(error) => Err(error.into()),
         }

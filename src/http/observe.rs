@@ -28,6 +28,20 @@ fn request_id(request: &Request) -> String {
         .map_or_else(|| ulid::Ulid::generate().to_string(), str::to_owned)
 }
 
+/// Returns the client's trace and span identifiers (W3C Trace Context, version 00), if the header has that form.
+fn trace(request: &Request) -> Option<(&str, &str)> {
+    let value = request.headers().get("traceparent")?.to_str().ok()?;
+    let mut parts = value.split('-');
+    let mut part = |length: usize| {
+        let hex = |byte: u8| byte.is_ascii_digit() || (b'a'..=b'f').contains(&byte);
+        parts.next().filter(|text| text.len() == length && text.bytes().all(hex))
+    };
+    let (version, trace, span, _flags) = (part(2)?, part(32)?, part(16)?, part(2)?);
+    let known = version == "00" && parts.next().is_none();
+    let valid = [trace, span].iter().all(|id| id.bytes().any(|byte| byte != b'0'));
+    (known && valid).then_some((trace, span))
+}
+
 /// Logs, counts and completes a request. `base` is the base path of this server.
 pub async fn observe(State(base): State<Arc<str>>, request: Request, next: Next) -> Response<Body> {
     let started = Instant::now();
@@ -35,7 +49,13 @@ pub async fn observe(State(base): State<Arc<str>>, request: Request, next: Next)
     let path = request.uri().path().to_owned();
     let method = request.method().as_str().to_owned();
     let route = request.extensions().get::<MatchedPath>().map_or("unmatched", MatchedPath::as_str).to_owned();
-    let span = tracing::info_span!("request", request_id = %id, %method, %path, key = tracing::field::Empty);
+    let empty = tracing::field::Empty;
+    let span = tracing::info_span!(
+        "request", request_id = %id, %method, %path, key = empty, trace_id = empty, parent_span_id = empty
+    );
+    if let Some((trace, parent)) = trace(&request) {
+        span.record("trace_id", trace).record("parent_span_id", parent);
+    }
     let answered = AssertUnwindSafe(next.run(request)).catch_unwind().instrument(span.clone()).await;
     let response = answered.unwrap_or_else(|_| {
         span.in_scope(|| tracing::error!("a handler panicked"));
@@ -56,4 +76,30 @@ pub async fn observe(State(base): State<Arc<str>>, request: Request, next: Next)
         .increment(1);
     metrics::histogram!(metric::HTTP_SECONDS, "method" => method, "route" => route).record(elapsed.as_secs_f64());
     response
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_well_formed_trace_parents_are_logged() {
+        let of = |value: &str| {
+            let request = Request::builder().header("traceparent", value).body(Body::empty()).unwrap();
+            trace(&request).map(|(trace, span)| format!("{trace} {span}"))
+        };
+        let (trace, span) = ("4bf92f3577b34da6a3ce929d0e0e4736", "00f067aa0ba902b7");
+        assert_eq!(of(&format!("00-{trace}-{span}-01")), Some(format!("{trace} {span}")));
+        for other in [
+            String::new(),
+            format!("00-{trace}-{span}"),
+            format!("01-{trace}-{span}-01"),
+            format!("00-{trace}-{span}-01-02"),
+            format!("00-{}-{span}-01", trace.to_uppercase()),
+            format!("00-{}-{span}-01", "0".repeat(32)),
+            format!("00-{trace}-{}-01", "0".repeat(16)),
+        ] {
+            assert_eq!(of(&other), None, "{other}");
+        }
+    }
 }

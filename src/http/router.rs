@@ -8,13 +8,13 @@ use crate::http::{access, observe};
 use crate::jobs::Jobs;
 use crate::wire::Kind;
 use axum::Router;
-use axum::extract::Request;
+use axum::extract::{MatchedPath, Request};
 use axum::http::{HeaderName, HeaderValue, Method, Uri, header};
 use axum::middleware;
 use axum::response::Redirect;
 use axum::routing::get;
 use metrics_exporter_prometheus::PrometheusHandle;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 use std::time::Duration;
 use tower::util::MapRequest;
 use tower_http::cors::{AllowOrigin, Any, CorsLayer};
@@ -70,10 +70,10 @@ pub fn router(app: App) -> Router {
     let routes = resources(!own_metrics)
         .into_iter()
         .fold(Router::new(), |router, resource| resource.route(router))
-        .fallback(|uri: Uri| async move {
-            Failure::not_found(format!("no resource at this path ({} bytes long)", uri.path().len()))
+        .fallback(|uri: Uri| async move { Failure::not_found(no_resource(uri.path())) })
+        .method_not_allowed_fallback(|path: Option<MatchedPath>| async move {
+            Failure::method_not_allowed(supported_methods(path.as_ref().map_or("", MatchedPath::as_str)))
         })
-        .method_not_allowed_fallback(|| async { Failure::method_not_allowed("see the Allow header") })
         // The last layer is the outermost. A request is first observed, and then its host is checked. Then CORS answers
         // preflights, which need no key. Then foreign pages are refused, and last the key is checked.
         .layer(middleware::from_fn_with_state(app.clone(), access::authenticate))
@@ -85,6 +85,68 @@ pub fn router(app: App) -> Router {
         .layer(middleware::from_fn_with_state(base.clone(), observe::observe))
         .with_state(app);
     mount_below(&base, routes)
+}
+
+/// Returns the text for a method that the resource at this path does not have.
+fn supported_methods(path: &str) -> String {
+    let documented = resources(true).into_iter().map(Resource::documented);
+    let item = documented.filter(|(known, _)| *known == path).find_map(|(_, item)| item.as_object().cloned());
+    let mut methods: Vec<String> = item.iter().flat_map(|item| item.keys()).map(|name| name.to_uppercase()).collect();
+    // Whatever can be fetched also answers with its headers alone.
+    if methods.iter().any(|method| method == "GET") {
+        methods.push("HEAD".into());
+    }
+    methods.sort_unstable();
+    match methods.is_empty() {
+        true => "see the Allow header".into(),
+        false => format!("this path supports {}", methods.join(", ")),
+    }
+}
+
+/// Returns the text for a path without a resource. It names the path of this server that is most like it.
+fn no_resource(path: &str) -> String {
+    let asked = path.trim_matches('/').to_ascii_lowercase();
+    // A long path is no typing error, and comparing it would take time.
+    let compared = asked.len() <= 100 && !asked.is_empty();
+    static PATHS: LazyLock<Vec<&str>> =
+        LazyLock::new(|| resources(true).into_iter().map(|resource| resource.documented().0).collect());
+    let nearest = PATHS
+        .iter()
+        .filter(|_| compared)
+        .flat_map(|&known| {
+            let plain = known.trim_matches('/');
+            // People leave the version out.
+            let unversioned = plain.strip_prefix("v1/").map(|rest| distance(&asked, rest));
+            [Some(distance(&asked, plain)), unversioned].into_iter().flatten().map(move |steps| (steps, known))
+        })
+        .min()
+        .filter(|&(steps, known)| 3 * steps <= known.len());
+    match nearest {
+        Some((_, known)) => format!("no resource at this path; {known} is the most similar one"),
+        None => "no resource at this path; GET /docs lists all of them".into(),
+    }
+}
+
+/// Returns the number of characters to insert, delete or replace in `path` to reach `known`. Any text may stand for a
+/// parameter of `known`.
+fn distance(path: &str, known: &str) -> usize {
+    let parts: Vec<&str> = path.split('/').collect();
+    let filled: Vec<&str> = known
+        .split('/')
+        .enumerate()
+        .map(|(index, part)| if part.starts_with('{') { parts.get(index).copied().unwrap_or(part) } else { part })
+        .collect();
+    let (from, to): (Vec<char>, Vec<char>) = (path.chars().collect(), filled.join("/").chars().collect());
+    let mut row: Vec<usize> = (0..=to.len()).collect();
+    for (i, a) in from.iter().enumerate() {
+        let mut diagonal = std::mem::replace(&mut row[0], i + 1);
+        for (j, b) in to.iter().enumerate() {
+            let replaced = diagonal + usize::from(a != b);
+            diagonal = row[j + 1];
+            row[j + 1] = replaced.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row[to.len()]
 }
 
 /// Mounts the routes below the public base path too, for proxies that pass paths on unchanged.
@@ -136,6 +198,8 @@ fn cors(origins: &[String]) -> CorsLayer {
             HeaderName::from_static("idempotency-key"),
             HeaderName::from_static("last-event-id"),
             HeaderName::from_static("prefer"),
+            HeaderName::from_static("traceparent"),
+            HeaderName::from_static("tracestate"),
             observe::REQUEST_ID,
         ])
         .expose_headers([
@@ -151,6 +215,24 @@ fn cors(origins: &[String]) -> CorsLayer {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_unknown_path_is_told_the_most_similar_one() {
+        for (path, nearest) in [
+            ("/v1/minimal-surface", "/v1/minimal-surfaces"),
+            ("/minimal-surfaces", "/v1/minimal-surfaces"),
+            ("/v1/minimal_surfaces/", "/v1/minimal-surfaces"),
+            ("/V1/Jobs", "/v1/jobs"),
+            ("/v2/jobs", "/v1/jobs"),
+            ("/v1/jobs/01J00000000000000000000000/meshes", "/v1/jobs/{id}/mesh"),
+            ("/openapi.jsn", "/openapi.json"),
+        ] {
+            assert!(no_resource(path).contains(&format!("; {nearest} is")), "{path}: {}", no_resource(path));
+        }
+        for path in ["/", "/favicon.ico", "/wp-login.php", &format!("/v1/{}", "jobs".repeat(1000))] {
+            assert!(no_resource(path).contains("GET /docs"), "{path}: {}", no_resource(path));
+        }
+    }
 
     #[test]
     fn only_whole_segments_of_the_base_path_are_removed() {

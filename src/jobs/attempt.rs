@@ -313,7 +313,7 @@ fn outcome(ended: Ended) -> Option<Outcome> {
         Ended::Rejected(rejection) => {
             let errors = match rejection {
                 Rejection::Malformed(_) => Vec::new(),
-                Rejection::Invalid(errors) | Rejection::TooLarge(errors) => errors,
+                Rejection::Invalid(errors) | Rejection::InvalidInPart(errors) | Rejection::TooLarge(errors) => errors,
             };
             JobError::new("refused", "see errors", errors)
         }

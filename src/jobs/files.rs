@@ -23,8 +23,8 @@ impl File {
     }
 }
 
-/// Hash of the stored result, and name of the format.
-pub type Key = (Vec<u8>, &'static str);
+/// Hash of the stored result, and name of the conversion.
+pub type Key = (Vec<u8>, String);
 
 #[derive(Debug)]
 pub struct Files {
@@ -95,7 +95,7 @@ mod tests {
     #[test]
     fn the_longest_unused_file_is_dropped_first() {
         let files = Files::new(10 * OVERHEAD_BYTES);
-        let key = |name| (vec![1], name);
+        let key = |name: &str| (vec![1], name.to_owned());
         for name in ["glb", "obj", "ply"] {
             files.put(key(name), file(2 * OVERHEAD_BYTES));
         }
@@ -111,8 +111,9 @@ mod tests {
     #[test]
     fn a_file_that_would_fill_the_budget_is_not_kept() {
         let files = Files::new(10 * OVERHEAD_BYTES);
-        files.put((vec![1], "glb"), file(5 * OVERHEAD_BYTES));
-        assert!(files.get(&(vec![1], "glb")).is_none());
+        let key = (vec![1], "glb".to_owned());
+        files.put(key.clone(), file(5 * OVERHEAD_BYTES));
+        assert!(files.get(&key).is_none());
         assert_eq!(files.kept().bytes, 0);
     }
 }

@@ -6,7 +6,7 @@ use super::converters::Converters;
 use super::files::{File, Files};
 use super::memory::MemoryBudget;
 use super::progress::Running;
-use super::submission::{self, Submitted, Submitter};
+use super::submission::{self, Accepted, Submitted, Submitter};
 use super::{Filter, JobsError, batch, view, worker};
 use crate::config::Config;
 use crate::export::{Archive, Defect};
@@ -152,7 +152,7 @@ impl Jobs {
         body: Bytes,
         from: Submitter,
         waited_for: bool,
-    ) -> Result<Submitted<Job>, JobsError> {
+    ) -> Result<Accepted, JobsError> {
         submission::job(self, kind, body, from, waited_for).await
     }
 
@@ -238,6 +238,25 @@ impl Jobs {
         Ok(job)
     }
 
+    /// Cancels the older jobs of a series. The newest job is stored already, so a failure is only logged.
+    pub(super) async fn supersede(&self, id: &str, owner: Option<&str>, series: &str) {
+        match self.0.store.supersede(id, owner, series).await {
+            Ok(cancelled) => {
+                for job in cancelled {
+                    self.0.running.cancel(&job.id);
+                    Kind::from_name(&job.kind).into_iter().for_each(count_cancelled);
+                }
+            }
+            Err(error) => tracing::warn!(?error, job_id = id, "older jobs of a series were not cancelled"),
+        }
+    }
+
+    /// Returns a guard that cancels a job when it is dropped, unless it was told to keep the job.
+    #[must_use]
+    pub fn cancel_on_drop(&self, id: &str, owner: Option<&str>) -> CancelOnDrop {
+        CancelOnDrop { jobs: self.clone(), job: Some((id.to_owned(), owner.map(str::to_owned))) }
+    }
+
     /// Cancels a job if needed, and removes it with its mesh.
     ///
     /// # Errors
@@ -261,14 +280,14 @@ impl Jobs {
         &self,
         id: &str,
         owner: Option<&str>,
-        format: &'static str,
+        format: impl Into<String> + Send,
         convert: impl FnOnce(&Archive) -> Result<Vec<u8>, JobsError> + Send + 'static,
     ) -> Result<File, JobsError> {
         let row = found(self.0.store.get(id, owner).await?)?;
         if row.status != Status::Succeeded {
             return Err(JobsError::NoMesh(row.status));
         }
-        let key = (row.artefact.unwrap_or_default(), format);
+        let key = (row.artefact.unwrap_or_default(), format.into());
         if let Some(file) = self.0.files.get(&key) {
             return Ok(file);
         }
@@ -421,6 +440,32 @@ impl Jobs {
             Ok(()) => JobsError::Lost,
             Err(error) => error.into(),
         }
+    }
+}
+
+/// Cancels a job when it is dropped.
+#[derive(Debug)]
+pub struct CancelOnDrop {
+    jobs: Jobs,
+    job: Option<(String, Option<String>)>,
+}
+
+impl CancelOnDrop {
+    /// Keeps the job.
+    pub fn keep(mut self) {
+        self.job = None;
+    }
+}
+
+impl Drop for CancelOnDrop {
+    fn drop(&mut self) {
+        let Some((id, owner)) = self.job.take() else { return };
+        let jobs = self.jobs.clone();
+        tokio::spawn(async move {
+            if let Err(error) = jobs.cancel(&id, owner.as_deref()).await {
+                tracing::warn!(?error, job_id = id, "a job whose client went away was not cancelled");
+            }
+        });
     }
 }
 

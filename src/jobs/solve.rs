@@ -2,7 +2,7 @@
 //! `wire`, this is the only file that knows both the types of the wire and those of the geometry.
 
 use super::progress::Signal;
-use crate::export::archive::{Certificate, Contents};
+use crate::export::archive::{Certificate, Contents, middle};
 use crate::export::pattern::BRIDGES;
 use crate::export::{Archive, LineSet, Lines, MeanCurvature, Polyline, SegmentValues};
 use crate::units::ForceUnit;
@@ -18,7 +18,7 @@ use plateau_geometry::minimal_surface::{self, StopReason};
 use plateau_geometry::ruled_surface;
 use plateau_geometry::tensile_structure;
 use plateau_geometry::uniform_mesh;
-use plateau_geometry::{DVec3, Error, Execution, Interruption, polyline};
+use plateau_geometry::{DVec3, Error, Execution, Interruption, Mesh, polyline};
 use serde::Serialize;
 
 /// A solved request.
@@ -52,16 +52,31 @@ impl Unsolved {
 
 impl From<Error> for Unsolved {
     fn from(error: Error) -> Self {
-        let fields =
-            |errors: &[plateau_geometry::InputError]| errors.iter().take(MAX_ERRORS).map(FieldError::from).collect();
+        let fields = |errors: &[plateau_geometry::InputError]| -> Vec<FieldError> {
+            errors.iter().take(MAX_ERRORS).map(FieldError::from).collect()
+        };
         Self::Failed(match error {
             Error::Interrupted(Interruption::Cancelled) => return Self::Cancelled,
             Error::Interrupted(Interruption::DeadlinePassed) => return Self::deadline(),
-            Error::Input(errors) => JobError::new("invalid-geometry", "see errors", fields(&errors)),
+            Error::Input(errors) => {
+                let fields = fields(&errors);
+                JobError::new("invalid-geometry", causes(&fields), fields)
+            }
             Error::NoResult { reason, detail, places } => {
                 JobError::new(&reason.replace('_', "-"), detail, fields(&places))
             }
         })
+    }
+}
+
+/// Returns the first error as text, with the number of the others.
+fn causes(errors: &[FieldError]) -> String {
+    let Some(first) = errors.first() else { return "the solver refused the geometry".into() };
+    let first_one = format!("{} {}", first.pointer, first.detail);
+    match errors.len() - 1 {
+        0 => first_one,
+        1 => format!("{first_one}; one more error is listed in errors"),
+        more => format!("{first_one}; {more} more errors are listed in errors"),
     }
 }
 
@@ -85,7 +100,20 @@ pub fn solve(request: &Request, signal: &dyn Fn() -> Signal, report: &dyn Fn(Pro
         Problem::UniformMesh { domain, options } => uniform(request, domain, options, &exec),
         Problem::TensileStructure { structure, options, force } => tensile(request, structure, options, *force, &exec),
     };
-    Ok(solved?)
+    let mut solved = solved?;
+    solved.warnings.extend(far_from_zero(&solved.archive));
+    Ok(solved)
+}
+
+/// Warns of a mesh whose STL file is not in the request's coordinates.
+fn far_from_zero(archive: &Archive) -> Option<JobWarning> {
+    let detail = "the mesh is so far from zero, compared with its size, that 32-bit numbers cannot hold its coordinates: \
+        STL files are relative to `origin` of the statistics, unless they are asked for with `origin=given`";
+    archive.contents().is_far_from_zero().then(|| JobWarning { code: "far_from_zero".into(), detail: detail.into() })
+}
+
+fn origin(mesh: &Mesh) -> [f64; 3] {
+    middle(&mesh.vertices).to_array()
 }
 
 fn on_the_wire(progress: plateau_geometry::Progress) -> Progress {
@@ -137,7 +165,7 @@ fn minimal(
 ) -> Result<Solved, Error> {
     let share = if certify.is_some() { 0.5 } else { 1.0 };
     let mut surface = exec.part([0.0, share], |exec| minimal_surface::solve(boundaries, options, exec))?;
-    let mut statistics = MinimalStatistics::from(&surface.statistics);
+    let mut statistics = MinimalStatistics::of(&surface.statistics, origin(&surface.mesh));
     let mut reproducible = surface.statistics.stop_reason != StopReason::Deadline;
     let mut certificate = None;
     if let Some(certify) = certify {
@@ -194,7 +222,7 @@ fn ruled(
     exec: &Execution,
 ) -> Result<Solved, Error> {
     let surface = ruled_surface::solve(directrices, options, exec)?;
-    let statistics = to_json(&RuledStatistics::of(&surface, options))?;
+    let statistics = to_json(&RuledStatistics::of(&surface, options, origin(&surface.mesh)))?;
     let unrolls = surface.flat_pattern.is_some();
     let archive = archive(Contents {
         generator: generator(),
@@ -222,7 +250,7 @@ fn uniform(
     exec: &Execution,
 ) -> Result<Solved, Error> {
     let solved = uniform_mesh::solve(domain, options, exec)?;
-    let statistics = to_json(&UniformStatistics::of(&solved, options))?;
+    let statistics = to_json(&UniformStatistics::of(&solved, options, origin(&solved.mesh)))?;
     // Lattice and rim members are separate groups with their own material, so that a viewer can tell them apart.
     let group = |name: &str, lattice: bool| {
         let of = || (0..solved.members.len()).filter(|&member| solved.lattice_group[member] == lattice);
@@ -260,7 +288,7 @@ fn tensile(
     exec: &Execution,
 ) -> Result<Solved, Error> {
     let found = tensile_structure::solve(structure, options, exec)?;
-    let statistics = to_json(&TensileStatistics::of(&found, structure, force))?;
+    let statistics = to_json(&TensileStatistics::of(&found, structure, force, origin(&found.mesh)))?;
     let forces = |values: Vec<f64>| Some(SegmentValues { name: "force".into(), unit: force.symbol().into(), values });
     let mut line_sets = vec![line_set("boundaries", polylines(&found.boundaries, true))];
     for (cable, result) in structure.cables.iter().zip(&found.cables) {

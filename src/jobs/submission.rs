@@ -32,6 +32,14 @@ pub enum Submitted<T> {
     Existing(T),
 }
 
+/// A job that was submitted, and what its client asked of it.
+#[derive(Debug)]
+pub struct Accepted {
+    pub submitted: Submitted<Job>,
+    /// Cancel the job if the client goes away while it waits.
+    pub cancel_on_disconnect: bool,
+}
+
 /// The client that submits a job.
 #[derive(Debug)]
 pub struct Submitter {
@@ -59,10 +67,11 @@ pub(super) async fn job(
     body: Bytes,
     from: Submitter,
     waited_for: bool,
-) -> Result<Submitted<Job>, JobsError> {
-    let submitted = read_and_store(jobs, kind, body, from, waited_for).await;
+) -> Result<Accepted, JobsError> {
+    let mut cancel_on_disconnect = false;
+    let submitted = read_and_store(jobs, kind, body, from, waited_for, &mut cancel_on_disconnect).await;
     count(kind.name(), &submitted);
-    submitted
+    Ok(Accepted { submitted: submitted?, cancel_on_disconnect })
 }
 
 async fn read_and_store(
@@ -71,6 +80,7 @@ async fn read_and_store(
     body: Bytes,
     from: Submitter,
     waited_for: bool,
+    cancel_on_disconnect: &mut bool,
 ) -> Result<Submitted<Job>, JobsError> {
     let submitted_at = Instant::now();
     let limits = jobs.config().limits.clone();
@@ -81,7 +91,27 @@ async fn read_and_store(
     };
     let (submission, request) = if inline { read()? } else { jobs.off_runtime(read).await?? };
     check_callback(jobs, "", submission.job.callback_url.as_deref())?;
-    if waited_for && let Some((attempt, solved)) = solve_here(jobs, &submission.job, &request, submitted_at) {
+    *cancel_on_disconnect = request.marks.cancel_on_disconnect;
+    if *cancel_on_disconnect && !waited_for {
+        return Err(invalid("/cancel_on_disconnect", "needs a request that waits: send `Prefer: wait=N`"));
+    }
+    let (owner, series) = (submission.job.owner.clone(), submission.job.supersede.clone());
+    let submitted = store(jobs, submission, &request, submitted_at, inline, waited_for).await?;
+    if let (Submitted::Created(job), Some(series)) = (&submitted, series) {
+        jobs.supersede(&job.id, owner.as_deref(), &series).await;
+    }
+    Ok(submitted)
+}
+
+async fn store(
+    jobs: &Jobs,
+    submission: Submission,
+    request: &Request,
+    submitted_at: Instant,
+    inline: bool,
+    waited_for: bool,
+) -> Result<Submitted<Job>, JobsError> {
+    if waited_for && let Some((attempt, solved)) = solve_here(jobs, &submission.job, request, submitted_at) {
         let status = solved.outcome.status();
         let stored = jobs.store().submit_solved(submission.job, solved).await;
         // If the submission was refused, or if an equal submission was stored first, this result is not used.
@@ -138,6 +168,14 @@ async fn read_and_store_batch(jobs: &Jobs, body: Bytes, from: Submitter) -> Resu
     let mut new_jobs = Vec::with_capacity(requests.len());
     for (index, (request, value)) in requests.into_iter().enumerate() {
         check_callback(jobs, &format!("/requests/{index}"), request.callback_url.as_deref())?;
+        let marks = &request.marks;
+        for (name, given) in
+            [("supersede", marks.supersede.is_some()), ("cancel_on_disconnect", marks.cancel_on_disconnect)]
+        {
+            if given {
+                return Err(invalid(&format!("/requests/{index}/{name}"), "is not allowed in a batch"));
+            }
+        }
         let from = Submitter { owner: owner.clone(), idempotency_key: None };
         new_jobs.push(submission(&request, value.into(), from).written()?);
     }
@@ -161,9 +199,11 @@ fn check_callback(jobs: &Jobs, pointer: &str, url: Option<&str>) -> Result<(), J
         Some(sender) => sender.check(url),
         None => Err("cannot be used because webhooks are off on this server"),
     };
-    checked.map_err(|reason| {
-        JobsError::Rejected(Rejection::Invalid(vec![FieldError::new(format!("{pointer}/callback_url"), reason)]))
-    })
+    checked.map_err(|reason| invalid(&format!("{pointer}/callback_url"), reason))
+}
+
+fn invalid(pointer: &str, detail: impl Into<String>) -> JobsError {
+    JobsError::Rejected(Rejection::Invalid(vec![FieldError::new(pointer, detail)]))
 }
 
 fn count<T>(kind: &'static str, submitted: &Result<Submitted<T>, JobsError>) {
@@ -262,7 +302,7 @@ fn submission(request: &Request, mut body: Body, from: Submitter) -> Submission 
     let Submitter { owner, idempotency_key } = from;
     // The hash is only compared between submissions with an idempotency key.
     let body_hash = if idempotency_key.is_some() { hash(&body) } else { [0; 32] };
-    for name in ["kind", "cache", "callback_url"] {
+    for name in ["kind", "cache", "callback_url", "label", "metadata", "supersede", "cancel_on_disconnect"] {
         body.remove(name);
     }
     let job = NewJob {
@@ -274,6 +314,9 @@ fn submission(request: &Request, mut body: Body, from: Submitter) -> Submission 
         body_hash,
         idempotency_key,
         callback_url: request.callback_url.clone(),
+        label: request.marks.label.clone(),
+        metadata: request.marks.metadata.clone(),
+        supersede: request.marks.supersede.clone(),
         reuse: request.cache == Cache::Reuse,
     };
     Submission { job, body }

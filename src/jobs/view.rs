@@ -20,6 +20,7 @@ pub(super) fn job(base: &str, row: &JobRow) -> Result<Job, JobsError> {
     let figures: Option<Figures> = read(statistics).map_err(|()| unreadable("statistics"))?;
     let progress: Option<Progress> = read(row.progress.as_deref()).map_err(|()| unreadable("progress"))?;
     let warnings: Vec<JobWarning> = read(Some(&row.warnings)).map_err(|()| unreadable("warnings"))?.unwrap_or_default();
+    let metadata = read(row.metadata.as_deref()).map_err(|()| unreadable("metadata"))?;
     let mut error: Option<JobError> = read(row.error.as_deref()).map_err(|()| unreadable("error"))?;
     if let Some(error) = &mut error {
         error.kind.insert_str(0, base);
@@ -33,6 +34,8 @@ pub(super) fn job(base: &str, row: &JobRow) -> Result<Job, JobsError> {
         id: row.id.clone(),
         kind,
         status,
+        label: row.label.clone(),
+        metadata,
         created_at: timestamp(row.created_at_ms),
         started_at: row.started_at_ms.map(timestamp),
         finished_at: row.finished_at_ms.map(timestamp),

@@ -33,6 +33,12 @@ pub struct NewJob {
     pub body_hash: [u8; 32],
     /// Receives a message once the job has ended.
     pub callback_url: Option<String>,
+    /// Name of the job for people.
+    pub label: Option<String>,
+    /// Fields of the client as JSON text.
+    pub metadata: Option<String>,
+    /// Key of a series of jobs of which only the newest counts.
+    pub supersede: Option<String>,
     /// True if this job may reuse a kept result of the same owner, request and result version, and if later jobs may
     /// reuse this job's result.
     pub reuse: bool,
@@ -197,14 +203,16 @@ pub(super) fn read_owner(row: &Row) -> Result<Option<String>> {
     Ok((!owner.is_empty()).then_some(owner))
 }
 
-/// Row of a job, without its request and its mesh. `progress`, `statistics`, `warnings` and `error` are JSON texts as
-/// they were stored.
+/// Row of a job, without its request and its mesh. `metadata`, `progress`, `statistics`, `warnings` and `error` are JSON
+/// texts as they were stored.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct JobRow {
     pub id: String,
     pub kind: String,
     pub owner: Option<String>,
     pub status: Status,
+    pub label: Option<String>,
+    pub metadata: Option<String>,
     pub attempt: i64,
     pub sequence: i64,
     pub created_at_ms: i64,
@@ -226,7 +234,7 @@ pub struct JobRow {
 
 /// Columns that [`JobRow::read`] reads.
 pub(super) const COLUMNS: &str = "id, kind, owner, status, attempt, sequence, created_at, started_at, finished_at, \
-     expires_at, progress, progress_sequence, statistics, warnings, error, artefact, history";
+     expires_at, progress, progress_sequence, statistics, warnings, error, artefact, history, label, metadata";
 
 impl JobRow {
     pub(super) fn read(row: &Row) -> Result<Self> {
@@ -235,6 +243,8 @@ impl JobRow {
             kind: row.get("kind")?,
             owner: read_owner(row)?,
             status: read_status(row)?,
+            label: row.get("label")?,
+            metadata: row.get("metadata")?,
             attempt: row.get("attempt")?,
             sequence: row.get("sequence")?,
             created_at_ms: row.get("created_at")?,
@@ -258,6 +268,8 @@ impl JobRow {
             kind: job.kind.clone(),
             owner: job.owner.clone(),
             status: Status::Queued,
+            label: job.label.clone(),
+            metadata: job.metadata.clone(),
             attempt: 0,
             sequence: 1,
             created_at_ms: now_ms,
@@ -492,6 +504,9 @@ fn insert(
             ("content_hash", content.into()),
             ("sharing", sharing.name().into()),
             ("callback_url", job.callback_url.as_deref().into()),
+            ("label", job.label.as_deref().into()),
+            ("metadata", job.metadata.as_deref().into()),
+            ("supersede", job.supersede.as_deref().into()),
             ("batch", place.map(|place| place.batch).into()),
             ("batch_index", place.map_or(0, |place| place.index).into()),
         ],
@@ -592,6 +607,30 @@ pub(super) fn cancel(tx: &mut Tx<'_>, id: &str, owner: Option<&str>, options: &S
     drop_request(tx, id)?;
     tx.changed(id);
     Ok(Lookup::Found(Box::new(JobRow::read(&row)?)))
+}
+
+/// Cancels the owner's older jobs of a series that have not ended, and returns them.
+pub(super) fn supersede(
+    tx: &mut Tx<'_>,
+    id: &str,
+    owner: Option<&str>,
+    series: &str,
+    options: &StoreOptions,
+) -> Result<Vec<JobRow>> {
+    let text = format!(
+        "UPDATE jobs SET {} WHERE id < $1 AND owner = $3 AND supersede = $4 AND status IN ('queued', 'running') \
+         RETURNING {COLUMNS}",
+        ending(Status::Cancelled)
+    );
+    let owner = owner.unwrap_or_default();
+    let values = [id.into(), milliseconds(options.retention).into(), owner.into(), series.into()];
+    let rows = tx.rows(&text, &values)?;
+    let cancelled: Vec<JobRow> = rows.iter().map(JobRow::read).collect::<Result<_>>()?;
+    for job in &cancelled {
+        drop_request(tx, &job.id)?;
+        tx.changed(&job.id);
+    }
+    Ok(cancelled)
 }
 
 /// Removes a job, whatever its status. Returns false if the job does not exist.

@@ -65,7 +65,9 @@ impl BatchRequest {
                 Err(Rejection::Malformed(detail)) => {
                     invalid.push(FieldError::new(format!("/requests/{index}"), detail))
                 }
-                Err(Rejection::Invalid(errors)) => invalid.extend(within(index, errors)),
+                Err(Rejection::Invalid(errors) | Rejection::InvalidInPart(errors)) => {
+                    invalid.extend(within(index, errors));
+                }
                 Err(Rejection::TooLarge(errors)) => too_large.extend(within(index, errors)),
             }
             if invalid.len() > MAX_ERRORS {

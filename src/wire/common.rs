@@ -4,6 +4,7 @@ use super::{FieldError, Rejection};
 use plateau_geometry::DVec3;
 use schemars::JsonSchema;
 use serde::Deserialize;
+use serde_json::{Map, Value};
 
 /// A point `[x, y, z]` in the client's axes and unit.
 pub type Point = [f64; 3];
@@ -17,6 +18,50 @@ pub enum Cache {
     Reuse,
     /// Solve again, and do not store the result for later requests.
     Bypass,
+}
+
+/// Fields of a request that concern its job and not its result.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Marks {
+    pub label: Option<String>,
+    /// A JSON object as text.
+    pub metadata: Option<String>,
+    pub supersede: Option<String>,
+    pub cancel_on_disconnect: bool,
+}
+
+/// Largest length of a job's metadata as JSON text in bytes.
+const METADATA_BYTES: usize = 4096;
+
+impl Marks {
+    /// Makes the checks that the schema cannot express.
+    ///
+    /// # Errors
+    /// Returns every offending value.
+    pub(super) fn new(
+        label: Option<String>,
+        metadata: Option<&Map<String, Value>>,
+        supersede: Option<String>,
+        cancel_on_disconnect: bool,
+    ) -> Result<Self, Rejection> {
+        let mut errors = Vec::new();
+        for (pointer, text) in [("/label", &label), ("/supersede", &supersede)] {
+            // PostgreSQL cannot store a NUL, and no other control character belongs on one line.
+            if text.as_ref().is_some_and(|text| text.chars().any(char::is_control)) {
+                errors.push(FieldError::new(pointer, "must not contain control characters"));
+            }
+        }
+        let metadata = metadata.map(|fields| Value::Object(fields.clone()).to_string());
+        if let Some(text) = metadata.as_ref().filter(|text| text.len() > METADATA_BYTES) {
+            let detail = format!("has {} bytes as JSON text, more than {METADATA_BYTES}", text.len());
+            errors.push(FieldError::new("/metadata", detail));
+        }
+        if errors.is_empty() {
+            Ok(Self { label, metadata, supersede, cancel_on_disconnect })
+        } else {
+            Err(Rejection::Invalid(errors))
+        }
+    }
 }
 
 /// Converts points of the wire to points of the geometry.

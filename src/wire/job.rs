@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use schemars::generate::SchemaGenerator;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
+use serde_json::{Map, Value};
 
 /// Progress of a job.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -114,6 +115,10 @@ pub struct Job {
     pub id: String,
     pub kind: Kind,
     pub status: Status,
+    /// Name of the job for people, if the request gave one.
+    pub label: Option<String>,
+    /// Fields of the client, if the request gave some.
+    pub metadata: Option<Map<String, Value>>,
     /// Time of submission (RFC 3339, UTC).
     pub created_at: String,
     pub started_at: Option<String>,
@@ -137,6 +142,10 @@ pub struct JobSummary {
     pub id: String,
     pub kind: Kind,
     pub status: Status,
+    /// Name of the job for people, if the request gave one.
+    pub label: Option<String>,
+    /// Fields of the client, if the request gave some.
+    pub metadata: Option<Map<String, Value>>,
     /// Time of submission (RFC 3339, UTC).
     pub created_at: String,
     pub started_at: Option<String>,
@@ -156,6 +165,8 @@ impl From<Job> for JobSummary {
             id: job.id,
             kind: job.kind,
             status: job.status,
+            label: job.label,
+            metadata: job.metadata,
             created_at: job.created_at,
             started_at: job.started_at,
             finished_at: job.finished_at,
@@ -210,6 +221,7 @@ pub(super) fn schemas(generator: &mut SchemaGenerator) {
     generator.subschema_for::<JobList>();
     generator.subschema_for::<super::batch::Batch>();
     generator.subschema_for::<Problem>();
+    generator.subschema_for::<super::mesh::Mesh>();
     generator.subschema_for::<super::objectives::ObjectiveList>();
     generator.subschema_for::<super::objectives::Limits>();
     generator.subschema_for::<super::objectives::ExampleList>();

@@ -15,6 +15,9 @@ use std::fmt;
 /// Returns [`Rejection::Malformed`] if the body is not JSON or repeats a key, and [`Rejection::Invalid`] if a number
 /// overflows f64.
 pub fn parse(body: &[u8]) -> Result<Value, Rejection> {
+    if let Some(encoding) = foreign_encoding(body) {
+        return Err(Rejection::Malformed(format!("the body {encoding}: send JSON as UTF-8 without a byte order mark")));
+    }
     let mut deserializer = serde_json::Deserializer::from_slice(body);
     let outcome = Strict.deserialize(&mut deserializer).and_then(|value| deserializer.end().map(|()| value));
     outcome.map_err(|error| {
@@ -26,8 +29,39 @@ pub fn parse(body: &[u8]) -> Result<Value, Rejection> {
                 "is not a finite number in 64-bit floating point",
             )]);
         }
-        Rejection::Malformed(text)
+        match not_a_number(body, offset_of(body, error.line(), error.column())) {
+            Some((start, name)) => Rejection::Invalid(vec![FieldError::new(
+                pointer_at(body, start),
+                format!("is {name}, which JSON cannot hold: only finite numbers are allowed"),
+            )]),
+            None => Rejection::Malformed(text),
+        }
     })
+}
+
+/// Returns a description of bytes that are not JSON in plain UTF-8, by their first bytes.
+fn foreign_encoding(body: &[u8]) -> Option<&'static str> {
+    Some(match body {
+        [0xef, 0xbb, 0xbf, ..] => "begins with a byte order mark (BOM)",
+        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [b'{' | b'[' | b' ', 0, ..] | [0, b'{' | b'[' | b' ', ..] => "is UTF-16",
+        [0x1f, 0x8b, ..] => "is compressed with gzip",
+        [0x28, 0xb5, 0x2f, 0xfd, ..] => "is compressed with zstd",
+        _ => return None,
+    })
+}
+
+/// Returns the start and the name of a NaN or an infinity at which the parser stopped, as Python and JavaScript write
+/// them.
+fn not_a_number(body: &[u8], end: usize) -> Option<(usize, &'static str)> {
+    // The parser stops at the first letter, or at the sign before it.
+    let from = end.saturating_sub(2);
+    let start = (from..body.len().min(end + 2)).find(|&at| body[at].is_ascii_alphabetic())?;
+    let length = body[start..].iter().take_while(|byte| byte.is_ascii_alphanumeric()).count();
+    match body[start..start + length].to_ascii_lowercase().as_slice() {
+        b"nan" => Some((start, "NaN")),
+        b"inf" | b"infinity" => Some((start, "Infinity")),
+        _ => None,
+    }
 }
 
 /// Returns the integer that equals `value`, if there is one below 2^53. -0.0 stays a float, so that it keeps its sign.
@@ -165,6 +199,42 @@ mod tests {
         assert_eq!(errors[0].pointer, "/boundaries/0/1/1");
         let Err(Rejection::Invalid(errors)) = parse(br#"{"x/y": 1e999}"#) else { panic!("should be refused") };
         assert_eq!(errors[0].pointer, "/x~1y");
+    }
+
+    #[test]
+    fn encodings_other_than_plain_utf8_are_named() {
+        let utf16: Vec<u8> = "{}".encode_utf16().flat_map(u16::to_le_bytes).collect();
+        for (body, name) in [
+            (&b"\xef\xbb\xbf{}"[..], "byte order mark"),
+            (b"\xff\xfe{\0}\0", "UTF-16"),
+            (b"\xfe\xff\0{\0}", "UTF-16"),
+            (&utf16, "UTF-16"),
+            (b"\x1f\x8b\x08\0", "gzip"),
+            (b"\x28\xb5\x2f\xfd\0", "zstd"),
+        ] {
+            assert!(matches!(parse(body), Err(Rejection::Malformed(text)) if text.contains(name)), "{name}");
+        }
+    }
+
+    #[test]
+    fn numbers_that_are_not_finite_are_named_with_their_pointers() {
+        for (written, name) in [
+            ("NaN", "NaN"),
+            ("nan", "NaN"),
+            ("-NaN", "NaN"),
+            ("Infinity", "Infinity"),
+            ("-Infinity", "Infinity"),
+            ("inf", "Infinity"),
+        ] {
+            for body in [format!(r#"{{"p": [[0, 1, {written}], 2]}}"#), format!(r#"{{"p": [[0, 1, {written}"#)] {
+                let Err(Rejection::Invalid(errors)) = parse(body.as_bytes()) else { panic!("{body}") };
+                assert_eq!(errors[0].pointer, "/p/0/2", "{body}");
+                assert!(errors[0].detail.starts_with(&format!("is {name},")), "{errors:?}");
+            }
+        }
+        for other in [r#"{"a": nothing}"#, r#"{"a": infant"#, "[1, nano]", r#"{"a": tru}"#] {
+            assert!(matches!(parse(other.as_bytes()), Err(Rejection::Malformed(_))), "{other}");
+        }
     }
 
     #[test]

@@ -17,6 +17,7 @@ use plateau_geometry::lower_bound;
 use plateau_geometry::minimal_surface as geometry;
 use schemars::JsonSchema;
 use serde::Deserialize;
+use serde_json::{Map, Value};
 
 /// Boundary polygons, and options for the surface that spans them.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -33,6 +34,21 @@ pub struct MinimalSurfaceRequest {
     #[serde(default)]
     #[schemars(length(max = 2000))]
     pub callback_url: Option<String>,
+    /// Name of the job for people. The job and lists of jobs show it.
+    #[serde(default)]
+    #[schemars(length(max = 200))]
+    pub label: Option<String>,
+    /// Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them.
+    #[serde(default)]
+    pub metadata: Option<Map<String, Value>>,
+    /// Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    /// accepted, older jobs with the same key that have not ended are cancelled.
+    #[serde(default)]
+    #[schemars(length(min = 1, max = 200))]
+    pub supersede: Option<String>,
+    /// Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`.
+    #[serde(default)]
+    pub cancel_on_disconnect: bool,
     /// Unit of the coordinates.
     #[serde(default)]
     pub units: Unit,

@@ -11,6 +11,7 @@ use plateau_geometry::mesh::self_intersections::Skipped;
 use plateau_geometry::ruled_surface as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
 
 /// Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -27,6 +28,21 @@ pub struct RuledSurfaceRequest {
     #[serde(default)]
     #[schemars(length(max = 2000))]
     pub callback_url: Option<String>,
+    /// Name of the job for people. The job and lists of jobs show it.
+    #[serde(default)]
+    #[schemars(length(max = 200))]
+    pub label: Option<String>,
+    /// Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them.
+    #[serde(default)]
+    pub metadata: Option<Map<String, Value>>,
+    /// Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    /// accepted, older jobs with the same key that have not ended are cancelled.
+    #[serde(default)]
+    #[schemars(length(min = 1, max = 200))]
+    pub supersede: Option<String>,
+    /// Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`.
+    #[serde(default)]
+    pub cancel_on_disconnect: bool,
     /// Unit of the coordinates.
     #[serde(default)]
     pub units: Unit,
@@ -393,6 +409,8 @@ pub struct FlatPatternStatistics {
 /// Statistics of a ruled surface.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct RuledStatistics {
+    /// Middle of the mesh's bounding box, which files with `origin=local` are relative to.
+    pub origin: Point,
     /// Name of the objective, or `weighted` for a weighted sum.
     pub objective: &'static str,
     /// Number of vertices of the mesh.
@@ -447,8 +465,9 @@ impl From<&geometry::Statistics> for StripStatistics {
 
 impl RuledStatistics {
     #[must_use]
-    pub fn of(surface: &geometry::RuledSurface, options: &geometry::Options) -> Self {
+    pub fn of(surface: &geometry::RuledSurface, options: &geometry::Options, origin: Point) -> Self {
         Self {
+            origin,
             objective: options.objective.name(),
             vertices: surface.mesh.vertices.len(),
             total: (&surface.statistics).into(),

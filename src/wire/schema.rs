@@ -1,7 +1,7 @@
 //! Validation of bodies against the schemas of the API document, and schemas that stand alone.
 
 use super::components::{BATCH, components, for_each_schema, request_component};
-use super::{FieldError, Kind, MAX_ERRORS, Rejection};
+use super::{FieldError, Kind, MAX_ERRORS, Rejection, shapes};
 use jsonschema::error::ValidationErrorKind;
 use jsonschema::{ValidationError, Validator};
 use schemars::JsonSchema;
@@ -118,7 +118,7 @@ pub fn validate(kind: Kind, value: &Value) -> Result<(), Rejection> {
     if validator.is_valid(value) {
         return Ok(());
     }
-    let part = if count(value) > MAX_VALUES_AT_ONCE { Some(first_invalid_part(validator, value)) } else { None };
+    let part = (count(value) > MAX_VALUES_AT_ONCE).then(|| first_invalid_part(validator, value));
     let mut errors = Vec::new();
     for error in validator.iter_errors(part.as_ref().unwrap_or(value)) {
         collect(&error, &mut errors);
@@ -126,7 +126,41 @@ pub fn validate(kind: Kind, value: &Value) -> Result<(), Rejection> {
             break;
         }
     }
-    if errors.is_empty() { Ok(()) } else { Err(Rejection::Invalid(errors)) }
+    if errors.is_empty() {
+        return Ok(());
+    }
+    let omitted = part.is_some() && errors.len() <= MAX_ERRORS && !validator.is_valid(&mended(kind, value, &errors));
+    shapes::explain(kind, value, &mut errors);
+    Err(if omitted { Rejection::InvalidInPart(errors) } else { Rejection::Invalid(errors) })
+}
+
+/// Returns a value in which valid points replace those that contain the errors, without the other elements and fields that
+/// contain them.
+fn mended(kind: Kind, value: &Value, errors: &[FieldError]) -> Value {
+    let mut rest = value.clone();
+    // From the last element to the first, so that the indices of the others stay the same.
+    for error in errors.iter().rev() {
+        // An error at a coordinate is mended with its whole point.
+        let up = error.pointer.rsplit_once('/').map_or("", |(parent, _)| parent);
+        let valid = [error.pointer.as_str(), up].into_iter().find_map(|at| Some((at, shapes::valid_at(kind, at)?)));
+        if let Some((at, points)) = valid {
+            rest.pointer_mut(at).into_iter().for_each(|wrong| *wrong = points.clone());
+            continue;
+        }
+        let Some((parent, name)) = error.pointer.rsplit_once('/') else { continue };
+        match rest.pointer_mut(parent) {
+            Some(Value::Array(elements)) => {
+                if let Some(index) = name.parse().ok().filter(|&index: &usize| index < elements.len()) {
+                    elements.remove(index);
+                }
+            }
+            Some(Value::Object(fields)) => {
+                fields.remove(name);
+            }
+            _ => {}
+        }
+    }
+    rest
 }
 
 fn count(value: &Value) -> usize {

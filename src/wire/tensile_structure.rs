@@ -13,6 +13,7 @@ use plateau_geometry::minimal_surface as surface;
 use plateau_geometry::tensile_structure as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
 
 /// Largest number of cables, and of free points, of a request.
 const MAX_CABLES: u32 = 1000;
@@ -35,6 +36,21 @@ pub struct TensileStructureRequest {
     #[serde(default)]
     #[schemars(length(max = 2000))]
     pub callback_url: Option<String>,
+    /// Name of the job for people. The job and lists of jobs show it.
+    #[serde(default)]
+    #[schemars(length(max = 200))]
+    pub label: Option<String>,
+    /// Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them.
+    #[serde(default)]
+    pub metadata: Option<Map<String, Value>>,
+    /// Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    /// accepted, older jobs with the same key that have not ended are cancelled.
+    #[serde(default)]
+    #[schemars(length(min = 1, max = 200))]
+    pub supersede: Option<String>,
+    /// Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`.
+    #[serde(default)]
+    pub cancel_on_disconnect: bool,
     #[serde(default)]
     pub units: LengthAndForce,
     /// Axis that points up. Weights pull against it.
@@ -561,6 +577,8 @@ pub struct EquilibriumStability {
 /// Statistics of a tensile structure.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct TensileStatistics {
+    /// Middle of the mesh's bounding box, which files with `origin=local` are relative to.
+    pub origin: Point,
     pub objective: &'static str,
     /// Energy of the found shape.
     pub objective_value: f64,
@@ -599,7 +617,12 @@ pub struct TensileStatistics {
 
 impl TensileStatistics {
     #[must_use]
-    pub fn of(result: &geometry::TensileStructure, structure: &geometry::Structure, force: ForceUnit) -> Self {
+    pub fn of(
+        result: &geometry::TensileStructure,
+        structure: &geometry::Structure,
+        force: ForceUnit,
+        origin: Point,
+    ) -> Self {
         let statistics = &result.statistics;
         let cable = |(cable, found): (&geometry::Cable, &geometry::CableResult)| CableForce {
             name: cable.name.clone(),
@@ -621,6 +644,7 @@ impl TensileStatistics {
         let edge =
             |edge: &geometry::EdgeReaction| EdgeReaction { boundary: edge.boundary, force: edge.force.to_array() };
         Self {
+            origin,
             objective: "equilibrium",
             objective_value: statistics.energy,
             force_unit: force.symbol(),

@@ -10,7 +10,7 @@ use plateau_geometry::mesh::self_intersections::Skipped;
 use plateau_geometry::uniform_mesh as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 
 /// Number of members outside [ℓ, 2ℓ] that are listed individually. `out_of_range_edges` counts all of them.
@@ -31,6 +31,21 @@ pub struct UniformMeshRequest {
     #[serde(default)]
     #[schemars(length(max = 2000))]
     pub callback_url: Option<String>,
+    /// Name of the job for people. The job and lists of jobs show it.
+    #[serde(default)]
+    #[schemars(length(max = 200))]
+    pub label: Option<String>,
+    /// Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them.
+    #[serde(default)]
+    pub metadata: Option<Map<String, Value>>,
+    /// Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    /// accepted, older jobs with the same key that have not ended are cancelled.
+    #[serde(default)]
+    #[schemars(length(min = 1, max = 200))]
+    pub supersede: Option<String>,
+    /// Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`.
+    #[serde(default)]
+    pub cancel_on_disconnect: bool,
     /// Unit of the coordinates.
     #[serde(default)]
     pub units: Unit,
@@ -427,6 +442,8 @@ impl From<geometry::SurfaceFit> for SurfaceFit {
 /// Statistics of a uniform mesh. Lengths are in the request's unit, and angles are in degrees.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct UniformStatistics {
+    /// Middle of the mesh's bounding box, which files with `origin=local` are relative to.
+    pub origin: Point,
     pub objective: &'static str,
     /// Number of nodes for `fewest_nodes`, and number of lattice edges for `most_equal_edges`.
     pub objective_value: usize,
@@ -471,7 +488,7 @@ pub struct UniformStatistics {
 
 impl UniformStatistics {
     #[must_use]
-    pub fn of(mesh: &geometry::UniformMesh, options: &geometry::Options) -> Self {
+    pub fn of(mesh: &geometry::UniformMesh, options: &geometry::Options, origin: Point) -> Self {
         let statistics = &mesh.statistics;
         let mut reasons = BTreeMap::new();
         for edge in &mesh.out_of_range {
@@ -493,6 +510,7 @@ impl UniformStatistics {
             deviation_before: row.deviation_before,
         };
         Self {
+            origin,
             objective: options.objective.name(),
             objective_value: statistics.objective_value,
             nodes: statistics.nodes,

@@ -71,6 +71,52 @@ async fn each_wrong_value_of_a_body_gets_an_error_with_its_pointer() {
 }
 
 #[tokio::test]
+async fn an_error_says_what_was_expected() {
+    let app = TestApp::start().await;
+    let square = json!([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]);
+    for (body, pointer, text) in [
+        (json!({ "boundaries": [square], "units": "MM" }), "/units", r#"one of "mm", "cm", "m", "in", "ft""#),
+        (json!({ "boundaries": [[[0, 0], [1, 0, 0], [0, 1, 0]]] }), "/boundaries/0/0", "has two coordinates"),
+        (
+            json!({ "boundaries": [[{ "x": 0, "y": 0, "z": 0 }, [1, 0, 0], [0, 1, 0]]] }),
+            "/boundaries/0/0",
+            "is an object",
+        ),
+        (json!({ "boundaries": square }), "/boundaries", "lacks a level of brackets"),
+    ] {
+        let refused = problem(app.post(MINIMAL, &body).await, 422).await;
+        assert_eq!(pointers(&refused), [pointer]);
+        assert!(refused["errors"][0]["detail"].as_str().unwrap().contains(text), "{refused}");
+        assert!(refused["detail"].as_str().unwrap().contains(text), "{refused}");
+    }
+    let nan = problem(raw(&app, r#"{"boundaries":[[[0,0,0],[1,0,0],[0,NaN,0]]]}"#).await, 422).await;
+    assert_eq!(pointers(&nan), ["/boundaries/0/2/1"]);
+    for (body, text) in [(&b"\xef\xbb\xbf{}"[..], "BOM"), (b"\xff\xfe{\0", "UTF-16"), (b"\x1f\x8b\x08", "gzip")] {
+        let refused = problem(raw(&app, body).await, 400).await;
+        assert!(refused["detail"].as_str().unwrap().contains(text), "{refused}");
+    }
+    let post = problem(app.request(Method::PUT, "/v1/jobs/x").send().await.unwrap(), 405).await;
+    assert_eq!(post["detail"], "this path supports DELETE, GET, HEAD");
+    let missing = problem(app.get("/v1/minimal-surface").await, 404).await;
+    assert!(missing["detail"].as_str().unwrap().contains("/v1/minimal-surfaces"), "{missing}");
+}
+
+#[tokio::test]
+async fn of_very_many_wrong_points_the_first_are_listed_and_the_rest_is_mentioned() {
+    let app = TestApp::start().await;
+    let rail = |wrong: usize, count: usize| -> Vec<Value> {
+        (0..count).map(|k| if k < wrong { json!([k, 0]) } else { json!([k, 0, 0]) }).collect()
+    };
+    for (wrong, omitted) in [(100_000, true), (33, true), (1, false)] {
+        let body = json!({ "directrices": [rail(wrong, 100_000), [[0, 1, 0], [1, 1, 0]]] });
+        let refused = problem(app.post(RULED, &body).await, 422).await;
+        let listed = refused["errors"].as_array().unwrap().len();
+        let said = refused["errors_omitted"] == true;
+        assert!(said == omitted || listed == wrong, "{wrong}: {listed} errors, omitted: {said}");
+    }
+}
+
+#[tokio::test]
 async fn values_are_never_echoed_and_errors_stop_at_fifty() {
     let app = TestApp::start().await;
     let points: Vec<Value> = (0..500).map(|_| json!([0, 0, "secret-text"])).collect();

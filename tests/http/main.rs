@@ -27,6 +27,7 @@ mod openapi;
 mod prefer;
 mod restart;
 mod ruled_surfaces;
+mod series;
 mod shutdown;
 mod studio;
 mod tensile_structures;

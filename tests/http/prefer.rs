@@ -1,8 +1,8 @@
 //! `Prefer: wait` on POST and GET.
 
-use crate::app::{MINIMAL, RULED, TestApp, large_strip, small_film};
+use crate::app::{MINIMAL, RULED, TestApp, endless_film, large_strip, problem, small_film};
 use reqwest::Method;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 #[tokio::test]
 async fn a_request_without_a_wait_is_answered_with_202() {
@@ -48,4 +48,48 @@ async fn a_wait_beyond_the_servers_limit_is_cut_and_an_invalid_one_is_ignored() 
     let response = post("wait=soon", 0.6).await.unwrap();
     assert_eq!(response.status(), 202);
     assert!(!response.headers().contains_key("preference-applied"));
+}
+
+#[tokio::test]
+async fn a_wait_that_accepts_a_mesh_gets_the_mesh_itself() {
+    let app = TestApp::start().await;
+    let post = async |request: &Value, wait: Option<&str>, accept: &str| {
+        let post = app.request(Method::POST, MINIMAL).header("accept", accept).json(request);
+        wait.into_iter().fold(post, |post, wait| post.header("prefer", wait)).send().await.unwrap()
+    };
+    let film = small_film(0.31);
+    let response = post(&film, Some("wait=60"), "model/gltf-binary").await;
+    assert_eq!(
+        (response.status().as_u16(), &response.headers()["content-type"]),
+        (200, &"model/gltf-binary".parse().unwrap())
+    );
+    let this = response.headers()["location"].to_str().unwrap().to_owned();
+    assert_eq!(response.headers()["link"], format!("<{this}>; rel=\"describedby\""));
+    assert_eq!(
+        (&response.headers()["vary"], response.headers().contains_key("etag")),
+        (&"Accept".parse().unwrap(), true)
+    );
+    let bytes = response.bytes().await.unwrap();
+    assert!(bytes == app.get(&format!("{this}/mesh")).await.bytes().await.unwrap() && bytes.starts_with(b"glTF"));
+    let ply = post(&film, Some("wait=60"), "application/x-ply, application/json;q=0.5").await;
+    assert!(ply.bytes().await.unwrap().starts_with(b"ply\n"));
+    // Other clients get the job: those that accept anything, those that do not wait, and those whose wait is over.
+    for (request, wait, accept, status) in [
+        (&film, Some("wait=60"), "*/*", 200),
+        (&film, Some("wait=60"), "application/json, model/gltf-binary", 200),
+        (&film, None, "model/gltf-binary", 202),
+        (&endless_film(0.32), Some("wait=1"), "model/gltf-binary", 202),
+    ] {
+        let response = post(request, wait, accept).await;
+        assert_eq!(
+            (response.status().as_u16(), &response.headers()["content-type"]),
+            (status, &"application/json".parse().unwrap())
+        );
+    }
+    // Two of four points coincide in the plane, which only the solver finds out.
+    let mut tangled = small_film(0.33);
+    tangled["boundaries"] = json!([[[0, 0, 0], [1, 1, 0], [1, 0, 0], [0, 1, 0]]]);
+    tangled["initial_mesh"] = "planar".into();
+    let refused = problem(post(&tangled, Some("wait=60"), "model/gltf-binary").await, 409).await;
+    assert!(refused["detail"].as_str().unwrap().contains("failed"), "{refused}");
 }

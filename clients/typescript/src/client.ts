@@ -340,10 +340,18 @@ export class Plateau {
   }
 }
 
-/** Solves a stream of requests of which only the newest counts. A newer request cancels the older one's job. */
+/**
+ * Solves a stream of requests of which only the newest counts. Its requests name one series (`supersede`), so the server
+ * cancels the older jobs of the series when it accepts a newer request.
+ */
 export class Live {
   readonly #client: Plateau;
+  readonly #series = crypto.randomUUID();
   #newest = new AbortController();
+  /** Requests are sent one after the other, because the server counts the last to arrive as the newest. */
+  #sent: Promise<unknown> = Promise.resolve();
+  /** The last job that the server accepted. */
+  #accepted: JobInfo | undefined;
 
   constructor(client: Plateau) {
     this.#client = client;
@@ -355,11 +363,18 @@ export class Live {
   ): Promise<Result<StatisticsOf<R>> | null> {
     this.#newest.abort();
     const own = (this.#newest = new AbortController());
+    const submitting = this.#sent.then(() => this.#submit(request, own.signal));
+    this.#sent = submitting.catch(() => undefined);
     try {
-      const result = await this.#client.solve(request, { ...control, signal: own.signal });
-      return own.signal.aborted ? null : result;
+      let job = await submitting;
+      if (!job) return null;
+      job = await this.#client.waitFor(job, { ...control, signal: own.signal });
+      if (own.signal.aborted) return null;
+      return await this.#client.resultOf<StatisticsOf<R>>(job, own.signal);
     } catch (error) {
       if (own.signal.aborted) return null;
+      // Nobody waits for this job any more: the request was refused, or its caller's function failed.
+      await this.#cancel();
       throw error;
     }
   }
@@ -367,6 +382,20 @@ export class Live {
   /** Cancels the newest request; its `solve` returns null. */
   stop(): void {
     this.#newest.abort();
+    void this.#sent.then(() => this.#cancel());
+  }
+
+  /** Submits a request, unless a newer one came while it waited for its turn. */
+  async #submit(request: Request, signal: AbortSignal): Promise<JobInfo | null> {
+    if (signal.aborted) return null;
+    const job = await this.#client.submit({ ...request, supersede: this.#series });
+    return (this.#accepted = job.info);
+  }
+
+  async #cancel(): Promise<void> {
+    const job = this.#accepted;
+    this.#accepted = undefined;
+    if (job && !hasEnded(job.status)) await this.#client.cancel(job.id).catch(() => undefined);
   }
 }
 

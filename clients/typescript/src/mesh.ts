@@ -61,18 +61,25 @@ export function readPly(buffer: ArrayBuffer) {
   const end = text.indexOf('end_header\n');
   if (end < 0) throw new Error('the PLY file has no header');
   const header = text.slice(0, end).split('\n').map((line) => line.split(' '));
-  const columns = header.filter((line) => line[0] === 'property' && line[1] === 'double').map((line) => line[2]);
+  // Each property of a vertex with the offset of its value. Lists belong to the faces.
+  let stride = 0;
+  const columns = new Map<string, number>();
+  for (const [word, type = '', name = ''] of header) {
+    if (word !== 'property' || type === 'list') continue;
+    columns.set(name, stride);
+    stride += { double: 8, float: 4, uchar: 1 }[type] ?? 0;
+  }
   const count = (element: string) => Number(header.find((line) => line[0] === 'element' && line[1] === element)?.[2]);
   const [, , unit = '', up = ''] = header.find((line) => line[0] === 'comment' && line[1] === 'unit') ?? [];
 
   const view = new DataView(buffer);
   let offset = new TextEncoder().encode(text.slice(0, end)).length + 'end_header\n'.length;
   const vertices = new Float64Array(3 * count('vertex'));
-  const curvature = columns.indexOf('mean_curvature');
-  const meanCurvature = curvature < 0 ? null : new Float64Array(count('vertex'));
-  for (let vertex = 0; 3 * vertex < vertices.length; vertex++, offset += 8 * columns.length) {
+  const curvature = columns.get('mean_curvature');
+  const meanCurvature = curvature === undefined ? null : new Float64Array(count('vertex'));
+  for (let vertex = 0; 3 * vertex < vertices.length; vertex++, offset += stride) {
     for (let axis = 0; axis < 3; axis++) vertices[3 * vertex + axis] = view.getFloat64(offset + 8 * axis, true);
-    if (meanCurvature) meanCurvature[vertex] = view.getFloat64(offset + 8 * curvature, true);
+    if (meanCurvature) meanCurvature[vertex] = view.getFloat64(offset + curvature!, true);
   }
   const triangles = new Uint32Array(3 * count('face'));
   for (let triangle = 0; 3 * triangle < triangles.length; triangle++, offset += 13) {

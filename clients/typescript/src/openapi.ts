@@ -367,7 +367,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The mesh as GLB, glTF, OBJ, PLY or STL */
+        /** The mesh as GLB, glTF, OBJ, PLY, STL or JSON */
         get: operations["getMesh"];
         put?: never;
         post?: never;
@@ -420,7 +420,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Finds the minimal surface that spans boundary polylines */
+        /**
+         * Finds the minimal surface that spans boundary polylines
+         * @description With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead to its job. A job without a mesh is then answered with 409.
+         */
         post: operations["postMinimalSurface"];
         delete?: never;
         options?: never;
@@ -454,7 +457,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Finds the globally optimal ruled strip between directrices for an objective */
+        /**
+         * Finds the globally optimal ruled strip between directrices for an objective
+         * @description With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead to its job. A job without a mesh is then answered with 409.
+         */
         post: operations["postRuledSurface"];
         delete?: never;
         options?: never;
@@ -471,7 +477,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Finds the shape in equilibrium of a film with cables, pressure and weight */
+        /**
+         * Finds the shape in equilibrium of a film with cables, pressure and weight
+         * @description With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead to its job. A job without a mesh is then answered with 409.
+         */
         post: operations["postTensileStructure"];
         delete?: never;
         options?: never;
@@ -488,7 +497,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Finds a mesh of a polygon, patch or film with as many equal edges as possible */
+        /**
+         * Finds a mesh of a polygon, patch or film with as many equal edges as possible
+         * @description With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead to its job. A job without a mesh is then answered with 409.
+         */
         post: operations["postUniformMesh"];
         delete?: never;
         options?: never;
@@ -929,7 +941,13 @@ export interface components {
             /** @description ULID, which sorts by time of submission. */
             id: string;
             kind: components["schemas"]["Kind"];
+            /** @description Name of the job for people, if the request gave one. */
+            label: string | null;
             links: components["schemas"]["Links"];
+            /** @description Fields of the client, if the request gave some. */
+            metadata: {
+                [key: string]: unknown;
+            } | null;
             progress: components["schemas"]["Progress"];
             started_at: string | null;
             status: components["schemas"]["Status"];
@@ -1040,6 +1058,13 @@ export interface components {
             direction: components["schemas"]["Point"];
             point: components["schemas"]["Point"];
         };
+        /** @description A number for each line. */
+        LineValues: {
+            name: string;
+            /** @description Empty for plain numbers. */
+            unit: string;
+            values: number[];
+        };
         /**
          * @description Linear solver. `direct` always uses elimination. `conjugate_gradients` uses elimination only if the conjugate
          *     gradients do not converge.
@@ -1074,6 +1099,40 @@ export interface components {
             mean: number;
             /** Format: double */
             rms: number;
+        };
+        /** @description A mesh in the axes and the unit of its request. */
+        Mesh: {
+            attributes: components["schemas"]["MeshAttributes"];
+            /** @description For each polyline of the request, the vertices that its points became. */
+            input_vertices: number[][];
+            lines: components["schemas"]["MeshLines"][];
+            /** @description Point that the vertices are relative to. It is zero unless the file was asked for with `origin=local`. */
+            origin: number[];
+            /** @description Three indices of vertices for each triangle, counted from 0. */
+            triangles: number[][];
+            unit: components["schemas"]["Units"];
+            up: components["schemas"]["UpAxis"];
+            /** @description The request's own points come first, in their order. */
+            vertices: components["schemas"]["Point"][];
+        };
+        /** @description Numbers at the vertices. */
+        MeshAttributes: {
+            /** @description Unsigned mean curvature of each vertex in 1/unit. Only minimal surfaces have it. */
+            mean_curvature?: number[];
+        };
+        /** @description Lines along the mesh. */
+        MeshLines: {
+            /** @description Straight lines whose ends are no vertices of the mesh, such as those of `reactions`: two points each. */
+            arrows: components["schemas"]["Point"][][];
+            /**
+             * @description `boundaries`, `junctions`, `directrices`, `bridges`, `members lattice`, `members rim`, `reactions`, or `cables` with
+             *     the cable's name, such as `cables ridge`.
+             */
+            name: string;
+            /** @description Each line as the vertices along it. A closed line ends with its first vertex. */
+            paths: number[][];
+            /** @description A number for each line, such as its length. Null if the lines have none. */
+            values: components["schemas"]["LineValues"] | null;
         };
         /**
          * @description Statistics of a minimal surface. Lengths are in the request's unit, areas in its square, curvatures in its inverse,
@@ -1114,6 +1173,8 @@ export interface components {
             objective: string;
             /** Format: double */
             objective_value: number;
+            /** @description Middle of the mesh's bounding box, which files with `origin=local` are relative to. */
+            origin: number[];
             /** @description Changes of topology in the order in which they happened. */
             pinches: components["schemas"]["Pinch"][];
             /**
@@ -1159,7 +1220,13 @@ export interface components {
              * @enum {string}
              */
             kind: "minimal_surface";
+            /** @description Name of the job for people, if the request gave one. */
+            label: string | null;
             links: components["schemas"]["Links"];
+            /** @description Fields of the client, if the request gave some. */
+            metadata: {
+                [key: string]: unknown;
+            } | null;
             progress: components["schemas"]["Progress"];
             started_at: string | null;
             /** @description Null until the job has succeeded. */
@@ -1193,6 +1260,8 @@ export interface components {
              *     `webhooks` of `GET /v1/limits`.
              */
             callback_url?: string | null;
+            /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
+            cancel_on_disconnect?: boolean;
             constraints?: components["schemas"]["Constraints"];
             /**
              * Format: double
@@ -1209,10 +1278,16 @@ export interface components {
             initial_mesh?: components["schemas"]["InitialMesh"];
             /** @description Optional here, because the path names the kind. `plateau solve` needs it. */
             kind?: components["schemas"]["MinimalSurfaceKind"] | null;
+            /** @description Name of the job for people. The job and lists of jobs show it. */
+            label?: string | null;
             /** @description Method by which `pinkall_polthier` solves its linear systems. */
             linear_solver?: components["schemas"]["LinearSolver"];
             /** @description Maximum number of iterations. Null means the solver's default. */
             max_iterations?: number | null;
+            /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
+            metadata?: {
+                [key: string]: unknown;
+            } | null;
             objective?: components["schemas"]["MinimalSurfaceObjective"];
             on_unstable?: components["schemas"]["OnUnstable"];
             /**
@@ -1225,6 +1300,11 @@ export interface components {
             seed?: number;
             /** @description Method that minimises the area. */
             solver?: components["schemas"]["Solver"];
+            /**
+             * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+             *     accepted, older jobs with the same key that have not ended are cancelled.
+             */
+            supersede?: string | null;
             /**
              * Format: double
              * @description Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged. Default: `1e-6`.
@@ -1255,6 +1335,8 @@ export interface components {
              *     `webhooks` of `GET /v1/limits`.
              */
             callback_url?: string | null;
+            /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
+            cancel_on_disconnect?: boolean;
             constraints?: components["schemas"]["Constraints"];
             /**
              * Format: double
@@ -1274,10 +1356,16 @@ export interface components {
              * @enum {string}
              */
             kind: "minimal_surface";
+            /** @description Name of the job for people. The job and lists of jobs show it. */
+            label?: string | null;
             /** @description Method by which `pinkall_polthier` solves its linear systems. */
             linear_solver?: components["schemas"]["LinearSolver"];
             /** @description Maximum number of iterations. Null means the solver's default. */
             max_iterations?: number | null;
+            /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
+            metadata?: {
+                [key: string]: unknown;
+            } | null;
             objective?: components["schemas"]["MinimalSurfaceObjective"];
             on_unstable?: components["schemas"]["OnUnstable"];
             /**
@@ -1290,6 +1378,11 @@ export interface components {
             seed?: number;
             /** @description Method that minimises the area. */
             solver?: components["schemas"]["Solver"];
+            /**
+             * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+             *     accepted, older jobs with the same key that have not ended are cancelled.
+             */
+            supersede?: string | null;
             /**
              * Format: double
              * @description Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged. Default: `1e-6`.
@@ -1470,6 +1563,8 @@ export interface components {
              * @description Value of the objective. For `maximal_convexity` it is the number of convex bridges.
              */
             objective_value: number;
+            /** @description Middle of the mesh's bounding box, which files with `origin=local` are relative to. */
+            origin: number[];
             /** @description For each directrix, whether `direction: auto` reversed it. */
             reversed: boolean[];
             /**
@@ -1513,7 +1608,13 @@ export interface components {
              * @enum {string}
              */
             kind: "ruled_surface";
+            /** @description Name of the job for people, if the request gave one. */
+            label: string | null;
             links: components["schemas"]["Links"];
+            /** @description Fields of the client, if the request gave some. */
+            metadata: {
+                [key: string]: unknown;
+            } | null;
             progress: components["schemas"]["Progress"];
             started_at: string | null;
             /** @description Null until the job has succeeded. */
@@ -1541,6 +1642,8 @@ export interface components {
              *     `webhooks` of `GET /v1/limits`.
              */
             callback_url?: string | null;
+            /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
+            cancel_on_disconnect?: boolean;
             /** @description Treatment of the ends of a closed stack: open, or closed by flat caps. */
             caps?: components["schemas"]["Caps"];
             /** @description Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`. */
@@ -1560,6 +1663,12 @@ export interface components {
             directrices: components["schemas"]["Point"][][];
             /** @description Optional here, because the path names the kind. `plateau solve` needs it. */
             kind?: components["schemas"]["RuledSurfaceKind"] | null;
+            /** @description Name of the job for people. The job and lists of jobs show it. */
+            label?: string | null;
+            /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
+            metadata?: {
+                [key: string]: unknown;
+            } | null;
             /**
              * @description Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
              *     them.
@@ -1571,6 +1680,11 @@ export interface components {
             sampling?: components["schemas"]["Sampling"] | null;
             /** @description Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`. */
             secondary_objective?: components["schemas"]["SecondaryObjective"] | null;
+            /**
+             * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+             *     accepted, older jobs with the same key that have not ended are cancelled.
+             */
+            supersede?: string | null;
             /**
              * @description Tangents along the directrices, with the same shape as `directrices`. If null, they are estimated from the
              *     points.
@@ -1592,6 +1706,8 @@ export interface components {
              *     `webhooks` of `GET /v1/limits`.
              */
             callback_url?: string | null;
+            /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
+            cancel_on_disconnect?: boolean;
             /** @description Treatment of the ends of a closed stack: open, or closed by flat caps. */
             caps?: components["schemas"]["Caps"];
             /** @description Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`. */
@@ -1614,6 +1730,12 @@ export interface components {
              * @enum {string}
              */
             kind: "ruled_surface";
+            /** @description Name of the job for people. The job and lists of jobs show it. */
+            label?: string | null;
+            /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
+            metadata?: {
+                [key: string]: unknown;
+            } | null;
             /**
              * @description Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
              *     them.
@@ -1625,6 +1747,11 @@ export interface components {
             sampling?: components["schemas"]["Sampling"] | null;
             /** @description Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`. */
             secondary_objective?: components["schemas"]["SecondaryObjective"] | null;
+            /**
+             * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+             *     accepted, older jobs with the same key that have not ended are cancelled.
+             */
+            supersede?: string | null;
             /**
              * @description Tangents along the directrices, with the same shape as `directrices`. If null, they are estimated from the
              *     points.
@@ -1923,6 +2050,8 @@ export interface components {
              * @description Energy of the found shape.
              */
             objective_value: number;
+            /** @description Middle of the mesh's bounding box, which files with `origin=local` are relative to. */
+            origin: number[];
             /**
              * Format: double
              * @description Pressure, given or found; 0 for none.
@@ -1960,7 +2089,13 @@ export interface components {
              * @enum {string}
              */
             kind: "tensile_structure";
+            /** @description Name of the job for people, if the request gave one. */
+            label: string | null;
             links: components["schemas"]["Links"];
+            /** @description Fields of the client, if the request gave some. */
+            metadata: {
+                [key: string]: unknown;
+            } | null;
             progress: components["schemas"]["Progress"];
             started_at: string | null;
             /** @description Null until the job has succeeded. */
@@ -1988,6 +2123,8 @@ export interface components {
              *     `webhooks` of `GET /v1/limits`.
              */
             callback_url?: string | null;
+            /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
+            cancel_on_disconnect?: boolean;
             film: components["schemas"]["TensileFilm"];
             /**
              * @description Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
@@ -1996,8 +2133,14 @@ export interface components {
             free_points?: components["schemas"]["BoundaryPoint"][];
             /** @description Optional here, because the path names the kind. `plateau solve` needs it. */
             kind?: components["schemas"]["TensileStructureKind"] | null;
+            /** @description Name of the job for people. The job and lists of jobs show it. */
+            label?: string | null;
             /** @description Maximum number of linear solves. Null means 400. */
             max_iterations?: number | null;
+            /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
+            metadata?: {
+                [key: string]: unknown;
+            } | null;
             /**
              * Format: double
              * @description Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
@@ -2005,6 +2148,11 @@ export interface components {
              */
             pressure?: number | null;
             resolution?: components["schemas"]["Resolution"];
+            /**
+             * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+             *     accepted, older jobs with the same key that have not ended are cancelled.
+             */
+            supersede?: string | null;
             /** @description Supports on which points or edges of the film slide without friction. */
             supports?: components["schemas"]["SlidingSupport"][];
             /**
@@ -2041,6 +2189,8 @@ export interface components {
              *     `webhooks` of `GET /v1/limits`.
              */
             callback_url?: string | null;
+            /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
+            cancel_on_disconnect?: boolean;
             film: components["schemas"]["TensileFilm"];
             /**
              * @description Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
@@ -2052,8 +2202,14 @@ export interface components {
              * @enum {string}
              */
             kind: "tensile_structure";
+            /** @description Name of the job for people. The job and lists of jobs show it. */
+            label?: string | null;
             /** @description Maximum number of linear solves. Null means 400. */
             max_iterations?: number | null;
+            /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
+            metadata?: {
+                [key: string]: unknown;
+            } | null;
             /**
              * Format: double
              * @description Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
@@ -2061,6 +2217,11 @@ export interface components {
              */
             pressure?: number | null;
             resolution?: components["schemas"]["Resolution"];
+            /**
+             * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+             *     accepted, older jobs with the same key that have not ended are cancelled.
+             */
+            supersede?: string | null;
             /** @description Supports on which points or edges of the film slide without friction. */
             supports?: components["schemas"]["SlidingSupport"][];
             /**
@@ -2101,7 +2262,13 @@ export interface components {
              * @enum {string}
              */
             kind: "uniform_mesh";
+            /** @description Name of the job for people, if the request gave one. */
+            label: string | null;
             links: components["schemas"]["Links"];
+            /** @description Fields of the client, if the request gave some. */
+            metadata: {
+                [key: string]: unknown;
+            } | null;
             progress: components["schemas"]["Progress"];
             started_at: string | null;
             /** @description Null until the job has succeeded. */
@@ -2130,6 +2297,8 @@ export interface components {
              *     `webhooks` of `GET /v1/limits`.
              */
             callback_url?: string | null;
+            /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
+            cancel_on_disconnect?: boolean;
             domain: components["schemas"]["Domain"];
             /**
              * Format: double
@@ -2139,6 +2308,8 @@ export interface components {
             edge_length: number;
             /** @description Optional here, because the path names the kind. `plateau solve` needs it. */
             kind?: components["schemas"]["UniformMeshKind"] | null;
+            /** @description Name of the job for people. The job and lists of jobs show it. */
+            label?: string | null;
             /**
              * Format: double
              * @description Largest difference between lengths that count as equal, in the request's unit. Null means a thousandth of the
@@ -2147,6 +2318,10 @@ export interface components {
             length_tolerance?: number | null;
             /** @description Largest number of different member lengths. It is used only with `optimise: lengths`. */
             max_distinct_lengths?: number | null;
+            /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
+            metadata?: {
+                [key: string]: unknown;
+            } | null;
             objective?: components["schemas"]["UniformMeshObjective"];
             /** @description Aim of moving the nodes. */
             optimise?: components["schemas"]["Optimise"];
@@ -2154,6 +2329,11 @@ export interface components {
             optimise_nodes?: boolean;
             /** @description Lengths that members outside the lattice group may take while the nodes move. */
             rim?: components["schemas"]["Rim"];
+            /**
+             * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+             *     accepted, older jobs with the same key that have not ended are cancelled.
+             */
+            supersede?: string | null;
             /** @description Unit of the coordinates. Default: `m`. */
             units?: components["schemas"]["Units"];
             /** @description Axis that points up. Default: `z`. */
@@ -2170,6 +2350,8 @@ export interface components {
              *     `webhooks` of `GET /v1/limits`.
              */
             callback_url?: string | null;
+            /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
+            cancel_on_disconnect?: boolean;
             domain: components["schemas"]["Domain"];
             /**
              * Format: double
@@ -2182,6 +2364,8 @@ export interface components {
              * @enum {string}
              */
             kind: "uniform_mesh";
+            /** @description Name of the job for people. The job and lists of jobs show it. */
+            label?: string | null;
             /**
              * Format: double
              * @description Largest difference between lengths that count as equal, in the request's unit. Null means a thousandth of the
@@ -2190,6 +2374,10 @@ export interface components {
             length_tolerance?: number | null;
             /** @description Largest number of different member lengths. It is used only with `optimise: lengths`. */
             max_distinct_lengths?: number | null;
+            /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
+            metadata?: {
+                [key: string]: unknown;
+            } | null;
             objective?: components["schemas"]["UniformMeshObjective"];
             /** @description Aim of moving the nodes. */
             optimise?: components["schemas"]["Optimise"];
@@ -2197,6 +2385,11 @@ export interface components {
             optimise_nodes?: boolean;
             /** @description Lengths that members outside the lattice group may take while the nodes move. */
             rim?: components["schemas"]["Rim"];
+            /**
+             * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+             *     accepted, older jobs with the same key that have not ended are cancelled.
+             */
+            supersede?: string | null;
             /** @description Unit of the coordinates. Default: `m`. */
             units?: components["schemas"]["Units"];
             /** @description Axis that points up. Default: `z`. */
@@ -2232,6 +2425,8 @@ export interface components {
             objective: string;
             /** @description Number of nodes for `fewest_nodes`, and number of lattice edges for `most_equal_edges`. */
             objective_value: number;
+            /** @description Middle of the mesh's bounding box, which files with `origin=local` are relative to. */
+            origin: number[];
             /** @description The first 200 members that are out of range. */
             out_of_range: components["schemas"]["OutOfRange"][];
             out_of_range_edges: number;
@@ -2955,7 +3150,7 @@ export interface operations {
                 /** @description Takes precedence over `Accept`. The default is `zip`. With `Accept: application/octet-stream` the file has that type. */
                 format?: "zip" | "glb";
                 /** @description Format of the meshes in a ZIP. The default is `glb`. A scene is always GLB. */
-                mesh_format?: "glb" | "gltf" | "obj" | "ply" | "stl";
+                mesh_format?: "glb" | "gltf" | "obj" | "ply" | "stl" | "json";
             };
             header?: never;
             path: {
@@ -3263,7 +3458,13 @@ export interface operations {
         parameters: {
             query?: {
                 /** @description Takes precedence over `Accept`. The default is `glb`. With `Accept: application/octet-stream` the file has that type. */
-                format?: "glb" | "gltf" | "obj" | "ply" | "stl";
+                format?: "glb" | "gltf" | "obj" | "ply" | "stl" | "json";
+                /** @description Point that the coordinates are relative to: the request's zero (`given`) or `origin` of the job's statistics (`local`). The default is `given`, except for STL files of meshes that are too far from zero for 32-bit numbers. */
+                origin?: "given" | "local";
+                /** @description Whether the file has the lines along the mesh (boundaries, directrices, bridges, members). The default is true. PLY and STL never have lines. */
+                lines?: boolean;
+                /** @description Whether a PLY file is binary or text. The default is `binary`. Other formats have no choice. */
+                encoding?: "binary" | "ascii";
             };
             header?: never;
             path: {
@@ -3285,6 +3486,7 @@ export interface operations {
                 };
                 content: {
                     "application/octet-stream": string;
+                    "application/vnd.plateau.mesh+json": components["schemas"]["Mesh"];
                     "application/x-ply": string;
                     "model/gltf+json": string;
                     "model/gltf-binary": string;
@@ -3303,6 +3505,7 @@ export interface operations {
                 };
                 content: {
                     "application/octet-stream": string;
+                    "application/vnd.plateau.mesh+json": string;
                     "application/x-ply": string;
                     "model/gltf+json": string;
                     "model/gltf-binary": string;
@@ -3490,6 +3693,7 @@ export interface operations {
             401: components["responses"]["Unauthorized"];
             403: components["responses"]["ForeignPage"];
             408: components["responses"]["RequestTimeout"];
+            409: components["responses"]["NoMesh"];
             413: components["responses"]["TooLarge"];
             415: components["responses"]["UnsupportedMediaType"];
             421: components["responses"]["Misdirected"];
@@ -3575,6 +3779,7 @@ export interface operations {
             401: components["responses"]["Unauthorized"];
             403: components["responses"]["ForeignPage"];
             408: components["responses"]["RequestTimeout"];
+            409: components["responses"]["NoMesh"];
             413: components["responses"]["TooLarge"];
             415: components["responses"]["UnsupportedMediaType"];
             421: components["responses"]["Misdirected"];
@@ -3636,6 +3841,7 @@ export interface operations {
             401: components["responses"]["Unauthorized"];
             403: components["responses"]["ForeignPage"];
             408: components["responses"]["RequestTimeout"];
+            409: components["responses"]["NoMesh"];
             413: components["responses"]["TooLarge"];
             415: components["responses"]["UnsupportedMediaType"];
             421: components["responses"]["Misdirected"];
@@ -3697,6 +3903,7 @@ export interface operations {
             401: components["responses"]["Unauthorized"];
             403: components["responses"]["ForeignPage"];
             408: components["responses"]["RequestTimeout"];
+            409: components["responses"]["NoMesh"];
             413: components["responses"]["TooLarge"];
             415: components["responses"]["UnsupportedMediaType"];
             421: components["responses"]["Misdirected"];

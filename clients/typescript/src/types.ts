@@ -44,5 +44,5 @@ export type StatisticsOf<R extends { kind: Kind }> = R['kind'] extends 'ruled_su
         ? TensileStatistics
         : RuledStatistics | MinimalStatistics | UniformStatistics | TensileStatistics;
 
-export type MeshFormat = 'glb' | 'gltf' | 'obj' | 'ply' | 'stl';
+export type MeshFormat = 'glb' | 'gltf' | 'obj' | 'ply' | 'stl' | 'json';
 export type PatternFormat = 'svg' | 'dxf';

@@ -374,7 +374,7 @@ impl Budget<'_> {
         let mut interrupted = Ok(());
         let missing = |bound: f64| (self.film_area - bound).max(0.0);
         for _ in 0..MOST_STEPS {
-            let converged = level.gap() <= CONVERGED * missing(level.best.bound);
+            let converged = level.stalled || level.gap() <= CONVERGED * missing(level.best.bound);
             if converged || self.options.gap * level.best.bound >= missing(level.best.bound) || self.left() < a_step {
                 break;
             }
@@ -384,7 +384,8 @@ impl Budget<'_> {
                     interrupted = Err(interruption);
                     break;
                 }
-                Err(failed) => return Err(failed.into()),
+                // What is proven so far stays proven.
+                Err(Stop::Failed(_)) => break,
             }
             self.spent += a_step;
             self.iterations += 1;

@@ -1,6 +1,5 @@
 //! `/v1/batches`: many requests at once, with one status and one file.
 
-use super::jobs::{checked, parameters};
 use super::mesh::{answer as file_answer, choose, describe};
 use super::submit::{answer, granted_wait_s, idempotency_key, submission_entry, with_wait};
 use crate::export::MeshFormat;
@@ -10,6 +9,7 @@ use crate::http::entry::{
     id_parameter, json_response, prefer_parameter, query_parameter, representation, with_problems,
 };
 use crate::http::negotiate::none_match_hits;
+use crate::http::parameters::{checked, parameters};
 use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::jobs::submission::{Submitted, Submitter};

@@ -1,8 +1,8 @@
 //! `GET /v1/jobs/{id}/events`: a job's events as server-sent events.
 
-use super::jobs::checked;
 use crate::http::access::Caller;
 use crate::http::entry::{id_parameter, with_problems};
+use crate::http::parameters::checked;
 use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::jobs::events::Events;

@@ -1,10 +1,10 @@
 //! `/v1/jobs/{id}/mesh`, `/pattern` and `/certificate`: files made from the stored mesh, with entity tags and ranges.
 
-use super::jobs::{checked, parameters};
-use crate::export::{Archive, MeshFormat, PatternFormat};
+use crate::export::{Archive, Choices, MeshFormat, Origin, PatternFormat};
 use crate::http::access::Caller;
-use crate::http::entry::{BYTES, id_parameter, representation};
+use crate::http::entry::{BYTES, id_parameter, query_parameter, reference, representation};
 use crate::http::negotiate::{Part, accepted, none_match_hits, part};
+use crate::http::parameters::{checked, parameters};
 use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::jobs::JobsError;
@@ -23,25 +23,92 @@ pub async fn mesh(
     headers: HeaderMap,
 ) -> Result<Response, Failure> {
     let id = &checked(&id)?;
-    let [format] = parameters(query.as_deref(), ["format"])?;
+    let [format, origin, lines, encoding] = parameters(query.as_deref(), ["format", "origin", "lines", "encoding"])?;
     let formats = MeshFormat::ALL.map(|format| (format.name(), format.media_type()));
     let (chosen, media_type) = choose(format, &headers, &formats)?;
     let format = MeshFormat::ALL[chosen];
-    let file = app
-        .jobs
-        .convert(id, caller.owner(), format.name(), move |archive| {
-            format.encode(archive).map_err(JobsError::Unwritable)
-        })
-        .await?;
+    let choices = choices(format, origin.as_deref(), lines.as_deref(), encoding.as_deref())?;
+    let file = mesh_file(&app, &caller, id, format, choices).await?;
     Ok(answer(&headers, &file, media_type, &format!("{id}.{}", format.name())))
+}
+
+/// Makes the file of a succeeded job's mesh, or takes it from the cache.
+pub async fn mesh_file(
+    app: &App,
+    caller: &Caller,
+    id: &str,
+    format: MeshFormat,
+    choices: Choices,
+) -> Result<File, Failure> {
+    let default = choices == Choices::default();
+    let name = if default { format.name().to_owned() } else { format!("{} {choices:?}", format.name()) };
+    let encode = move |archive: &Archive| format.encode_with(archive, choices).map_err(JobsError::Unwritable);
+    Ok(app.jobs.convert(id, caller.owner(), name, encode).await?)
+}
+
+const ORIGINS: [(&str, Origin); 2] = [("given", Origin::Given), ("local", Origin::Local)];
+
+/// Reads the choices beside the format. A choice that the format does not have is an error.
+fn choices(
+    format: MeshFormat,
+    origin: Option<&str>,
+    lines: Option<&str>,
+    encoding: Option<&str>,
+) -> Result<Choices, Failure> {
+    let name = format.name();
+    let origin = match origin {
+        None => Origin::Automatic,
+        Some(text) => {
+            let found = ORIGINS.iter().find(|(name, _)| *name == text);
+            found.map(|(_, origin)| *origin).ok_or_else(|| Failure::bad_query("origin must be one of: given, local"))?
+        }
+    };
+    let lines = match lines {
+        None => true,
+        Some("true") if !format.has_lines() => {
+            return Err(Failure::bad_query(format!("lines must be false with {name}, which has no lines")));
+        }
+        Some("true") => true,
+        Some("false") => false,
+        Some(_) => return Err(Failure::bad_query("lines must be true or false")),
+    };
+    let ascii = match encoding {
+        None => false,
+        Some("ascii" | "binary") if format != MeshFormat::Ply => {
+            return Err(Failure::bad_query(format!("encoding is only allowed with ply, not with {name}")));
+        }
+        Some("ascii") => true,
+        Some("binary") => false,
+        Some(_) => return Err(Failure::bad_query("encoding must be one of: binary, ascii")),
+    };
+    // A format without lines makes the same file whatever is asked of them.
+    Ok(Choices { origin, lines: lines || !format.has_lines(), ascii })
 }
 
 pub fn mesh_entry() -> Value {
     let formats = MeshFormat::ALL.map(|format| (format.name(), format.media_type()));
     let problems = [&FILE_PROBLEMS[..], &[("422", "Invalid")]].concat();
-    let (format, responses) = representation(&formats, "glb", "The mesh", &problems);
-    json!({ "operationId": "getMesh", "tags": ["jobs"], "summary": "The mesh as GLB, glTF, OBJ, PLY or STL",
-        "parameters": [id_parameter("job"), format], "responses": responses })
+    let (format, mut responses) = representation(&formats, "glb", "The mesh", &problems);
+    responses["200"]["content"][MeshFormat::Json.media_type()]["schema"] = reference("Mesh");
+    let origin = query_parameter(
+        "origin",
+        "Point that the coordinates are relative to: the request's zero (`given`) or `origin` of the job's statistics (`local`). \
+            The default is `given`, except for STL files of meshes that are too far from zero for 32-bit numbers.",
+        json!({ "type": "string", "enum": ORIGINS.map(|(name, _)| name) }),
+    );
+    let lines = query_parameter(
+        "lines",
+        "Whether the file has the lines along the mesh (boundaries, directrices, bridges, members). The default is true. \
+            PLY and STL never have lines.",
+        json!({ "type": "boolean" }),
+    );
+    let encoding = query_parameter(
+        "encoding",
+        "Whether a PLY file is binary or text. The default is `binary`. Other formats have no choice.",
+        json!({ "type": "string", "enum": ["binary", "ascii"] }),
+    );
+    json!({ "operationId": "getMesh", "tags": ["jobs"], "summary": "The mesh as GLB, glTF, OBJ, PLY, STL or JSON",
+        "parameters": [id_parameter("job"), format, origin, lines, encoding], "responses": responses })
 }
 
 /// Problems that any file made from a job's mesh may have.

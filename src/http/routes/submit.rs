@@ -1,15 +1,19 @@
 //! `POST /v1/{kind}`: submits a request, and waits for its job if the client asks for that.
 
+use super::mesh::{describe, mesh_file};
+use crate::export::{Choices, MeshFormat};
 use crate::http::access::Caller;
 use crate::http::body;
 use crate::http::entry::{prefer_parameter, reference, with_problems};
-use crate::http::negotiate::prefer_wait_s;
+use crate::http::negotiate::{accepted, prefer_wait_s};
 use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::jobs::JobsError;
+use crate::jobs::service::CancelOnDrop;
 use crate::jobs::submission::{Submitted, Submitter};
 use crate::wire::Kind;
 use crate::wire::components::{job_component, request_component};
+use crate::wire::job::Job;
 use crate::wire::objectives::examples as ready_requests;
 use axum::Json;
 use axum::body::Body;
@@ -53,6 +57,7 @@ pub async fn tensile_structure(
 
 async fn submit(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) -> Result<Response, Failure> {
     let wait_s = granted_wait_s(app, request.headers());
+    let mesh_format = accepted_mesh(request.headers()).filter(|_| wait_s.is_some());
     let key = idempotency_key(request.headers())?;
     match app.jobs.check_room(caller.owner()).await {
         // The idempotency key may name an existing job, so a full queue is no reason to refuse.
@@ -62,15 +67,19 @@ async fn submit(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) 
     let waited_for = wait_s.is_some_and(|wait_s| wait_s > 0);
     let received = body::read_json(app, request).await?;
     let from = Submitter { owner: caller.owner().map(str::to_owned), idempotency_key: key };
-    let submitted = app.jobs.submit(kind, received.bytes.clone(), from, waited_for).await?;
+    let accepted = app.jobs.submit(kind, received.bytes.clone(), from, waited_for).await?;
     drop(received);
-    let (job, created) = match submitted {
+    let (job, created) = match accepted.submitted {
         Submitted::Created(job) => (job, true),
         Submitted::Existing(job) => (job, false),
     };
     let job = match wait_s {
         Some(wait_s) if !job.status.is_final() => {
-            app.jobs.wait(&job.id, caller.owner(), Duration::from_secs(wait_s)).await?
+            // If the client goes away, this function is dropped in its wait.
+            let guard = accepted.cancel_on_disconnect.then(|| app.jobs.cancel_on_drop(&job.id, caller.owner()));
+            let job = app.jobs.wait(&job.id, caller.owner(), Duration::from_secs(wait_s)).await;
+            guard.into_iter().for_each(CancelOnDrop::keep);
+            job?
         }
         _ => job,
     };
@@ -79,7 +88,42 @@ async fn submit(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) 
     let finished = job.status.is_final() && (wait_s.is_some() || !created);
     let status = if finished { StatusCode::OK } else { StatusCode::ACCEPTED };
     let location = job.links.this.clone();
-    Ok(with_wait(answer(status, &location, job), wait_s))
+    let mut response = match mesh_format {
+        Some(format) if finished => mesh_of(app, caller, &job, format).await?,
+        _ => answer(status, &location, job),
+    };
+    if mesh_format.is_some() {
+        response.headers_mut().insert(header::VARY, HeaderValue::from_static("Accept"));
+    }
+    Ok(with_wait(response, wait_s))
+}
+
+/// Returns the mesh format that the client prefers to the job. Clients that accept anything get the job.
+fn accepted_mesh(headers: &HeaderMap) -> Option<MeshFormat> {
+    let offered = ["application/json"].into_iter().chain(MeshFormat::ALL.map(MeshFormat::media_type));
+    let chosen = accepted(headers, &offered.collect::<Vec<_>>())?;
+    chosen.checked_sub(1).map(|index| MeshFormat::ALL[index])
+}
+
+/// Answers with the mesh of a finished job. `Location` and `Link` lead to the job.
+async fn mesh_of(app: &App, caller: &Caller, job: &Job, format: MeshFormat) -> Result<Response, Failure> {
+    let this = &job.links.this;
+    if let Some(error) = &job.error {
+        return Err(
+            Failure::no_mesh(format!("the job {this} failed: {}", error.detail)).with_errors(error.errors.clone())
+        );
+    }
+    let file = mesh_file(app, caller, &job.id, format, Choices::default()).await?;
+    let tag = format!("\"{}\"", file.tag);
+    let mut response = Response::new(Body::from(file.bytes));
+    describe(&mut response, &tag, format.media_type(), &format!("{}.{}", job.id, format.name()));
+    let link = format!("<{this}>; rel=\"describedby\"");
+    for (name, value) in [(header::LOCATION, this.as_str()), (header::LINK, link.as_str())] {
+        if let Ok(value) = HeaderValue::from_str(value) {
+            response.headers_mut().insert(name, value);
+        }
+    }
+    Ok(response)
 }
 
 /// Length in bytes of the longest example in the API document. Longer examples have hundreds of lines of coordinates
@@ -101,6 +145,11 @@ pub fn entry(kind: Kind) -> Value {
     let mut post = submission_entry(request_component(kind), job_component(kind), "job", Value::Object(examples));
     post["operationId"] = id.into();
     post["summary"] = kind.summary().into();
+    post["description"] = "With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as \
+        `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead to \
+        its job. A job without a mesh is then answered with 409."
+        .into();
+    post["responses"]["409"] = json!({ "$ref": "#/components/responses/NoMesh" });
     post["responses"]["202"]["links"] =
         json!({ "job": { "operationId": "getJob", "parameters": { "id": "$response.body#/id" } } });
     post

@@ -195,6 +195,8 @@ impl From<&geometry::JunctionStatistics> for Junctions {
 /// and angles in degrees.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct MinimalStatistics {
+    /// Middle of the mesh's bounding box, which files with `origin=local` are relative to.
+    pub origin: Point,
     pub objective: &'static str,
     pub objective_value: f64,
     /// Solver that was used.
@@ -244,8 +246,9 @@ pub struct MinimalStatistics {
     pub certificate: Option<Certificate>,
 }
 
-impl From<&geometry::Statistics> for MinimalStatistics {
-    fn from(statistics: &geometry::Statistics) -> Self {
+impl MinimalStatistics {
+    #[must_use]
+    pub fn of(statistics: &geometry::Statistics, origin: Point) -> Self {
         let row = |row: &geometry::HistoryRow| HistoryRow {
             phase: row.phase,
             iteration: row.iteration,
@@ -258,6 +261,7 @@ impl From<&geometry::Statistics> for MinimalStatistics {
             what: pinch.what,
         };
         Self {
+            origin,
             objective: statistics.objective.name(),
             objective_value: statistics.objective_value,
             solver: statistics.solver.name(),

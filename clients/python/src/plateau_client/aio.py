@@ -297,23 +297,52 @@ class AsyncPlateau:
 
 
 class Live:
-    """Solves a stream of requests of which only the newest counts. A newer request cancels the older one's job."""
+    """Solves a stream of requests of which only the newest counts.
+
+    Its requests name one series (`supersede`), so the server cancels the older jobs of the series when it accepts a newer
+    request.
+    """
 
     def __init__(self, client: AsyncPlateau) -> None:
         self._client = client
-        self._newest: Optional[asyncio.Task[AsyncResult[Any]]] = None
+        self._series = uuid.uuid4().hex
+        self._newest: Optional[object] = None
+        self._waiting: Optional[asyncio.Task[AsyncResult[Any]]] = None
+        # Requests are sent one after the other, because the server counts the last to arrive as the newest.
+        self._turn = asyncio.Lock()
+        self._accepted: Optional[AsyncJob] = None
 
     async def solve(
         self, request: Mapping[str, Any], *, on_progress: Optional[ProgressCallback] = None
     ) -> Optional[AsyncResult[Any]]:
         """The mesh, or None if a newer request came before it was there."""
-        if self._newest is not None:
-            self._newest.cancel()
-        task = self._newest = asyncio.ensure_future(self._client.solve(request, on_progress=on_progress))
+        own = self._newest = object()
+        if self._waiting is not None:
+            self._waiting.cancel()
         try:
+            async with self._turn:
+                if self._newest is not own:
+                    return None
+                key = uuid.uuid4().hex
+                try:
+                    job = await self._client.submit({**request, "supersede": self._series}, idempotency_key=key)
+                except asyncio.CancelledError:
+                    await self._client._run(flows.give_up(None, key))
+                    raise
+                self._accepted = job
+            if self._newest is not own:
+                return None
+            task = self._waiting = asyncio.ensure_future(job.wait(on_progress=on_progress))
             mesh = await task
-        except asyncio.CancelledError:
-            if task is self._newest:
-                raise
-            return None
-        return mesh if task is self._newest else None
+        except (Exception, asyncio.CancelledError):
+            if self._newest is not own:
+                return None
+            # Nobody waits for this job any more: the request was refused, or its caller has stopped or failed.
+            await self._cancel()
+            raise
+        return mesh if self._newest is own else None
+
+    async def _cancel(self) -> None:
+        job, self._accepted = self._accepted, None
+        if job is not None and job.status not in flows.ENDED:
+            await self._client._run(flows.give_up(job.info, ""))

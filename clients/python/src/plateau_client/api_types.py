@@ -429,7 +429,11 @@ class JobSummary(TypedDict):
     id: str
     """ULID, which sorts by time of submission."""
     kind: Kind
+    label: Optional[str]
+    """Name of the job for people, if the request gave one."""
     links: Links
+    metadata: Optional[Dict[str, Any]]
+    """Fields of the client, if the request gave some."""
     progress: Progress
     started_at: Optional[str]
     status: Status
@@ -518,6 +522,14 @@ class LineGuide(TypedDict):
     point: Point
 
 
+class LineValues(TypedDict):
+    """A number for each line."""
+    name: str
+    unit: str
+    """Empty for plain numbers."""
+    values: List[float]
+
+
 class Links(TypedDict):
     """Addresses that belong to a job."""
     cancel: str
@@ -533,6 +545,41 @@ class MeanCurvature(TypedDict):
     max: float
     mean: float
     rms: float
+
+
+class Mesh(TypedDict):
+    """A mesh in the axes and the unit of its request."""
+    attributes: MeshAttributes
+    input_vertices: List[List[int]]
+    """For each polyline of the request, the vertices that its points became."""
+    lines: List[MeshLines]
+    origin: List[float]
+    """Point that the vertices are relative to. It is zero unless the file was asked for with `origin=local`."""
+    triangles: List[List[int]]
+    """Three indices of vertices for each triangle, counted from 0."""
+    unit: Units
+    up: UpAxis
+    vertices: List[Point]
+    """The request's own points come first, in their order."""
+
+
+class MeshAttributes(TypedDict):
+    """Numbers at the vertices."""
+    mean_curvature: NotRequired[List[float]]
+    """Unsigned mean curvature of each vertex in 1/unit. Only minimal surfaces have it."""
+
+
+class MeshLines(TypedDict):
+    """Lines along the mesh."""
+    arrows: List[List[Point]]
+    """Straight lines whose ends are no vertices of the mesh, such as those of `reactions`: two points each."""
+    name: str
+    """`boundaries`, `junctions`, `directrices`, `bridges`, `members lattice`, `members rim`, `reactions`, or `cables` with
+    the cable's name, such as `cables ridge`."""
+    paths: List[List[int]]
+    """Each line as the vertices along it. A closed line ends with its first vertex."""
+    values: Optional[LineValues]
+    """A number for each line, such as its length. Null if the lines have none."""
 
 
 class MinimalStatistics(TypedDict):
@@ -563,6 +610,8 @@ class MinimalStatistics(TypedDict):
     mean_curvature: MeanCurvature
     objective: str
     objective_value: float
+    origin: List[float]
+    """Middle of the mesh's bounding box, which files with `origin=local` are relative to."""
     pinches: List[Pinch]
     """Changes of topology in the order in which they happened."""
     residual: float
@@ -598,7 +647,11 @@ class MinimalSurfaceJob(TypedDict):
     """ULID, which sorts by time of submission."""
     kind: Literal['minimal_surface']
     """Kind of the request."""
+    label: Optional[str]
+    """Name of the job for people, if the request gave one."""
     links: Links
+    metadata: Optional[Dict[str, Any]]
+    """Fields of the client, if the request gave some."""
     progress: Progress
     started_at: Optional[str]
     statistics: Optional[MinimalStatistics]
@@ -621,6 +674,8 @@ class MinimalSurfaceRequest(TypedDict):
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
+    cancel_on_disconnect: NotRequired[bool]
+    """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     constraints: NotRequired[Constraints]
     degenerate_angle_deg: NotRequired[float]
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
@@ -631,10 +686,14 @@ class MinimalSurfaceRequest(TypedDict):
     initial_mesh: NotRequired[InitialMesh]
     kind: NotRequired[Optional[MinimalSurfaceKind]]
     """Optional here, because the path names the kind. `plateau solve` needs it."""
+    label: NotRequired[Optional[str]]
+    """Name of the job for people. The job and lists of jobs show it."""
     linear_solver: NotRequired[LinearSolver]
     """Method by which `pinkall_polthier` solves its linear systems."""
     max_iterations: NotRequired[Optional[int]]
     """Maximum number of iterations. Null means the solver's default."""
+    metadata: NotRequired[Optional[Dict[str, Any]]]
+    """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     objective: NotRequired[MinimalSurfaceObjective]
     on_unstable: NotRequired[OnUnstable]
     processes: NotRequired[Optional[Sequence[ProcessStage]]]
@@ -645,6 +704,9 @@ class MinimalSurfaceRequest(TypedDict):
     """Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`."""
     solver: NotRequired[Solver]
     """Method that minimises the area."""
+    supersede: NotRequired[Optional[str]]
+    """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    accepted, older jobs with the same key that have not ended are cancelled."""
     tolerance: NotRequired[float]
     """Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged. Default: `1e-6`."""
     topology: NotRequired[Topology]
@@ -668,6 +730,8 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
+    cancel_on_disconnect: NotRequired[bool]
+    """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     constraints: NotRequired[Constraints]
     degenerate_angle_deg: NotRequired[float]
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
@@ -678,10 +742,14 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     initial_mesh: NotRequired[InitialMesh]
     kind: Literal['minimal_surface']
     """Kind of the request."""
+    label: NotRequired[Optional[str]]
+    """Name of the job for people. The job and lists of jobs show it."""
     linear_solver: NotRequired[LinearSolver]
     """Method by which `pinkall_polthier` solves its linear systems."""
     max_iterations: NotRequired[Optional[int]]
     """Maximum number of iterations. Null means the solver's default."""
+    metadata: NotRequired[Optional[Dict[str, Any]]]
+    """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     objective: NotRequired[MinimalSurfaceObjective]
     on_unstable: NotRequired[OnUnstable]
     processes: NotRequired[Optional[List[ProcessStage]]]
@@ -692,6 +760,9 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     """Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`."""
     solver: NotRequired[Solver]
     """Method that minimises the area."""
+    supersede: NotRequired[Optional[str]]
+    """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    accepted, older jobs with the same key that have not ended are cancelled."""
     tolerance: NotRequired[float]
     """Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged. Default: `1e-6`."""
     topology: NotRequired[Topology]
@@ -818,6 +889,8 @@ class RuledStatistics(TypedDict):
     """Name of the objective, or `weighted` for a weighted sum."""
     objective_value: float
     """Value of the objective. For `maximal_convexity` it is the number of convex bridges."""
+    origin: List[float]
+    """Middle of the mesh's bounding box, which files with `origin=local` are relative to."""
     reversed: List[bool]
     """For each directrix, whether `direction: auto` reversed it."""
     secondary_value: Optional[float]
@@ -850,7 +923,11 @@ class RuledSurfaceJob(TypedDict):
     """ULID, which sorts by time of submission."""
     kind: Literal['ruled_surface']
     """Kind of the request."""
+    label: Optional[str]
+    """Name of the job for people, if the request gave one."""
     links: Links
+    metadata: Optional[Dict[str, Any]]
+    """Fields of the client, if the request gave some."""
     progress: Progress
     started_at: Optional[str]
     statistics: Optional[RuledStatistics]
@@ -868,6 +945,8 @@ class RuledSurfaceRequest(TypedDict):
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
+    cancel_on_disconnect: NotRequired[bool]
+    """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     caps: NotRequired[Caps]
     """Treatment of the ends of a closed stack: open, or closed by flat caps."""
     closed: NotRequired[bool]
@@ -882,6 +961,10 @@ class RuledSurfaceRequest(TypedDict):
     """Polylines in order. A single point is an apex."""
     kind: NotRequired[Optional[RuledSurfaceKind]]
     """Optional here, because the path names the kind. `plateau solve` needs it."""
+    label: NotRequired[Optional[str]]
+    """Name of the job for people. The job and lists of jobs show it."""
+    metadata: NotRequired[Optional[Dict[str, Any]]]
+    """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     normals: NotRequired[Optional[Sequence[Sequence[Point]]]]
     """Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
     them."""
@@ -891,6 +974,9 @@ class RuledSurfaceRequest(TypedDict):
     """Rule by which the directrices are resampled before solving. If null, they are used as given."""
     secondary_objective: NotRequired[Optional[SecondaryObjective]]
     """Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`."""
+    supersede: NotRequired[Optional[str]]
+    """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    accepted, older jobs with the same key that have not ended are cancelled."""
     tangents: NotRequired[Optional[Sequence[Sequence[Point]]]]
     """Tangents along the directrices, with the same shape as `directrices`. If null, they are estimated from the
     points."""
@@ -909,6 +995,8 @@ class RuledSurfaceRequestWithKind(TypedDict):
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
+    cancel_on_disconnect: NotRequired[bool]
+    """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     caps: NotRequired[Caps]
     """Treatment of the ends of a closed stack: open, or closed by flat caps."""
     closed: NotRequired[bool]
@@ -923,6 +1011,10 @@ class RuledSurfaceRequestWithKind(TypedDict):
     """Polylines in order. A single point is an apex."""
     kind: Literal['ruled_surface']
     """Kind of the request."""
+    label: NotRequired[Optional[str]]
+    """Name of the job for people. The job and lists of jobs show it."""
+    metadata: NotRequired[Optional[Dict[str, Any]]]
+    """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     normals: NotRequired[Optional[List[List[Point]]]]
     """Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
     them."""
@@ -932,6 +1024,9 @@ class RuledSurfaceRequestWithKind(TypedDict):
     """Rule by which the directrices are resampled before solving. If null, they are used as given."""
     secondary_objective: NotRequired[Optional[SecondaryObjective]]
     """Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`."""
+    supersede: NotRequired[Optional[str]]
+    """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    accepted, older jobs with the same key that have not ended are cancelled."""
     tangents: NotRequired[Optional[List[List[Point]]]]
     """Tangents along the directrices, with the same shape as `directrices`. If null, they are estimated from the
     points."""
@@ -1130,6 +1225,8 @@ class TensileStatistics(TypedDict):
     objective: str
     objective_value: float
     """Energy of the found shape."""
+    origin: List[float]
+    """Middle of the mesh's bounding box, which files with `origin=local` are relative to."""
     pressure: float
     """Pressure, given or found; 0 for none."""
     reactions: List[SupportReaction]
@@ -1158,7 +1255,11 @@ class TensileStructureJob(TypedDict):
     """ULID, which sorts by time of submission."""
     kind: Literal['tensile_structure']
     """Kind of the request."""
+    label: Optional[str]
+    """Name of the job for people, if the request gave one."""
     links: Links
+    metadata: Optional[Dict[str, Any]]
+    """Fields of the client, if the request gave some."""
     progress: Progress
     started_at: Optional[str]
     statistics: Optional[TensileStatistics]
@@ -1181,18 +1282,27 @@ class TensileStructureRequest(TypedDict):
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
+    cancel_on_disconnect: NotRequired[bool]
+    """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     film: TensileFilm
     free_points: NotRequired[Sequence[BoundaryPoint]]
     """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     on both sides; cables in the air can tie it back."""
     kind: NotRequired[Optional[TensileStructureKind]]
     """Optional here, because the path names the kind. `plateau solve` needs it."""
+    label: NotRequired[Optional[str]]
+    """Name of the job for people. The job and lists of jobs show it."""
     max_iterations: NotRequired[Optional[int]]
     """Maximum number of linear solves. Null means 400."""
+    metadata: NotRequired[Optional[Dict[str, Any]]]
+    """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     pressure: NotRequired[Optional[float]]
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary or with `supports`."""
     resolution: NotRequired[Resolution]
+    supersede: NotRequired[Optional[str]]
+    """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    accepted, older jobs with the same key that have not ended are cancelled."""
     supports: NotRequired[Sequence[SlidingSupport]]
     """Supports on which points or edges of the film slide without friction."""
     tolerance: NotRequired[float]
@@ -1220,18 +1330,27 @@ class TensileStructureRequestWithKind(TypedDict):
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
+    cancel_on_disconnect: NotRequired[bool]
+    """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     film: TensileFilm
     free_points: NotRequired[List[BoundaryPoint]]
     """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     on both sides; cables in the air can tie it back."""
     kind: Literal['tensile_structure']
     """Kind of the request."""
+    label: NotRequired[Optional[str]]
+    """Name of the job for people. The job and lists of jobs show it."""
     max_iterations: NotRequired[Optional[int]]
     """Maximum number of linear solves. Null means 400."""
+    metadata: NotRequired[Optional[Dict[str, Any]]]
+    """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     pressure: NotRequired[Optional[float]]
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary or with `supports`."""
     resolution: NotRequired[Resolution]
+    supersede: NotRequired[Optional[str]]
+    """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    accepted, older jobs with the same key that have not ended are cancelled."""
     supports: NotRequired[List[SlidingSupport]]
     """Supports on which points or edges of the film slide without friction."""
     tolerance: NotRequired[float]
@@ -1258,7 +1377,11 @@ class UniformMeshJob(TypedDict):
     """ULID, which sorts by time of submission."""
     kind: Literal['uniform_mesh']
     """Kind of the request."""
+    label: Optional[str]
+    """Name of the job for people, if the request gave one."""
     links: Links
+    metadata: Optional[Dict[str, Any]]
+    """Fields of the client, if the request gave some."""
     progress: Progress
     started_at: Optional[str]
     statistics: Optional[UniformStatistics]
@@ -1276,17 +1399,23 @@ class UniformMeshRequest(TypedDict):
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
+    cancel_on_disconnect: NotRequired[bool]
+    """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     domain: Domain
     edge_length: float
     """Edge length ℓ in the request's unit: the length of as many members as possible, and the smallest length of all
     members."""
     kind: NotRequired[Optional[UniformMeshKind]]
     """Optional here, because the path names the kind. `plateau solve` needs it."""
+    label: NotRequired[Optional[str]]
+    """Name of the job for people. The job and lists of jobs show it."""
     length_tolerance: NotRequired[Optional[float]]
     """Largest difference between lengths that count as equal, in the request's unit. Null means a thousandth of the
     edge length."""
     max_distinct_lengths: NotRequired[Optional[int]]
     """Largest number of different member lengths. It is used only with `optimise: lengths`."""
+    metadata: NotRequired[Optional[Dict[str, Any]]]
+    """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     objective: NotRequired[UniformMeshObjective]
     optimise: NotRequired[Optimise]
     """Aim of moving the nodes."""
@@ -1294,6 +1423,9 @@ class UniformMeshRequest(TypedDict):
     """Whether the inner nodes of a curved domain move on the surface after meshing. Default: `true`."""
     rim: NotRequired[Rim]
     """Lengths that members outside the lattice group may take while the nodes move."""
+    supersede: NotRequired[Optional[str]]
+    """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    accepted, older jobs with the same key that have not ended are cancelled."""
     units: NotRequired[Units]
     """Unit of the coordinates. Default: `m`."""
     up: NotRequired[UpAxis]
@@ -1309,17 +1441,23 @@ class UniformMeshRequestWithKind(TypedDict):
     callback_url: NotRequired[Optional[str]]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
+    cancel_on_disconnect: NotRequired[bool]
+    """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     domain: Domain
     edge_length: float
     """Edge length ℓ in the request's unit: the length of as many members as possible, and the smallest length of all
     members."""
     kind: Literal['uniform_mesh']
     """Kind of the request."""
+    label: NotRequired[Optional[str]]
+    """Name of the job for people. The job and lists of jobs show it."""
     length_tolerance: NotRequired[Optional[float]]
     """Largest difference between lengths that count as equal, in the request's unit. Null means a thousandth of the
     edge length."""
     max_distinct_lengths: NotRequired[Optional[int]]
     """Largest number of different member lengths. It is used only with `optimise: lengths`."""
+    metadata: NotRequired[Optional[Dict[str, Any]]]
+    """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     objective: NotRequired[UniformMeshObjective]
     optimise: NotRequired[Optimise]
     """Aim of moving the nodes."""
@@ -1327,6 +1465,9 @@ class UniformMeshRequestWithKind(TypedDict):
     """Whether the inner nodes of a curved domain move on the surface after meshing. Default: `true`."""
     rim: NotRequired[Rim]
     """Lengths that members outside the lattice group may take while the nodes move."""
+    supersede: NotRequired[Optional[str]]
+    """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    accepted, older jobs with the same key that have not ended are cancelled."""
     units: NotRequired[Units]
     """Unit of the coordinates. Default: `m`."""
     up: NotRequired[UpAxis]
@@ -1356,6 +1497,8 @@ class UniformStatistics(TypedDict):
     objective: str
     objective_value: int
     """Number of nodes for `fewest_nodes`, and number of lattice edges for `most_equal_edges`."""
+    origin: List[float]
+    """Middle of the mesh's bounding box, which files with `origin=local` are relative to."""
     out_of_range: List[OutOfRange]
     """The first 200 members that are out of range."""
     out_of_range_edges: int
@@ -1407,6 +1550,8 @@ class RuledSurfaceOptions(TypedDict, total=False):
     callback_url: Optional[str]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
+    cancel_on_disconnect: bool
+    """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     caps: Caps
     """Treatment of the ends of a closed stack: open, or closed by flat caps."""
     closed: bool
@@ -1417,6 +1562,10 @@ class RuledSurfaceOptions(TypedDict, total=False):
     direction: Direction
     """`auto` reverses a directrix if that improves the objective, and the statistics list the reversed directrices.
     `as_given` reverses none."""
+    label: Optional[str]
+    """Name of the job for people. The job and lists of jobs show it."""
+    metadata: Optional[Dict[str, Any]]
+    """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     normals: Optional[Sequence[Sequence[Point]]]
     """Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
     them."""
@@ -1426,6 +1575,9 @@ class RuledSurfaceOptions(TypedDict, total=False):
     """Rule by which the directrices are resampled before solving. If null, they are used as given."""
     secondary_objective: Optional[SecondaryObjective]
     """Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`."""
+    supersede: Optional[str]
+    """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    accepted, older jobs with the same key that have not ended are cancelled."""
     tangents: Optional[Sequence[Sequence[Point]]]
     """Tangents along the directrices, with the same shape as `directrices`. If null, they are estimated from the
     points."""
@@ -1447,6 +1599,8 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     callback_url: Optional[str]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
+    cancel_on_disconnect: bool
+    """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     constraints: Constraints
     degenerate_angle_deg: float
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
@@ -1455,10 +1609,14 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     """Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
     `area_tolerance`."""
     initial_mesh: InitialMesh
+    label: Optional[str]
+    """Name of the job for people. The job and lists of jobs show it."""
     linear_solver: LinearSolver
     """Method by which `pinkall_polthier` solves its linear systems."""
     max_iterations: Optional[int]
     """Maximum number of iterations. Null means the solver's default."""
+    metadata: Optional[Dict[str, Any]]
+    """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     objective: MinimalSurfaceObjective
     on_unstable: OnUnstable
     processes: Optional[Sequence[ProcessStage]]
@@ -1469,6 +1627,9 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     """Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`."""
     solver: Solver
     """Method that minimises the area."""
+    supersede: Optional[str]
+    """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    accepted, older jobs with the same key that have not ended are cancelled."""
     tolerance: float
     """Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged. Default: `1e-6`."""
     topology: Topology
@@ -1487,11 +1648,17 @@ class UniformMeshOptions(TypedDict, total=False):
     callback_url: Optional[str]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
+    cancel_on_disconnect: bool
+    """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
+    label: Optional[str]
+    """Name of the job for people. The job and lists of jobs show it."""
     length_tolerance: Optional[float]
     """Largest difference between lengths that count as equal, in the request's unit. Null means a thousandth of the
     edge length."""
     max_distinct_lengths: Optional[int]
     """Largest number of different member lengths. It is used only with `optimise: lengths`."""
+    metadata: Optional[Dict[str, Any]]
+    """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     objective: UniformMeshObjective
     optimise: Optimise
     """Aim of moving the nodes."""
@@ -1499,6 +1666,9 @@ class UniformMeshOptions(TypedDict, total=False):
     """Whether the inner nodes of a curved domain move on the surface after meshing. Default: `true`."""
     rim: Rim
     """Lengths that members outside the lattice group may take while the nodes move."""
+    supersede: Optional[str]
+    """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    accepted, older jobs with the same key that have not ended are cancelled."""
     units: Units
     """Unit of the coordinates. Default: `m`."""
     up: UpAxis
@@ -1517,15 +1687,24 @@ class TensileStructureOptions(TypedDict, total=False):
     callback_url: Optional[str]
     """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     `webhooks` of `GET /v1/limits`."""
+    cancel_on_disconnect: bool
+    """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     free_points: Sequence[BoundaryPoint]
     """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     on both sides; cables in the air can tie it back."""
+    label: Optional[str]
+    """Name of the job for people. The job and lists of jobs show it."""
     max_iterations: Optional[int]
     """Maximum number of linear solves. Null means 400."""
+    metadata: Optional[Dict[str, Any]]
+    """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     pressure: Optional[float]
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary or with `supports`."""
     resolution: Resolution
+    supersede: Optional[str]
+    """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    accepted, older jobs with the same key that have not ended are cancelled."""
     supports: Sequence[SlidingSupport]
     """Supports on which points or edges of the film slide without friction."""
     tolerance: float

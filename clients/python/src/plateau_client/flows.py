@@ -287,14 +287,14 @@ def solve(
     except (GeneratorExit, errors.ProblemError):
         raise
     except BaseException:
-        yield from _give_up(job, key)
+        yield from give_up(job, key)
         raise
     finally:
         watch.close()
     return (yield from mesh(make, job, patience_s))
 
 
-def _give_up(job: Optional[Job], key: str) -> Flow[None]:
+def give_up(job: Optional[Job], key: str) -> Flow[None]:
     """Cancels a job that nobody waits for any more, found by its key if the answer to its submission never came."""
     try:
         ids = (

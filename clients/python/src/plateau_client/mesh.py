@@ -104,15 +104,16 @@ def read_ply(data: bytes) -> Any:
     """Vertices, triangles, mean curvature, unit and up axis of the server's binary PLY."""
     end = data.index(b"end_header\n") + len(b"end_header\n")
     header = [line.split() for line in data[:end].decode("utf-8").splitlines()]
-    columns = [line[2] for line in header if line[:2] == ["property", "double"]]
+    types = {"double": "<f8", "float": "<f4", "uchar": "u1"}
+    columns: Any = np.dtype([(line[2], types[line[1]]) for line in header if line[0] == "property" and len(line) == 3])
     counts = {line[1]: int(line[2]) for line in header if line[0] == "element"}
     frame = next(line for line in header if line[:2] == ["comment", "unit"])
-    table = np.frombuffer(data, dtype="<f8", count=counts["vertex"] * len(columns), offset=end)
-    table = table.reshape(-1, len(columns))
+    table = np.frombuffer(data, dtype=columns, count=counts["vertex"], offset=end)
     face: Any = np.dtype([("size", "u1"), ("corners", "<u4", 3)])
     faces = np.frombuffer(data, dtype=face, count=counts["face"], offset=end + table.nbytes)
-    curvature = table[:, columns.index("mean_curvature")].copy() if "mean_curvature" in columns else None
-    return table[:, :3].copy(), faces["corners"].astype(np.int64), curvature, frame[2].rstrip(","), frame[3]
+    curvature = table["mean_curvature"].copy() if "mean_curvature" in columns.names else None
+    vertices = np.stack([table["x"], table["y"], table["z"]], axis=1)
+    return vertices, faces["corners"].astype(np.int64), curvature, frame[2].rstrip(","), frame[3]
 
 
 def read_lines(obj: bytes) -> Dict[str, List[npt.NDArray[np.int64]]]:

@@ -1,18 +1,20 @@
 //! The largest circulation of a field with |curl| <= 1 on one mesh, by a barrier method.
 //!
 //! Let v = C a be the curl of the field a at the four vertices of every tetrahedron, and N the number of these points.
-//! Newton's method maximises
+//! With a multiplier z >= 0 of each constraint 1 - |v|² >= 0, Newton's method is applied to
 //!
 //! ```text
-//! g·a + μ Σ log(1 - |v|²)
+//! g = Σ 2 z Cᵀ v,    z (1 - |v|²) = μ
 //! ```
 //!
-//! while μ falls (Boyd, Vandenberghe, *Convex Optimization*, 2004, section 11.3). Every iterate satisfies |v| < 1, so
-//! that each gives a bound, g·a / max |v|, and the best is kept. The barrier of a ball has the parameter 1, so on the
-//! central path the circulation is at most N μ below the optimum of the mesh, and the multipliers of |v| <= 1 are
-//! 2 μ v / (1 - |v|²): the dual surface.
+//! while μ falls: a primal-dual interior-point method (Boyd, Vandenberghe, *Convex Optimization*, 2004, section 11.7).
+//! Every iterate satisfies |v| < 1, so that each gives a bound, g·a / max |v|, and the best is kept. Near the central path
+//! the circulation is at most Σ z (1 - |v|²) below the optimum of the mesh. The vectors 2 z v are the dual surface.
 //!
-//! Each step factorises a matrix with the pattern of Cᵀ C. About 20 steps suffice whatever the mesh, where the
+//! The steps depart from the book in two ways: the field and the multipliers take steps of different lengths, and a step
+//! is not shortened further than |v| < 1 and z > 0 demand, because no iterate can do harm.
+//!
+//! Each step factorises a matrix with the pattern of Cᵀ C. About 15 steps suffice whatever the mesh, where the
 //! alternating direction method of multipliers had not converged after 200.
 
 use super::bisection::BisectionMesh;
@@ -21,16 +23,13 @@ use super::system::{Stop, System};
 use crate::{DVec3, Execution};
 use glam::DMat3;
 
-/// Part of the way to the boundary |v| = 1 that a step may go at most.
-const LARGEST_PART: f64 = 0.9;
-/// Factors of μ after a whole step, and after a step of at least half. A smaller factor needs fewer steps, until the steps
-/// become short.
-const AFTER_WHOLE_STEP: f64 = 0.15;
-const AFTER_HALF_STEP: f64 = 0.5;
-/// Part of the decrease that Newton's model predicts which a step must reach (Armijo).
-const SUFFICIENT: f64 = 1e-4;
-/// Halvings of a step at most.
-const MOST_HALVINGS: u32 = 30;
+/// Part of the way to the boundary |v| = 1, or z = 0, that a step may go at most.
+const LARGEST_PART: f64 = 0.95;
+/// The next μ as a fraction of the mean of z (1 - |v|²), and the length that the shorter of the last two steps must have
+/// had. Smaller fractions need fewer steps, until the steps become short.
+const TARGETS: [(f64, f64); 3] = [(0.8, 0.08), (0.4, 0.25), (0.0, 0.6)];
+/// A multiplier stays within this factor of μ / (1 - |v|²).
+const FARTHEST: f64 = 1e4;
 
 /// The field that gave the best bound so far.
 #[derive(Clone, Debug)]
@@ -48,8 +47,14 @@ pub(super) struct Level<'a> {
     field: Vec<f64>,
     /// v.
     curl: Vec<[DVec3; 4]>,
+    /// z.
+    multiplier: Vec<[f64; 4]>,
     /// μ: an area.
-    weight: f64,
+    target: f64,
+    /// Σ z (1 - |v|²).
+    complementarity: f64,
+    /// Whether rounding allows no further step.
+    pub stalled: bool,
     pub best: Best,
 }
 
@@ -87,12 +92,14 @@ impl<'a> Level<'a> {
         field.iter_mut().for_each(|value| *value *= factor);
         let curl = curl.iter().map(|at| at.map(|v| v * factor)).collect::<Vec<_>>();
         let weight = gap * film_area / (4 * curl.len()) as f64;
-        Self { space, form, field, curl, weight, best }
+        let multiplier = curl.iter().map(|at| at.map(|v| weight / slack(v))).collect();
+        let complementarity = weight * (4 * curl.len()) as f64;
+        Self { space, form, field, curl, multiplier, target: weight, complementarity, stalled: false, best }
     }
 
-    /// How far the circulation is at most below the optimum of this mesh, if the iterate is on the central path.
+    /// How far the circulation is at most below the optimum of this mesh, if the iterate is near the central path.
     pub fn gap(&self) -> f64 {
-        self.weight * (4 * self.curl.len()) as f64
+        self.complementarity
     }
 
     /// One step of Newton's method. `storage` is the memory of the factor.
@@ -100,37 +107,40 @@ impl<'a> Level<'a> {
     /// # Errors
     /// The error of the factorisation, or an interruption, which leaves the iterate as it was.
     pub fn step(&mut self, system: &mut System, storage: &mut Vec<f64>, exec: &Execution) -> Result<(), Stop> {
-        let Self { space, form, curl, .. } = self;
-        let mut gradient: Vec<f64> = form.iter().map(|g| g / self.weight).collect();
-        space.transposed_curl(|leaf, p| curl[leaf][p] * (-2.0 / slack(curl[leaf][p])), &mut gradient);
+        let Self { space, form, curl, multiplier, target, .. } = &*self;
+        let mut gradient = form.to_vec();
+        let pull = |leaf: usize, p: usize| curl[leaf][p] * (-2.0 * target / slack(curl[leaf][p]));
+        space.transposed_curl(pull, &mut gradient);
         let block = |leaf: usize, p: usize| {
-            let (v, inverse) = (curl[leaf][p], 1.0 / slack(curl[leaf][p]));
+            let (v, z) = (curl[leaf][p], multiplier[leaf][p]);
             let outer = DMat3::from_cols(v * v.x, v * v.y, v * v.z);
-            DMat3::from_diagonal(DVec3::splat(2.0 * inverse)) + outer * (4.0 * inverse * inverse)
+            DMat3::from_diagonal(DVec3::splat(2.0 * z)) + outer * (4.0 * z / slack(v))
         };
         let factor = system.factorise(space, block, storage, exec)?;
         let direction = factor.solve(&gradient);
         *storage = factor.into_storage();
-        let predicted = dot(&gradient, &direction);
         let change = space.curl(&direction);
-        let points = || self.curl.iter().flatten().zip(change.iter().flatten());
-        let bounded = points().map(|(&v, &step)| largest_step(v, step)).fold(f64::INFINITY, f64::min);
-        let gain = dot(&self.form, &direction) / self.weight;
-        // The increase of the objective over μ along the direction.
-        let increase = |step: f64| -> f64 {
-            let barrier: f64 = points().map(|(&v, &by)| (slack(v + by * step) / slack(v)).ln()).sum();
-            gain * step + barrier
-        };
-        let mut step = (LARGEST_PART * bounded).min(1.0);
-        let mut halvings = 0;
-        while !(increase(step) >= SUFFICIENT * step * predicted) {
-            halvings += 1;
-            if halvings > MOST_HALVINGS || !step.is_finite() {
-                // Rounding hides what is left to gain for this μ.
-                self.weight *= AFTER_HALF_STEP;
-                return Ok(());
-            }
-            step *= 0.5;
+        // How far the curl and the multipliers may go.
+        let (mut far, mut far_multiplier) = (f64::INFINITY, f64::INFINITY);
+        let mut multiplier_change = Vec::with_capacity(curl.len());
+        for ((curl, change), multiplier) in curl.iter().zip(&change).zip(multiplier) {
+            let by: [f64; 4] = std::array::from_fn(|p| {
+                let (v, z) = (curl[p], multiplier[p]);
+                far = far.min(largest_step(v, change[p]));
+                let by = (target + 2.0 * z * v.dot(change[p])) / slack(v) - z;
+                if by < 0.0 {
+                    far_multiplier = far_multiplier.min(-z / by);
+                }
+                by
+            });
+            multiplier_change.push(by);
+        }
+        let step = (LARGEST_PART * far).min(1.0);
+        let multiplier_step = (LARGEST_PART * far_multiplier).min(1.0);
+        // A factor without accuracy gives no direction.
+        if !(step > 0.0 && multiplier_step > 0.0 && direction.iter().all(|value| value.is_finite())) {
+            self.stalled = true;
+            return Ok(());
         }
         self.field.iter_mut().zip(&direction).for_each(|(value, by)| *value += by * step);
         self.curl = self.space.curl(&self.field);
@@ -138,17 +148,26 @@ impl<'a> Level<'a> {
         if bound > self.best.bound {
             self.best = Best { bound, field: self.field.clone() };
         }
-        if step >= 1.0 {
-            self.weight *= AFTER_WHOLE_STEP;
-        } else if step >= 0.5 {
-            self.weight *= AFTER_HALF_STEP;
+        let mut sum = 0.0;
+        for ((multiplier, by), curl) in self.multiplier.iter_mut().zip(&multiplier_change).zip(&self.curl) {
+            for p in 0..4 {
+                let slack = slack(curl[p]).max(f64::MIN_POSITIVE);
+                let central = self.target / slack;
+                multiplier[p] = (multiplier[p] + multiplier_step * by[p]).clamp(central / FARTHEST, central * FARTHEST);
+                sum += multiplier[p] * slack;
+            }
         }
+        self.complementarity = sum;
+        let mean = sum / (4 * self.curl.len()) as f64;
+        let worse = step.min(multiplier_step);
+        let fraction = TARGETS.iter().find(|(length, _)| worse > *length).map_or(1.0, |(_, fraction)| *fraction);
+        self.target = fraction * mean;
         Ok(())
     }
 
     /// The dual surface at the vertices of a leaf: areas.
     pub fn current(&self, leaf: usize) -> [DVec3; 4] {
-        self.curl[leaf].map(|v| v * (2.0 * self.weight / slack(v)))
+        std::array::from_fn(|p| self.curl[leaf][p] * (2.0 * self.multiplier[leaf][p]))
     }
 }
 

@@ -1,0 +1,72 @@
+//! The mesh as JSON in the client's axes and unit, for programs that read no mesh format. Every number reads back as
+//! exactly the same f64. The type `wire::mesh::Mesh` documents the form.
+
+use plateau_geometry::DVec3;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+use super::archive::{Archive, LineSet, Lines, SegmentValues};
+use super::{Choices, Error};
+
+#[derive(Serialize)]
+struct Mesh<'a> {
+    unit: &'static str,
+    up: &'static str,
+    /// Point that the vertices are relative to.
+    origin: [f64; 3],
+    vertices: Vec<[f64; 3]>,
+    triangles: &'a [[u32; 3]],
+    attributes: BTreeMap<&'static str, &'a [f64]>,
+    lines: Vec<LinesOf<'a>>,
+    input_vertices: &'a [Vec<u32>],
+}
+
+#[derive(Serialize)]
+struct LinesOf<'a> {
+    name: String,
+    paths: Vec<Vec<u32>>,
+    arrows: Vec<[[f64; 3]; 2]>,
+    values: Option<&'a SegmentValues>,
+}
+
+/// Writes the vertices and triangles in archive order, and the lines.
+///
+/// # Errors
+/// Returns [`Error::Unwritable`], which valid archives never cause.
+pub fn to_json(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
+    let contents = archive.contents();
+    let shift = choices.shift(contents);
+    let curvature = contents.mean_curvature.iter().map(|curvature| ("mean_curvature", curvature.values.as_slice()));
+    let mesh = Mesh {
+        unit: contents.unit.symbol(),
+        up: contents.up.symbol(),
+        origin: shift.to_array(),
+        vertices: contents.mesh.vertices.iter().map(|&vertex| (vertex - shift).to_array()).collect(),
+        triangles: &contents.mesh.triangles,
+        attributes: curvature.collect(),
+        lines: choices.line_sets(contents).iter().map(|set| lines_of(set, shift)).collect(),
+        input_vertices: &contents.input_vertices,
+    };
+    serde_json::to_vec(&mesh).map_err(|_| Error::Unwritable { format: "JSON" })
+}
+
+/// Returns each line as the vertices along it, and arrows as their two ends. A closed line ends with its first vertex.
+fn lines_of(set: &LineSet, shift: DVec3) -> LinesOf<'_> {
+    let (paths, arrows, values) = match &set.lines {
+        Lines::Polylines(polylines) => {
+            let path = |line: &super::Polyline| -> Vec<u32> {
+                let back = line.closed.then(|| line.vertices.first().copied()).flatten();
+                line.vertices.iter().copied().chain(back).collect()
+            };
+            (polylines.iter().map(path).collect(), Vec::new(), None)
+        }
+        Lines::Segments { pairs, values } => {
+            (pairs.iter().map(|pair| pair.to_vec()).collect(), Vec::new(), values.as_ref())
+        }
+        Lines::Arrows { ends, values } => {
+            let place = |end: [f64; 3]| (DVec3::from_array(end) - shift).to_array();
+            (Vec::new(), ends.iter().map(|ends| ends.map(place)).collect(), values.as_ref())
+        }
+    };
+    LinesOf { name: set.full_name(), paths, arrows, values }
+}

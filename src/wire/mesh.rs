@@ -1,0 +1,59 @@
+//! A mesh as JSON, as `export::json` writes it.
+
+use super::common::Point;
+use crate::units::{Unit, UpAxis};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A mesh in the axes and the unit of its request.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Mesh {
+    pub unit: Unit,
+    pub up: UpAxis,
+    /// Point that the vertices are relative to. It is zero unless the file was asked for with `origin=local`.
+    pub origin: Point,
+    /// The request's own points come first, in their order.
+    pub vertices: Vec<Point>,
+    /// Three indices of vertices for each triangle, counted from 0.
+    pub triangles: Vec<[u32; 3]>,
+    pub attributes: MeshAttributes,
+    pub lines: Vec<MeshLines>,
+    /// For each polyline of the request, the vertices that its points became.
+    pub input_vertices: Vec<Vec<u32>>,
+}
+
+/// Numbers at the vertices.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MeshAttributes {
+    /// Unsigned mean curvature of each vertex in 1/unit. Only minimal surfaces have it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Vec<f64>")]
+    pub mean_curvature: Option<Vec<f64>>,
+}
+
+/// Lines along the mesh.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MeshLines {
+    /// `boundaries`, `junctions`, `directrices`, `bridges`, `members lattice`, `members rim`, `reactions`, or `cables` with
+    /// the cable's name, such as `cables ridge`.
+    pub name: String,
+    /// Each line as the vertices along it. A closed line ends with its first vertex.
+    pub paths: Vec<Vec<u32>>,
+    /// Straight lines whose ends are no vertices of the mesh, such as those of `reactions`: two points each.
+    pub arrows: Vec<[Point; 2]>,
+    /// A number for each line, such as its length. Null if the lines have none.
+    pub values: Option<LineValues>,
+}
+
+/// A number for each line.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LineValues {
+    pub name: String,
+    /// Empty for plain numbers.
+    pub unit: String,
+    pub values: Vec<f64>,
+}
