@@ -48,7 +48,7 @@ fn coordinates_keep_every_bit() {
 #[test]
 fn the_bytes_of_this_version_are_frozen() {
     for (file, archive) in [("full", sample::full()), ("strip", Archive::new(sample::strip()).unwrap())] {
-        let path = format!("{}/tests/export/archive-v4-{file}.bin", env!("CARGO_MANIFEST_DIR"));
+        let path = format!("{}/tests/export/archive-v5-{file}.bin", env!("CARGO_MANIFEST_DIR"));
         if std::env::var_os("PLATEAU_WRITE_ARCHIVES").is_some() {
             std::fs::write(&path, archive.to_bytes().unwrap()).unwrap();
         }
@@ -115,7 +115,7 @@ fn foreign_other_version_truncated_and_changed_files_have_different_errors() {
     let bytes = sample::full().to_bytes().unwrap();
     assert_eq!(Archive::from_bytes(b""), Err(Defect::Magic));
     assert_eq!(Archive::from_bytes(b"glTF and so on"), Err(Defect::Magic));
-    for version in [3, 5] {
+    for version in [4, 6] {
         let mut other = body(&sample::full());
         other[8] = version;
         assert_eq!(Archive::from_bytes(&signed(other)), Err(Defect::Version(version.into())));
@@ -144,7 +144,7 @@ fn a_body_of_wrong_length_with_a_matching_checksum_is_refused() {
 fn a_huge_count_is_refused_before_memory_is_allocated() {
     // Generator and title are empty, and unit and axis are the first values. The next number is a count of 2^62
     // vertices.
-    let mut body = b"\x89PLATEAU\x04\0\0\0\0\0\0\0".to_vec();
+    let mut body = b"\x89PLATEAU\x05\0\0\0\0\0\0\0".to_vec();
     body.extend_from_slice(&[0xff; 8]);
     body.push(0x3f);
     assert!(matches!(Archive::from_bytes(&signed(body)), Err(Defect::Bytes(_))));
@@ -184,7 +184,7 @@ proptest! {
     /// unchanged.
     #[test]
     fn any_payload_gives_an_archive_or_an_error(payload in prop::collection::vec(any::<u8>(), 0..400)) {
-        let body = [b"\x89PLATEAU\x04\0\0\0".as_slice(), &payload].concat();
+        let body = [b"\x89PLATEAU\x05\0\0\0".as_slice(), &payload].concat();
         if let Ok(archive) = Archive::from_bytes(&signed(body)) {
             prop_assert_eq!(Archive::from_bytes(&archive.to_bytes().unwrap()), Ok(archive));
         }

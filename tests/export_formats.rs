@@ -3,6 +3,7 @@
 #[path = "export/sample.rs"]
 mod sample;
 
+use plateau::export::archive::Certificate;
 use plateau::export::{
     Archive, Choices, Contents, Error, LineSet, Lines, MeanCurvature, MeshFormat, Origin, PatternFormat, dxf, picture,
     svg,
@@ -350,6 +351,26 @@ fn ply_has_the_mean_curvature() {
     let glb = Glb::of(&sample::full());
     let colors = glb.items(&glb.primitive(0)["attributes"]["COLOR_0"], 4);
     assert_eq!(last[36..], colors[4][..3]);
+}
+
+#[test]
+fn the_slack_of_a_lower_bound_is_in_glb_and_ply() {
+    let slack = vec![0.0, 0.25, 0.5, 0.75, 1.0];
+    let mut contents = sample::full().contents().clone();
+    contents.certificate = Some(Certificate { slack: slack.clone(), proof: "{}".into() });
+    let glb = Glb::of(&archive(contents.clone()));
+    let values = glb.items(&glb.primitive(0)["attributes"]["_LOWER_BOUND_SLACK"], 4);
+    let values: Vec<f64> = values.iter().map(|x| f32::from_le_bytes(x[..].try_into().unwrap()).into()).collect();
+    assert_eq!(values, slack);
+    let text = with(MeshFormat::Ply, &contents, Choices { ascii: true, ..Choices::default() });
+    let text = String::from_utf8(text).unwrap();
+    let rows = text.split_once("property double lower_bound_slack\nelement face 4\n").unwrap().1.lines().skip(2);
+    let values: Vec<f64> = rows.take(5).map(|row| row.rsplit(' ').next().unwrap().parse().unwrap()).collect();
+    assert_eq!(values, slack);
+    let bytes = with(MeshFormat::Ply, &contents, Choices::default());
+    let end = bytes.windows(11).position(|w| w == b"end_header\n").unwrap() + 11;
+    assert_eq!(bytes.len(), end + 5 * 47 + 4 * 13);
+    assert_eq!(f64::from_le_bytes(bytes[end + 47 + 39..end + 94].try_into().unwrap()), 0.25);
 }
 
 fn with(format: MeshFormat, contents: &Contents, choices: Choices) -> Vec<u8> {

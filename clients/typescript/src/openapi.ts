@@ -343,6 +343,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/jobs/{id}/certificate": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The proof of a minimal surface's `area_lower_bound`, for a check by another program */
+        get: operations["getCertificate"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/jobs/{id}/events": {
         parameters: {
             query?: never;
@@ -676,6 +693,50 @@ export interface components {
         Cache: "reuse" | "bypass";
         /** @enum {string} */
         Caps: "none" | "flat";
+        /** @description A proven lower bound of the area of all oriented surfaces with this boundary. */
+        Certificate: {
+            /**
+             * Format: double
+             * @description No oriented surface of any topology with this boundary has a smaller area.
+             */
+            area_lower_bound: number;
+            /**
+             * Format: double
+             * @description The film's area is at most this fraction above the least area. Null if the bound is 0.
+             */
+            gap: number | null;
+            iterations: number;
+            /** @description Number of orientations of the loops for which a field was found. */
+            orientations: number;
+            /** @description The surfaces for which the bound holds. */
+            scope: string;
+            /**
+             * Format: double
+             * @description Number of nominal seconds to which the work of the search amounts. No clock is read, so that the result is the same
+             *     on every machine.
+             */
+            seconds: number;
+            /** @description The result in words. */
+            statement: string;
+            /** @description Number of tetrahedra of all fields together. */
+            tetrahedra: number;
+        };
+        /** @description Whether and how to prove a lower bound of the area. */
+        Certify: boolean | components["schemas"]["CertifyOptions"];
+        /** @description Sharpness of the lower bound, and the limit of the search for it. */
+        CertifyOptions: {
+            /**
+             * Format: double
+             * @description The search ends once the film's area is at most this fraction above the bound. Default: `0.005`.
+             */
+            gap?: number;
+            /**
+             * Format: double
+             * @description Number of nominal seconds of one core that the search may take. They are converted to work by fixed rates, so that
+             *     the same request gives the same result on every machine. Default: `2.0`.
+             */
+            seconds?: number;
+        };
         CircleGuide: {
             /** @description Normal of the circle's plane. */
             axis: number[];
@@ -1074,6 +1135,8 @@ export interface components {
         /** @description Addresses that belong to a job. */
         Links: {
             cancel: string;
+            /** @description Address of the proof of the area's lower bound. Only minimal surfaces have it, and only if the request has `certify`. */
+            certificate?: string | null;
             events: string;
             /** @description Address of the mesh. Absent from failed and cancelled jobs. */
             mesh?: string | null;
@@ -1143,6 +1206,8 @@ export interface components {
             /** Format: double */
             area: number;
             boundary_loops: number;
+            /** @description Proven lower bound of the area. Null without `certify`. */
+            certificate: components["schemas"]["Certificate"] | null;
             components: number;
             converged: boolean;
             degenerate_triangles: number;
@@ -1262,6 +1327,11 @@ export interface components {
             callback_url?: string | null;
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
             cancel_on_disconnect?: boolean;
+            /**
+             * @description Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
+             *     bound is to be and how long the search may take. Only for `minimal_area`.
+             */
+            certify?: components["schemas"]["Certify"];
             constraints?: components["schemas"]["Constraints"];
             /**
              * Format: double
@@ -1337,6 +1407,11 @@ export interface components {
             callback_url?: string | null;
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
             cancel_on_disconnect?: boolean;
+            /**
+             * @description Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
+             *     bound is to be and how long the search may take. Only for `minimal_area`.
+             */
+            certify?: components["schemas"]["Certify"];
             constraints?: components["schemas"]["Constraints"];
             /**
              * Format: double
@@ -1851,6 +1926,12 @@ export interface components {
              *     comes after all others.
              */
             films_cross: boolean;
+            /**
+             * Format: double
+             * @description With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this boundary.
+             *     Null if nothing is proven.
+             */
+            gap: number | null;
             stability: components["schemas"]["Stability"] | null;
         };
         SphereGuide: {
@@ -3400,6 +3481,78 @@ export interface operations {
             403: components["responses"]["ForeignPage"];
             404: components["responses"]["NotFound"];
             410: components["responses"]["Gone"];
+            421: components["responses"]["Misdirected"];
+            429: components["responses"]["RateLimited"];
+            500: components["responses"]["Failed"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    getCertificate: {
+        parameters: {
+            query?: {
+                /** @description Takes precedence over `Accept`. The default is `json`. With `Accept: application/octet-stream` the file has that type. */
+                format?: "json";
+            };
+            header?: never;
+            path: {
+                /** @description Identifier of the job. */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The field that proves the lower bound of the area: tetrahedra and the field's values on them */
+            200: {
+                headers: {
+                    /** @description Hash of these bytes. */
+                    ETag?: string;
+                    /** @description Accept */
+                    Vary?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": string;
+                    "application/octet-stream": string;
+                };
+            };
+            /** @description The requested range */
+            206: {
+                headers: {
+                    /** @description Hash of these bytes. */
+                    ETag?: string;
+                    /** @description Accept */
+                    Vary?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": string;
+                    "application/octet-stream": string;
+                };
+            };
+            /** @description `If-None-Match` names the current entity tag */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            400: components["responses"]["BadRequest"];
+            401: components["responses"]["Unauthorized"];
+            404: components["responses"]["NotFound"];
+            406: components["responses"]["NotAcceptable"];
+            409: components["responses"]["NoMesh"];
+            410: components["responses"]["Gone"];
+            /** @description The range lies outside the file */
+            416: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             421: components["responses"]["Misdirected"];
             429: components["responses"]["RateLimited"];
             500: components["responses"]["Failed"];

@@ -116,7 +116,9 @@ const MOST_STEPS: u32 = 60;
 /// Steps that the budget must allow for on a finer mesh, which starts from the field of the mesh before.
 const STEPS: u32 = 10;
 /// A mesh is left for a finer one once its own optimum is reached to this fraction of what is missing to the film's area.
-const CONVERGED: f64 = 0.1;
+const CONVERGED: f64 = 0.25;
+/// The same where the budget allows no finer mesh.
+const CONVERGED_AT_LAST: f64 = 0.02;
 /// Tetrahedra and factor entries of the largest mesh; they limit the memory.
 const MOST_LEAVES: usize = 60_000;
 const MOST_ENTRIES: usize = 60_000_000;
@@ -374,7 +376,9 @@ impl Budget<'_> {
         let mut interrupted = Ok(());
         let missing = |bound: f64| (self.film_area - bound).max(0.0);
         for _ in 0..MOST_STEPS {
-            let converged = level.stalled || level.gap() <= CONVERGED * missing(level.best.bound);
+            let finer = self.next_leaves(dimensions, mesh.leaf_count()).is_some();
+            let enough = if finer { CONVERGED } else { CONVERGED_AT_LAST };
+            let converged = level.stalled || level.gap() <= enough * missing(level.best.bound);
             if converged || self.options.gap * level.best.bound >= missing(level.best.bound) || self.left() < a_step {
                 break;
             }

@@ -150,6 +150,32 @@ fn a_cancel_stops_the_search_and_a_deadline_keeps_what_is_proven() {
     assert!(found.iterations < 60 && found.area > 0.5 * area && found.area <= area);
 }
 
+#[test]
+fn the_budget_limits_the_work_and_progress_never_falls() {
+    let loops = vec![boundaries::skew_quadrilateral(1)];
+    let (mesh, _) = film(&loops, Method::default()).unwrap();
+    let mut bounds = Vec::new();
+    for seconds in [0.0, 0.1, 0.5] {
+        let fractions = std::cell::RefCell::new(Vec::new());
+        let report = |progress: plateau_geometry::Progress| fractions.borrow_mut().push(progress.fraction);
+        let exec = Execution::new(&|| Signal::Continue, &report);
+        let budget = Budget { gap: 0.0, seconds };
+        let found = lower_bound::certify(&loops, &mesh, &budget, &exec).unwrap().unwrap();
+        // The first mesh is prepared whatever the budget is.
+        assert!(found.seconds <= seconds + 0.05, "{} of {seconds}", found.seconds);
+        let fractions = fractions.borrow();
+        assert!(fractions.is_sorted() && fractions.iter().all(|fraction| (0.0..=1.0).contains(fraction)));
+        assert_eq!(fractions.len(), found.iterations as usize);
+        // A few milliseconds of work lie between two looks.
+        assert!(exec.largest_work_between_looks() < 500_000, "{}", exec.largest_work_between_looks());
+        bounds.push(found.area);
+    }
+    assert!(bounds[0] > 0.0 && bounds.is_sorted(), "{bounds:?}");
+    let memory = |loops, seconds| lower_bound::memory_bytes(loops, &Budget { gap: 0.0, seconds });
+    assert!(memory(1, 0.1) < memory(1, 10.0) && memory(1, 1.0) < memory(5, 1.0));
+    assert!(memory(6, 1e9) < 2_000_000_000);
+}
+
 /// The certificate as the service writes it.
 fn json(found: &LowerBound, edge_scale: f64, bound_scale: f64) -> String {
     let points = |points: &[DVec3]| format!("{:?}", points.iter().map(|p| p.to_array()).collect::<Vec<_>>());

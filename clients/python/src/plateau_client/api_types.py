@@ -25,6 +25,8 @@ Cache = Literal['reuse', 'bypass']
 - `reuse`: Return a stored result if there is one, and store this one for later requests.
 - `bypass`: Solve again, and do not store the result for later requests."""
 Caps = Literal['none', 'flat']
+Certify = Union[bool, "CertifyOptions"]
+"""Whether and how to prove a lower bound of the area."""
 Direction = Literal['as_given', 'auto']
 ForceUnit = Literal['N', 'kN', 'MN', 'lbf', 'kip']
 """Unit of the client's forces. A film's tension is a force per unit of length, and a pressure a force per unit of area."""
@@ -216,6 +218,35 @@ class CableForce(TypedDict):
     """Whether it carries no force."""
     unstressed_length: Optional[float]
     """Length / (1 + force / axial stiffness); null without an axial stiffness."""
+
+
+class Certificate(TypedDict):
+    """A proven lower bound of the area of all oriented surfaces with this boundary."""
+    area_lower_bound: float
+    """No oriented surface of any topology with this boundary has a smaller area."""
+    gap: Optional[float]
+    """The film's area is at most this fraction above the least area. Null if the bound is 0."""
+    iterations: int
+    orientations: int
+    """Number of orientations of the loops for which a field was found."""
+    scope: str
+    """The surfaces for which the bound holds."""
+    seconds: float
+    """Number of nominal seconds to which the work of the search amounts. No clock is read, so that the result is the same
+    on every machine."""
+    statement: str
+    """The result in words."""
+    tetrahedra: int
+    """Number of tetrahedra of all fields together."""
+
+
+class CertifyOptions(TypedDict):
+    """Sharpness of the lower bound, and the limit of the search for it."""
+    gap: NotRequired[float]
+    """The search ends once the film's area is at most this fraction above the bound. Default: `0.005`."""
+    seconds: NotRequired[float]
+    """Number of nominal seconds of one core that the search may take. They are converted to work by fixed rates, so that
+    the same request gives the same result on every machine. Default: `2.0`."""
 
 
 class CircleGuide(TypedDict):
@@ -533,6 +564,8 @@ class LineValues(TypedDict):
 class Links(TypedDict):
     """Addresses that belong to a job."""
     cancel: str
+    certificate: NotRequired[Optional[str]]
+    """Address of the proof of the area's lower bound. Only minimal surfaces have it, and only if the request has `certify`."""
     events: str
     mesh: NotRequired[Optional[str]]
     """Address of the mesh. Absent from failed and cancelled jobs."""
@@ -588,6 +621,8 @@ class MinimalStatistics(TypedDict):
     angles_deg: AngleRange
     area: float
     boundary_loops: int
+    certificate: Optional[Certificate]
+    """Proven lower bound of the area. Null without `certify`."""
     components: int
     converged: bool
     degenerate_triangles: int
@@ -676,6 +711,9 @@ class MinimalSurfaceRequest(TypedDict):
     `webhooks` of `GET /v1/limits`."""
     cancel_on_disconnect: NotRequired[bool]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
+    certify: NotRequired[Certify]
+    """Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
+    bound is to be and how long the search may take. Only for `minimal_area`."""
     constraints: NotRequired[Constraints]
     degenerate_angle_deg: NotRequired[float]
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
@@ -732,6 +770,9 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     `webhooks` of `GET /v1/limits`."""
     cancel_on_disconnect: NotRequired[bool]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
+    certify: NotRequired[Certify]
+    """Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
+    bound is to be and how long the search may take. Only for `minimal_area`."""
     constraints: NotRequired[Constraints]
     degenerate_angle_deg: NotRequired[float]
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
@@ -1088,6 +1129,9 @@ class SpanningTopology(TypedDict):
     films_cross: bool
     """Whether its films pass through each other or through themselves. No soap film has such a shape, so the topology
     comes after all others."""
+    gap: Optional[float]
+    """With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this boundary.
+    Null if nothing is proven."""
     stability: Optional[Stability]
 
 
@@ -1601,6 +1645,9 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     `webhooks` of `GET /v1/limits`."""
     cancel_on_disconnect: bool
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
+    certify: Certify
+    """Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
+    bound is to be and how long the search may take. Only for `minimal_area`."""
     constraints: Constraints
     degenerate_angle_deg: float
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller

@@ -10,33 +10,10 @@
 //! no rounding.
 
 use crate::DVec3;
-use std::collections::HashMap;
-use std::hash::{BuildHasherDefault, Hasher};
+use std::collections::BTreeMap;
 
-/// A hasher for small keys of vertex numbers. No result depends on the order of a map: it is looked up, or every value
-/// is changed by itself.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct VertexHasher(u64);
-
-impl Hasher for VertexHasher {
-    fn finish(&self) -> u64 {
-        self.0 ^ (self.0 >> 29)
-    }
-
-    fn write(&mut self, bytes: &[u8]) {
-        bytes.iter().for_each(|&byte| self.write_u32(u32::from(byte)));
-    }
-
-    fn write_u32(&mut self, value: u32) {
-        self.0 = (self.0.rotate_left(5) ^ u64::from(value)).wrapping_mul(0x517c_c1b7_2722_0a95);
-    }
-
-    fn write_usize(&mut self, value: usize) {
-        self.0 = (self.0.rotate_left(5) ^ value as u64).wrapping_mul(0x517c_c1b7_2722_0a95);
-    }
-}
-
-pub(super) type VertexMap<K, V> = HashMap<K, V, BuildHasherDefault<VertexHasher>>;
+/// A map with keys of vertex numbers.
+pub(super) type VertexMap<K, V> = BTreeMap<K, V>;
 
 /// An edge's key: its vertices, the smaller number first.
 pub(super) fn edge_key(a: u32, b: u32) -> [u32; 2] {
