@@ -10,6 +10,7 @@ pub mod config;
 pub mod export;
 mod http;
 pub mod jobs;
+pub mod opennurbs;
 pub mod status;
 pub mod store;
 mod telemetry;
