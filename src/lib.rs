@@ -8,6 +8,7 @@ mod auth;
 pub mod cli;
 pub mod config;
 pub mod export;
+pub mod hops;
 mod http;
 pub mod jobs;
 pub mod opennurbs;
