@@ -12,6 +12,7 @@ import os
 import socket
 import subprocess
 import sys
+import tempfile
 import time
 import urllib.error
 import urllib.request
@@ -239,7 +240,11 @@ def check_peer():
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     peer = f"http://127.0.0.1:{port}"
-    process = subprocess.Popen([sys.executable, "-c", PEER, str(port)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    folder = tempfile.TemporaryDirectory()
+    program = os.path.join(folder.name, "peer.py")
+    with open(program, "w") as file:
+        file.write(PEER)
+    process = subprocess.Popen([sys.executable, program, str(port)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
         for _ in range(300):
             try:
@@ -290,6 +295,7 @@ def check_peer():
     finally:
         process.terminate()
         process.wait()
+        folder.cleanup()
 
 
 if __name__ == "__main__":

@@ -60,7 +60,7 @@ fn document() -> Value {
             "securitySchemes": {
                 "key": { "type": "http", "scheme": "bearer", "description": "API key of this server, created with `plateau key new`." },
             },
-            "schemas": components(),
+            "schemas": schemas(),
             "responses": problems(),
             "headers": {
                 "RequestId": { "description": "Identifier of this request in the server's logs.", "schema": { "type": "string" } },
@@ -69,6 +69,13 @@ fn document() -> Value {
             },
         },
     })
+}
+
+/// Returns the component schemas: those of the wire types, and those of the messages of Hops.
+fn schemas() -> Map<String, Value> {
+    let mut schemas = components().clone();
+    schemas.extend(hops::schema::components());
+    schemas
 }
 
 /// Returns every path with its operations. Each operation gets the errors of the checks before its handler: first the

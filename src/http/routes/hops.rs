@@ -9,7 +9,7 @@ use crate::hops::recipe::{Draft, draft};
 use crate::hops::{Refusal, values};
 use crate::http::access::Caller;
 use crate::http::body;
-use crate::http::entry::with_problems;
+use crate::http::entry::{json_response, reference, with_problems};
 use crate::http::problem::Failure;
 use crate::http::routes::jobs::checked;
 use crate::http::state::App;
@@ -176,6 +176,9 @@ impl Run<'_> {
     }
 }
 
+/// Detail of a failed job whose errors say everything.
+const SEE_ERRORS: &str = "see errors";
+
 /// Returns the failure for a job that has failed. Only a defect of the server is a server's error.
 fn failed(error: &JobError) -> Failure {
     let detail = format!("{}: {}", error.title, error.detail);
@@ -184,7 +187,9 @@ fn failed(error: &JobError) -> Failure {
         return Failure::internal(detail);
     }
     let mut errors = error.errors.clone();
-    errors.insert(0, FieldError::new("", detail));
+    if errors.is_empty() || error.detail != SEE_ERRORS {
+        errors.insert(0, FieldError::new("", detail));
+    }
     Failure::invalid("").with_errors(errors)
 }
 
@@ -221,51 +226,8 @@ impl Drop for CancelOnDrop {
     }
 }
 
-/// Returns the schema of a component's description. Hops demands the capital letters.
-fn description_schema() -> Value {
-    let text = json!({ "type": "string" });
-    let parameter = json!({
-        "type": "object", "required": ["Name", "ParamType", "AtLeast", "AtMost"],
-        "properties": {
-            "Name": text, "Nickname": text, "Description": text,
-            "ParamType": { "type": "string", "description": "Name of the parameter's type in Grasshopper." },
-            "ResultType": { "type": "string", "description": ".NET type of the values." },
-            "AtLeast": { "type": "integer" }, "AtMost": { "type": "integer" },
-            "Default": { "description": "Value of an input that has none: a number, a boolean or a text." },
-        },
-    });
-    json!({
-        "type": "object", "required": ["Uri", "Name", "Inputs", "Outputs"],
-        "properties": {
-            "Uri": text, "Name": text, "Nickname": text, "Description": text, "Category": text, "Subcategory": text,
-            "Icon": { "type": "string", "description": "PNG in base64." },
-            "Inputs": { "type": "array", "items": parameter }, "Outputs": { "type": "array", "items": parameter },
-        },
-    })
-}
-
-fn values_schema() -> Value {
-    let item = json!({
-        "type": "object", "required": ["data"],
-        "properties": {
-            "type": { "type": "string", "description": ".NET type of the value." },
-            "data": { "type": "string", "description": "The value as JSON text. Curves and meshes are openNURBS objects." },
-        },
-    });
-    json!({
-        "type": "array",
-        "items": {
-            "type": "object", "required": ["ParamName", "InnerTree"],
-            "properties": {
-                "ParamName": { "type": "string" },
-                "InnerTree": { "type": "object", "additionalProperties": { "type": "array", "items": item } },
-            },
-        },
-    })
-}
-
 pub fn list_entry() -> Value {
-    let schema = json!({ "type": "array", "items": description_schema() });
+    let schema = json!({ "type": "array", "items": reference("HopsComponent") });
     let ok = json!({ "description": "Descriptions of all components", "content": { "application/json": { "schema": schema } } });
     json!({
         "operationId": "listHopsComponents", "tags": ["hops"], "summary": "The components for Hops in Grasshopper",
@@ -274,10 +236,7 @@ pub fn list_entry() -> Value {
 }
 
 pub fn describe_entry() -> Value {
-    let ok = json!({
-        "description": "Inputs and outputs of the component",
-        "content": { "application/json": { "schema": description_schema() } },
-    });
+    let ok = json_response("Inputs and outputs of the component", "HopsComponent");
     json!({
         "operationId": "getHopsComponent", "tags": ["hops"], "summary": "A component for Hops in Grasshopper",
         "parameters": [{ "name": "name", "in": "path", "required": true, "description": "Name of the component.",
@@ -287,20 +246,7 @@ pub fn describe_entry() -> Value {
 }
 
 pub fn solve_entry(operation: &str) -> Value {
-    let lines = json!({ "type": "array", "items": { "type": "string" } });
-    let message = json!({
-        "type": "object", "required": ["pointer", "values"],
-        "properties": {
-            "pointer": { "type": "string", "description": "Name of the component, or its path or address." },
-            "values": values_schema(),
-            "absolutetolerance": { "type": "number", "description": "Distance up to which the ends of a curve count as equal." },
-        },
-    });
-    let answer = json!({
-        "type": "object", "required": ["values", "errors", "warnings"],
-        "properties": { "values": values_schema(), "errors": lines, "warnings": lines },
-    });
-    let response = |description: &str| json!({ "description": description, "content": { "application/json": { "schema": answer } } });
+    let response = |description: &str| json_response(description, "HopsAnswer");
     let responses = json!({
         "200": response("The outputs"),
         "202": response("The outputs of a job that has not ended"),
@@ -323,7 +269,7 @@ pub fn solve_entry(operation: &str) -> Value {
         "operationId": operation, "tags": ["hops"], "summary": "Runs a component for Hops in Grasshopper",
         "description": "Hops posts beside the address of the component, and its later versions at the root of the host. \
             Keys may also be sent in the header `RhinoComputeKey`.",
-        "requestBody": { "required": true, "content": { "application/json": { "schema": message } } },
+        "requestBody": { "required": true, "content": { "application/json": { "schema": reference("HopsMessage") } } },
         "responses": responses,
     })
 }
