@@ -302,7 +302,7 @@ fn damaged_bytes_are_refused_without_a_panic_and_without_much_memory_or_time() {
                 damage(&mut bytes, other, &mut random);
             }
         }
-        if random.next_u64() % 2 == 0 {
+        if random.next_u64().is_multiple_of(2) {
             reseal(&mut bytes);
         }
         let started = Instant::now();

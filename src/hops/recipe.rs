@@ -54,7 +54,7 @@ impl Draft {
     pub fn line(&self, error: &FieldError) -> String {
         let FieldError { pointer, detail } = error;
         let ends = pointer.match_indices('/').map(|(at, _)| at).chain([pointer.len()]);
-        let known = ends.filter_map(|end| Some((end, self.places.get(&pointer[..end])?))).last();
+        let known = ends.filter_map(|end| Some((end, self.places.get(&pointer[..end])?))).next_back();
         match known {
             _ if pointer.is_empty() => detail.clone(),
             None => format!("{pointer}: {detail}"),

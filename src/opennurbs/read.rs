@@ -103,7 +103,7 @@ fn nurbs_curve(data: &mut Reader<'_>) -> Result<Curve, Defect> {
     if !(2..=3).contains(&dimension) || rational > 1 {
         return Err(Defect::Unusable("is a NURBS curve of neither two nor three dimensions"));
     }
-    if order < 2 || order > MAX_DEGREE + 1 || points < order {
+    if !(2..=MAX_DEGREE + 1).contains(&order) || points < order {
         return Err(Defect::Unusable("is a NURBS curve with too few points, or of too high a degree"));
     }
     let number = |bytes: &[u8]| bytes.first_chunk().map_or(f64::NAN, |bytes| f64::from_le_bytes(*bytes));

@@ -279,7 +279,7 @@ async fn a_sail_hangs_on_cables_between_its_anchors() {
     // The last anchor lies inside an edge and becomes a point of the boundary.
     let anchors = [sail[0], sail[1], sail[2], sail[3], [5.0, 0.0, 2.0]];
     let values = [
-        curves("Boundaries", &[sail.clone()]),
+        curves("Boundaries", std::slice::from_ref(&sail)),
         points("Anchors", &anchors),
         number("Cable Value", 12.0),
         number("Triangles", 300),
@@ -495,7 +495,7 @@ async fn a_job_without_a_result_says_why() {
     // A cable with less force than the film's pull has no equilibrium.
     let sail = vec![[0.0, 0.0, 0.0], [10.0, 0.0, 4.0], [10.0, 10.0, 0.0], [0.0, 10.0, 4.0], [0.0, 0.0, 0.0]];
     let values = [
-        curves("Boundaries", &[sail.clone()]),
+        curves("Boundaries", std::slice::from_ref(&sail)),
         points("Anchors", &sail[..4]),
         number("Cable Value", 0.1),
         number("Triangles", 100),
