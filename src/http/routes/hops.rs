@@ -10,11 +10,11 @@ use crate::hops::{Refusal, values};
 use crate::http::access::Caller;
 use crate::http::body;
 use crate::http::entry::{json_response, reference, with_problems};
+use crate::http::parameters::checked;
 use crate::http::problem::Failure;
-use crate::http::routes::jobs::checked;
 use crate::http::state::App;
+use crate::jobs::JobsError;
 use crate::jobs::submission::{Submitted, Submitter};
-use crate::jobs::{Jobs, JobsError};
 use crate::status::Status;
 use crate::wire::job::{Job, JobError};
 use crate::wire::{FieldError, Kind, Rejection};
@@ -107,7 +107,7 @@ impl Run<'_> {
             return self.answer(job).await;
         }
         // Nobody else knows this job, so it ends if the client goes away.
-        let abandoned = CancelOnDrop::new(&self.app.jobs, &job.id, self.caller.owner());
+        let abandoned = self.app.jobs.cancel_on_drop(&job.id, self.caller.owner());
         let wait_s = self.app.config.http.hops_wait_s;
         let job = self.app.jobs.wait(&job.id, self.caller.owner(), Duration::from_secs(wait_s)).await?;
         if !job.status.is_final() {
@@ -154,7 +154,7 @@ impl Run<'_> {
             return Err(Rejection::TooLarge(vec![FieldError::new("", text)]).into());
         }
         let from = Submitter { owner: owner.map(str::to_owned), idempotency_key: None };
-        match self.app.jobs.submit(draft.kind, body.into(), from, waited_for).await? {
+        match self.app.jobs.submit(draft.kind, body.into(), from, waited_for).await?.submitted {
             Submitted::Created(job) | Submitted::Existing(job) => Ok(job),
         }
     }
@@ -176,7 +176,7 @@ impl Run<'_> {
     }
 }
 
-/// Detail of a failed job whose errors say everything.
+/// Detail of a failed job that leaves everything to its errors.
 const SEE_ERRORS: &str = "see errors";
 
 /// Returns the failure for a job that has failed. Only a defect of the server is a server's error.
@@ -187,7 +187,9 @@ fn failed(error: &JobError) -> Failure {
         return Failure::internal(detail);
     }
     let mut errors = error.errors.clone();
-    if errors.is_empty() || error.detail != SEE_ERRORS {
+    // The detail may say nothing but what the errors say.
+    let said = error.detail == SEE_ERRORS || error.errors.iter().any(|one| error.detail.contains(&one.detail));
+    if !said {
         errors.insert(0, FieldError::new("", detail));
     }
     Failure::invalid("").with_errors(errors)
@@ -196,34 +198,6 @@ fn failed(error: &JobError) -> Failure {
 fn respond(status: StatusCode, answer: &Answer<'_>) -> Response {
     let json = HeaderValue::from_static("application/json");
     (status, [(header::CONTENT_TYPE, json)], answer.to_json()).into_response()
-}
-
-/// Cancels a job when it is dropped, unless the job is kept.
-struct CancelOnDrop {
-    job: Option<(Jobs, String, Option<String>)>,
-}
-
-impl CancelOnDrop {
-    fn new(jobs: &Jobs, id: &str, owner: Option<&str>) -> Self {
-        Self { job: Some((jobs.clone(), id.to_owned(), owner.map(str::to_owned))) }
-    }
-
-    fn keep(mut self) {
-        self.job = None;
-    }
-}
-
-impl Drop for CancelOnDrop {
-    fn drop(&mut self) {
-        if let Some((jobs, id, owner)) = self.job.take() {
-            // The handler's own task is gone if the client has closed the connection.
-            tokio::spawn(async move {
-                if let Err(error) = jobs.cancel(&id, owner.as_deref()).await {
-                    tracing::debug!(?error, job_id = %id, "an abandoned job could not be cancelled");
-                }
-            });
-        }
-    }
 }
 
 pub fn list_entry() -> Value {
