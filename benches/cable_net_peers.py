@@ -31,13 +31,13 @@ def peer(cells):
     net = FDMesh.from_meshgrid(10.0, nx=cells)
     rim = [edge for edge in net.edges() if net.is_edge_on_boundary(edge)]
     inside = [edge for edge in net.edges() if not net.is_edge_on_boundary(edge)]
-    for edges, force in ((rim, 20.0), (inside, 1.0)):
-        for edge in edges:
-            net.edge_forcedensity(edge, force / size)
     corners = list(net.vertices_where(vertex_degree=2))
     net.vertices_supports(corners)
     for corner in (corners[0], corners[-1]):
         net.vertex_attribute(corner, "z", 5.0)
+    for edges, force in ((rim, 20.0), (inside, 1.0)):
+        for edge in edges:
+            net.edge_forcedensity(edge, force / net.edge_length(edge))
     parameters = [EdgeForceDensityParameter(edge, 0.1, None) for edge in net.edges()]
     forces = MeanSquaredError([EdgeForceGoal(edge, target=20.0) for edge in rim], name="force")
     lengths = MeanSquaredError([EdgeLengthGoal(edge, target=size) for edge in inside], name="length")

@@ -21,8 +21,7 @@ fn net(cells: u32) -> Net {
             net.vertices.push(DVec3::new(size * f64::from(i), size * f64::from(j), lift));
             let mut join = |other: u32, rim: bool| {
                 let (force, length) = (rim.then_some(20.0), (!rim).then_some(size));
-                let density = Some(if rim { 20.0 / size } else { 1.0 / size });
-                net.edges.push(Edge { ends: [number(i, j), other], density, force, length });
+                net.edges.push(Edge { ends: [number(i, j), other], density: None, force, length });
             };
             if i < cells {
                 join(number(i + 1, j), j == 0 || j == cells);
@@ -31,6 +30,11 @@ fn net(cells: u32) -> Net {
                 join(number(i, j + 1), i == 0 || i == cells);
             }
         }
+    }
+    // The start of the example: these forces at the lengths of the lifted grid.
+    for edge in &mut net.edges {
+        let [a, b] = edge.ends.map(|v| net.vertices[v as usize]);
+        edge.density = Some(edge.force.unwrap_or(1.0) / a.distance(b));
     }
     net
 }
