@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Files and folders of `src`, earliest layer first. A file belongs to the longest entry that its path starts with.
-const LAYERS: [&str; 41] = [
+const LAYERS: [&str; 45] = [
     "execution",
     "error",
     "estimate",
@@ -45,6 +45,10 @@ const LAYERS: [&str; 41] = [
     "tensile_structure/form_finding",
     "tensile_structure/outcome",
     "tensile_structure",
+    "cable_net/options",
+    "cable_net/shape",
+    "cable_net/fitting",
+    "cable_net",
     "lower_bound",
     "uniform_mesh",
     "ruled_surface/graph",
