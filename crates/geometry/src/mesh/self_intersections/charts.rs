@@ -20,11 +20,11 @@ use super::soup::{LOOK, NONE, Soup};
 use crate::{DVec2, DVec3, Execution, Interruption};
 use std::ops::ControlFlow;
 
-/// Cosine of the angle from a direction up to which triangles belong to its charts: 65 degrees. A larger angle makes the
+/// Cosine of the angle from a direction up to which triangles belong to its charts: 72 degrees. A larger angle makes the
 /// charts overlap more, and the boundaries that are seen from the side touch more often.
-const CHART: f64 = 0.42;
+const CHART: f64 = 0.31;
 /// Cosine of the angle from a direction up to which no further direction is needed: 40 degrees. The difference of the two
-/// angles, 25 degrees, is how much the normals of a leaf's triangles may differ.
+/// angles, 32 degrees, is how much the normals of a leaf's triangles may differ.
 const COVERED: f64 = 0.77;
 /// Largest number of directions. A sphere needs about 14; more are needed only by noise.
 const DIRECTIONS: usize = 20;
