@@ -6,6 +6,7 @@
 
 use crate::execution::{Execution, Interruption};
 use glam::DVec2;
+use std::rc::Rc;
 
 /// A piece of the boundary or of a fixed curve, with the wanted edge length along it. If both ends are equal, it is a
 /// point.
@@ -35,6 +36,9 @@ impl Source {
 
 /// Sources in a leaf of the tree.
 const LEAF: usize = 4;
+/// A cell that at most this number of sources can matter to has a list of them. In the other cells the tree is searched:
+/// beside a boundary of many points thousands may matter to one cell.
+const FEW: usize = 128;
 /// Relative rounding error of a bound, by which a part of the tree must be worse than the best source so far to be left
 /// out.
 const ROUNDING: f64 = 1e-12;
@@ -84,75 +88,97 @@ impl<'a> Tree<'a> {
         Self { sources, groups, base }
     }
 
-    /// Visits the groups from the root on, and the sources of the leaves, nearest to a point first. It leaves out what
-    /// is below a group of which `visit` says false.
-    fn walk(&self, nearer: DVec2, mut visit: impl FnMut(Walk<'_>) -> bool) {
-        let mut stack = [1usize; 64];
+    /// Visits the groups from the root on, nearest to a point first, and offers the sources of the leaves. It leaves out
+    /// what is below a group that the walk does not enter.
+    fn walk(&self, point: DVec2, state: &mut impl Walk) {
+        // One entry for each level, and one more: 2^30 leaves.
+        let mut stack = [(1usize, 0.0); 32];
         let mut height = 1;
+        stack[0].1 = self.groups[1].distance(point);
         while height > 0 {
             height -= 1;
-            let node = stack[height];
-            if !visit(Walk::Group(&self.groups[node])) {
+            let (node, distance) = stack[height];
+            if !state.enters(self.groups[node].size, distance) {
                 continue;
             }
             if node < self.base {
-                let [left, right] = [2 * node, 2 * node + 1];
-                let right_is_nearer = self.groups[right].distance(nearer) < self.groups[left].distance(nearer);
+                let [left, right] = [2 * node, 2 * node + 1].map(|child| (child, self.groups[child].distance(point)));
                 // The nearer half is visited first.
-                let [first, second] = if right_is_nearer { [right, left] } else { [left, right] };
+                let [first, second] = if right.1 < left.1 { [right, left] } else { [left, right] };
                 (stack[height], stack[height + 1]) = (second, first);
                 height += 2;
-            } else {
-                let start = (node - self.base) * LEAF;
-                for k in start..(start + LEAF).min(self.sources.len()) {
-                    visit(Walk::Source(k as u32, &self.sources[k]));
+                continue;
+            }
+            let start = (node - self.base) * LEAF;
+            for k in start..(start + LEAF).min(self.sources.len()) {
+                if !state.offer(k as u32, &self.sources[k]) {
+                    return;
                 }
             }
         }
     }
+}
 
-    /// The least of `bound` and, over all sources, size + grading × distance from a point, with the source that gives
-    /// it. `hint` is a source whose value is likely to be low.
-    fn size(&self, point: DVec2, grading: f64, bound: f64, hint: u32) -> (f64, u32) {
-        let mut best = (bound, hint);
-        let mut offer = |k: u32, source: &Source| {
-            let value = source.size + grading * source.distance(point);
-            if value < best.0 {
-                best = (value, k);
-            }
-            best.0
-        };
-        let mut least = self.sources.get(hint as usize).map_or(bound, |source| offer(hint, source));
-        self.walk(point, |step| match step {
-            Walk::Group(group) => group.size + grading * group.distance(point) <= least * (1.0 + ROUNDING),
-            Walk::Source(k, source) => {
-                least = offer(k, source);
-                true
-            }
-        });
-        best
+/// What a walk through the tree looks for.
+trait Walk {
+    /// Whether a group with this least size, at this distance, may hold what is looked for.
+    fn enters(&self, size: f64, distance: f64) -> bool;
+    /// Takes a source and its number. False ends the walk.
+    fn offer(&mut self, number: u32, source: &Source) -> bool;
+}
+
+/// Finds the least of a bound and, over all sources, size + grading × distance from a point.
+struct Smallest {
+    point: DVec2,
+    grading: f64,
+    size: f64,
+    /// The distance of the nearest source that was looked at.
+    clearance: f64,
+}
+
+impl Walk for Smallest {
+    fn enters(&self, size: f64, distance: f64) -> bool {
+        // Nearer sources than the clearance that matters count too, whatever their size.
+        size + self.grading * distance <= self.size * (1.0 + ROUNDING)
+            || distance <= CLEARANCE * self.size * (1.0 + ROUNDING)
     }
 
-    /// Whether no source is nearer to a point than `reach`.
-    fn is_clear(&self, point: DVec2, reach: f64) -> bool {
-        let mut clear = true;
-        self.walk(point, |step| match step {
-            Walk::Group(group) => clear && group.distance(point) <= reach * (1.0 + ROUNDING),
-            Walk::Source(_, source) => {
-                clear &= source.distance(point) >= reach;
-                true
-            }
-        });
-        clear
+    fn offer(&mut self, _number: u32, source: &Source) -> bool {
+        let distance = source.distance(self.point);
+        self.clearance = self.clearance.min(distance);
+        self.size = self.size.min(source.size + self.grading * distance);
+        true
     }
 }
 
-/// A step of a walk through the tree.
-enum Walk<'a> {
-    /// Whether the walk goes on into this group.
-    Group(&'a Group),
-    /// A source and its number.
-    Source(u32, &'a Source),
+/// Collects the sources that can determine the size, or be too near, anywhere within `reach` of a point.
+struct Near {
+    point: DVec2,
+    grading: f64,
+    /// The size at the point.
+    size: f64,
+    reach: f64,
+    found: Vec<u32>,
+}
+
+impl Near {
+    fn matters(&self, size: f64, distance: f64) -> bool {
+        let largest = self.size + 2.0 * self.grading * self.reach;
+        size + self.grading * distance <= largest || distance - self.reach <= CLEARANCE * largest
+    }
+}
+
+impl Walk for Near {
+    fn enters(&self, size: f64, distance: f64) -> bool {
+        self.matters(size * (1.0 - ROUNDING), distance * (1.0 - ROUNDING))
+    }
+
+    fn offer(&mut self, number: u32, source: &Source) -> bool {
+        if self.matters(source.size, source.distance(self.point)) {
+            self.found.push(number);
+        }
+        self.found.len() <= FEW
+    }
 }
 
 /// The wanted edge length as a function of the position: the least of the cap and, over all sources, size + grading ×
@@ -177,18 +203,50 @@ struct Cell {
     /// Whether the triangle points the other way than the root. Each of its corners is then a corner of an upright one
     /// too.
     inverted: bool,
-    /// The source that determines the size in the cell around this one.
-    hint: u32,
+    near: Sources,
+}
+
+/// The sources that can matter to a cell.
+#[derive(Clone)]
+enum Sources {
+    All,
+    Few(Rc<[u32]>),
 }
 
 /// Number of cells visited between two looks, which takes a few milliseconds.
 const CELLS_BETWEEN_LOOKS: u64 = 1 << 15;
 
-/// A lattice point (row, then column) that may stand too near to a source, and the source that determines the size beside
+/// A lattice point (row, then column) that may stand too near to a source, and the number of the list of sources near
 /// it.
 type Corner = (u64, u32);
 
 impl SizeField<'_> {
+    /// The size at a position, and the distance of the nearest source where that can be too near.
+    #[inline]
+    fn size_and_clearance(&self, point: DVec2, tree: &Tree, near: &Sources) -> (f64, f64) {
+        let size = (self.cap)(point);
+        let mut found = Smallest { point, grading: self.grading, size, clearance: f64::INFINITY };
+        match near {
+            Sources::All => tree.walk(point, &mut found),
+            Sources::Few(near) => near.iter().for_each(|&k| {
+                found.offer(k, &self.sources[k as usize]);
+            }),
+        }
+        (found.size, found.clearance)
+    }
+
+    /// The sources that can determine the size, or be too near, anywhere within `reach` of a point.
+    fn narrowed(&self, point: DVec2, reach: f64, size: f64, tree: &Tree, near: &Sources) -> Sources {
+        let mut found = Near { point, grading: self.grading, size, reach, found: Vec::new() };
+        match near {
+            Sources::All => tree.walk(point, &mut found),
+            Sources::Few(near) => near.iter().for_each(|&k| {
+                found.offer(k, &self.sources[k as usize]);
+            }),
+        }
+        if found.found.len() <= FEW { Sources::Few(found.found.into()) } else { Sources::All }
+    }
+
     /// The lattice points in the rectangle that are not too near to a source, sorted by y, then x. `None` if there
     /// would be more than `limit`. Looks every [`CELLS_BETWEEN_LOOKS`] cells.
     ///
@@ -214,16 +272,16 @@ impl SizeField<'_> {
         let place = |[u, v]: [i64; 2]| origin + DVec2::new((u as f64 + 0.5 * v as f64) * unit, v as f64 * row * unit);
         let whole = 1i64 << DEPTH;
         let tree = Tree::new(&self.sources);
-        let size_at = |point: DVec2, hint: u32| tree.size(point, self.grading, (self.cap)(point), hint);
-        let mut stack = vec![Cell { corners: [[0, 0], [whole, 0], [0, whole]], depth: 0, inverted: false, hint: 0 }];
-        let mut found: Vec<Corner> = Vec::new();
+        let root = [[0, 0], [whole, 0], [0, whole]];
+        let mut stack = vec![Cell { corners: root, depth: 0, inverted: false, near: Sources::All }];
+        let (mut found, mut lists): (Vec<Corner>, Vec<Sources>) = (Vec::new(), Vec::new());
         let merge = |found: &mut Vec<Corner>| {
             found.sort_unstable();
             found.dedup_by_key(|corner| corner.0);
         };
         let mut merged = 0;
         let mut visited = 0;
-        while let Some(Cell { corners, depth, inverted, hint }) = stack.pop() {
+        while let Some(Cell { corners, depth, inverted, near }) = stack.pop() {
             visited += 1;
             if visited % CELLS_BETWEEN_LOOKS == 0 {
                 exec.look(CELLS_BETWEEN_LOOKS)?;
@@ -232,11 +290,13 @@ impl SizeField<'_> {
             let [p, q, r] = places;
             let centre = (p + q + r) / 3.0;
             let side = side / 2f64.powi(depth as i32);
+            let reach = side / 3f64.sqrt();
             if p.min(q).min(r).cmpgt(high).any() || p.max(q).max(r).cmplt(low).any() {
                 continue;
             }
-            let (size, hint) = size_at(centre, hint);
+            let (size, _) = self.size_and_clearance(centre, &tree, &near);
             if depth < DEPTH && side > size * (1.0 + 1e-9) {
+                let near = self.narrowed(centre, reach, size, &tree, &near);
                 let half = |a: [i64; 2], b: [i64; 2]| [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
                 let [a, b, c] = corners;
                 let (ab, bc, ca) = (half(a, b), half(b, c), half(c, a));
@@ -244,16 +304,25 @@ impl SizeField<'_> {
                     [([a, ab, ca], false), ([ab, b, bc], false), ([ca, bc, c], false), ([bc, ca, ab], true)]
                 {
                     let inverted = inverted != turned;
-                    stack.push(Cell { corners, depth: depth + 1, inverted, hint });
+                    stack.push(Cell { corners, depth: depth + 1, inverted, near: near.clone() });
                 }
                 continue;
             }
             if inverted {
                 continue;
             }
+            let is_last = match (lists.last(), &near) {
+                (Some(Sources::Few(last)), Sources::Few(near)) => Rc::ptr_eq(last, near),
+                (Some(Sources::All), Sources::All) => true,
+                _ => false,
+            };
+            if !is_last {
+                lists.push(near);
+            }
+            let list = lists.len() as u32 - 1;
             for ([column, row], point) in corners.into_iter().zip(places) {
                 if point.cmpge(low).all() && point.cmple(high).all() {
-                    found.push(((row as u64) << 32 | column as u64, hint));
+                    found.push(((row as u64) << 32 | column as u64, list));
                 }
             }
             if found.len() > merged + 2 * limit {
@@ -267,10 +336,10 @@ impl SizeField<'_> {
             }
         }
         merge(&mut found);
-        let clear = |&(corner, hint): &Corner| {
+        let clear = |&(corner, list): &Corner| {
             let point = place([(corner & u64::from(u32::MAX)) as i64, (corner >> 32) as i64]);
-            let (size, _) = size_at(point, hint);
-            tree.is_clear(point, CLEARANCE * size).then_some(point)
+            let (size, clearance) = self.size_and_clearance(point, &tree, &lists[list as usize]);
+            (clearance >= CLEARANCE * size).then_some(point)
         };
         let points: Vec<DVec2> = found.iter().filter_map(clear).collect();
         Ok((points.len() <= limit).then_some(points))
@@ -319,5 +388,35 @@ mod tests {
     fn too_many_points_are_refused_before_they_are_made() {
         let field = SizeField { sources: square_sources(1.0, 4), grading: 0.3, cap: &|_| 1e-4 };
         assert!(field.lattice(DVec2::ZERO, DVec2::ONE, 1e-4, 10_000, &Execution::default()).unwrap().is_none());
+    }
+
+    /// Counts the sources that a search looks at.
+    struct Counted(Smallest, usize);
+
+    impl Walk for Counted {
+        fn enters(&self, size: f64, distance: f64) -> bool {
+            self.0.enters(size, distance)
+        }
+        fn offer(&mut self, number: u32, source: &Source) -> bool {
+            self.1 += 1;
+            self.0.offer(number, source)
+        }
+    }
+
+    #[test]
+    fn few_of_the_sources_on_a_long_boundary_are_looked_at() {
+        let count = 50_000;
+        let at = |k: u32| DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / f64::from(count));
+        let sources: Vec<Source> = (0..count).map(|k| Source::new(at(k), at(k + 1), 1e-4)).collect();
+        let tree = Tree::new(&sources);
+        for radius in [0.2, 0.5, 0.9, 0.99, 0.9999] {
+            let point = DVec2::from_angle(1.0) * radius;
+            let smallest = Smallest { point, grading: 0.3, size: 1.0, clearance: f64::INFINITY };
+            let mut counted = Counted(smallest, 0);
+            tree.walk(point, &mut counted);
+            let brute_force = sources.iter().map(|source| source.size + 0.3 * source.distance(point));
+            assert_eq!(counted.0.size, brute_force.fold(1.0, f64::min));
+            assert!(counted.1 < 3_000, "{radius}: {}", counted.1);
+        }
     }
 }
