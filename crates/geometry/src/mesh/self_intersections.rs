@@ -271,11 +271,11 @@ mod tests {
     /// A net over a curve that may cross itself, with holes, noise, and vertices moved onto others. A coarse grid of
     /// coordinates makes much of it touch.
     fn net(random: &mut SplitMix64) -> (Vec<DVec3>, Vec<[u32; 3]>) {
-        let (m, n) = (16 + random.below(48) as u32, 3 + random.below(12) as u32);
+        let (m, n) = (8 + random.below(40) as u32, 2 + random.below(8) as u32);
         let mut any = |low: f64, high: f64| random.between(low, high);
         let waves =
             [1.0, 2.0, 3.0].map(|k: f64| [k, any(-4.0, 4.0) / (k * k), any(-4.0, 4.0) / (k * k), any(0.0, 6.0)]);
-        let (noise, holes, grid, twist) = (any(-0.6, 0.2).max(0.0), any(-0.3, 0.1), any(-0.6, 0.4), any(-0.5, 0.5));
+        let (noise, holes, grid, twist) = (any(-0.5, 0.5).max(0.0), any(-0.1, 0.3), any(-0.3, 0.5), any(-0.5, 0.5));
         let mut vertices = Vec::new();
         for i in 0..m {
             for j in 0..n {
@@ -305,7 +305,7 @@ mod tests {
         let mut random = SplitMix64::new(16);
         let exec = Execution::default();
         let (mut all, mut suspected, mut crossing) = (0, 0, 0);
-        for case in 0..2000 {
+        for case in 0..3000 {
             let (vertices, triangles) = net(&mut random);
             let soup = Soup::new(&vertices, &triangles, &exec).unwrap();
             let list = soup.with_area();
@@ -318,7 +318,7 @@ mod tests {
             crossing += usize::from(expected.pairs > 0);
         }
         // Both kinds of mesh are frequent, and the charts settle a part of them.
-        assert!((100..1950).contains(&crossing), "{crossing}");
-        assert!(10 * suspected < 9 * all, "{suspected} of {all}");
+        assert!((300..2900).contains(&crossing), "{crossing}");
+        assert!(suspected + 30_000 < all, "{suspected} of {all}");
     }
 }
