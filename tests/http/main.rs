@@ -9,6 +9,7 @@ mod bucket;
 mod cancel;
 mod catalogue;
 mod command_line;
+mod compression;
 mod connections;
 mod errors;
 mod events;
