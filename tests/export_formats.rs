@@ -403,6 +403,18 @@ fn json_has_every_number_and_the_documented_form() {
             lines("directrices", vec![]),
         ]
     );
+    // Arrows have their own ends, which move with the origin.
+    let mut contents = contents.clone();
+    let ends = vec![[[1.0, 2.0, 3.0], [4.0, 5.0, 6.5]]];
+    let lines = Lines::Arrows { ends: ends.clone(), values: None };
+    contents.line_sets = vec![LineSet { name: "reactions".into(), group: String::new(), lines }];
+    let read =
+        |origin| -> JsonMesh { serde_json::from_slice(&with(MeshFormat::Json, &contents, choices(origin))).unwrap() };
+    assert_eq!(read(Origin::Given).lines[0].arrows, ends);
+    let (moved, origin) = (read(Origin::Local).lines[0].arrows[0][1], contents.origin());
+    assert_eq!(DVec3::from_array(moved), DVec3::new(4.0, 5.0, 6.5) - origin);
+    let obj = String::from_utf8(with(MeshFormat::Obj, &contents, choices(Origin::Local))).unwrap();
+    assert!(obj.contains(&format!("\nv {:?} {:?} {:?}\n", moved[0], moved[1], moved[2])), "{obj}");
     let bare: JsonMesh = serde_json::from_slice(&MeshFormat::Json.encode(&awkward()).unwrap()).unwrap();
     assert_eq!(bare.attributes.mean_curvature, None);
 }
@@ -470,7 +482,10 @@ fn scene_and_surface_have_extras_too() {
         assert_eq!(asset[name], scene[name], "{name}");
     }
     let surface = &glb.document["nodes"][0]["extras"];
-    assert_eq!((&surface["origin"], &surface["unit"]), (&asset["origin"], &asset["unit"]));
+    let origin = ["origin_x", "origin_y", "origin_z"].map(|name| surface[name].clone());
+    assert_eq!((&json!(origin), &surface["unit"]), (&asset["origin"], &asset["unit"]));
+    // Assimp ends when it copies a node whose extras have a list or an object.
+    assert!(surface.as_object().unwrap().values().all(|value| !value.is_array() && !value.is_object()));
 }
 
 #[test]

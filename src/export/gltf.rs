@@ -264,8 +264,12 @@ impl Scene {
 
         let base_color = if contents.mean_curvature.is_some() { [1.0, 1.0, 1.0, 1.0] } else { [0.55, 0.68, 0.8, 1.0] };
         let translation = frame.translation().to_array();
-        let place =
-            json!({ "origin": frame.origin.to_array(), "unit": contents.unit.symbol(), "up": contents.up.symbol() });
+        // Plain values only: Assimp 5.2 ends when it copies a node whose extras have a list or an object.
+        let [x, y, z] = frame.origin.to_array();
+        let place = json!({
+            "origin_x": x, "origin_y": y, "origin_z": z,
+            "unit": contents.unit.symbol(), "up": contents.up.symbol(),
+        });
         nodes.push(json!({ "name": "surface", "mesh": meshes.len(), "translation": translation, "extras": place }));
         meshes.push(json!({ "name": "surface", "primitives": [
             { "attributes": attributes, "indices": triangles, "material": materials.len(), "mode": TRIANGLES }

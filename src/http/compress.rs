@@ -1,15 +1,16 @@
 //! Compresses long answers with zstd or gzip for clients that accept it.
 
 use axum::Router;
+use axum::body::Body;
 use axum::http::{Extensions, HeaderMap, HeaderValue, Response, StatusCode, Version, header};
 use tower::util::MapResponseLayer;
 use tower_http::CompressionLevel;
+use tower_http::compression::CompressionLayer;
 use tower_http::compression::predicate::{Predicate, SizeAbove};
-use tower_http::compression::{CompressionBody, CompressionLayer};
 
 /// Length in bytes from which an answer is compressed. Shorter ones take a few packets either way, and compressing them
 /// takes longer than sending them.
-const LEAST_BYTES: u16 = 8192;
+const LEAST_BYTES: u64 = 8192;
 
 /// Media types that are compressed. Event streams are left out, because each event is sent at once. So are pictures, fonts
 /// and ZIP files, which are compressed already.
@@ -43,10 +44,7 @@ fn is_compressed(headers: &HeaderMap) -> bool {
 
 /// Makes the entity tag of a compressed answer a weak one. A strong tag stands for exactly these bytes, and a client that
 /// asks for a part of the file by it would get a part of the other bytes.
-fn weaken_tag<B>(mut response: Response<CompressionBody<B>>) -> Response<CompressionBody<B>>
-where
-    B: axum::body::HttpBody,
-{
+fn weaken_tag(mut response: Response<Body>) -> Response<Body> {
     let headers = response.headers_mut();
     let tag = headers.get(header::ETAG).and_then(|tag| tag.to_str().ok()).filter(|tag| !tag.starts_with("W/"));
     let weak = tag.and_then(|tag| HeaderValue::from_str(&format!("W/{tag}")).ok());

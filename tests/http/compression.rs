@@ -3,7 +3,13 @@
 use crate::app::{MINIMAL, TestApp, small_film};
 use flate2::read::GzDecoder;
 use reqwest::{Method, Response};
+use serde_json::{Value, json};
 use std::io::Read;
+
+/// A film whose files are long enough to be compressed.
+fn film() -> Value {
+    json!({ "boundaries": [[[0, 0, 0], [1, 0, 0.3], [1, 1, 0], [0, 1, 0.3]]], "resolution": { "triangles": 2000 } })
+}
 
 async fn get(app: &TestApp, path: &str, headers: &[(&str, &str)]) -> Response {
     let request =
@@ -18,7 +24,7 @@ fn header<'r>(response: &'r Response, name: &str) -> &'r str {
 #[tokio::test]
 async fn a_mesh_and_the_api_document_are_compressed_for_clients_that_accept_it() {
     let app = TestApp::start().await;
-    let job = app.solve(MINIMAL, &small_film(0.3)).await;
+    let job = app.solve(MINIMAL, &film()).await;
     let mesh = format!("{}?format=obj", job["links"]["mesh"].as_str().unwrap());
     for path in [mesh.as_str(), "/openapi.json"] {
         let plain = get(&app, path, &[]).await;
@@ -43,7 +49,7 @@ async fn a_mesh_and_the_api_document_are_compressed_for_clients_that_accept_it()
 #[tokio::test]
 async fn a_compressed_file_has_a_weak_tag_and_a_part_of_it_is_never_compressed() {
     let app = TestApp::start().await;
-    let job = app.solve(MINIMAL, &small_film(0.3)).await;
+    let job = app.solve(MINIMAL, &film()).await;
     let mesh = format!("{}?format=stl", job["links"]["mesh"].as_str().unwrap());
     let gzip = ("accept-encoding", "gzip");
     let strong = header(&get(&app, &mesh, &[]).await, "etag").to_owned();

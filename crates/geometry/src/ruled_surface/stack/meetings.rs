@@ -1,11 +1,11 @@
 //! Directrices that a caller may not have meant: equal ones, ones that cross, and open ones that end where they begin.
 
 use super::prepare::Prepared;
+use crate::DVec3;
 use crate::error::Warning;
 use crate::execution::{Execution, Interruption};
 use crate::polyline::contact::{Contact, Segments, first_contact};
 use crate::polyline::{SAME_POINT, radius};
-use crate::{DVec3, polyline};
 
 /// Smallest number of points of an open directrix that is taken for a loop.
 const LOOP_POINTS: usize = 4;
@@ -44,7 +44,7 @@ pub(crate) fn warnings(prepared: &Prepared, execution: &Execution<'_>) -> Result
 fn unclosed(prepared: &Prepared) -> Option<Warning> {
     let is_loop = |points: &[DVec3]| {
         let ends = points[0].distance(points[points.len() - 1]);
-        points.len() >= LOOP_POINTS && ends <= SAME_POINT * polyline::radius(points)
+        points.len() >= LOOP_POINTS && ends <= SAME_POINT * radius(points)
     };
     let directrices = prepared.directrices.iter().enumerate();
     let loops: Vec<String> =
