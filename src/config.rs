@@ -66,6 +66,11 @@ pub struct HttpConfig {
     /// Whether `/mcp` offers this server's operations as tools for language models (Model Context Protocol, streamable
     /// HTTP). `plateau mcp` offers the same tools on standard input and output and needs no setting.
     pub mcp: bool,
+    /// Whether `/hops` offers components for Hops in Grasshopper, which posts their inputs to `/solve` and `/hops/solve`.
+    pub hops: bool,
+    /// Longest time in seconds for which a component of Hops waits for its job. After it the job is cancelled. Hops itself
+    /// gives up after 100 s.
+    pub hops_wait_s: u64,
     /// Address of a separate listener for `/metrics` that needs no API key; `plateau worker` has it too. If empty,
     /// `/metrics` is served by the main listener.
     pub metrics_listen: String,
@@ -89,6 +94,8 @@ impl Default for HttpConfig {
             files_kept_bytes: 64 << 20,
             compression: true,
             mcp: false,
+            hops: true,
+            hops_wait_s: 90,
             metrics_listen: String::new(),
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::auth::{Left, Refusal};
 use crate::config::HttpConfig;
+use crate::hops;
 use crate::http::problem::Failure;
 use crate::http::state::App;
 use axum::extract::{FromRequestParts, Request, State};
@@ -35,11 +36,18 @@ impl<S: Sync> FromRequestParts<S> for Caller {
     }
 }
 
-/// Returns true for paths that need no key: the API document, its page, the studio and the health checks.
+/// Header in which Hops sends a key.
+const RHINO_COMPUTE_KEY: HeaderName = HeaderName::from_static("rhinocomputekey");
+
+/// Returns true for paths that need no key: the API document, its page, the studio, the health checks, and the
+/// descriptions of the components of Hops.
 #[must_use]
 pub fn is_public(path: &str) -> bool {
     let below = |folder: &str| path.strip_prefix(folder).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'));
-    path == "/" || path == "/openapi.json" || ["/docs", "/health", "/problems", "/studio"].into_iter().any(below)
+    path == "/"
+        || path == "/openapi.json"
+        || ["/docs", "/health", "/problems", "/studio"].into_iter().any(below)
+        || (below("/hops") && !hops::is_solve(path))
 }
 
 /// Numbers of requests that a key has left, as in the IETF's draft-ietf-httpapi-ratelimit-headers-10.
@@ -74,13 +82,7 @@ pub async fn authenticate(State(app): State<App>, mut request: Request, next: Ne
     if is_public(request.uri().path()) {
         return next.run(request).await;
     }
-    let presented = request
-        .headers()
-        .get(header::AUTHORIZATION)
-        .and_then(|value| value.to_str().ok())
-        .and_then(|value| value.split_once(' '))
-        .filter(|(scheme, _)| scheme.eq_ignore_ascii_case("bearer"))
-        .map(|(_, key)| key.trim());
+    let presented = presented_key(request.headers(), request.uri().path());
     let per_minute = app.config.auth.requests_per_minute;
     let admitted = match ticket(&request).filter(|_| presented.is_none() && app.keys.required()) {
         Some((job, ticket)) => {
@@ -113,6 +115,16 @@ pub async fn authenticate(State(app): State<App>, mut request: Request, next: Ne
             with_rate_limit(refused, per_minute, Left { requests: 0, full_in_s: wait_s })
         }
     }
+}
+
+/// Returns the key of a request: from `Authorization: Bearer` or, in a message of Hops, from Hops's own header.
+fn presented_key<'r>(headers: &'r HeaderMap, path: &str) -> Option<&'r str> {
+    let text = |name: &HeaderName| headers.get(name).and_then(|value| value.to_str().ok());
+    let bearer = text(&header::AUTHORIZATION)
+        .and_then(|value| value.split_once(' '))
+        .filter(|(scheme, _)| scheme.eq_ignore_ascii_case("bearer"))
+        .map(|(_, key)| key.trim());
+    bearer.or_else(|| text(&RHINO_COMPUTE_KEY).filter(|_| hops::is_solve(path)).map(str::trim))
 }
 
 const SEC_FETCH_SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
@@ -250,11 +262,30 @@ mod tests {
 
     #[test]
     fn only_pages_health_checks_and_the_api_document_are_public() {
-        for path in ["/", "/openapi.json", "/docs", "/docs/", "/studio/main.js", "/health/live", "/problems/not-found"]
-        {
+        for path in [
+            "/",
+            "/openapi.json",
+            "/docs",
+            "/docs/",
+            "/studio/main.js",
+            "/health/live",
+            "/problems/not-found",
+            "/hops",
+            "/hops/minimal-surface",
+        ] {
             assert!(is_public(path), "{path}");
         }
-        for path in ["/v1/jobs", "/metrics", "/docsx", "/healthy", "//v1/jobs", "/v1/examples"] {
+        for path in [
+            "/v1/jobs",
+            "/metrics",
+            "/docsx",
+            "/healthy",
+            "//v1/jobs",
+            "/v1/examples",
+            "/solve",
+            "/hops/solve",
+            "/hopsx",
+        ] {
             assert!(!is_public(path), "{path}");
         }
     }

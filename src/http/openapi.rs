@@ -3,6 +3,7 @@
 //!
 //! `api/openapi.json` is the committed copy of this document. `plateau openapi` prints it, and a test compares both.
 
+use crate::hops;
 use crate::http::access::is_public;
 use crate::http::entry::problem;
 use crate::http::router;
@@ -47,6 +48,7 @@ fn document() -> Value {
             { "name": "solve", "description": "Requests that create jobs" },
             { "name": "jobs", "description": "Jobs and their meshes" },
             { "name": "batches", "description": "Many requests at once" },
+            { "name": "hops", "description": "Components for Hops in Grasshopper" },
             { "name": "catalogue", "description": "What this server offers" },
             { "name": "pages", "description": "Pages for browsers" },
             { "name": "operation", "description": "Health checks and metrics for operators" },
@@ -58,7 +60,7 @@ fn document() -> Value {
             "securitySchemes": {
                 "key": { "type": "http", "scheme": "bearer", "description": "API key of this server, created with `plateau key new`." },
             },
-            "schemas": components(),
+            "schemas": schemas(),
             "responses": problems(),
             "headers": {
                 "RequestId": { "description": "Identifier of this request in the server's logs.", "schema": { "type": "string" } },
@@ -71,6 +73,13 @@ fn document() -> Value {
     })
 }
 
+/// Returns the component schemas: those of the wire types, and those of the messages of Hops.
+fn schemas() -> Map<String, Value> {
+    let mut schemas = components().clone();
+    schemas.extend(hops::schema::components());
+    schemas
+}
+
 /// Returns every path with its operations. Each operation gets the errors of the checks before its handler: first the
 /// host, then foreign pages that want to change something, then the key.
 fn paths() -> Value {
@@ -80,6 +89,10 @@ fn paths() -> Value {
         let (path, mut item) = resource.documented();
         for (method, operation) in item.as_object_mut().into_iter().flatten() {
             let responses = &mut operation["responses"];
+            if hops::is_solve(path) {
+                // Every answer to Hops has its own form, which the entry describes.
+                continue;
+            }
             responses["421"] = response("Misdirected");
             if method != "get" {
                 responses["403"] = response("ForeignPage");

@@ -1,5 +1,7 @@
 //! The only place that knows the status codes of failures. Every error is sent as a problem document (RFC 9457).
 
+use crate::hops;
+use crate::hops::answer::Answer;
 use crate::jobs::JobsError;
 use crate::wire::job::Problem;
 use crate::wire::{FieldError, MAX_ERRORS, Rejection};
@@ -58,6 +60,9 @@ failures! {
     unavailable: SERVICE_UNAVAILABLE, "unavailable", "The server cannot accept this request now";
 }
 
+/// Message to Hops, by which it asks for the description of a component again.
+const BAD_INPUTS: &str = "Bad inputs";
+
 impl Failure {
     fn new(status: StatusCode, kind: &'static str, title: &'static str, detail: String) -> Self {
         let headers = match status {
@@ -85,6 +90,44 @@ impl Failure {
             StatusCode::UNSUPPORTED_MEDIA_TYPE => Self::malformed(detail),
             status if status.is_client_error() => Self::bad_header(detail),
             _ => Self::internal(detail),
+        }
+    }
+
+    /// Returns the response to a message of Hops, which reads no problem documents. The answer's errors are the lines
+    /// that Hops shows on the component.
+    #[must_use]
+    pub fn to_hops(&self, answer: &Answer<'_>) -> Response<Body> {
+        let mut response = Response::new(Body::from(answer.to_json()));
+        *response.status_mut() = self.status;
+        for (name, value) in &self.headers {
+            response.headers_mut().insert(name, value.clone());
+        }
+        response.headers_mut().insert(header::CONTENT_TYPE, HeaderValue::from_static("application/json"));
+        response
+    }
+
+    /// Returns the failure and the lines for Hops that tell it.
+    #[must_use]
+    pub fn of_hops(refusal: hops::Refusal) -> (Self, Vec<String>) {
+        match refusal {
+            hops::Refusal::Malformed(line) => (Self::malformed(""), vec![line]),
+            hops::Refusal::Unknown(line) => (Self::not_found(""), vec![line]),
+            hops::Refusal::Invalid(lines) => (Self::invalid(""), lines),
+            // Hops asks for the description again if the status is 500 and the first line has this text. It then shows
+            // the component with its present inputs.
+            hops::Refusal::Outdated(mut lines) => {
+                lines.insert(0, BAD_INPUTS.into());
+                (Self::internal(""), lines)
+            }
+        }
+    }
+
+    /// Returns the lines for Hops that tell this failure. `line` makes a line of an offending value.
+    pub fn lines(&self, line: impl Fn(&FieldError) -> String) -> Vec<String> {
+        match self.errors.as_slice() {
+            [] if self.detail.is_empty() => vec![self.title.into()],
+            [] => vec![format!("{}: {}", self.title, self.detail)],
+            errors => errors.iter().take(MAX_ERRORS).map(line).collect(),
         }
     }
 
@@ -186,10 +229,17 @@ impl IntoResponse for Failure {
     }
 }
 
-/// Writes the problem document into a response marked by [`Failure`]. Other responses stay unchanged. `base` is the
+/// Writes the problem document into a response marked by [`Failure`]. Other responses stay unchanged. Hops gets an answer
+/// in its own form. `base` is the
 /// base path of this server, and `path` is the request's path below it.
 pub fn write_problem(mut response: Response<Body>, base: &str, path: &str) -> Response<Body> {
     if let Some(Unaddressed(mut problem)) = response.extensions_mut().remove::<Unaddressed>() {
+        if hops::is_solve(path) {
+            let answer = Answer::of_errors(vec![format!("{}: {}", problem.title, problem.detail)]);
+            *response.body_mut() = Body::from(answer.to_json());
+            response.headers_mut().insert(header::CONTENT_TYPE, HeaderValue::from_static("application/json"));
+            return response;
+        }
         problem.kind.insert_str(0, base);
         problem.instance = base.chars().chain(path.chars()).take(300).collect();
         // Serialization cannot fail because a problem has only strings and numbers.

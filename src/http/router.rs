@@ -2,7 +2,7 @@
 
 use crate::http::problem::Failure;
 use crate::http::resource::Resource;
-use crate::http::routes::{batches, catalogue, docs, events, health, jobs, mcp, mesh, studio, submit};
+use crate::http::routes::{batches, catalogue, docs, events, health, hops, jobs, mcp, mesh, studio, submit};
 use crate::http::state::App;
 use crate::http::{access, compress, observe};
 use crate::jobs::Jobs;
@@ -46,6 +46,10 @@ pub fn resources(with_metrics: bool) -> Vec<Resource> {
         Resource::at("/v1/examples").get(catalogue::examples, catalogue::examples_entry()),
         Resource::at("/v1/examples/{name}").get(catalogue::example, catalogue::example_entry()),
         Resource::at("/mcp").post(mcp::post, mcp::post_entry()),
+        Resource::at("/hops").get(hops::list, hops::list_entry()),
+        Resource::at("/hops/{name}").get(hops::describe, hops::describe_entry()),
+        Resource::at("/hops/solve").post(hops::solve, hops::solve_entry("postHopsSolve")),
+        Resource::at("/solve").post(hops::solve, hops::solve_entry("postSolve")),
         Resource::at("/openapi.json").get(catalogue::openapi, catalogue::openapi_entry()),
         Resource::at("/problems/{name}").get(catalogue::problem_kind, catalogue::problem_kind_entry()),
         Resource::at("/docs").get(docs::redirect, docs::redirect_entry()),

@@ -5,6 +5,7 @@ pub mod catalogue;
 pub mod docs;
 pub mod events;
 pub mod health;
+pub mod hops;
 pub mod jobs;
 pub mod mcp;
 pub mod mesh;

@@ -424,7 +424,7 @@ impl Jobs {
     }
 
     /// Runs a long computation on a converter's thread, so that it does not stall the async runtime.
-    pub(super) async fn off_runtime<T: Send + 'static>(
+    pub async fn off_runtime<T: Send + 'static>(
         &self,
         work: impl FnOnce() -> T + Send + 'static,
     ) -> Result<T, JobsError> {

@@ -16,6 +16,7 @@ mod events;
 mod examples;
 mod films;
 mod health;
+mod hops;
 mod idempotency;
 mod initial_meshes;
 mod jobs;

@@ -103,6 +103,60 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/hops": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The components for Hops in Grasshopper */
+        get: operations["listHopsComponents"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/hops/solve": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Runs a component for Hops in Grasshopper
+         * @description Hops posts beside the address of the component, and its later versions at the root of the host. Keys may also be sent in the header `RhinoComputeKey`.
+         */
+        post: operations["postHopsSolve"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/hops/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** A component for Hops in Grasshopper */
+        get: operations["getHopsComponent"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/mcp": {
         parameters: {
             query?: never;
@@ -165,6 +219,26 @@ export interface paths {
         get: operations["getProblem"];
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/solve": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Runs a component for Hops in Grasshopper
+         * @description Hops posts beside the address of the component, and its later versions at the root of the host. Keys may also be sent in the header `RhinoComputeKey`.
+         */
+        post: operations["postSolve"];
         delete?: never;
         options?: never;
         head?: never;
@@ -910,6 +984,76 @@ export interface components {
             phase: string;
             /** Format: double */
             residual: number;
+        };
+        /** @description The values of a component's outputs. */
+        HopsAnswer: {
+            /** @description Lines that name an input. */
+            errors: string[];
+            values: components["schemas"]["HopsTree"][];
+            /** @description Warnings of the job. */
+            warnings: string[];
+        };
+        /** @description A component of Hops. */
+        HopsComponent: {
+            /** @description Category. */
+            Category?: string;
+            /** @description Tooltip. */
+            Description?: string;
+            /** @description PNG in base64. */
+            Icon?: string;
+            Inputs: components["schemas"]["HopsParameter"][];
+            /** @description Name. */
+            Name: string;
+            /** @description Short name. */
+            Nickname?: string;
+            Outputs: components["schemas"]["HopsParameter"][];
+            /** @description Part of the category. */
+            Subcategory?: string;
+            /** @description Path of the component. */
+            Uri: string;
+        };
+        /** @description A value of an input or output. */
+        HopsItem: {
+            /** @description The value as JSON text. Curves and meshes are openNURBS objects. */
+            data: string;
+            /** @description .NET type of the value. */
+            type?: string;
+        };
+        /** @description The values of a component's inputs. Hops sends further fields, which are not used. */
+        HopsMessage: {
+            /** @description Distance up to which the ends of a curve count as equal. */
+            absolutetolerance?: number;
+            /** @description Name of the component, or its path or address. */
+            pointer: string;
+            values: components["schemas"]["HopsTree"][];
+        };
+        /** @description An input or output of a component of Hops. */
+        HopsParameter: {
+            /** @description Smallest number of values. */
+            AtLeast: number;
+            /** @description Largest number of values. */
+            AtMost: number;
+            /** @description Value of an input that is left alone: a number, a boolean or a text. */
+            Default?: unknown;
+            /** @description Tooltip. */
+            Description?: string;
+            /** @description Name in messages. */
+            Name: string;
+            /** @description Short name. */
+            Nickname?: string;
+            /** @description Name of the parameter's type in Grasshopper. */
+            ParamType: string;
+            /** @description .NET type of the values. */
+            ResultType?: string;
+        };
+        /** @description The values of an input or output. */
+        HopsTree: {
+            /** @description Values by branch, such as `{0}`. */
+            InnerTree: {
+                [key: string]: components["schemas"]["HopsItem"][];
+            };
+            /** @description Name of the input or output. */
+            ParamName: string;
         };
         /** @description Mesh that the solver starts from: built by the service, or supplied by the client. */
         InitialMesh: components["schemas"]["MadeMesh"] | components["schemas"]["GivenMesh"];
@@ -2827,6 +2971,214 @@ export interface operations {
             503: components["responses"]["Unavailable"];
         };
     };
+    listHopsComponents: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Descriptions of all components */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsComponent"][];
+                };
+            };
+            404: components["responses"]["NotFound"];
+            421: components["responses"]["Misdirected"];
+            500: components["responses"]["Failed"];
+        };
+    };
+    postHopsSolve: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["HopsMessage"];
+            };
+        };
+        responses: {
+            /** @description The outputs */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The outputs of a job that has not ended */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The body is not a message of Hops */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The header `RhinoComputeKey` has no valid key of this server */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description A page of another origin sent the message */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description No such component or job, or Hops is off on this server */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The body did not arrive in time */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The job has no mesh */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The job has expired */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The request is larger than this server accepts */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The body is not plain application/json */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The request is for a host that this server does not answer to */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description `errors` names each input that cannot be used, or says why there is no result */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The queue is full, or this key has made too many requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The inputs are not those of the component (`Bad inputs`), or a defect of the server */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The job takes longer than Hops waits, or the server cannot accept it now */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+        };
+    };
+    getHopsComponent: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Name of the component. */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Inputs and outputs of the component */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsComponent"];
+                };
+            };
+            404: components["responses"]["NotFound"];
+            421: components["responses"]["Misdirected"];
+            500: components["responses"]["Failed"];
+        };
+    };
     postMcp: {
         parameters: {
             query?: never;
@@ -2946,6 +3298,165 @@ export interface operations {
             404: components["responses"]["NotFound"];
             421: components["responses"]["Misdirected"];
             500: components["responses"]["Failed"];
+        };
+    };
+    postSolve: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["HopsMessage"];
+            };
+        };
+        responses: {
+            /** @description The outputs */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The outputs of a job that has not ended */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The body is not a message of Hops */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The header `RhinoComputeKey` has no valid key of this server */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description A page of another origin sent the message */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description No such component or job, or Hops is off on this server */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The body did not arrive in time */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The job has no mesh */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The job has expired */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The request is larger than this server accepts */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The body is not plain application/json */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The request is for a host that this server does not answer to */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description `errors` names each input that cannot be used, or says why there is no result */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The queue is full, or this key has made too many requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The inputs are not those of the component (`Bad inputs`), or a defect of the server */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
+            /** @description The job takes longer than Hops waits, or the server cannot accept it now */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HopsAnswer"];
+                };
+            };
         };
     };
     getStudioFile: {

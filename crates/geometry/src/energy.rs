@@ -24,7 +24,7 @@ use glam::DMat3;
 use std::fmt;
 
 pub use area::Area;
-pub use cable::Cable;
+pub use cable::{Cable, CableCondition};
 pub use length::Length;
 pub use load::Load;
 pub use prestress::{ForceDensity, Prestress};
@@ -47,6 +47,11 @@ pub trait Term: fmt::Debug {
     /// counts `1 + shift` times, so that a large enough `shift` makes an indefinite matrix definite.
     fn add_second_derivative(&self, at: &[DVec3], shift: f64, add: &mut dyn FnMut(u32, u32, DMat3));
 
+    /// Calls `add(stiffness, gradient)` for each part `stiffness · gradient gradientᵀ` of the second derivative that
+    /// couples all vertices of the term, such as the stiffness of a cable whose force depends on its whole length. It
+    /// is not among the blocks of [`add_second_derivative`](Self::add_second_derivative). Most terms have none.
+    fn visit_rank_one_parts(&self, _at: &[DVec3], _add: &mut dyn FnMut(f64, &[DVec3])) {}
+
     /// Calls `visit` with the vertices of each element. Two vertices without a common element have no block.
     fn visit_elements(&self, visit: &mut dyn FnMut(&[u32]));
 
@@ -63,4 +68,18 @@ pub trait Term: fmt::Debug {
     fn renew(&mut self, _at: &[DVec3]) -> f64 {
         0.0
     }
+}
+
+/// An equation that determines the multiplier of a constrained quantity in place of the quantity's own value. Example:
+/// a heavy cable with a given horizontal component. The multiplier of its length is a force, and the length is not
+/// known.
+pub trait Condition: fmt::Debug {
+    /// The value that must vanish, and its derivative by the multiplier.
+    fn value(&self, at: &[DVec3], multiplier: f64) -> (f64, f64);
+
+    /// Adds the derivative of the value by each vertex's position to `gradient`.
+    fn add_gradient(&self, at: &[DVec3], multiplier: f64, gradient: &mut [DVec3]);
+
+    /// The value counts as vanishing if it is small against this.
+    fn scale(&self, at: &[DVec3]) -> f64;
 }

@@ -34,7 +34,7 @@ mod tests;
 pub(crate) mod v_cycle;
 
 pub use body::{Body, BodyDefect, Report, Stability};
-pub use constraint::Constraint;
+pub use constraint::{Constraint, Determined};
 pub use freedom::{Freedom, Support};
 pub use newton::{Aim, Outcome, Settings};
 

@@ -39,11 +39,12 @@
 //!
 //! # Layers
 //! Each module knows only those above it: `mesh`, `sparse` (linear systems), `plane`, `remesh`, `energy`,
-//! `equilibrium`, [`minimal_surface`], [`tensile_structure`], [`uniform_mesh`], [`ruled_surface`]. The crate knows no
-//! HTTP, no serde, no async, no clock, no thread pool and no file.
+//! `equilibrium`, [`minimal_surface`], [`tensile_structure`], [`cable_net`], [`uniform_mesh`], [`ruled_surface`]. The
+//! crate knows no HTTP, no serde, no async, no clock, no thread pool and no file.
 
 #![warn(missing_docs)]
 
+pub mod cable_net;
 pub mod energy;
 pub mod equilibrium;
 pub mod error;

@@ -41,6 +41,7 @@
 //! Sources: Schek, *The force density method for form finding* (1974); Bletzinger, Ramm, *A general finite element
 //! approach to the form finding of tensile structures by the updated reference strategy* (1999).
 
+mod catenary;
 mod form_finding;
 mod model;
 mod options;
@@ -54,7 +55,8 @@ pub use outcome::{CableResult, EdgeReaction, ForceBalance, Reaction, Stability, 
 
 use crate::error::Step;
 use crate::minimal_surface;
-use crate::{Error, Estimate, Execution, InputError, Place};
+use crate::{DVec3, Error, Estimate, Execution, InputError, Place};
+use catenary::{Catenary, TooSmall};
 use model::Model;
 
 /// Finds the shape of a structure in equilibrium.
@@ -81,8 +83,26 @@ pub fn solve(structure: &Structure, options: &Options, exec: &Execution) -> Resu
 /// The [`Error::Input`] that [`solve`] would begin with.
 pub fn check(structure: &Structure, options: &Options) -> Result<(), Error> {
     options::check(structure, options)?;
+    check_catenaries(structure)?;
     let start = model::start_options(structure, options);
     minimal_surface::check(&structure.boundaries, &start).map_err(|error| placed(structure, error))
+}
+
+/// Refuses forces that no catenary between two supports in the air has.
+fn check_catenaries(structure: &Structure) -> Result<(), Error> {
+    let boundary = |end: &DVec3| structure.boundaries.iter().flatten().any(|point| point == end);
+    let too_small = |(k, cable): (usize, &Cable)| {
+        let Course::Air(ends) = cable.course else { return None };
+        if ends.iter().any(boundary) {
+            return None;
+        }
+        let TooSmall { least } = Catenary::find(cable, ends, structure.up).err()?;
+        let detail =
+            format!("must be at least {least:.6}: no cable of this weight hangs between these points with less");
+        Some(InputError::new(Place::field("cables").at(k).then("value"), detail))
+    };
+    let errors: Vec<InputError> = structure.cables.iter().enumerate().filter_map(too_small).collect();
+    if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
 }
 
 /// The error of the initial mesh with the cables across the film at their own places.

@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Files and folders of `src`, earliest layer first. A file belongs to the longest entry that its path starts with.
-const LAYERS: [&str; 40] = [
+const LAYERS: [&str; 45] = [
     "execution",
     "error",
     "estimate",
@@ -40,10 +40,15 @@ const LAYERS: [&str; 40] = [
     "minimal_surface/triple_junction",
     "minimal_surface",
     "tensile_structure/options",
+    "tensile_structure/catenary",
     "tensile_structure/model",
     "tensile_structure/form_finding",
     "tensile_structure/outcome",
     "tensile_structure",
+    "cable_net/options",
+    "cable_net/shape",
+    "cable_net/fitting",
+    "cable_net",
     "lower_bound",
     "uniform_mesh",
     "ruled_surface/graph",

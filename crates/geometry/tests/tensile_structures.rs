@@ -143,35 +143,202 @@ fn a_volume_beyond_the_hemisphere_is_reached() {
     assert!((cap.statistics.pressure - 2.0 / radius).abs() < 0.01 * 2.0 / radius);
 }
 
+/// Delaunay's surface of revolution between two rings of radius 1 at heights 0 and `height`, tension 1: the profile
+/// from the middle, where its radius is `middle`, by Runge and Kutta's method.
+struct Delaunay {
+    /// The radius at the rings.
+    ring: f64,
+    area: f64,
+    volume: f64,
+}
+
+impl Delaunay {
+    /// With the angle ψ of the profile against the axis: r' = sin ψ, z' = cos ψ, ψ' = cos ψ / r - p by arc length.
+    fn integrate(middle: f64, pressure: f64, height: f64) -> Self {
+        let slope = |[r, _, psi, _, _]: [f64; 5]| {
+            [psi.sin(), psi.cos(), psi.cos() / r - pressure, TAU * r, PI * r * r * psi.cos()]
+        };
+        let after = |y: [f64; 5], k: [f64; 5], step: f64| std::array::from_fn(|i| y[i] + step * k[i]);
+        let step_from = |y: [f64; 5], h: f64| -> [f64; 5] {
+            let a = slope(y);
+            let b = slope(after(y, a, 0.5 * h));
+            let c = slope(after(y, b, 0.5 * h));
+            let d = slope(after(y, c, h));
+            std::array::from_fn(|i| y[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]))
+        };
+        let mut y = [middle, 0.0, 0.0, 0.0, 0.0];
+        // The last steps are Newton's for the height of the ring.
+        while (0.5 * height - y[1]).abs() > 1e-13 && y[0] > 0.01 && y[2].abs() < 1.5 {
+            y = step_from(y, ((0.5 * height - y[1]) / y[2].cos()).min(1e-3));
+        }
+        Self { ring: y[0], area: 2.0 * y[3], volume: 2.0 * y[4] }
+    }
+}
+
+/// Where a rising or falling function vanishes, by bisection.
+fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let rising = f(high) > f(low);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        *(if (f(middle) < 0.0) == rising { &mut low } else { &mut high }) = middle;
+    }
+    0.5 * (low + high)
+}
+
 #[test]
-#[ignore = "the renewal of the force of a heavy cable in the air does not settle yet"]
+fn a_film_under_pressure_between_rings_is_a_surface_of_delaunay() {
+    let height = 0.8;
+    let rings = |count: u32, pressure: Pressure| {
+        let count = count as usize;
+        let mut structure = film(vec![circle(count, 1.0, 0.0), circle(count, 1.0, height)]);
+        // The lower ring runs counter-clockwise as seen from above, so the pressure acts outwards.
+        structure.boundaries[1].reverse();
+        structure.pressure = pressure;
+        structure
+    };
+    // A neck and a bulge of the unduloid, a neck and a bulge of the nodoid. With the axial force 2 r - p r² at the
+    // middle the unduloid has p (2 r - p r²) > 0, the nodoid < 0.
+    let bulge = 1.3;
+    let beyond = root(1.9, 3.3, |p| Delaunay::integrate(bulge, p, height).ring - 1.0);
+    let given = |pressure: f64, low: f64, high: f64| {
+        let middle = root(low, high, |r| Delaunay::integrate(r, pressure, height).ring - 1.0);
+        (middle, pressure)
+    };
+    let cases = [(given(0.5, 0.7, 1.0), true), (given(1.5, 1.0, 1.077), true), (given(-0.5, 0.6, 1.0), false)];
+    for ((middle, pressure), unduloid) in cases.into_iter().chain([((bulge, beyond), false)]) {
+        let exact = Delaunay::integrate(middle, pressure, height);
+        assert!((exact.ring - 1.0).abs() < 1e-9, "{middle} {pressure} {}", exact.ring);
+        assert_eq!(pressure * (2.0 * middle - pressure * middle * middle) > 0.0, unduloid);
+        let by_volume = middle == bulge;
+        let mut errors = [Vec::new(), Vec::new(), Vec::new()];
+        for count in [40u32, 80, 160] {
+            let pressure_or_volume =
+                if by_volume { Pressure::Volume(exact.volume) } else { Pressure::Constant(pressure) };
+            let result = found(&rings(count, pressure_or_volume), TAU / f64::from(count));
+            let statistics = &result.statistics;
+            let radii = result.mesh.vertices.iter().map(|p| p.truncate().length());
+            let extreme = if middle > 1.0 { radii.fold(0.0, f64::max) } else { radii.fold(f64::INFINITY, f64::min) };
+            errors[0].push(statistics.area - exact.area);
+            let volume = statistics.volume.unwrap() - exact.volume;
+            errors[1].push(if by_volume { statistics.pressure - pressure } else { volume });
+            errors[2].push(extreme - middle);
+        }
+        println!("{middle} {pressure} {errors:?} {:?}", errors.each_ref().map(|errors| order(errors)));
+        // On the coarsest mesh the errors of the edge and of the film nearly cancel.
+        assert!(errors[..2].iter().all(|errors| order(&errors[1..]) > 1.8), "{middle} {pressure} {errors:?}");
+        assert!(errors[2][2].abs() < 5e-3 * middle, "{middle} {pressure} {errors:?}");
+    }
+}
+
+#[test]
 fn a_heavy_cable_hangs_in_a_catenary() {
     // Span 10 between equal heights, horizontal component 6, weight 1: y = 6 cosh(x / 6).
     let (component, weight): (f64, f64) = (6.0, 1.0);
-    let sag = component / weight * ((5.0 * weight / component).cosh() - 1.0);
-    let length = 2.0 * component / weight * (5.0 * weight / component).sinh();
-    let end = component * (5.0 * weight / component).cosh();
+    let half = 5.0 * weight / component;
+    let sag = component / weight * (half.cosh() - 1.0);
+    let length = 2.0 * component / weight * half.sinh();
+    let end = component * half.cosh();
+    // ∫ w y ds / L over the half, with ds = cosh(x / 6) dx.
+    let mean = 0.5 * component * (half + half.sinh() * half.cosh()) / half.sinh();
+    let stiffness = 2e4;
     let modes = [
+        CableMode::Force(mean),
         CableMode::HorizontalComponent(component),
         CableMode::EndTension(end),
+        CableMode::ForceDensity(mean / length),
         CableMode::Length(length),
+        CableMode::UnstressedLength(length / (1.0 + mean / stiffness)),
         CableMode::Sag(sag),
     ];
     for mode in modes {
-        let mut errors = Vec::new();
+        let (mut errors, mut ends) = (Vec::new(), Vec::new());
         for edge_length in [0.5, 0.25, 0.125] {
-            let mut structure = film(vec![square(1.0)]);
-            let course = Course::Air([DVec3::new(0.0, 5.0, 0.0), DVec3::new(10.0, 5.0, 0.0)]);
-            structure.cables.push(Cable { name: "line".into(), course, mode, axial_stiffness: None, weight });
-            let cable = &found(&structure, edge_length).cables[0];
-            let largest = cable.segment_forces.iter().copied().fold(0.0, f64::max);
-            println!("{} {} {} {} of {length} {sag} {end}", mode.name(), cable.length, cable.sag, largest);
+            let mut structure = film(vec![square(5.0)]);
+            let course = Course::Air([DVec3::new(0.0, 8.0, 0.0), DVec3::new(10.0, 8.0, 0.0)]);
+            let axial_stiffness = Some(stiffness);
+            structure.cables.push(Cable { name: "line".into(), course, mode, axial_stiffness, weight });
+            let result = found(&structure, edge_length);
+            let (cable, segments) = (&result.cables[0], result.cables[0].segment_forces.len() as f64);
+            let scaled = (segments * edge_length / 10.0).powi(2);
+            println!("{} {} {} {} of {length} {sag} {end}", mode.name(), cable.length, cable.sag, cable.force);
+            errors.push(((cable.length - length).abs() + (cable.sag - sag).abs()) * scaled);
             // The largest force is that of a segment; the end's is half a segment's rise above it.
-            assert!((largest - end).abs() < 0.5 * edge_length, "{mode:?} {largest} {end}");
-            errors.push((cable.length - length).abs() + (cable.sag - sag).abs());
+            let largest = cable.segment_forces.iter().copied().fold(0.0, f64::max);
+            let reaction = result.reactions.iter().map(|reaction| reaction.force.length()).fold(0.0, f64::max);
+            assert!((reaction - end).abs() < 0.01 * end && largest < end, "{mode:?} {largest} {reaction} {end}");
+            ends.push((reaction - end).abs() * scaled);
         }
-        println!("{errors:?} {}", order(&errors));
-        assert!(errors[2] < 2e-2, "{mode:?} {errors:?}");
+        println!("{errors:?} {} {ends:?} {}", order(&errors), order(&ends));
+        assert!(order(&errors) > 1.9 && order(&ends) > 1.9, "{mode:?} {errors:?} {ends:?}");
+        assert!(errors[2] < 5e-3, "{mode:?} {errors:?}");
+    }
+}
+
+#[test]
+fn a_deep_catenary_is_found_by_its_horizontal_component_and_by_its_sag() {
+    // A sag of more than 0.338 spans: at a given force the cable would run off.
+    let (component, weight): (f64, f64) = (2.0, 1.0);
+    let sag = component / weight * ((5.0 * weight / component).cosh() - 1.0);
+    assert!(sag > 8.0);
+    for mode in [CableMode::HorizontalComponent(component), CableMode::Sag(sag)] {
+        let mut structure = film(vec![square(5.0)]);
+        let course = Course::Air([DVec3::new(0.0, 8.0, 0.0), DVec3::new(10.0, 8.0, 0.0)]);
+        structure.cables.push(Cable { name: "line".into(), course, mode, axial_stiffness: None, weight });
+        let cable = &found(&structure, 0.25).cables[0];
+        assert!((cable.sag - sag).abs() < 0.02 * sag, "{mode:?} {} {sag}", cable.sag);
+    }
+}
+
+#[test]
+fn a_force_that_no_catenary_has_is_refused_with_the_least_one() {
+    let mut structure = film(vec![square(5.0)]);
+    let course = Course::Air([DVec3::new(0.0, 8.0, 0.0), DVec3::new(10.0, 8.0, 0.0)]);
+    let mode = CableMode::EndTension(7.5);
+    structure.cables.push(Cable { name: "line".into(), course, mode, axial_stiffness: None, weight: 1.0 });
+    let Err(Error::Input(errors)) = check(&structure, &Options::new(Resolution::Triangles(200))) else { panic!() };
+    assert_eq!(errors[0].place.to_string(), "/cables/0/value");
+    // The least end force is w d / 2 times the least of cosh(u) / u: 7.544 at a sag of 0.338 spans.
+    assert!(errors[0].detail.contains("7.54"), "{}", errors[0].detail);
+}
+
+#[test]
+fn a_heavy_edge_cable_bears_its_weight() {
+    // The mean force is the given one, and the force grows with the height by the weight per length.
+    let mut structure = sail(CableMode::Force(10.0));
+    structure.boundaries[0][1].z = 4.0;
+    structure.cables.iter_mut().for_each(|cable| cable.weight = 0.3);
+    let result = found(&structure, 0.8);
+    for cable in &result.cables {
+        assert!((cable.force - 10.0).abs() < 1e-3 * 10.0, "{}", cable.force);
+    }
+    let cable = &result.cables[0];
+    let height = |k: usize| result.mesh.vertices[cable.vertices[k] as usize].z;
+    let count = cable.segment_forces.len();
+    let rise = 0.5 * (height(count) + height(count - 1) - height(1) - height(0));
+    let growth = cable.segment_forces[count - 1] - cable.segment_forces[0];
+    println!("{rise} {growth}");
+    assert!((growth - 0.3 * rise).abs() < 0.05 * growth);
+}
+
+#[test]
+fn stiff_edge_cables_curved_in_space_are_found_by_their_unstressed_length() {
+    let sail = |mode: CableMode, stiffness: f64| {
+        let mut structure = sail(mode);
+        [1, 3].into_iter().for_each(|k| structure.boundaries[0][k].z = 4.0);
+        structure.cables.iter_mut().for_each(|cable| cable.axial_stiffness = Some(stiffness));
+        structure
+    };
+    let reference = found(&sail(CableMode::Force(10.0), 1e3), 0.8);
+    let length = reference.cables[0].length;
+    for stiffness in [20.0, 1e3, 1e4, 1e5, 1e6] {
+        let mode = CableMode::UnstressedLength(length / (1.0 + 10.0 / stiffness));
+        let result = found(&sail(mode, stiffness), 0.8);
+        for cable in &result.cables {
+            println!("{stiffness} {} {} in {}", cable.force, cable.length, result.statistics.iterations);
+            // The meshes differ, and with them the force by a part of the mesh's error.
+            assert!((cable.force - 10.0).abs() < 0.05, "{stiffness} {}", cable.force);
+            assert!((cable.length / length - 1.0).abs() < 1e-3);
+        }
     }
 }
 

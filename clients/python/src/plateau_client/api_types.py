@@ -401,6 +401,80 @@ class HistoryRow(TypedDict):
     residual: float
 
 
+class HopsAnswer(TypedDict):
+    """The values of a component's outputs."""
+    errors: List[str]
+    """Lines that name an input."""
+    values: List[HopsTree]
+    warnings: List[str]
+    """Warnings of the job."""
+
+
+class HopsComponent(TypedDict):
+    """A component of Hops."""
+    Category: NotRequired[str]
+    """Category."""
+    Description: NotRequired[str]
+    """Tooltip."""
+    Icon: NotRequired[str]
+    """PNG in base64."""
+    Inputs: List[HopsParameter]
+    Name: str
+    """Name."""
+    Nickname: NotRequired[str]
+    """Short name."""
+    Outputs: List[HopsParameter]
+    Subcategory: NotRequired[str]
+    """Part of the category."""
+    Uri: str
+    """Path of the component."""
+
+
+class HopsItem(TypedDict):
+    """A value of an input or output."""
+    data: str
+    """The value as JSON text. Curves and meshes are openNURBS objects."""
+    type: NotRequired[str]
+    """.NET type of the value."""
+
+
+class HopsMessage(TypedDict):
+    """The values of a component's inputs. Hops sends further fields, which are not used."""
+    absolutetolerance: NotRequired[float]
+    """Distance up to which the ends of a curve count as equal."""
+    pointer: str
+    """Name of the component, or its path or address."""
+    values: List[HopsTree]
+
+
+class HopsParameter(TypedDict):
+    """An input or output of a component of Hops."""
+    AtLeast: int
+    """Smallest number of values."""
+    AtMost: int
+    """Largest number of values."""
+    Default: NotRequired[Any]
+    """Value of an input that is left alone: a number, a boolean or a text."""
+    Description: NotRequired[str]
+    """Tooltip."""
+    Name: str
+    """Name in messages."""
+    Nickname: NotRequired[str]
+    """Short name."""
+    ParamType: str
+    """Name of the parameter's type in Grasshopper."""
+    ResultType: NotRequired[str]
+    """.NET type of the values."""
+
+
+class HopsTree(TypedDict):
+    """The values of an input or output."""
+    InnerTree: Dict[str, List[HopsItem]]
+    """Values by branch, such as `{0}`."""
+    ParamName: str
+    """Name of the input or output."""
+
+
 class JobError(TypedDict):
     """Reason for a failure: what was wrong with the geometry, and what to try."""
     detail: str

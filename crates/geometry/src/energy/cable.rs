@@ -1,31 +1,39 @@
 //! A cable: segments in a row that carry one force, which varies along the cable only with the cable's own weight.
 //!
-//! With the length ℓ_k of segment k, its share s_k of the cable's length, the height z_k of its middle above the datum
-//! and the weight w per length of the found shape:
+//! With the length L of the whole cable, the length ℓ_k of segment k, the height z_k of its middle above the origin and
+//! the weight w per length of the found shape:
 //!
 //! ```text
-//! E = Σ φ_k(ℓ_k) + w ℓ_k z_k          force in segment k:  φ_k' + w z_k
+//! E = Φ(L) + w Σ ℓ_k z_k          force in segment k:  Φ'(L) + w z_k
 //!
-//! force of a given size     φ = T ℓ                              φ' = T
-//! force density             φ = (q / 2 s) ℓ²                     φ' = q L  where ℓ = s L
-//! elastic                   φ = (EA / 2 s L0) (ℓ - s L0)₊²       φ' = EA (L / L0 - 1)₊  where ℓ = s L
+//! force of a given size     Φ = T L                              Φ' = T
+//! force density             Φ = (q / 2) L²                       Φ' = q L
+//! elastic                   Φ = (EA / 2 L0) (L - L0)₊²           Φ' = EA (L / L0 - 1)₊
+//!
+//! ∂²E = Φ'(L) ∂²L + Φ''(L) ∂L ∂Lᵀ + …
 //! ```
 //!
+//! The force depends on the whole length, so the stiffness Φ'' couples all vertices of the cable: the second derivative
+//! has a part of rank one ([`Term::visit_rank_one_parts`]).
+//!
 //! A heavy cable hangs in a catenary because the potential energy of its weight per *found* length makes its force grow
-//! with the height: T = T0 + w z (any text on cables). The datum is the height at which the force is φ'. The shares, the
-//! datum and, where the shape is given instead of the force, the force T are renewed between solves.
+//! with the height: T = τ + w z (any text on cables). Nothing in the energy holds the constant τ if the cable's mean
+//! force, its sag or its horizontal component is given instead of its length. It is then the multiplier of the length,
+//! and an [`Equation`] determines it.
 //!
 //! Sources: Schek, *The force density method for form finding* (1974) for the densities; Hooke's law with engineering
 //! strain for the elastic cable; derivatives by [`length`](super::length).
 
-use super::Term;
 use super::length::{self, Stretch};
+use super::{Condition, Term};
 use crate::DVec3;
 use glam::DMat3;
 
 /// How the force of a cable depends on its length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Law {
+    /// No force of its own: a constraint of the cable's length has the force as its multiplier.
+    Multiplier,
     /// A force T that does not depend on the length.
     Force(f64),
     /// A force of q times the length of the whole cable.
@@ -39,22 +47,27 @@ pub enum Law {
     },
 }
 
-/// The quantity that the renewed force T of a cable under [`Law::Force`] is adjusted to.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Target {
-    /// The largest distance of the cable from the chord between its ends.
-    Sag(f64),
-    /// The part of the force at the first end that is across the vertical.
-    HorizontalComponent(f64),
-}
-
-/// The height at which the force of a heavy cable is the force of its law.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Datum {
-    /// The mean height of the cable, so that the law gives the mean force.
-    Mean,
-    /// The height of the first end, so that the law gives the force there.
-    FirstEnd,
+impl Law {
+    /// The energy Φ, the force Φ' and the stiffness Φ'' at a length of the whole cable.
+    #[must_use]
+    pub fn at(self, length: f64) -> Stretch {
+        match self {
+            Self::Multiplier => Stretch { energy: 0.0, force: 0.0, stiffness: 0.0 },
+            Self::Force(force) => Stretch { energy: force * length, force, stiffness: 0.0 },
+            Self::Density(density) => {
+                Stretch { energy: 0.5 * density * length * length, force: density * length, stiffness: density }
+            }
+            Self::Elastic { unstressed, stiffness } => {
+                let (per_length, beyond) = (stiffness / unstressed, length - unstressed);
+                if beyond > 0.0 {
+                    let energy = 0.5 * per_length * beyond * beyond;
+                    Stretch { energy, force: per_length * beyond, stiffness: per_length }
+                } else {
+                    Stretch { energy: 0.0, force: 0.0, stiffness: 0.0 }
+                }
+            }
+        }
+    }
 }
 
 /// The energy of one cable.
@@ -64,35 +77,23 @@ pub struct Cable {
     pub segments: Vec<[u32; 2]>,
     /// How the force depends on the length.
     pub law: Law,
-    /// What the force of [`Law::Force`] is adjusted to, if it is not given.
-    pub target: Option<Target>,
     /// w, a force per length; zero for a cable without weight.
     pub weight: f64,
     /// The unit vector that points up.
     pub up: DVec3,
-    /// Where the law's force acts.
-    pub datum: Datum,
-    shares: Vec<f64>,
-    height: f64,
 }
 
 impl Cable {
-    /// A cable whose shares and datum are those of the positions `at`.
+    /// A cable without weight.
     #[must_use]
-    pub fn new(segments: Vec<[u32; 2]>, law: Law, at: &[DVec3]) -> Self {
-        let shares = vec![0.0; segments.len()];
-        let mut cable =
-            Self { segments, law, target: None, weight: 0.0, up: DVec3::Z, datum: Datum::Mean, shares, height: 0.0 };
-        cable.measure(at);
-        cable
+    pub fn new(segments: Vec<[u32; 2]>, law: Law) -> Self {
+        Self { segments, law, weight: 0.0, up: DVec3::Z }
     }
 
-    /// This cable with a weight per length, at the positions `at`.
+    /// This cable with a weight per length.
     #[must_use]
-    pub fn heavy(mut self, weight: f64, up: DVec3, datum: Datum, at: &[DVec3]) -> Self {
-        (self.weight, self.up, self.datum) = (weight, up, datum);
-        self.measure(at);
-        self
+    pub fn heavy(self, weight: f64, up: DVec3) -> Self {
+        Self { weight, up, ..self }
     }
 
     /// The length of the whole cable.
@@ -104,91 +105,74 @@ impl Cable {
     /// The largest distance of a vertex of the cable from the chord between its ends.
     #[must_use]
     pub fn sag(&self, at: &[DVec3]) -> f64 {
-        let (Some(&[first, _]), Some(&[_, last])) = (self.segments.first(), self.segments.last()) else { return 0.0 };
-        let start = at[first as usize];
-        let chord = (at[last as usize] - start).normalize_or_zero();
-        let distance = |v: u32| (at[v as usize] - start).reject_from_normalized(chord).length();
-        self.segments.iter().map(|&[_, v]| distance(v)).fold(0.0, f64::max)
+        self.lowest(at).map_or(0.0, |lowest| lowest.distance.length())
     }
 
-    /// The part of the force at the first end that is across the vertical.
+    /// The part of the first segment's direction that is across the vertical.
     #[must_use]
-    pub fn horizontal_component(&self, at: &[DVec3]) -> f64 {
-        let Some(&[a, b]) = self.segments.first() else { return 0.0 };
-        let unit = (at[b as usize] - at[a as usize]).normalize_or_zero();
-        self.force(0, at) * unit.reject_from_normalized(self.up).length()
+    pub fn level_part(&self, at: &[DVec3]) -> f64 {
+        self.segments.first().map_or(0.0, |&segment| across(segment, self.up, at).0)
     }
 
-    /// The force in segment k.
+    /// The force in segment k, without the multiplier of a constraint of the length.
     #[must_use]
     pub fn force(&self, k: usize, at: &[DVec3]) -> f64 {
-        self.stretch(k, length::length(self.segments[k], at)).force + self.weight * self.rise(k, at)
+        self.law.at(self.length(at)).force + self.weight * self.height(k, at)
     }
 
-    /// Height of the middle of segment k above the datum.
-    fn rise(&self, k: usize, at: &[DVec3]) -> f64 {
+    /// The height of the middle of segment k above the origin.
+    fn height(&self, k: usize, at: &[DVec3]) -> f64 {
         let [a, b] = self.segments[k];
-        0.5 * (at[a as usize] + at[b as usize]).dot(self.up) - self.height
+        0.5 * (at[a as usize] + at[b as usize]).dot(self.up)
     }
 
-    fn stretch(&self, k: usize, length: f64) -> Stretch {
-        match self.law {
-            Law::Force(force) => Stretch { energy: force * length, force, stiffness: 0.0 },
-            Law::Density(density) => {
-                let density = density / self.shares[k];
-                Stretch { energy: 0.5 * density * length * length, force: density * length, stiffness: density }
-            }
-            Law::Elastic { unstressed, stiffness } => {
-                let unstressed = unstressed * self.shares[k];
-                let (per_length, beyond) = (stiffness / unstressed, length - unstressed);
-                if beyond > 0.0 {
-                    let energy = 0.5 * per_length * beyond * beyond;
-                    Stretch { energy, force: per_length * beyond, stiffness: per_length }
-                } else {
-                    Stretch { energy: 0.0, force: 0.0, stiffness: 0.0 }
-                }
-            }
-        }
+    /// The mean height of the whole cable above the origin.
+    #[must_use]
+    pub fn mean_height(&self, at: &[DVec3]) -> f64 {
+        let moment = |k: usize| length::length(self.segments[k], at) * self.height(k, at);
+        (0..self.segments.len()).map(moment).sum::<f64>() / self.length(at).max(f64::MIN_POSITIVE)
     }
 
-    /// The force and stiffness of the law with the part of the force that the weight adds.
-    fn heavy_stretch(&self, k: usize, length: f64, at: &[DVec3]) -> Stretch {
-        let own = self.stretch(k, length);
-        Stretch { force: own.force + self.weight * self.rise(k, at), ..own }
+    /// The vertex farthest from the chord.
+    fn lowest(&self, at: &[DVec3]) -> Option<Lowest> {
+        let (&[first, _], &[_, last]) = (self.segments.first()?, self.segments.last()?);
+        let start = at[first as usize];
+        let span = at[last as usize] - start;
+        let chord = span.normalize_or_zero();
+        let of = |&[_, vertex]: &[u32; 2]| {
+            let place = at[vertex as usize] - start;
+            let share = place.dot(chord) / span.length().max(f64::MIN_POSITIVE);
+            Lowest { vertex, distance: place.reject_from_normalized(chord), share }
+        };
+        let farther = |a: &Lowest, b: &Lowest| a.distance.length().total_cmp(&b.distance.length());
+        // Of vertices at the same distance the first.
+        self.segments.iter().map(of).reduce(|a, b| if farther(&a, &b).is_lt() { b } else { a })
     }
 
-    /// Sets the shares and the datum to those of the positions. Returns the largest relative change.
-    fn measure(&mut self, at: &[DVec3]) -> f64 {
-        let total = self.length(at).max(f64::MIN_POSITIVE);
-        let (mut change, mut height) = (0.0f64, 0.0);
-        for k in 0..self.segments.len() {
-            let [a, b] = self.segments[k];
-            let share = length::length(self.segments[k], at) / total;
-            change = change.max((share / self.shares[k].max(f64::MIN_POSITIVE) - 1.0).abs());
-            self.shares[k] = share;
-            height += share * 0.5 * (at[a as usize] + at[b as usize]).dot(self.up);
-        }
-        if let (Datum::FirstEnd, Some(&[first, _])) = (self.datum, self.segments.first()) {
-            height = at[first as usize].dot(self.up);
-        }
-        let moved = (height - self.height).abs() / total;
-        self.height = height;
-        let by_shares = if matches!(self.law, Law::Force(_)) { 0.0 } else { change };
-        if self.weight == 0.0 { by_shares } else { by_shares.max(moved) }
+    fn stretch(&self, at: &[DVec3]) -> impl Fn(usize, f64) -> Stretch {
+        let own = self.law.at(self.length(at)).force;
+        move |k, _| Stretch { energy: 0.0, force: own + self.weight * self.height(k, at), stiffness: 0.0 }
     }
+}
+
+/// The vertex of a cable farthest from the chord between its ends.
+struct Lowest {
+    vertex: u32,
+    /// From the chord to the vertex.
+    distance: DVec3,
+    /// How far along the chord it lies, as a fraction of the chord.
+    share: f64,
 }
 
 impl Term for Cable {
     fn value(&self, at: &[DVec3]) -> f64 {
-        let energy = |(k, &segment): (usize, &[u32; 2])| {
-            let length = length::length(segment, at);
-            self.stretch(k, length).energy + self.weight * length * self.rise(k, at)
-        };
-        self.segments.iter().enumerate().map(energy).sum()
+        let potential = |k: usize| length::length(self.segments[k], at) * self.height(k, at);
+        let height: f64 = if self.weight == 0.0 { 0.0 } else { (0..self.segments.len()).map(potential).sum() };
+        self.law.at(self.length(at)).energy + self.weight * height
     }
 
     fn add_gradient(&self, at: &[DVec3], gradient: &mut [DVec3]) {
-        length::add_gradient(&self.segments, at, gradient, |k, length| self.heavy_stretch(k, length, at));
+        length::add_gradient(&self.segments, at, gradient, self.stretch(at));
         if self.weight != 0.0 {
             for &segment in &self.segments {
                 let half = 0.5 * self.weight * length::length(segment, at) * self.up;
@@ -198,7 +182,7 @@ impl Term for Cable {
     }
 
     fn add_second_derivative(&self, at: &[DVec3], shift: f64, add: &mut dyn FnMut(u32, u32, DMat3)) {
-        length::add_second_derivative(&self.segments, at, shift, add, |k, length| self.heavy_stretch(k, length, at));
+        length::add_second_derivative(&self.segments, at, shift, add, self.stretch(at));
         if self.weight == 0.0 {
             return;
         }
@@ -215,35 +199,162 @@ impl Term for Cable {
         }
     }
 
+    fn visit_rank_one_parts(&self, at: &[DVec3], add: &mut dyn FnMut(f64, &[DVec3])) {
+        let stiffness = self.law.at(self.length(at)).stiffness;
+        if stiffness != 0.0 {
+            let mut gradient = vec![DVec3::ZERO; at.len()];
+            add_length_gradient(&self.segments, at, 1.0, &mut gradient);
+            add(stiffness, &gradient);
+        }
+    }
+
     fn visit_elements(&self, visit: &mut dyn FnMut(&[u32])) {
         self.segments.iter().for_each(|segment| visit(segment));
     }
 
     fn add_shares(&self, at: &[DVec3], shares: &mut [f64]) {
-        // A cable whose force is the multiplier of its length has no force of its own; its weight then gives the scale.
-        let own = self.weight * self.length(at);
-        length::add_shares(&self.segments, at, shares, |k, length| {
-            self.heavy_stretch(k, length, at).force.max(0.0) + own
-        });
+        // The weight gives the scale of a heavy cable, because its force at the origin's height may be of any size.
+        let total = self.length(at);
+        let force = self.law.at(total).force.max(0.0) + self.weight * total;
+        length::add_shares(&self.segments, at, shares, |_, _| force);
     }
 
     fn visit_forces(&self, at: &[DVec3], visit: &mut dyn FnMut(f64)) {
-        (0..self.segments.len()).for_each(|k| visit(self.force(k, at)));
+        let stretch = self.stretch(at);
+        (0..self.segments.len()).for_each(|k| visit(stretch(k, 0.0).force));
+    }
+}
+
+fn add_length_gradient(segments: &[[u32; 2]], at: &[DVec3], factor: f64, gradient: &mut [DVec3]) {
+    length::add_gradient(segments, at, gradient, |_, _| Stretch { energy: 0.0, force: factor, stiffness: 0.0 });
+}
+
+/// The error of an elastic cable's force is measured against the force at this strain. Cables in use are strained by
+/// 1e-4 to 1e-2.
+const SMALL_STRAIN: f64 = 1e-4;
+
+/// What determines the multiplier τ of a cable's length, if the length itself is not given. The force in segment k is
+/// τ + w z_k, and its mean τ + w z̄ with the mean height z̄.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Equation {
+    /// The mean force is this.
+    MeanForce(f64),
+    /// The force at the first end is this.
+    EndTension(f64),
+    /// The part of the first segment's force that is across the vertical is this.
+    HorizontalComponent(f64),
+    /// The mean force is this times the length.
+    ForceDensity(f64),
+    /// The mean force is EA (L / L0 - 1).
+    Elastic {
+        /// L0.
+        unstressed: f64,
+        /// EA.
+        stiffness: f64,
+    },
+    /// The largest distance from the chord between the ends is this.
+    Sag(f64),
+}
+
+/// An [`Equation`] of one cable, whose law is [`Law::Multiplier`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct CableCondition {
+    /// The cable.
+    pub cable: Cable,
+    /// What is required of it.
+    pub equation: Equation,
+}
+
+impl CableCondition {
+    /// Adds a multiple of the derivative of the mean height: ∂z̄ = Σ ((z_k - z̄) ∂ℓ_k + ℓ_k ∂z_k) / L.
+    fn add_mean_height(&self, at: &[DVec3], factor: f64, gradient: &mut [DVec3]) {
+        let Cable { segments, up, .. } = &self.cable;
+        let (mean, total) = (self.cable.mean_height(at), self.cable.length(at).max(f64::MIN_POSITIVE));
+        let factor = factor / total;
+        let rise =
+            |k: usize, _| Stretch { energy: 0.0, force: factor * (self.cable.height(k, at) - mean), stiffness: 0.0 };
+        length::add_gradient(segments, at, gradient, rise);
+        for &segment in segments {
+            let half = 0.5 * factor * length::length(segment, at) * *up;
+            segment.into_iter().for_each(|v| gradient[v as usize] += half);
+        }
+    }
+}
+
+impl Condition for CableCondition {
+    fn value(&self, at: &[DVec3], multiplier: f64) -> (f64, f64) {
+        let cable = &self.cable;
+        let mean = || multiplier + cable.weight * cable.mean_height(at);
+        match self.equation {
+            Equation::MeanForce(force) => (mean() - force, 1.0),
+            Equation::EndTension(force) => {
+                let height = cable.segments.first().map_or(0.0, |&[first, _]| at[first as usize].dot(cable.up));
+                (multiplier + cable.weight * height - force, 1.0)
+            }
+            Equation::HorizontalComponent(force) => {
+                let across = cable.level_part(at);
+                let own = if cable.segments.is_empty() { 0.0 } else { cable.force(0, at) };
+                ((own + multiplier) * across - force, across)
+            }
+            Equation::ForceDensity(density) => (mean() - density * cable.length(at), 1.0),
+            Equation::Elastic { unstressed, stiffness } => {
+                (mean() - stiffness * (cable.length(at) / unstressed - 1.0), 1.0)
+            }
+            Equation::Sag(sag) => (cable.sag(at) - sag, 0.0),
+        }
     }
 
-    fn renew(&mut self, at: &[DVec3]) -> f64 {
-        let change = self.measure(at);
-        let (Some(target), Law::Force(force)) = (self.target, self.law) else { return change };
-        // A shallow cable's sag is inversely proportional to its force, and the horizontal component of a force is
-        // proportional to it, so each renewal is nearly a step of Newton's method.
-        let ratio = match target {
-            Target::Sag(sag) => self.sag(at) / sag,
-            Target::HorizontalComponent(wanted) => wanted / self.horizontal_component(at).max(f64::MIN_POSITIVE),
+    fn add_gradient(&self, at: &[DVec3], multiplier: f64, gradient: &mut [DVec3]) {
+        let cable = &self.cable;
+        let (Some(&[first, second]), Some(&[_, last])) = (cable.segments.first(), cable.segments.last()) else {
+            return;
         };
-        let ratio = ratio.clamp(0.25, 4.0);
-        self.law = Law::Force(force * ratio);
-        change.max((ratio - 1.0).abs())
+        match self.equation {
+            Equation::MeanForce(_) => self.add_mean_height(at, cable.weight, gradient),
+            Equation::EndTension(_) => gradient[first as usize] += cable.weight * cable.up,
+            Equation::HorizontalComponent(_) => {
+                let (across, derivative) = across([first, second], cable.up, at);
+                let force = multiplier + cable.weight * cable.height(0, at);
+                let half = 0.5 * cable.weight * across * cable.up;
+                gradient[first as usize] += half - force * derivative;
+                gradient[second as usize] += half + force * derivative;
+            }
+            Equation::ForceDensity(density) => {
+                self.add_mean_height(at, cable.weight, gradient);
+                add_length_gradient(&cable.segments, at, -density, gradient);
+            }
+            Equation::Elastic { unstressed, stiffness } => {
+                self.add_mean_height(at, cable.weight, gradient);
+                add_length_gradient(&cable.segments, at, -stiffness / unstressed, gradient);
+            }
+            Equation::Sag(_) => {
+                let Some(Lowest { vertex, distance, share }) = cable.lowest(at) else { return };
+                let outward = distance.normalize_or_zero();
+                gradient[vertex as usize] += outward;
+                gradient[first as usize] -= (1.0 - share) * outward;
+                gradient[last as usize] -= share * outward;
+            }
+        }
     }
+
+    fn scale(&self, at: &[DVec3]) -> f64 {
+        match self.equation {
+            Equation::MeanForce(value)
+            | Equation::EndTension(value)
+            | Equation::HorizontalComponent(value)
+            | Equation::Sag(value) => value,
+            Equation::ForceDensity(density) => density * self.cable.length(at),
+            Equation::Elastic { stiffness, .. } => SMALL_STRAIN * stiffness,
+        }
+    }
+}
+
+/// The part of a segment's direction that is across the vertical, and its derivative by the second end.
+fn across([a, b]: [u32; 2], up: DVec3, at: &[DVec3]) -> (f64, DVec3) {
+    let edge = at[b as usize] - at[a as usize];
+    let (length, level) = (edge.length().max(f64::MIN_POSITIVE), edge.reject_from_normalized(up));
+    let across = level.length() / length;
+    (across, (level.normalize_or_zero() - across * edge / length) / length)
 }
 
 #[cfg(test)]
@@ -251,16 +362,55 @@ mod tests {
     use super::*;
     use crate::energy::finite_differences::{check, patch};
 
+    const UP: DVec3 = DVec3::new(0.6, 0.0, 0.8);
+
+    fn segments() -> Vec<[u32; 2]> {
+        vec![[0, 1], [1, 2], [2, 6], [6, 7]]
+    }
+
     #[test]
     fn the_derivatives_of_every_law_agree_with_finite_differences_light_and_heavy() {
         let (vertices, _) = patch();
-        let up = DVec3::new(0.6, 0.0, 0.8);
-        for law in [Law::Force(2.5), Law::Density(0.7), Law::Elastic { unstressed: 3.1, stiffness: 4.0 }] {
+        let laws =
+            [Law::Multiplier, Law::Force(2.5), Law::Density(0.7), Law::Elastic { unstressed: 3.1, stiffness: 4.0 }];
+        for law in laws {
             for weight in [0.0, 0.9] {
-                let segments = vec![[0, 1], [1, 2], [2, 6], [6, 7]];
-                let cable = Cable::new(segments, law, &vertices).heavy(weight, up, Datum::FirstEnd, &vertices);
-                check(&cable, &vertices, 1e-8);
+                check(&Cable::new(segments(), law).heavy(weight, UP), &vertices, 1e-8);
             }
+        }
+    }
+
+    #[test]
+    fn the_derivatives_of_every_equation_agree_with_finite_differences() {
+        let (vertices, _) = patch();
+        let cable = Cable::new(segments(), Law::Multiplier).heavy(0.9, UP);
+        let equations = [
+            Equation::MeanForce(2.0),
+            Equation::EndTension(2.0),
+            Equation::HorizontalComponent(2.0),
+            Equation::ForceDensity(0.7),
+            Equation::Elastic { unstressed: 3.1, stiffness: 4.0 },
+            Equation::Sag(0.4),
+        ];
+        for equation in equations {
+            let condition = CableCondition { cable: cable.clone(), equation };
+            let (multiplier, step) = (1.3, 1e-6);
+            let mut gradient = vec![DVec3::ZERO; vertices.len()];
+            condition.add_gradient(&vertices, multiplier, &mut gradient);
+            let value = |at: &[DVec3], multiplier: f64| condition.value(at, multiplier).0;
+            for v in 0..vertices.len() {
+                for axis in 0..3 {
+                    let moved = |step: f64| {
+                        let mut at = vertices.clone();
+                        at[v][axis] += step;
+                        value(&at, multiplier)
+                    };
+                    let slope = (moved(step) - moved(-step)) / (2.0 * step);
+                    assert!((slope - gradient[v][axis]).abs() < 1e-8, "{equation:?} {v} {axis}");
+                }
+            }
+            let slope = (value(&vertices, multiplier + step) - value(&vertices, multiplier - step)) / (2.0 * step);
+            assert!((slope - condition.value(&vertices, multiplier).1).abs() < 1e-8, "{equation:?}");
         }
     }
 
@@ -268,10 +418,10 @@ mod tests {
     fn a_slack_cable_has_no_force_and_a_taut_one_the_same_force_in_every_segment() {
         let (vertices, _) = patch();
         let segments = vec![[0, 1], [1, 2], [2, 6]];
-        let taut = Cable::new(segments.clone(), Law::Elastic { unstressed: 2.0, stiffness: 5.0 }, &vertices);
+        let taut = Cable::new(segments.clone(), Law::Elastic { unstressed: 2.0, stiffness: 5.0 });
         let force = 5.0 * (taut.length(&vertices) / 2.0 - 1.0);
         taut.visit_forces(&vertices, &mut |found| assert!((found - force).abs() < 1e-14));
-        let slack = Cable::new(segments, Law::Elastic { unstressed: 9.0, stiffness: 5.0 }, &vertices);
+        let slack = Cable::new(segments, Law::Elastic { unstressed: 9.0, stiffness: 5.0 });
         check(&slack, &vertices, 1e-8);
         slack.visit_forces(&vertices, &mut |found| assert_eq!(found, 0.0));
     }

@@ -7,8 +7,8 @@ use glam::DMat3;
 const STEP: f64 = 1e-5;
 
 /// Panics unless the gradient is the derivative of the value and the second derivative that of the gradient, at these
-/// positions and for each coordinate of each vertex, to `tolerance`; and unless all couplings are between vertices of
-/// one element.
+/// positions and for each coordinate of each vertex, to `tolerance`; and unless all blocks are between vertices of one
+/// element. The rank-one parts of the second derivative count with the blocks.
 pub(crate) fn check(term: &dyn Term, at: &[DVec3], tolerance: f64) {
     let gradient = |at: &[DVec3]| {
         let mut gradient = vec![DVec3::ZERO; at.len()];
@@ -18,6 +18,8 @@ pub(crate) fn check(term: &dyn Term, at: &[DVec3], tolerance: f64) {
     let here = gradient(at);
     let mut blocks = vec![vec![DMat3::ZERO; at.len()]; at.len()];
     term.add_second_derivative(at, 0.0, &mut |v, w, block| blocks[v as usize][w as usize] += block);
+    let mut rank_one_parts: Vec<(f64, Vec<DVec3>)> = Vec::new();
+    term.visit_rank_one_parts(at, &mut |stiffness, gradient| rank_one_parts.push((stiffness, gradient.to_vec())));
     let mut coupled = vec![vec![false; at.len()]; at.len()];
     term.visit_elements(&mut |element| {
         for &v in element {
@@ -36,7 +38,8 @@ pub(crate) fn check(term: &dyn Term, at: &[DVec3], tolerance: f64) {
             assert!((slope - here[v][axis]).abs() < tolerance, "vertex {v} axis {axis}: {slope} {}", here[v][axis]);
             for (w, (up, down)) in gradient(&up).iter().zip(gradient(&down)).enumerate() {
                 let measured = (*up - down) / (2.0 * STEP);
-                let expected = blocks[w][v].col(axis);
+                let dense = rank_one_parts.iter().map(|(stiffness, part)| part[w] * (stiffness * part[v][axis]));
+                let expected = blocks[w][v].col(axis) + dense.sum::<DVec3>();
                 assert!((measured - expected).length() < tolerance, "{w} by {v} axis {axis}: {measured} {expected}");
                 assert!(coupled[v][w] || blocks[w][v] == DMat3::ZERO, "{w} and {v} share no element");
             }

@@ -1,6 +1,6 @@
 //! Bodies of sheets and lines, and their equations of equilibrium.
 
-use super::constraint::{Constraint, ConstraintState, least_squares_multipliers};
+use super::constraint::{Constraint, ConstraintState, Determined, least_squares_multipliers};
 use super::freedom::{Freedom, Support};
 use super::newton::{Direct, Equations, Outcome, Settings, State, iterate};
 use super::residual::residual;
@@ -166,7 +166,11 @@ impl Body {
                 return Err(BodyDefect::OffSupport(v as u32));
             }
         }
-        match self.constraints.iter().position(|c| !(c.target.is_finite() && c.target != 0.0)) {
+        let bad = |c: &Constraint| match c.by {
+            Determined::Value(value) | Determined::Yielding { value, .. } => !value.is_finite() || value == 0.0,
+            Determined::Condition(_) => false,
+        };
+        match self.constraints.iter().position(bad) {
             Some(constraint) => Err(BodyDefect::Target(constraint)),
             None => Ok(()),
         }
@@ -188,6 +192,7 @@ impl Body {
     ) -> Result<Report, BodyDefect> {
         self.check()?;
         let mut left = settings.max_steps;
+        let count_of_constraints = self.constraints.len();
         loop {
             let mut vertices = self.vertices.clone();
             let motion = Motion::new(self);
@@ -199,7 +204,7 @@ impl Body {
             let (report, solved) = match Direct::new(motion.matrix()) {
                 Err(error) => {
                     let state = motion.state(&vertices);
-                    (Report::new(Outcome::Refused(error), &state, None), false)
+                    (Report::new(Outcome::Refused(error), count_of_constraints, &state, None), false)
                 }
                 Ok(mut direct) => {
                     let round = Settings { max_steps: left, ..*settings };
@@ -218,11 +223,11 @@ impl Body {
                             });
                             let lowest_mode =
                                 variation.map(|variation| motion.displacements(&state, &variation.lowest.vector));
-                            Report { lowest_mode, ..Report::new(outcome, &state, found) }
+                            Report { lowest_mode, ..Report::new(outcome, count_of_constraints, &state, found) }
                         }
-                        Err(Unknown::Refused(_)) => Report::new(outcome, &state, None),
+                        Err(Unknown::Refused(_)) => Report::new(outcome, count_of_constraints, &state, None),
                         Err(Unknown::Interrupted(interruption)) => {
-                            Report::new(Outcome::Interrupted(interruption), &state, None)
+                            Report::new(Outcome::Interrupted(interruption), count_of_constraints, &state, None)
                         }
                     };
                     (report, solved)
@@ -303,8 +308,9 @@ pub struct Report {
 }
 
 impl Report {
-    fn new(outcome: Outcome, state: &State<Frame>, stability: Option<Stability>) -> Self {
-        let multipliers = state.constraints.iter().map(|constraint| constraint.multiplier).collect();
+    fn new(outcome: Outcome, constraints: usize, state: &State<Frame>, stability: Option<Stability>) -> Self {
+        // The rows of the terms' rank-one parts follow those of the constraints.
+        let multipliers = state.constraints[..constraints].iter().map(|constraint| constraint.multiplier).collect();
         Self { outcome, energy: state.energy, residual: state.residual, multipliers, stability, lowest_mode: None }
     }
 }
@@ -433,19 +439,39 @@ impl Equations for Motion<'_> {
             along.iter_mut().zip(border).for_each(|(along, border)| *along -= multiplier * border);
             gradient.iter_mut().zip(quantity).for_each(|(gradient, quantity)| *gradient -= multiplier * *quantity);
         }
-        let constraints: Vec<ConstraintState> = body
+        let mut constraints: Vec<ConstraintState> = body
             .constraints
             .iter()
             .zip(borders)
             .zip(multipliers)
-            .map(|((constraint, gradient), multiplier)| ConstraintState {
-                excess: constraint.quantity.value(vertices) - constraint.target,
-                scale: constraint.target.abs(),
-                multiplier,
-                gradient,
+            .map(|((constraint, gradient), multiplier)| {
+                let excess = |target: f64| constraint.quantity.value(vertices) - target;
+                let mut yields = 0.0;
+                let (excess, scale, condition) = match &constraint.by {
+                    Determined::Value(target) => (excess(*target), target.abs(), None),
+                    Determined::Yielding { value, compliance } => {
+                        yields = *compliance;
+                        (excess(*value) + compliance * multiplier, value.abs(), None)
+                    }
+                    Determined::Condition(condition) => {
+                        let (value, by_multiplier) = condition.value(vertices, multiplier);
+                        let mut by_positions = vec![DVec3::ZERO; vertices.len()];
+                        condition.add_gradient(vertices, multiplier, &mut by_positions);
+                        let by_unknowns = self.components(&directions, &by_positions);
+                        (value, condition.scale(vertices), Some((by_unknowns, by_multiplier)))
+                    }
+                };
+                ConstraintState { excess, scale, multiplier, gradient, condition, compliance: yields }
             })
             .collect();
-        let energy = body.terms.iter().map(|term| term.value(vertices)).sum();
+        for term in &body.terms {
+            term.visit_rank_one_parts(vertices, &mut |stiffness, gradient| {
+                let gradient = self.components(&directions, gradient);
+                constraints.push(ConstraintState::rank_one_part(stiffness, gradient));
+            });
+        }
+        let yielding: f64 = constraints.iter().map(|c| 0.5 * c.compliance * c.multiplier * c.multiplier).sum();
+        let energy = body.terms.iter().map(|term| term.value(vertices)).sum::<f64>() + yielding;
         let frame = Frame { directions, gradient, shares };
         let mut state = State { frame, energy, gradient: along, mass, residual: 0.0, constraints };
         let unmet = state.constraints.iter().map(|c| c.excess.abs() / c.scale).fold(0.0, f64::max);

@@ -7,7 +7,7 @@
 //! 3. If it is indefinite, add the energy's semidefinite part once more, and more, until it is positive definite: the
 //!    step then goes down in energy. (When a stationary point is followed whatever its index, take the step as it is.)
 //! 4. Line search: halve the step while a triangle would turn over, or the energy does not decrease. When a stationary
-//!    point is followed, the residual must decrease instead.
+//!    point is followed, or an equation determines a multiplier, the residual must decrease instead.
 //!
 //! [`NormalMotion`](super::NormalMotion) is the scalar fast path: a film whose vertices move along their normals.
 //! [`Motion`](super::Motion) is a [`Body`](super::Body) with any energies, freedoms and constraints.
@@ -272,13 +272,16 @@ fn search<E: Equations>(
         .sum();
     let slope = along - unmet;
     let before = state.merit(&weights);
+    // A condition leads to no minimum of the energy under the constraints' present values.
+    let conditioned = state.constraints.iter().any(|constraint| constraint.condition.is_some());
     let mut fraction = 1.0;
     while fraction >= LEAST_STEP {
         let moved = equations.moved(vertices, state, step, fraction);
         if keeps_orientation(equations.triangles(), vertices, &moved) {
             let reached = equations.state(&moved);
-            let decided_by_residual =
-                (fraction * slope).abs() <= ENERGY_ROUNDING * before.abs() || settings.aim == Aim::Stationary;
+            let decided_by_residual = conditioned
+                || settings.aim == Aim::Stationary
+                || (fraction * slope).abs() <= ENERGY_ROUNDING * before.abs();
             let gains = if decided_by_residual {
                 reached.residual < state.residual
             } else {

@@ -15,7 +15,7 @@
 //! The index counts motions of the vertices. It says nothing about changes of topology: a point where eight junctions
 //! meet may be stable under every motion, and still be left by splitting the point.
 
-use super::constraint::{Bordered, ConstraintState};
+use super::constraint::{Bordered, ConstraintState, add_rank_one_products};
 use super::newton::{Direct, Equations, State};
 use crate::sparse::{LinearError, Symbolic, SymmetricMatrix};
 use crate::{DVec3, Execution, Interruption};
@@ -126,7 +126,11 @@ pub(crate) fn analyse<E: Equations>(
     let lowest = |bordered: &Bordered| {
         let mut start = vec![1.0; mass.len()];
         bordered.correct(&mut start, |_| 0.0);
-        lowest_mode(matrix, mass, unit, start, |residual| bordered.apply(residual), exec)
+        let multiply = |x: &[f64], product: &mut [f64]| {
+            matrix.multiply(x, product);
+            add_rank_one_products(constraints, x, product);
+        };
+        lowest_mode(multiply, mass, unit, start, |residual| bordered.apply(residual), exec)
     };
     let (morse_index, mode) = with_factor(symbolic, matrix, mass, unit, constraints, |bordered| {
         let index = bordered.index();
@@ -158,13 +162,14 @@ fn shifted(matrix: &SymmetricMatrix, mass: &[f64], shift: f64) -> SymmetricMatri
     result
 }
 
-/// The lowest eigenvalue of K x = λ M x from a start vector; `precondition` applies an approximate positive definite
-/// inverse of K in place. `unit` is the eigenvalue scale 1/R².
+/// The lowest eigenvalue of K x = λ M x from a start vector; `multiply` writes the product of K by its first argument to
+/// the second, and `precondition` applies an approximate positive definite inverse of K in place. `unit` is the
+/// eigenvalue scale 1/R².
 ///
 /// # Errors
 /// The interruption.
 pub(crate) fn lowest_mode(
-    matrix: &SymmetricMatrix,
+    multiply: impl Fn(&[f64], &mut [f64]),
     mass: &[f64],
     unit: f64,
     start: Vec<f64>,
@@ -176,7 +181,7 @@ pub(crate) fn lowest_mode(
     let n = mass.len();
     // The basis: the iterate, the preconditioned residual, the last direction; each with its product by K.
     let mut x = Vector { value: start, product: vec![0.0; n] };
-    matrix.multiply(&x.value, &mut x.product);
+    multiply(&x.value, &mut x.product);
     x.scale(1.0 / inner(&x.value, &x.value).sqrt());
     let mut eigenvalue = dot(&x.value, &x.product);
     let mut last: Option<Vector> = None;
@@ -188,7 +193,7 @@ pub(crate) fn lowest_mode(
         let mut basis = vec![x];
         let mut w = Vector { value: residual, product: vec![0.0; n] };
         w.orthonormalise(&basis, inner);
-        matrix.multiply(&w.value, &mut w.product);
+        multiply(&w.value, &mut w.product);
         basis.push(w);
         if let Some(mut direction) = last.take() {
             direction.orthonormalise(&basis, inner);

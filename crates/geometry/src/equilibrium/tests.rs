@@ -1,7 +1,9 @@
 //! Bodies against closed forms and finite differences.
 
+use super::constraint::add_rank_one_products;
 use super::*;
 use crate::energy::area::first_variation;
+use crate::energy::cable::{Cable, Law};
 use crate::energy::elastic_line::ElasticLine;
 use crate::energy::finite_differences::patch as bumpy_patch;
 use crate::energy::length::{self, Stretch};
@@ -95,8 +97,10 @@ fn every_freedom_agrees_with_finite_differences_of_the_energy_along_its_motion()
     }
     body.terms.push(Box::new(Volume { triangles, pressure: 0.4 }));
     body.terms.push(Box::new(Length { segments: vec![[0, 1], [1, 2], [7, 11], [11, 15]], tension: 0.9 }));
+    let elastic = Law::Elastic { unstressed: 1.5, stiffness: 2.0 };
+    body.terms.push(Box::new(Cable::new(vec![[3, 7], [7, 11], [11, 15]], elastic)));
     let edge = vec![[3, 7], [8, 12], [0, 4]];
-    body.constraints.push(Constraint { quantity: Box::new(Length { segments: edge, tension: 1.0 }), target: 2.0 });
+    body.constraints.push(Constraint::value(Box::new(Length { segments: edge, tension: 1.0 }), 2.0));
     assert_eq!(body.check(), Ok(()));
     let motion = Motion::new(&body);
     let state = motion.state(&body.vertices);
@@ -113,6 +117,7 @@ fn every_freedom_agrees_with_finite_differences_of_the_energy_along_its_motion()
         energy - state.constraints[0].multiplier * body.constraints[0].quantity.value(&vertices)
     };
     assert!(state.constraints[0].multiplier.abs() > 0.01);
+    assert!(state.constraints.len() == 2 && state.constraints[1].compliance > 0.0);
     let h = 1e-4;
     for i in 0..n {
         let slope = (value(&[(i, h)]) - value(&[(i, -h)])) / (2.0 * h);
@@ -120,6 +125,9 @@ fn every_freedom_agrees_with_finite_differences_of_the_energy_along_its_motion()
         let mut row = vec![0.0; n];
         let (columns, values) = matrix.row(i);
         columns.iter().zip(values).for_each(|(&column, &value)| row[column as usize] = value);
+        let mut unit = vec![0.0; n];
+        unit[i] = 1.0;
+        add_rank_one_products(&state.constraints, &unit, &mut row);
         for (j, expected) in row.iter().enumerate() {
             let at = |a: f64, b: f64| value(&[(i, a), (j, b)]);
             let second = (at(h, h) - at(h, -h) - at(-h, h) + at(-h, -h)) / (4.0 * h * h);
@@ -349,7 +357,8 @@ fn beyond_the_hemisphere_a_cap_is_stable_at_constant_volume_and_not_at_constant_
         let pressure = 2.0 * f64::sin(angle);
         let (mut body, triangles) = cap(16, angle, 0.0);
         let enclosed = Volume { triangles: triangles.clone(), pressure: -1.0 };
-        body.constraints.push(Constraint { target: enclosed.value(&body.vertices), quantity: Box::new(enclosed) });
+        let target = enclosed.value(&body.vertices);
+        body.constraints.push(Constraint::value(Box::new(enclosed), target));
         let report = relaxed(&mut body);
         assert_eq!(report.stability.unwrap().morse_index, 0);
         assert!(report.stability.unwrap().lowest_eigenvalue > 0.0);
@@ -371,7 +380,7 @@ fn a_constraint_is_reached_from_a_start_that_does_not_meet_it() {
     let (mut body, triangles) = cap(10, 0.3 * PI, 0.0);
     let enclosed = Volume { triangles, pressure: -1.0 };
     let target = 1.3 * enclosed.value(&body.vertices);
-    body.constraints.push(Constraint { quantity: Box::new(enclosed), target });
+    body.constraints.push(Constraint::value(Box::new(enclosed), target));
     relaxed(&mut body);
     let reached = body.constraints[0].quantity.value(&body.vertices);
     assert!((reached / target - 1.0).abs() < 1e-10);
@@ -501,7 +510,7 @@ fn bodies_whose_parts_do_not_fit_are_named() {
     };
     assert_eq!(refused(&off), BodyDefect::OffSupport(2));
     let quantity = || Box::new(Length { segments: vec![[0, 1]], tension: 1.0 });
-    let zero = |body: &mut Body| body.constraints.push(Constraint { quantity: quantity(), target: 0.0 });
+    let zero = |body: &mut Body| body.constraints.push(Constraint::value(quantity(), 0.0));
     assert_eq!(refused(&zero), BodyDefect::Target(0));
 }
 

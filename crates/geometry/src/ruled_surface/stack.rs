@@ -4,7 +4,6 @@ pub(crate) mod assemble;
 pub(crate) mod caps;
 pub(crate) mod direction;
 pub(crate) mod estimate;
-pub(crate) mod meetings;
 pub(crate) mod options;
 pub(crate) mod prepare;
 pub(crate) mod sampling;

@@ -1,20 +1,21 @@
 //! From the initial mesh to the shape in equilibrium.
 //!
 //! 1. *Settle*: rounds of the update reference strategy ([`prestress`](crate::energy::prestress)). The film's area is
-//!    replaced by the quadratic energy of its present shape, in which every vertex inside moves freely, so that the mesh
-//!    follows an edge that moves. Between the rounds edges are flipped and vertices slide within the film.
+//!    replaced by the quadratic energy of its present shape, in which every vertex inside moves freely, so that the
+//!    mesh follows an edge that moves. Between the rounds edges are flipped and vertices slide within the film.
 //! 2. *Newton*: the energy itself. Vertices inside the film move along their normals and those of a cable across it,
-//!    until the residual is small. Coefficients that depend on the shape (the force of a cable of given sag) are renewed
-//!    between solves. Then the stability is analysed.
+//!    until the residual is small. The mean height of a heavy film, at which its tension is the required one, is
+//!    renewed between solves. Then the stability is analysed.
 //! 3. *Balance*: the shape becomes the reference of a last solve in which all vertices move in all directions. It moves
-//!    the vertices within the film, by less than the mesh's error, until the forces balance at every vertex and in every
-//!    direction. The stress then deviates from the constant one; the statistics say by how much.
+//!    the vertices within the film, by less than the mesh's error, until the forces balance at every vertex and in
+//!    every direction. The stress then deviates from the constant one; the statistics say by how much.
 
-use super::model::Model;
+use super::model::{ForceBy, Model};
 use super::options::{Options, Pressure, Structure};
+use crate::energy::cable::Law;
 use crate::energy::{self, ForceDensity, Load, Prestress, Term, Volume};
 use crate::equilibrium::newton::State;
-use crate::equilibrium::{Aim, Body, Frame, Freedom, Outcome, Settings, Stability};
+use crate::equilibrium::{Aim, Body, Determined, Frame, Freedom, Outcome, Settings, Stability};
 use crate::mesh::measure::double_area_vector;
 use crate::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
 use crate::sparse::LinearError;
@@ -35,8 +36,7 @@ const SETTLED: f64 = 0.05;
 const VOLUME_ROUNDS: u32 = 8;
 /// Largest number of Newton steps of one solve of step 2.
 const NEWTON_STEPS: u32 = 30;
-/// Largest number of renewals of coefficients. Each brings a sag or a horizontal component nearer by a factor of five
-/// or more.
+/// Largest number of renewals: of the mean height of a heavy film, and of the list of slack cables.
 const MAX_RENEWALS: u32 = 60;
 /// Largest number of times that a stalled Newton iteration is followed by another step 1.
 const MAX_RETURNS: u32 = 3;
@@ -93,8 +93,8 @@ pub(super) struct Found {
     pub balance: Option<Balance>,
 }
 
-/// A shape above the tolerance counts as one up to this residual. A larger value returns shapes whose forces are further
-/// from those of an equilibrium.
+/// A shape above the tolerance counts as one up to this residual. A larger value returns shapes whose forces are
+/// further from those of an equilibrium.
 const NEARLY: f64 = 1e-3;
 
 impl Found {
@@ -263,6 +263,7 @@ impl Run<'_> {
         let settings = Settings { aim: Aim::Minimum, tolerance: 1e-6, max_steps: STEPS_PER_ROUND };
         for round in first_round..=MAX_ROUNDS {
             let grown = volume.map(|volume| volume * f64::from(round.min(VOLUME_ROUNDS)) / f64::from(VOLUME_ROUNDS));
+            self.model.hang(self.structure);
             let mut body = self.model.body(self.structure, grown, true)?;
             self.look()?;
             let tension = self.structure.film.tension;
@@ -276,9 +277,7 @@ impl Run<'_> {
             let (outcome, _) = self.solve(&mut body, &settings, "settle", 0.02)?;
             let moved = before.iter().zip(&body.vertices).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
             self.model.set_vertices(&body.vertices);
-            for cable in &mut self.model.cables {
-                cable.renew(&body.vertices);
-            }
+            self.model.renew_start_forces(self.structure);
             self.look()?;
             flip_to_delaunay(&mut self.model.film);
             self.look()?;
@@ -314,9 +313,10 @@ impl Run<'_> {
                 Outcome::Refused(_) => return Ok(StopReason::Collapsed),
                 Outcome::Interrupted(interruption) => return Err(Error::Interrupted(interruption).into()),
             }
-            let change = self.model.cables.iter_mut().map(|cable| cable.renew(&body.vertices)).fold(0.0, f64::max);
-            let change =
-                if self.structure.film.weight > 0.0 { change.max(weight.renew(&body.vertices)) } else { change };
+            let change = if self.structure.film.weight > 0.0 { weight.renew(&body.vertices) } else { 0.0 };
+            if self.slacken(found) {
+                continue;
+            }
             if change <= self.options.tolerance.max(1e-12) {
                 if self.model.flipped() > 0 {
                     return Ok(StopReason::Stalled);
@@ -325,6 +325,20 @@ impl Run<'_> {
             }
         }
         Ok(StopReason::MaxIterations)
+    }
+
+    /// Lets elastic cables that would push go slack. Returns whether there are any.
+    fn slacken(&mut self, found: &mut Found) -> bool {
+        let mut any = false;
+        for (k, force) in found.length_forces.iter_mut().enumerate() {
+            if *force < 0.0 && matches!(self.model.forces_by[k], ForceBy::Elastic { .. }) {
+                self.model.forces_by[k] = ForceBy::Law;
+                self.model.cables[k].law = Law::Force(0.0);
+                *force = 0.0;
+                any = true;
+            }
+        }
+        any
     }
 
     /// The stability of the converged shape.
@@ -350,10 +364,9 @@ impl Run<'_> {
     /// The constraints' multipliers: the forces of cables of given length, and the pressure of a given volume.
     fn multipliers(&self, state: &State<Frame>, volume: Option<f64>, found: &mut Found) {
         let mut multipliers = state.constraints.iter().map(|constraint| constraint.multiplier);
-        for (force, length) in found.length_forces.iter_mut().zip(&self.model.lengths) {
-            if length.is_some() {
-                // A tension shortens the cable: it is the energy's fall per length, with the other sign.
-                *force = -multipliers.next().unwrap_or(0.0);
+        for (force, by) in found.length_forces.iter_mut().zip(&self.model.forces_by) {
+            if *by != ForceBy::Law {
+                *force = multipliers.next().unwrap_or(0.0);
             }
         }
         found.pressure = match (volume, self.structure.pressure) {
@@ -390,6 +403,8 @@ impl Run<'_> {
             densities.push(own);
         }
         body.terms.clear();
+        // The forces of the cables are now those of their densities; only lengths and a volume keep their values.
+        body.constraints.retain(|constraint| matches!(constraint.by, Determined::Value(_)));
         body.terms.push(Box::new(Prestress::isotropic(&triangles, |t| tensions[t], &reference)));
         body.terms.push(Box::new(Load { forces: loads.clone() }));
         densities.iter().for_each(|own| body.terms.push(Box::new(own.clone())));
@@ -429,8 +444,8 @@ impl Run<'_> {
         }
         let mut multipliers = state.constraints.iter().map(|constraint| constraint.multiplier);
         let mut cable_forces = Vec::with_capacity(densities.len());
-        for (own, length) in densities.iter().zip(&self.model.lengths) {
-            let more = if length.is_some() { -multipliers.next().unwrap_or(0.0) } else { 0.0 };
+        for (own, by) in densities.iter().zip(&self.model.forces_by) {
+            let more = if matches!(by, ForceBy::Length(_)) { multipliers.next().unwrap_or(0.0) } else { 0.0 };
             let mut forces = Vec::with_capacity(own.segments.len());
             own.visit_forces(at, &mut |force| forces.push(force + more));
             cable_forces.push(forces);

@@ -1,9 +1,10 @@
 //! The mesh of a tensile structure: the film's triangles, the vertices of its cables, and what each vertex may do.
 
+use super::catenary::Catenary;
 use super::options::{BoundaryPoint, Cable, CableMode, Course, Options, Pressure, Sliding, SlidingPart, Structure};
-use crate::energy::cable::{self, Datum, Law, Target};
+use crate::energy::cable::{self, CableCondition, Equation, Law};
 use crate::energy::{Term, Volume, Weight};
-use crate::equilibrium::{Body, Constraint, Freedom, Support};
+use crate::equilibrium::{Body, Constraint, Determined, Freedom, Support};
 use crate::error::Warning;
 use crate::mesh::complex::Complex;
 use crate::mesh::film::Film;
@@ -39,9 +40,30 @@ pub(super) struct Model {
     pub supports: Vec<Support>,
     pub sliding: Vec<(u32, Freedom)>,
     pub cables: Vec<energy::Cable>,
-    /// The required length of each cable whose length is a constraint.
-    pub lengths: Vec<Option<f64>>,
+    /// What determines the force of each cable.
+    pub forces_by: Vec<ForceBy>,
+    /// The force of each cable with which form finding begins.
+    pub start_forces: Vec<f64>,
     pub warnings: Vec<Warning>,
+}
+
+/// What determines the force of a cable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum ForceBy {
+    /// The law of its energy.
+    Law,
+    /// Its length, which is a constraint with the force as its multiplier.
+    Length(f64),
+    /// Its length, which yields to the force: the cable is elastic.
+    Elastic {
+        /// The length without force.
+        unstressed: f64,
+        /// EA.
+        stiffness: f64,
+    },
+    /// An equation in place of the constraint's value: the cable is heavy, or its sag or its horizontal component is
+    /// given.
+    Equation(Equation),
 }
 
 /// The options of the surface that the form finding starts from: one harmonic map.
@@ -86,7 +108,8 @@ impl Model {
             supports: Vec::new(),
             sliding: Vec::new(),
             cables: Vec::new(),
-            lengths: Vec::new(),
+            forces_by: Vec::new(),
+            start_forces: Vec::new(),
             warnings,
         };
         for sliding in &structure.sliding {
@@ -106,11 +129,10 @@ impl Model {
         let vertices = model.vertices();
         for (cable, chain) in structure.cables.iter().zip(&model.chains) {
             let segments: Vec<[u32; 2]> = chain.windows(2).map(|pair| [pair[0], pair[1]]).collect();
-            let (law, target, datum) = law(cable, structure, chain, &vertices);
-            let mut term = energy::Cable::new(segments, law, &vertices);
-            term.target = target;
-            model.cables.push(term.heavy(cable.weight, structure.up, datum, &vertices));
-            model.lengths.push(if let CableMode::Length(length) = cable.mode { Some(length) } else { None });
+            let (law, by) = law(cable);
+            model.start_forces.push(start_force(cable, structure, &segments, &vertices));
+            model.cables.push(energy::Cable::new(segments, law).heavy(cable.weight, structure.up));
+            model.forces_by.push(by);
         }
         Ok(model)
     }
@@ -203,7 +225,7 @@ impl Model {
         let mut chain = vec![first];
         for k in 1..pieces {
             let share = k as f64 / pieces as f64;
-            // The cable starts from a sag of a tenth of its length, so that it has a curvature to begin with.
+            // Without a catenary the cable starts from a sag of a tenth of its length, so that it has a curvature.
             let sag = 0.4 * straight * share * (1.0 - share) * structure.up;
             chain.push((self.film.vertices.len() + self.air.len()) as u32);
             self.air.push(ends[0] - self.centre + share * (ends[1] - ends[0]) - sag);
@@ -211,6 +233,50 @@ impl Model {
         }
         chain.push(last);
         chain
+    }
+
+    /// The catenary of a heavy cable in the air between its present ends.
+    fn catenary(&self, structure: &Structure, k: usize, at: &[DVec3]) -> Option<Catenary> {
+        let (cable, chain) = (&structure.cables[k], &self.chains[k]);
+        if !matches!(cable.course, Course::Air(_)) {
+            return None;
+        }
+        let ends = [chain[0], chain[chain.len() - 1]].map(|v| at[v as usize]);
+        Catenary::find(cable, ends, structure.up).ok().flatten()
+    }
+
+    /// Hangs the heavy cables in the air in the catenaries between their present ends.
+    pub fn hang(&mut self, structure: &Structure) {
+        let at = self.vertices();
+        let count = self.film.vertices.len();
+        for k in 0..self.chains.len() {
+            let Some(catenary) = self.catenary(structure, k, &at) else { continue };
+            let (chain, length) = (&self.chains[k], catenary.length());
+            for (i, &v) in chain.iter().enumerate().take(chain.len() - 1).skip(1) {
+                let from_first = length * i as f64 / (chain.len() - 1) as f64;
+                self.air[v as usize - count] = catenary.point(from_first);
+            }
+        }
+    }
+
+    /// Adjusts the forces at the start that follow from the shape to the present one.
+    pub fn renew_start_forces(&mut self, structure: &Structure) {
+        let at = self.vertices();
+        for (k, cable) in structure.cables.iter().enumerate() {
+            let term = &self.cables[k];
+            let force = &mut self.start_forces[k];
+            // A shallow cable's sag is inversely proportional to its force, and the horizontal component of a force is
+            // proportional to it.
+            let ratio = match cable.mode {
+                CableMode::Sag(sag) => term.sag(&at) / sag,
+                CableMode::HorizontalComponent(wanted) => wanted / (*force * term.level_part(&at).max(LEAST_ACROSS)),
+                _ => {
+                    *force = start_force(cable, structure, &term.segments, &at);
+                    continue;
+                }
+            };
+            *force *= ratio.clamp(0.25, 4.0);
+        }
     }
 
     fn slide(&mut self, sliding: &Sliding) {
@@ -256,8 +322,8 @@ impl Model {
     }
 
     /// The body with the terms of the structure, the film's area first. `volume` is the volume to be enclosed, if that
-    /// is required. At the `start` a curved cable of given length has the force of an arc instead: the length of a
-    /// straight one does not change to first order, so no force could be found for it.
+    /// is required. At the `start` every cable has the force densities and the loads of its present shape and of a
+    /// force that comes near the required one.
     pub fn body(&self, structure: &Structure, volume: Option<f64>, start: bool) -> Result<Body, Error> {
         let vertices = self.vertices();
         let invalid = |defect| Error::no_result("invalid_mesh", format!("the film's mesh is damaged: {defect}"));
@@ -286,33 +352,34 @@ impl Model {
         if structure.film.weight > 0.0 {
             body.terms.push(Box::new(self.weight(structure, &body.vertices)));
         }
-        for (cable, length) in self.cables.iter().zip(&self.lengths) {
-            if let Some(target) = *length
-                && start
-                && cable.segments.len() > 1
-            {
-                let in_air = cable.segments[0][1] as usize >= self.film.vertices.len();
-                let load = if in_air { cable.weight } else { structure.film.tension };
-                let mut arc = cable.clone();
-                arc.law = Law::Force(load * arc_radius(chord_of(cable, &body.vertices), target));
-                add_start(&mut body, arc);
+        for (k, (cable, &by)) in self.cables.iter().zip(&self.forces_by).enumerate() {
+            // A straight cable in the air has no other shape, so its length is a constraint from the start.
+            let by_length = matches!(by, ForceBy::Length(_) | ForceBy::Elastic { .. });
+            if start && !(by_length && cable.segments.len() == 1) {
+                self.add_start(&mut body, structure, k);
                 continue;
             }
-            if start {
-                add_start(&mut body, cable.clone());
-            } else {
-                body.terms.push(Box::new(cable.clone()));
-            }
-            if let Some(target) = *length {
-                let quantity = energy::Length { segments: cable.segments.clone(), tension: 1.0 };
-                body.constraints.push(Constraint { quantity: Box::new(quantity), target });
+            body.terms.push(Box::new(cable.clone()));
+            // With the tension -1 the multiplier is the force.
+            let quantity = || Box::new(energy::Length { segments: cable.segments.clone(), tension: -1.0 });
+            match by {
+                ForceBy::Law => {}
+                ForceBy::Length(length) => body.constraints.push(Constraint::value(quantity(), -length)),
+                ForceBy::Elastic { unstressed, stiffness } => {
+                    let by = Determined::Yielding { value: -unstressed, compliance: unstressed / stiffness };
+                    body.constraints.push(Constraint { quantity: quantity(), by });
+                }
+                ForceBy::Equation(equation) => {
+                    let by = Determined::Condition(Box::new(CableCondition { cable: cable.clone(), equation }));
+                    body.constraints.push(Constraint { quantity: quantity(), by });
+                }
             }
         }
         let triangles = || self.film.triangles().to_vec();
         match (structure.pressure, volume) {
             (_, Some(volume)) => {
                 let quantity = Box::new(Volume { triangles: triangles(), pressure: -1.0 });
-                body.constraints.push(Constraint { quantity, target: volume - self.cap_volume });
+                body.constraints.push(Constraint::value(quantity, volume - self.cap_volume));
             }
             (Pressure::Constant(pressure), None) => {
                 body.terms.push(Box::new(Volume { triangles: triangles(), pressure }));
@@ -327,6 +394,40 @@ impl Model {
             other => Error::no_result("invalid_mesh", other.to_string()),
         })?;
         Ok(body)
+    }
+
+    /// Adds a cable as it is at the start.
+    fn add_start(&self, body: &mut Body, structure: &Structure, k: usize) {
+        let cable = &self.cables[k];
+        if self.forces_by[k] == ForceBy::Law && cable.weight == 0.0 {
+            body.terms.push(Box::new(cable.clone()));
+            return;
+        }
+        let force = self.start_forces[k];
+        if cable.weight == 0.0 {
+            body.terms.push(Box::new(energy::Length { segments: cable.segments.clone(), tension: force }));
+            return;
+        }
+        // The own energy of a heavy cable has no minimum as long as its force is too small for its sag.
+        let at = &body.vertices;
+        let catenary = self.catenary(structure, k, at);
+        let mean = cable.weight * cable.mean_height(at);
+        let mut loads = vec![DVec3::ZERO; at.len()];
+        let mut densities = Vec::with_capacity(cable.segments.len());
+        let mut from_first = 0.0;
+        for (s, &segment) in cable.segments.iter().enumerate() {
+            let length = energy::length::length(segment, at);
+            let own = match &catenary {
+                Some(catenary) => catenary.force(from_first + 0.5 * length),
+                None => (force + cable.force(s, at) - mean).max(LEAST_FORCE * force),
+            };
+            from_first += length;
+            densities.push(own / length);
+            let half = cable.up * (0.5 * cable.weight * length);
+            segment.into_iter().for_each(|v| loads[v as usize] -= half);
+        }
+        body.terms.push(Box::new(energy::ForceDensity { segments: cable.segments.clone(), densities }));
+        body.terms.push(Box::new(energy::Load { forces: loads }));
     }
 
     /// The film's weight, with the datum at the mean height of these positions.
@@ -352,35 +453,11 @@ fn moved(support: Support, by: DVec3) -> Support {
     }
 }
 
-/// Least force of a segment of a heavy cable at the start, as a fraction of the cable's mean force. The positions may be
-/// far from those of an equilibrium, where no part of a cable pushes.
+/// The least part of a chord across the vertical that a start uses to estimate the force from its horizontal component.
+const LEAST_ACROSS: f64 = 0.1;
+/// Least force of a segment of a heavy cable at the start, as a fraction of the cable's mean force. The positions may
+/// be far from those of an equilibrium, where no part of a cable pushes.
 const LEAST_FORCE: f64 = 0.1;
-
-/// Adds a cable as it is at the start. A heavy one has the force densities and the weights of its present shape: its own
-/// energy has no minimum as long as its force is too small for its sag.
-fn add_start(body: &mut Body, cable: energy::Cable) {
-    if cable.weight == 0.0 {
-        body.terms.push(Box::new(cable));
-        return;
-    }
-    let at = &body.vertices;
-    let (mean, ..) = forces(&cable, 0.0, at);
-    let mut loads = vec![DVec3::ZERO; at.len()];
-    let mut densities = Vec::with_capacity(cable.segments.len());
-    for (k, &segment) in cable.segments.iter().enumerate() {
-        let length = energy::length::length(segment, at);
-        densities.push(cable.force(k, at).max(LEAST_FORCE * mean) / length);
-        let half = cable.up * (0.5 * cable.weight * length);
-        segment.into_iter().for_each(|v| loads[v as usize] -= half);
-    }
-    body.terms.push(Box::new(energy::ForceDensity { segments: cable.segments, densities }));
-    body.terms.push(Box::new(energy::Load { forces: loads }));
-}
-
-fn chord_of(cable: &energy::Cable, at: &[DVec3]) -> f64 {
-    let (Some(&[first, _]), Some(&[_, last])) = (cable.segments.first(), cable.segments.last()) else { return 0.0 };
-    at[first as usize].distance(at[last as usize])
-}
 
 /// The radius of an arc of the given length over a chord; half the length if the chord is not shorter.
 fn arc_radius(chord: f64, length: f64) -> f64 {
@@ -396,31 +473,59 @@ fn arc_radius(chord: f64, length: f64) -> f64 {
     0.5 * length / low.max(1e-6)
 }
 
-/// The law of a cable at the start, what its force is adjusted to, and where the law's force acts.
-fn law(cable: &Cable, structure: &Structure, chain: &[u32], vertices: &[DVec3]) -> (Law, Option<Target>, Datum) {
-    let ends = [chain[0], chain[chain.len() - 1]].map(|v| vertices[v as usize]);
-    let chord = ends[0].distance(ends[1]);
-    // The force of an arc under a load per length across it.
-    let load = if matches!(cable.course, Course::Air(_)) { cable.weight } else { structure.film.tension };
+/// The law of a cable and what determines its force.
+fn law(cable: &Cable) -> (Law, ForceBy) {
+    let by_equation = |equation| (Law::Multiplier, ForceBy::Equation(equation));
+    let heavy = cable.weight > 0.0;
     match cable.mode {
-        CableMode::Force(force) => (Law::Force(force), None, Datum::Mean),
-        CableMode::EndTension(force) => (Law::Force(force), None, Datum::FirstEnd),
-        CableMode::HorizontalComponent(wanted) => {
-            let across = (ends[1] - ends[0]).normalize_or_zero().reject_from_normalized(structure.up).length();
-            let force = wanted / across.max(0.1);
-            (Law::Force(force), Some(Target::HorizontalComponent(wanted)), Datum::Mean)
-        }
-        CableMode::ForceDensity(density) => (Law::Density(density), None, Datum::Mean),
-        // The force is the multiplier of the constraint.
-        CableMode::Length(_) => (Law::Force(0.0), None, Datum::Mean),
+        CableMode::Length(length) => (Law::Multiplier, ForceBy::Length(length)),
+        CableMode::Sag(sag) => by_equation(Equation::Sag(sag)),
+        CableMode::HorizontalComponent(force) => by_equation(Equation::HorizontalComponent(force)),
+        CableMode::Force(force) if heavy => by_equation(Equation::MeanForce(force)),
+        CableMode::EndTension(force) if heavy => by_equation(Equation::EndTension(force)),
+        CableMode::Force(force) | CableMode::EndTension(force) => (Law::Force(force), ForceBy::Law),
+        CableMode::ForceDensity(density) if heavy => by_equation(Equation::ForceDensity(density)),
+        CableMode::ForceDensity(density) => (Law::Density(density), ForceBy::Law),
         CableMode::UnstressedLength(unstressed) => {
             let stiffness = cable.axial_stiffness.unwrap_or(1.0);
-            (Law::Elastic { unstressed, stiffness }, None, Datum::Mean)
+            if heavy {
+                by_equation(Equation::Elastic { unstressed, stiffness })
+            } else {
+                (Law::Multiplier, ForceBy::Elastic { unstressed, stiffness })
+            }
         }
-        CableMode::Sag(sag) => {
-            let radius = (0.25 * chord * chord + sag * sag) / (2.0 * sag);
-            (Law::Force(load * radius), Some(Target::Sag(sag)), Datum::Mean)
+    }
+}
+
+/// A force near the one that a cable will have, from its present shape. A cable of given length or sag has that of an
+/// arc under a load across it.
+fn start_force(cable: &Cable, structure: &Structure, segments: &[[u32; 2]], at: &[DVec3]) -> f64 {
+    let (Some(&[first, _]), Some(&[_, last])) = (segments.first(), segments.last()) else { return 0.0 };
+    let span = at[last as usize] - at[first as usize];
+    let chord = span.length();
+    let length = || segments.iter().map(|&segment| energy::length::length(segment, at)).sum::<f64>();
+    let load = if matches!(cable.course, Course::Air(_)) { cable.weight } else { structure.film.tension };
+    match cable.mode {
+        CableMode::Force(force) | CableMode::EndTension(force) => force,
+        CableMode::HorizontalComponent(wanted) => {
+            let across = span.normalize_or_zero().reject_from_normalized(structure.up).length();
+            wanted / across.max(LEAST_ACROSS)
         }
+        CableMode::ForceDensity(density) => density * length(),
+        CableMode::Length(length) => load * arc_radius(chord, length),
+        CableMode::UnstressedLength(unstressed) => {
+            // The force F of an arc of radius F / load whose length is L0 (1 + F / EA), by bisection: the length of the
+            // arc falls with the force. The arc of the least force is half a circle.
+            let stiffness = cable.axial_stiffness.unwrap_or(1.0);
+            let (mut low, mut high) = (0.5 * load * chord, 0.5 * load * chord + stiffness * (2.0 * chord / unstressed));
+            for _ in 0..60 {
+                let force = 0.5 * (low + high);
+                let arc = 2.0 * force / load.max(f64::MIN_POSITIVE) * (0.5 * load * chord / force).min(1.0).asin();
+                *(if arc > unstressed * (1.0 + force / stiffness) { &mut low } else { &mut high }) = force;
+            }
+            low
+        }
+        CableMode::Sag(sag) => load * (0.25 * chord * chord + sag * sag) / (2.0 * sag),
     }
 }
 

@@ -213,9 +213,10 @@ fn no_equilibrium(structure: &Structure) -> Error {
     Error::NoResult { reason: "no_equilibrium", detail: detail.into(), places }
 }
 
-/// A cable of given length that would have to push.
-fn pushing_cable(structure: &Structure, found: &Found) -> Option<Error> {
-    let k = found.length_forces.iter().position(|&force| force < 0.0)?;
+/// A cable of given length or shape that would have to push.
+fn pushing_cable(structure: &Structure, model: &Model, found: &Found, at: &[DVec3]) -> Option<Error> {
+    let mean = |(term, &further): (&crate::energy::Cable, &f64)| forces(term, further, at).0;
+    let k = model.cables.iter().zip(&found.length_forces).map(mean).position(|force| force < 0.0)?;
     let place = InputError::new(
         Place::field("cables").at(k).then("value"),
         "is longer than the film pulls it: the cable would be slack",
@@ -230,10 +231,10 @@ pub(super) fn finish(model: Model, found: Found, structure: &Structure) -> Resul
     if !found.residual.is_finite() || (gave_up && !(found.is_shape() && model.flipped() == 0)) {
         return Err(no_equilibrium(structure));
     }
-    if let Some(error) = pushing_cable(structure, &found) {
+    let at = model.vertices();
+    if let Some(error) = pushing_cable(structure, &model, &found, &at) {
         return Err(error);
     }
-    let at = model.vertices();
     let film = model.film.mesh();
     let topology = film.check().map_err(|defect| Error::no_result("invalid_mesh", defect.to_string()))?;
     let triangles = film.triangles.clone();

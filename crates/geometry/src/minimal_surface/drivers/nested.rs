@@ -197,7 +197,8 @@ fn climb(
                 let solved = hierarchy.precondition(&matrix, &parents, residual);
                 residual.copy_from_slice(&solved);
             };
-            let lowest = stability::lowest_mode(&matrix, mass, unit, mode, precondition, solve.exec)?;
+            let multiply = |x: &[f64], product: &mut [f64]| matrix.multiply(x, product);
+            let lowest = stability::lowest_mode(multiply, mass, unit, mode, precondition, solve.exec)?;
             let by_inertia = film.triangles().len() <= INERTIA_TRIANGLES;
             let morse_index = if by_inertia {
                 solve.exec.look(film.triangles().len() as u64)?;

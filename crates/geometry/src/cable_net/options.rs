@@ -1,0 +1,158 @@
+//! A cable net as the caller describes it, and the checks of it.
+
+use crate::error::InputError;
+use crate::polyline::LARGEST_COORDINATE;
+use crate::{DVec3, Error, Place};
+
+/// Points that are joined by cables.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Net {
+    /// Points: supports where they stay, the others where form finding begins.
+    pub vertices: Vec<DVec3>,
+    /// The cables between them.
+    pub edges: Vec<Edge>,
+    /// The vertices that do not move.
+    pub supports: Vec<u32>,
+    /// The load on each vertex, or empty without loads. Loads on supports change the reactions only.
+    pub loads: Vec<DVec3>,
+}
+
+/// A cable between two vertices, and what is wanted of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Edge {
+    /// The two vertices.
+    pub ends: [u32; 2],
+    /// The force density q = force / length, from which fitting begins. Without targets it is the result's.
+    pub density: Option<f64>,
+    /// The force that the cable is to have.
+    pub force: Option<f64>,
+    /// The length that the cable is to have.
+    pub length: Option<f64>,
+}
+
+/// Options of form finding.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Weight of the mean squared deviation (F / F* - 1)² of the forces from their targets.
+    pub force_weight: f64,
+    /// Weight of the mean squared deviation (L / L* - 1)² of the lengths.
+    pub length_weight: f64,
+    /// Weight of the load path Σ F L, as a fraction of what it is at the start. Zero leaves it out.
+    pub load_path_weight: f64,
+    /// No force density becomes smaller than this, so that no cable goes slack.
+    pub least_density: f64,
+    /// Fitting ends when three steps in a row each lower the loss by less than this fraction of it.
+    pub tolerance: f64,
+    /// Largest number of steps. `None` stands for 200.
+    pub max_iterations: Option<u32>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            force_weight: 1.0,
+            length_weight: 1.0,
+            load_path_weight: 0.0,
+            least_density: 0.0,
+            tolerance: 1e-4,
+            max_iterations: None,
+        }
+    }
+}
+
+impl Net {
+    /// The load on a vertex.
+    #[must_use]
+    pub fn load(&self, v: usize) -> DVec3 {
+        self.loads.get(v).copied().unwrap_or_default()
+    }
+}
+
+fn require(errors: &mut Vec<InputError>, holds: bool, place: Place, detail: impl Into<String>) {
+    if !holds {
+        errors.push(InputError::new(place, detail));
+    }
+}
+
+/// Checks a net: linear in its size.
+pub(super) fn check(net: &Net, options: &Options) -> Result<(), Error> {
+    let mut errors = Vec::new();
+    let count = net.vertices.len();
+    let usable = |p: &DVec3| p.is_finite() && p.abs().max_element() <= LARGEST_COORDINATE;
+    let coordinate = "every coordinate must be a finite number of magnitude at most 1e50";
+    for (k, p) in net.vertices.iter().enumerate() {
+        require(&mut errors, usable(p), Place::field("vertices").at(k), coordinate);
+    }
+    for (k, load) in net.loads.iter().enumerate() {
+        require(&mut errors, usable(load), Place::field("loads").at(k), coordinate);
+    }
+    let loaded = net.loads.is_empty() || net.loads.len() == count;
+    require(&mut errors, loaded, Place::field("loads"), "needs one load for each vertex, or none at all");
+    for (k, &support) in net.supports.iter().enumerate() {
+        let detail = format!("there are {count} vertices, numbered from 0");
+        require(&mut errors, (support as usize) < count, Place::field("supports").at(k), detail);
+    }
+    let positive = |value: f64| value.is_finite() && value > 0.0;
+    for (k, edge) in net.edges.iter().enumerate() {
+        let place = || Place::field("edges").at(k);
+        for (i, &end) in edge.ends.iter().enumerate() {
+            let detail = format!("there are {count} vertices, numbered from 0");
+            require(&mut errors, (end as usize) < count, place().then("ends").at(i), detail);
+        }
+        require(&mut errors, edge.ends[0] != edge.ends[1], place().then("ends"), "must be two different vertices");
+        for (name, value) in [("density", edge.density), ("force", edge.force), ("length", edge.length)] {
+            let sound = value.is_none_or(positive);
+            require(
+                &mut errors,
+                sound,
+                place().then(name),
+                "must be a finite number above 0, because a cable only pulls",
+            );
+        }
+        if let Some(density) = edge.density {
+            let detail = format!("must be above least_density ({})", options.least_density);
+            require(&mut errors, density > options.least_density, place().then("density"), detail);
+        }
+    }
+    require(&mut errors, !net.edges.is_empty(), Place::field("edges"), "must not be empty");
+    for (name, value) in [
+        ("force_weight", options.force_weight),
+        ("length_weight", options.length_weight),
+        ("load_path_weight", options.load_path_weight),
+        ("least_density", options.least_density),
+        ("tolerance", options.tolerance),
+    ] {
+        let sound = value.is_finite() && value >= 0.0;
+        require(&mut errors, sound, Place::field(name), "must be a finite number, not negative");
+    }
+    if errors.is_empty() {
+        check_supports(net, &mut errors);
+    }
+    if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
+}
+
+/// Names the vertices that no chain of cables joins to a support: they move freely.
+fn check_supports(net: &Net, errors: &mut Vec<InputError>) {
+    let mut parent: Vec<usize> = (0..net.vertices.len()).collect();
+    fn root(parent: &mut [usize], mut v: usize) -> usize {
+        while parent[v] != v {
+            parent[v] = parent[parent[v]];
+            v = parent[v];
+        }
+        v
+    }
+    for edge in &net.edges {
+        let [a, b] = edge.ends.map(|v| root(&mut parent, v as usize));
+        parent[a] = b;
+    }
+    let mut held = vec![false; parent.len()];
+    for &support in &net.supports {
+        let part = root(&mut parent, support as usize);
+        held[part] = true;
+    }
+    for v in 0..parent.len() {
+        let part = root(&mut parent, v);
+        let detail = "moves freely: no cables join it to a support";
+        require(errors, held[part], Place::field("vertices").at(v), detail);
+    }
+}

@@ -1,0 +1,34 @@
+//! Components for Hops, the part of Grasshopper that sends geometry to servers. A designer types the address of a
+//! component, and Hops asks the server for its inputs and outputs.
+//!
+//! [`component`] lists the components, and [`values`] reads what Hops sends for their inputs. [`recipe`] makes an
+//! ordinary request of that, which goes the way of every request, and [`answer`] makes the outputs of its result.
+//!
+//! The forms are those of `src/hops/RemoteDefinition.cs` and `src/compute.geometry/IO/Schema.cs` in the repository
+//! mcneel/compute.rhino3d, and of the Python package ghhops-server.
+
+pub mod answer;
+pub mod component;
+pub mod recipe;
+pub mod schema;
+pub mod values;
+
+/// Reason why a message of Hops is not a request of a component. Each line names an input.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Refusal {
+    /// The body is not a message of Hops.
+    Malformed(String),
+    /// No component has this name.
+    Unknown(String),
+    /// The inputs are not those of the component. Hops asks for its description again if it is told so.
+    Outdated(Vec<String>),
+    /// Values of the inputs cannot be used.
+    Invalid(Vec<String>),
+}
+
+/// Returns true for the paths to which Hops posts the values of a component: beside the component's address or, by later
+/// versions, at the root of the host.
+#[must_use]
+pub fn is_solve(path: &str) -> bool {
+    matches!(path, "/solve" | "/hops/solve")
+}

@@ -1,0 +1,261 @@
+//! Makes the outputs of a component.
+
+use super::component::{Component, Geometry, Output, Source, Type};
+use crate::export::archive::{Archive, LineSet, Lines};
+use crate::export::{Error, Pattern};
+use crate::opennurbs::{envelope, write};
+use crate::wire::job::Job;
+use serde::Serialize;
+use serde::ser::SerializeMap;
+use serde_json::Value;
+use serde_json::value::RawValue;
+use std::collections::BTreeMap;
+
+/// Longest list of statistics that is written line by line.
+const MAX_LISTED: usize = 50;
+
+/// A value as Hops reads it: the .NET type, and the value as JSON text.
+#[derive(Clone, Debug, Serialize)]
+struct Item {
+    #[serde(rename = "type")]
+    of: &'static str,
+    data: String,
+}
+
+impl Item {
+    fn new(of: Type, data: &Value) -> Self {
+        Self { of: of.result(), data: data.to_string() }
+    }
+}
+
+/// An answer to a message of Hops.
+#[derive(Debug, Default, Serialize)]
+pub struct Answer<'a> {
+    values: Vec<Tree<'a>>,
+    pub errors: Vec<String>,
+    pub warnings: Vec<String>,
+}
+
+/// The values of an output. They all lie in one branch.
+#[derive(Debug)]
+struct Tree<'a> {
+    name: &'static str,
+    items: Items<'a>,
+}
+
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+enum Items<'a> {
+    Made(Vec<Item>),
+    /// JSON text of items that were made before.
+    Ready(&'a RawValue),
+}
+
+impl Serialize for Tree<'_> {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut tree = serializer.serialize_map(Some(2))?;
+        tree.serialize_entry("ParamName", self.name)?;
+        tree.serialize_entry("InnerTree", &BTreeMap::from([("{0}", &self.items)]))?;
+        tree.end()
+    }
+}
+
+/// Geometry of a result: JSON texts of items, by the part of the result.
+#[derive(Debug, Default)]
+pub struct Parts<'a>(BTreeMap<&'static str, &'a RawValue>);
+
+impl<'a> Answer<'a> {
+    /// Returns an answer without a component, such as one to a message that names none.
+    #[must_use]
+    pub fn of_errors(errors: Vec<String>) -> Self {
+        Self { errors, ..Self::default() }
+    }
+
+    /// Returns an answer in which every output of a component is empty. Hops asks for the description again if an
+    /// answer has some of the outputs only.
+    #[must_use]
+    pub fn refused(component: &Component, errors: Vec<String>) -> Self {
+        let empty = |output: &Output| Tree { name: output.name, items: Items::Made(Vec::new()) };
+        Self { values: component.outputs.iter().map(empty).collect(), errors, warnings: Vec::new() }
+    }
+
+    /// Returns the outputs of a job that has not failed. `parts` is empty until the job has succeeded.
+    #[must_use]
+    pub fn of_job(component: &Component, job: &Job, parts: &Parts<'a>) -> Self {
+        let statistics: Value = job
+            .statistics
+            .as_ref()
+            .and_then(|statistics| serde_json::from_str(statistics.get()).ok())
+            .unwrap_or_default();
+        let items = |output: &Output| match output.source {
+            Source::Geometry(part) => match parts.0.get(name(part)) {
+                Some(ready) => Items::Ready(ready),
+                None => Items::Made(Vec::new()),
+            },
+            Source::Statistic(pointer) => {
+                let value = statistics.pointer(pointer).filter(|value| !value.is_null());
+                Items::Made(value.map(|value| Item::new(output.of, value)).into_iter().collect())
+            }
+            Source::Statistics => {
+                let mut lines = Vec::new();
+                list("", &statistics, &mut lines);
+                Items::Made(lines.into_iter().map(|line| Item::new(Type::Text, &line.into())).collect())
+            }
+            Source::Job => Items::Made(vec![Item::new(Type::Text, &job.id.as_str().into())]),
+            Source::Status => Items::Made(vec![Item::new(Type::Text, &job.status.name().into())]),
+            Source::Progress => Items::Made(vec![Item::new(Type::Number, &job.progress.fraction.into())]),
+        };
+        let tree = |output: &Output| Tree { name: output.name, items: items(output) };
+        Self {
+            values: component.outputs.iter().map(tree).collect(),
+            errors: Vec::new(),
+            warnings: job.warnings.iter().map(|warning| warning.detail.clone()).collect(),
+        }
+    }
+
+    /// Returns the body of the answer.
+    #[must_use]
+    pub fn to_json(&self) -> Vec<u8> {
+        // Serialization cannot fail because there are only lists and text.
+        serde_json::to_vec(self).unwrap_or_default()
+    }
+}
+
+/// Adds a line `name: value` for each number and text of the statistics. Hops does not read escapes in text, so no line
+/// may have a quotation mark.
+fn list(name: &str, value: &Value, lines: &mut Vec<String>) {
+    let below = |part: &str| if name.is_empty() { part.to_owned() } else { format!("{name}.{part}") };
+    match value {
+        Value::Null => {}
+        Value::Object(fields) => fields.iter().for_each(|(field, value)| list(&below(field), value, lines)),
+        Value::Array(values) if values.len() > MAX_LISTED => lines.push(format!("{name}: {} values", values.len())),
+        Value::Array(values) if values.iter().any(|value| value.is_object() || value.is_array()) => {
+            for (index, value) in values.iter().enumerate() {
+                list(&below(&index.to_string()), value, lines);
+            }
+        }
+        Value::Array(values) => {
+            let values: Vec<String> = values.iter().map(plain).collect();
+            lines.push(format!("{name}: {}", values.join(", ")));
+        }
+        value => lines.push(format!("{name}: {}", plain(value))),
+    }
+}
+
+fn plain(value: &Value) -> String {
+    let text = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+    text.chars().map(|character| if matches!(character, '"' | '\\') { '\'' } else { character }).collect()
+}
+
+/// Returns the name of a part in the file of [`geometry`].
+fn name(part: Geometry) -> &'static str {
+    match part {
+        Geometry::Mesh => "mesh",
+        Geometry::Area => "area",
+        Geometry::Rulings => "rulings",
+        Geometry::Outlines => "outlines",
+        Geometry::Folds => "folds",
+        Geometry::FoldAngles => "fold_angles",
+        Geometry::Members => "members",
+        Geometry::MemberLengths => "member_lengths",
+        Geometry::Cables => "cables",
+        Geometry::CableForces => "cable_forces",
+        Geometry::Anchors => "anchors",
+        Geometry::AnchorForces => "anchor_forces",
+    }
+}
+
+const PARTS: [Geometry; 12] = [
+    Geometry::Mesh,
+    Geometry::Area,
+    Geometry::Rulings,
+    Geometry::Outlines,
+    Geometry::Folds,
+    Geometry::FoldAngles,
+    Geometry::Members,
+    Geometry::MemberLengths,
+    Geometry::Cables,
+    Geometry::CableForces,
+    Geometry::Anchors,
+    Geometry::AnchorForces,
+];
+
+impl<'a> Parts<'a> {
+    /// Reads a file that [`geometry`] has made.
+    #[must_use]
+    pub fn read(file: &'a [u8]) -> Self {
+        let read: BTreeMap<&str, &'a RawValue> = serde_json::from_slice(file).unwrap_or_default();
+        let known = PARTS.into_iter().filter_map(|part| Some((name(part), *read.get(name(part))?)));
+        Self(known.collect())
+    }
+}
+
+/// Returns all geometry of a result as a JSON file: items by the name of the part.
+///
+/// # Errors
+/// Returns [`Error::OutOfRange`] if a coordinate exceeds f32, which meshes of openNURBS have besides f64.
+pub fn geometry(archive: &Archive) -> Result<Vec<u8>, Error> {
+    let contents = archive.contents();
+    let vertices = &contents.mesh.vertices;
+    if vertices.iter().any(|vertex| vertex.abs().max_element() > f64::from(f32::MAX)) {
+        return Err(Error::OutOfRange { format: "openNURBS", detail: "a coordinate is beyond 3e38" });
+    }
+    let mut parts: BTreeMap<&str, Vec<Item>> = BTreeMap::new();
+    let mut add = |part: Geometry, of: Type, data: String| {
+        parts.entry(name(part)).or_default().push(Item { of: of.result(), data });
+    };
+    add(Geometry::Mesh, Type::Mesh, envelope::to_json(&write::mesh(vertices, &contents.mesh.triangles)));
+    let corners = contents.mesh.triangles.iter().map(|&triangle| contents.mesh.corners(triangle));
+    let area: f64 = corners.map(|[a, b, c]| (b - a).cross(c - a).length() / 2.0).sum();
+    add(Geometry::Area, Type::Number, Value::from(area).to_string());
+    for set in &contents.line_sets {
+        let (lines, numbers) = match set.name.as_str() {
+            "bridges" => (Geometry::Rulings, None),
+            "members" => (Geometry::Members, Some(Geometry::MemberLengths)),
+            "cables" => (Geometry::Cables, Some(Geometry::CableForces)),
+            _ => continue,
+        };
+        let LineSet { lines: Lines::Segments { pairs, values }, .. } = set else { continue };
+        for pair in pairs {
+            let ends = pair.map(|vertex| vertices[vertex as usize]);
+            add(lines, Type::Curve, envelope::to_json(&write::polyline_curve(&ends)));
+        }
+        if let (Some(part), Some(values)) = (numbers, values) {
+            values.values.iter().for_each(|&value| add(part, Type::Number, Value::from(value).to_string()));
+        }
+    }
+    if let Some(pattern) = contents.flat_pattern() {
+        flat_pattern(&pattern, &mut add);
+    }
+    let statistics: Value = serde_json::from_str(&contents.statistics).unwrap_or_default();
+    for reaction in statistics["reactions"].as_array().into_iter().flatten() {
+        let vertex = reaction["vertex"].as_u64().and_then(|vertex| vertices.get(usize::try_from(vertex).ok()?));
+        if let (Some(vertex), Some(force)) = (vertex, reaction["force"].as_array()) {
+            let numbers: Vec<f64> = force.iter().filter_map(Value::as_f64).collect();
+            add(Geometry::Anchors, Type::Point, xyz(&vertex.to_array()));
+            add(Geometry::AnchorForces, Type::Vector, xyz(&numbers));
+        }
+    }
+    // Serialization cannot fail because there are only lists and text.
+    Ok(serde_json::to_vec(&parts).unwrap_or_default())
+}
+
+/// Returns a point or vector as RhinoCommon writes it.
+fn xyz(numbers: &[f64]) -> String {
+    let number = |k: usize| numbers.get(k).copied().unwrap_or_default();
+    serde_json::json!({ "X": number(0), "Y": number(1), "Z": number(2) }).to_string()
+}
+
+fn flat_pattern(pattern: &Pattern, add: &mut impl FnMut(Geometry, Type, String)) {
+    let sheet = pattern.sheet();
+    for piece in &sheet.pieces {
+        let mut outline: Vec<_> = piece.outline.iter().map(|point| point.extend(0.0)).collect();
+        outline.extend(outline.first().copied());
+        add(Geometry::Outlines, Type::Curve, envelope::to_json(&write::polyline_curve(&outline)));
+        for fold in &piece.folds {
+            let ends = fold.ends.map(|end| end.extend(0.0));
+            add(Geometry::Folds, Type::Curve, envelope::to_json(&write::polyline_curve(&ends)));
+            add(Geometry::FoldAngles, Type::Number, Value::from(fold.angle_deg).to_string());
+        }
+    }
+}

@@ -1,0 +1,288 @@
+//! Reads the message in which Hops sends the values of a component's inputs.
+
+use super::Refusal;
+use super::component::{Component, Input, Type, find};
+use crate::opennurbs::curve::Curve;
+use crate::opennurbs::{Mesh, Object, envelope};
+use crate::wire::common::Point;
+use serde::de::{Deserializer, IgnoredAny, MapAccess, Visitor};
+use serde::{Deserialize, de};
+use serde_json::Value;
+use std::collections::BTreeMap;
+
+/// Part of a message that this server uses. Hops sends further fields for definitions of Grasshopper.
+#[derive(Deserialize)]
+struct Message {
+    #[serde(default)]
+    pointer: Option<String>,
+    #[serde(default)]
+    values: Vec<Tree>,
+    /// Tolerance of the document. Older versions of Hops send 0.
+    #[serde(default)]
+    absolutetolerance: Option<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+struct Tree {
+    #[serde(rename = "ParamName")]
+    name: String,
+    #[serde(rename = "InnerTree", default)]
+    items: Items,
+}
+
+#[derive(Debug, Deserialize)]
+struct Item {
+    /// JSON text of the value.
+    data: Option<String>,
+}
+
+/// The values of all branches of a tree, in the order of the message.
+#[derive(Debug, Default)]
+struct Items(Vec<Item>);
+
+impl<'de> Deserialize<'de> for Items {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Branches;
+
+        impl<'de> Visitor<'de> for Branches {
+            type Value = Items;
+
+            fn expecting(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                formatter.write_str("branches such as {\"{0}\": [{\"type\", \"data\"}]}")
+            }
+
+            fn visit_unit<E: de::Error>(self) -> Result<Items, E> {
+                Ok(Items::default())
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut branches: A) -> Result<Items, A::Error> {
+                let mut items = Vec::new();
+                while branches.next_key::<IgnoredAny>()?.is_some() {
+                    items.extend(branches.next_value::<Vec<Item>>()?);
+                }
+                Ok(Items(items))
+            }
+        }
+
+        deserializer.deserialize_any(Branches)
+    }
+}
+
+/// A value of an input, or its list of values.
+#[derive(Clone, Debug)]
+enum Given {
+    Boolean(bool),
+    Curves(Vec<Curve>),
+    Integer(i64),
+    Mesh(Mesh),
+    Number(f64),
+    Points(Vec<Point>),
+    Text(String),
+}
+
+/// The values of a component's inputs. Every input has one, of the type that the component names.
+#[derive(Clone, Debug)]
+pub struct Values {
+    given: BTreeMap<&'static str, Given>,
+    /// Distance up to which the ends of a curve count as equal. 0 if the client names none.
+    pub document_tolerance: f64,
+}
+
+/// A message that names a component.
+#[derive(Debug)]
+pub struct Named {
+    pub component: &'static Component,
+    values: Vec<Tree>,
+    document_tolerance: f64,
+}
+
+/// Reads a message up to the component that it names.
+///
+/// # Errors
+/// Returns [`Refusal::Malformed`] or [`Refusal::Unknown`].
+pub fn message(body: &[u8]) -> Result<Named, Refusal> {
+    let message: Message = serde_json::from_slice(body)
+        .map_err(|error| Refusal::Malformed(format!("the body is not a message of Hops: {error}")))?;
+    let component = find(&message.pointer.unwrap_or_default())
+        .ok_or_else(|| Refusal::Unknown("the pointer names no component of this server; see GET /hops".into()))?;
+    let document_tolerance = message.absolutetolerance.filter(|tolerance| *tolerance > 0.0).unwrap_or(0.0);
+    Ok(Named { component, values: message.values, document_tolerance })
+}
+
+/// Reads the values of a component's inputs. Curves and meshes may have at most `max_points` points.
+///
+/// # Errors
+/// Returns [`Refusal::Outdated`] or [`Refusal::Invalid`], with a line for each input that cannot be used.
+pub fn read(message: &Named, max_points: usize) -> Result<Values, Refusal> {
+    let Named { component, values, document_tolerance } = message;
+    let mut sent: BTreeMap<&str, &[Item]> = BTreeMap::new();
+    let mut outdated = Vec::new();
+    for tree in values {
+        if component.inputs.iter().any(|input| input.name == tree.name) {
+            sent.insert(&tree.name, &tree.items.0);
+        } else {
+            outdated.push(format!("{} is not an input of this component", shortened(&tree.name)));
+        }
+    }
+    let missing = component.inputs.iter().filter(|input| input.default.is_none() && !sent.contains_key(input.name));
+    outdated.extend(missing.map(|input| format!("{}: is required", input.name)));
+    if !outdated.is_empty() {
+        return Err(Refusal::Outdated(outdated));
+    }
+    let mut given = BTreeMap::new();
+    let mut errors = Vec::new();
+    for input in &component.inputs {
+        match input.read(sent.get(input.name).copied().unwrap_or_default(), max_points) {
+            Ok(value) => drop(given.insert(input.name, value)),
+            Err(more) => errors.extend(more),
+        }
+    }
+    let document_tolerance = *document_tolerance;
+    if errors.is_empty() { Ok(Values { given, document_tolerance }) } else { Err(Refusal::Invalid(errors)) }
+}
+
+/// Returns a name that a client has sent, at most 50 characters of it.
+fn shortened(name: &str) -> String {
+    name.chars().filter(|character| !character.is_control()).take(50).collect()
+}
+
+/// Returns the name of one value of a list.
+#[must_use]
+pub fn nth(name: &str, index: usize) -> String {
+    format!("{name}[{index}]")
+}
+
+impl Input {
+    fn read(&self, items: &[Item], max_points: usize) -> Result<Given, Vec<String>> {
+        let error = |text: &str| vec![format!("{}: {text}", self.name)];
+        if let Some(least) = self.at_least {
+            if items.len() < least as usize {
+                return Err(error(&format!("needs at least {least} values, and has {}", items.len())));
+            }
+            return match self.of {
+                Type::Curve => self.all(items, |data| curve(data, max_points)).map(Given::Curves),
+                _ => self.all(items, point).map(Given::Points),
+            };
+        }
+        let data = match (items, &self.default) {
+            ([item], _) => item.data.clone().unwrap_or_default(),
+            ([], Some(default)) => default.to_string(),
+            ([], None) => return Err(error("has no value")),
+            _ => return Err(error(&format!("takes one value, and has {}", items.len()))),
+        };
+        let given = match self.of {
+            Type::Boolean => boolean(&data).map(Given::Boolean),
+            Type::Integer => integer(&data).map(Given::Integer),
+            Type::Mesh => mesh(&data, max_points).map(Given::Mesh),
+            Type::Text => Ok(Given::Text(text(&data))),
+            _ => number(&data).map(Given::Number),
+        };
+        given.map_err(|text| error(&text))
+    }
+
+    fn all<T>(&self, items: &[Item], read: impl Fn(&str) -> Result<T, String>) -> Result<Vec<T>, Vec<String>> {
+        let mut values = Vec::with_capacity(items.len());
+        let mut errors = Vec::new();
+        for (index, item) in items.iter().enumerate() {
+            match read(item.data.as_deref().unwrap_or_default()) {
+                Ok(value) => values.push(value),
+                Err(text) => errors.push(format!("{}: {text}", nth(self.name, index))),
+            }
+        }
+        if errors.is_empty() { Ok(values) } else { Err(errors) }
+    }
+}
+
+fn curve(data: &str, max_points: usize) -> Result<Curve, String> {
+    match envelope::from_json(data, max_points) {
+        Ok(Object::Curve(curve)) => Ok(curve),
+        Ok(Object::Mesh(_)) => Err("is a mesh, and must be a curve".into()),
+        Err(defect) => Err(defect.to_string()),
+    }
+}
+
+fn mesh(data: &str, max_points: usize) -> Result<Mesh, String> {
+    match envelope::from_json(data, max_points) {
+        Ok(Object::Mesh(mesh)) => Ok(mesh),
+        Ok(Object::Curve(_)) => Err("is a curve, and must be a mesh".into()),
+        Err(defect) => Err(defect.to_string()),
+    }
+}
+
+/// Returns the JSON value of a data text. Text within quotes is read as the value that it names, because .NET writes
+/// NaN and some numbers like that.
+fn scalar(data: &str) -> Option<Value> {
+    match serde_json::from_str(data).ok()? {
+        Value::String(text) => serde_json::from_str(&text.to_ascii_lowercase()).ok(),
+        value => Some(value),
+    }
+}
+
+fn number(data: &str) -> Result<f64, String> {
+    let number = scalar(data).and_then(|value| value.as_f64());
+    number.ok_or_else(|| "must be a finite number".into())
+}
+
+fn integer(data: &str) -> Result<i64, String> {
+    let whole = |number: f64| (number.fract() == 0.0 && number.abs() <= 1e15).then_some(number as i64);
+    number(data).ok().and_then(whole).ok_or_else(|| "must be a whole number".into())
+}
+
+fn boolean(data: &str) -> Result<bool, String> {
+    scalar(data).and_then(|value| value.as_bool()).ok_or_else(|| "must be true or false".into())
+}
+
+fn text(data: &str) -> String {
+    serde_json::from_str(data).unwrap_or_else(|_| data.to_owned())
+}
+
+fn point(data: &str) -> Result<Point, String> {
+    #[derive(Deserialize)]
+    #[serde(rename_all = "PascalCase")]
+    struct Point3d {
+        x: f64,
+        y: f64,
+        z: f64,
+    }
+    let point: Option<Point3d> = serde_json::from_str(data).ok();
+    point.map(|Point3d { x, y, z }| [x, y, z]).ok_or_else(|| "must be a point {X, Y, Z} of finite numbers".into())
+}
+
+/// Access by name. The component's table and the recipes agree on names and types, which a test checks by solving with
+/// every component.
+impl Values {
+    #[must_use]
+    pub fn curves(&self, name: &str) -> &[Curve] {
+        if let Some(Given::Curves(curves)) = self.given.get(name) { curves } else { &[] }
+    }
+
+    #[must_use]
+    pub fn points(&self, name: &str) -> &[Point] {
+        if let Some(Given::Points(points)) = self.given.get(name) { points } else { &[] }
+    }
+
+    #[must_use]
+    pub fn mesh(&self, name: &str) -> Option<&Mesh> {
+        if let Some(Given::Mesh(mesh)) = self.given.get(name) { Some(mesh) } else { None }
+    }
+
+    #[must_use]
+    pub fn number(&self, name: &str) -> f64 {
+        if let Some(Given::Number(number)) = self.given.get(name) { *number } else { 0.0 }
+    }
+
+    #[must_use]
+    pub fn integer(&self, name: &str) -> i64 {
+        if let Some(Given::Integer(number)) = self.given.get(name) { *number } else { 0 }
+    }
+
+    #[must_use]
+    pub fn boolean(&self, name: &str) -> bool {
+        matches!(self.given.get(name), Some(Given::Boolean(true)))
+    }
+
+    #[must_use]
+    pub fn text(&self, name: &str) -> &str {
+        if let Some(Given::Text(text)) = self.given.get(name) { text } else { "" }
+    }
+}

@@ -1,0 +1,249 @@
+//! `/hops`: components for Hops in Grasshopper, and the messages by which Hops runs them.
+//!
+//! A message becomes an ordinary request of the same owner, with the same checks. Every answer has the form that Hops
+//! reads, errors too.
+
+use crate::hops::answer::{Answer, Parts, geometry};
+use crate::hops::component::{Action, Component, components, poll_name};
+use crate::hops::recipe::{Draft, draft};
+use crate::hops::{Refusal, values};
+use crate::http::access::Caller;
+use crate::http::body;
+use crate::http::entry::{json_response, reference, with_problems};
+use crate::http::parameters::checked;
+use crate::http::problem::Failure;
+use crate::http::state::App;
+use crate::jobs::JobsError;
+use crate::jobs::submission::{Submitted, Submitter};
+use crate::status::Status;
+use crate::wire::job::{Job, JobError};
+use crate::wire::{FieldError, Kind, Rejection};
+use axum::Json;
+use axum::body::Body;
+use axum::extract::{Path, State};
+use axum::http::{HeaderValue, Request, StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use serde_json::{Value, json};
+use std::time::Duration;
+
+pub async fn list(State(app): State<App>) -> Result<Json<Vec<Value>>, Failure> {
+    check_enabled(&app)?;
+    let base = &app.config.http.public_base_path;
+    Ok(Json(components().iter().map(|component| component.description(base)).collect()))
+}
+
+pub async fn describe(State(app): State<App>, Path(name): Path<String>) -> Result<Json<Value>, Failure> {
+    check_enabled(&app)?;
+    let component = components().iter().find(|component| component.name == name);
+    let component = component.ok_or_else(|| Failure::not_found("no such component; see GET /hops"))?;
+    Ok(Json(component.description(&app.config.http.public_base_path)))
+}
+
+fn check_enabled(app: &App) -> Result<(), Failure> {
+    if app.config.http.hops {
+        return Ok(());
+    }
+    Err(Failure::not_found("Hops is off on this server; the setting http.hops turns it on"))
+}
+
+pub async fn solve(State(app): State<App>, caller: Caller, request: Request<Body>) -> Result<Response, Failure> {
+    check_enabled(&app)?;
+    let received = body::read_json(&app, request).await?;
+    let max_points = app.config.limits.points;
+    let body = received.bytes.clone();
+    let read = move || {
+        let message = values::message(&body).map_err(|refusal| (None, refusal))?;
+        let component = message.component;
+        let refused = |refusal| (Some(component), refusal);
+        let values = values::read(&message, max_points).map_err(refused)?;
+        let made = match component.action {
+            Action::Solve(recipe) | Action::Start(recipe) => Some(draft(recipe, &values, max_points).map_err(refused)?),
+            Action::Poll(_) => None,
+        };
+        Ok((component, values, made))
+    };
+    let read: Result<_, (Option<&Component>, Refusal)> = app.jobs.off_runtime(read).await?;
+    drop(received);
+    let (component, values, made) = match read {
+        Ok(read) => read,
+        Err((component, refusal)) => {
+            let (failure, lines) = Failure::of_hops(refusal);
+            let answer = match component {
+                Some(component) => Answer::refused(component, lines),
+                None => Answer::of_errors(lines),
+            };
+            return Ok(failure.to_hops(&answer));
+        }
+    };
+    let run = Run { app: &app, caller: &caller, component, draft: made.as_ref() };
+    let done = match component.action {
+        Action::Solve(_) => run.solve().await,
+        Action::Start(_) => run.start().await,
+        Action::Poll(kind) => run.poll(kind, values.text("Job")).await,
+    };
+    Ok(done.unwrap_or_else(|failure| {
+        let line = |error: &FieldError| match &made {
+            Some(draft) => draft.line(error),
+            None if error.pointer.is_empty() => error.detail.clone(),
+            None => format!("{}: {}", error.pointer, error.detail),
+        };
+        failure.to_hops(&Answer::refused(component, failure.lines(line)))
+    }))
+}
+
+/// A message that was read.
+struct Run<'a> {
+    app: &'a App,
+    caller: &'a Caller,
+    component: &'a Component,
+    /// The request of a component that begins a job.
+    draft: Option<&'a Draft>,
+}
+
+impl Run<'_> {
+    async fn solve(&self) -> Result<Response, Failure> {
+        let job = self.submit(true).await?;
+        if job.status.is_final() {
+            return self.answer(job).await;
+        }
+        // Nobody else knows this job, so it ends if the client goes away.
+        let abandoned = self.app.jobs.cancel_on_drop(&job.id, self.caller.owner());
+        let wait_s = self.app.config.http.hops_wait_s;
+        let job = self.app.jobs.wait(&job.id, self.caller.owner(), Duration::from_secs(wait_s)).await?;
+        if !job.status.is_final() {
+            drop(abandoned);
+            let start = format!("{}-start", self.component.name);
+            let poll = poll_name(job.kind);
+            return Err(Failure::unavailable(format!(
+                "the job takes longer than the {wait_s} s for which this component waits, and was cancelled; use the \
+                 components /hops/{start} and /hops/{poll}, or ask for a coarser mesh"
+            )));
+        }
+        abandoned.keep();
+        self.answer(job).await
+    }
+
+    async fn start(&self) -> Result<Response, Failure> {
+        let job = self.submit(false).await?;
+        Ok(respond(StatusCode::OK, &Answer::of_job(self.component, &job, &Parts::default())))
+    }
+
+    async fn poll(&self, kind: Kind, id: &str) -> Result<Response, Failure> {
+        let job = self.app.jobs.get(&checked(id.trim())?, self.caller.owner()).await?;
+        if job.kind != kind {
+            let other = poll_name(job.kind);
+            let error = FieldError::new("Job", format!("is of another kind; use the component /hops/{other}"));
+            return Err(Rejection::Invalid(vec![error]).into());
+        }
+        if job.status.is_final() {
+            return self.answer(job).await;
+        }
+        // Hops keeps only answers with the status 200, so that this one is asked for again.
+        Ok(respond(StatusCode::ACCEPTED, &Answer::of_job(self.component, &job, &Parts::default())))
+    }
+
+    async fn submit(&self, waited_for: bool) -> Result<Job, Failure> {
+        let owner = self.caller.owner();
+        self.app.jobs.check_room(owner).await?;
+        let Some(draft) = self.draft else { return Err(Failure::internal("the component has no request")) };
+        let body = draft.body();
+        let limit = self.app.config.limits.body_bytes;
+        if body.len() > limit {
+            let text =
+                format!("the request has more than the {limit} bytes that this server accepts; see GET /v1/limits");
+            return Err(Rejection::TooLarge(vec![FieldError::new("", text)]).into());
+        }
+        let from = Submitter { owner: owner.map(str::to_owned), idempotency_key: None };
+        match self.app.jobs.submit(draft.kind, body.into(), from, waited_for).await?.submitted {
+            Submitted::Created(job) | Submitted::Existing(job) => Ok(job),
+        }
+    }
+
+    /// Answers with a job that has ended.
+    async fn answer(&self, job: Job) -> Result<Response, Failure> {
+        if let Some(error) = &job.error {
+            return Err(failed(error));
+        }
+        if job.status != Status::Succeeded {
+            return Err(JobsError::NoMesh(job.status).into());
+        }
+        let convert = self
+            .app
+            .jobs
+            .convert(&job.id, self.caller.owner(), "hops", |archive| geometry(archive).map_err(JobsError::Unwritable));
+        let file = convert.await?;
+        Ok(respond(StatusCode::OK, &Answer::of_job(self.component, &job, &Parts::read(&file.bytes))))
+    }
+}
+
+/// Detail of a failed job that leaves everything to its errors.
+const SEE_ERRORS: &str = "see errors";
+
+/// Returns the failure for a job that has failed. Only a defect of the server is a server's error.
+fn failed(error: &JobError) -> Failure {
+    let detail = format!("{}: {}", error.title, error.detail);
+    let kind = error.kind.trim_start_matches("/problems/");
+    if ["internal", "invalid-mesh", "solver-panicked", "worker-lost"].contains(&kind) {
+        return Failure::internal(detail);
+    }
+    let mut errors = error.errors.clone();
+    // The detail may say nothing but what the errors say.
+    let said = error.detail == SEE_ERRORS || error.errors.iter().any(|one| error.detail.contains(&one.detail));
+    if !said {
+        errors.insert(0, FieldError::new("", detail));
+    }
+    Failure::invalid("").with_errors(errors)
+}
+
+fn respond(status: StatusCode, answer: &Answer<'_>) -> Response {
+    let json = HeaderValue::from_static("application/json");
+    (status, [(header::CONTENT_TYPE, json)], answer.to_json()).into_response()
+}
+
+pub fn list_entry() -> Value {
+    let schema = json!({ "type": "array", "items": reference("HopsComponent") });
+    let ok = json!({ "description": "Descriptions of all components", "content": { "application/json": { "schema": schema } } });
+    json!({
+        "operationId": "listHopsComponents", "tags": ["hops"], "summary": "The components for Hops in Grasshopper",
+        "responses": with_problems(json!({ "200": ok }), &[("404", "NotFound")]),
+    })
+}
+
+pub fn describe_entry() -> Value {
+    let ok = json_response("Inputs and outputs of the component", "HopsComponent");
+    json!({
+        "operationId": "getHopsComponent", "tags": ["hops"], "summary": "A component for Hops in Grasshopper",
+        "parameters": [{ "name": "name", "in": "path", "required": true, "description": "Name of the component.",
+            "schema": { "type": "string" } }],
+        "responses": with_problems(json!({ "200": ok }), &[("404", "NotFound")]),
+    })
+}
+
+pub fn solve_entry(operation: &str) -> Value {
+    let response = |description: &str| json_response(description, "HopsAnswer");
+    let responses = json!({
+        "200": response("The outputs"),
+        "202": response("The outputs of a job that has not ended"),
+        "400": response("The body is not a message of Hops"),
+        "401": response("The header `RhinoComputeKey` has no valid key of this server"),
+        "403": response("A page of another origin sent the message"),
+        "404": response("No such component or job, or Hops is off on this server"),
+        "408": response("The body did not arrive in time"),
+        "409": response("The job has no mesh"),
+        "410": response("The job has expired"),
+        "413": response("The request is larger than this server accepts"),
+        "415": response("The body is not plain application/json"),
+        "421": response("The request is for a host that this server does not answer to"),
+        "422": response("`errors` names each input that cannot be used, or says why there is no result"),
+        "429": response("The queue is full, or this key has made too many requests"),
+        "500": response("The inputs are not those of the component (`Bad inputs`), or a defect of the server"),
+        "503": response("The job takes longer than Hops waits, or the server cannot accept it now"),
+    });
+    json!({
+        "operationId": operation, "tags": ["hops"], "summary": "Runs a component for Hops in Grasshopper",
+        "description": "Hops posts beside the address of the component, and its later versions at the root of the host. \
+            Keys may also be sent in the header `RhinoComputeKey`.",
+        "requestBody": { "required": true, "content": { "application/json": { "schema": reference("HopsMessage") } } },
+        "responses": responses,
+    })
+}
