@@ -127,9 +127,10 @@ fn quality(triangles: impl Iterator<Item = [DVec3; 3]>, direction: DVec3) -> Opt
         if normal.dot(direction) <= LEAST_COSINE * normal.length() {
             return None;
         }
-        smallest = smallest.min(least(corners));
+        smallest = smallest.min(least_tangent(corners));
     }
-    Some(smallest)
+    // The arc tangent grows with the tangent, so that one is enough for all triangles.
+    Some(smallest.atan())
 }
 
 #[derive(Debug)]

@@ -34,6 +34,153 @@ impl Source {
     }
 }
 
+/// Sources in a leaf of the tree.
+const LEAF: usize = 4;
+/// A cell that at most this number of sources can matter to has a list of them. In the other cells the tree is searched:
+/// beside a boundary of many points thousands may matter to one cell.
+const FEW: usize = 128;
+/// Relative rounding error of a bound, by which a part of the tree must be worse than the best source so far to be left
+/// out.
+const ROUNDING: f64 = 1e-12;
+
+/// A box around sources that follow each other, and the least of their sizes.
+#[derive(Clone, Copy)]
+struct Group {
+    low: DVec2,
+    high: DVec2,
+    size: f64,
+}
+
+impl Group {
+    const EMPTY: Self = Self { low: DVec2::INFINITY, high: DVec2::NEG_INFINITY, size: f64::INFINITY };
+
+    fn with(&self, other: &Self) -> Self {
+        Self { low: self.low.min(other.low), high: self.high.max(other.high), size: self.size.min(other.size) }
+    }
+
+    /// The distance of a point from the box; infinite for an empty one.
+    fn distance(&self, point: DVec2) -> f64 {
+        (self.low - point).max(point - self.high).max(DVec2::ZERO).length()
+    }
+}
+
+/// A balanced binary tree over the sources in their order, which is that along the boundaries. Node 1 is the root, the
+/// children of k are 2k and 2k + 1. The work for a position grows with the logarithm of the number of sources.
+struct Tree<'a> {
+    sources: &'a [Source],
+    groups: Vec<Group>,
+    /// The first leaf's node.
+    base: usize,
+}
+
+impl<'a> Tree<'a> {
+    fn new(sources: &'a [Source]) -> Self {
+        let base = sources.len().div_ceil(LEAF).max(1).next_power_of_two();
+        let mut groups = vec![Group::EMPTY; 2 * base];
+        for (k, source) in sources.iter().enumerate() {
+            let (a, b) = (source.a, source.a + source.along);
+            let own = Group { low: a.min(b), high: a.max(b), size: source.size };
+            groups[base + k / LEAF] = groups[base + k / LEAF].with(&own);
+        }
+        for node in (1..base).rev() {
+            groups[node] = groups[2 * node].with(&groups[2 * node + 1]);
+        }
+        Self { sources, groups, base }
+    }
+
+    /// Visits the groups from the root on, nearest to a point first, and offers the sources of the leaves. It leaves out
+    /// what is below a group that the walk does not enter.
+    fn walk(&self, point: DVec2, state: &mut impl Walk) {
+        // One entry for each level, and one more: 2^30 leaves.
+        let mut stack = [(1usize, 0.0); 32];
+        let mut height = 1;
+        stack[0].1 = self.groups[1].distance(point);
+        while height > 0 {
+            height -= 1;
+            let (node, distance) = stack[height];
+            if !state.enters(self.groups[node].size, distance) {
+                continue;
+            }
+            if node < self.base {
+                let [left, right] = [2 * node, 2 * node + 1].map(|child| (child, self.groups[child].distance(point)));
+                // The nearer half is visited first.
+                let [first, second] = if right.1 < left.1 { [right, left] } else { [left, right] };
+                (stack[height], stack[height + 1]) = (second, first);
+                height += 2;
+                continue;
+            }
+            let start = (node - self.base) * LEAF;
+            for k in start..(start + LEAF).min(self.sources.len()) {
+                if !state.offer(k as u32, &self.sources[k]) {
+                    return;
+                }
+            }
+        }
+    }
+}
+
+/// What a walk through the tree looks for.
+trait Walk {
+    /// Whether a group with this least size, at this distance, may hold what is looked for.
+    fn enters(&self, size: f64, distance: f64) -> bool;
+    /// Takes a source and its number. False ends the walk.
+    fn offer(&mut self, number: u32, source: &Source) -> bool;
+}
+
+/// Finds the least of a bound and, over all sources, size + grading × distance from a point.
+struct Smallest {
+    point: DVec2,
+    grading: f64,
+    size: f64,
+    /// The distance of the nearest source that was looked at.
+    clearance: f64,
+}
+
+impl Walk for Smallest {
+    fn enters(&self, size: f64, distance: f64) -> bool {
+        // Nearer sources than the clearance that matters count too, whatever their size.
+        size + self.grading * distance <= self.size * (1.0 + ROUNDING)
+            || distance <= CLEARANCE * self.size * (1.0 + ROUNDING)
+    }
+
+    fn offer(&mut self, _number: u32, source: &Source) -> bool {
+        let distance = source.distance(self.point);
+        self.clearance = self.clearance.min(distance);
+        self.size = self.size.min(source.size + self.grading * distance);
+        true
+    }
+}
+
+/// Collects the sources that can determine the size, or be too near, anywhere within `reach` of a point.
+struct Near {
+    point: DVec2,
+    grading: f64,
+    /// The size at the point.
+    size: f64,
+    reach: f64,
+    found: Vec<u32>,
+}
+
+impl Near {
+    fn matters(&self, size: f64, distance: f64) -> bool {
+        let largest = self.size + 2.0 * self.grading * self.reach;
+        size + self.grading * distance <= largest || distance - self.reach <= CLEARANCE * largest
+    }
+}
+
+impl Walk for Near {
+    fn enters(&self, size: f64, distance: f64) -> bool {
+        self.matters(size * (1.0 - ROUNDING), distance * (1.0 - ROUNDING))
+    }
+
+    fn offer(&mut self, number: u32, source: &Source) -> bool {
+        if self.matters(source.size, source.distance(self.point)) {
+            self.found.push(number);
+        }
+        self.found.len() <= FEW
+    }
+}
+
 /// The wanted edge length as a function of the position: the least of the cap and, over all sources, size + grading ×
 /// distance.
 pub(super) struct SizeField<'a> {
@@ -56,7 +203,14 @@ struct Cell {
     /// Whether the triangle points the other way than the root. Each of its corners is then a corner of an upright one
     /// too.
     inverted: bool,
-    near: Rc<[u32]>,
+    near: Sources,
+}
+
+/// The sources that can matter to a cell.
+#[derive(Clone)]
+enum Sources {
+    All,
+    Few(Rc<[u32]>),
 }
 
 /// Number of cells visited between two looks, which takes a few milliseconds.
@@ -67,17 +221,30 @@ const CELLS_BETWEEN_LOOKS: u64 = 1 << 15;
 type Corner = (u64, u32);
 
 impl SizeField<'_> {
-    /// The size at a position, and the distance of the nearest source.
-    fn size_and_clearance(&self, point: DVec2, near: &[u32]) -> (f64, f64) {
-        let mut clearance = f64::INFINITY;
-        let mut size = (self.cap)(point);
-        for &k in near {
-            let source = &self.sources[k as usize];
-            let distance = source.distance(point);
-            clearance = clearance.min(distance);
-            size = size.min(source.size + self.grading * distance);
+    /// The size at a position, and the distance of the nearest source where that can be too near.
+    #[inline]
+    fn size_and_clearance(&self, point: DVec2, tree: &Tree, near: &Sources) -> (f64, f64) {
+        let size = (self.cap)(point);
+        let mut found = Smallest { point, grading: self.grading, size, clearance: f64::INFINITY };
+        match near {
+            Sources::All => tree.walk(point, &mut found),
+            Sources::Few(near) => near.iter().for_each(|&k| {
+                found.offer(k, &self.sources[k as usize]);
+            }),
         }
-        (size, clearance)
+        (found.size, found.clearance)
+    }
+
+    /// The sources that can determine the size, or be too near, anywhere within `reach` of a point.
+    fn narrowed(&self, point: DVec2, reach: f64, size: f64, tree: &Tree, near: &Sources) -> Sources {
+        let mut found = Near { point, grading: self.grading, size, reach, found: Vec::new() };
+        match near {
+            Sources::All => tree.walk(point, &mut found),
+            Sources::Few(near) => near.iter().for_each(|&k| {
+                found.offer(k, &self.sources[k as usize]);
+            }),
+        }
+        if found.found.len() <= FEW { Sources::Few(found.found.into()) } else { Sources::All }
     }
 
     /// The lattice points in the rectangle that are not too near to a source, sorted by y, then x. `None` if there
@@ -104,9 +271,10 @@ impl SizeField<'_> {
         let origin = DVec2::new(centre.x - 0.5 * side, centre.y - 0.25 * row * side);
         let place = |[u, v]: [i64; 2]| origin + DVec2::new((u as f64 + 0.5 * v as f64) * unit, v as f64 * row * unit);
         let whole = 1i64 << DEPTH;
-        let all: Rc<[u32]> = (0..self.sources.len() as u32).collect();
-        let mut stack = vec![Cell { corners: [[0, 0], [whole, 0], [0, whole]], depth: 0, inverted: false, near: all }];
-        let (mut found, mut lists): (Vec<Corner>, Vec<Rc<[u32]>>) = (Vec::new(), Vec::new());
+        let tree = Tree::new(&self.sources);
+        let root = [[0, 0], [whole, 0], [0, whole]];
+        let mut stack = vec![Cell { corners: root, depth: 0, inverted: false, near: Sources::All }];
+        let (mut found, mut lists): (Vec<Corner>, Vec<Sources>) = (Vec::new(), Vec::new());
         let merge = |found: &mut Vec<Corner>| {
             found.sort_unstable();
             found.dedup_by_key(|corner| corner.0);
@@ -126,9 +294,9 @@ impl SizeField<'_> {
             if p.min(q).min(r).cmpgt(high).any() || p.max(q).max(r).cmplt(low).any() {
                 continue;
             }
-            let (size, _) = self.size_and_clearance(centre, &near);
+            let (size, _) = self.size_and_clearance(centre, &tree, &near);
             if depth < DEPTH && side > size * (1.0 + 1e-9) {
-                let near = self.narrowed(centre, reach, size, &near);
+                let near = self.narrowed(centre, reach, size, &tree, &near);
                 let half = |a: [i64; 2], b: [i64; 2]| [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
                 let [a, b, c] = corners;
                 let (ab, bc, ca) = (half(a, b), half(b, c), half(c, a));
@@ -136,14 +304,19 @@ impl SizeField<'_> {
                     [([a, ab, ca], false), ([ab, b, bc], false), ([ca, bc, c], false), ([bc, ca, ab], true)]
                 {
                     let inverted = inverted != turned;
-                    stack.push(Cell { corners, depth: depth + 1, inverted, near: Rc::clone(&near) });
+                    stack.push(Cell { corners, depth: depth + 1, inverted, near: near.clone() });
                 }
                 continue;
             }
             if inverted {
                 continue;
             }
-            if lists.last().is_none_or(|last| !Rc::ptr_eq(last, &near)) {
+            let is_last = match (lists.last(), &near) {
+                (Some(Sources::Few(last)), Sources::Few(near)) => Rc::ptr_eq(last, near),
+                (Some(Sources::All), Sources::All) => true,
+                _ => false,
+            };
+            if !is_last {
                 lists.push(near);
             }
             let list = lists.len() as u32 - 1;
@@ -165,23 +338,11 @@ impl SizeField<'_> {
         merge(&mut found);
         let clear = |&(corner, list): &Corner| {
             let point = place([(corner & u64::from(u32::MAX)) as i64, (corner >> 32) as i64]);
-            let (size, clearance) = self.size_and_clearance(point, &lists[list as usize]);
+            let (size, clearance) = self.size_and_clearance(point, &tree, &lists[list as usize]);
             (clearance >= CLEARANCE * size).then_some(point)
         };
         let points: Vec<DVec2> = found.iter().filter_map(clear).collect();
         Ok((points.len() <= limit).then_some(points))
-    }
-
-    /// The sources that can determine the size, or be too near, anywhere within `reach` of a point.
-    fn narrowed(&self, centre: DVec2, reach: f64, size: f64, near: &[u32]) -> Rc<[u32]> {
-        let spread = self.grading * reach;
-        let matters = |&&k: &&u32| {
-            let source = &self.sources[k as usize];
-            let distance = source.distance(centre);
-            source.size + self.grading * distance <= size + 2.0 * spread
-                || distance - reach <= CLEARANCE * (size + 2.0 * spread)
-        };
-        near.iter().filter(matters).copied().collect()
     }
 }
 
@@ -210,10 +371,10 @@ mod tests {
         sources.push(Source::new(DVec2::new(0.3, 0.4), DVec2::new(0.3, 0.4), 0.003));
         let field = SizeField { sources, grading: 0.3, cap: &|_| 0.2 };
         let points = field.lattice(DVec2::ZERO, DVec2::ONE, 0.2, 100_000, &Execution::default()).unwrap().unwrap();
-        let all: Vec<u32> = (0..field.sources.len() as u32).collect();
         assert!(points.len() > 100);
         for (k, &p) in points.iter().enumerate() {
-            let (size, _) = field.size_and_clearance(p, &all);
+            let sizes = field.sources.iter().map(|source| source.size + field.grading * source.distance(p));
+            let size = sizes.fold(0.2, f64::min);
             assert!(field.sources.iter().all(|source| source.distance(p) >= CLEARANCE * size * (1.0 - 1e-9)));
             let nearest = points.iter().enumerate().filter(|&(i, _)| i != k).map(|(_, q)| q.distance(p));
             let nearest = nearest.fold(f64::INFINITY, f64::min);
@@ -227,5 +388,35 @@ mod tests {
     fn too_many_points_are_refused_before_they_are_made() {
         let field = SizeField { sources: square_sources(1.0, 4), grading: 0.3, cap: &|_| 1e-4 };
         assert!(field.lattice(DVec2::ZERO, DVec2::ONE, 1e-4, 10_000, &Execution::default()).unwrap().is_none());
+    }
+
+    /// Counts the sources that a search looks at.
+    struct Counted(Smallest, usize);
+
+    impl Walk for Counted {
+        fn enters(&self, size: f64, distance: f64) -> bool {
+            self.0.enters(size, distance)
+        }
+        fn offer(&mut self, number: u32, source: &Source) -> bool {
+            self.1 += 1;
+            self.0.offer(number, source)
+        }
+    }
+
+    #[test]
+    fn few_of_the_sources_on_a_long_boundary_are_looked_at() {
+        let count = 50_000;
+        let at = |k: u32| DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / f64::from(count));
+        let sources: Vec<Source> = (0..count).map(|k| Source::new(at(k), at(k + 1), 1e-4)).collect();
+        let tree = Tree::new(&sources);
+        for radius in [0.2, 0.5, 0.9, 0.99, 0.9999] {
+            let point = DVec2::from_angle(1.0) * radius;
+            let smallest = Smallest { point, grading: 0.3, size: 1.0, clearance: f64::INFINITY };
+            let mut counted = Counted(smallest, 0);
+            tree.walk(point, &mut counted);
+            let brute_force = sources.iter().map(|source| source.size + 0.3 * source.distance(point));
+            assert_eq!(counted.0.size, brute_force.fold(1.0, f64::min));
+            assert!(counted.1 < 3_000, "{radius}: {}", counted.1);
+        }
     }
 }

@@ -1,0 +1,398 @@
+//! A bounding-volume hierarchy over triangles: axis-aligned boxes, and boxes along each node's own normal and longest
+//! edge.
+
+use super::soup::{LOOK, NONE};
+use crate::{DVec3, Execution, Interruption};
+use std::ops::{ControlFlow, Range};
+
+/// Slack of the floating-point boxes, as a fraction of the largest coordinate and of the extent of the mesh.
+const SLACK: f64 = 1e-14;
+
+/// How the triangles are arranged before the tree is built over them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// Neighbours in the list are neighbours in space, as along a strip.
+    AsGiven,
+    /// Along a space-filling curve (Hilbert's).
+    Spatial,
+}
+
+/// A box along the axes.
+#[derive(Clone, Copy)]
+struct AxisBox {
+    low: DVec3,
+    high: DVec3,
+}
+
+impl AxisBox {
+    const EMPTY: Self = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
+
+    fn of(corners: &[DVec3; 3]) -> Self {
+        let [a, b, c] = *corners;
+        Self { low: a.min(b).min(c), high: a.max(b).max(c) }
+    }
+    fn with(&self, other: &Self) -> Self {
+        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+    fn widened(&self, margin: f64) -> Self {
+        Self { low: self.low - margin, high: self.high + margin }
+    }
+    fn meets(&self, other: &Self) -> bool {
+        self.low.x <= other.high.x
+            && other.low.x <= self.high.x
+            && self.low.y <= other.high.y
+            && other.low.y <= self.high.y
+            && self.low.z <= other.high.z
+            && other.low.z <= self.high.z
+    }
+}
+
+/// A box along axes of its own.
+#[derive(Clone, Copy)]
+struct OwnBox {
+    axes: [DVec3; 3],
+    centre: DVec3,
+    half: DVec3,
+    /// The sum of the triangles' area vectors, and of their longest edges, each of these turned to the side of the
+    /// others.
+    normal: DVec3,
+    along: DVec3,
+}
+
+impl OwnBox {
+    const EMPTY: Self =
+        Self { axes: DVec3::AXES, centre: DVec3::ZERO, half: DVec3::ZERO, normal: DVec3::ZERO, along: DVec3::ZERO };
+
+    /// The axes for a normal and a direction; the extent is not set.
+    fn directed(normal: DVec3, along: DVec3) -> Self {
+        let third = normal.normalize_or(DVec3::Z);
+        // Twice, since the first difference may have lost most of its digits.
+        let across = |v: DVec3| (v - third * v.dot(third)).try_normalize();
+        let first = across(along).and_then(across).unwrap_or_else(|| third.any_orthonormal_vector());
+        Self { axes: [first, third.cross(first), third], normal, along, ..Self::EMPTY }
+    }
+
+    /// Sets the extent: `range` gives the lowest and the highest coordinate along an axis.
+    fn extended(mut self, range: impl Fn(DVec3) -> (f64, f64)) -> Self {
+        for k in 0..3 {
+            let (low, high) = range(self.axes[k]);
+            self.centre += self.axes[k] * (0.5 * (low + high));
+            self.half[k] = 0.5 * (high - low);
+        }
+        self
+    }
+
+    fn of(triangles: &[[DVec3; 3]]) -> Self {
+        let (mut normal, mut along) = (DVec3::ZERO, DVec3::ZERO);
+        for &[a, b, c] in triangles {
+            normal += (b - a).cross(c - a);
+            along = aligned(along, longest([b - a, c - b, a - c]));
+        }
+        Self::directed(normal, along).extended(|axis| {
+            triangles
+                .iter()
+                .flatten()
+                .map(|corner| corner.dot(axis))
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high): (f64, f64), at| (low.min(at), high.max(at)))
+        })
+    }
+
+    fn with(&self, other: &Self) -> Self {
+        let both = Self::directed(self.normal + other.normal, aligned(self.along, other.along));
+        both.extended(|axis| {
+            let [one, two] = [self, other].map(|own| (own.centre.dot(axis), own.reach(axis)));
+            ((one.0 - one.1).min(two.0 - two.1), (one.0 + one.1).max(two.0 + two.1))
+        })
+    }
+
+    /// How far the box reaches from its centre along a unit vector.
+    fn reach(&self, axis: DVec3) -> f64 {
+        self.half.x * self.axes[0].dot(axis).abs()
+            + self.half.y * self.axes[1].dot(axis).abs()
+            + self.half.z * self.axes[2].dot(axis).abs()
+    }
+
+    /// Whether one of the two boxes' own axes separates them by more than `slack`.
+    fn is_apart(&self, other: &Self, slack: f64) -> bool {
+        let between = other.centre - self.centre;
+        (0..3).any(|k| between.dot(self.axes[k]).abs() > self.half[k] + other.reach(self.axes[k]) + slack)
+            || (0..3).any(|k| between.dot(other.axes[k]).abs() > other.half[k] + self.reach(other.axes[k]) + slack)
+    }
+}
+
+fn longest(edges: [DVec3; 3]) -> DVec3 {
+    edges
+        .into_iter()
+        .fold(DVec3::ZERO, |most, edge| if edge.length_squared() > most.length_squared() { edge } else { most })
+}
+
+fn aligned(sum: DVec3, direction: DVec3) -> DVec3 {
+    if sum.dot(direction) < 0.0 { sum - direction } else { sum + direction }
+}
+
+/// A balanced binary tree over triangles. Node 1 is the root, the children of k are 2k and 2k + 1.
+pub(super) struct Tree {
+    /// Triangles in the order of the leaves, and their boxes.
+    order: Vec<u32>,
+    boxes: Vec<AxisBox>,
+    nodes: Vec<AxisBox>,
+    own: Vec<OwnBox>,
+    /// The first leaf's node.
+    base: usize,
+    /// Triangles in a leaf.
+    leaf_size: usize,
+    slack: f64,
+}
+
+/// What a tree is built over.
+pub(super) struct Leaves {
+    /// The triangles' numbers.
+    pub triangles: Vec<u32>,
+    /// How they are arranged.
+    pub order: Order,
+    /// Triangles in a leaf of the tree.
+    pub size: usize,
+    /// How far the triangles may be from where their corners say.
+    pub margin: f64,
+}
+
+impl Tree {
+    pub fn new(
+        leaves: Leaves,
+        corners: impl Fn(u32) -> [DVec3; 3],
+        exec: &Execution<'_>,
+    ) -> Result<Self, Interruption> {
+        let Leaves { triangles: mut list, order, size, margin } = leaves;
+        let mut whole = AxisBox::EMPTY;
+        for chunk in list.chunks(LOOK) {
+            whole = chunk.iter().fold(whole, |whole, &t| whole.with(&AxisBox::of(&corners(t))));
+            exec.look(chunk.len() as u64)?;
+        }
+        if order == Order::Spatial {
+            sort_along_curve(&corners, &mut list, &whole, exec)?;
+        }
+        let base = list.len().div_ceil(size).max(1).next_power_of_two();
+        let mut tree = Self {
+            boxes: Vec::with_capacity(list.len()),
+            nodes: vec![AxisBox::EMPTY; 2 * base],
+            own: vec![OwnBox::EMPTY; 2 * base],
+            base,
+            leaf_size: size,
+            // Coordinates are at most 1: their rounding, and that of extents, moves a box by less than this.
+            slack: SLACK,
+            order: list,
+        };
+        // Own boxes are computed from a point of the mesh, so that the rounding is that of the extent.
+        let origin = if tree.order.is_empty() { DVec3::ZERO } else { 0.5 * (whole.low + whole.high) };
+        if !tree.order.is_empty() {
+            let extent = (whole.high - whole.low).max_element();
+            tree.slack = SLACK * extent + 4.0 * f64::EPSILON * whole.low.abs().max(whole.high.abs()).max_element();
+        }
+        tree.slack += 4.0 * margin;
+        let mut here = Vec::with_capacity(size);
+        for (leaf, triangles) in tree.order.chunks(size).enumerate() {
+            here.clear();
+            let node = base + leaf;
+            for &t in triangles {
+                let corners = corners(t);
+                let extent = AxisBox::of(&corners).widened(margin);
+                tree.boxes.push(extent);
+                tree.nodes[node] = tree.nodes[node].with(&extent);
+                here.push(corners.map(|corner| corner - origin));
+            }
+            tree.own[node] = OwnBox::of(&here);
+            if (leaf + 1) % (LOOK / size) == 0 {
+                exec.look(LOOK as u64)?;
+            }
+        }
+        for node in (1..base).rev() {
+            let [left, right] = [2 * node, 2 * node + 1];
+            tree.nodes[node] = tree.nodes[left].with(&tree.nodes[right]);
+            tree.own[node] = if tree.is_empty(right) { tree.own[left] } else { tree.own[left].with(&tree.own[right]) };
+            if node % LOOK == 0 {
+                exec.look(LOOK as u64)?;
+            }
+        }
+        Ok(tree)
+    }
+
+    fn is_empty(&self, node: usize) -> bool {
+        self.nodes[node].low.x == f64::INFINITY
+    }
+
+    /// For each node the label that all its triangles have, or [`NONE`].
+    pub fn labels(&self, label: impl Fn(u32) -> u32) -> Vec<u32> {
+        let mut labels = vec![NONE; 2 * self.base];
+        for (leaf, triangles) in self.order.chunks(self.leaf_size).enumerate() {
+            let first = label(triangles[0]);
+            let same = triangles[1..].iter().all(|&t| label(t) == first);
+            labels[self.base + leaf] = if same { first } else { NONE };
+        }
+        for node in (1..self.base).rev() {
+            let [left, right] = [2 * node, 2 * node + 1];
+            let same = self.is_empty(right) || labels[left] == labels[right];
+            labels[node] = if same { labels[left] } else { NONE };
+        }
+        labels
+    }
+
+    /// Visits every pair of leaves whose boxes meet, a leaf with itself too, unless `skip` says of two nodes that none
+    /// of their pairs is needed. False if more work than `most_work` was needed, or the visitor broke off.
+    pub fn visit_leaves(
+        &self,
+        most_work: u64,
+        skip: impl Fn(usize, usize) -> bool,
+        mut visit: impl FnMut(usize, usize) -> ControlFlow<()>,
+        exec: &Execution<'_>,
+    ) -> Result<bool, Interruption> {
+        let mut pairs = vec![(1, 1)];
+        let (mut work, mut total) = (0, 0u64);
+        while let Some((a, b)) = pairs.pop() {
+            work += 1;
+            if work >= LOOK {
+                exec.look(work as u64)?;
+                total += work as u64;
+                work = 0;
+                if total >= most_work {
+                    return Ok(false);
+                }
+            }
+            if skip(a, b) {
+                continue;
+            }
+            if a != b && (!self.nodes[a].meets(&self.nodes[b]) || self.own[a].is_apart(&self.own[b], self.slack)) {
+                continue;
+            }
+            if a < self.base {
+                pairs.push((2 * a, 2 * b));
+                pairs.push((2 * a, 2 * b + 1));
+                pairs.push((2 * a + 1, 2 * b + 1));
+                if a != b {
+                    pairs.push((2 * a + 1, 2 * b));
+                }
+                continue;
+            }
+            work += self.leaf_size;
+            if visit(a, b).is_break() {
+                return Ok(false);
+            }
+        }
+        exec.look(work as u64)?;
+        Ok(true)
+    }
+
+    /// Visits every pair of triangles whose boxes meet, as [`visit_leaves`](Self::visit_leaves).
+    pub fn visit_pairs(
+        &self,
+        most_work: u64,
+        skip: impl Fn(usize, usize) -> bool,
+        mut visit: impl FnMut(u32, u32) -> ControlFlow<()>,
+        exec: &Execution<'_>,
+    ) -> Result<bool, Interruption> {
+        let visit = |a: usize, b: usize| {
+            for first in self.places(a) {
+                let seconds = if a == b { first + 1..self.places(b).end } else { self.places(b) };
+                for second in seconds {
+                    if self.boxes[first].meets(&self.boxes[second]) {
+                        visit(self.order[first], self.order[second])?;
+                    }
+                }
+            }
+            ControlFlow::Continue(())
+        };
+        self.visit_leaves(most_work, skip, visit, exec)
+    }
+
+    /// The triangles of a leaf.
+    pub fn leaf(&self, node: usize) -> &[u32] {
+        &self.order[self.places(node)]
+    }
+
+    fn places(&self, leaf: usize) -> Range<usize> {
+        let start = (leaf - self.base) * self.leaf_size;
+        start.min(self.order.len())..(start + self.leaf_size).min(self.order.len())
+    }
+}
+
+/// Bits of the curve along each axis, which are also those sorted by in one pass.
+const BITS: u32 = 10;
+
+/// Position of a cell of a cube of 2^[`BITS`] cells along each axis on Hilbert's curve (J. Skilling, *Programming the
+/// Hilbert curve*, 2004). Unlike Morton's curve it makes no jumps, so that a leaf is one piece of the surface.
+fn place_on_curve([mut x, mut y, mut z]: [u32; 3]) -> u32 {
+    // All bits if the bit is set, and none otherwise: branches here would be taken at random.
+    let all_if = |value: u32, bit: u32| 0u32.wrapping_sub(value >> bit & 1);
+    for bit in (1..BITS).rev() {
+        let below = (1 << bit) - 1;
+        x ^= below & all_if(x, bit);
+        for other in [&mut y, &mut z] {
+            let set = all_if(*other, bit);
+            let exchanged = (x ^ *other) & below & !set;
+            x ^= exchanged | below & set;
+            *other ^= exchanged;
+        }
+    }
+    y ^= x;
+    z ^= y;
+    let turned = (1..BITS).fold(0, |turned, bit| turned ^ ((1 << bit) - 1) & all_if(z, bit));
+    let spread = |value: u32| {
+        let mut bits = value ^ turned;
+        bits = (bits | bits << 16) & 0x030000ff;
+        bits = (bits | bits << 8) & 0x0300f00f;
+        bits = (bits | bits << 4) & 0x030c30c3;
+        (bits | bits << 2) & 0x09249249
+    };
+    spread(x) << 2 | spread(y) << 1 | spread(z)
+}
+
+/// Sorts triangles by the place of their centre on a space-filling curve, stable.
+fn sort_along_curve(
+    corners: impl Fn(u32) -> [DVec3; 3],
+    list: &mut Vec<u32>,
+    whole: &AxisBox,
+    exec: &Execution<'_>,
+) -> Result<(), Interruption> {
+    let cells = f64::from((1 << BITS) - 1);
+    let scale = cells / (whole.high - whole.low).max(DVec3::splat(f64::MIN_POSITIVE));
+    let code = |t: u32| {
+        let [a, b, c] = corners(t);
+        let at = ((a + b + c) / 3.0 - whole.low) * scale;
+        place_on_curve(at.to_array().map(|coordinate| (coordinate as u32).min((1 << BITS) - 1)))
+    };
+    let mut keyed: Vec<(u32, u32)> = list.iter().map(|&t| (code(t), t)).collect();
+    exec.look(list.len() as u64)?;
+    let mut sorted = vec![(0, 0); keyed.len()];
+    for pass in 0..3 {
+        let digit = |code: u32| (code >> (pass * BITS) & ((1 << BITS) - 1)) as usize;
+        let mut start = [0usize; (1 << BITS) + 1];
+        keyed.iter().for_each(|&(code, _)| start[digit(code) + 1] += 1);
+        for k in 0..1 << BITS {
+            start[k + 1] += start[k];
+        }
+        for &(code, t) in &keyed {
+            let slot = &mut start[digit(code)];
+            sorted[*slot] = (code, t);
+            *slot += 1;
+        }
+        std::mem::swap(&mut keyed, &mut sorted);
+        exec.look(list.len() as u64)?;
+    }
+    list.clear();
+    list.extend(keyed.iter().map(|&(_, t)| t));
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_curve_goes_from_neighbour_to_neighbour() {
+        let mut cells: Vec<[u32; 3]> = (0..4096).map(|k| [k / 256, k / 16 % 16, k % 16]).collect();
+        cells.sort_unstable_by_key(|&cell| place_on_curve(cell));
+        for pair in cells.windows(2) {
+            let steps: u32 = (0..3).map(|k| pair[0][k].abs_diff(pair[1][k])).sum();
+            assert_eq!(steps, 1, "{pair:?}");
+        }
+    }
+}

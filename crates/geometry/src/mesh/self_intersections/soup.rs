@@ -1,0 +1,218 @@
+//! The triangles of a mesh as they are searched for self-intersections: scaled, with equal points merged.
+
+use super::predicates::plane_axes;
+use crate::{DVec3, Execution, Interruption};
+
+/// Triangles, vertices or pairs between two looks at the execution: a few milliseconds at most.
+pub(super) const LOOK: usize = 1 << 14;
+/// No vertex, triangle or label.
+pub(super) const NONE: u32 = u32::MAX;
+/// A triangle counts as facing a vertex normal if the cosine, times the sine of its angle at the vertex, exceeds this.
+/// A larger value sends more triangles to the exact predicates; a value near rounding (1e-15) would not be safe.
+const FACING: f64 = 1e-7;
+/// The same for the sine of the angle between two edges at a vertex.
+const APART: f64 = 1e-11;
+/// An edge that is in line with a ray lies on its other side if the cosine between them is below minus this. The angle to
+/// the exact opposite is then below [`APART`] / [`OPPOSITE`], which must be well below [`FACING`], the least angle of a
+/// triangle.
+const OPPOSITE: f64 = 1e-3;
+/// The normal of a triangle that has an area but no certain normal: so short that the triangle faces no direction.
+const NO_NORMAL: DVec3 = DVec3::splat(f64::MIN_POSITIVE);
+
+/// Triangles over points, without connectivity.
+pub(super) struct Soup {
+    /// The vertices times a power of two, so that the largest coordinate is about 1: exact, and no product under- or
+    /// overflows.
+    pub points: Vec<DVec3>,
+    /// Multiplied by this, the points are the vertices again.
+    pub unit: f64,
+    /// Corners; vertices with equal coordinates have the lowest of their numbers.
+    pub triangles: Vec<[u32; 3]>,
+    /// Twice the area vector of each triangle, with a relative error below 1e-3. Zero for triangles without area,
+    /// exactly; [`NO_NORMAL`] for triangles that are so thin that rounding leaves them no certain normal.
+    pub normals: Vec<DVec3>,
+}
+
+impl Soup {
+    pub fn new(vertices: &[DVec3], triangles: &[[u32; 3]], exec: &Execution<'_>) -> Result<Self, Interruption> {
+        let largest = vertices.iter().fold(0.0f64, |largest, v| largest.max(v.abs().max_element()));
+        let unit = power_of_two_above(largest);
+        // Adding zero turns -0 into 0, so that equal coordinates have equal bits.
+        let points: Vec<DVec3> = vertices.iter().map(|&v| v * unit.recip() + DVec3::ZERO).collect();
+        let representative = representatives(&points, exec)?;
+        let mut soup = Self { points, unit, triangles: Vec::new(), normals: Vec::new() };
+        soup.triangles.reserve_exact(triangles.len());
+        soup.normals.reserve_exact(triangles.len());
+        for chunk in triangles.chunks(LOOK) {
+            for triangle in chunk {
+                let triangle = triangle.map(|v| representative[v as usize]);
+                let corners = soup.corners(triangle);
+                let [a, b, c] = corners;
+                let (u, v) = (b - a, c - a);
+                let normal = u.cross(v);
+                // A cross product well above rounding is not zero; the others are decided exactly.
+                let is_clear = normal.length_squared() > 1e-24 * u.length_squared() * v.length_squared();
+                let has_area = is_clear || plane_axes(&corners).is_some();
+                soup.triangles.push(triangle);
+                soup.normals.push(match (has_area, is_clear) {
+                    (false, _) => DVec3::ZERO,
+                    (true, true) => normal,
+                    (true, false) => NO_NORMAL,
+                });
+            }
+            exec.look(chunk.len() as u64)?;
+        }
+        Ok(soup)
+    }
+
+    /// The corners of a triangle.
+    pub fn corners(&self, triangle: [u32; 3]) -> [DVec3; 3] {
+        triangle.map(|v| self.points[v as usize])
+    }
+
+    /// For each vertex the number of its triangles in the list if no two of them can intersect: they form one fan, all
+    /// of them face the sum of their normals, and seen from there the fan goes round the vertex at most once. Zero where
+    /// that is not certain. The triangles of the list have an area.
+    pub fn embedded_stars(&self, list: &[u32], exec: &Execution<'_>) -> Result<Vec<u32>, Interruption> {
+        let mut start = vec![0u32; self.points.len() + 1];
+        for &triangle in list {
+            for v in self.triangles[triangle as usize] {
+                start[v as usize + 1] += 1;
+            }
+        }
+        exec.look(list.len() as u64)?;
+        for v in 0..self.points.len() {
+            start[v + 1] += start[v];
+        }
+        let mut incident = vec![0u32; start[self.points.len()] as usize];
+        let mut cursor = start.clone();
+        for &triangle in list {
+            for (k, v) in self.triangles[triangle as usize].into_iter().enumerate() {
+                let slot = &mut cursor[v as usize];
+                incident[*slot as usize] = 3 * triangle + k as u32;
+                *slot += 1;
+            }
+        }
+        exec.look(list.len() as u64)?;
+        let mut stars = vec![0; self.points.len()];
+        let mut scratch = [Vec::new(), Vec::new()];
+        let mut work = 0;
+        for v in 0..self.points.len() {
+            let corners = &incident[start[v] as usize..start[v + 1] as usize];
+            if self.is_embedded(v, corners, &mut scratch) {
+                stars[v] = corners.len() as u32;
+            }
+            work += 1 + corners.len();
+            if work >= LOOK {
+                exec.look(work as u64)?;
+                work = 0;
+            }
+        }
+        Ok(stars)
+    }
+
+    /// The triangles that have an area, in order.
+    pub fn with_area(&self) -> Vec<u32> {
+        (0..self.triangles.len() as u32).filter(|&t| self.normals[t as usize] != DVec3::ZERO).collect()
+    }
+
+    /// `corners` are 3 t + k for each triangle t whose corner k is the vertex.
+    fn is_embedded(&self, vertex: usize, corners: &[u32], [after, before]: &mut [Vec<u32>; 2]) -> bool {
+        let ends = |corner: u32| {
+            let (triangle, k) = (self.triangles[corner as usize / 3], corner as usize % 3);
+            (triangle[(k + 1) % 3], triangle[(k + 2) % 3])
+        };
+        // The neighbours after the vertex in its triangles, and those before it: in one fan every neighbour is in both
+        // lists once, but for the two ends of a fan that is open.
+        after.clear();
+        before.clear();
+        for &corner in corners {
+            let (a, b) = ends(corner);
+            after.push(a);
+            before.push(b);
+        }
+        after.sort_unstable();
+        before.sort_unstable();
+        let repeats = |list: &[u32]| list.windows(2).any(|pair| pair[0] == pair[1]);
+        if corners.is_empty() || repeats(after) || repeats(before) {
+            return false;
+        }
+        let mut starts = after.iter().filter(|a| before.binary_search(a).is_err());
+        let ray = starts.next().unwrap_or(&after[0]);
+        if starts.next().is_some() {
+            return false;
+        }
+        let centre = self.points[vertex];
+        let normal: DVec3 = corners.iter().map(|&corner| self.normals[corner as usize / 3]).sum();
+        let facing = normal.length();
+        let direction = self.points[*ray as usize] - centre;
+        let size = |v: DVec3| v.abs().element_sum();
+        // The triangles that the ray runs through, the one that it bounds on the right among them.
+        let mut covered = 0;
+        for &corner in corners {
+            let (a, b) = ends(corner);
+            let (to_a, to_b) = (self.points[a as usize] - centre, self.points[b as usize] - centre);
+            let area = self.normals[corner as usize / 3];
+            let is_facing = area.dot(normal) > FACING * size(to_a) * size(to_b) * facing;
+            if !is_facing {
+                return false;
+            }
+            // An edge on the ray's other side bounds no triangle that the ray runs through, since each is narrower than
+            // a half-plane. On which side of the line it lies is not needed, and may be rounding.
+            let is_opposite = |to: DVec3| {
+                let along = direction.dot(to) - direction.dot(normal) * to.dot(normal) / (facing * facing);
+                let sine = normal.dot(direction.cross(to));
+                let scale = size(direction) * size(to);
+                along < -OPPOSITE * scale && sine.abs() <= APART * facing * scale
+            };
+            if is_opposite(to_a) || is_opposite(to_b) {
+                continue;
+            }
+            let side = |end: u32, to: DVec3| {
+                let sine = if end == *ray { 0.0 } else { normal.dot(direction.cross(to)) };
+                let certain = end == *ray || sine.abs() > APART * facing * size(direction) * size(to);
+                certain.then_some(sine)
+            };
+            let (Some(right), Some(left)) = (side(a, to_a), side(b, to_b)) else { return false };
+            covered += usize::from(right <= 0.0 && left > 0.0);
+        }
+        covered == 1
+    }
+}
+
+/// For each point the lowest number of those with the same coordinates.
+fn representatives(points: &[DVec3], exec: &Execution<'_>) -> Result<Vec<u32>, Interruption> {
+    // A hash table with open addressing, at most half full.
+    let size = (2 * points.len()).next_power_of_two().max(2);
+    let mut table = vec![NONE; size];
+    let mut representative = Vec::with_capacity(points.len());
+    for (k, point) in points.iter().enumerate() {
+        let mixed = point.to_array().iter().fold(0u64, |hash, coordinate| {
+            (hash.rotate_left(23) ^ coordinate.to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15)
+        });
+        let mut slot = (mixed ^ mixed >> 29).wrapping_mul(0xbf58_476d_1ce4_e5b9) as usize >> 7 & (size - 1);
+        loop {
+            let there = table[slot];
+            if there == NONE {
+                table[slot] = k as u32;
+                representative.push(k as u32);
+                break;
+            }
+            if points[there as usize] == *point {
+                representative.push(there);
+                break;
+            }
+            slot = (slot + 1) & (size - 1);
+        }
+        if k % LOOK == LOOK - 1 {
+            exec.look(LOOK as u64)?;
+        }
+    }
+    Ok(representative)
+}
+
+/// A power of two above a length, 1 for zero.
+fn power_of_two_above(length: f64) -> f64 {
+    let exponent = (length.to_bits() >> 52) & 0x7ff;
+    if length == 0.0 { 1.0 } else { f64::from_bits((exponent + 1).clamp(23, 2023) << 52) }
+}
