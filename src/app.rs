@@ -1,6 +1,7 @@
 //! Wires configuration, keys, store, jobs and HTTP together, starts them and shuts them down.
 
-use crate::auth::Keys;
+use crate::auth::tickets::Tickets;
+use crate::auth::{self, Keys};
 use crate::config::Config;
 use crate::http::state::App;
 use crate::http::{body, mcp, openapi, router, serve};
@@ -108,7 +109,8 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         tracing::info!(%address, workers = count, "open http://{address}/ in a browser");
         let bodies = Arc::new(Semaphore::new(body::permits(config.http.bodies_in_flight_bytes)));
         let document = openapi::served_at(&config.http.public_base_path).into();
-        let app = App { config: config.clone(), jobs: jobs.clone(), metrics, bodies, keys, document };
+        let tickets = Arc::new(tickets(&store).await?);
+        let app = App { config: config.clone(), jobs: jobs.clone(), metrics, bodies, keys, tickets, document };
         let tools = (role == Role::Mcp).then(|| tokio::spawn(mcp::serve_stdio(app.clone(), address)));
         let until_input_ends = async {
             if let Some(tools) = tools {
@@ -179,6 +181,13 @@ async fn open_store(config: &Config) -> Result<Store, StartError> {
             }
         }
     }
+}
+
+/// Returns the tickets that every process on this database issues and accepts.
+async fn tickets(store: &Store) -> Result<Tickets, StartError> {
+    let fresh = auth::random_bytes().map_err(StartError::Failed)?;
+    let secret = store.secret("event_tickets", fresh).await;
+    Ok(Tickets::new(secret.map_err(|error| StartError::Failed(format!("store: {error}")))?))
 }
 
 /// Sweeps the store every minute, and every 5 s while the store refuses jobs or results.

@@ -4,6 +4,8 @@
 //! compared with every known digest in full, so that the time taken reveals nothing. Without keys, every client may do
 //! everything.
 
+pub mod tickets;
+
 use crate::config::AuthConfig;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -21,11 +23,19 @@ const RELOAD_INTERVAL: Duration = Duration::from_secs(1);
 /// # Errors
 /// Fails if the system provides no random bytes.
 pub fn new_key() -> Result<(String, String), String> {
-    let mut secret = [0; KEY_BYTES];
-    getrandom::fill(&mut secret).map_err(|error| error.to_string())?;
-    let key = format!("{PREFIX}{}", hex(&secret));
+    let key = format!("{PREFIX}{}", hex(&random_bytes()?));
     let digest = hex(&Sha256::digest(key.as_bytes()));
     Ok((key, digest))
+}
+
+/// Returns as many random bytes as a key has.
+///
+/// # Errors
+/// Fails if the system provides no random bytes.
+pub fn random_bytes() -> Result<Vec<u8>, String> {
+    let mut secret = [0; KEY_BYTES];
+    getrandom::fill(&mut secret).map_err(|error| error.to_string())?;
+    Ok(secret.to_vec())
 }
 
 fn hex(bytes: &[u8]) -> String {
@@ -85,20 +95,39 @@ struct Allowance {
 }
 
 impl Allowance {
-    /// Takes one request from the bucket. If the bucket is empty, returns the seconds until the next request is
-    /// available.
-    fn take(&mut self, per_minute: f64, now: Instant) -> Result<(), f64> {
+    /// Takes one request from the bucket and returns what is left. If the bucket is empty, returns the seconds until the
+    /// next request is available.
+    fn take(&mut self, per_minute: f64, now: Instant) -> Result<Left, f64> {
         let per_second = per_minute / 60.0;
         let elapsed_s = now.saturating_duration_since(self.at).as_secs_f64();
         self.requests = (self.requests + elapsed_s * per_second).min(per_minute);
         self.at = now;
         if self.requests >= 1.0 {
             self.requests -= 1.0;
-            Ok(())
+            let full_in_s = (per_minute - self.requests) / per_second;
+            Ok(Left { requests: self.requests as u32, full_in_s: full_in_s.ceil() as u64 })
         } else {
             Err((1.0 - self.requests) / per_second)
         }
     }
+}
+
+/// What a key has left of its requests.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Left {
+    /// Number of requests that the key may make at once.
+    pub requests: u32,
+    /// Seconds until the key may make the requests of a whole minute at once.
+    pub full_in_s: u64,
+}
+
+/// A request that may go on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Admitted {
+    /// Name of the key, or `None` if the server requires no key.
+    pub name: Option<Arc<str>>,
+    /// What the key has left, if its requests are limited.
+    pub left: Option<Left>,
 }
 
 /// Reason for refusing a request.
@@ -176,25 +205,38 @@ impl Keys {
         self.known.read().unwrap_or_else(PoisonError::into_inner).required
     }
 
-    /// Takes one request from the allowance of the presented key and returns the key's name, or `None` if the server
-    /// requires no key.
+    /// Takes one request from the allowance of the presented key.
     ///
     /// # Errors
     /// Returns a [`Refusal`].
-    pub fn admit(&self, presented: Option<&str>) -> Result<Option<Arc<str>>, Refusal> {
+    pub fn admit(&self, presented: Option<&str>) -> Result<Admitted, Refusal> {
+        self.take(|known| presented.and_then(|presented| known.find(presented)))
+    }
+
+    /// Takes one request from the allowance of the key with this name, which a ticket was issued to.
+    ///
+    /// # Errors
+    /// Returns a [`Refusal`]. A key that was removed since then is unknown.
+    pub fn admit_holder(&self, name: &str) -> Result<Admitted, Refusal> {
+        self.take(|known| known.keys.iter().find(|key| *key.name == *name).cloned())
+    }
+
+    fn take(&self, find: impl FnOnce(&Known) -> Option<Arc<Key>>) -> Result<Admitted, Refusal> {
         let key = {
             let known = self.known.read().unwrap_or_else(PoisonError::into_inner);
             if !known.required {
-                return Ok(None);
+                return Ok(Admitted { name: None, left: None });
             }
-            presented.and_then(|presented| known.find(presented)).ok_or(Refusal::Unknown)?
+            find(&known).ok_or(Refusal::Unknown)?
         };
         let per_minute = self.config.requests_per_minute;
+        let mut left = None;
         if per_minute > 0 {
             let mut allowance = key.allowance.lock().unwrap_or_else(PoisonError::into_inner);
-            allowance.take(f64::from(per_minute), Instant::now()).map_err(|wait_s| Refusal::TooMany { wait_s })?;
+            let taken = allowance.take(f64::from(per_minute), Instant::now());
+            left = Some(taken.map_err(|wait_s| Refusal::TooMany { wait_s })?);
         }
-        Ok(Some(key.name.clone()))
+        Ok(Admitted { name: Some(key.name.clone()), left })
     }
 }
 
@@ -270,13 +312,15 @@ mod tests {
         let (other, other_digest) = new_key().unwrap();
         assert_ne!(key, other);
         let known = Keys::load(&keys(&[("me", &digest), ("you", &other_digest)])).unwrap();
-        let admitted = |text: &str| known.admit(Some(text)).ok().flatten();
+        let admitted = |text: &str| known.admit(Some(text)).ok().and_then(|admitted| admitted.name);
         assert_eq!(admitted(&key).as_deref(), Some("me"));
         assert_eq!(admitted(&other).as_deref(), Some("you"));
         for wrong in [digest.clone(), format!("{key}0"), String::new()] {
             assert_eq!(known.admit(Some(&wrong)), Err(Refusal::Unknown), "{wrong}");
         }
         assert_eq!(known.admit(None), Err(Refusal::Unknown));
+        assert_eq!(known.admit_holder("you").ok().and_then(|admitted| admitted.name).as_deref(), Some("you"));
+        assert_eq!(known.admit_holder("them"), Err(Refusal::Unknown));
         assert!(!format!("{known:?}").contains(&digest[..8]));
     }
 
@@ -284,7 +328,8 @@ mod tests {
     fn a_server_without_keys_admits_requests_without_an_owner() {
         let none = Keys::load(&AuthConfig::default()).unwrap();
         assert!(!none.required());
-        assert_eq!(none.admit(None), Ok(None));
+        assert_eq!(none.admit(None), Ok(Admitted { name: None, left: None }));
+        assert_eq!(none.admit_holder(""), none.admit(None));
     }
 
     #[test]
@@ -309,10 +354,11 @@ mod tests {
     fn an_allowance_refills_with_time() {
         let start = Instant::now();
         let mut allowance = Allowance { requests: 2.0, at: start };
-        assert_eq!(allowance.take(2.0, start), Ok(()));
-        assert_eq!(allowance.take(2.0, start), Ok(()));
+        assert_eq!(allowance.take(2.0, start), Ok(Left { requests: 1, full_in_s: 30 }));
+        assert_eq!(allowance.take(2.0, start), Ok(Left { requests: 0, full_in_s: 60 }));
         assert_eq!(allowance.take(2.0, start), Err(30.0));
-        assert_eq!(allowance.take(2.0, start + Duration::from_secs(30)), Ok(()));
+        let left = allowance.take(2.0, start + Duration::from_secs(30));
+        assert_eq!(left, Ok(Left { requests: 0, full_in_s: 60 }));
         assert!(allowance.take(2.0, start + Duration::from_secs(30)).is_err());
         // A long pause saves up the requests of one minute at most.
         let later = start + Duration::from_secs(3600);
@@ -327,7 +373,7 @@ mod tests {
         std::fs::write(&file, format!("me {digest}\n")).unwrap();
         let keys = Keys::load(&AuthConfig { keys_file: file, ..AuthConfig::default() }).unwrap();
         assert!(keys.replace("me 12").is_err());
-        assert!(keys.admit(Some(&key)).unwrap().is_some());
+        assert!(keys.admit(Some(&key)).unwrap().name.is_some());
         keys.replace("").unwrap();
         assert_eq!((keys.admit(Some(&key)), keys.admit(None)), (Err(Refusal::Unknown), Err(Refusal::Unknown)));
     }

@@ -61,6 +61,8 @@ pub struct HttpConfig {
     pub public_base_path: String,
     /// Number of bytes for a cache of files that were made from results (meshes in a format, flat patterns).
     pub files_kept_bytes: usize,
+    /// Whether long answers are compressed with zstd or gzip for clients that accept it. Turn it off if a proxy does it.
+    pub compression: bool,
     /// Whether `/mcp` offers this server's operations as tools for language models (Model Context Protocol, streamable
     /// HTTP). `plateau mcp` offers the same tools on standard input and output and needs no setting.
     pub mcp: bool,
@@ -90,6 +92,7 @@ impl Default for HttpConfig {
             cors_origins: Vec::new(),
             public_base_path: String::new(),
             files_kept_bytes: 64 << 20,
+            compression: true,
             mcp: false,
             hops: true,
             hops_wait_s: 90,

@@ -4,6 +4,7 @@
 pub mod access;
 pub mod assets;
 pub mod body;
+pub mod compress;
 pub mod entry;
 pub mod mcp;
 pub mod negotiate;

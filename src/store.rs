@@ -29,6 +29,7 @@ mod pool;
 mod postgres;
 mod results;
 mod retention;
+mod secrets;
 mod sqlite;
 mod tx;
 mod watch;
@@ -402,6 +403,18 @@ impl Store {
     /// Returns the number of jobs that wait.
     pub async fn queue_length(&self) -> Result<i64> {
         self.read(jobs::queue_length).await
+    }
+}
+
+/// Secrets.
+impl Store {
+    /// Returns random bytes that all processes on this database share. If none of them has stored some yet, `fresh` are
+    /// stored and returned.
+    pub async fn secret(&self, name: &'static str, fresh: Vec<u8>) -> Result<Vec<u8>> {
+        match self.read(move |tx| secrets::find(tx, name)).await? {
+            Some(known) => Ok(known),
+            None => self.write(move |tx| secrets::keep(tx, name, &fresh)).await,
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Access checks: the host, the origin of the page and the API key.
 
-use crate::auth::Refusal;
+use crate::auth::{Left, Refusal};
 use crate::config::HttpConfig;
 use crate::hops;
 use crate::http::problem::Failure;
@@ -10,9 +10,11 @@ use axum::http::request::Parts;
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
+use std::borrow::Cow;
 use std::convert::Infallible;
 use std::net::IpAddr;
 use std::sync::Arc;
+use std::time::SystemTime;
 
 /// Name of the key that came with a request. `None` if this server has no keys.
 #[derive(Clone, Debug, Default)]
@@ -48,27 +50,69 @@ pub fn is_public(path: &str) -> bool {
         || (below("/hops") && !hops::is_solve(path))
 }
 
-/// Lets a request with a known key through. Otherwise answers 401 or 429 before the body is read.
+/// Numbers of requests that a key has left, as in the IETF's draft-ietf-httpapi-ratelimit-headers-10.
+pub const RATE_LIMIT: HeaderName = HeaderName::from_static("ratelimit");
+/// Number of requests that a key may make in a minute, as in the same draft.
+pub const RATE_LIMIT_POLICY: HeaderName = HeaderName::from_static("ratelimit-policy");
+
+/// Returns the job and the ticket of a request for a job's events that carries a ticket.
+fn ticket(request: &Request) -> Option<(&str, Cow<'_, str>)> {
+    let job = request.uri().path().strip_prefix("/v1/jobs/")?.strip_suffix("/events")?;
+    let mut pairs = url::form_urlencoded::parse(request.uri().query()?.as_bytes());
+    pairs.find(|(name, _)| name == "ticket").map(|(_, ticket)| (job, ticket))
+}
+
+/// Adds the headers that tell a client how many requests its key has left.
+fn with_rate_limit(mut response: Response, per_minute: u32, left: Left) -> Response {
+    let values = [
+        (RATE_LIMIT_POLICY, format!("\"requests\";q={per_minute};w=60")),
+        (RATE_LIMIT, format!("\"requests\";r={};t={}", left.requests, left.full_in_s)),
+    ];
+    for (name, value) in values {
+        if let Ok(value) = HeaderValue::from_str(&value) {
+            response.headers_mut().insert(name, value);
+        }
+    }
+    response
+}
+
+/// Lets a request with a known key through, and a request for a job's events with a ticket. Otherwise answers 401 or 429
+/// before the body is read.
 pub async fn authenticate(State(app): State<App>, mut request: Request, next: Next) -> Response {
     if is_public(request.uri().path()) {
         return next.run(request).await;
     }
-    match app.keys.admit(presented_key(request.headers(), request.uri().path())) {
-        Ok(name) => {
-            if let Some(name) = &name {
+    let presented = presented_key(request.headers(), request.uri().path());
+    let per_minute = app.config.auth.requests_per_minute;
+    let admitted = match ticket(&request).filter(|_| presented.is_none() && app.keys.required()) {
+        Some((job, ticket)) => {
+            let holder = app.tickets.check(&job.to_ascii_uppercase(), &ticket, SystemTime::now());
+            holder.map_or(Err(Refusal::Unknown), |name| app.keys.admit_holder(name))
+        }
+        None => app.keys.admit(presented),
+    };
+    match admitted {
+        Ok(admitted) => {
+            if let Some(name) = &admitted.name {
                 tracing::Span::current().record("key", &**name);
             }
-            request.extensions_mut().insert(Caller(name));
-            next.run(request).await
+            request.extensions_mut().insert(Caller(admitted.name));
+            let response = next.run(request).await;
+            match admitted.left {
+                Some(left) => with_rate_limit(response, per_minute, left),
+                None => response,
+            }
         }
-        Err(Refusal::Unknown) => {
-            Failure::unauthorized("send Authorization: Bearer with a key of this server").into_response()
-        }
+        Err(Refusal::Unknown) => Failure::unauthorized(
+            "send Authorization: Bearer with a key of this server, or for a job's events a valid ticket",
+        )
+        .into_response(),
         Err(Refusal::TooMany { wait_s }) => {
-            let per_minute = app.config.auth.requests_per_minute;
-            Failure::rate_limited(format!("a key may make {per_minute} requests a minute"))
-                .with_header(header::RETRY_AFTER, HeaderValue::from(wait_s.ceil() as u64))
-                .into_response()
+            let wait_s = wait_s.ceil() as u64;
+            let refused = Failure::rate_limited(format!("a key may make {per_minute} requests a minute"))
+                .with_header(header::RETRY_AFTER, HeaderValue::from(wait_s))
+                .into_response();
+            with_rate_limit(refused, per_minute, Left { requests: 0, full_in_s: wait_s })
         }
     }
 }

@@ -65,6 +65,8 @@ fn document() -> Value {
             "headers": {
                 "RequestId": { "description": "Identifier of this request in the server's logs.", "schema": { "type": "string" } },
                 "WwwAuthenticate": { "description": "Bearer", "schema": { "type": "string" } },
+                "RateLimit": { "description": "Requests that the key has left (`r`), and seconds until it has all of a minute's again (`t`): `\"requests\";r=57;t=3`.", "schema": { "type": "string" } },
+                "RateLimitPolicy": { "description": "Requests that the key may make (`q`) in a number of seconds (`w`): `\"requests\";q=60;w=60`.", "schema": { "type": "string" } },
                 "RetryAfter": { "description": "Seconds to wait.", "schema": { "type": "integer", "minimum": 0 } },
             },
         },
@@ -129,9 +131,10 @@ fn problems() -> Value {
         responses.insert(name.into(), problem(description, &[]));
     }
     let retry = ("Retry-After", "RetryAfter");
+    let limited = [retry, ("RateLimit", "RateLimit"), ("RateLimit-Policy", "RateLimitPolicy")];
     responses
-        .insert("QueueFull".into(), problem("The queue is full, or this key has made too many requests", &[retry]));
-    responses.insert("RateLimited".into(), problem("This key has made too many requests", &[retry]));
+        .insert("QueueFull".into(), problem("The queue is full, or this key has made too many requests", &limited));
+    responses.insert("RateLimited".into(), problem("This key has made too many requests", &limited));
     responses.insert(
         "Unauthorized".into(),
         problem("The request has no valid key of this server", &[("WWW-Authenticate", "WwwAuthenticate")]),

@@ -4,7 +4,7 @@ use crate::http::problem::Failure;
 use crate::http::resource::Resource;
 use crate::http::routes::{batches, catalogue, docs, events, health, hops, jobs, mcp, mesh, studio, submit};
 use crate::http::state::App;
-use crate::http::{access, observe};
+use crate::http::{access, compress, observe};
 use crate::jobs::Jobs;
 use crate::wire::Kind;
 use axum::Router;
@@ -35,6 +35,7 @@ pub fn resources(with_metrics: bool) -> Vec<Resource> {
         Resource::at("/v1/jobs/{id}/certificate").get(mesh::certificate, mesh::certificate_entry()),
         Resource::at("/v1/jobs/{id}/pattern").get(mesh::pattern, mesh::pattern_entry()),
         Resource::at("/v1/jobs/{id}/events").get(events::events, events::events_entry()),
+        Resource::at("/v1/jobs/{id}/ticket").post(events::ticket, events::ticket_entry()),
         Resource::at("/v1/batches").post(batches::submit, batches::submit_entry()),
         Resource::at("/v1/batches/{id}")
             .get(batches::get, batches::get_entry())
@@ -82,6 +83,7 @@ pub fn router(app: App) -> Router {
         // preflights, which need no key. Then foreign pages are refused, and last the key is checked.
         .layer(middleware::from_fn_with_state(app.clone(), access::authenticate))
         .layer(middleware::from_fn_with_state(app.clone(), access::refuse_foreign_pages));
+    let routes = if app.config.http.compression { compress::compressed(routes) } else { routes };
     // Without allowed origins there is no CORS layer, and OPTIONS is handled like any other method.
     let routes = if origins.is_empty() { routes } else { routes.layer(cors(&origins)) };
     let routes = routes
@@ -208,8 +210,11 @@ fn cors(origins: &[String]) -> CorsLayer {
         ])
         .expose_headers([
             header::LOCATION,
+            header::LINK,
             header::RETRY_AFTER,
             header::ETAG,
+            access::RATE_LIMIT,
+            access::RATE_LIMIT_POLICY,
             submit::PREFERENCE_APPLIED,
             observe::REQUEST_ID,
         ])

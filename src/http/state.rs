@@ -1,6 +1,7 @@
 //! State that the handlers share.
 
 use crate::auth::Keys;
+use crate::auth::tickets::Tickets;
 use crate::config::Config;
 use crate::jobs::Jobs;
 use metrics_exporter_prometheus::PrometheusHandle;
@@ -16,6 +17,7 @@ pub struct App {
     /// Budget for request bodies that are being read.
     pub bodies: Arc<Semaphore>,
     pub keys: Arc<Keys>,
+    pub tickets: Arc<Tickets>,
     /// API document as a server below this base path serves it.
     pub document: Arc<str>,
 }

@@ -210,6 +210,7 @@ impl Jobs {
         filter: Filter,
         limit: u32,
         cursor: Option<&str>,
+        with_statistics: bool,
     ) -> Result<JobList, JobsError> {
         let filter = StoredFilter {
             owner: owner.map(str::to_owned),
@@ -219,7 +220,8 @@ impl Jobs {
         };
         let (rows, next_cursor) = self.0.store.list(filter, limit, cursor).await?;
         let base = &self.0.config.http.public_base_path;
-        Ok(JobList { jobs: rows.iter().filter_map(|row| view::summary(base, row)).collect(), next_cursor })
+        let jobs = rows.iter().filter_map(|row| view::summary(base, row, with_statistics)).collect();
+        Ok(JobList { jobs, next_cursor })
     }
 
     /// Cancels a queued or running job at once. Returns a finished job unchanged.

@@ -81,10 +81,13 @@ fn timestamp(at_ms: i64) -> String {
     humantime::format_rfc3339_millis(SystemTime::UNIX_EPOCH + since_1970).to_string()
 }
 
-/// Returns a job of a list. If this version cannot read the row, logs it and returns `None`.
-pub(super) fn summary(base: &str, row: &JobRow) -> Option<JobSummary> {
+/// Returns a job of a list, with or without its statistics. If this version cannot read the row, logs it and returns `None`.
+pub(super) fn summary(base: &str, row: &JobRow, with_statistics: bool) -> Option<JobSummary> {
     match job(base, row) {
-        Ok(job) => Some(job.into()),
+        Ok(mut job) => {
+            let statistics = job.statistics.take().filter(|_| with_statistics);
+            Some(JobSummary { statistics, ..job.into() })
+        }
         Err(error) => {
             tracing::error!(?error, id = row.id, "a stored job cannot be shown");
             None

@@ -108,6 +108,15 @@ impl Links {
     }
 }
 
+/// Address at which the events of a job can be followed without a key.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct EventTicket {
+    /// Address of the job's events with a ticket in it.
+    pub events: String,
+    /// Time until which the address opens a stream (RFC 3339, UTC).
+    pub expires_at: String,
+}
+
 /// A job: an accepted request and its state.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Job {
@@ -135,7 +144,7 @@ pub struct Job {
     pub links: Links,
 }
 
-/// A job of a list, without its statistics.
+/// A job of a list.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct JobSummary {
     /// ULID, which sorts by time of submission.
@@ -153,6 +162,11 @@ pub struct JobSummary {
     /// Time at which the job and its mesh are removed.
     pub expires_at: Option<String>,
     pub progress: Progress,
+    /// Statistics of a job that has succeeded. Absent unless the list was asked for with `statistics=true`. The fields
+    /// depend on the kind.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Map<String, Value>")]
+    pub statistics: Option<Box<RawValue>>,
     pub warnings: Vec<JobWarning>,
     /// Null unless the job has failed.
     pub error: Option<JobError>,
@@ -172,6 +186,7 @@ impl From<Job> for JobSummary {
             finished_at: job.finished_at,
             expires_at: job.expires_at,
             progress: job.progress,
+            statistics: None,
             warnings: job.warnings,
             error: job.error,
             links: job.links,
@@ -219,6 +234,7 @@ pub struct Problem {
 pub(super) fn schemas(generator: &mut SchemaGenerator) {
     generator.subschema_for::<Job>();
     generator.subschema_for::<JobList>();
+    generator.subschema_for::<EventTicket>();
     generator.subschema_for::<super::batch::Batch>();
     generator.subschema_for::<Problem>();
     generator.subschema_for::<super::mesh::Mesh>();

@@ -34,13 +34,16 @@ async fn jobs_are_listed_newest_first_page_by_page_and_filtered() {
 }
 
 #[tokio::test]
-async fn a_list_has_no_statistics() {
+async fn a_list_has_statistics_only_on_request() {
     let app = TestApp::start().await;
     let job = app.solve(RULED, &example("wavy-strip")).await;
     let list = app.get_json("/v1/jobs").await;
     let mut summary = job.clone();
     assert!(summary.as_object_mut().unwrap().remove("statistics").is_some());
     assert_eq!(list["jobs"], json!([summary]));
+    assert_eq!(app.get_json("/v1/jobs?statistics=false").await["jobs"], json!([summary]));
+    assert_eq!(app.get_json("/v1/jobs?statistics=true").await["jobs"], json!([job]));
+    problem(app.get("/v1/jobs?statistics=yes").await, 400).await;
 }
 
 #[tokio::test]

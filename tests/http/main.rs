@@ -10,6 +10,7 @@ mod cancel;
 mod catalogue;
 mod certificates;
 mod command_line;
+mod compression;
 mod connections;
 mod errors;
 mod events;

@@ -372,7 +372,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Jobs without their statistics, newest first */
+        /** Jobs, newest first */
         get: operations["listJobs"];
         put?: never;
         post?: never;
@@ -479,6 +479,26 @@ export interface paths {
         get: operations["getPattern"];
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/jobs/{id}/ticket": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * An address for the EventSource of browsers, which cannot send a key
+         * @description Anyone who has the address can follow the events of this job until it expires, and nothing else. A stream that is open then goes on.
+         */
+        post: operations["postTicket"];
         delete?: never;
         options?: never;
         head?: never;
@@ -914,6 +934,13 @@ export interface components {
             /** @description Whether the Morse index is 0: a true local minimum. */
             stable: boolean;
         };
+        /** @description Address at which the events of a job can be followed without a key. */
+        EventTicket: {
+            /** @description Address of the job's events with a ticket in it. */
+            events: string;
+            /** @description Time until which the address opens a stream (RFC 3339, UTC). */
+            expires_at: string;
+        };
         /** @description An example request. */
         Example: {
             kind: components["schemas"]["Kind"];
@@ -1134,7 +1161,7 @@ export interface components {
             /** @description Value of `?cursor=` for the next page; null on the last page. */
             next_cursor: string | null;
         };
-        /** @description A job of a list, without its statistics. */
+        /** @description A job of a list. */
         JobSummary: {
             /** @description Time of submission (RFC 3339, UTC). */
             created_at: string;
@@ -1155,6 +1182,13 @@ export interface components {
             } | null;
             progress: components["schemas"]["Progress"];
             started_at: string | null;
+            /**
+             * @description Statistics of a job that has succeeded. Absent unless the list was asked for with `statistics=true`. The fields
+             *     depend on the kind.
+             */
+            statistics?: {
+                [key: string]: unknown;
+            };
             status: components["schemas"]["Status"];
             warnings: components["schemas"]["JobWarning"][];
         };
@@ -2816,6 +2850,8 @@ export interface components {
         /** @description The queue is full, or this key has made too many requests */
         QueueFull: {
             headers: {
+                RateLimit: components["headers"]["RateLimit"];
+                "RateLimit-Policy": components["headers"]["RateLimitPolicy"];
                 "Retry-After": components["headers"]["RetryAfter"];
                 "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
@@ -2827,6 +2863,8 @@ export interface components {
         /** @description This key has made too many requests */
         RateLimited: {
             headers: {
+                RateLimit: components["headers"]["RateLimit"];
+                "RateLimit-Policy": components["headers"]["RateLimitPolicy"];
                 "Retry-After": components["headers"]["RetryAfter"];
                 "X-Request-Id": components["headers"]["RequestId"];
                 [name: string]: unknown;
@@ -2891,6 +2929,10 @@ export interface components {
     parameters: never;
     requestBodies: never;
     headers: {
+        /** @description Requests that the key has left (`r`), and seconds until it has all of a minute's again (`t`): `"requests";r=57;t=3`. */
+        RateLimit: string;
+        /** @description Requests that the key may make (`q`) in a number of seconds (`w`): `"requests";q=60;w=60`. */
+        RateLimitPolicy: string;
         /** @description Identifier of this request in the server's logs. */
         RequestId: string;
         /** @description Seconds to wait. */
@@ -3878,6 +3920,8 @@ export interface operations {
                 limit?: number;
                 /** @description `next_cursor` of the previous page. */
                 cursor?: string;
+                /** @description Whether each job that has succeeded has its statistics. The default is false. */
+                statistics?: boolean;
             };
             header?: never;
             path?: never;
@@ -4072,7 +4116,10 @@ export interface operations {
     };
     getEvents: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description Stands for the key in browsers, whose `EventSource` cannot send one: `events` of `postTicket` contains it. */
+                ticket?: string;
+            };
             header?: {
                 /** @description Identifier of the last event that the client saw, `attempt.sequence`. After the final event the answer is 204. */
                 "Last-Event-ID"?: string;
@@ -4109,6 +4156,7 @@ export interface operations {
                 };
                 content?: never;
             };
+            400: components["responses"]["BadRequest"];
             401: components["responses"]["Unauthorized"];
             404: components["responses"]["NotFound"];
             410: components["responses"]["Gone"];
@@ -4275,6 +4323,37 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            421: components["responses"]["Misdirected"];
+            429: components["responses"]["RateLimited"];
+            500: components["responses"]["Failed"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    postTicket: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the job. */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The address */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EventTicket"];
+                };
+            };
+            401: components["responses"]["Unauthorized"];
+            403: components["responses"]["ForeignPage"];
+            404: components["responses"]["NotFound"];
+            410: components["responses"]["Gone"];
             421: components["responses"]["Misdirected"];
             429: components["responses"]["RateLimited"];
             500: components["responses"]["Failed"];

@@ -18,8 +18,8 @@ use serde_json::{Value, json};
 use std::time::Duration;
 
 pub async fn list(State(app): State<App>, caller: Caller, RawQuery(query): RawQuery) -> Result<Json<JobList>, Failure> {
-    let names = ["status", "kind", "idempotency_key", "limit", "cursor"];
-    let [status, kind, idempotency_key, limit, cursor] = parameters(query.as_deref(), names)?;
+    let names = ["status", "kind", "idempotency_key", "limit", "cursor", "statistics"];
+    let [status, kind, idempotency_key, limit, cursor, statistics] = parameters(query.as_deref(), names)?;
     let status = status
         .map(|name| Status::from_name(&name).ok_or_else(|| Failure::bad_query("status is not a job status")))
         .transpose()?;
@@ -36,8 +36,13 @@ pub async fn list(State(app): State<App>, caller: Caller, RawQuery(query): RawQu
     let cursor = cursor
         .map(|cursor| checked(&cursor).map_err(|_| Failure::bad_query("cursor must be a next_cursor of this list")))
         .transpose()?;
+    let with_statistics = match statistics.as_deref() {
+        None | Some("false") => false,
+        Some("true") => true,
+        Some(_) => return Err(Failure::bad_query("statistics must be true or false")),
+    };
     let filter = Filter { status, kind, idempotency_key };
-    Ok(Json(app.jobs.list(caller.owner(), filter, limit, cursor.as_deref()).await?))
+    Ok(Json(app.jobs.list(caller.owner(), filter, limit, cursor.as_deref(), with_statistics).await?))
 }
 
 pub fn list_entry() -> Value {
@@ -46,13 +51,14 @@ pub fn list_entry() -> Value {
     let kinds = names(Kind::ALL.iter().map(|kind| kind.name()).collect());
     let key = json!({ "type": "string", "minLength": 1, "maxLength": 200, "pattern": "^[!-~]+$" });
     json!({
-        "operationId": "listJobs", "tags": ["jobs"], "summary": "Jobs without their statistics, newest first",
+        "operationId": "listJobs", "tags": ["jobs"], "summary": "Jobs, newest first",
         "parameters": [
             query_parameter("status", "Only jobs in this state.", statuses),
             query_parameter("kind", "Only jobs of this kind.", kinds),
             query_parameter("idempotency_key", "Only jobs that were submitted with this `Idempotency-Key`.", key),
             query_parameter("limit", "Maximum number of jobs on the page. The default is 50.", json!({ "type": "integer", "minimum": 1, "maximum": 200 })),
             query_parameter("cursor", "`next_cursor` of the previous page.", json!({ "type": "string", "pattern": ULID })),
+            query_parameter("statistics", "Whether each job that has succeeded has its statistics. The default is false.", json!({ "type": "boolean" })),
         ],
         "responses": with_problems(json!({ "200": json_response("One page of jobs", "JobList") }), &[("400", "BadRequest"), ("503", "Unavailable")]),
     })

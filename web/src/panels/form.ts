@@ -70,6 +70,8 @@ export function controlOf(openapi: OpenApi, schema: Schema): Control | null {
 const SHOWN_FIRST = ['objective', 'secondary_objective', 'resolution', 'edge_length', 'closed', 'optimise', 'max_distinct_lengths', 'topology', 'units', 'up'];
 /** Titles where a field's name says too little. */
 const TITLES: Record<string, string> = { closed: 'Closed rails', units: 'Unit', up: 'Up axis', all_objectives: 'Compare all objectives', optimise: 'Optimise' };
+/** Fields about the sending of a request, which the studio does itself. */
+const LEFT_OUT = ['kind', 'supersede', 'cancel_on_disconnect'];
 const rank = (name: string): number => SHOWN_FIRST.indexOf(name) + 1 || SHOWN_FIRST.length + 1;
 const titleOf = (name: string): string => TITLES[name] ?? humanise(name);
 
@@ -86,7 +88,7 @@ export function build(form: HTMLFormElement, schema: Schema, request: Request, h
   const open = form.querySelector('details')?.open ?? false;
   form.replaceChildren();
   const rest = el('div', { className: 'fields' });
-  const names = Object.keys(schema.properties ?? {}).filter((name) => name !== 'kind');
+  const names = Object.keys(schema.properties ?? {}).filter((name) => !LEFT_OUT.includes(name));
   names.sort((a, b) => rank(a) - rank(b));
   for (const name of names) {
     const field = resolve(host.openapi, schema.properties![name]!);

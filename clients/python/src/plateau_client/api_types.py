@@ -328,6 +328,14 @@ class EquilibriumStability(TypedDict):
     """Whether the Morse index is 0: a true local minimum."""
 
 
+class EventTicket(TypedDict):
+    """Address at which the events of a job can be followed without a key."""
+    events: str
+    """Address of the job's events with a ticket in it."""
+    expires_at: str
+    """Time until which the address opens a stream (RFC 3339, UTC)."""
+
+
 class Example(TypedDict):
     """An example request."""
     kind: Kind
@@ -523,7 +531,7 @@ class JobList(TypedDict):
 
 
 class JobSummary(TypedDict):
-    """A job of a list, without its statistics."""
+    """A job of a list."""
     created_at: str
     """Time of submission (RFC 3339, UTC)."""
     error: Optional[JobError]
@@ -541,6 +549,9 @@ class JobSummary(TypedDict):
     """Fields of the client, if the request gave some."""
     progress: Progress
     started_at: Optional[str]
+    statistics: NotRequired[Dict[str, Any]]
+    """Statistics of a job that has succeeded. Absent unless the list was asked for with `statistics=true`. The fields
+    depend on the kind."""
     status: Status
     warnings: List[JobWarning]
 
