@@ -25,10 +25,15 @@ TENT = [(0.0, 0.0, 0.0), (8.0, 0.0, 3.0), (8.0, 8.0, 0.0), (0.0, 8.0, 3.0)]
 SURVEY = np.array([2_600_123.123456789, 1_200_456.987654321, 431.25])
 
 
-def large(shift: float = 0.0) -> Dict[str, Any]:
-    """A request that takes seconds, never the same twice with different shifts."""
+def large(shift: float = 0.0, triangles: int = 150_000) -> Dict[str, Any]:
+    """A request that takes a second or more, never the same twice with different shifts."""
     ring = np.array(TENT) + [0.0, 0.0, shift]
-    return requests.minimal_surface([ring], resolution={"triangles": 150_000}, cache="bypass")
+    return requests.minimal_surface([ring], resolution={"triangles": triangles}, cache="bypass")
+
+
+def slow(shift: float) -> Dict[str, Any]:
+    """A request that takes much longer than any test waits, because a wait ends up to a second late."""
+    return large(shift, triangles=900_000)
 
 
 def statuses(client: Plateau, **filters: Any) -> List[str]:
@@ -90,7 +95,7 @@ def test_progress_rises_and_the_bar_is_drawn(capfd: pytest.CaptureFixture[str]) 
 
 def test_a_job_is_cancelled_by_whoever_has_its_handle() -> None:
     client = Plateau()
-    job = client.submit(large(0.002))
+    job = client.submit(slow(0.002))
     assert job.status in ("queued", "running")
     assert job.cancel()["status"] == "cancelled"
     with pytest.raises(JobCancelled):
@@ -107,13 +112,13 @@ def test_who_stops_waiting_cancels_the_job() -> None:
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        client.solve(large(0.003), on_progress=interrupt)
+        client.solve(slow(0.003), on_progress=interrupt)
     with pytest.raises(TimedOut):
-        client.solve(large(0.004), timeout=0.5)
+        client.solve(slow(0.004), timeout=0.5)
 
     async def task() -> None:
         async with AsyncPlateau() as other:
-            running = asyncio.ensure_future(other.solve(large(0.005)))
+            running = asyncio.ensure_future(other.solve(slow(0.005)))
             await asyncio.sleep(0.3)
             running.cancel()
             with pytest.raises(asyncio.CancelledError):
@@ -124,7 +129,7 @@ def test_who_stops_waiting_cancels_the_job() -> None:
 
 
 def test_a_wait_that_times_out_leaves_the_job_running() -> None:
-    job = Plateau().submit(large(0.006))
+    job = Plateau().submit(slow(0.006))
     with pytest.raises(TimedOut):
         job.wait(timeout=0.2)
     assert job.refresh()["status"] in ("queued", "running")

@@ -48,7 +48,8 @@ pub async fn mesh_file(
 
 const ORIGINS: [(&str, Origin); 2] = [("given", Origin::Given), ("local", Origin::Local)];
 
-/// Reads the choices beside the format. A choice that the format does not have is an error.
+/// Reads the choices beside the format. A choice that the format does not have is an error with the status 422, because
+/// each value alone is a valid one.
 fn choices(
     format: MeshFormat,
     origin: Option<&str>,
@@ -66,7 +67,7 @@ fn choices(
     let lines = match lines {
         None => true,
         Some("true") if !format.has_lines() => {
-            return Err(Failure::bad_query(format!("lines must be false with {name}, which has no lines")));
+            return Err(Failure::unwritable(format!("lines must be false with {name}, which has no lines")));
         }
         Some("true") => true,
         Some("false") => false,
@@ -75,7 +76,7 @@ fn choices(
     let ascii = match encoding {
         None => false,
         Some("ascii" | "binary") if format != MeshFormat::Ply => {
-            return Err(Failure::bad_query(format!("encoding is only allowed with ply, not with {name}")));
+            return Err(Failure::unwritable(format!("encoding is only allowed with ply, not with {name}")));
         }
         Some("ascii") => true,
         Some("binary") => false,

@@ -299,8 +299,8 @@ class AsyncPlateau:
 class Live:
     """Solves a stream of requests of which only the newest counts.
 
-    Its requests name one series (`supersede`), so the server cancels the older jobs of the series when it accepts a newer
-    request.
+    Its requests name one series (`supersede`), so the server cancels the older jobs of the series when it accepts a
+    newer request.
     """
 
     def __init__(self, client: AsyncPlateau) -> None:

@@ -73,9 +73,17 @@ fn slack(v: DVec3) -> f64 {
 
 /// The largest step along `step` that keeps |v| below 1; infinite if none leaves the ball.
 fn largest_step(v: DVec3, step: DVec3) -> f64 {
-    // |v + t step|² = 1, without cancellation.
+    // The positive root of a t² + 2 b t - c = 0, which says |v + t step| = 1. Of its two forms the one that does not
+    // cancel is used.
     let (a, b, c) = (step.length_squared(), v.dot(step), slack(v));
-    if a == 0.0 { f64::INFINITY } else { c / (b + (b * b + a * c).sqrt()).max(f64::MIN_POSITIVE) }
+    let root = (b * b + a * c).sqrt();
+    if a == 0.0 {
+        f64::INFINITY
+    } else if b > 0.0 {
+        c / (b + root)
+    } else {
+        (root - b) / a
+    }
 }
 
 impl<'a> Level<'a> {
