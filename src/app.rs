@@ -38,8 +38,9 @@ const START_PATIENCE: Duration = Duration::from_secs(30);
 const SWEEP_INTERVAL: Duration = Duration::from_secs(60);
 /// Interval between two sweeps while the store refuses jobs or results.
 const URGENT_SWEEP_INTERVAL: Duration = Duration::from_secs(5);
-/// Size of the ballast file, which is deleted on a full disk to make room for a sweep. A sweep writes a few megabytes.
-const BALLAST_BYTES: u64 = 16 << 20;
+/// Size of the ballast file, whose space is given up on a full disk: 8 MiB for the results of accepted jobs, and 24 MiB for
+/// a sweep, which copies up to 16 MiB of the write-ahead log and writes a few megabytes.
+const BALLAST_BYTES: u64 = 32 << 20;
 
 /// Runs until the process is told to stop (SIGTERM, Ctrl-C). In the role [`Role::Mcp`] it also stops when standard input
 /// ends.

@@ -87,7 +87,8 @@ pub struct StoreOptions {
     pub connections: u32,
     /// Interval at which watched jobs and the queue are read again without a notification.
     pub poll_interval: Duration,
-    /// Size of the ballast file beside an SQLite database, which is deleted when the disk is full. 0 means no ballast.
+    /// Size of the ballast file beside an SQLite database, whose space is given up when the disk is full. 0 means no
+    /// ballast. Three quarters of it must be larger than the write-ahead log.
     pub ballast_bytes: u64,
 }
 
@@ -188,6 +189,7 @@ impl Store {
             let database = match sqlite::Database::open(url, &options).await {
                 Err(StoreError::NoSpace(_)) => {
                     ballast.give_up();
+                    ballast.give_up_rest();
                     sqlite::Database::open(url, &options).await?
                 }
                 opened => opened?,
@@ -314,7 +316,7 @@ impl Store {
         self.write(move |tx| work(tx, &options)).await
     }
 
-    /// Fails while the ballast is deleted, so that new jobs do not take the space that accepted jobs need.
+    /// Fails while the ballast is given up, so that new jobs do not take the space that accepted jobs need.
     fn check_ballast(&self) -> Result<()> {
         if self.inner.ballast.is_given_up() {
             return Err(StoreError::NoSpace("the disk is full".into()));
@@ -489,6 +491,9 @@ impl Store {
     /// Ends the attempt. The outcome and the new status become visible together. If the worker had lost the job,
     /// changes nothing and returns false.
     pub async fn finish(&self, id: &str, attempt: i64, outcome: Arc<Outcome>) -> Result<bool> {
+        if self.inner.ballast.is_gone() {
+            return Err(StoreError::NoSpace("the disk is full".into()));
+        }
         let result = self.prepare(id, attempt, &outcome).await?;
         let id = id.to_owned();
         let finish = move |tx: &mut Tx<'_>, options: &StoreOptions| {
@@ -568,13 +573,23 @@ impl Store {
 impl Store {
     /// Expires finished jobs whose time is up or that exceed `max_jobs` or four fifths of `max_bytes`. Then deletes the
     /// oldest expired identifiers, removes results without a job and recovers lost leases. Any number of instances may
-    /// sweep at once. If the ballast was deleted and the disk has enough space again, restores the ballast.
+    /// sweep at once. On a full disk the sweep uses the space of the ballast, and then restores as much of the ballast as
+    /// the disk has space for.
     pub async fn sweep(&self) -> Result<Swept> {
-        let swept = retention::sweep(self).await;
-        if let (Engine::Sqlite(database), true) = (&self.inner.engine, self.inner.ballast.is_given_up()) {
-            database.cut_log().await?;
-            self.inner.ballast.restore();
+        let Engine::Sqlite(database) = &self.inner.engine else { return retention::sweep(self).await };
+        if !self.inner.ballast.is_given_up() {
+            return retention::sweep(self).await;
         }
+        self.inner.ballast.give_up_rest();
+        let swept = async {
+            // The log is copied first, because its space is then free for what the sweep writes.
+            database.cut_log().await?;
+            let swept = retention::sweep(self).await?;
+            database.cut_log().await?;
+            Ok(swept)
+        };
+        let swept = swept.await;
+        self.inner.ballast.restore();
         swept
     }
 

@@ -23,14 +23,16 @@ use super::{Result, StoreError, StoreOptions};
 const GROUP_SIZE: usize = 128;
 /// Number of writes that may be queued for the writer. Further callers wait.
 const WRITE_BACKLOG: usize = 1024;
-/// Size to which the write-ahead log is cut after it has been copied into the database.
-const LOG_KEPT_BYTES: u32 = 64 << 20;
+/// Size to which the write-ahead log is cut after it has been copied into the database. The log hardly grows longer,
+/// because the writer then copies it.
+const LOG_KEPT_BYTES: u32 = MAX_LOG_PAGES * 4096;
 /// Number of pages by which the write-ahead log may grow before it is copied while writes continue. Index pages that
 /// many jobs change are then copied only once.
 const COPY_STEP_PAGES: u32 = 1024;
 /// Length of the write-ahead log, in pages, at which the writer itself copies the rest of it. The log starts again from
-/// its beginning only when all of it has been copied, which never happens during writes without a pause.
-const MAX_LOG_PAGES: u32 = 16384;
+/// its beginning only when all of it has been copied, which never happens during writes without a pause. A longer log needs
+/// a larger ballast, because copying the log may extend the database by as much on a disk that is already full.
+const MAX_LOG_PAGES: u32 = 4096;
 /// Size of the writer's page cache. Hashes are indexed, so writes touch pages anywhere in the file.
 const CACHE_KIB: u32 = 8 << 10;
 /// Number of threads that read.
