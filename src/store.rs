@@ -585,6 +585,7 @@ impl Store {
             // The log is copied first, because its space is then free for what the sweep writes.
             database.cut_log().await?;
             let swept = retention::sweep(self).await?;
+            retention::shrink_all(self).await?;
             database.cut_log().await?;
             Ok(swept)
         };

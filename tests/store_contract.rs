@@ -889,12 +889,12 @@ impl Drop for SmallDisk {
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_full_disk_recovers_once_jobs_expire() {
-    let Some(disk) = SmallDisk::mount(96) else { return };
+    let Some(disk) = SmallDisk::mount(80) else { return };
     let url = format!("sqlite://{}/plateau.db", disk.0.path().display());
     let options = StoreOptions {
         retention: Duration::ZERO,
         orphan_age: Duration::ZERO,
-        ballast_bytes: 32 << 20,
+        ballast_bytes: 24 << 20,
         ..StoreOptions::default()
     };
     let store = Store::open(&url, options).await.unwrap();
@@ -932,7 +932,7 @@ async fn a_full_disk_recovers_once_jobs_expire() {
         create(&store, NewJob { request: vec![b' '; 50_000], ..job(100_000 + round) }).await;
         store.delete(&job(100_000 + round).id, None).await.unwrap();
     }
-    assert!(accepted > 300, "{accepted} jobs on a disk that holds some two hundred results");
+    assert!(accepted > 250, "{accepted} jobs on a disk that holds some two hundred results");
 }
 
 async fn results_stay_within_max_bytes(database: Database) {

@@ -222,7 +222,16 @@ async fn remove_files(store: &Store, swept: &mut Swept) -> Result<()> {
     Ok(())
 }
 
-/// Returns unused pages to the file system. PostgreSQL does this by itself.
+/// Returns every unused page of an SQLite database to the file system. A full disk needs all of them, and cannot wait for
+/// later sweeps.
+pub(super) async fn shrink_all(store: &Store) -> Result<()> {
+    while store.read(|tx| tx.exists("SELECT 1 FROM pragma_freelist_count WHERE freelist_count > 0", &[])).await? {
+        store.write(shrink).await?;
+    }
+    Ok(())
+}
+
+/// Returns some unused pages to the file system. PostgreSQL does this by itself.
 fn shrink(tx: &mut Tx<'_>) -> Result<()> {
     if !tx.is_postgres() {
         tx.rows(&format!("PRAGMA incremental_vacuum({SHRINK_PAGES})"), &[])?;
