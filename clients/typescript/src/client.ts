@@ -116,13 +116,15 @@ export class Plateau {
   readonly #headers: Record<string, string>;
   readonly #fetch: typeof fetch;
 
-  constructor(options: PlateauOptions = {}) {
+  /** `options` may be the address alone. */
+  constructor(options: string | PlateauOptions = {}) {
+    const { url, apiKey, patienceMs, fetch }: PlateauOptions = typeof options === 'string' ? { url: options } : options;
     const environment = (globalThis as { process?: { env?: Record<string, string | undefined> } }).process?.env ?? {};
-    this.url = (options.url || environment['PLATEAU_URL'] || 'http://127.0.0.1:8080').replace(/\/+$/, '');
-    const key = options.apiKey ?? environment['PLATEAU_API_KEY'];
+    this.url = (url || environment['PLATEAU_URL'] || 'http://127.0.0.1:8080').replace(/\/+$/, '');
+    const key = apiKey ?? environment['PLATEAU_API_KEY'];
     this.#headers = key ? { Authorization: `Bearer ${key}` } : {};
-    this.#patienceMs = options.patienceMs ?? 60_000;
-    this.#fetch = options.fetch ?? ((input, init) => globalThis.fetch(input, init));
+    this.#patienceMs = patienceMs ?? 60_000;
+    this.#fetch = fetch ?? ((input, init) => globalThis.fetch(input, init));
   }
 
   /** The best triangulated strip between each pair of neighbouring directrices. */

@@ -15,7 +15,7 @@ let server;
 let client;
 before(async () => {
   server = await startServer();
-  client = new Plateau({ url: server.url });
+  client = new Plateau(server.url);
 });
 after(() => server.stop());
 
