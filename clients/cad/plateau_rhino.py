@@ -142,7 +142,8 @@ def main():
     job, ply = outcome
     made = sc.doc.Objects.AddMesh(make_mesh(ply))
     sc.doc.Views.Redraw()
-    for warning in job["warnings"]:
+    # `far_from_zero` is about STL files.
+    for warning in (one for one in job["warnings"] if one["code"] != "far_from_zero"):
         Rhino.RhinoApp.WriteLine(f"Plateau: {warning['detail']}")
     return made
 

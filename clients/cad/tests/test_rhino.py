@@ -38,7 +38,8 @@ def statistics():
 def test_two_open_curves_become_a_strip_at_survey_coordinates_exactly():
     rails = [[(0, 0, 0), (1, 0, 0.2), (2, 0, 0)], [(0, 1, 0), (2, 1, 0.5)]]
     fresh(*(polyline(rail, SURVEY) for rail in rails), unit="Millimeters")
-    assert plateau_rhino.main() == 1, document.said
+    # The job warns that STL files are relative to an origin, which does not concern Rhino.
+    assert plateau_rhino.main() == 1 and not any("STL" in line for line in document.said), document.said
     (mesh,) = document.meshes
     assert mesh.IsValid and len(mesh.Faces) == 3 and len(mesh.Normals) == 5
     expected = [[value + by for value, by in zip(point, SURVEY)] for rail in rails for point in rail]
