@@ -358,7 +358,7 @@ def ratio(value):
 def length(metres):
     if metres == 0:
         return "exact"
-    return f"{metres * 1000:.1g} mm" if metres < 1 else f"{metres:.2g} m"
+    return f"{metres * 1000:.1g} mm" if metres < 0.01 else f"{metres:.1g} m"
 
 
 def main():
