@@ -91,12 +91,17 @@ use solvers::{chen_cai_zheng, dirichlet, liu_wang, newton as default_solver, pin
 /// before there is a mesh.
 pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<MinimalSurface, Error> {
     let input = Input::read(boundaries, options)?;
+    let shared = input.shared_point();
+    solve_input(input, options, exec).map_err(|error| Input::with_shared_point(shared, error))
+}
+
+fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<MinimalSurface, Error> {
     exec.look(input.point_count() as u64)?;
     if let InitialMesh::Given(mesh) = &options.initial_mesh
         && has_junctions(&mesh.triangles)
     {
         let mut surface = triple_junction::solve(&input.given, &input.vertices, mesh, options, exec)?;
-        surface.warnings.extend(input.merged_points());
+        surface.warnings.extend(input.warnings());
         return Ok(surface.checked(exec)?);
     }
     let given = options;
@@ -113,7 +118,8 @@ pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> 
     let solved = match solved {
         Some(solved) => solved,
         None => {
-            let (start, kind) = initial_mesh::build(&input.centred, options, exec)?;
+            let built = initial_mesh::build(&input.centred, options, exec);
+            let (start, kind) = built.map_err(|error| input.placed_as_given(error))?;
             let mut film = start.refined(exec)?;
             let initial_area = film.area();
             let run = relax(&mut film, options, exec)?;

@@ -1,5 +1,7 @@
 //! Polylines: points in order, open or closed (a closed one does not repeat its first point).
 
+pub(crate) mod contact;
+
 use crate::DVec3;
 
 /// Coordinates beyond this could overflow where six lengths are multiplied, as in the square of an area times a length.

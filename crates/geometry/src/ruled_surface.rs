@@ -71,7 +71,7 @@ use graph::rails::Rails;
 use stack::assemble::assemble;
 use stack::direction::choose_directions;
 use stack::prepare::prepare;
-use stack::{caps, sampling, warnings};
+use stack::{caps, meetings, sampling, warnings};
 use strip::objective::Goal;
 use strip::search::{SolvedStrips, solve_all};
 
@@ -109,6 +109,8 @@ fn solve_with(
     lanes: Widest,
 ) -> Result<RuledSurface, Error> {
     let mut prepared = prepare(directrices, options, options.sampling, execution)?;
+    let meetings = meetings::warnings(&prepared, execution)?;
+    prepared.warnings.extend(meetings);
     let test = ConvexityTest::new(options.convexity_tolerance);
     let mut pulse = Pulse::new(execution, stack::estimate::estimate(&prepared.lengths(), options).cells);
     let goal = Goal { objective: options.objective, secondary: options.secondary };

@@ -7,7 +7,7 @@ use boundaries::{circle, helicoid, rings, sides};
 use plateau_geometry::mesh::measure;
 use plateau_geometry::minimal_surface::{
     BoundarySampling, Constraints, InitialMesh, Method, MinimalSurface, Newton, OnUnstable, Options, Resolution,
-    VertexRelaxation, solve,
+    TopologyRule, VertexRelaxation, solve,
 };
 use plateau_geometry::polyline::{self, SAME_POINT};
 use plateau_geometry::{DVec3, Error, Execution, Interruption, Mesh, Signal};
@@ -77,6 +77,14 @@ fn refused(given: &[Vec<DVec3>], options: &Options) -> String {
     let error = solve(given, options, &Execution::default()).unwrap_err();
     assert!(!matches!(error, Error::Interrupted(_)));
     error.to_string()
+}
+
+/// The places of the sides that meet.
+fn crossings(given: &[Vec<DVec3>]) -> Vec<String> {
+    match solve(given, &options(100), &Execution::default()) {
+        Err(Error::NoResult { places, .. }) => places.iter().map(|error| error.place.to_string()).collect(),
+        other => panic!("expected crossing sides, got {other:?}"),
+    }
 }
 
 /// Turned about a skew axis and moved.
@@ -368,6 +376,11 @@ fn impossible_inputs_name_the_reason() {
     let bow_tie = flat(&[(0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0)]);
     assert!(refused(std::slice::from_ref(&bow_tie), &options(100)).starts_with("self_intersecting_boundary"));
     assert!(refused(&[moved(&bow_tie, at(3.0, 0.0, 1e3))], &options(100)).starts_with("self_intersecting_boundary"));
+    // The first point is repeated, so the places are those of the input's points.
+    let repeated = flat(&[(0.0, 0.0), (0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0)]);
+    assert_eq!(crossings(std::slice::from_ref(&repeated)), ["/boundaries/0/0", "/boundaries/0/3"]);
+    let far = moved(&repeated, at(3.0, 0.0, 1e3));
+    assert_eq!(crossings(&[far]), ["/boundaries/0/0", "/boundaries/0/3"]);
     assert!(refused(&[circle(200, 1.0, 0.0)], &options(50)).starts_with("/resolution"));
     assert!(
         refused(std::slice::from_ref(&triangle), &Options::new(Resolution::EdgeLength(-1.0)))
@@ -608,4 +621,21 @@ fn triangles_face_the_side_from_which_the_first_boundary_runs_counter_clockwise(
         let normals = measure::vertex_normals(&surface.mesh);
         assert!(normals.iter().all(|n| (n.z - if reversed { -1.0 } else { 1.0 }).abs() < 1e-12));
     }
+}
+
+#[test]
+fn loops_that_share_a_point_are_told_so() {
+    let square = flat(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]);
+    let above = vec![at(1.0, 1.0, 0.0), at(2.0, 1.0, 1.0), at(2.0, 2.0, 1.0), at(1.0, 2.0, 1.0)];
+    let method = Method::Newton(Newton { topology: TopologyRule::Best, ..Newton::default() });
+    let apart = Options { method, ..options(400) };
+    let surface = solve(&[square.clone(), above.clone()], &apart, &Execution::default()).unwrap();
+    let shared: Vec<_> = surface.warnings.iter().filter(|warning| warning.code == "shared_points").collect();
+    assert_eq!(shared.len(), 1, "{:?}", surface.warnings);
+    assert!(shared[0].detail.starts_with("/boundaries/1/0 is also point 2 of boundary 0: "), "{}", shared[0].detail);
+    // A film that has to connect them fails, and the point is named there too.
+    assert_eq!(crossings(&[square.clone(), above]), ["/topology", "/boundaries/1/0"]);
+    let below = moved(&square, at(0.0, 0.0, 9.0));
+    let surface = solve(&[square, below], &apart, &Execution::default()).unwrap();
+    assert!(surface.warnings.iter().all(|warning| warning.code != "shared_points"));
 }

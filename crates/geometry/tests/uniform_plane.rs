@@ -375,7 +375,17 @@ fn bad_input_is_named() {
         ["/domain/polygon/1", "/domain/polygon/2"]
     );
     assert_eq!(places(&polygon(&[[0.0, 0.0], [1e200, 0.0], [0.0, 1.0]]), 1.0), ["/domain/polygon/1"]);
-    // A bow tie of unequal halves.
+    // Bow ties of equal halves, whose areas cancel out, and of unequal ones.
+    let equal_halves = [[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 4.0]];
+    assert_eq!(places(&polygon(&equal_halves), 1.0), ["/domain/polygon/0"]);
+    let refused = run(&polygon(&equal_halves), 1.0, Objective::MostEqualEdges).unwrap_err();
+    assert!(refused.to_string().ends_with("the side from this point meets the side from point 2"), "{refused}");
+    // A loop in space that crosses itself nowhere, and whose area vector vanishes all the same.
+    let turns = (0..24).map(|k| f64::from(k) * TAU / 24.0);
+    let outer = turns.map(|t| DVec3::new(t.cos(), (2.0 * t).sin(), (3.0 * t).sin())).collect();
+    let in_space = Domain::Polygon { outer, holes: Vec::new() };
+    let refused = run(&in_space, 0.1, Objective::MostEqualEdges).unwrap_err().to_string();
+    assert!(refused.starts_with("/domain/polygon: ") && refused.contains("cancel out"), "{refused}");
     assert_eq!(places(&polygon(&[[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 7.0]]), 1.0).len(), 1);
     // A corner on another side; two corners at one place; a side run along twice.
     assert_eq!(places(&polygon(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [4.0, 0.0], [0.0, 8.0]]), 1.0).len(), 2);

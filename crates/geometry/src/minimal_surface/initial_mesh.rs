@@ -19,6 +19,7 @@ use crate::error::InputError;
 use crate::mesh::film::Film;
 use crate::mesh::self_intersections::{Order, self_intersections};
 use crate::plane::frame::Frame;
+use crate::polyline::contact::{Contact, Segments, first_contact};
 use crate::{DVec3, Error, Execution, Interruption, Place};
 use barycentres::candidate_mesh;
 use domain::{Shape, best_plane, largest_height};
@@ -118,14 +119,15 @@ pub(super) fn build(
             (Ok(start), Some(_)) if !crosses_itself(&start.film, exec)? => start,
             // All of them cross themselves: the first one is as good as any.
             (_, Some(first)) => first,
-            (Err(error), None) => return Err(refusal(boundaries, error, false)),
+            (Err(error), None) => return Err(refusal(boundaries, error, None, exec)),
         };
         Ok((start, kind))
     };
     match &options.initial_mesh {
         InitialMesh::Rings => Ok((whole(rings::build(boundaries, options, exec)?), InitialMeshKind::Rings)),
         InitialMesh::Planar => {
-            let start = attempt(Shape::Plane(frame))?.map_err(|error| refusal(boundaries, error, true))?;
+            let start =
+                attempt(Shape::Plane(frame))?.map_err(|error| refusal(boundaries, error, Some(&frame), exec))?;
             Ok((start, InitialMeshKind::Planar))
         }
         InitialMesh::Disk => curved(),
@@ -138,10 +140,10 @@ pub(super) fn build(
                     Err(error @ (PlaneError::NotSimple(_) | PlaneError::PointOutside(_)))
                         if flat && boundaries.len() == 1 =>
                     {
-                        return Err(refusal(boundaries, error, true));
+                        return Err(refusal(boundaries, error, Some(&frame), exec));
                     }
                     Err(error @ (PlaneError::TooManyPoints | PlaneError::TooCoarse { .. })) => {
-                        return Err(refusal(boundaries, error, true));
+                        return Err(refusal(boundaries, error, Some(&frame), exec));
                     }
                     _ => {}
                 }
@@ -223,8 +225,40 @@ fn is_gentle(boundaries: &[Vec<DVec3>], frame: &Frame) -> bool {
     })
 }
 
-/// The error for a domain that has no mesh.
-fn refusal(boundaries: &[Vec<DVec3>], error: PlaneError, plane: bool) -> Error {
+/// Largest distance, as a fraction of the boundaries' extent, at which sides touch when they are seen in their plane.
+const TOUCHING: f64 = 1e-12;
+
+/// The two points from which the first sides start that meet when they are seen in a plane, or none.
+fn crossing_places(
+    boundaries: &[Vec<DVec3>],
+    frame: &Frame,
+    exec: &Execution,
+) -> Result<Vec<InputError>, Interruption> {
+    let flat = |boundary: &Vec<DVec3>| -> Vec<DVec3> {
+        boundary.iter().map(|&point| frame.project(point).extend(0.0)).collect()
+    };
+    let flat: Vec<Vec<DVec3>> = boundaries.iter().map(flat).collect();
+    let segments: Vec<Segments> = flat.iter().map(|points| Segments::new(points, true)).collect();
+    let tolerance = TOUCHING * extent(boundaries);
+    for k in 0..boundaries.len() {
+        for l in k..boundaries.len() {
+            let count = boundaries[k].len();
+            let apart = |c: &Contact| k != l || (c.first + 1 < c.second && (c.second + 1) % count != c.first);
+            if let Some(contact) = first_contact(&segments[k], &segments[l], tolerance, apart, exec)? {
+                let sides = [(k, contact.first), (l, contact.second)];
+                let place = |[(k, i), (l, j)]: [(usize, usize); 2]| {
+                    let detail = format!("the side from this point meets the side from point {j} of boundary {l}");
+                    InputError::new(Place::field("boundaries").at(k).at(i), detail)
+                };
+                return Ok(vec![place(sides), place([sides[1], sides[0]])]);
+            }
+        }
+    }
+    Ok(Vec::new())
+}
+
+/// The error for a domain that has no mesh. `plane` is the plane in which the mesh was made.
+fn refusal(boundaries: &[Vec<DVec3>], error: PlaneError, plane: Option<&Frame>, exec: &Execution) -> Error {
     match error {
         PlaneError::Interrupted(interruption) => interruption.into(),
         PlaneError::TooManyPoints => {
@@ -241,15 +275,20 @@ fn refusal(boundaries: &[Vec<DVec3>], error: PlaneError, plane: bool) -> Error {
                 format!("the boundaries' own points already make {triangles} triangles, which is too many for it");
             Error::input(Place::field("resolution"), detail)
         }
-        PlaneError::NotSimple(_) if plane => Error::NoResult {
+        PlaneError::NotSimple(_) if plane.is_some() => Error::NoResult {
             reason: "self_intersecting_boundary",
             detail:
                 "seen in its plane the boundary crosses or touches itself, so that no mesh without folds spans it; \
                      move the points apart, or ask for the initial mesh disk if the boundary is a curve in space"
                     .into(),
-            places: (0..boundaries.len())
-                .map(|k| InputError::new(Place::field("boundaries").at(k), "is part of a boundary that is not simple"))
-                .collect(),
+            places: match plane.map(|frame| crossing_places(boundaries, frame, exec)) {
+                Some(Ok(places)) if !places.is_empty() => places,
+                _ => (0..boundaries.len())
+                    .map(|k| {
+                        InputError::new(Place::field("boundaries").at(k), "is part of a boundary that is not simple")
+                    })
+                    .collect(),
+            },
         },
         PlaneError::NotSimple(_) => Error::no_result(
             "degenerate_boundary",

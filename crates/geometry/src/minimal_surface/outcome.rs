@@ -148,7 +148,7 @@ pub(super) fn finish(
     let statistics =
         statistics::collect(&film, &topology, &measured, statistics::Origin { kind, initial_area, run }, options);
     let mut warnings = Vec::new();
-    warnings.extend(input.merged_points());
+    warnings.extend(input.warnings());
     if !statistics.pinches.is_empty() {
         let detail = format!(
             "the film came apart at {} places; its topology is not the initial mesh's",

@@ -1,7 +1,7 @@
 //! Checks and centres the boundaries of a request.
 
 use super::options::Options;
-use crate::error::{InputError, Warning};
+use crate::error::{InputError, Step, Warning};
 use crate::polyline::{LARGEST_COORDINATE, merge_near_neighbours};
 use crate::{DVec3, Error, Place};
 
@@ -13,6 +13,8 @@ pub(super) struct Input {
     pub centred: Vec<Vec<DVec3>>,
     /// For each input point its vertex.
     pub vertices: Vec<Vec<u32>>,
+    /// For each point of `given` the index of its input point.
+    sources: Vec<Vec<usize>>,
     dropped: usize,
 }
 
@@ -28,6 +30,7 @@ impl Input {
         }
         let mut given = Vec::with_capacity(boundaries.len());
         let mut vertices = Vec::with_capacity(boundaries.len());
+        let mut sources = Vec::with_capacity(boundaries.len());
         let (mut first, mut dropped) = (0u32, 0);
         for (k, boundary) in boundaries.iter().enumerate() {
             for (i, point) in boundary.iter().enumerate() {
@@ -54,6 +57,7 @@ impl Input {
             first += merged.points.len() as u32;
             dropped += merged.dropped();
             given.push(merged.points);
+            sources.push(merged.source);
         }
         // The film between a loop and its copy has no area, so no size of triangle suits it.
         let mut seen = std::collections::BTreeMap::new();
@@ -74,11 +78,59 @@ impl Input {
         let all: Vec<DVec3> = given.iter().flatten().copied().collect();
         let centre = crate::polyline::mean(&all);
         let centred = given.iter().map(|points| points.iter().map(|&p| p - centre).collect()).collect();
-        Ok(Self { centre, given, centred, vertices, dropped })
+        Ok(Self { centre, given, centred, vertices, sources, dropped })
     }
 
-    pub fn merged_points(&self) -> Option<Warning> {
-        (self.dropped > 0).then(|| Warning::merged_points(self.dropped, None))
+    /// Warnings about the boundaries themselves.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let merged = (self.dropped > 0).then(|| Warning::merged_points(self.dropped, None));
+        let shared =
+            self.shared_point().map(|point| Warning::new("shared_points", format!("{} {}", point.place, point.detail)));
+        merged.into_iter().chain(shared).collect()
+    }
+
+    /// The first point that two boundaries have in common, on the later one, with what a caller should know.
+    pub fn shared_point(&self) -> Option<InputError> {
+        let mut owners = std::collections::BTreeMap::new();
+        let (mut first, mut count) = (None, 0);
+        for (k, points) in self.given.iter().enumerate() {
+            for (i, point) in points.iter().enumerate() {
+                let bits = (*point + DVec3::ZERO).to_array().map(f64::to_bits);
+                let &mut (owner, number) = owners.entry(bits).or_insert((k, i));
+                if owner != k {
+                    count += 1;
+                    first.get_or_insert([(owner, number), (k, i)]);
+                }
+            }
+        }
+        let [(owner, number), (k, i)] = first?;
+        let others = if count > 1 { format!(" ({} more are shared)", count - 1) } else { String::new() };
+        let detail = format!(
+            "is also point {} of boundary {owner}{others}: the mesh has a vertex for each boundary there, so the film only \
+             touches itself",
+            self.sources[owner][number]
+        );
+        Some(InputError::new(Place::field("boundaries").at(k).at(self.sources[k][i]), detail))
+    }
+
+    /// The error with the numbers of the input's points instead of those that are left after merging.
+    pub fn placed_as_given(&self, mut error: Error) -> Error {
+        if let Error::NoResult { places, .. } = &mut error {
+            for place in places {
+                if let [Step::Field("boundaries"), Step::Index(k), Step::Index(i)] = &mut place.place.0[..] {
+                    *i = self.sources[*k][*i];
+                }
+            }
+        }
+        error
+    }
+
+    /// The error with the first point that two boundaries share, which may be the reason for having no mesh.
+    pub fn with_shared_point(shared: Option<InputError>, mut error: Error) -> Error {
+        if let Error::NoResult { places, .. } = &mut error {
+            places.extend(shared);
+        }
+        error
     }
 
     pub fn point_count(&self) -> usize {

@@ -4,6 +4,7 @@ pub(crate) mod assemble;
 pub(crate) mod caps;
 pub(crate) mod direction;
 pub(crate) mod estimate;
+pub(crate) mod meetings;
 pub(crate) mod options;
 pub(crate) mod prepare;
 pub(crate) mod sampling;

@@ -39,6 +39,10 @@ impl Directrix {
         }
         self.reversed = !self.reversed;
     }
+    /// The first input point at or after a point of a directrix that is not reversed.
+    pub(crate) fn input_point(&self, index: usize) -> usize {
+        self.vertex_of.iter().position(|&vertex| vertex >= index).unwrap_or(0)
+    }
     pub(crate) fn vertex(&self, index: usize) -> u32 {
         let index = if self.reversed { self.points.len() - 1 - index } else { index };
         (self.offset + index) as u32

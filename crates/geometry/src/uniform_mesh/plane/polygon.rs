@@ -3,10 +3,13 @@
 use super::mesh::Outline;
 use super::sides::{Division, Sides, is_sharp, pieces};
 use crate::error::{Error, InputError, Place, Warning};
+use crate::execution::{Execution, Signal};
 use crate::plane::frame::Frame;
 use crate::plane::polygon::doubled_area;
-use crate::polyline::{LARGEST_COORDINATE, mean, merge_near_neighbours};
+use crate::polyline::contact::{Contact, Segments, first_contact};
+use crate::polyline::{LARGEST_COORDINATE, Merged, mean, merge_near_neighbours};
 use crate::{DVec2, DVec3};
+use std::cell::Cell;
 
 /// How far a point may lie off the plane, as a fraction of the polygon's size.
 pub(in crate::uniform_mesh) const PLANARITY: f64 = 1e-6;
@@ -65,9 +68,7 @@ impl Polygon {
         if dropped > 0 {
             warnings.push(Warning::new("merged_points", format!("{dropped} repeated points were merged")));
         }
-        let frame = Frame::of_loop(&merged[0].points).ok_or_else(|| {
-            Error::input(ring_place(0), "encloses no area: all points lie on one line, or loops cancel out")
-        })?;
+        let frame = Frame::of_loop(&merged[0].points).ok_or_else(|| without_area(&merged[0]))?;
         let size = merged[0].points.iter().map(|p| p.distance(frame.origin)).fold(0.0, f64::max);
         let tolerance = PLANARITY * size;
         let off = merged
@@ -174,6 +175,42 @@ impl Polygon {
         let holes = self.outline.loops.len() as f64 - 1.0;
         let nodes = (self.outline.area() / 3f64.sqrt() + boundary + 2.0 - 2.0 * holes) / 2.0;
         ((nodes - 1e-9).ceil().max(0.0) as usize).max(self.sides.lengths().count())
+    }
+}
+
+/// Number of looks that the search for a crossing may take, which is a quarter of a million pairs of boxes and about 0.1 s.
+/// Zigzags whose boxes all overlap would take time as the square of their number of points, and [`Polygon::new`] also
+/// checks requests before they are queued.
+const MOST_LOOKS: u32 = 64;
+
+/// The error for an outer loop whose area vector vanishes: its points lie on one line, or it crosses itself, as a bow-tie
+/// does, and its parts cancel out.
+fn without_area(outer: &Merged) -> Error {
+    let points = &outer.points;
+    let count = points.len();
+    let size = points.iter().map(|p| p.distance(points[0])).fold(0.0, f64::max);
+    let farthest = points.iter().copied().max_by(|a, b| a.distance(points[0]).total_cmp(&b.distance(points[0])));
+    let along = farthest.map_or(DVec3::X, |p| (p - points[0]) / size);
+    if points.iter().all(|p| (*p - points[0]).cross(along).length() <= PLANARITY * size) {
+        return Error::input(ring_place(0), "encloses no area: all points lie on one line");
+    }
+    let segments = Segments::new(points, true);
+    let are_apart =
+        |contact: &Contact| contact.first + 1 < contact.second && (contact.second + 1) % count != contact.first;
+    let looks = Cell::new(0);
+    let signal = || {
+        looks.set(looks.get() + 1);
+        if looks.get() > MOST_LOOKS { Signal::Cancel } else { Signal::Continue }
+    };
+    let limited = Execution::new(&signal, &|_| {});
+    match first_contact(&segments, &segments, PLANARITY * size, are_apart, &limited) {
+        Ok(Some(contact)) => {
+            let [first, second] = [contact.first, contact.second].map(|k| outer.source[k]);
+            let detail =
+                format!("the polygon crosses itself: the side from this point meets the side from point {second}");
+            Error::input(place(0, first), detail)
+        }
+        _ => Error::input(ring_place(0), "encloses no area: parts of it run in opposite senses and cancel out"),
     }
 }
 
