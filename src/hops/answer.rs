@@ -4,7 +4,7 @@ use super::component::{Component, Geometry, Output, Source, Type};
 use crate::export::archive::{Archive, LineSet, Lines};
 use crate::export::{Error, Pattern};
 use crate::opennurbs::{envelope, write};
-use crate::wire::job::Job;
+use crate::wire::job::{Job, JobWarning};
 use serde::Serialize;
 use serde::ser::SerializeMap;
 use serde_json::Value;
@@ -106,10 +106,12 @@ impl<'a> Answer<'a> {
             Source::Progress => Items::Made(vec![Item::new(Type::Number, &job.progress.fraction.into())]),
         };
         let tree = |output: &Output| Tree { name: output.name, items: items(output) };
+        // Meshes of openNURBS are in double precision, so a warning about STL files does not concern them.
+        let warnings = job.warnings.iter().filter(|warning| warning.code != JobWarning::FAR_FROM_ZERO);
         Self {
             values: component.outputs.iter().map(tree).collect(),
             errors: Vec::new(),
-            warnings: job.warnings.iter().map(|warning| warning.detail.clone()).collect(),
+            warnings: warnings.map(|warning| warning.detail.clone()).collect(),
         }
     }
 

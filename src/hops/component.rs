@@ -521,11 +521,8 @@ impl Component {
 impl Input {
     fn description(&self) -> Value {
         // The largest number of 32 bits stands for no limit.
-        let (least, most) = self.at_least.map_or((1, 1), |least| (least, i32::MAX));
-        let mut description = json!({
-            "Name": self.name, "Nickname": self.nickname, "Description": self.description,
-            "ParamType": self.of.name(), "ResultType": self.of.result(), "AtLeast": least, "AtMost": most,
-        });
+        let number = self.at_least.map_or((1, 1), |least| (least, i32::MAX));
+        let mut description = parameter([self.name, self.nickname, self.description], self.of, number);
         if let Some(default) = &self.default {
             description["Default"] = default.clone();
         }
@@ -535,11 +532,16 @@ impl Input {
 
 impl Output {
     fn description(&self) -> Value {
-        json!({
-            "Name": self.name, "Nickname": self.nickname, "Description": self.description,
-            "ParamType": self.of.name(), "ResultType": self.of.result(), "AtLeast": 1, "AtMost": i32::MAX,
-        })
+        parameter([self.name, self.nickname, self.description], self.of, (1, i32::MAX))
     }
+}
+
+/// Returns the description of an input or output that has from `least` to `most` values.
+fn parameter([name, nickname, description]: [&str; 3], of: Type, (least, most): (u32, i32)) -> Value {
+    json!({
+        "Name": name, "Nickname": nickname, "Description": description,
+        "ParamType": of.name(), "ResultType": of.result(), "AtLeast": least, "AtMost": most,
+    })
 }
 
 /// Returns the icon of all components: a PNG of 24 × 24 pixels in base64.

@@ -311,11 +311,13 @@ fn outcome(ended: Ended) -> Option<Outcome> {
         Ended::Unsolved(Unsolved::Cancelled) => return None,
         Ended::Unsolved(Unsolved::Failed(error)) => error,
         Ended::Rejected(rejection) => {
-            let errors = match rejection {
-                Rejection::Malformed(_) => Vec::new(),
-                Rejection::Invalid(errors) | Rejection::InvalidInPart(errors) | Rejection::TooLarge(errors) => errors,
+            let (detail, errors) = match rejection {
+                Rejection::Malformed(detail) => (detail, Vec::new()),
+                Rejection::Invalid(errors) | Rejection::InvalidInPart(errors) | Rejection::TooLarge(errors) => {
+                    (solve::causes(&errors), errors)
+                }
             };
-            JobError::new("refused", "see errors", errors)
+            JobError::new("refused", detail, errors)
         }
         Ended::Panicked => {
             let detail = "the solver hit a defect of this server; the request is not the cause";
@@ -329,6 +331,7 @@ fn outcome(ended: Ended) -> Option<Outcome> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::wire::FieldError;
 
     #[test]
     fn a_panic_of_the_solver_makes_the_job_fail_with_the_type_solver_panicked() {
@@ -336,6 +339,19 @@ mod tests {
         let Some(Outcome::Failed { error }) = outcome(ended) else { panic!("should have failed") };
         let error: JobError = serde_json::from_str(&error).unwrap();
         assert_eq!(error.kind, "/problems/solver-panicked");
+    }
+
+    #[test]
+    fn a_stored_request_that_is_no_longer_accepted_fails_with_the_cause_as_its_detail() {
+        let errors = vec![FieldError::new("/boundaries", "is too large"), FieldError::new("/units", "is unknown")];
+        for (rejection, detail) in [
+            (Rejection::Invalid(errors), "/boundaries is too large; one more error is listed in errors"),
+            (Rejection::Malformed("the body is UTF-16".into()), "the body is UTF-16"),
+        ] {
+            let Some(Outcome::Failed { error }) = outcome(Ended::Rejected(rejection)) else { panic!("failed") };
+            let error: JobError = serde_json::from_str(&error).unwrap();
+            assert_eq!((error.kind.as_str(), error.detail.as_str()), ("/problems/refused", detail));
+        }
     }
 
     #[test]

@@ -70,8 +70,8 @@ impl From<Error> for Unsolved {
 }
 
 /// Returns the first error as text, with the number of the others.
-fn causes(errors: &[FieldError]) -> String {
-    let Some(first) = errors.first() else { return "the solver refused the geometry".into() };
+pub(super) fn causes(errors: &[FieldError]) -> String {
+    let Some(first) = errors.first() else { return "the request was refused".into() };
     let first_one = format!("{} {}", first.pointer, first.detail);
     match errors.len() - 1 {
         0 => first_one,
@@ -109,7 +109,8 @@ pub fn solve(request: &Request, signal: &dyn Fn() -> Signal, report: &dyn Fn(Pro
 fn far_from_zero(archive: &Archive) -> Option<JobWarning> {
     let detail = "the mesh is so far from zero, compared with its size, that 32-bit numbers cannot hold its coordinates: \
         STL files are relative to `origin` of the statistics, unless they are asked for with `origin=given`";
-    archive.contents().is_far_from_zero().then(|| JobWarning { code: "far_from_zero".into(), detail: detail.into() })
+    let warning = || JobWarning { code: JobWarning::FAR_FROM_ZERO.into(), detail: detail.into() };
+    archive.contents().is_far_from_zero().then(warning)
 }
 
 fn origin(mesh: &Mesh) -> [f64; 3] {

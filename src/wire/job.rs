@@ -29,6 +29,11 @@ pub struct JobWarning {
     pub detail: String,
 }
 
+impl JobWarning {
+    /// Code of the warning that STL files are not in the request's coordinates.
+    pub const FAR_FROM_ZERO: &str = "far_from_zero";
+}
+
 /// Reason for a failure: what was wrong with the geometry, and what to try.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct JobError {

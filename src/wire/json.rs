@@ -18,6 +18,9 @@ pub fn parse(body: &[u8]) -> Result<Value, Rejection> {
     if let Some(encoding) = foreign_encoding(body) {
         return Err(Rejection::Malformed(format!("the body {encoding}: send JSON as UTF-8 without a byte order mark")));
     }
+    if body.iter().all(u8::is_ascii_whitespace) {
+        return Err(Rejection::Malformed("the body is empty: send a JSON object".into()));
+    }
     let mut deserializer = serde_json::Deserializer::from_slice(body);
     let outcome = Strict.deserialize(&mut deserializer).and_then(|value| deserializer.end().map(|()| value));
     outcome.map_err(|error| {
@@ -29,11 +32,15 @@ pub fn parse(body: &[u8]) -> Result<Value, Rejection> {
                 "is not a finite number in 64-bit floating point",
             )]);
         }
-        match not_a_number(body, offset_of(body, error.line(), error.column())) {
+        let end = offset_of(body, error.line(), error.column());
+        match not_a_number(body, end) {
             Some((start, name)) => Rejection::Invalid(vec![FieldError::new(
                 pointer_at(body, start),
                 format!("is {name}, which JSON cannot hold: only finite numbers are allowed"),
             )]),
+            None if end > 0 && body[end - 1] == b'\'' => {
+                Rejection::Malformed(format!("{text}: JSON writes names and strings in double quotes"))
+            }
             None => Rejection::Malformed(text),
         }
     })
@@ -241,6 +248,22 @@ mod tests {
     fn integral_floats_are_integers_and_minus_zero_keeps_its_sign() {
         assert_eq!(parse(b"2050.0").unwrap(), Value::from(2050));
         assert!(parse(b"-0.0").unwrap().as_f64().unwrap().is_sign_negative());
+    }
+
+    #[test]
+    fn empty_bodies_and_single_quotes_are_named() {
+        for (body, detail) in [
+            ("", "the body is empty: send a JSON object"),
+            (" \n", "the body is empty: send a JSON object"),
+            (
+                "{'units': \"m\"}",
+                "key must be a string at line 1 column 2: JSON writes names and strings in double quotes",
+            ),
+            ("{\"units\":\n 'm'}", "expected value at line 2 column 2: JSON writes names and strings in double quotes"),
+            ("{\"units\": m}", "expected value at line 1 column 11"),
+        ] {
+            assert!(matches!(parse(body.as_bytes()), Err(Rejection::Malformed(text)) if text == detail), "{body}");
+        }
     }
 
     #[test]

@@ -5,11 +5,18 @@ use super::components::{components, request_component};
 use super::{FieldError, Kind};
 use serde_json::{Value, json};
 
+/// Detail of the error for points in place of the object that says what a uniform mesh spans.
+const DOMAIN: &str =
+    r#"is a list: it is an object that says what it holds, such as {"polygon": [[0, 0, 0], [4, 0, 0], [4, 3, 0]]}"#;
+
 /// Replaces the details of errors at points and at lists of points by the expected form with an example. If a whole list
 /// lacks a level of brackets, one error at the list replaces those at each of its values.
 pub(super) fn explain(kind: Kind, body: &Value, errors: &mut Vec<FieldError>) {
     let mut flat: Vec<String> = Vec::new();
     for error in errors.iter_mut() {
+        if kind == Kind::UniformMesh && error.pointer == "/domain" && body["domain"].is_array() {
+            error.detail = DOMAIN.into();
+        }
         let (Some(form), Some(given)) = (form_at(kind, &error.pointer), body.pointer(&error.pointer)) else { continue };
         if let Some(list) = too_flat(kind, body, &error.pointer) {
             if !flat.contains(&list) {
@@ -174,6 +181,15 @@ mod tests {
             let found = errors(kind, &body);
             assert_eq!((found.len(), found[0].0.as_str()), (1, pointer), "{found:?}");
             assert!(found[0].1.starts_with("lacks a level of brackets: it is a list of "), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn points_in_place_of_a_domain_are_told_the_form_of_a_domain() {
+        for domain in [json!([[0, 0, 0], [1, 0, 0], [1, 1, 0]]), json!([])] {
+            let found = errors(Kind::UniformMesh, &json!({ "domain": domain, "edge_length": 1 }));
+            assert_eq!(found.len(), 1, "{found:?}");
+            assert!(found[0].0 == "/domain" && found[0].1.contains(r#"such as {"polygon": [[0, 0, 0]"#), "{found:?}");
         }
     }
 

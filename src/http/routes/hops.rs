@@ -176,9 +176,6 @@ impl Run<'_> {
     }
 }
 
-/// Detail of a failed job that leaves everything to its errors.
-const SEE_ERRORS: &str = "see errors";
-
 /// Returns the failure for a job that has failed. Only a defect of the server is a server's error.
 fn failed(error: &JobError) -> Failure {
     let detail = format!("{}: {}", error.title, error.detail);
@@ -188,7 +185,7 @@ fn failed(error: &JobError) -> Failure {
     }
     let mut errors = error.errors.clone();
     // The detail may say nothing but what the errors say.
-    let said = error.detail == SEE_ERRORS || error.errors.iter().any(|one| error.detail.contains(&one.detail));
+    let said = error.errors.iter().any(|one| error.detail.contains(&one.detail));
     if !said {
         errors.insert(0, FieldError::new("", detail));
     }
