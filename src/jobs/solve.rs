@@ -295,7 +295,8 @@ fn tensile(
     for (cable, result) in structure.cables.iter().zip(&found.cables) {
         let pairs = result.vertices.windows(2).map(|pair| [pair[0], pair[1]]).collect();
         let lines = Lines::Segments { pairs, values: forces(result.segment_forces.clone()) };
-        line_sets.push(LineSet { name: "cables".into(), group: cable.name.clone(), lines });
+        let name = if cable.course.is_mast() { "masts" } else { "cables" };
+        line_sets.push(LineSet { name: name.into(), group: cable.name.clone(), lines });
     }
     line_sets.push(line_set("reactions", reactions(&found, forces)));
     let archive = archive(Contents {
@@ -311,7 +312,7 @@ fn tensile(
         unrolls: false,
         certificate: None,
     })?;
-    let reproducible = found.statistics.stop_reason != tensile_structure::StopReason::Deadline;
+    let reproducible = found.statistics.stop_reason != StopReason::Deadline;
     Ok(Solved { statistics, warnings: warnings(found.warnings), archive, reproducible })
 }
 

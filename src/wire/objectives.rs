@@ -283,6 +283,26 @@ const FILES: &[(&str, &str, &str)] = &[
         "A round film under pressure: a cap of a sphere",
         include_str!("../../api/examples/inflated-disc.json"),
     ),
+    (
+        "conic-tent",
+        "A conic tent on a mast, with half the stress around it: edge cables, and a ring that the mast lifts",
+        include_str!("../../api/examples/conic-tent.json"),
+    ),
+    (
+        "flying-mast",
+        "A tent whose mast stands on four stays between its corners",
+        include_str!("../../api/examples/flying-mast.json"),
+    ),
+    (
+        "ridge-and-valley",
+        "A long roof between ridge cables and a valley cable",
+        include_str!("../../api/examples/ridge-and-valley.json"),
+    ),
+    (
+        "film-on-a-plane",
+        "A film between a ring and the ground, on which its edge slides",
+        include_str!("../../api/examples/film-on-a-plane.json"),
+    ),
     ("vault", "A cylindrical vault (NURBS) with at most eight lengths", include_str!("../../api/examples/vault.json")),
 ];
 

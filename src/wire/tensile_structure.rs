@@ -9,6 +9,7 @@ use crate::config::LimitsConfig;
 use crate::units::{ForceUnit, Unit, UpAxis};
 use plateau_geometry::DVec3;
 use plateau_geometry::equilibrium::Support;
+use plateau_geometry::mesh::self_intersections::Skipped;
 use plateau_geometry::minimal_surface as surface;
 use plateau_geometry::tensile_structure as geometry;
 use schemars::JsonSchema;
@@ -17,6 +18,8 @@ use serde_json::{Map, Value};
 
 /// Largest number of cables, and of free points, of a request.
 const MAX_CABLES: u32 = 1000;
+/// Largest number of points of a polyline of directions. Every triangle looks for its nearest point in every round.
+const MAX_DIRECTION_POINTS: u32 = 200;
 
 /// A film with cables, pressure and weight, whose shape in equilibrium is found.
 ///
@@ -73,13 +76,25 @@ pub struct TensileStructureRequest {
     #[serde(default)]
     #[schemars(length(max = MAX_CABLES))]
     pub supports: Vec<SlidingSupport>,
+    /// Boundaries that are rigid rings and move along an axis.
+    #[serde(default)]
+    #[schemars(length(max = MAX_CABLES))]
+    pub rings: Vec<Ring>,
+    /// Points in the air at which cables and masts end and which no support holds.
+    #[serde(default)]
+    #[schemars(length(max = MAX_CABLES))]
+    pub joints: Vec<Point>,
+    /// Straight members that may push.
+    #[serde(default)]
+    #[schemars(length(max = MAX_CABLES))]
+    pub masts: Vec<Mast>,
     /// Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     /// with `volume`, and not with cables along a boundary or with `supports`.
     #[serde(default)]
     #[schemars(range(min = -1e50, max = 1e50))]
     pub pressure: Option<f64>,
     /// Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
-    /// pressure is found. Not with cables along a boundary or with `supports`.
+    /// pressure is found. Not with cables along a boundary, `supports` or `rings`.
     #[serde(default)]
     #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
     pub volume: Option<f64>,
@@ -123,19 +138,119 @@ impl From<LengthAndForce> for Unit {
     }
 }
 
-/// The film's stress and weight.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+/// The film's prestress and weight. The prestress is either `tension`, or `warp` and `weft` with a `direction`.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "TensileFilm")]
 pub struct Film {
     /// Isotropic tension, a force per length.
-    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
-    pub tension: f64,
-    /// Weight per area of the found shape. The tension is `tension` at the film's mean height and grows with the height
-    /// by the weight.
+    #[serde(default)]
+    #[schemars(with = "f64", range(max = 1e50), extend("exclusiveMinimum" = 0))]
+    pub tension: Option<f64>,
+    /// Stress along the warp, a force per length.
+    #[serde(default)]
+    #[schemars(with = "f64", range(max = 1e50), extend("exclusiveMinimum" = 0))]
+    pub warp: Option<f64>,
+    /// Stress along the weft, at right angles to the warp, a force per length.
+    #[serde(default)]
+    #[schemars(with = "f64", range(max = 1e50), extend("exclusiveMinimum" = 0))]
+    pub weft: Option<f64>,
+    #[serde(default)]
+    #[schemars(with = "WarpDirection")]
+    pub direction: Option<WarpDirection>,
+    #[serde(default)]
+    #[schemars(with = "WeaveHold")]
+    pub hold: Option<WeaveHold>,
+    /// Weight per area of the found shape. An isotropic tension is `tension` at the film's mean height and grows with the
+    /// height by the weight.
     #[serde(default)]
     #[schemars(range(min = 0, max = 1e50))]
     pub weight: f64,
+}
+
+/// Field of directions in space, given by exactly one of its fields. The film's warp is the projection of the field onto
+/// the film. Directions need no unit length.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("minProperties" = 1, "maxProperties" = 1))]
+pub struct WarpDirection {
+    #[serde(default)]
+    #[schemars(with = "RadialDirection")]
+    pub radial: Option<RadialDirection>,
+    /// Vector along which the warp runs.
+    #[serde(default)]
+    #[schemars(with = "Point")]
+    pub parallel: Option<Point>,
+    /// Polyline along whose tangent at the nearest point the warp runs.
+    #[serde(default)]
+    #[schemars(with = "Vec<Point>", length(min = 2, max = MAX_DIRECTION_POINTS))]
+    pub along: Option<Vec<Point>>,
+}
+
+/// The weft runs around an axis and the warp away from it. The axis must not pass through the film.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RadialDirection {
+    /// A point of the axis.
+    pub point: Point,
+    pub axis: Point,
+}
+
+/// Quantity that the stresses of warp and weft hold constant. Requires `warp` and `weft`.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum WeaveHold {
+    /// Their ratio. Both vary by a common factor with the mean 1, so that the forces within the film can balance.
+    #[default]
+    Ratio,
+    /// Their magnitudes. Two unequal ones cannot be in equilibrium on most shapes. The returned stresses then deviate
+    /// from them, and the job has the warning `stress_deviates`.
+    Magnitudes,
+}
+
+impl Film {
+    /// Converts the prestress to the geometry's type, or returns what is missing or too much.
+    fn prestress(&self) -> Result<geometry::FilmPrestress, Vec<FieldError>> {
+        let (warp, weft, direction) = match (self.tension, self.warp, self.weft, &self.direction, self.hold) {
+            (Some(tension), None, None, None, None) => return Ok(geometry::FilmPrestress::Isotropic(tension)),
+            (None, None, None, None, None) => {
+                let detail = "is required, or warp, weft and direction in its place";
+                return Err(vec![FieldError::new("/film/tension", detail)]);
+            }
+            (Some(_), ..) => {
+                let detail = "is not allowed with warp, weft, direction or hold";
+                return Err(vec![FieldError::new("/film/tension", detail)]);
+            }
+            (None, Some(warp), Some(weft), Some(direction), _) => (warp, weft, direction),
+            (None, warp, weft, direction, _) => {
+                let given = [("warp", warp.is_some()), ("weft", weft.is_some()), ("direction", direction.is_some())];
+                let detail = "is required: a prestress by warp and weft needs both and a direction";
+                let missing = given.into_iter().filter(|(_, given)| !given);
+                return Err(missing.map(|(name, _)| FieldError::new(format!("/film/{name}"), detail)).collect());
+            }
+        };
+        let unit = |vector: Point, field: &str| {
+            let error = || FieldError::new(format!("/film/direction/{field}"), "must be a vector with a length");
+            DVec3::from_array(vector).try_normalize().ok_or_else(|| vec![error()])
+        };
+        let direction = match direction {
+            WarpDirection { radial: Some(RadialDirection { point, axis }), .. } => {
+                geometry::WarpDirection::Radial { point: DVec3::from_array(*point), axis: unit(*axis, "radial/axis")? }
+            }
+            WarpDirection { parallel: Some(vector), .. } => {
+                geometry::WarpDirection::Parallel(unit(*vector, "parallel")?)
+            }
+            // The schema demands exactly one of the three.
+            WarpDirection { along, .. } => {
+                geometry::WarpDirection::Along(common::points(along.as_deref().unwrap_or_default()))
+            }
+        };
+        let hold = match self.hold.unwrap_or_default() {
+            WeaveHold::Ratio => geometry::WeaveHold::Ratio,
+            WeaveHold::Magnitudes => geometry::WeaveHold::Magnitudes,
+        };
+        Ok(geometry::FilmPrestress::Woven(geometry::Weave { warp, weft, direction, hold }))
+    }
 }
 
 /// A cable. Its course is exactly one of `along`, `across` and `points`.
@@ -155,8 +270,8 @@ pub struct Cable {
     #[serde(default)]
     #[schemars(with = "Vec<Point>", length(min = 2))]
     pub across: Option<Vec<Point>>,
-    /// Two points between which the cable runs in the air. A point that equals a boundary's point is joined to it; any
-    /// other point is a support.
+    /// Two points between which the cable runs in the air. A point that equals a boundary's point, one of `joints` or
+    /// the hub of a ring is joined to it; any other point is a support.
     #[serde(default)]
     #[schemars(with = "[Point; 2]")]
     pub points: Option<[Point; 2]>,
@@ -217,6 +332,67 @@ pub struct SlidingSupport {
     #[schemars(with = "BoundaryPoint")]
     pub point: Option<BoundaryPoint>,
     pub on: Guide,
+}
+
+/// A boundary that is a rigid ring, guided along an axis without friction. It turns nowhere.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Ring {
+    #[schemars(range(max = 4_294_967_295u32))]
+    pub boundary: u32,
+    /// Direction in which the ring moves. It needs no unit length.
+    pub axis: Point,
+    /// Force on the ring along the axis, from outside.
+    #[serde(default)]
+    #[schemars(range(min = -1e50, max = 1e50))]
+    pub force: f64,
+    /// Point in the air that moves with the ring. Masts and cables may end there.
+    #[serde(default)]
+    #[schemars(with = "Point")]
+    pub hub: Option<Point>,
+}
+
+/// A straight member between two points that may push. A point that equals a boundary's point, one of `joints` or the
+/// hub of a ring is joined to it; any other point is a support. At least one end is no support.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Mast {
+    /// Name in statistics and warnings. Null means its number, as in `mast 0`.
+    #[serde(default)]
+    #[schemars(length(min = 1, max = 100))]
+    pub name: Option<String>,
+    pub points: [Point; 2],
+    #[serde(default)]
+    pub mode: MastMode,
+    /// Value that the mode holds constant: a length, or the force with which the mast pushes.
+    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
+    pub value: f64,
+}
+
+/// Quantity of a mast that is held constant.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum MastMode {
+    /// The length. The force is found, and negative if the mast has to pull.
+    #[default]
+    Length,
+    /// The force with which the mast pushes. The length is found.
+    Force,
+}
+
+impl Mast {
+    fn to_geometry(&self, number: usize) -> geometry::Cable {
+        geometry::Cable {
+            name: self.name.clone().unwrap_or_else(|| format!("mast {number}")),
+            course: geometry::Course::Mast(self.points.map(DVec3::from_array)),
+            mode: match self.mode {
+                MastMode::Length => geometry::CableMode::Length(self.value),
+                MastMode::Force => geometry::CableMode::Force(self.value),
+            },
+            axial_stiffness: None,
+            weight: 0.0,
+        }
+    }
 }
 
 /// A line or surface to slide on, given by exactly one of its fields. Edges slide on surfaces only. Directions need no
@@ -428,10 +604,22 @@ impl TensileStructureRequest {
                 }
             }
         }
-        if !errors.is_empty() {
-            return Err(Rejection::Invalid(errors));
+        let mut rings = Vec::with_capacity(self.rings.len());
+        for (k, ring) in self.rings.iter().enumerate() {
+            let (boundary, hub) = (ring.boundary as usize, ring.hub.map(DVec3::from_array));
+            match DVec3::from_array(ring.axis).try_normalize() {
+                Some(axis) => rings.push(geometry::Ring { boundary, axis, force: ring.force, hub }),
+                None => errors.push(FieldError::new(format!("/rings/{k}/axis"), "must be a vector with a length")),
+            }
         }
-        let (structure, options) = self.to_geometry(sliding);
+        let prestress = match self.film.prestress() {
+            Ok(prestress) if errors.is_empty() => prestress,
+            prestress => {
+                errors.extend(prestress.err().unwrap_or_default());
+                return Err(Rejection::Invalid(errors));
+            }
+        };
+        let (structure, options) = self.to_geometry(prestress, sliding, rings);
         geometry::check(&structure, &options)?;
         let estimate = geometry::estimate(&structure, &options);
         if estimate.triangles > limits.triangles as f64 {
@@ -449,7 +637,12 @@ impl TensileStructureRequest {
     }
 
     /// Converts the request to the geometry's types.
-    fn to_geometry(&self, sliding: Vec<geometry::Sliding>) -> (geometry::Structure, geometry::Options) {
+    fn to_geometry(
+        &self,
+        prestress: geometry::FilmPrestress,
+        sliding: Vec<geometry::Sliding>,
+        rings: Vec<geometry::Ring>,
+    ) -> (geometry::Structure, geometry::Options) {
         let resolution = match self.resolution {
             Resolution { triangles: Some(count), .. } => surface::Resolution::Triangles(count as usize),
             Resolution { edge_length: Some(length), .. } => surface::Resolution::EdgeLength(length),
@@ -457,12 +650,17 @@ impl TensileStructureRequest {
                 surface::Resolution::InteriorVertices(interior_vertices.unwrap_or(1000) as usize)
             }
         };
+        let cables = self.cables.iter().enumerate().map(|(k, cable)| cable.to_geometry(k));
+        let masts = self.masts.iter().enumerate().map(|(k, mast)| mast.to_geometry(k));
         let structure = geometry::Structure {
             boundaries: common::polylines(&self.boundaries),
-            film: geometry::FilmStress { tension: self.film.tension, weight: self.film.weight },
-            cables: self.cables.iter().enumerate().map(|(k, cable)| cable.to_geometry(k)).collect(),
+            film: geometry::FilmStress { prestress, weight: self.film.weight },
+            // The masts follow the cables.
+            cables: cables.chain(masts).collect(),
             free_points: self.free_points.iter().map(|point| point.to_geometry()).collect(),
             sliding,
+            rings,
+            joints: common::points(&self.joints),
             pressure: match (self.pressure, self.volume) {
                 (Some(pressure), _) => geometry::Pressure::Constant(pressure),
                 (None, Some(volume)) => geometry::Pressure::Volume(volume),
@@ -492,6 +690,9 @@ pub fn objectives() -> Vec<ObjectiveDoc> {
             "cables",
             "free_points",
             "supports",
+            "rings",
+            "joints",
+            "masts",
             "pressure",
             "volume",
             "resolution",
@@ -517,6 +718,24 @@ pub struct CableForce {
     pub sag: f64,
     /// Whether it carries no force.
     pub slack: bool,
+}
+
+/// A mast of the found shape.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct MastForce {
+    pub name: String,
+    pub mode: &'static str,
+    /// Force with which the mast pushes; negative if it pulls.
+    pub force: f64,
+    pub length: f64,
+}
+
+/// A ring of the found shape.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct RingPosition {
+    pub boundary: usize,
+    /// Distance that the ring has moved along its axis.
+    pub travel: f64,
 }
 
 /// A support at the end of a cable.
@@ -560,8 +779,57 @@ pub struct FilmStress {
     pub min: f64,
     pub max: f64,
     /// Largest deviation of a principal stress from the required tension, as a fraction of it. It falls with the edge
-    /// length.
+    /// length. With warp and weft that of their stresses from those required at the same place.
     pub deviation: f64,
+    /// Null for an isotropic tension.
+    pub weave: Option<WeaveStress>,
+}
+
+/// Stresses along warp and weft.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct WeaveStress {
+    pub hold: WeaveHold,
+    pub warp: StressRange,
+    pub weft: StressRange,
+    /// Stress of the weft over that of the warp.
+    pub ratio: StressRange,
+    pub required_ratio: f64,
+    /// Root mean square over the area of ratio / required ratio - 1.
+    pub ratio_deviation_rms: f64,
+    /// Root mean square over the area of each stress over the one required at the same place, less 1. Above 0.05 the job
+    /// has the warning `stress_deviates`.
+    pub deviation_rms: f64,
+}
+
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct StressRange {
+    pub min: f64,
+    pub max: f64,
+    /// Mean over the area.
+    pub mean: f64,
+}
+
+impl From<geometry::StressRange> for StressRange {
+    fn from(range: geometry::StressRange) -> Self {
+        Self { min: range.min, max: range.max, mean: range.mean }
+    }
+}
+
+impl From<geometry::WeaveStress> for WeaveStress {
+    fn from(stress: geometry::WeaveStress) -> Self {
+        Self {
+            hold: match stress.hold {
+                geometry::WeaveHold::Ratio => WeaveHold::Ratio,
+                geometry::WeaveHold::Magnitudes => WeaveHold::Magnitudes,
+            },
+            warp: stress.warp.into(),
+            weft: stress.weft.into(),
+            ratio: stress.ratio.into(),
+            required_ratio: stress.required_ratio,
+            ratio_deviation_rms: stress.ratio_deviation_rms,
+            deviation_rms: stress.deviation_rms,
+        }
+    }
 }
 
 /// Second variation of the energy.
@@ -580,7 +848,7 @@ pub struct TensileStatistics {
     /// Middle of the mesh's bounding box, which files with `origin=local` are relative to.
     pub origin: Point,
     pub objective: &'static str,
-    /// Energy of the found shape.
+    /// Energy of the found shape. With warp and weft the film counts with half the sum of its stresses times its area.
     pub objective_value: f64,
     /// Unit of the forces.
     pub force_unit: &'static str,
@@ -592,6 +860,8 @@ pub struct TensileStatistics {
     /// Pressure, given or found; 0 for none.
     pub pressure: f64,
     pub cables: Vec<CableForce>,
+    pub masts: Vec<MastForce>,
+    pub rings: Vec<RingPosition>,
     /// Supports at the ends of cables.
     pub reactions: Vec<SupportReaction>,
     /// Supports along the fixed parts of the boundaries.
@@ -602,6 +872,7 @@ pub struct TensileStatistics {
     pub stress: Option<FilmStress>,
     /// Angle between the film's pull on sliding edges and their surface. Null without such an edge.
     pub contact_angle_deg: Option<AngleRange>,
+    /// Null where the solve did not converge, and with warp and weft, because no energy has their shape as its minimum.
     pub stability: Option<EquilibriumStability>,
     /// Smallest slope of a triangle in degrees. Water stands on a film that is flatter than about 5.
     pub minimum_slope_deg: f64,
@@ -613,6 +884,10 @@ pub struct TensileStatistics {
     pub angles_deg: AngleRange,
     pub flipped_triangles: usize,
     pub degenerate_triangles: usize,
+    /// Number of pairs of triangles of the film that intersect. Null if not all pairs were looked at.
+    pub self_intersections: Option<u64>,
+    /// Why `self_intersections` is null: `too_many_pairs`, `deadline_passed`.
+    pub self_intersections_skipped: Option<&'static str>,
 }
 
 impl TensileStatistics {
@@ -635,6 +910,14 @@ impl TensileStatistics {
             sag: found.sag,
             slack: found.slack,
         };
+        let members = || structure.cables.iter().zip(&result.cables);
+        let mast = |(mast, found): (&geometry::Cable, &geometry::CableResult)| MastForce {
+            name: mast.name.clone(),
+            mode: mast.mode.name(),
+            force: -found.force,
+            length: found.length,
+        };
+        let ring = |(ring, &travel): (&geometry::Ring, &f64)| RingPosition { boundary: ring.boundary, travel };
         let reaction = |reaction: &geometry::Reaction| SupportReaction {
             vertex: reaction.vertex,
             boundary: reaction.point.map(|point| point.boundary),
@@ -653,7 +936,9 @@ impl TensileStatistics {
             area: statistics.area,
             volume: statistics.volume,
             pressure: statistics.pressure,
-            cables: structure.cables.iter().zip(&result.cables).map(cable).collect(),
+            cables: members().filter(|(member, _)| !member.course.is_mast()).map(cable).collect(),
+            masts: members().filter(|(member, _)| member.course.is_mast()).map(mast).collect(),
+            rings: structure.rings.iter().zip(&result.ring_travels).map(ring).collect(),
             reactions: result.reactions.iter().map(reaction).collect(),
             edge_reactions: result.edge_reactions.iter().map(edge).collect(),
             balance: statistics.balance.map(|balance| ForceBalance {
@@ -667,6 +952,7 @@ impl TensileStatistics {
                 min: stress.min,
                 max: stress.max,
                 deviation: stress.deviation,
+                weave: stress.weave.map(WeaveStress::from),
             }),
             contact_angle_deg: statistics
                 .contact_angle
@@ -685,6 +971,8 @@ impl TensileStatistics {
             angles_deg: AngleRange { min: statistics.angles.0.to_degrees(), max: statistics.angles.1.to_degrees() },
             flipped_triangles: statistics.flipped_triangles,
             degenerate_triangles: statistics.degenerate_triangles,
+            self_intersections: statistics.self_intersections.pairs,
+            self_intersections_skipped: statistics.self_intersections.skipped.map(Skipped::name),
         }
     }
 }

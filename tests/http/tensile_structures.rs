@@ -75,6 +75,11 @@ async fn cables_and_reactions_are_lines_with_their_forces() {
 async fn each_wrong_value_gets_an_error_with_its_pointer() {
     let app = TestApp::start().await;
     let cable = |extra: Value| sail(json!({ "cables": [edge(0, extra)] }));
+    let woven = |extra: Value| {
+        let mut film = json!({ "warp": 2, "weft": 1, "direction": { "parallel": [1, 0, 0] } });
+        film.as_object_mut().unwrap().extend(extra.as_object().unwrap().clone());
+        sail(json!({ "film": film }))
+    };
     let circle: Vec<Value> = (0..32)
         .map(|k| f64::from(k) * std::f64::consts::TAU / 32.0)
         .map(|angle| json!([5.0 * angle.cos(), 5.0 * angle.sin(), 0]))
@@ -93,6 +98,30 @@ async fn each_wrong_value_gets_an_error_with_its_pointer() {
         (json!({}), vec!["/boundaries", "/film"]),
         (sail(json!({ "film": {} })), vec!["/film/tension"]),
         (sail(json!({ "film": { "tension": 0 } })), vec!["/film/tension"]),
+        (sail(json!({ "film": { "tension": 1, "warp": 2 } })), vec!["/film/tension"]),
+        (sail(json!({ "film": { "tension": 1, "hold": "ratio" } })), vec!["/film/tension"]),
+        (sail(json!({ "film": { "warp": 2 } })), vec!["/film/weft", "/film/direction"]),
+        (woven(json!({ "hold": "stress" })), vec!["/film/hold"]),
+        (woven(json!({ "warp": -1 })), vec!["/film/warp"]),
+        (woven(json!({ "weft": 1000 })), vec!["/film/weft"]),
+        (woven(json!({ "direction": {} })), vec!["/film/direction"]),
+        (woven(json!({ "direction": { "parallel": [0, 0, 0] } })), vec!["/film/direction/parallel"]),
+        (
+            woven(json!({ "direction": { "radial": { "point": [0, 0, 0], "axis": [0, 0, 0] } } })),
+            vec!["/film/direction/radial/axis"],
+        ),
+        (woven(json!({ "direction": { "along": [[0, 0, 0], [0, 0, 0]] } })), vec!["/film/direction/along"]),
+        (sail(json!({ "rings": [{ "boundary": 0, "axis": [0, 0, 0] }] })), vec!["/rings/0/axis"]),
+        (sail(json!({ "rings": [{ "boundary": 1, "axis": [0, 0, 1] }] })), vec!["/rings/0/boundary"]),
+        (sail(json!({ "rings": [{ "boundary": 0, "axis": [0, 0, 1] }] })), vec!["/rings/0/boundary"]),
+        (sail(json!({ "joints": [[5, 5, 3]] })), vec!["/joints/0"]),
+        (sail(json!({ "joints": [[0, 0, 0]] })), vec!["/joints/0"]),
+        (sail(json!({ "masts": [{ "points": [[0, 0, 0], [0, 0, 5]], "value": 5 }] })), vec!["/masts/0/points"]),
+        (sail(json!({ "masts": [{ "points": [[0, 0, 0], [0, 0, 5]], "value": 0 }] })), vec!["/masts/0/value"]),
+        (
+            sail(json!({ "masts": [{ "points": [[0, 0, 0], [0, 0, 5]], "value": 5, "mode": "sag" }] })),
+            vec!["/masts/0/mode"],
+        ),
         (sail(json!({ "film": { "tension": 1, "weight": -1 } })), vec!["/film/weight"]),
         (sail(json!({ "units": "m" })), vec!["/units"]),
         (sail(json!({ "units": { "length": "kN" } })), vec!["/units/length"]),
@@ -125,6 +154,43 @@ async fn each_wrong_value_gets_an_error_with_its_pointer() {
     // The error for a pressure above the limit says the limit, 2 σ / r for a disc.
     let refused = problem(app.post(TENSILE, &disc(json!({ "pressure": 0.5 }))).await, 422).await;
     assert!(refused["errors"][0]["detail"].as_str().unwrap().contains("0.40"), "{refused}");
+}
+
+#[tokio::test]
+async fn a_conic_tent_reports_its_weave_its_mast_and_its_ring() {
+    let app = TestApp::start().await;
+    let job = app.solve(TENSILE, &example("conic-tent")).await;
+    let statistics = &job["statistics"];
+    assert_eq!(statistics["converged"], true, "{job}");
+    let number = |value: &Value| value.as_f64().unwrap();
+    let weave = &statistics["stress"]["weave"];
+    assert_eq!((&weave["hold"], &weave["required_ratio"]), (&json!("ratio"), &json!(0.5)));
+    assert!((number(&weave["ratio"]["mean"]) - 0.5).abs() < 0.02, "{weave}");
+    let mast = &statistics["masts"][0];
+    assert_eq!((&mast["name"], &mast["mode"]), (&json!("mast"), &json!("length")));
+    assert!((number(&mast["length"]) - 5.0).abs() < 1e-6 && number(&mast["force"]) > 1.0, "{mast}");
+    assert!((number(&statistics["rings"][0]["travel"]) - 0.5).abs() < 1e-6, "{statistics}");
+    assert!(number(&statistics["balance"]["imbalance"]) < 1e-9);
+    assert_eq!(statistics["stability"], Value::Null);
+    assert_eq!(statistics["self_intersections"], 0);
+    let mesh = job["links"]["mesh"].as_str().unwrap();
+    let document = app.get_json(&format!("{mesh}?format=gltf")).await;
+    assert!(
+        document["meshes"].as_array().unwrap().iter().any(|mesh| mesh["name"] == "masts mast"),
+        "a line of its own"
+    );
+}
+
+#[tokio::test]
+async fn stresses_that_cannot_be_in_equilibrium_are_returned_with_a_warning() {
+    let app = TestApp::start().await;
+    let mut body = example("conic-tent");
+    body["film"]["hold"] = json!("magnitudes");
+    body["resolution"] = json!({ "triangles": 800 });
+    let job = app.solve(TENSILE, &body).await;
+    assert_eq!(job["warnings"][0]["code"], "stress_deviates", "{job}");
+    assert!(job["statistics"]["stress"]["weave"]["deviation_rms"].as_f64().unwrap() > 0.05);
+    assert!(job["statistics"]["balance"]["imbalance"].as_f64().unwrap() < 1e-9);
 }
 
 #[tokio::test]

@@ -27,7 +27,7 @@ pub use area::Area;
 pub use cable::{Cable, CableCondition};
 pub use length::Length;
 pub use load::Load;
-pub use prestress::{ForceDensity, Prestress};
+pub use prestress::{ForceDensity, PlaneStress, Prestress};
 pub use volume::Volume;
 pub use weight::Weight;
 

@@ -1,4 +1,4 @@
-//! Tensile structures: films of constant tension with cables, pressure and weight, in the shape in which all forces
+//! Tensile structures: films of given prestress with cables, pressure and weight, in the shape in which all forces
 //! balance.
 //!
 //! [`solve`] takes a [`Structure`] and a resolution and returns a mesh with the forces in its cables and at its
@@ -11,7 +11,9 @@
 //!
 //! ```
 //! use plateau_geometry::minimal_surface::Resolution;
-//! use plateau_geometry::tensile_structure::{Cable, CableMode, Course, FilmStress, Options, Pressure, Structure, solve};
+//! use plateau_geometry::tensile_structure::{
+//!     Cable, CableMode, Course, FilmPrestress, FilmStress, Options, Pressure, Structure, solve,
+//! };
 //! use plateau_geometry::{DVec3, Execution};
 //!
 //! // A plane sail: four corners, an edge cable of force 10 along each side, tension 1. Each edge is an arc of radius 10.
@@ -25,10 +27,12 @@
 //! };
 //! let structure = Structure {
 //!     boundaries: vec![corners.to_vec()],
-//!     film: FilmStress { tension: 1.0, weight: 0.0 },
+//!     film: FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 },
 //!     cables: (0..4).map(cable).collect(),
 //!     free_points: Vec::new(),
 //!     sliding: Vec::new(),
+//!     rings: Vec::new(),
+//!     joints: Vec::new(),
 //!     pressure: Pressure::None,
 //!     up: DVec3::Z,
 //! };
@@ -43,15 +47,20 @@
 
 mod catenary;
 mod form_finding;
+mod mixing;
 mod model;
 mod options;
 mod outcome;
+mod weave;
 
-pub use form_finding::StopReason;
 pub use options::{
-    BoundaryPoint, Cable, CableMode, Course, FilmStress, Options, Pressure, Sliding, SlidingPart, Structure,
+    BoundaryPoint, Cable, CableMode, Course, FilmPrestress, FilmStress, Options, Pressure, Ring, Sliding, SlidingPart,
+    Structure, WarpDirection, Weave, WeaveHold,
 };
-pub use outcome::{CableResult, EdgeReaction, ForceBalance, Reaction, Stability, Statistics, Stress, TensileStructure};
+pub use outcome::{
+    CableResult, EdgeReaction, ForceBalance, Reaction, Stability, Statistics, Stress, StressRange, TensileStructure,
+    WeaveStress,
+};
 
 use crate::error::Step;
 use crate::minimal_surface;
@@ -74,7 +83,7 @@ pub fn solve(structure: &Structure, options: &Options, exec: &Execution) -> Resu
         .part_as("initial_mesh", [0.0, 0.1], |exec| Model::build(structure, options, exec))
         .map_err(|error| placed(structure, error))?;
     let found = exec.part([0.1, 1.0], |exec| form_finding::run(&mut model, structure, options, exec))?;
-    outcome::finish(model, found, structure)
+    outcome::finish(model, found, structure, exec)
 }
 
 /// Checks the arguments of [`solve`] before any work: linear in the number of points.
@@ -90,16 +99,19 @@ pub fn check(structure: &Structure, options: &Options) -> Result<(), Error> {
 
 /// Refuses forces that no catenary between two supports in the air has.
 fn check_catenaries(structure: &Structure) -> Result<(), Error> {
-    let boundary = |end: &DVec3| structure.boundaries.iter().flatten().any(|point| point == end);
+    let hubs: Vec<DVec3> = structure.rings.iter().filter_map(|ring| ring.hub).collect();
+    let joined = |end: &DVec3| {
+        structure.boundaries.iter().flatten().chain(&structure.joints).chain(&hubs).any(|point| point == end)
+    };
     let too_small = |(k, cable): (usize, &Cable)| {
         let Course::Air(ends) = cable.course else { return None };
-        if ends.iter().any(boundary) {
+        if ends.iter().any(joined) {
             return None;
         }
         let TooSmall { least } = Catenary::find(cable, ends, structure.up).err()?;
         let detail =
             format!("must be at least {least:.6}: no cable of this weight hangs between these points with less");
-        Some(InputError::new(Place::field("cables").at(k).then("value"), detail))
+        Some(InputError::new(options::cable_place(structure, k).then("value"), detail))
     };
     let errors: Vec<InputError> = structure.cables.iter().enumerate().filter_map(too_small).collect();
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }

@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Files and folders of `src`, earliest layer first. A file belongs to the longest entry that its path starts with.
-const LAYERS: [&str; 45] = [
+const LAYERS: [&str; 47] = [
     "execution",
     "error",
     "estimate",
@@ -41,6 +41,8 @@ const LAYERS: [&str; 45] = [
     "minimal_surface",
     "tensile_structure/options",
     "tensile_structure/catenary",
+    "tensile_structure/weave",
+    "tensile_structure/mixing",
     "tensile_structure/model",
     "tensile_structure/form_finding",
     "tensile_structure/outcome",

@@ -3,8 +3,8 @@
 use plateau_geometry::equilibrium::Support;
 use plateau_geometry::minimal_surface::Resolution;
 use plateau_geometry::tensile_structure::{
-    BoundaryPoint, Cable, CableMode, Course, FilmStress, Options, Pressure, Sliding, SlidingPart, Structure,
-    TensileStructure, check, solve,
+    BoundaryPoint, Cable, CableMode, CableResult, Course, FilmPrestress, FilmStress, Options, Pressure, Ring, Sliding,
+    SlidingPart, Structure, TensileStructure, WarpDirection, Weave, WeaveHold, check, solve,
 };
 use plateau_geometry::{DVec3, Error, Execution, Interruption, Signal};
 use std::f64::consts::{PI, TAU};
@@ -21,10 +21,12 @@ fn edge(k: usize, mode: CableMode) -> Cable {
 fn film(boundaries: Vec<Vec<DVec3>>) -> Structure {
     Structure {
         boundaries,
-        film: FilmStress { tension: 1.0, weight: 0.0 },
+        film: FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 },
         cables: Vec::new(),
         free_points: Vec::new(),
         sliding: Vec::new(),
+        rings: Vec::new(),
+        joints: Vec::new(),
         pressure: Pressure::None,
         up: DVec3::Z,
     }
@@ -368,7 +370,7 @@ fn what_the_arguments_show_is_refused_by_its_place() {
         change(&mut structure);
         refused(&structure)
     };
-    assert_eq!(with(&|s| s.film.tension = 0.0), ["/film/tension"]);
+    assert_eq!(with(&|s| s.film.prestress = FilmPrestress::Isotropic(0.0)), ["/film/tension"]);
     assert_eq!(with(&|s| s.film.weight = -1.0), ["/film/weight"]);
     assert_eq!(with(&|s| s.cables[1].mode = CableMode::Length(9.99)), ["/cables/1/value"]);
     assert_eq!(with(&|s| s.cables[1].mode = CableMode::Sag(-1.0)), ["/cables/1/value"]);
@@ -544,4 +546,238 @@ fn a_free_corner_is_held_by_stays_of_given_length() {
     println!("{moved:?} {:?}", result.statistics.balance);
     // Three supports of the film and three anchors.
     assert_eq!(result.reactions.len(), 6);
+}
+
+fn woven(warp: f64, weft: f64, direction: WarpDirection, hold: WeaveHold) -> FilmStress {
+    FilmStress { prestress: FilmPrestress::Woven(Weave { warp, weft, direction, hold }), weight: 0.0 }
+}
+
+fn around_z() -> WarpDirection {
+    WarpDirection::Radial { point: DVec3::ZERO, axis: DVec3::Z }
+}
+
+/// As [`found`], without a stability, which a woven film does not have.
+fn found_woven(structure: &Structure, edge_length: f64) -> TensileStructure {
+    let result = solve(structure, &Options::new(Resolution::EdgeLength(edge_length)), &Execution::default()).unwrap();
+    let statistics = &result.statistics;
+    assert!(statistics.converged && statistics.stability.is_none(), "{statistics:?} {:?}", result.warnings);
+    let balance = statistics.balance.unwrap();
+    assert!(balance.imbalance < 1e-9 && balance.residual_force < 1e-9, "{balance:?}");
+    println!("{edge_length}: {} solves, {:?}", statistics.iterations, statistics.stress);
+    result
+}
+
+/// The conic membrane whose hoop stress is half the meridional one: (r s)' = s / 2 makes the meridional stress s fall as
+/// 1 / √r, and the vertical force 2 π r s sin φ is constant. Hence z = 2 c √(r - c²). Here c = 1, between the rings of
+/// radius 1.25 and 4.
+fn conic_membrane(points: usize, hold: WeaveHold) -> Structure {
+    let ring = |count: usize, radius: f64| circle(count, radius, 2.0 * (radius - 1.0).sqrt());
+    let mut inner = ring(points, 1.25);
+    inner.reverse();
+    Structure { film: woven(2.0, 1.0, around_z(), hold), ..film(vec![ring(3 * points, 4.0), inner]) }
+}
+
+#[test]
+fn a_conic_membrane_with_half_the_stress_around_it() {
+    let mut errors = [Vec::new(), Vec::new()];
+    for (points, edge_length) in [(16, 0.5), (32, 0.25), (64, 0.125)] {
+        let tent = found_woven(&conic_membrane(points, WeaveHold::Ratio), edge_length);
+        assert!(tent.warnings.is_empty(), "{:?}", tent.warnings);
+        let fixed: Vec<u32> = tent.boundaries.iter().flatten().copied().collect();
+        let inside = (0..tent.mesh.vertices.len()).filter(|v| !fixed.contains(&(*v as u32)));
+        let squared = |p: DVec3| (p.z - 2.0 * (p.truncate().length() - 1.0).sqrt()).powi(2);
+        let squares: Vec<f64> = inside.map(|v| squared(tent.mesh.vertices[v])).collect();
+        errors[0].push((squares.iter().sum::<f64>() / squares.len() as f64).sqrt());
+        let weave = tent.statistics.stress.unwrap().weave.unwrap();
+        errors[1].push(weave.ratio_deviation_rms);
+        assert!((weave.required_ratio - 0.5).abs() < 1e-12 && (weave.ratio.mean - 0.5).abs() < 0.01, "{weave:?}");
+    }
+    println!("{errors:?} {:?}", errors.each_ref().map(|errors| order(errors)));
+    // The coarsest mesh has only 16 points on its inner ring.
+    assert!(order(&errors[0][1..]) > 1.7 && errors[0][2] < 5e-4, "{errors:?}");
+    assert!(order(&errors[1]) > 1.5 && errors[1][2] < 5e-4, "{errors:?}");
+}
+
+#[test]
+fn two_unequal_magnitudes_on_a_surface_of_revolution_are_returned_with_the_stresses_that_balance() {
+    let tent = found_woven(&conic_membrane(24, WeaveHold::Magnitudes), 0.35);
+    let weave = tent.statistics.stress.unwrap().weave.unwrap();
+    assert!(weave.deviation_rms > 0.05 && weave.warp.max > 1.05 * 2.0, "{weave:?}");
+    assert_eq!(tent.warnings.iter().map(|warning| warning.code).collect::<Vec<_>>(), ["stress_deviates"]);
+    assert!(tent.warnings[0].detail.contains("hold: ratio"), "{:?}", tent.warnings);
+}
+
+#[test]
+fn equal_stresses_of_warp_and_weft_make_a_minimal_surface() {
+    let rings = vec![circle(48, 1.0, 0.5), circle(48, 1.0, -0.5)];
+    let soap = found(&film(rings.clone()), 0.13);
+    for hold in [WeaveHold::Ratio, WeaveHold::Magnitudes] {
+        let cloth = found_woven(&Structure { film: woven(1.0, 1.0, around_z(), hold), ..film(rings.clone()) }, 0.13);
+        assert!(cloth.warnings.is_empty(), "{:?}", cloth.warnings);
+        let difference = cloth.statistics.area / soap.statistics.area - 1.0;
+        println!("{hold:?} {difference}");
+        assert!(difference.abs() < 1e-3);
+    }
+}
+
+#[test]
+fn edge_cables_of_a_plane_woven_sail_are_arcs_of_ellipses_whose_force_varies() {
+    // With the stresses T = diag(2, 1) and J a quarter turn, the force vector of an edge cable is T J (x - centre), and
+    // the cable an arc of the ellipse x² / 2 + y² = λ² around the centre. By its sag of 1.5 over half the chord, 5:
+    let sag = 1.5;
+    let south = (12.5 + sag * sag) / (2.0 * sag);
+    let west = (25.0 + 0.5 * sag * sag) / (2f64.sqrt() * sag);
+    let (up, right) = (south - sag, 2f64.sqrt() * west - sag);
+    let centres =
+        [(5.0, -up), (10.0 + right, 5.0), (5.0, 10.0 + up), (-right, 5.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
+    for hold in [WeaveHold::Magnitudes, WeaveHold::Ratio] {
+        let mut errors = Vec::new();
+        for edge_length in [1.0, 0.5, 0.25] {
+            let film = woven(2.0, 1.0, WarpDirection::Parallel(DVec3::X), hold);
+            let sail = found_woven(&Structure { film, ..sail(CableMode::Sag(sag)) }, edge_length);
+            assert!(sail.warnings.is_empty(), "{:?}", sail.warnings);
+            let mut worst = 0.0f64;
+            for (cable, centre) in sail.cables.iter().zip(centres) {
+                for (pair, force) in cable.vertices.windows(2).zip(&cable.segment_forces) {
+                    let place = 0.5 * (sail.mesh.vertices[pair[0] as usize] + sail.mesh.vertices[pair[1] as usize]);
+                    let expected = DVec3::new(-2.0 * (place - centre).y, (place - centre).x, 0.0).length();
+                    worst = worst.max((force / expected - 1.0).abs());
+                }
+            }
+            errors.push(worst);
+        }
+        println!("{hold:?} {errors:?} {}", order(&errors));
+        assert!(order(&errors) > 1.5 && errors[2] < 5e-3, "{errors:?}");
+    }
+}
+
+#[test]
+fn a_wrong_weave_is_refused_by_its_place() {
+    let place = |stress: FilmStress| {
+        let structure = Structure { film: stress, ..film(vec![square(10.0)]) };
+        let Err(Error::Input(errors)) = check(&structure, &Options::new(Resolution::Triangles(100))) else {
+            panic!("accepted");
+        };
+        errors.iter().map(|error| error.place.to_string()).collect::<Vec<_>>()
+    };
+    let along = |points: Vec<DVec3>| woven(1.0, 2.0, WarpDirection::Along(points), WeaveHold::Ratio);
+    assert_eq!(place(woven(0.0, 1.0, around_z(), WeaveHold::Ratio)), ["/film/warp"]);
+    assert_eq!(place(woven(1.0, f64::NAN, around_z(), WeaveHold::Ratio)), ["/film/weft"]);
+    assert_eq!(place(woven(1.0, 101.0, around_z(), WeaveHold::Ratio)), ["/film/weft"]);
+    assert_eq!(place(along(vec![DVec3::ZERO])), ["/film/direction/along"]);
+    assert_eq!(place(along(vec![DVec3::ZERO, DVec3::X, DVec3::X])), ["/film/direction/along"]);
+    assert_eq!(place(along(vec![DVec3::ZERO, DVec3::NAN])), ["/film/direction/along/1"]);
+}
+
+/// A film of tension 1 between a fixed ring of radius 4 at height 0 and a ring of radius 1 that moves along the vertical.
+/// It is a catenoid of waist a, whose vertical pull is 2 π a on every level.
+fn film_with_a_ring(points: usize, force: f64) -> Structure {
+    let mut inner = circle(points, 1.0, 0.7);
+    inner.reverse();
+    let ring = Ring { boundary: 1, axis: DVec3::Z, force, hub: Some(DVec3::new(0.0, 0.0, 0.7)) };
+    Structure { rings: vec![ring], ..film(vec![circle(4 * points, 4.0, 0.0), inner]) }
+}
+
+fn mast(ends: [DVec3; 2], mode: CableMode) -> Cable {
+    Cable { name: "mast".into(), course: Course::Mast(ends), mode, axial_stiffness: None, weight: 0.0 }
+}
+
+#[test]
+fn a_ring_moves_to_the_height_at_which_the_film_bears_its_force() {
+    let waist: f64 = 0.8;
+    let height = waist * ((4.0 / waist).acosh() - (1.0 / waist).acosh());
+    let force = TAU * waist;
+    let mut errors = [Vec::new(), Vec::new()];
+    for (points, edge_length) in [(12, 0.5), (24, 0.25), (48, 0.125)] {
+        let pulled = found(&film_with_a_ring(points, force), edge_length);
+        errors[0].push(pulled.ring_travels[0] + 0.7 - height);
+        let loads = pulled.statistics.balance.unwrap().loads;
+        assert!(loads.distance(force * DVec3::Z) < 1e-9, "{loads}");
+        // The reactions: the fixed ring bears the force, the guide of the other nothing.
+        let [fixed, guide] = &pulled.edge_reactions[..] else { panic!("{:?}", pulled.edge_reactions) };
+        assert!((fixed.force.z + force).abs() < 1e-6 && guide.force.z.abs() < 1e-6);
+        assert!(guide.force.length() < 1e-2 * force, "the mesh is not quite symmetric: {}", guide.force);
+        // The same by a mast of given length under the hub: its force is found.
+        let mut propped = film_with_a_ring(points, 0.0);
+        let foot = DVec3::new(0.0, 0.0, -2.0);
+        propped.cables.push(mast([foot, DVec3::new(0.0, 0.0, 0.7)], CableMode::Length(height + 2.0)));
+        let propped = found(&propped, edge_length);
+        assert!((propped.ring_travels[0] + 0.7 - height).abs() < 1e-9);
+        errors[1].push(-propped.cables[0].force - force);
+        let reaction = propped.reactions.iter().find(|reaction| reaction.point.is_none()).unwrap();
+        assert!((reaction.force.z + propped.cables[0].segment_forces[0]).abs() < 1e-6, "{reaction:?}");
+    }
+    println!("{errors:?} {:?}", errors.each_ref().map(|errors| order(errors)));
+    assert!(errors.iter().all(|errors| order(errors) > 1.7), "{errors:?}");
+    assert!((errors[0][2] / height).abs() < 5e-3 && (errors[1][2] / force).abs() < 5e-3, "{errors:?}");
+}
+
+/// A film between four high corners, whose ring a mast lifts. The mast's foot hangs on four cables to the corners.
+fn flying_mast(mode: CableMode) -> Structure {
+    let corners = [(-5.0, -5.0), (5.0, -5.0), (5.0, 5.0), (-5.0, 5.0)].map(|(x, y)| DVec3::new(x, y, 2.0));
+    let (foot, hub) = (DVec3::new(0.0, 0.0, 0.5), DVec3::new(0.0, 0.0, 3.0));
+    let mut ring = circle(16, 0.8, 3.0);
+    ring.reverse();
+    let stay = |corner: DVec3| Cable {
+        name: "stay".into(),
+        course: Course::Air([foot, corner]),
+        mode: CableMode::Force(8.0),
+        axial_stiffness: None,
+        weight: 0.0,
+    };
+    let mut cables: Vec<Cable> = corners.into_iter().map(stay).collect();
+    cables.push(mast([foot, hub], mode));
+    Structure {
+        rings: vec![Ring { boundary: 1, axis: DVec3::Z, force: 0.0, hub: Some(hub) }],
+        joints: vec![foot],
+        cables,
+        ..film(vec![corners.to_vec(), ring])
+    }
+}
+
+#[test]
+fn a_flying_mast_stands_on_its_cables_and_lifts_the_ring() {
+    let tent = found(&flying_mast(CableMode::Length(3.0)), 0.6);
+    let mast = tent.cables.last().unwrap();
+    assert!((mast.length - 3.0).abs() < 1e-9 && mast.force < -1.0 && !mast.slack, "{mast:?}");
+    let at = |v: u32| tent.mesh.vertices[v as usize];
+    let foot = at(mast.vertices[0]);
+    let of = |c: &CableResult| c.segment_forces[0] * (at(c.vertices[1]) - foot).normalize().z;
+    let lift: f64 = tent.cables[..4].iter().map(of).sum();
+    println!("{foot} {} {:?} {lift}", mast.force, mast.segment_forces);
+    assert!((lift + mast.segment_forces[0]).abs() < 1e-8 && foot.truncate().length() < 1e-6);
+    // A mast that pushes with the force that was found has the length that was given, up to the mesh's error.
+    let by_force = found(&flying_mast(CableMode::Force(-mast.force)), 0.6);
+    assert!((by_force.cables.last().unwrap().length - 3.0).abs() < 0.03, "{:?}", by_force.cables.last());
+}
+
+#[test]
+fn wrong_rings_joints_and_masts_are_refused_by_their_places() {
+    let places = |change: &dyn Fn(&mut Structure)| {
+        let mut structure = flying_mast(CableMode::Length(3.0));
+        change(&mut structure);
+        let Err(Error::Input(errors)) = check(&structure, &Options::new(Resolution::Triangles(100))) else {
+            panic!("accepted");
+        };
+        errors.iter().map(|error| error.place.to_string()).collect::<Vec<_>>()
+    };
+    assert_eq!(places(&|s| s.rings[0].boundary = 2), ["/rings/0/boundary"]);
+    assert_eq!(places(&|s| s.rings[0].axis = DVec3::ZERO), ["/rings/0/axis"]);
+    assert_eq!(places(&|s| s.rings[0].force = f64::NAN), ["/rings/0/force"]);
+    assert_eq!(places(&|s| s.rings[0].hub = Some(s.joints[0])), ["/rings/0/hub"]);
+    assert_eq!(places(&|s| s.rings.push(s.rings[0])), ["/rings/1/boundary", "/rings/1/hub"]);
+    assert_eq!(places(&|s| s.joints.push(DVec3::X)), ["/joints/1"]);
+    assert_eq!(places(&|s| s.joints.push(s.joints[0])), ["/joints/1"]);
+    assert_eq!(places(&|s| s.joints[0].x = f64::INFINITY), ["/joints/0"]);
+    assert_eq!(places(&|s| s.cables[4].mode = CableMode::Sag(1.0)), ["/masts/0/mode"]);
+    assert_eq!(places(&|s| s.cables[4].mode = CableMode::Length(-1.0)), ["/masts/0/value"]);
+    assert_eq!(places(&|s| s.cables[4].course = Course::Mast([DVec3::X, DVec3::Y])), ["/masts/0/points"]);
+    assert_eq!(places(&|s| s.pressure = Pressure::Constant(0.01)), ["/pressure"]);
+    let alone = places(&|s| {
+        s.boundaries.remove(0);
+        s.cables.clear();
+        s.joints.clear();
+        s.rings[0].boundary = 0;
+    });
+    assert!(alone.iter().all(|place| place.starts_with("/boundaries/0/")), "{alone:?}");
 }

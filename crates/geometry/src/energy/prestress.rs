@@ -1,16 +1,20 @@
 //! A film and lines whose stress is given on a reference shape: the update reference strategy, and force densities.
 //!
-//! On a triangle with edges a_k of the reference shape, opposite to the corners k, the second Piola-Kirchhoff stress
-//! S = σ I (a force per length) has the energy
+//! On a triangle with edges a_k of the reference shape, opposite to the corners k, area A_ref and the second
+//! Piola-Kirchhoff stress S = σ_w w wᵀ + σ_f f fᵀ (a force per length) along two unit vectors w and f of its plane that
+//! are at right angles, the energy is
 //!
 //! ```text
-//! E(x) = ½ A_ref S : FᵀF = ½ Σ_k c_k |e_k|²          c_k = ½ σ cot(angle at corner k)
+//! E(x) = ½ A_ref S : FᵀF = ½ Σ_k c_k |e_k|²
+//! c_k  = -(σ_w (a_i·f) (a_j·f) + σ_f (a_i·w) (a_j·w)) / (4 A_ref)          i, j the other two corners
+//! c_k  = ½ σ cot(angle at corner k)                                        for σ_w = σ_f = σ
 //! ```
 //!
-//! with the deformation gradient F and the edges e_k of x: a quadratic function of the positions. At the reference shape
-//! its value and its gradient are those of σ times the area. Repeating the solve with the result as the next reference
-//! shape finds the film of constant tension; with a fixed reference shape the equilibrium holds at every vertex and in
-//! every direction, and the stress is F S Fᵀ / det F.
+//! with the deformation gradient F and the edges e_k of x: a quadratic function of the positions. It follows from
+//! E = ½ A_ref Σ_ij (∇λ_i · S ∇λ_j) x_i·x_j with the gradients ∇λ_i = n × a_i / (2 A_ref) of the corners' hat functions.
+//! At the reference shape the stress is S; for σ_w = σ_f the value and the gradient are those of σ times the area.
+//! Repeating the solve with the result as the next reference shape finds the film of the required stress; with a fixed
+//! reference shape the equilibrium holds at every vertex and in every direction, and the stress is F S Fᵀ / det F.
 //!
 //! Lines of force density q have the energy ½ q ℓ² (Schek, *The force density method for form finding*, 1974). Source of
 //! the strategy: Bletzinger, Ramm, *A general finite element approach to the form finding of tensile structures by the
@@ -31,7 +35,37 @@ pub struct Prestress {
     shares: Vec<f64>,
 }
 
+/// The stress of a triangle in its own plane: principal stresses along a unit vector of the plane and across it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlaneStress {
+    /// w, a unit vector in the triangle's plane.
+    pub direction: DVec3,
+    /// σ_w, a force per length.
+    pub along: f64,
+    /// σ_f, a force per length.
+    pub across: f64,
+}
+
 impl Prestress {
+    /// Triangles with the stress `stress(t)` in triangle t of the reference shape `at`.
+    #[must_use]
+    pub fn plane(triangles: &[[u32; 3]], stress: impl Fn(usize) -> PlaneStress, at: &[DVec3]) -> Self {
+        let (mut coefficients, mut shares) = (Vec::with_capacity(triangles.len()), Vec::with_capacity(triangles.len()));
+        for (t, triangle) in triangles.iter().enumerate() {
+            let PlaneStress { direction, along, across } = stress(t);
+            let facet = Facet::of(at, triangle);
+            let other = facet.normal.cross(direction);
+            let (own, turned) = (facet.edges.map(|e| e.dot(direction)), facet.edges.map(|e| e.dot(other)));
+            let factor = -0.5 / facet.double_area;
+            coefficients.push([0, 1, 2].map(|k| {
+                let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+                factor * (along * turned[i] * turned[j] + across * own[i] * own[j])
+            }));
+            shares.push(0.25 * (along + across) * facet.double_area);
+        }
+        Self { triangles: triangles.to_vec(), coefficients, shares }
+    }
+
     /// Triangles with the tension `tension(t)` in triangle t of the reference shape `at`.
     #[must_use]
     pub fn isotropic(triangles: &[[u32; 3]], tension: impl Fn(usize) -> f64, at: &[DVec3]) -> Self {
@@ -152,6 +186,48 @@ mod tests {
         let moved: Vec<DVec3> = reference.iter().map(|p| DVec3::new(1.2 * p.x + 0.1 * p.y, p.y, p.z + p.x)).collect();
         check(&prestress, &moved, 1e-8);
         check(&ForceDensity { segments: vec![[0, 1], [1, 6]], densities: vec![1.5, -0.5] }, &moved, 1e-8);
+    }
+
+    #[test]
+    fn the_derivatives_of_a_woven_film_agree_with_finite_differences() {
+        let (reference, triangles) = patch();
+        let moved: Vec<DVec3> = reference.iter().map(|p| DVec3::new(1.2 * p.x + 0.1 * p.y, p.y, p.z + p.x)).collect();
+        check(
+            &Prestress::plane(&triangles, |t| in_plane(&reference, triangles[t], 2.0, 0.7), &reference),
+            &moved,
+            1e-8,
+        );
+    }
+
+    /// The stress along the projection of a slanted direction onto a triangle.
+    fn in_plane(at: &[DVec3], triangle: [u32; 3], along: f64, across: f64) -> PlaneStress {
+        let normal = Facet::of(at, &triangle).normal;
+        let direction = DVec3::new(0.8, 0.6, 0.1).reject_from_normalized(normal).normalize();
+        PlaneStress { direction, along, across }
+    }
+
+    #[test]
+    fn the_stresses_pull_on_the_edges_of_a_rectangle() {
+        // Two triangles of a rectangle 3 x 2, turned by an angle in its plane: warp along the long side. The force on a
+        // side is the stress across it times its length.
+        let turn = |x: f64, y: f64| DVec3::new(0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y, 0.0);
+        let at = [turn(0.0, 0.0), turn(3.0, 0.0), turn(3.0, 2.0), turn(0.0, 2.0)];
+        let stress = PlaneStress { direction: turn(1.0, 0.0), along: 5.0, across: 0.5 };
+        let prestress = Prestress::plane(&[[0, 1, 2], [0, 2, 3]], |_| stress, &at);
+        let mut gradient = vec![DVec3::ZERO; 4];
+        prestress.add_gradient(&at, &mut gradient);
+        assert!((gradient[1] + gradient[2]).distance(turn(5.0 * 2.0, 0.0)) < 1e-12, "{gradient:?}");
+        assert!((gradient[2] + gradient[3]).distance(turn(0.0, 0.5 * 3.0)) < 1e-12, "{gradient:?}");
+        assert!((prestress.value(&at) - 0.5 * (5.0 + 0.5) * 6.0).abs() < 1e-12, "half the sum of the stresses");
+    }
+
+    #[test]
+    fn equal_stresses_are_isotropic_whatever_their_direction() {
+        let (at, triangles) = patch();
+        let plane = Prestress::plane(&triangles, |t| in_plane(&at, triangles[t], 1.7, 1.7), &at);
+        let isotropic = Prestress::isotropic(&triangles, |_| 1.7, &at);
+        let pairs = plane.coefficients.iter().flatten().zip(isotropic.coefficients.iter().flatten());
+        assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-12));
     }
 
     #[test]

@@ -13,6 +13,7 @@ use crate::sparse::{LinearError, SymmetricMatrix};
 use crate::{DVec3, Execution, polyline};
 use glam::DMat3;
 use std::fmt;
+use std::ops::Range;
 
 /// Largest distance of a vertex from its support, as a fraction of the radius of the body. A larger value accepts
 /// starts that the first step moves visibly. Rounding of coordinates needs about 1e-15.
@@ -27,6 +28,8 @@ pub struct Body {
     pub freedoms: Vec<Freedom>,
     /// The lines and surfaces of [`Freedom::On`] and [`Freedom::AcrossOn`].
     pub supports: Vec<Support>,
+    /// For each group of [`Freedom::Together`] the unit vector along which it moves.
+    pub groups: Vec<DVec3>,
     /// The energies; [`Body::new`] begins with the sheets' areas.
     pub terms: Vec<Box<dyn Term>>,
     /// Quantities of the whole body that keep their values.
@@ -45,6 +48,8 @@ pub enum BodyDefect {
     NoSuchVertex(u32),
     /// A freedom names a support that does not exist.
     NoSuchSupport(u32),
+    /// A freedom names a group that does not exist.
+    NoSuchGroup(u32),
     /// The vertex does not lie on its support.
     OffSupport(u32),
     /// A constraint's target is zero or not finite.
@@ -57,6 +62,7 @@ impl fmt::Display for BodyDefect {
             Self::Freedoms => f.write_str("every vertex needs one freedom"),
             Self::NoSuchVertex(vertex) => write!(f, "vertex {vertex} does not exist"),
             Self::NoSuchSupport(support) => write!(f, "support {support} does not exist"),
+            Self::NoSuchGroup(group) => write!(f, "group {group} does not exist"),
             Self::OffSupport(vertex) => write!(f, "vertex {vertex} does not lie on its support"),
             Self::Target(constraint) => write!(f, "the target of constraint {constraint} must be finite and not zero"),
         }
@@ -99,7 +105,8 @@ impl Body {
         let mut freedoms: Vec<Freedom> = complex.kinds.iter().map(freedom).collect();
         freedoms.resize(vertices.len(), Freedom::Free);
         let triangles = complex.triangles.clone();
-        Self { vertices, freedoms, supports: Vec::new(), terms, constraints: Vec::new(), triangles, curves }
+        let (supports, groups, constraints) = (Vec::new(), Vec::new(), Vec::new());
+        Self { vertices, freedoms, supports, groups, terms, constraints, triangles, curves }
     }
 
     /// The triangles, oriented alike within each sheet.
@@ -157,6 +164,13 @@ impl Body {
         }
         if let Some(vertex) = missing {
             return Err(BodyDefect::NoSuchVertex(vertex));
+        }
+        for freedom in &self.freedoms {
+            if let Freedom::Together(group) = *freedom
+                && group as usize >= self.groups.len()
+            {
+                return Err(BodyDefect::NoSuchGroup(group));
+            }
         }
         let radius = self.radius();
         for (v, (freedom, &here)) in self.freedoms.iter().zip(&self.vertices).enumerate() {
@@ -272,7 +286,7 @@ impl Body {
     fn unknowns(&self, v: usize) -> u8 {
         match self.freedoms[v] {
             Freedom::Fixed => 0,
-            Freedom::Normal | Freedom::AcrossOn { .. } => 1,
+            Freedom::Normal | Freedom::AcrossOn { .. } | Freedom::Together(_) => 1,
             Freedom::Across(_) => 2,
             Freedom::On(support) => self.supports[support as usize].dimension(),
             Freedom::Free => 3,
@@ -319,6 +333,8 @@ impl Report {
 #[derive(Debug)]
 pub(crate) struct Motion<'a> {
     body: &'a Body,
+    /// For each vertex the one whose unknowns it has: itself, or the first of its group.
+    owner: Vec<u32>,
     pattern: BlockPattern,
     radius: f64,
 }
@@ -336,10 +352,29 @@ pub(crate) struct Frame {
 impl<'a> Motion<'a> {
     /// The body must have passed its check.
     pub fn new(body: &'a Body) -> Self {
-        let counts: Vec<u8> = (0..body.vertices.len()).map(|v| body.unknowns(v)).collect();
-        let pattern =
-            BlockPattern::new(&counts, |couple| body.quantities().for_each(|term| term.visit_elements(couple)));
-        Self { body, pattern, radius: body.radius() }
+        let mut first_of = vec![None; body.groups.len()];
+        let owner_of = |(v, freedom): (usize, &Freedom)| match *freedom {
+            Freedom::Together(group) => *first_of[group as usize].get_or_insert(v as u32),
+            _ => v as u32,
+        };
+        let owner: Vec<u32> = body.freedoms.iter().enumerate().map(owner_of).collect();
+        let count = |v: usize| if owner[v] as usize == v { body.unknowns(v) } else { 0 };
+        let counts: Vec<u8> = (0..body.vertices.len()).map(count).collect();
+        let pattern = BlockPattern::new(&counts, |couple| {
+            let mut owners = Vec::new();
+            let mut visit = |element: &[u32]| {
+                owners.clear();
+                owners.extend(element.iter().map(|&v| owner[v as usize]));
+                couple(&owners);
+            };
+            body.quantities().for_each(|term| term.visit_elements(&mut visit));
+        });
+        Self { body, owner, pattern, radius: body.radius() }
+    }
+
+    /// The unknowns of a vertex, which are those of all vertices of its group.
+    fn unknowns(&self, v: u32) -> Range<usize> {
+        self.pattern.unknowns(self.owner[v as usize])
     }
 
     fn directions(&self, vertices: &[DVec3]) -> Vec<DVec3> {
@@ -349,6 +384,8 @@ impl<'a> Motion<'a> {
         for (v, freedom) in body.freedoms.iter().enumerate() {
             match *freedom {
                 Freedom::Fixed => {}
+                Freedom::Together(group) if self.owner[v] as usize == v => directions.push(body.groups[group as usize]),
+                Freedom::Together(_) => {}
                 Freedom::Normal => directions.push(normals[v]),
                 Freedom::Across([a, b]) => {
                     let tangent = (vertices[b as usize] - vertices[a as usize]).normalize_or(DVec3::X);
@@ -371,17 +408,16 @@ impl<'a> Motion<'a> {
 
     /// The parts of one vector per vertex along the directions.
     fn components(&self, directions: &[DVec3], vectors: &[DVec3]) -> Vec<f64> {
-        let mut components = Vec::with_capacity(directions.len());
+        let mut components = vec![0.0; directions.len()];
         for (v, vector) in vectors.iter().enumerate() {
-            components
-                .extend(directions[self.pattern.unknowns(v as u32)].iter().map(|direction| vector.dot(*direction)));
+            self.unknowns(v as u32).for_each(|k| components[k] += vector.dot(directions[k]));
         }
         components
     }
 
     /// The displacement of each vertex in a motion given as one number per unknown, the largest of length 1.
     fn displacements(&self, state: &State<Frame>, motion: &[f64]) -> Vec<DVec3> {
-        let of = |v: usize| self.pattern.unknowns(v as u32).map(|k| motion[k] * state.frame.directions[k]).sum();
+        let of = |v: usize| self.unknowns(v as u32).map(|k| motion[k] * state.frame.directions[k]).sum();
         let moved: Vec<DVec3> = (0..self.body.vertices.len()).map(of).collect();
         let largest = moved.iter().map(|d| d.length()).fold(f64::MIN_POSITIVE, f64::max);
         moved.into_iter().map(|d| d / largest).collect()
@@ -389,6 +425,7 @@ impl<'a> Motion<'a> {
 
     /// The part of the gradient along each vertex's directions, with its share: what the residual is made of.
     pub fn unbalanced_forces<'s>(&'s self, state: &'s State<Frame>) -> impl Iterator<Item = (usize, f64, f64)> + 's {
+        // The unknowns of a group belong to its first vertex, whose share is that of the whole group.
         let free = (0..state.frame.shares.len()).filter(|&v| !self.pattern.unknowns(v as u32).is_empty());
         free.map(|v| {
             let along = &state.gradient[self.pattern.unknowns(v as u32)];
@@ -405,7 +442,13 @@ impl<'a> Motion<'a> {
             curve[a as usize] += half;
             curve[b as usize] += half;
         }
-        let scales = shares.iter().zip(&curve).map(|(share, curve)| share.max(0.5 * self.radius * curve)).collect();
+        let scale = |(share, curve): (&f64, &f64)| share.max(0.5 * self.radius * curve);
+        let mut scales: Vec<f64> = shares.iter().zip(&curve).map(scale).collect();
+        for (v, &owner) in self.owner.iter().enumerate() {
+            if owner as usize != v {
+                scales[owner as usize] += scales[v];
+            }
+        }
         (shares, scales)
     }
 }
@@ -419,9 +462,9 @@ impl Equations for Motion<'_> {
         let mut gradient = vec![DVec3::ZERO; vertices.len()];
         body.terms.iter().for_each(|term| term.add_gradient(vertices, &mut gradient));
         let (own_shares, shares) = self.shares(vertices);
-        let mut mass = Vec::with_capacity(directions.len());
+        let mut mass = vec![0.0; directions.len()];
         for (v, &share) in own_shares.iter().enumerate() {
-            mass.extend(self.pattern.unknowns(v as u32).map(|_| share));
+            self.unknowns(v as u32).for_each(|k| mass[k] += share);
         }
         let mut along = self.components(&directions, &gradient);
         let quantities: Vec<Vec<DVec3>> = body
@@ -485,8 +528,8 @@ impl Equations for Motion<'_> {
         matrix.values.fill(0.0);
         let values = &mut matrix.values;
         let mut add = |factor: f64, v: u32, w: u32, block: DMat3| {
-            let Some(position) = self.pattern.position(v, w) else { return };
-            let (own, other) = (&directions[self.pattern.unknowns(v)], &directions[self.pattern.unknowns(w)]);
+            let Some(position) = self.pattern.position(self.owner[v as usize], self.owner[w as usize]) else { return };
+            let (own, other) = (&directions[self.unknowns(v)], &directions[self.unknowns(w)]);
             for (j, &towards) in other.iter().enumerate() {
                 let force = block * towards;
                 for (i, direction) in own.iter().enumerate() {
@@ -520,7 +563,7 @@ impl Equations for Motion<'_> {
 
     fn moved(&self, vertices: &[DVec3], state: &State<Frame>, step: &[f64], fraction: f64) -> Vec<DVec3> {
         let move_one = |(v, &vertex): (usize, &DVec3)| {
-            let own = self.pattern.unknowns(v as u32);
+            let own = self.unknowns(v as u32);
             let moved = vertex + own.map(|k| fraction * step[k] * state.frame.directions[k]).sum::<DVec3>();
             match self.body.freedoms[v].support() {
                 Some(support) => self.body.supports[support as usize].nearest(moved),

@@ -25,6 +25,9 @@ pub enum Freedom {
         /// The neighbours on the film's edge.
         beside: [u32; 2],
     },
+    /// Along the direction of the group of this number, by the same distance as all other vertices of the group: one
+    /// unknown for the whole group. This is for a rigid ring that is guided along its axis.
+    Together(u32),
     /// Anywhere: three unknowns.
     Free,
 }
@@ -35,7 +38,7 @@ impl Freedom {
     pub fn support(self) -> Option<u32> {
         match self {
             Self::On(support) | Self::AcrossOn { support, .. } => Some(support),
-            Self::Fixed | Self::Normal | Self::Across(_) | Self::Free => None,
+            Self::Fixed | Self::Normal | Self::Across(_) | Self::Together(_) | Self::Free => None,
         }
     }
 }

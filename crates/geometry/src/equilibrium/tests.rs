@@ -88,7 +88,11 @@ fn every_freedom_agrees_with_finite_differences_of_the_energy_along_its_motion()
         (8, Freedom::AcrossOn { support: 3, beside: [4, 12] }),
         (11, Freedom::Across([7, 15])),
         (15, Freedom::Free),
+        (12, Freedom::Together(0)),
+        (13, Freedom::Together(0)),
+        (14, Freedom::Together(0)),
     ];
+    body.groups = vec![axis];
     for (v, freedom) in freedoms {
         body.freedoms[v] = freedom;
         if let Some(support) = freedom.support() {
@@ -105,7 +109,7 @@ fn every_freedom_agrees_with_finite_differences_of_the_energy_along_its_motion()
     let motion = Motion::new(&body);
     let state = motion.state(&body.vertices);
     let n = state.gradient.len();
-    assert_eq!(n, 1 + 1 + 2 + 2 + 2 + 1 + 1 + 2 + 3 + 4);
+    assert_eq!(n, 1 + 1 + 2 + 2 + 2 + 1 + 1 + 2 + 3 + 1 + 4);
     let mut matrix = motion.matrix();
     motion.second_variation(&body.vertices, &state, 0.0, &mut matrix);
     // The Lagrangian with the multiplier held.

@@ -5,18 +5,22 @@
 //!    mesh follows an edge that moves. Between the rounds edges are flipped and vertices slide within the film.
 //! 2. *Newton*: the energy itself. Vertices inside the film move along their normals and those of a cable across it,
 //!    until the residual is small. The mean height of a heavy film, at which its tension is the required one, is
-//!    renewed between solves. Then the stability is analysed.
+//!    renewed between solves. Then the stability is analysed. A woven film has no energy whose minimum its shape could
+//!    be: each step takes the shape before it as the reference, and the stresses are renewed between steps
+//!    ([`weave`](super::weave)), accelerated by Anderson's mixing, until the forces at the reference shape itself balance.
 //! 3. *Balance*: the shape becomes the reference of a last solve in which all vertices move in all directions. It moves
 //!    the vertices within the film, by less than the mesh's error, until the forces balance at every vertex and in
 //!    every direction. The stress then deviates from the constant one; the statistics say by how much.
 
+use super::mixing::Mixing;
 use super::model::{ForceBy, Model};
-use super::options::{Options, Pressure, Structure};
+use super::options::{Options, Pressure, Structure, WeaveHold};
 use crate::energy::cable::Law;
-use crate::energy::{self, ForceDensity, Load, Prestress, Term, Volume};
-use crate::equilibrium::newton::State;
-use crate::equilibrium::{Aim, Body, Determined, Frame, Freedom, Outcome, Settings, Stability};
-use crate::mesh::measure::double_area_vector;
+use crate::energy::{self, ForceDensity, Load, PlaneStress, Prestress, Term, Volume};
+use crate::equilibrium::newton::{State, keeps_orientation};
+use crate::equilibrium::{Aim, Body, Constraint, Determined, Frame, Freedom, Outcome, Settings, Stability};
+use crate::mesh::measure::{double_area_vector, normals};
+use crate::minimal_surface::StopReason;
 use crate::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
 use crate::sparse::LinearError;
 use crate::{DVec3, Error, Execution, Interruption, Progress};
@@ -27,6 +31,8 @@ use crate::{DVec3, Error, Execution, Interruption, Progress};
 const DEFAULT_SOLVES: u32 = 400;
 /// Largest number of rounds of step 1. Structures of the examples settle in 4 to 15.
 const MAX_ROUNDS: u32 = 60;
+/// Largest number of rounds of step 1 for a woven film, whose step 2 converges from further away.
+const MAX_WOVEN_ROUNDS: u32 = 20;
 /// Newton steps of one round. More would be spent on a reference shape that is replaced at once.
 const STEPS_PER_ROUND: u32 = 3;
 /// A round that moves no vertex by more than this fraction of the mean edge is the last. With a larger value Newton's
@@ -38,41 +44,16 @@ const VOLUME_ROUNDS: u32 = 8;
 const NEWTON_STEPS: u32 = 30;
 /// Largest number of renewals: of the mean height of a heavy film, and of the list of slack cables.
 const MAX_RENEWALS: u32 = 60;
+/// Largest number of reference shapes of a woven film in step 2. The examples take 15 to 60.
+const MAX_REFERENCES: u32 = 300;
+/// The stresses of a woven film count as settled if none changes by more than this fraction.
+const STRESSES_SETTLED: f64 = 1e-6;
 /// Largest number of times that a stalled Newton iteration is followed by another step 1.
 const MAX_RETURNS: u32 = 3;
 /// Newton steps of the balance, which is linear but for a pressure.
 const BALANCE_STEPS: u32 = 12;
 /// The residual to which forces are balanced.
 const BALANCED: f64 = 1e-12;
-
-/// Why form finding ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StopReason {
-    /// The residual is at most the tolerance.
-    Residual,
-    /// No step improves the shape: a triangle would turn over or collapse, or rounding errors are reached.
-    Stalled,
-    /// The allowed solves are used up.
-    MaxIterations,
-    /// The linear system has no trustworthy solution: a part of the structure collapsed or moves freely.
-    Collapsed,
-    /// The caller's deadline passed.
-    Deadline,
-}
-
-impl StopReason {
-    /// A stable name in snake case.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Residual => "residual",
-            Self::Stalled => "stalled",
-            Self::MaxIterations => "max_iterations",
-            Self::Collapsed => "collapsed",
-            Self::Deadline => "deadline",
-        }
-    }
-}
 
 /// The shape that was found.
 #[derive(Debug)]
@@ -103,7 +84,7 @@ impl Found {
         match self.stop_reason {
             StopReason::Residual => true,
             StopReason::Stalled | StopReason::MaxIterations => self.residual <= NEARLY,
-            StopReason::Collapsed | StopReason::Deadline => false,
+            _ => false,
         }
     }
 }
@@ -120,8 +101,8 @@ pub(super) struct Balance {
     pub cable_forces: Vec<Vec<f64>>,
     /// The triangles' edges in the reference shape: positions before the balance.
     pub reference: Vec<DVec3>,
-    /// Per triangle the tension in the reference shape.
-    pub tensions: Vec<f64>,
+    /// Per triangle the stress in the reference shape: the required one.
+    pub stresses: Vec<PlaneStress>,
 }
 
 /// State of a run.
@@ -196,7 +177,10 @@ impl Run<'_> {
         for attempt in 0..=MAX_RETURNS {
             self.settle(volume, first_round)?;
             first_round = VOLUME_ROUNDS;
-            let reason = self.newton(volume, found)?;
+            let reason = match self.model.stress_field {
+                None => self.newton(volume, found)?,
+                Some(_) => self.renew_references(volume, found)?,
+            };
             found.stop_reason = reason;
             match reason {
                 StopReason::Residual => break,
@@ -261,21 +245,27 @@ impl Run<'_> {
     /// Step 1.
     fn settle(&mut self, volume: Option<f64>, first_round: u32) -> Result<(), Stop> {
         let settings = Settings { aim: Aim::Minimum, tolerance: 1e-6, max_steps: STEPS_PER_ROUND };
-        for round in first_round..=MAX_ROUNDS {
+        let last_round = if self.model.stress_field.is_some() { MAX_WOVEN_ROUNDS } else { MAX_ROUNDS };
+        for round in first_round..=last_round {
             let grown = volume.map(|volume| volume * f64::from(round.min(VOLUME_ROUNDS)) / f64::from(VOLUME_ROUNDS));
             self.model.hang(self.structure);
+            // The stresses vary even if their magnitudes are to be held. Otherwise the vertices of a film whose stresses
+            // cannot be in equilibrium would move within it from round to round.
+            self.renew_stresses(true)?;
             let mut body = self.model.body(self.structure, grown, true)?;
             self.look()?;
-            let tension = self.structure.film.tension;
+            let tension = self.structure.film.mean();
             let before = body.vertices.clone();
-            body.terms[0] = Box::new(Prestress::isotropic(self.model.film.triangles(), |_| tension, &before));
+            if self.model.stress_field.is_none() {
+                body.terms[0] = Box::new(Prestress::isotropic(self.model.film.triangles(), |_| tension, &before));
+            }
             for freedom in &mut body.freedoms {
                 if *freedom == Freedom::Normal {
                     *freedom = Freedom::Free;
                 }
             }
             let (outcome, _) = self.solve(&mut body, &settings, "settle", 0.02)?;
-            let moved = before.iter().zip(&body.vertices).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+            let moved = self.largest_motion(&before, &body.vertices);
             self.model.set_vertices(&body.vertices);
             self.model.renew_start_forces(self.structure);
             self.look()?;
@@ -293,6 +283,73 @@ impl Run<'_> {
             }
         }
         Ok(())
+    }
+
+    /// The largest distance between two positions of a vertex. Inside a woven film it is that along the normal, because
+    /// vertices may move within the film from round to round although the shape has settled.
+    fn largest_motion(&self, before: &[DVec3], after: &[DVec3]) -> f64 {
+        let film = &self.model.film;
+        let normals = match self.model.stress_field {
+            Some(_) => normals(before, film.triangles()),
+            None => Vec::new(),
+        };
+        let distance = |(v, (a, b)): (usize, (&DVec3, &DVec3))| match normals.get(v) {
+            Some(normal) if film.fixed.get(v) == Some(&false) => (*b - *a).dot(*normal).abs(),
+            _ => a.distance(*b),
+        };
+        before.iter().zip(after).enumerate().map(distance).fold(0.0, f64::max)
+    }
+
+    fn renew_stresses(&mut self, adapt: bool) -> Result<f64, Stop> {
+        self.model.renew_stresses(self.structure, adapt).map_err(|error| match error {
+            LinearError::TooLarge => Stop::Failed(too_large(error)),
+            _ => Stop::Reason(StopReason::Collapsed),
+        })
+    }
+
+    /// Step 2 for a woven film.
+    fn renew_references(&mut self, volume: Option<f64>, found: &mut Found) -> Result<StopReason, Stop> {
+        let settings = Settings { aim: Aim::Minimum, tolerance: self.options.tolerance, max_steps: 1 };
+        let adapt = self.model.stress_field.as_ref().is_some_and(|field| field.hold() == WeaveHold::Ratio);
+        let mut mixing = Mixing::default();
+        for _ in 0..MAX_REFERENCES {
+            self.look()?;
+            let start = self.model.unknowns();
+            let change = self.renew_stresses(adapt)?;
+            let mut body = self.model.body(self.structure, volume, false)?;
+            let solves = self.solves;
+            let (outcome, state) = self.solve(&mut body, &settings, "newton", 0.05)?;
+            self.model.set_vertices(&body.vertices);
+            found.energy = state.energy;
+            self.multipliers(&state, volume, found);
+            match outcome {
+                // Without a step the residual is that of the reference shape itself.
+                Outcome::Converged if self.solves == solves => {
+                    found.residual = state.residual;
+                    if self.slacken(found) || change > STRESSES_SETTLED {
+                        continue;
+                    }
+                    let flipped = self.model.flipped() > 0;
+                    return Ok(if flipped { StopReason::Stalled } else { StopReason::Residual });
+                }
+                Outcome::Converged | Outcome::StepsUsed => {}
+                Outcome::Stalled => {
+                    self.measure(found)?;
+                    return Ok(StopReason::Stalled);
+                }
+                Outcome::Refused(_) => return Ok(StopReason::Collapsed),
+                Outcome::Interrupted(interruption) => return Err(Error::Interrupted(interruption).into()),
+            }
+            let reached = self.model.unknowns();
+            let mixed = mixing.next(start, reached.clone());
+            self.model.set_unknowns(&mixed);
+            if !keeps_orientation(self.model.film.triangles(), &body.vertices, &self.model.vertices()) {
+                self.model.set_unknowns(&reached);
+                mixing.clear();
+            }
+        }
+        self.measure(found)?;
+        Ok(StopReason::MaxIterations)
     }
 
     /// Step 2.
@@ -382,21 +439,18 @@ impl Run<'_> {
         let mut body = self.model.body(structure, volume, false)?;
         let reference = body.vertices.clone();
         let triangles = self.model.film.triangles().to_vec();
-        let weight = self.model.weight(structure, &reference);
-        let tensions: Vec<f64> =
-            triangles.iter().map(|triangle| structure.film.tension + weight.tension(triangle, &reference)).collect();
-        let mut loads = vec![DVec3::ZERO; reference.len()];
-        for triangle in &triangles {
-            let area = 0.5 * double_area_vector(triangle.map(|v| reference[v as usize])).length();
-            let third = structure.up * (structure.film.weight * area / 3.0);
-            triangle.iter().for_each(|&v| loads[v as usize] -= third);
+        let stresses = self.reference_stresses(&triangles, &reference);
+        let mut loads = self.model.film_loads(structure, &reference);
+        if let Some(forces) = self.model.ring_forces(structure) {
+            loads.iter_mut().zip(forces).for_each(|(load, force)| *load += force);
         }
         let mut densities = Vec::with_capacity(self.model.cables.len());
-        for (cable, further) in self.model.cables.iter().zip(&found.length_forces) {
+        for (number, (cable, multiplier)) in self.model.cables.iter().zip(&found.length_forces).enumerate() {
             let mut own = ForceDensity { segments: cable.segments.clone(), densities: Vec::new() };
             for (k, &segment) in cable.segments.iter().enumerate() {
                 let length = energy::length::length(segment, &reference);
-                own.densities.push((cable.force(k, &reference) + further) / length);
+                let further = self.model.further_forces[number].get(k).copied().unwrap_or(0.0);
+                own.densities.push((cable.force(k, &reference) + multiplier + further) / length);
                 let half = structure.up * (0.5 * cable.weight * length);
                 segment.into_iter().for_each(|v| loads[v as usize] -= half);
             }
@@ -405,7 +459,21 @@ impl Run<'_> {
         body.terms.clear();
         // The forces of the cables are now those of their densities; only lengths and a volume keep their values.
         body.constraints.retain(|constraint| matches!(constraint.by, Determined::Value(_)));
-        body.terms.push(Box::new(Prestress::isotropic(&triangles, |t| tensions[t], &reference)));
+        // The length of a mast that pushes with a given force is held at what was found. With a force density in its place
+        // all forces would be linear in the positions, and a mast between two free ends would shrink to nothing.
+        let pushing = |k: &usize| structure.cables[*k].course.is_mast() && self.model.forces_by[*k] == ForceBy::Law;
+        let pushing: Vec<usize> = (0..densities.len()).filter(pushing).collect();
+        for (place, &k) in pushing.iter().enumerate() {
+            let quantity = energy::Length { segments: densities[k].segments.clone(), tension: -1.0 };
+            let held = Constraint::value(Box::new(quantity.clone()), quantity.value(&reference));
+            // Before the volume, which comes last.
+            let lengths = self.model.forces_by.iter().filter(|by| matches!(by, ForceBy::Length(_))).count();
+            body.constraints.insert(lengths + place, held);
+        }
+        body.terms.push(Box::new(match &self.model.stress_field {
+            None => Prestress::isotropic(&triangles, |t| stresses[t].along, &reference),
+            Some(_) => Prestress::plane(&triangles, |t| stresses[t], &reference),
+        }));
         body.terms.push(Box::new(Load { forces: loads.clone() }));
         densities.iter().for_each(|own| body.terms.push(Box::new(own.clone())));
         if let Pressure::Constant(pressure) = structure.pressure {
@@ -444,15 +512,33 @@ impl Run<'_> {
         }
         let mut multipliers = state.constraints.iter().map(|constraint| constraint.multiplier);
         let mut cable_forces = Vec::with_capacity(densities.len());
-        for (own, by) in densities.iter().zip(&self.model.forces_by) {
-            let more = if matches!(by, ForceBy::Length(_)) { multipliers.next().unwrap_or(0.0) } else { 0.0 };
+        let mut more = vec![0.0; densities.len()];
+        let by_length = (0..densities.len()).filter(|&k| matches!(self.model.forces_by[k], ForceBy::Length(_)));
+        for k in by_length.chain(pushing) {
+            more[k] = multipliers.next().unwrap_or(0.0);
+        }
+        for (own, more) in densities.iter().zip(more) {
             let mut forces = Vec::with_capacity(own.segments.len());
             own.visit_forces(at, &mut |force| forces.push(force + more));
             cable_forces.push(forces);
         }
         found.pressure = pressure;
         self.model.set_vertices(&body.vertices);
-        found.balance = Some(Balance { forces, loads, cable_forces, reference, tensions });
+        found.balance = Some(Balance { forces, loads, cable_forces, reference, stresses });
         Ok(())
+    }
+
+    /// Per triangle the stress that is required at the found shape.
+    fn reference_stresses(&self, triangles: &[[u32; 3]], at: &[DVec3]) -> Vec<PlaneStress> {
+        let weight = self.model.weight(self.structure, at);
+        let of = |triangle: &[u32; 3]| match &self.model.stress_field {
+            Some(field) => field.required(triangle, at),
+            None => {
+                let [a, b, _] = triangle.map(|v| at[v as usize]);
+                let tension = self.structure.film.mean() + weight.tension(triangle, at);
+                PlaneStress { direction: (b - a).normalize_or_zero(), along: tension, across: tension }
+            }
+        };
+        triangles.iter().map(of).collect()
     }
 }

@@ -2,14 +2,16 @@
 
 use super::catenary::Catenary;
 use super::options::{BoundaryPoint, Cable, CableMode, Course, Options, Pressure, Sliding, SlidingPart, Structure};
+use super::weave::{StressField, pulls_along};
 use crate::energy::cable::{self, CableCondition, Equation, Law};
-use crate::energy::{Term, Volume, Weight};
+use crate::energy::{Load, Term, Volume, Weight};
 use crate::equilibrium::{Body, Constraint, Determined, Freedom, Support};
 use crate::error::Warning;
 use crate::mesh::complex::Complex;
 use crate::mesh::film::Film;
 use crate::mesh::measure;
 use crate::minimal_surface::{self, Constraints, Method};
+use crate::sparse::LinearError;
 use crate::{DVec3, Error, Execution, Place, energy, polyline};
 
 /// Fewest segments of a heavy cable in the air.
@@ -28,6 +30,10 @@ pub(super) struct Model {
     pub air: Vec<DVec3>,
     /// For each vertex in the air whether it is a support.
     pub air_fixed: Vec<bool>,
+    /// Number of joints and hubs, which are the first vertices in the air.
+    joined: usize,
+    /// The rings that move, in the order of the input.
+    pub rings: Vec<MovingRing>,
     /// For each cable its vertices from the first end to the last.
     pub chains: Vec<Vec<u32>>,
     /// The vertices of the free points.
@@ -44,7 +50,22 @@ pub(super) struct Model {
     pub forces_by: Vec<ForceBy>,
     /// The force of each cable with which form finding begins.
     pub start_forces: Vec<f64>,
+    /// Mean length of the edges of the initial mesh.
+    start_edge: f64,
+    /// The stresses of a woven film.
+    pub stress_field: Option<StressField>,
+    /// For each cable and each of its segments what the pull of a woven film along the cable adds to the force; empty for
+    /// other films and for cables in the air.
+    pub further_forces: Vec<Vec<f64>>,
     pub warnings: Vec<Warning>,
+}
+
+/// A ring that moves along its axis as a whole.
+#[derive(Clone, Debug)]
+pub(super) struct MovingRing {
+    pub axis: DVec3,
+    /// The vertices of its boundary, then that of its hub.
+    pub vertices: Vec<u32>,
 }
 
 /// What determines the force of a cable.
@@ -70,7 +91,7 @@ pub(super) enum ForceBy {
 pub(super) fn start_options(structure: &Structure, options: &Options) -> minimal_surface::Options {
     let across = structure.cables.iter().filter_map(|cable| match &cable.course {
         Course::Across(points) => Some(points.clone()),
-        Course::Boundary { .. } | Course::Air(_) => None,
+        Course::Boundary { .. } | Course::Air(_) | Course::Mast(_) => None,
     });
     minimal_surface::Options {
         method: Method::Harmonic,
@@ -101,6 +122,8 @@ impl Model {
             film,
             air: Vec::new(),
             air_fixed: Vec::new(),
+            joined: 0,
+            rings: Vec::new(),
             chains: Vec::new(),
             free: Vec::new(),
             input_vertices,
@@ -110,19 +133,24 @@ impl Model {
             cables: Vec::new(),
             forces_by: Vec::new(),
             start_forces: Vec::new(),
+            start_edge: 0.0,
+            stress_field: None,
+            further_forces: vec![Vec::new(); structure.cables.len()],
             warnings,
         };
         for sliding in &structure.sliding {
             model.slide(sliding);
         }
+        model.join(structure);
         model.cap_volume = model.caps();
         model.free = structure.free_points.iter().map(|&point| model.input_vertex(point)).collect();
         let edge = model.mean_edge();
+        model.start_edge = edge;
         for cable in &structure.cables {
             let chain = match &cable.course {
                 Course::Boundary { boundary, from, to } => model.along(*boundary, *from, *to),
                 Course::Across(_) => model.across(&across.next().unwrap_or_default()).ok_or_else(lost)?,
-                Course::Air(ends) => model.through_the_air(structure, cable, *ends, edge),
+                Course::Air(ends) | Course::Mast(ends) => model.through_the_air(structure, cable, *ends, edge),
             };
             model.chains.push(chain);
         }
@@ -134,6 +162,9 @@ impl Model {
             model.cables.push(energy::Cable::new(segments, law).heavy(cable.weight, structure.up));
             model.forces_by.push(by);
         }
+        let count = model.film.vertices.len();
+        model.stress_field =
+            structure.film.weave().map(|weave| StressField::new(weave, centre, model.film.triangles(), count));
         Ok(model)
     }
 
@@ -199,6 +230,26 @@ impl Model {
         (chain.len() > 1).then_some(chain)
     }
 
+    /// Makes the rings that move and the vertices of hubs and joints.
+    fn join(&mut self, structure: &Structure) {
+        for ring in &structure.rings {
+            let mut vertices = self.film.boundaries[ring.boundary].clone();
+            vertices.extend(ring.hub.map(|hub| self.add_to_air(hub)));
+            self.rings.push(MovingRing { axis: ring.axis, vertices });
+        }
+        for &joint in &structure.joints {
+            self.add_to_air(joint);
+        }
+        self.joined = self.air.len();
+    }
+
+    /// Adds a vertex in the air that no support holds.
+    fn add_to_air(&mut self, point: DVec3) -> u32 {
+        self.air.push(point - self.centre);
+        self.air_fixed.push(false);
+        (self.film.vertices.len() + self.air.len() - 1) as u32
+    }
+
     fn through_the_air(&mut self, structure: &Structure, cable: &Cable, ends: [DVec3; 2], edge: f64) -> Vec<u32> {
         let mut joined = |end: DVec3| {
             for (boundary, points) in structure.boundaries.iter().enumerate() {
@@ -208,7 +259,8 @@ impl Model {
             }
             let place = end - self.centre;
             let count = self.film.vertices.len();
-            if let Some(k) = (0..self.air.len()).find(|&k| self.air_fixed[k] && self.air[k] == place) {
+            let may_join = |k: usize| k < self.joined || self.air_fixed[k];
+            if let Some(k) = (0..self.air.len()).find(|&k| may_join(k) && self.air[k] == place) {
                 return (count + k) as u32;
             }
             self.air.push(place);
@@ -328,12 +380,17 @@ impl Model {
         let vertices = self.vertices();
         let invalid = |defect| Error::no_result("invalid_mesh", format!("the film's mesh is damaged: {defect}"));
         let complex = Complex::build(self.film.triangles().to_vec(), self.film.vertices.len()).map_err(invalid)?;
-        let tensions = vec![structure.film.tension; complex.sheets.len()];
+        let tension = structure.film.mean();
+        let tensions = vec![tension; complex.sheets.len()];
         let mut body = Body::new(vertices, &complex, &tensions);
-        // All sheets have one tension, so one term serves them all.
+        // All sheets have one tension or one field of stresses, so one term serves them all.
         body.terms.truncate(0);
-        let area = energy::Area { triangles: self.film.triangles().to_vec(), tension: structure.film.tension };
-        body.terms.push(Box::new(area));
+        match &self.stress_field {
+            None => {
+                body.terms.push(Box::new(energy::Area { triangles: self.film.triangles().to_vec(), tension }));
+            }
+            Some(field) => body.terms.push(Box::new(field.prestress(self.film.triangles(), &body.vertices))),
+        }
         for (k, &fixed) in self.air_fixed.iter().enumerate() {
             body.freedoms[self.film.vertices.len() + k] = if fixed { Freedom::Fixed } else { Freedom::Free };
         }
@@ -345,12 +402,23 @@ impl Model {
         for &v in &self.free {
             body.freedoms[v as usize] = Freedom::Free;
         }
+        for (group, ring) in self.rings.iter().enumerate() {
+            body.groups.push(ring.axis);
+            ring.vertices.iter().for_each(|&v| body.freedoms[v as usize] = Freedom::Together(group as u32));
+        }
+        if let Some(forces) = self.ring_forces(structure) {
+            body.terms.push(Box::new(Load { forces }));
+        }
         body.supports.clone_from(&self.supports);
         for &(v, freedom) in &self.sliding {
             body.freedoms[v as usize] = freedom;
         }
         if structure.film.weight > 0.0 {
-            body.terms.push(Box::new(self.weight(structure, &body.vertices)));
+            // The stresses of a woven film are what its field says, so its weight only loads it.
+            body.terms.push(match &self.stress_field {
+                None => Box::new(self.weight(structure, &body.vertices)),
+                Some(_) => Box::new(Load { forces: self.film_loads(structure, &body.vertices) }),
+            });
         }
         for (k, (cable, &by)) in self.cables.iter().zip(&self.forces_by).enumerate() {
             // A straight cable in the air has no other shape, so its length is a constraint from the start.
@@ -360,6 +428,9 @@ impl Model {
                 continue;
             }
             body.terms.push(Box::new(cable.clone()));
+            for (&segment, &tension) in cable.segments.iter().zip(&self.further_forces[k]) {
+                body.terms.push(Box::new(energy::Length { segments: vec![segment], tension }));
+            }
             // With the tension -1 the multiplier is the force.
             let quantity = || Box::new(energy::Length { segments: cable.segments.clone(), tension: -1.0 });
             match by {
@@ -427,12 +498,89 @@ impl Model {
             segment.into_iter().for_each(|v| loads[v as usize] -= half);
         }
         body.terms.push(Box::new(energy::ForceDensity { segments: cable.segments.clone(), densities }));
-        body.terms.push(Box::new(energy::Load { forces: loads }));
+        body.terms.push(Box::new(Load { forces: loads }));
     }
 
     /// The film's weight, with the datum at the mean height of these positions.
     pub fn weight(&self, structure: &Structure, vertices: &[DVec3]) -> Weight {
         Weight::new(self.film.triangles().to_vec(), structure.film.weight, structure.up, vertices)
+    }
+
+    /// The forces on the rings from outside, in equal shares on the vertices of each; `None` if there are none.
+    pub fn ring_forces(&self, structure: &Structure) -> Option<Vec<DVec3>> {
+        if structure.rings.iter().all(|ring| ring.force == 0.0) {
+            return None;
+        }
+        let mut forces = vec![DVec3::ZERO; self.film.vertices.len() + self.air.len()];
+        for (ring, moving) in structure.rings.iter().zip(&self.rings) {
+            let share = ring.force / moving.vertices.len() as f64 * ring.axis;
+            moving.vertices.iter().for_each(|&v| forces[v as usize] += share);
+        }
+        Some(forces)
+    }
+
+    /// The film's weight as a force on each vertex, at these positions.
+    pub fn film_loads(&self, structure: &Structure, vertices: &[DVec3]) -> Vec<DVec3> {
+        let mut loads = vec![DVec3::ZERO; vertices.len()];
+        for triangle in self.film.triangles() {
+            let area = 0.5 * measure::double_area_vector(triangle.map(|v| vertices[v as usize])).length();
+            let third = structure.up * (structure.film.weight * area / 3.0);
+            triangle.iter().for_each(|&v| loads[v as usize] -= third);
+        }
+        loads
+    }
+
+    /// Lets the stresses of a woven film, and the forces of its cables from segment to segment, follow from the balance
+    /// of forces within the film. With `adapt` false the stresses stay the given ones. Returns the largest relative
+    /// change of a stress; 0 for other films.
+    pub fn renew_stresses(&mut self, structure: &Structure, adapt: bool) -> Result<f64, LinearError> {
+        let at = self.vertices();
+        let loads = self.film_loads(structure, &at);
+        let Some(field) = &mut self.stress_field else { return Ok(0.0) };
+        let triangles = self.film.triangles();
+        let change = if adapt {
+            let inside: Vec<bool> = self.film.fixed.iter().map(|fixed| !fixed).collect();
+            field.renew(triangles, &at, &loads, &inside)?
+        } else {
+            field.make_constant();
+            0.0
+        };
+        let mut pull = vec![DVec3::ZERO; at.len()];
+        field.prestress(triangles, &at).add_gradient(&at, &mut pull);
+        pull.iter_mut().zip(&loads).for_each(|(pull, load)| *pull -= *load);
+        for ((cable, chain), further) in structure.cables.iter().zip(&self.chains).zip(&mut self.further_forces) {
+            if cable.course.ends_in_the_air().is_none() {
+                *further = pulls_along(chain, cable.mode, &pull, &at);
+            }
+        }
+        Ok(change)
+    }
+
+    /// What the rounds of a woven film change: the coordinates of all vertices, and ln m of each vertex of the film
+    /// times the length of an edge, so that both count alike.
+    pub fn unknowns(&self) -> Vec<f64> {
+        let mut unknowns: Vec<f64> = self.vertices().iter().flat_map(|p| p.to_array()).collect();
+        let edge = self.start_edge;
+        unknowns.extend(self.stress_field.iter().flat_map(|field| &field.factors).map(|factor| edge * factor));
+        unknowns
+    }
+
+    /// Takes what [`unknowns`](Self::unknowns) returned, or a combination of several, in which vertices that slide are
+    /// taken back to their supports.
+    pub fn set_unknowns(&mut self, unknowns: &[f64]) {
+        let count = self.film.vertices.len() + self.air.len();
+        let mut vertices: Vec<DVec3> = unknowns[..3 * count].chunks_exact(3).map(DVec3::from_slice).collect();
+        for (v, freedom) in &self.sliding {
+            if let Some(support) = freedom.support() {
+                let vertex = &mut vertices[*v as usize];
+                *vertex = self.supports[support as usize].nearest(*vertex);
+            }
+        }
+        self.set_vertices(&vertices);
+        let edge = self.start_edge;
+        if let Some(field) = &mut self.stress_field {
+            field.factors.iter_mut().zip(&unknowns[3 * count..]).for_each(|(own, value)| *own = value / edge);
+        }
     }
 
     /// Number of flipped triangles of the film.
@@ -476,6 +624,9 @@ fn arc_radius(chord: f64, length: f64) -> f64 {
 /// The law of a cable and what determines its force.
 fn law(cable: &Cable) -> (Law, ForceBy) {
     let by_equation = |equation| (Law::Multiplier, ForceBy::Equation(equation));
+    if let (Course::Mast(_), CableMode::Force(force)) = (&cable.course, cable.mode) {
+        return (Law::Force(-force), ForceBy::Law);
+    }
     let heavy = cable.weight > 0.0;
     match cable.mode {
         CableMode::Length(length) => (Law::Multiplier, ForceBy::Length(length)),
@@ -504,7 +655,7 @@ fn start_force(cable: &Cable, structure: &Structure, segments: &[[u32; 2]], at: 
     let span = at[last as usize] - at[first as usize];
     let chord = span.length();
     let length = || segments.iter().map(|&segment| energy::length::length(segment, at)).sum::<f64>();
-    let load = if matches!(cable.course, Course::Air(_)) { cable.weight } else { structure.film.tension };
+    let load = if cable.course.ends_in_the_air().is_some() { cable.weight } else { structure.film.mean() };
     match cable.mode {
         CableMode::Force(force) | CableMode::EndTension(force) => force,
         CableMode::HorizontalComponent(wanted) => {

@@ -22,6 +22,10 @@ pub struct Structure {
     pub free_points: Vec<BoundaryPoint>,
     /// Supports on which points or edges slide without friction.
     pub sliding: Vec<Sliding>,
+    /// Boundaries that are rigid rings and move along an axis.
+    pub rings: Vec<Ring>,
+    /// Points in the air at which cables and masts end and which no support holds.
+    pub joints: Vec<DVec3>,
     /// The pressure on the film.
     pub pressure: Pressure,
     /// The unit vector that points up. Weights pull against it.
@@ -29,12 +33,81 @@ pub struct Structure {
 }
 
 /// The stress of the film and its weight.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct FilmStress {
-    /// The isotropic tension σ, a force per length. It is the same at every point, apart from what the weight adds.
-    pub tension: f64,
+    /// The stress that the found shape is to have.
+    pub prestress: FilmPrestress,
     /// The weight per area of the found shape.
     pub weight: f64,
+}
+
+/// The stress that a film is to have, a force per length.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FilmPrestress {
+    /// The tension σ in every direction. It is the same at every point, apart from what the weight adds.
+    Isotropic(f64),
+    /// Stresses that differ between warp and weft.
+    Woven(Weave),
+}
+
+impl FilmStress {
+    /// The isotropic tension, or the mean of the stresses of warp and weft: the scale of the film's forces.
+    #[must_use]
+    pub fn mean(&self) -> f64 {
+        match &self.prestress {
+            FilmPrestress::Isotropic(tension) => *tension,
+            FilmPrestress::Woven(weave) => 0.5 * (weave.warp + weave.weft),
+        }
+    }
+
+    /// The weave of a film whose stresses differ between warp and weft.
+    #[must_use]
+    pub fn weave(&self) -> Option<&Weave> {
+        match &self.prestress {
+            FilmPrestress::Isotropic(_) => None,
+            FilmPrestress::Woven(weave) => Some(weave),
+        }
+    }
+}
+
+/// The stresses of a woven film along its warp and its weft, which are at right angles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Weave {
+    /// The stress along the warp, a force per length.
+    pub warp: f64,
+    /// The stress along the weft, a force per length.
+    pub weft: f64,
+    /// The field of directions.
+    pub direction: WarpDirection,
+    /// What the two stresses hold constant.
+    pub hold: WeaveHold,
+}
+
+/// A field of directions in space. The film's warp is its projection onto the film.
+#[derive(Clone, Debug, PartialEq)]
+pub enum WarpDirection {
+    /// The weft runs around the axis, and the warp away from it.
+    Radial {
+        /// A point of the axis.
+        point: DVec3,
+        /// Unit vector.
+        axis: DVec3,
+    },
+    /// The warp runs along this unit vector.
+    Parallel(DVec3),
+    /// The warp runs along the tangent of the polyline at its nearest point.
+    Along(Vec<DVec3>),
+}
+
+/// What the stresses of warp and weft hold constant.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum WeaveHold {
+    /// Their ratio. Both vary by a common factor, whose mean over the film is 1, so that the forces within the film can
+    /// balance.
+    #[default]
+    Ratio,
+    /// Their magnitudes. If these cannot be in equilibrium the found stresses deviate from them.
+    Magnitudes,
 }
 
 /// A point of a boundary, by its number in the input.
@@ -73,6 +146,19 @@ pub enum SlidingPart {
     Point(BoundaryPoint),
 }
 
+/// A boundary that is a rigid ring, guided along an axis without friction. It bears every other force and turns nowhere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ring {
+    /// The number of the boundary.
+    pub boundary: usize,
+    /// The unit vector along which the ring moves.
+    pub axis: DVec3,
+    /// The force on the ring along the axis, from outside.
+    pub force: f64,
+    /// A point in the air that moves with the ring. Masts and cables may end there.
+    pub hub: Option<DVec3>,
+}
+
 /// The pressure on the side that the film's normals point away from. The normals point to the side from which the first
 /// boundary runs counter-clockwise.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -86,7 +172,7 @@ pub enum Pressure {
     Volume(f64),
 }
 
-/// A cable.
+/// A cable or a mast.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cable {
     /// The name in messages.
@@ -116,9 +202,29 @@ pub enum Course {
     /// Across the film, as a ridge or a valley, through these points before form finding. Both ends are points of the
     /// boundaries.
     Across(Vec<DVec3>),
-    /// In the air, from the first point to the second. A point that equals a boundary's point is joined to it; any
-    /// other is a support.
+    /// In the air, from the first point to the second. A point that equals a boundary's point, a joint or the hub of a
+    /// ring is joined to it; any other is a support.
     Air([DVec3; 2]),
+    /// A mast between two points in the air, joined like a cable. It is straight and may push. Its mode is
+    /// [`CableMode::Force`], with the force with which it pushes, or [`CableMode::Length`].
+    Mast([DVec3; 2]),
+}
+
+impl Course {
+    /// The two ends of a cable or a mast in the air.
+    #[must_use]
+    pub fn ends_in_the_air(&self) -> Option<[DVec3; 2]> {
+        match self {
+            Self::Boundary { .. } | Self::Across(_) => None,
+            Self::Air(ends) | Self::Mast(ends) => Some(*ends),
+        }
+    }
+
+    /// Whether it is a mast.
+    #[must_use]
+    pub fn is_mast(&self) -> bool {
+        matches!(self, Self::Mast(_))
+    }
 }
 
 /// What a cable holds constant. Lengths and forces are those of the whole cable.
@@ -199,8 +305,11 @@ fn is_usable(point: DVec3) -> bool {
     point.is_finite() && point.abs().max_element() <= polyline::LARGEST_COORDINATE
 }
 
-fn cable_place(k: usize) -> Place {
-    Place::field("cables").at(k)
+/// The place of a cable or a mast in a request, which lists the masts apart.
+pub(super) fn cable_place(structure: &Structure, k: usize) -> Place {
+    let is_mast = structure.cables[k].course.is_mast();
+    let before = structure.cables[..k].iter().filter(|cable| cable.course.is_mast() == is_mast).count();
+    Place::field(if is_mast { "masts" } else { "cables" }).at(before)
 }
 
 /// The chord of a cable before form finding, if its course is in range.
@@ -211,7 +320,7 @@ pub(super) fn chord(structure: &Structure, cable: &Cable) -> Option<f64> {
             Some(points.get(*from)?.distance(*points.get(*to)?))
         }
         Course::Across(points) => Some(points.first()?.distance(*points.last()?)),
-        Course::Air([a, b]) => Some(a.distance(*b)),
+        Course::Air([a, b]) | Course::Mast([a, b]) => Some(a.distance(*b)),
     }
 }
 
@@ -233,7 +342,12 @@ pub(super) fn check(structure: &Structure, options: &Options) -> Result<(), Erro
     let not_negative = |value: f64| value.is_finite() && value >= 0.0;
     let above = "must be a finite number above 0";
     let film = || Place::field("film");
-    require(&mut errors, positive(structure.film.tension), film().then("tension"), above);
+    match &structure.film.prestress {
+        FilmPrestress::Isotropic(tension) => {
+            require(&mut errors, positive(*tension), film().then("tension"), above);
+        }
+        FilmPrestress::Woven(weave) => check_weave(weave, &mut errors),
+    }
     require(
         &mut errors,
         not_negative(structure.film.weight),
@@ -254,6 +368,10 @@ pub(super) fn check(structure: &Structure, options: &Options) -> Result<(), Erro
     for (k, sliding) in structure.sliding.iter().enumerate() {
         check_sliding(structure, k, sliding, &mut taken, &mut errors);
     }
+    for (k, ring) in structure.rings.iter().enumerate() {
+        check_ring(structure, k, ring, &mut taken, &mut errors);
+    }
+    check_joints(structure, &mut errors);
     check_free_points(structure, &mut errors);
     if errors.is_empty() {
         check_pressure(structure, &mut errors);
@@ -262,6 +380,43 @@ pub(super) fn check(structure: &Structure, options: &Options) -> Result<(), Erro
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
 }
 
+/// Largest ratio of the stresses of warp and weft, either way. Fabrics are prestressed by ratios up to about 5. From
+/// about 100 on the film is nearly a sheaf of threads, and the rounds of form finding end above the tolerance.
+const MOST_UNEQUAL: f64 = 100.0;
+
+fn check_weave(weave: &Weave, errors: &mut Vec<InputError>) {
+    let film = || Place::field("film");
+    let positive = |value: f64| value.is_finite() && value > 0.0;
+    for (name, value) in [("warp", weave.warp), ("weft", weave.weft)] {
+        require(errors, positive(value), film().then(name), "must be a finite number above 0");
+    }
+    let ratio = weave.weft / weave.warp;
+    if positive(weave.warp) && positive(weave.weft) && !(1.0 / MOST_UNEQUAL..=MOST_UNEQUAL).contains(&ratio) {
+        let detail = format!("must be between 1/{MOST_UNEQUAL} and {MOST_UNEQUAL} times the warp's stress");
+        errors.push(InputError::new(film().then("weft"), detail));
+    }
+    let direction = || film().then("direction");
+    match &weave.direction {
+        WarpDirection::Radial { point, axis } => {
+            require(errors, is_usable(*point), direction().then("radial").then("point"), COORDINATE);
+            require(errors, axis.is_normalized(), direction().then("radial").then("axis"), UNIT_VECTOR);
+        }
+        WarpDirection::Parallel(vector) => {
+            require(errors, vector.is_normalized(), direction().then("parallel"), UNIT_VECTOR);
+        }
+        WarpDirection::Along(points) => {
+            for (k, point) in points.iter().enumerate() {
+                require(errors, is_usable(*point), direction().then("along").at(k), COORDINATE);
+            }
+            let distinct = points.len() >= 2 && points.windows(2).all(|pair| pair[0] != pair[1]);
+            let detail = "needs two or more points, of which no neighbours are equal";
+            require(errors, distinct, direction().then("along"), detail);
+        }
+    }
+}
+
+const UNIT_VECTOR: &str = "must be a vector with a length";
+
 fn check_cable(
     structure: &Structure,
     k: usize,
@@ -269,7 +424,7 @@ fn check_cable(
     taken: &mut [Vec<Option<usize>>],
     errors: &mut Vec<InputError>,
 ) {
-    let place = || cable_place(k);
+    let place = || cable_place(structure, k);
     let value = cable.mode.value();
     require(errors, value.is_finite() && value > 0.0, place().then("value"), "must be a finite number above 0");
     require(
@@ -284,6 +439,9 @@ fn check_cable(
     } else if matches!(cable.mode, CableMode::UnstressedLength(_)) {
         let detail = "is required with the mode unstressed_length, because the force follows from it";
         errors.push(InputError::new(place().then("axial_stiffness"), detail));
+    }
+    if cable.course.is_mast() && !matches!(cable.mode, CableMode::Force(_) | CableMode::Length(_)) {
+        errors.push(InputError::new(place().then("mode"), "a mast has the mode force or length"));
     }
     match &cable.course {
         Course::Boundary { boundary, from, to } => {
@@ -330,7 +488,7 @@ fn check_cable(
                 require(errors, found, place().then("across").at(i), detail);
             }
         }
-        Course::Air(ends) => {
+        Course::Air(ends) | Course::Mast(ends) => {
             for (i, end) in ends.iter().enumerate() {
                 require(errors, is_usable(*end), place().then("points").at(i), COORDINATE);
             }
@@ -342,6 +500,12 @@ fn check_cable(
     }
     let Some(chord) = chord(structure, cable) else { return };
     if ends_freely(structure, cable) {
+        return;
+    }
+    if cable.course.is_mast() {
+        let detail = "both ends are supports, so that the mast bears no force of the structure; at least one end must be \
+                      a joint, the hub of a ring, a free point or a point that slides";
+        errors.push(InputError::new(place().then("points"), detail));
         return;
     }
     let straight = matches!(cable.course, Course::Air(_)) && cable.weight == 0.0;
@@ -360,17 +524,26 @@ fn check_cable(
     errors.push(InputError::new(place().then("value"), detail));
 }
 
-/// Whether an end of the cable is a free point.
+/// Whether an end of the cable is a point that no support holds.
 fn ends_freely(structure: &Structure, cable: &Cable) -> bool {
     let position = |free: &BoundaryPoint| structure.boundaries.get(free.boundary)?.get(free.point).copied();
-    let free: Vec<DVec3> = structure.free_points.iter().filter_map(position).collect();
+    let sliding = |sliding: &Sliding| match sliding.part {
+        SlidingPart::Point(point) => position(&point),
+        SlidingPart::Edge { .. } | SlidingPart::Boundary(_) => None,
+    };
+    let mut free: Vec<DVec3> = structure.free_points.iter().filter_map(position).collect();
+    free.extend(structure.sliding.iter().filter_map(sliding));
+    free.extend(structure.joints.iter().chain(structure.rings.iter().filter_map(|ring| ring.hub.as_ref())));
+    for ring in &structure.rings {
+        free.extend(structure.boundaries.get(ring.boundary).into_iter().flatten());
+    }
     let ends = match &cable.course {
         Course::Boundary { boundary, from, to } => {
             let points = &structure.boundaries[*boundary];
             [points[*from], points[*to]]
         }
         Course::Across(points) => [points[0], points[points.len() - 1]],
-        Course::Air(ends) => *ends,
+        Course::Air(ends) | Course::Mast(ends) => *ends,
     };
     ends.iter().any(|end| free.contains(end))
 }
@@ -424,7 +597,7 @@ fn check_sliding(
                 Course::Boundary { boundary: own, from, to } => {
                     own == boundary && stretch(count, from, to).skip(1).any(|inner| inner == point)
                 }
-                Course::Across(_) | Course::Air(_) => false,
+                Course::Across(_) | Course::Air(_) | Course::Mast(_) => false,
             };
             if structure.cables.iter().any(inside) {
                 errors.push(InputError::new(place().then(name), "lies inside the stretch of a cable"));
@@ -459,6 +632,62 @@ fn check_sliding(
     }
 }
 
+fn check_ring(
+    structure: &Structure,
+    k: usize,
+    ring: &Ring,
+    taken: &mut [Vec<Option<usize>>],
+    errors: &mut Vec<InputError>,
+) {
+    let place = || Place::field("rings").at(k);
+    let Some(segments) = taken.get_mut(ring.boundary) else {
+        let detail = format!("there are {} boundaries, numbered from 0", structure.boundaries.len());
+        errors.push(InputError::new(place().then("boundary"), detail));
+        return;
+    };
+    let is_taken = segments.iter().any(Option::is_some);
+    segments.fill(Some(usize::MAX));
+    let slides =
+        |sliding: &Sliding| matches!(sliding.part, SlidingPart::Point(point) if point.boundary == ring.boundary);
+    let free = structure.free_points.iter().any(|point| point.boundary == ring.boundary);
+    let detail = "a cable, a support, a free point or another ring is on this boundary already";
+    let alone = !is_taken && !free && !structure.sliding.iter().any(slides);
+    require(errors, alone, place().then("boundary"), detail);
+    require(errors, ring.axis.is_normalized(), place().then("axis"), UNIT_VECTOR);
+    require(errors, ring.force.is_finite(), place().then("force"), "must be a finite number");
+    if let Some(hub) = ring.hub {
+        require(errors, is_usable(hub), place().then("hub"), COORDINATE);
+        let boundaries = structure.boundaries.iter().flatten();
+        let apart = boundaries.chain(&structure.joints).all(|point| *point != hub)
+            && structure.rings[..k].iter().all(|other| other.hub != Some(hub));
+        let detail = "must be another point than those of boundaries, joints and other hubs";
+        require(errors, apart, place().then("hub"), detail);
+    }
+}
+
+/// Fewest cables and masts that can hold a joint: one mast between two cables, or three cables.
+const FEWEST_AT_JOINT: usize = 2;
+
+fn check_joints(structure: &Structure, errors: &mut Vec<InputError>) {
+    for (k, joint) in structure.joints.iter().enumerate() {
+        let place = || Place::field("joints").at(k);
+        if !is_usable(*joint) {
+            errors.push(InputError::new(place(), COORDINATE));
+            continue;
+        }
+        let boundaries = structure.boundaries.iter().flatten();
+        if boundaries.chain(&structure.joints[..k]).any(|point| point == joint) {
+            errors.push(InputError::new(place(), "must be another point than those of boundaries and other joints"));
+            continue;
+        }
+        let ends = |cable: &&Cable| cable.course.ends_in_the_air().is_some_and(|ends| ends.contains(joint));
+        let detail = format!(
+            "moves freely: {FEWEST_AT_JOINT} or more cables or masts must end at a joint, at exactly its coordinates"
+        );
+        require(errors, structure.cables.iter().filter(ends).count() >= FEWEST_AT_JOINT, place(), &detail);
+    }
+}
+
 fn check_free_points(structure: &Structure, errors: &mut Vec<InputError>) {
     for (k, free) in structure.free_points.iter().enumerate() {
         let place = || Place::field("free_points").at(k);
@@ -476,7 +705,7 @@ fn check_free_points(structure: &Structure, errors: &mut Vec<InputError>) {
             |cable: &&Cable| matches!(cable.course, Course::Boundary { boundary, .. } if boundary == free.boundary);
         let ends = |cable: &Cable, last: bool| match cable.course {
             Course::Boundary { from, to, .. } => (if last { to } else { from }) == free.point,
-            Course::Across(_) | Course::Air(_) => false,
+            Course::Across(_) | Course::Air(_) | Course::Mast(_) => false,
         };
         let mut cables = structure.cables.iter().filter(on);
         let (arrives, leaves) = (cables.clone().any(|cable| ends(cable, true)), cables.any(|cable| ends(cable, false)));
@@ -507,6 +736,11 @@ fn check_pressure(structure: &Structure, errors: &mut Vec<InputError>) {
         errors.push(InputError::new(place(), detail));
         return;
     }
+    if !structure.rings.is_empty() {
+        let detail = "is not offered for a film with a ring that moves, because the space below it is not closed";
+        errors.push(InputError::new(place(), detail));
+        return;
+    }
     if name == "volume" {
         require(errors, value > 0.0, place(), "must be above 0; reverse the first boundary to inflate the other side");
         return;
@@ -534,6 +768,7 @@ fn held(structure: &Structure) -> Vec<Vec<bool>> {
         }
     }
     structure.free_points.iter().for_each(|free| held[free.boundary][free.point] = false);
+    structure.rings.iter().for_each(|ring| held[ring.boundary].fill(false));
     held
 }
 
@@ -544,10 +779,11 @@ fn check_supports(structure: &Structure, errors: &mut Vec<InputError>) {
     for (points, held) in structure.boundaries.iter().zip(&held) {
         supports.extend(points.iter().zip(held).filter(|(_, held)| **held).map(|(point, _)| *point));
     }
-    for cable in &structure.cables {
-        if let Course::Air(ends) = cable.course {
-            supports.extend(ends.into_iter().filter(|end| !structure.boundaries.iter().flatten().any(|p| p == end)));
-        }
+    let hubs = structure.rings.iter().filter_map(|ring| ring.hub);
+    let joined: Vec<DVec3> =
+        structure.boundaries.iter().flatten().copied().chain(structure.joints.iter().copied()).chain(hubs).collect();
+    for ends in structure.cables.iter().filter_map(|cable| cable.course.ends_in_the_air()) {
+        supports.extend(ends.into_iter().filter(|end| !joined.contains(end)));
     }
     let heavy = structure.film.weight > 0.0 || structure.cables.iter().any(|cable| cable.weight > 0.0);
     let first = supports.first().copied().unwrap_or_default();
@@ -572,12 +808,17 @@ fn check_supports(structure: &Structure, errors: &mut Vec<InputError>) {
 }
 
 /// The largest pressure that a film of constant tension can hold: the pressure on the opening's vector area is borne by
-/// the tension along its perimeter, |p A| <= σ P. Infinite for several boundaries, whose openings may balance each
-/// other.
+/// the tension along its perimeter, |p A| <= σ P, with the larger of the stresses of warp and weft for σ. Infinite for
+/// several boundaries, whose openings may balance each other, and for stresses that vary along the edge.
 pub(super) fn pressure_limit(structure: &Structure) -> f64 {
     let [points] = &structure.boundaries[..] else { return f64::INFINITY };
+    let largest = match &structure.film.prestress {
+        FilmPrestress::Isotropic(tension) => *tension,
+        FilmPrestress::Woven(Weave { hold: WeaveHold::Ratio, .. }) => return f64::INFINITY,
+        FilmPrestress::Woven(weave) => weave.warp.max(weave.weft),
+    };
     let mean = polyline::mean(points);
     let next = |k: usize| points[(k + 1) % points.len()] - mean;
     let area: DVec3 = (0..points.len()).map(|k| 0.5 * (points[k] - mean).cross(next(k))).sum();
-    structure.film.tension * polyline::length(points, true) / area.length()
+    largest * polyline::length(points, true) / area.length()
 }

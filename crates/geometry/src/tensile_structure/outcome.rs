@@ -1,12 +1,17 @@
 //! A shape that was found: mesh, forces, figures and warnings, at the position of the caller's boundaries.
 
-use super::form_finding::{Balance, Found, StopReason};
-use super::model::{Model, forces};
-use super::options::{BoundaryPoint, CableMode, Course, Structure, chord};
+use super::form_finding::{Balance, Found};
+use super::model::{Model, MovingRing, forces};
+use super::options::{
+    BoundaryPoint, CableMode, Course, FilmPrestress, Ring, Structure, Weave, WeaveHold, cable_place, chord,
+};
+use crate::energy::PlaneStress;
 use crate::equilibrium::{Freedom, Support};
 use crate::error::{InputError, Warning};
 use crate::mesh::measure::{self, Spread, double_area_vector};
-use crate::{DVec3, Error, Mesh, Place};
+use crate::mesh::self_intersections::{self, Order, SelfIntersectionCheck};
+use crate::minimal_surface::StopReason;
+use crate::{DVec3, Error, Execution, Mesh};
 
 /// A support at one vertex: the end of a cable, or an anchor in the air.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,8 +59,41 @@ pub struct Stress {
     pub min: f64,
     /// The largest principal stress.
     pub max: f64,
-    /// The largest deviation of a principal stress from the required one, as a fraction of it.
+    /// The largest deviation of a principal stress from the required one, as a fraction of it. Of a woven film that of
+    /// the stresses along warp and weft from those required at the same place.
     pub deviation: f64,
+    /// The stresses of a woven film.
+    pub weave: Option<WeaveStress>,
+}
+
+/// The stresses of a woven film along warp and weft.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WeaveStress {
+    /// What the required stresses hold constant.
+    pub hold: WeaveHold,
+    /// The stress along the warp.
+    pub warp: StressRange,
+    /// The stress along the weft.
+    pub weft: StressRange,
+    /// The weft's stress over the warp's.
+    pub ratio: StressRange,
+    /// The ratio that was asked for.
+    pub required_ratio: f64,
+    /// The root mean square over the film of the ratio over the required one, less 1.
+    pub ratio_deviation_rms: f64,
+    /// The root mean square over the film of both stresses over those required at the same place, less 1.
+    pub deviation_rms: f64,
+}
+
+/// The least, the largest and the mean value over the film's area.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StressRange {
+    /// The least value.
+    pub min: f64,
+    /// The largest value.
+    pub max: f64,
+    /// The mean by area.
+    pub mean: f64,
 }
 
 /// The sums of the forces.
@@ -126,6 +164,8 @@ pub struct Statistics {
     pub flipped_triangles: usize,
     /// Number of degenerate triangles.
     pub degenerate_triangles: usize,
+    /// Pairs of triangles of the film that intersect.
+    pub self_intersections: SelfIntersectionCheck,
 }
 
 /// A tensile structure in equilibrium.
@@ -144,6 +184,8 @@ pub struct TensileStructure {
     pub reactions: Vec<Reaction>,
     /// Supports along edges.
     pub edge_reactions: Vec<EdgeReaction>,
+    /// For each ring that moves how far it has moved along its axis.
+    pub ring_travels: Vec<f64>,
     /// Figures.
     pub statistics: Statistics,
     /// Facts that the caller should know although the solve went through.
@@ -158,45 +200,149 @@ const SLACK: f64 = 1e-9;
 const MECHANISM: f64 = 1e-6;
 /// Vertices that move by more than this fraction of the largest displacement of the lowest mode are named.
 const MOVES: f64 = 0.5;
+/// A woven film whose stresses deviate from the required ones by more than this (root mean square) gets a warning. On
+/// the meshes of the examples the deviation that is the mesh's error alone is below 0.02.
+const DEVIATES: f64 = 0.05;
 /// Number of points that a message lists.
 const LISTED: usize = 12;
 
-/// The largest and the least principal stress of a triangle over its tension in the reference shape.
-fn stretch_ratio(reference: [DVec3; 3], now: [DVec3; 3]) -> f64 {
-    let (a, b) = (reference[1] - reference[0], reference[2] - reference[0]);
-    let x = a.normalize_or_zero();
-    let (along, across) = (b.dot(x), b.reject_from_normalized(x).length());
-    let (p, q) = (now[1] - now[0], now[2] - now[0]);
-    // The columns of the deformation gradient in the orthonormal basis of the reference triangle.
-    let first = p / a.length();
-    let second = (q - first * along) / across;
-    let (trace, product) = (first.length_squared() + second.length_squared(), first.cross(second).length());
-    let root = (0.25 * trace * trace - product * product).max(0.0).sqrt();
-    (0.5 * trace + root) / product
+/// The stress F S Fᵀ / det F of a triangle that was deformed from its reference shape.
+struct Deformed {
+    /// The images F w and F f of the directions of the reference stress S = σ_w w wᵀ + σ_f f fᵀ.
+    images: [DVec3; 2],
+    reference: PlaneStress,
+    /// det F.
+    stretch: f64,
 }
 
-fn stress(balance: &Balance, tension: f64, triangles: &[[u32; 3]], at: &[DVec3]) -> Stress {
-    let mut stress = Stress { min: f64::INFINITY, max: 0.0, deviation: 0.0 };
-    for (triangle, own) in triangles.iter().zip(&balance.tensions) {
-        let ratio = stretch_ratio(triangle.map(|v| balance.reference[v as usize]), triangle.map(|v| at[v as usize]));
-        stress.min = stress.min.min(own / ratio);
-        stress.max = stress.max.max(own * ratio);
+impl Deformed {
+    fn of(stress: PlaneStress, reference: [DVec3; 3], now: [DVec3; 3]) -> Self {
+        let (a, b) = (reference[1] - reference[0], reference[2] - reference[0]);
+        let normal = a.cross(b).normalize_or_zero();
+        let along = stress.direction;
+        let across = normal.cross(along);
+        let ([a_along, b_along], [a_across, b_across]) = ([a, b].map(|e| e.dot(along)), [a, b].map(|e| e.dot(across)));
+        let determinant = a_along * b_across - a_across * b_along;
+        let (p, q) = (now[1] - now[0], now[2] - now[0]);
+        let images = [(p * b_across - q * a_across) / determinant, (q * a_along - p * b_along) / determinant];
+        Self { images, reference: stress, stretch: images[0].cross(images[1]).length() }
     }
-    stress.deviation = (stress.max / tension - 1.0).abs().max((1.0 - stress.min / tension).abs());
+
+    /// The stress across a line at right angles to a unit vector of the triangle's plane.
+    fn along(&self, direction: DVec3) -> f64 {
+        let [w, f] = self.images.map(|image| image.dot(direction));
+        (self.reference.along * w * w + self.reference.across * f * f) / self.stretch
+    }
+
+    /// The least and the largest principal stress. Their product is that of the reference stress's.
+    fn principal(&self) -> (f64, f64) {
+        let PlaneStress { along, across, .. } = self.reference;
+        let [w, f] = self.images.map(DVec3::length_squared);
+        let half = 0.5 * (along * w + across * f) / self.stretch;
+        let root = (half * half - along * across).max(0.0).sqrt();
+        (half - root, half + root)
+    }
+}
+
+/// The stresses of the balanced shape, all required stresses those of the reference shape but of an isotropic film the
+/// given tension.
+fn stress(balance: &Balance, structure: &Structure, model: &Model, at: &[DVec3]) -> Stress {
+    let mut stress = Stress { min: f64::INFINITY, max: 0.0, deviation: 0.0, weave: None };
+    let mut woven = WovenSums::default();
+    for (triangle, own) in model.film.triangles().iter().zip(&balance.stresses) {
+        let now = triangle.map(|v| at[v as usize]);
+        let found = Deformed::of(*own, triangle.map(|v| balance.reference[v as usize]), now);
+        let (least, most) = found.principal();
+        (stress.min, stress.max) = (stress.min.min(least), stress.max.max(most));
+        if let Some(field) = &model.stress_field {
+            let normal = double_area_vector(now);
+            let warp = field.required(triangle, at).direction;
+            let weft = normal.normalize_or_zero().cross(warp);
+            woven.add(0.5 * normal.length(), [found.along(warp), found.along(weft)], *own);
+        }
+    }
+    match structure.film.weave() {
+        None => {
+            let tension = structure.film.mean();
+            stress.deviation = (stress.max / tension - 1.0).abs().max((1.0 - stress.min / tension).abs());
+        }
+        Some(weave) => {
+            stress.deviation = woven.largest_deviation;
+            stress.weave = Some(woven.finish(weave));
+        }
+    }
     stress
+}
+
+/// Sums over the triangles of a woven film.
+#[derive(Default)]
+struct WovenSums {
+    area: f64,
+    warp: RangeAndSum,
+    weft: RangeAndSum,
+    ratio: RangeAndSum,
+    squared_deviation: f64,
+    largest_deviation: f64,
+    squared_ratio_deviation: f64,
+}
+
+#[derive(Default)]
+struct RangeAndSum {
+    range: Option<(f64, f64)>,
+    sum: f64,
+}
+
+impl RangeAndSum {
+    fn add(&mut self, value: f64, weight: f64) {
+        let (least, most) = self.range.unwrap_or((value, value));
+        self.range = Some((least.min(value), most.max(value)));
+        self.sum += weight * value;
+    }
+
+    fn finish(&self, area: f64) -> StressRange {
+        let (min, max) = self.range.unwrap_or_default();
+        StressRange { min, max, mean: self.sum / area }
+    }
+}
+
+impl WovenSums {
+    fn add(&mut self, area: f64, [warp, weft]: [f64; 2], required: PlaneStress) {
+        let deviations = [warp / required.along - 1.0, weft / required.across - 1.0];
+        let ratio = (weft / warp) / (required.across / required.along) - 1.0;
+        self.area += area;
+        self.warp.add(warp, area);
+        self.weft.add(weft, area);
+        self.ratio.add(weft / warp, area);
+        self.squared_deviation += area * 0.5 * deviations.map(|d| d * d).iter().sum::<f64>();
+        self.squared_ratio_deviation += area * ratio * ratio;
+        self.largest_deviation = deviations.into_iter().map(f64::abs).fold(self.largest_deviation, f64::max);
+    }
+
+    fn finish(&self, weave: &Weave) -> WeaveStress {
+        WeaveStress {
+            hold: weave.hold,
+            warp: self.warp.finish(self.area),
+            weft: self.weft.finish(self.area),
+            ratio: self.ratio.finish(self.area),
+            required_ratio: weave.weft / weave.warp,
+            ratio_deviation_rms: (self.squared_ratio_deviation / self.area).sqrt(),
+            deviation_rms: (self.squared_deviation / self.area).sqrt(),
+        }
+    }
 }
 
 /// The names of cables whose force cannot hold a plane edge: an arc of radius F / σ does not reach across the chord.
 fn weak_cables(structure: &Structure) -> Vec<InputError> {
+    let FilmPrestress::Isotropic(tension) = structure.film.prestress else { return Vec::new() };
     let weak = |(k, cable): (usize, &super::options::Cable)| {
         let CableMode::Force(force) = cable.mode else { return None };
         if !matches!(cable.course, Course::Boundary { .. }) {
             return None;
         }
-        let least = 0.5 * structure.film.tension * chord(structure, cable)?;
+        let least = 0.5 * tension * chord(structure, cable)?;
         (force < least).then(|| {
             let detail = format!("holds no plane edge of this film: half the tension times the chord is {least:.6}");
-            InputError::new(Place::field("cables").at(k).then("value"), detail)
+            InputError::new(cable_place(structure, k).then("value"), detail)
         })
     };
     structure.cables.iter().enumerate().filter_map(weak).collect()
@@ -216,9 +362,11 @@ fn no_equilibrium(structure: &Structure) -> Error {
 /// A cable of given length or shape that would have to push.
 fn pushing_cable(structure: &Structure, model: &Model, found: &Found, at: &[DVec3]) -> Option<Error> {
     let mean = |(term, &further): (&crate::energy::Cable, &f64)| forces(term, further, at).0;
-    let k = model.cables.iter().zip(&found.length_forces).map(mean).position(|force| force < 0.0)?;
+    let is_cable = |k: &usize| !structure.cables[*k].course.is_mast();
+    let all = model.cables.iter().zip(&found.length_forces).map(mean).enumerate();
+    let k = all.filter(|(_, force)| *force < 0.0).map(|(k, _)| k).find(is_cable)?;
     let place = InputError::new(
-        Place::field("cables").at(k).then("value"),
+        cable_place(structure, k).then("value"),
         "is longer than the film pulls it: the cable would be slack",
     );
     let detail = format!("cable {} would be slack at this length", structure.cables[k].name);
@@ -226,7 +374,12 @@ fn pushing_cable(structure: &Structure, model: &Model, found: &Found, at: &[DVec
 }
 
 /// Measures the shape and moves it back to the position of the input.
-pub(super) fn finish(model: Model, found: Found, structure: &Structure) -> Result<TensileStructure, Error> {
+pub(super) fn finish(
+    model: Model,
+    found: Found,
+    structure: &Structure,
+    exec: &Execution,
+) -> Result<TensileStructure, Error> {
     let gave_up = matches!(found.stop_reason, StopReason::Stalled | StopReason::Collapsed);
     if !found.residual.is_finite() || (gave_up && !(found.is_shape() && model.flipped() == 0)) {
         return Err(no_equilibrium(structure));
@@ -245,8 +398,10 @@ pub(super) fn finish(model: Model, found: Found, structure: &Structure) -> Resul
         normal.cross(structure.up).length().atan2(normal.dot(structure.up).abs())
     };
     let has_pressure = structure.pressure != super::options::Pressure::None;
+    let mesh = Mesh::new(at.iter().map(|p| *p + model.centre).collect(), triangles.clone());
+    let (self_intersections, crossings) = self_intersections::check(&mesh, Order::Spatial, usize::MAX, exec)?;
     let holds = holds(&model);
-    let balance = found.balance.as_ref().map(|balance| sums(balance, &holds, &at));
+    let balance = found.balance.as_ref().map(|balance| sums(&model, balance, &holds, &at));
     let (reactions, edge_reactions) = reactions(&model, &found, &holds);
     let statistics = Statistics {
         energy: found.energy,
@@ -259,7 +414,7 @@ pub(super) fn finish(model: Model, found: Found, structure: &Structure) -> Resul
         converged: found.stop_reason == StopReason::Residual && flipped == 0 && degenerate == 0,
         stop_reason: found.stop_reason,
         iterations: found.iterations,
-        stress: found.balance.as_ref().map(|balance| stress(balance, structure.film.tension, &triangles, &at)),
+        stress: found.balance.as_ref().map(|balance| stress(balance, structure, &model, &at)),
         balance,
         contact_angle: found.balance.as_ref().and_then(|balance| contact_angles(balance, &holds, &at)),
         stability: found.stability.map(|stability| Stability {
@@ -272,10 +427,12 @@ pub(super) fn finish(model: Model, found: Found, structure: &Structure) -> Resul
         angles: measure::angle_range(&film),
         flipped_triangles: flipped,
         degenerate_triangles: degenerate,
+        self_intersections,
     };
     let mut warnings = model.warnings.clone();
     warnings.extend(warn(&model, &found, structure, &statistics, &cables));
-    let mut vertices: Vec<DVec3> = at.iter().map(|p| *p + model.centre).collect();
+    warnings.extend(crossings);
+    let mut vertices = mesh.vertices;
     for (points, numbers) in structure.boundaries.iter().zip(&model.input_vertices) {
         // Backwards, so that of merged points the first gives the place.
         for (&point, &v) in points.iter().zip(numbers).rev() {
@@ -284,6 +441,11 @@ pub(super) fn finish(model: Model, found: Found, structure: &Structure) -> Resul
             }
         }
     }
+    let travel = |(ring, moving): (&Ring, &MovingRing)| {
+        let start = structure.boundaries[ring.boundary][0];
+        (vertices[model.input_vertices[ring.boundary][0] as usize] - start).dot(moving.axis)
+    };
+    let ring_travels = structure.rings.iter().zip(&model.rings).map(travel).collect();
     Ok(TensileStructure {
         mesh: Mesh::new(vertices, triangles),
         boundaries: model.film.boundaries.clone(),
@@ -291,6 +453,7 @@ pub(super) fn finish(model: Model, found: Found, structure: &Structure) -> Resul
         cables,
         reactions,
         edge_reactions,
+        ring_travels,
         statistics,
         warnings,
     })
@@ -302,6 +465,8 @@ enum Hold {
     Nothing,
     Fixed,
     Slides(Support),
+    /// Moves with the ring of this number, along its axis alone.
+    Guided(usize),
 }
 
 fn holds(model: &Model) -> Vec<Hold> {
@@ -318,7 +483,19 @@ fn holds(model: &Model) -> Vec<Hold> {
             holds[v as usize] = Hold::Slides(model.supports[support as usize]);
         }
     }
+    for (number, ring) in model.rings.iter().enumerate() {
+        ring.vertices.iter().for_each(|&v| holds[v as usize] = Hold::Guided(number));
+    }
     holds
+}
+
+/// For each ring the part of the forces on it along its axis, in equal shares for its vertices: what is not balanced.
+fn unbalanced_of_rings(model: &Model, balance: &Balance) -> Vec<DVec3> {
+    let of = |ring: &MovingRing| {
+        let along: f64 = ring.vertices.iter().map(|&v| balance.forces[v as usize].dot(ring.axis)).sum();
+        ring.axis * (along / ring.vertices.len() as f64)
+    };
+    model.rings.iter().map(of).collect()
 }
 
 /// The part of a force along a line or surface.
@@ -327,7 +504,8 @@ fn along(support: Support, at: DVec3, force: DVec3) -> DVec3 {
     tangents[..usize::from(support.dimension())].iter().map(|t| *t * t.dot(force)).sum()
 }
 
-fn sums(balance: &Balance, holds: &[Hold], at: &[DVec3]) -> ForceBalance {
+fn sums(model: &Model, balance: &Balance, holds: &[Hold], at: &[DVec3]) -> ForceBalance {
+    let of_rings = unbalanced_of_rings(model, balance);
     let loads: DVec3 = balance.loads.iter().sum();
     let (mut reactions, mut magnitudes, mut residual_force) = (DVec3::ZERO, 0.0, 0.0f64);
     for ((&force, hold), &place) in balance.forces.iter().zip(holds).zip(at) {
@@ -335,6 +513,7 @@ fn sums(balance: &Balance, holds: &[Hold], at: &[DVec3]) -> ForceBalance {
             Hold::Nothing => force,
             Hold::Fixed => DVec3::ZERO,
             Hold::Slides(support) => along(support, place, force),
+            Hold::Guided(ring) => of_rings[ring],
         };
         let reaction = force - unbalanced;
         reactions += reaction;
@@ -373,7 +552,7 @@ fn reactions(model: &Model, found: &Found, holds: &[Hold]) -> (Vec<Reaction>, Ve
     let ends = model.chains.iter().flat_map(|chain| [chain[0], chain[chain.len() - 1]]);
     let points = model.sliding.iter().filter(|(_, freedom)| matches!(freedom, Freedom::On(_))).map(|(v, _)| *v);
     for v in ends.chain(points) {
-        single[v as usize] = held(v);
+        single[v as usize] = held(v) && !matches!(holds[v as usize], Hold::Guided(_));
     }
     let point_of = |vertex: u32| {
         let of = |(boundary, numbers): (usize, &Vec<u32>)| {
@@ -387,6 +566,11 @@ fn reactions(model: &Model, found: &Found, holds: &[Hold]) -> (Vec<Reaction>, Ve
         .map(|vertex| Reaction { vertex, point: point_of(vertex), force: balance.forces[vertex as usize] })
         .collect();
     let edges = model.film.boundaries.iter().enumerate().filter_map(|(boundary, rim)| {
+        if let Some(Hold::Guided(number)) = rim.first().map(|&v| holds[v as usize]) {
+            // The hub passes its force on to the ring.
+            let force = model.rings[number].vertices.iter().map(|&v| balance.forces[v as usize]).sum();
+            return Some(EdgeReaction { boundary, force });
+        }
         let borne = || rim.iter().filter(|&&v| held(v) && !single[v as usize]);
         let force = borne().map(|&v| balance.forces[v as usize]).sum();
         borne().next().map(|_| EdgeReaction { boundary, force })
@@ -402,7 +586,11 @@ fn cables(model: &Model, found: &Found, structure: &Structure, at: &[DVec3]) -> 
             None => (0..term.segments.len()).map(|s| term.force(s, at) + found.length_forces[k]).collect(),
         };
         let length = term.length(at);
-        let (force, ..) = forces(term, found.length_forces[k], at);
+        let mut force = forces(term, found.length_forces[k], at).0;
+        if model.stress_field.is_some() {
+            let moment = |(s, force): (usize, &f64)| force * crate::energy::length::length(term.segments[s], at);
+            force = segment_forces.iter().enumerate().map(moment).sum::<f64>() / length;
+        }
         let largest = segment_forces.iter().copied().fold(0.0, f64::max);
         CableResult {
             vertices: model.chains[k].clone(),
@@ -410,7 +598,7 @@ fn cables(model: &Model, found: &Found, structure: &Structure, at: &[DVec3]) -> 
             length,
             unstressed_length: cable.axial_stiffness.map(|stiffness| length / (1.0 + force / stiffness)),
             sag: term.sag(at),
-            slack: largest <= SLACK * structure.film.tension * length,
+            slack: !cable.course.is_mast() && largest <= SLACK * structure.film.mean() * length,
             segment_forces,
         }
     };
@@ -443,6 +631,11 @@ fn warn(
             "the forces within the film could not be balanced, so there are no reactions; try another resolution";
         warnings.push(Warning::new("not_balanced", detail));
     }
+    if let Some(weave) = statistics.stress.and_then(|stress| stress.weave)
+        && weave.deviation_rms > DEVIATES
+    {
+        warnings.push(Warning::new("stress_deviates", deviating_stress(&weave, structure)));
+    }
     if let Some(stability) = statistics.stability {
         let radius = crate::polyline::radius(&model.film.vertices);
         if (stability.lowest_eigenvalue * radius * radius).abs() < MECHANISM {
@@ -456,6 +649,31 @@ fn warn(
         }
     }
     warnings
+}
+
+/// The stresses of a woven film that differ from the required ones.
+fn deviating_stress(weave: &WeaveStress, structure: &Structure) -> String {
+    let required = |of: fn(&Weave) -> f64| structure.film.weave().map_or(0.0, of);
+    let (warp, weft) = (required(|weave| weave.warp), required(|weave| weave.weft));
+    let (cause, remedy) = match weave.hold {
+        WeaveHold::Magnitudes => (
+            format!("no film of this shape is in equilibrium with {warp} along the warp and {weft} along the weft"),
+            "with hold: ratio both vary by a common factor",
+        ),
+        WeaveHold::Ratio => (
+            format!("no film of this shape is in equilibrium with the ratio {:.3} everywhere", weave.required_ratio),
+            "try other directions or a ratio nearer to 1",
+        ),
+    };
+    format!(
+        "{cause}; the returned forces balance with {:.4} to {:.4} along the warp and {:.4} to {:.4} along the weft, which \
+         deviates by {:.1} % (root mean square); {remedy}",
+        weave.warp.min,
+        weave.warp.max,
+        weave.weft.min,
+        weave.weft.max,
+        100.0 * weave.deviation_rms
+    )
 }
 
 /// Which points move freely.
