@@ -721,8 +721,8 @@ export interface components {
             /** @description Name in statistics and warnings. Null means its number, as in `cable 0`. */
             name?: string | null;
             /**
-             * @description Two points between which the cable runs in the air. A point that equals a boundary's point is joined to it; any
-             *     other point is a support.
+             * @description Two points between which the cable runs in the air. A point that equals a boundary's point, one of `joints` or
+             *     the hub of a ring is joined to it; any other point is a support.
              */
             points?: components["schemas"]["Point"][];
             /**
@@ -979,13 +979,15 @@ export interface components {
             /**
              * Format: double
              * @description Largest deviation of a principal stress from the required tension, as a fraction of it. It falls with the edge
-             *     length.
+             *     length. With warp and weft that of their stresses from those required at the same place.
              */
             deviation: number;
             /** Format: double */
             max: number;
             /** Format: double */
             min: number;
+            /** @description Null for an isotropic tension. */
+            weave: components["schemas"]["WeaveStress"] | null;
         };
         /** @description Quality of the strips' flat pattern. */
         FlatPatternStatistics: {
@@ -1333,6 +1335,41 @@ export interface components {
          * @enum {string}
          */
         MadeMesh: "auto" | "planar" | "disk" | "rings" | "barycentres";
+        /**
+         * @description A straight member between two points that may push. A point that equals a boundary's point, one of `joints` or the
+         *     hub of a ring is joined to it; any other point is a support. At least one end is no support.
+         */
+        Mast: {
+            mode?: components["schemas"]["MastMode"];
+            /** @description Name in statistics and warnings. Null means its number, as in `mast 0`. */
+            name?: string | null;
+            points: components["schemas"]["Point"][];
+            /**
+             * Format: double
+             * @description Value that the mode holds constant: a length, or the force with which the mast pushes.
+             */
+            value: number;
+        };
+        /** @description A mast of the found shape. */
+        MastForce: {
+            /**
+             * Format: double
+             * @description Force with which the mast pushes; negative if it pulls.
+             */
+            force: number;
+            /** Format: double */
+            length: number;
+            mode: string;
+            name: string;
+        };
+        /**
+         * @description Quantity of a mast that is held constant.
+         *
+         *     - `length`: The length. The force is found, and negative if the mast has to pull.
+         *     - `force`: The force with which the mast pushes. The length is found.
+         * @enum {string}
+         */
+        MastMode: "length" | "force";
         MeanCurvature: {
             /** Format: double */
             max: number;
@@ -1754,6 +1791,12 @@ export interface components {
             /** Format: double */
             residual: number | null;
         };
+        /** @description The weft runs around an axis and the warp away from it. The axis must not pass through the film. */
+        RadialDirection: {
+            axis: components["schemas"]["Point"];
+            /** @description A point of the axis. */
+            point: number[];
+        };
         /** @description A request that names its kind. */
         RequestWithKind: components["schemas"]["RuledSurfaceRequestWithKind"] | components["schemas"]["MinimalSurfaceRequestWithKind"] | components["schemas"]["UniformMeshRequestWithKind"] | components["schemas"]["TensileStructureRequestWithKind"];
         /** @description Resolution of the mesh, given by exactly one of the three fields. */
@@ -1774,6 +1817,28 @@ export interface components {
          * @enum {string}
          */
         Rim: "bounded" | "free";
+        /** @description A boundary that is a rigid ring, guided along an axis without friction. It turns nowhere. */
+        Ring: {
+            /** @description Direction in which the ring moves. It needs no unit length. */
+            axis: number[];
+            boundary: number;
+            /**
+             * Format: double
+             * @description Force on the ring along the axis, from outside. Default: `0.0`.
+             */
+            force?: number;
+            /** @description Point in the air that moves with the ring. Masts and cables may end there. */
+            hub?: number[];
+        };
+        /** @description A ring of the found shape. */
+        RingPosition: {
+            boundary: number;
+            /**
+             * Format: double
+             * @description Distance that the ring has moved along its axis.
+             */
+            travel: number;
+        };
         /** @description Statistics of a ruled surface. */
         RuledStatistics: {
             /** Format: double */
@@ -2174,6 +2239,17 @@ export interface components {
          * @enum {string}
          */
         Status: "queued" | "running" | "succeeded" | "failed" | "cancelled";
+        StressRange: {
+            /** Format: double */
+            max: number;
+            /**
+             * Format: double
+             * @description Mean over the area.
+             */
+            mean: number;
+            /** Format: double */
+            min: number;
+        };
         /**
          * @description Statistics of one strip, or of all strips of a stack together. Lengths are in the request's unit, areas in its
          *     square, and angles in degrees.
@@ -2265,17 +2341,29 @@ export interface components {
              */
             normal_deviation_max_deg: number;
         };
-        /** @description The film's stress and weight. */
+        /** @description The film's prestress and weight. The prestress is either `tension`, or `warp` and `weft` with a `direction`. */
         TensileFilm: {
+            direction?: components["schemas"]["WarpDirection"];
+            hold?: components["schemas"]["WeaveHold"];
             /**
              * Format: double
              * @description Isotropic tension, a force per length.
              */
-            tension: number;
+            tension?: number;
             /**
              * Format: double
-             * @description Weight per area of the found shape. The tension is `tension` at the film's mean height and grows with the height
-             *     by the weight. Default: `0.0`.
+             * @description Stress along the warp, a force per length.
+             */
+            warp?: number;
+            /**
+             * Format: double
+             * @description Stress along the weft, at right angles to the warp, a force per length.
+             */
+            weft?: number;
+            /**
+             * Format: double
+             * @description Weight per area of the found shape. An isotropic tension is `tension` at the film's mean height and grows with the
+             *     height by the weight. Default: `0.0`.
              */
             weight?: number;
         };
@@ -2298,6 +2386,7 @@ export interface components {
             /** @description Unit of the forces. */
             force_unit: string;
             iterations: number;
+            masts: components["schemas"]["MastForce"][];
             /**
              * Format: double
              * @description Smallest slope of a triangle in degrees. Water stands on a film that is flatter than about 5.
@@ -2306,7 +2395,7 @@ export interface components {
             objective: string;
             /**
              * Format: double
-             * @description Energy of the found shape.
+             * @description Energy of the found shape. With warp and weft the film counts with half the sum of its stresses times its area.
              */
             objective_value: number;
             /** @description Middle of the mesh's bounding box, which files with `origin=local` are relative to. */
@@ -2320,6 +2409,12 @@ export interface components {
             reactions: components["schemas"]["SupportReaction"][];
             /** Format: double */
             residual: number;
+            rings: components["schemas"]["RingPosition"][];
+            /** @description Number of pairs of triangles of the film that intersect. Null if not all pairs were looked at. */
+            self_intersections: number | null;
+            /** @description Why `self_intersections` is null: `too_many_pairs`, `deadline_passed`. */
+            self_intersections_skipped: string | null;
+            /** @description Null where the solve did not converge, and with warp and weft, because no energy has their shape as its minimum. */
             stability: components["schemas"]["EquilibriumStability"] | null;
             stop_reason: string;
             /** @description Null if the forces could not be balanced. */
@@ -2390,10 +2485,14 @@ export interface components {
              *     on both sides; cables in the air can tie it back.
              */
             free_points?: components["schemas"]["BoundaryPoint"][];
+            /** @description Points in the air at which cables and masts end and which no support holds. Default: `[]`. */
+            joints?: components["schemas"]["Point"][];
             /** @description Optional here, because the path names the kind. `plateau solve` needs it. */
             kind?: components["schemas"]["TensileStructureKind"] | null;
             /** @description Name of the job for people. The job and lists of jobs show it. */
             label?: string | null;
+            /** @description Straight members that may push. */
+            masts?: components["schemas"]["Mast"][];
             /** @description Maximum number of linear solves. Null means 400. */
             max_iterations?: number | null;
             /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
@@ -2407,6 +2506,8 @@ export interface components {
              */
             pressure?: number | null;
             resolution?: components["schemas"]["Resolution"];
+            /** @description Boundaries that are rigid rings and move along an axis. */
+            rings?: components["schemas"]["Ring"][];
             /**
              * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
              *     accepted, older jobs with the same key that have not ended are cancelled.
@@ -2426,7 +2527,7 @@ export interface components {
             /**
              * Format: double
              * @description Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
-             *     pressure is found. Not with cables along a boundary or with `supports`.
+             *     pressure is found. Not with cables along a boundary, `supports` or `rings`.
              */
             volume?: number | null;
         };
@@ -2456,6 +2557,8 @@ export interface components {
              *     on both sides; cables in the air can tie it back.
              */
             free_points?: components["schemas"]["BoundaryPoint"][];
+            /** @description Points in the air at which cables and masts end and which no support holds. Default: `[]`. */
+            joints?: components["schemas"]["Point"][];
             /**
              * @description Kind of the request. (enum property replaced by openapi-typescript)
              * @enum {string}
@@ -2463,6 +2566,8 @@ export interface components {
             kind: "tensile_structure";
             /** @description Name of the job for people. The job and lists of jobs show it. */
             label?: string | null;
+            /** @description Straight members that may push. */
+            masts?: components["schemas"]["Mast"][];
             /** @description Maximum number of linear solves. Null means 400. */
             max_iterations?: number | null;
             /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
@@ -2476,6 +2581,8 @@ export interface components {
              */
             pressure?: number | null;
             resolution?: components["schemas"]["Resolution"];
+            /** @description Boundaries that are rigid rings and move along an axis. */
+            rings?: components["schemas"]["Ring"][];
             /**
              * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
              *     accepted, older jobs with the same key that have not ended are cancelled.
@@ -2495,7 +2602,7 @@ export interface components {
             /**
              * Format: double
              * @description Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
-             *     pressure is found. Not with cables along a boundary or with `supports`.
+             *     pressure is found. Not with cables along a boundary, `supports` or `rings`.
              */
             volume?: number | null;
         };
@@ -2721,6 +2828,47 @@ export interface components {
          * @enum {string}
          */
         UpAxis: "z" | "y";
+        /**
+         * @description Field of directions in space, given by exactly one of its fields. The film's warp is the projection of the field onto
+         *     the film. Directions need no unit length.
+         */
+        WarpDirection: {
+            /** @description Polyline along whose tangent at the nearest point the warp runs. */
+            along?: components["schemas"]["Point"][];
+            /** @description Vector along which the warp runs. */
+            parallel?: number[];
+            radial?: components["schemas"]["RadialDirection"];
+        };
+        /**
+         * @description Quantity that the stresses of warp and weft hold constant. Requires `warp` and `weft`.
+         *
+         *     - `ratio`: Their ratio. Both vary by a common factor with the mean 1, so that the forces within the film can balance.
+         *     - `magnitudes`: Their magnitudes. Two unequal ones cannot be in equilibrium on most shapes. The returned stresses then deviate
+         *     from them, and the job has the warning `stress_deviates`.
+         * @enum {string}
+         */
+        WeaveHold: "ratio" | "magnitudes";
+        /** @description Stresses along warp and weft. */
+        WeaveStress: {
+            /**
+             * Format: double
+             * @description Root mean square over the area of each stress over the one required at the same place, less 1. Above 0.05 the job
+             *     has the warning `stress_deviates`.
+             */
+            deviation_rms: number;
+            hold: components["schemas"]["WeaveHold"];
+            /** @description Stress of the weft over that of the warp. */
+            ratio: components["schemas"]["StressRange"];
+            /**
+             * Format: double
+             * @description Root mean square over the area of ratio / required ratio - 1.
+             */
+            ratio_deviation_rms: number;
+            /** Format: double */
+            required_ratio: number;
+            warp: components["schemas"]["StressRange"];
+            weft: components["schemas"]["StressRange"];
+        };
         /** @description The sum of the named objectives times their weights. */
         WeightedSum: {
             /** @description Whether each term is first divided by its own optimum on the strip, because the terms have different units. Default: `true`. */
@@ -3885,7 +4033,7 @@ export interface operations {
             header?: never;
             path: {
                 /** @description Name of the example. */
-                name: "two-rails" | "helicoid" | "catenoid" | "tent" | "four-corners" | "ridge-rope" | "own-mesh" | "helicoid-relaxation" | "two-rings" | "rings-12-free" | "rings-12-best" | "rings-14-free" | "rings-14-best" | "rings-14-pinkall-polthier" | "cut-cylinder" | "three-rings" | "tetrahedron-loops" | "nested-loops" | "three-half-circles" | "three-half-circles-uneven" | "helicoid-liu-wang" | "scherk-relaxation" | "wavy-strip" | "contour-stack" | "wang-tang-i" | "wang-tang-ii" | "wang-tang-iii" | "wang-tang-iv" | "wang-tang-v" | "wang-tang-vi" | "latticed-roof" | "latticed-roof-steep" | "latticed-film" | "latticed-roof-few-lengths" | "floor-fewest-nodes" | "floor-equal-members" | "courtyard" | "plane-sail" | "four-point-sail" | "inflated-disc" | "vault";
+                name: "two-rails" | "helicoid" | "catenoid" | "tent" | "four-corners" | "ridge-rope" | "own-mesh" | "helicoid-relaxation" | "two-rings" | "rings-12-free" | "rings-12-best" | "rings-14-free" | "rings-14-best" | "rings-14-pinkall-polthier" | "cut-cylinder" | "three-rings" | "tetrahedron-loops" | "nested-loops" | "three-half-circles" | "three-half-circles-uneven" | "helicoid-liu-wang" | "scherk-relaxation" | "wavy-strip" | "contour-stack" | "wang-tang-i" | "wang-tang-ii" | "wang-tang-iii" | "wang-tang-iv" | "wang-tang-v" | "wang-tang-vi" | "latticed-roof" | "latticed-roof-steep" | "latticed-film" | "latticed-roof-few-lengths" | "floor-fewest-nodes" | "floor-equal-members" | "courtyard" | "plane-sail" | "four-point-sail" | "inflated-disc" | "conic-tent" | "flying-mast" | "ridge-and-valley" | "film-on-a-plane" | "vault";
             };
             cookie?: never;
         };

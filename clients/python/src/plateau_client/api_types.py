@@ -49,6 +49,11 @@ MadeMesh = Literal['auto', 'planar', 'disk', 'rings', 'barycentres']
 - `disk`: Delaunay triangulation of a round disc, mapped harmonically.
 - `rings`: Rings of vertices (Chen, Cai, Zheng, section 3.4).
 - `barycentres`: Liu, Wang."""
+MastMode = Literal['length', 'force']
+"""Quantity of a mast that is held constant.
+
+- `length`: The length. The force is found, and negative if the mast has to pull.
+- `force`: The force with which the mast pushes. The length is found."""
 MinimalSurfaceKind = Literal['minimal_surface']
 MinimalSurfaceObjective = Literal['minimal_area', 'minimal_dirichlet_energy', 'minimal_mean_curvature']
 """Quantity that is minimised. `GET /v1/objectives` has the formulas."""
@@ -106,6 +111,12 @@ Units = Literal['mm', 'cm', 'm', 'in', 'ft']
 unit."""
 UpAxis = Literal['z', 'y']
 """Axis of the client's coordinates that points up."""
+WeaveHold = Literal['ratio', 'magnitudes']
+"""Quantity that the stresses of warp and weft hold constant. Requires `warp` and `weft`.
+
+- `ratio`: Their ratio. Both vary by a common factor with the mean 1, so that the forces within the film can balance.
+- `magnitudes`: Their magnitudes. Two unequal ones cannot be in equilibrium on most shapes. The returned stresses then deviate
+from them, and the job has the warning `stress_deviates`."""
 
 
 Along = TypedDict("Along", {"boundary": "NotRequired[int]", "from": "int", "to": "int"})
@@ -195,8 +206,8 @@ class Cable(TypedDict):
     name: NotRequired[Optional[str]]
     """Name in statistics and warnings. Null means its number, as in `cable 0`."""
     points: NotRequired[Sequence[Point]]
-    """Two points between which the cable runs in the air. A point that equals a boundary's point is joined to it; any
-    other point is a support."""
+    """Two points between which the cable runs in the air. A point that equals a boundary's point, one of `joints` or
+    the hub of a ring is joined to it; any other point is a support."""
     value: float
     """Value that the mode holds constant: a force, a force per length (`force_density`) or a length."""
     weight: NotRequired[float]
@@ -374,9 +385,11 @@ class FilmStress(TypedDict):
     """Principal stresses of the film."""
     deviation: float
     """Largest deviation of a principal stress from the required tension, as a fraction of it. It falls with the edge
-    length."""
+    length. With warp and weft that of their stresses from those required at the same place."""
     max: float
     min: float
+    weave: Optional[WeaveStress]
+    """Null for an isotropic tension."""
 
 
 class FlatPatternStatistics(TypedDict):
@@ -657,6 +670,26 @@ class Links(TypedDict):
     pattern: NotRequired[Optional[str]]
     """Address of the flat pattern. Only ruled surfaces have it, and it is absent from failed and cancelled jobs."""
     self: str
+
+
+class Mast(TypedDict):
+    """A straight member between two points that may push. A point that equals a boundary's point, one of `joints` or the
+    hub of a ring is joined to it; any other point is a support. At least one end is no support."""
+    mode: NotRequired[MastMode]
+    name: NotRequired[Optional[str]]
+    """Name in statistics and warnings. Null means its number, as in `mast 0`."""
+    points: Sequence[Point]
+    value: float
+    """Value that the mode holds constant: a length, or the force with which the mast pushes."""
+
+
+class MastForce(TypedDict):
+    """A mast of the found shape."""
+    force: float
+    """Force with which the mast pushes; negative if it pulls."""
+    length: float
+    mode: str
+    name: str
 
 
 class MeanCurvature(TypedDict):
@@ -980,6 +1013,13 @@ class Progress(TypedDict):
     residual: Optional[float]
 
 
+class RadialDirection(TypedDict):
+    """The weft runs around an axis and the warp away from it. The axis must not pass through the film."""
+    axis: Point
+    point: Sequence[float]
+    """A point of the axis."""
+
+
 class Resolution(TypedDict):
     """Resolution of the mesh, given by exactly one of the three fields."""
     edge_length: NotRequired[float]
@@ -988,6 +1028,24 @@ class Resolution(TypedDict):
     """Number of vertices that are not on the boundary."""
     triangles: NotRequired[int]
     """Number of triangles. It is exact for `rings` with `keep`, and otherwise met within 10%."""
+
+
+class Ring(TypedDict):
+    """A boundary that is a rigid ring, guided along an axis without friction. It turns nowhere."""
+    axis: Sequence[float]
+    """Direction in which the ring moves. It needs no unit length."""
+    boundary: int
+    force: NotRequired[float]
+    """Force on the ring along the axis, from outside. Default: `0.0`."""
+    hub: NotRequired[Sequence[float]]
+    """Point in the air that moves with the ring. Masts and cables may end there."""
+
+
+class RingPosition(TypedDict):
+    """A ring of the found shape."""
+    boundary: int
+    travel: float
+    """Distance that the ring has moved along its axis."""
 
 
 class RuledStatistics(TypedDict):
@@ -1268,6 +1326,13 @@ class StageGroup(TypedDict):
     std_dev: float
 
 
+class StressRange(TypedDict):
+    max: float
+    mean: float
+    """Mean over the area."""
+    min: float
+
+
 class StripStatistics(TypedDict):
     """Statistics of one strip, or of all strips of a stack together. Lengths are in the request's unit, areas in its
     square, and angles in degrees."""
@@ -1323,12 +1388,18 @@ class SurfaceFit(TypedDict):
 
 
 class TensileFilm(TypedDict):
-    """The film's stress and weight."""
-    tension: float
+    """The film's prestress and weight. The prestress is either `tension`, or `warp` and `weft` with a `direction`."""
+    direction: NotRequired[WarpDirection]
+    hold: NotRequired[WeaveHold]
+    tension: NotRequired[float]
     """Isotropic tension, a force per length."""
+    warp: NotRequired[float]
+    """Stress along the warp, a force per length."""
+    weft: NotRequired[float]
+    """Stress along the weft, at right angles to the warp, a force per length."""
     weight: NotRequired[float]
-    """Weight per area of the found shape. The tension is `tension` at the film's mean height and grows with the height
-    by the weight. Default: `0.0`."""
+    """Weight per area of the found shape. An isotropic tension is `tension` at the film's mean height and grows with the
+    height by the weight. Default: `0.0`."""
 
 
 class TensileStatistics(TypedDict):
@@ -1349,11 +1420,12 @@ class TensileStatistics(TypedDict):
     force_unit: str
     """Unit of the forces."""
     iterations: int
+    masts: List[MastForce]
     minimum_slope_deg: float
     """Smallest slope of a triangle in degrees. Water stands on a film that is flatter than about 5."""
     objective: str
     objective_value: float
-    """Energy of the found shape."""
+    """Energy of the found shape. With warp and weft the film counts with half the sum of its stresses times its area."""
     origin: List[float]
     """Middle of the mesh's bounding box, which files with `origin=local` are relative to."""
     pressure: float
@@ -1361,7 +1433,13 @@ class TensileStatistics(TypedDict):
     reactions: List[SupportReaction]
     """Supports at the ends of cables."""
     residual: float
+    rings: List[RingPosition]
+    self_intersections: Optional[int]
+    """Number of pairs of triangles of the film that intersect. Null if not all pairs were looked at."""
+    self_intersections_skipped: Optional[str]
+    """Why `self_intersections` is null: `too_many_pairs`, `deadline_passed`."""
     stability: Optional[EquilibriumStability]
+    """Null where the solve did not converge, and with warp and weft, because no energy has their shape as its minimum."""
     stop_reason: str
     stress: Optional[FilmStress]
     """Null if the forces could not be balanced."""
@@ -1417,10 +1495,14 @@ class TensileStructureRequest(TypedDict):
     free_points: NotRequired[Sequence[BoundaryPoint]]
     """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     on both sides; cables in the air can tie it back."""
+    joints: NotRequired[Sequence[Point]]
+    """Points in the air at which cables and masts end and which no support holds. Default: `[]`."""
     kind: NotRequired[Optional[TensileStructureKind]]
     """Optional here, because the path names the kind. `plateau solve` needs it."""
     label: NotRequired[Optional[str]]
     """Name of the job for people. The job and lists of jobs show it."""
+    masts: NotRequired[Sequence[Mast]]
+    """Straight members that may push."""
     max_iterations: NotRequired[Optional[int]]
     """Maximum number of linear solves. Null means 400."""
     metadata: NotRequired[Optional[Dict[str, Any]]]
@@ -1429,6 +1511,8 @@ class TensileStructureRequest(TypedDict):
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary or with `supports`."""
     resolution: NotRequired[Resolution]
+    rings: NotRequired[Sequence[Ring]]
+    """Boundaries that are rigid rings and move along an axis."""
     supersede: NotRequired[Optional[str]]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
@@ -1442,7 +1526,7 @@ class TensileStructureRequest(TypedDict):
     """Axis that points up. Weights pull against it. Default: `z`."""
     volume: NotRequired[Optional[float]]
     """Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
-    pressure is found. Not with cables along a boundary or with `supports`."""
+    pressure is found. Not with cables along a boundary, `supports` or `rings`."""
 
 
 class TensileStructureRequestWithKind(TypedDict):
@@ -1465,10 +1549,14 @@ class TensileStructureRequestWithKind(TypedDict):
     free_points: NotRequired[List[BoundaryPoint]]
     """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     on both sides; cables in the air can tie it back."""
+    joints: NotRequired[List[Point]]
+    """Points in the air at which cables and masts end and which no support holds. Default: `[]`."""
     kind: Literal['tensile_structure']
     """Kind of the request."""
     label: NotRequired[Optional[str]]
     """Name of the job for people. The job and lists of jobs show it."""
+    masts: NotRequired[List[Mast]]
+    """Straight members that may push."""
     max_iterations: NotRequired[Optional[int]]
     """Maximum number of linear solves. Null means 400."""
     metadata: NotRequired[Optional[Dict[str, Any]]]
@@ -1477,6 +1565,8 @@ class TensileStructureRequestWithKind(TypedDict):
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary or with `supports`."""
     resolution: NotRequired[Resolution]
+    rings: NotRequired[List[Ring]]
+    """Boundaries that are rigid rings and move along an axis."""
     supersede: NotRequired[Optional[str]]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
@@ -1490,7 +1580,7 @@ class TensileStructureRequestWithKind(TypedDict):
     """Axis that points up. Weights pull against it. Default: `z`."""
     volume: NotRequired[Optional[float]]
     """Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
-    pressure is found. Not with cables along a boundary or with `supports`."""
+    pressure is found. Not with cables along a boundary, `supports` or `rings`."""
 
 
 class UniformMeshJob(TypedDict):
@@ -1647,6 +1737,31 @@ class UniformStatistics(TypedDict):
     triangles: int
     valence_histogram: List[int]
     """Entry k is the number of nodes with k members."""
+
+
+class WarpDirection(TypedDict):
+    """Field of directions in space, given by exactly one of its fields. The film's warp is the projection of the field onto
+    the film. Directions need no unit length."""
+    along: NotRequired[Sequence[Point]]
+    """Polyline along whose tangent at the nearest point the warp runs."""
+    parallel: NotRequired[Sequence[float]]
+    """Vector along which the warp runs."""
+    radial: NotRequired[RadialDirection]
+
+
+class WeaveStress(TypedDict):
+    """Stresses along warp and weft."""
+    deviation_rms: float
+    """Root mean square over the area of each stress over the one required at the same place, less 1. Above 0.05 the job
+    has the warning `stress_deviates`."""
+    hold: WeaveHold
+    ratio: StressRange
+    """Stress of the weft over that of the warp."""
+    ratio_deviation_rms: float
+    """Root mean square over the area of ratio / required ratio - 1."""
+    required_ratio: float
+    warp: StressRange
+    weft: StressRange
 
 
 class WeightedSum(TypedDict):
@@ -1824,8 +1939,12 @@ class TensileStructureOptions(TypedDict, total=False):
     free_points: Sequence[BoundaryPoint]
     """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     on both sides; cables in the air can tie it back."""
+    joints: Sequence[Point]
+    """Points in the air at which cables and masts end and which no support holds. Default: `[]`."""
     label: Optional[str]
     """Name of the job for people. The job and lists of jobs show it."""
+    masts: Sequence[Mast]
+    """Straight members that may push."""
     max_iterations: Optional[int]
     """Maximum number of linear solves. Null means 400."""
     metadata: Optional[Dict[str, Any]]
@@ -1834,6 +1953,8 @@ class TensileStructureOptions(TypedDict, total=False):
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary or with `supports`."""
     resolution: Resolution
+    rings: Sequence[Ring]
+    """Boundaries that are rigid rings and move along an axis."""
     supersede: Optional[str]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
@@ -1847,4 +1968,4 @@ class TensileStructureOptions(TypedDict, total=False):
     """Axis that points up. Weights pull against it. Default: `z`."""
     volume: Optional[float]
     """Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
-    pressure is found. Not with cables along a boundary or with `supports`."""
+    pressure is found. Not with cables along a boundary, `supports` or `rings`."""
