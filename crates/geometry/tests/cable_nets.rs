@@ -2,6 +2,7 @@
 
 use plateau_geometry::cable_net::{CableNet, Edge, Net, Options, StopReason, check, solve};
 use plateau_geometry::{DVec3, Error, Execution, Interruption, Signal};
+use std::cell::Cell;
 
 /// A square net of `side` units with `cells` cells each way: vertices row by row, edges with whether they are on the
 /// rim.
@@ -71,6 +72,7 @@ fn lifted(cells: u32) -> Net {
     let mut net = grid(10.0, cells, |ends, rim| Edge {
         ends,
         density: Some(force_at_start(rim) * f64::from(cells) / 10.0),
+        held: false,
         force: rim.then_some(20.0),
         length: (!rim).then_some(10.0 / f64::from(cells)),
     });
@@ -133,6 +135,53 @@ fn a_shorter_load_path_is_found_when_it_is_asked_for() {
 }
 
 #[test]
+fn held_densities_stay_and_the_others_are_fitted() {
+    // The rim of the lifted net keeps its density while the lengths inside are fitted.
+    let mut net = lifted(6);
+    for edge in &mut net.edges {
+        if edge.force.is_some() {
+            (edge.density, edge.force, edge.held) = (Some(15.0), None, true);
+        }
+    }
+    let plain = Net { edges: net.edges.iter().map(|edge| Edge { length: None, ..*edge }).collect(), ..net.clone() };
+    let start = found(&plain, &Options { least_density: 0.1, ..Options::default() });
+    let result = found(&net, &Options { least_density: 0.1, ..Options::default() });
+    let held = net.edges.iter().zip(&result.densities).filter(|(edge, _)| edge.held);
+    assert!(held.clone().count() == 24 && held.clone().all(|(_, q)| *q == 15.0));
+    let deviation = |found: &CableNet| {
+        let of = |(edge, length): (&Edge, &f64)| edge.length.map(|target| (length / target - 1.0).powi(2));
+        net.edges.iter().zip(&found.lengths).filter_map(of).sum::<f64>()
+    };
+    assert!(deviation(&result) < 0.5 * deviation(&start), "{} {}", deviation(&result), deviation(&start));
+    // Held densities alone are the linear equations, whatever the targets.
+    net.edges.iter_mut().for_each(|edge| (edge.density, edge.held) = (edge.density.or(Some(1.0)), true));
+    assert_eq!(found(&net, &Options::default()).stop_reason, StopReason::NoTargets);
+}
+
+#[test]
+fn a_deadline_returns_the_net_of_the_last_step_in_equilibrium() {
+    let net = lifted(6);
+    let looks = Cell::new(0);
+    let signal = || {
+        looks.set(looks.get() + 1);
+        if looks.get() > 4 { Signal::Deadline } else { Signal::Continue }
+    };
+    let options = Options { least_density: 0.1, ..Options::default() };
+    let result = solve(&net, &options, &Execution::new(&signal, &|_| {})).unwrap();
+    assert_eq!((result.stop_reason, result.converged()), (StopReason::Deadline, false));
+    assert!(result.iterations > 0 && result.iterations < 5 && result.imbalance < 1e-12);
+}
+
+#[test]
+fn targets_that_are_met_from_the_start_need_no_step() {
+    let ends = [DVec3::new(-1.0, 0.0, 0.0), DVec3::new(1.0, 0.0, 0.0), DVec3::ZERO];
+    let edge = |k: u32| Edge { ends: [k, 2], force: Some(1.0), length: Some(1.0), ..Edge::default() };
+    let net = Net { vertices: ends.to_vec(), edges: vec![edge(0), edge(1)], supports: vec![0, 1], loads: Vec::new() };
+    let result = found(&net, &Options::default());
+    assert!(result.loss < 1e-24 && result.converged(), "{result:?}");
+}
+
+#[test]
 fn scales_of_lengths_and_forces_change_nothing() {
     let net = lifted(6);
     let reference = found(&net, &Options::default());
@@ -167,6 +216,27 @@ fn bad_nets_are_refused_by_the_place_of_the_value() {
     assert_eq!(refused(&|net| net.vertices[5].y = f64::INFINITY), "/vertices/5");
     assert_eq!(refused(&|net| net.edges.clear()), "/edges");
     assert_eq!(refused(&|net| net.supports.clear()), "/vertices/0");
+    let chain = |supports: &[u32], length: f64, loads: Vec<DVec3>| {
+        let vertices = (0..4u32).map(|k| DVec3::new(f64::from(k), 0.0, 0.0)).collect();
+        let edge = |k| Edge { ends: [k, k + 1], length: Some(length), ..Edge::default() };
+        let net = Net { vertices, edges: (0..3).map(edge).collect(), supports: supports.to_vec(), loads };
+        match check(&net, &Options::default()) {
+            Ok(()) => Vec::new(),
+            Err(Error::Input(errors)) => errors.iter().map(|error| error.place.to_string()).collect(),
+            Err(other) => panic!("{other:?}"),
+        }
+    };
+    // The end of a chain moves freely, and then what hangs on it, unless a load pulls at it.
+    assert_eq!(chain(&[0], 1.0, Vec::new()), ["/vertices/1", "/vertices/2", "/vertices/3"]);
+    let pull = DVec3::new(1.0, 0.0, 0.0);
+    assert_eq!(chain(&[0], 1.0, vec![DVec3::ZERO, DVec3::ZERO, DVec3::ZERO, pull]), Vec::<String>::new());
+    // A cable between two supports has the length of its chord.
+    assert_eq!(chain(&[0, 1, 3], 1.0, Vec::new()), Vec::<String>::new());
+    assert_eq!(chain(&[0, 1, 3], 1.1, Vec::new()), ["/edges/0/length"]);
+    assert_eq!(chain(&[0, 1, 3], 0.9, Vec::new()), ["/edges/0/length"]);
+    assert_eq!(refused(&|net| net.vertices[8] = net.vertices[7]), "/edges/14");
+    assert_eq!(refused(&|net| net.edges[4].ends = net.edges[3].ends), "/edges/4");
+    assert_eq!(refused(&|net| (net.edges[4].density, net.edges[4].held) = (None, true)), "/edges/4/density");
     // A vertex without cables.
     assert_eq!(refused(&|net| net.vertices.push(DVec3::ZERO)), "/vertices/25");
 }
