@@ -285,6 +285,21 @@ const FILES: &[(&str, &str, &str)] = &[
         include_str!("../../api/examples/inflated-disc.json"),
     ),
     (
+        "ridge-and-valley",
+        "A roof with a ridge cable between two valley cables, on edge cables between high and low points",
+        include_str!("../../api/examples/ridge-and-valley.json"),
+    ),
+    (
+        "air-hall",
+        "An air hall under pressure in a net of hoop cables and a spine",
+        include_str!("../../api/examples/air-hall.json"),
+    ),
+    (
+        "film-on-a-plane",
+        "A half catenoid that slides on a plane and meets it at a right angle",
+        include_str!("../../api/examples/film-on-a-plane.json"),
+    ),
+    (
         "four-cables",
         "Four cables with given forces carry a load between two low and two high points",
         include_str!("../../api/examples/four-cables.json"),

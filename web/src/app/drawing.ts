@@ -3,7 +3,7 @@
 import { $ } from '../dom';
 import { cablesOf, stretch } from '../model/cables';
 import { findings } from '../model/checks';
-import { at, coordinates, isWhole, KINDS, type Vec3 } from '../model/request';
+import { at, coordinates, isWhole, KINDS, type Request, type Vec3 } from '../model/request';
 import { type Found, type Modes, showCable } from '../panels/cable';
 import { capital, count } from '../text';
 import { doc, embedded, host, server, session, sketch, stage, surface, tools } from './session';
@@ -43,6 +43,8 @@ export function cableModes(): Modes {
 /** The chosen cable in the result, if the result is that of the drawing. */
 export function foundCable(): Found | undefined {
   if (!session.shown || session.shown.job.kind !== 'tensile_structure') return undefined;
+  const course = (request: Request): string => JSON.stringify(cablesOf(request)[tools.cable]?.along);
+  if (course(session.shown.request) !== course(doc().request)) return undefined;
   return (session.shown.job.statistics as { cables?: Found[] } | null)?.cables?.[tools.cable];
 }
 

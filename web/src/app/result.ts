@@ -41,15 +41,16 @@ export function show(job: Job, mesh: ResultMesh, solved: string, whileDragging =
   if (first && session.colour === 'plain') session.colour = firstOf(mesh);
   choose();
   surface.show(mesh, job.kind, host.frame, session.quantity);
+  // The model is fitted into the room that the legend leaves.
+  $('look').hidden = false;
+  showLayers();
   stage.measure();
   stage.rememberWhetherAllIsSeen();
   if (first && !session.cameraGiven) stage.fit(false);
   session.cameraGiven = false;
-  showLayers();
 
   $('nothing').hidden = true;
   $('result').hidden = false;
-  $('look').hidden = false;
   $('job-id').textContent = job.id;
   const values = job.statistics as Record<string, unknown>;
   $('figures').replaceChildren(...keyFigures(job, unitOf(request)));

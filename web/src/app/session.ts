@@ -22,11 +22,11 @@ export const embedded = document.documentElement.hasAttribute('data-embed');
 export const THEMES: Record<string, { sketch: SketchLook; look: Look; grid: [string, number]; shadow: number }> = {
   light: {
     sketch: { paper: '#ffffff', accent: '#0a6c7e', ink: '#1c2427', fault: '#c62f26', soft: '#6d7b81', cable: '#b4561f' },
-    look: { membrane: '#f2eee6', ink: '#20292d', accent: '#b4561f', reaction: '#7a2f8f' }, grid: ['#5b6b73', 0.42], shadow: 0.5,
+    look: { membrane: '#f2eee6', ink: '#20292d', accent: '#b4561f', reaction: '#c2185b', rim: '#ffffff' }, grid: ['#5b6b73', 0.42], shadow: 0.5,
   },
   dark: {
     sketch: { paper: '#12181b', accent: '#56c4d4', ink: '#ffffff', fault: '#ff7a70', soft: '#8fa0a8', cable: '#ffb273' },
-    look: { membrane: '#cbc7be', ink: '#0d1214', accent: '#ffb273', reaction: '#d9a6ff' }, grid: ['#90a4ad', 0.3], shadow: 0.85,
+    look: { membrane: '#cbc7be', ink: '#0d1214', accent: '#ffb273', reaction: '#ff8fb8', rim: '#6c7c84' }, grid: ['#90a4ad', 0.3], shadow: 0.85,
   },
 };
 

@@ -31,6 +31,9 @@ const CURVATURE_NOISE = 1e-4;
 /** Lengths that differ by less than this fraction are shown as equal. */
 const LENGTH_NOISE = 1e-6;
 
+/** Values along lines that differ by less than this fraction are shown as equal. */
+const VALUE_NOISE = 1e-3;
+
 /** The quantities that a result offers; values are computed when one is chosen. */
 export function offered(mesh: ResultMesh, kind: string): { id: string; label: string }[] {
   const found = [{ id: 'plain', label: 'Plain' }];
@@ -164,7 +167,11 @@ function carried(mesh: ResultMesh, name: string): Quantity | null {
     for (let i = 0; i < each.values.length; i += 2) values[at + i / 2] = each.values[i]!;
     at += each.values.length / 2;
   }
-  return scaled({ id: `line:${name}`, label: humanise(name), unit: sets[0]!.each.unit, at: 'segment', values, segments }, 0);
+  const found = scaled({ id: `line:${name}`, label: humanise(name), unit: sets[0]!.each.unit, at: 'segment', values, segments }, 0);
+  // A force that is the same along a cable deviates by the error of the mesh.
+  if (found.high - found.low > VALUE_NOISE * Math.max(Math.abs(found.low), Math.abs(found.high))) return found;
+  const middle = Number(((found.low + found.high) / 2).toPrecision(4));
+  return { ...found, low: middle, high: middle };
 }
 
 /** A value's place on the scale, from 0 to 1. Noise lies in the middle of a diverging scale. */

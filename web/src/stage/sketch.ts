@@ -131,7 +131,9 @@ export class Sketch {
       ...add(chain(courses[chosen] ?? []), 8, this.look.cable),
     ];
     for (const line of this.cables) {
-      line.renderOrder = 1;
+      // The line of the boundary runs along their middle.
+      line.renderOrder = 0.9;
+      line.material.depthWrite = false;
       this.group.add(line);
     }
   }

@@ -22,7 +22,7 @@ const HEAD = { length: 0.16, width: 0.06 };
 /** More segments than this are drawn one pixel wide. */
 const MOST_WIDE = 20_000;
 
-export interface Look { membrane: string; ink: string; accent: string; reaction: string }
+export interface Look { membrane: string; ink: string; accent: string; reaction: string; rim: string }
 
 type WithTree = BufferGeometry & { boundsTree?: MeshBVH };
 
@@ -152,10 +152,18 @@ export class Surface {
       const line = wideLines(segments, width, color, colours, opacity);
       line.userData.opacity = opacity;
       line.userData.isLine = true;
+      line.renderOrder = 0.01 * this.lines.length;
       this.lines.push(line);
       this.group.add(line);
     };
     const along = quantity?.at === 'segment' ? quantity : null;
+    // The ends of the scale are nearly as dark or as bright as the ground: a rim sets the cables off from it.
+    if (along?.id.startsWith('line:')) {
+      add(along.segments!, 5, this.look.rim);
+      const rim = this.lines.at(-1);
+      // Only its colour is left behind: what is drawn at the same place afterwards lies on it.
+      if (rim) Object.assign(rim.material, { depthWrite: false });
+    }
     if (along) add(along.segments!, 3, this.look.ink, 1, segmentColours(along));
     if (this.layers.edges && along?.id !== 'edge_length') add(edgeSegments(result), 1, this.look.ink, 0.3);
     if (this.layers.lines) {

@@ -125,11 +125,11 @@ def read_edges(data: bytes) -> Any:
     end = data.index(b"end_header\n") + len(b"end_header\n")
     header = [line.split() for line in data[:end].decode("utf-8").splitlines()]
     counts = {line[1]: int(line[2]) for line in header if line[0] == "element"}
-    columns = _columns(header, "edge")
     count = counts.get("edge", 0)
-    table = np.frombuffer(data[len(data) - count * columns.itemsize :], dtype=columns)
     if count == 0:
         return np.empty((0, 2), dtype=np.int64), np.empty(0)
+    columns = _columns(header, "edge")
+    table = np.frombuffer(data, dtype=columns, count=count, offset=len(data) - count * columns.itemsize)
     ends = np.stack([table["vertex1"], table["vertex2"]], axis=1).astype(np.int64)
     return ends, table["force"].copy() if "force" in columns.names else np.empty(0)
 
