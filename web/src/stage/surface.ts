@@ -167,8 +167,10 @@ export class Surface {
     if (along) add(along.segments!, 3, this.look.ink, 1, segmentColours(along));
     if (this.layers.edges && along?.id !== 'edge_length') add(edgeSegments(result), 1, this.look.ink, 0.3);
     if (this.layers.lines) {
-      for (const { name, segments } of result.lines) {
-        if (name === 'reactions' || (along && (name.startsWith('members') || name.startsWith('cables') || name === 'bridges'))) continue;
+      for (const { name, segments, values } of result.lines) {
+        if (name === 'reactions' || (along && (name.startsWith('members') || name === 'bridges'))) continue;
+        // These are drawn in their colours already.
+        if (values.some((each) => along?.id === `line:${each.name}`)) continue;
         if (name === 'boundaries' || name === 'directrices') { if (!this.drawn) add(segments, 2, this.look.ink, 0.85); }
         else if (name.startsWith('members')) add(segments, name.includes('rim') ? 1.4 : 2, this.look.ink, name.includes('rim') ? 0.5 : 0.8);
         else if (name === 'bridges') add(segments, 1, this.look.ink, 0.35);
