@@ -60,7 +60,7 @@ pub enum Origin {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Choices {
     pub origin: Origin,
-    /// Whether lines along the mesh are written too. PLY and STL never have them.
+    /// Whether lines along the mesh are written too. STL never has them, and PLY only those of a mesh without triangles.
     pub lines: bool,
     /// Whether a PLY file is text.
     pub ascii: bool,
@@ -116,7 +116,7 @@ impl MeshFormat {
         Self::ALL.into_iter().find(|format| format.name() == name)
     }
 
-    /// Returns true if files of this format have the lines along the mesh.
+    /// Returns true if files of this format have the lines along a mesh with triangles.
     #[must_use]
     pub fn has_lines(self) -> bool {
         !matches!(self, Self::Ply | Self::Stl)
@@ -199,6 +199,11 @@ pub enum Error {
     /// The values cannot be written, which valid archives never cause.
     #[error("the mesh cannot be written as {format}")]
     Unwritable { format: &'static str },
+    /// The mesh has only lines, and files of this format have only triangles.
+    #[error(
+        "a {format} file has only triangles, and this result has only lines; GLB, glTF, OBJ, PLY and JSON have them"
+    )]
+    NoTriangles { format: &'static str },
     /// The file would exceed the format's 32-bit lengths.
     #[error("this is more than the 4 GiB that a {format} file can hold")]
     TooLarge { format: &'static str },

@@ -9,6 +9,7 @@
 
 pub mod batch;
 pub mod body;
+pub mod cable_net;
 pub mod common;
 pub mod components;
 pub mod job;
@@ -122,10 +123,12 @@ pub enum Kind {
     MinimalSurface,
     UniformMesh,
     TensileStructure,
+    CableNet,
 }
 
 impl Kind {
-    pub const ALL: [Self; 4] = [Self::RuledSurface, Self::MinimalSurface, Self::UniformMesh, Self::TensileStructure];
+    pub const ALL: [Self; 5] =
+        [Self::RuledSurface, Self::MinimalSurface, Self::UniformMesh, Self::TensileStructure, Self::CableNet];
 
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -134,6 +137,7 @@ impl Kind {
             Self::MinimalSurface => "minimal_surface",
             Self::UniformMesh => "uniform_mesh",
             Self::TensileStructure => "tensile_structure",
+            Self::CableNet => "cable_net",
         }
     }
 
@@ -148,7 +152,7 @@ impl Kind {
         match self {
             Self::RuledSurface => &["directrices", "normals", "tangents"],
             Self::MinimalSurface | Self::TensileStructure => &["boundaries"],
-            Self::UniformMesh => &[],
+            Self::UniformMesh | Self::CableNet => &[],
         }
     }
 
@@ -160,6 +164,9 @@ impl Kind {
             Self::MinimalSurface => "Finds the minimal surface that spans boundary polylines",
             Self::UniformMesh => "Finds a mesh of a polygon, patch or film with as many equal edges as possible",
             Self::TensileStructure => "Finds the shape in equilibrium of a film with cables, pressure and weight",
+            Self::CableNet => {
+                "Finds the shape in equilibrium of a cable net that comes nearest to target forces and lengths"
+            }
         }
     }
 
@@ -171,6 +178,7 @@ impl Kind {
             Self::MinimalSurface => "/v1/minimal-surfaces",
             Self::UniformMesh => "/v1/uniform-meshes",
             Self::TensileStructure => "/v1/tensile-structures",
+            Self::CableNet => "/v1/cable-nets",
         }
     }
 }
@@ -226,6 +234,12 @@ pub enum Problem {
     TensileStructure {
         structure: plateau_geometry::tensile_structure::Structure,
         options: plateau_geometry::tensile_structure::Options,
+        force: ForceUnit,
+    },
+    CableNet {
+        net: plateau_geometry::cable_net::Net,
+        options: plateau_geometry::cable_net::Options,
+        groups: Vec<cable_net::Group>,
         force: ForceUnit,
     },
 }
@@ -306,6 +320,10 @@ impl Request {
                     serde_json::from_slice(body).map_err(unknown)?;
                 checked!(request, limits)
             }
+            Kind::CableNet => {
+                let request: cable_net::CableNetRequest = serde_json::from_slice(body).map_err(unknown)?;
+                checked!(request, limits)
+            }
         };
         request.within(limits)
     }
@@ -359,6 +377,10 @@ impl Request {
                 lists.iter().for_each(|list| request.take(list));
                 checked!(request, limits)
             }
+            Kind::CableNet => {
+                let request: cable_net::CableNetRequest = schema::deserialize(value)?;
+                checked!(request, limits)
+            }
         })
     }
 
@@ -379,6 +401,7 @@ impl Request {
             Problem::MinimalSurface { .. } => Kind::MinimalSurface,
             Problem::UniformMesh { .. } => Kind::UniformMesh,
             Problem::TensileStructure { .. } => Kind::TensileStructure,
+            Problem::CableNet { .. } => Kind::CableNet,
         }
     }
 }

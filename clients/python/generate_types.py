@@ -35,6 +35,7 @@ OPTIONS = {
     "MinimalSurfaceOptions": ("MinimalSurfaceRequest", {"kind", "boundaries"}),
     "UniformMeshOptions": ("UniformMeshRequest", {"kind", "domain", "edge_length"}),
     "TensileStructureOptions": ("TensileStructureRequest", {"kind", "boundaries", "film"}),
+    "CableNetOptions": ("CableNetRequest", {"kind", "vertices", "edges", "supports"}),
 }
 
 

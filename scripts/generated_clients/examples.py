@@ -28,8 +28,11 @@ def run(program: str, solve: Callable[[str, dict[str, Any]], tuple[Any, bytes]])
     for path in paths:
         request = json.loads(path.read_text(encoding="utf-8"))
         try:
-            statistics, mesh = solve(request["kind"], request)
-            assert statistics.triangles > 0 and statistics.objective, statistics
+            kind = request["kind"]
+            statistics, mesh = solve(kind, request)
+            # A cable net has no triangles.
+            assert statistics.triangles > 0 or kind == "cable_net", statistics
+            assert statistics.objective, statistics
             assert mesh[:4] == b"glTF", mesh[:40]
         except Exception as error:  # noqa: BLE001 - every example is tried
             failed += 1

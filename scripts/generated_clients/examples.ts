@@ -20,7 +20,8 @@ export async function run<Request>(
       const request = await example(name);
       assert.deepEqual(request, JSON.parse(await readFile(`${folder}/${name}.json`, 'utf8')));
       const { statistics, mesh } = await solve(request);
-      assert.ok(statistics.triangles > 0 && statistics.objective.length > 0);
+      // A cable net has no triangles.
+      assert.ok((statistics.triangles > 0 || statistics.objective === 'nearest_to_targets') && statistics.objective.length > 0);
       assert.equal(new TextDecoder().decode(mesh.slice(0, 4)), 'glTF');
     } catch (error) {
       failed += 1;

@@ -1,8 +1,8 @@
 // Runs the client of @hey-api/openapi-ts over every example.
 import { PATIENCE, run, url } from './examples';
 import {
-  getExample, getJob, getMesh, type Job, type MinimalSurfaceRequest, postMinimalSurface, postRuledSurface,
-  postTensileStructure, postUniformMesh, type RequestWithKind,
+  getExample, getJob, getMesh, type Job, type MinimalSurfaceRequest, postCableNet, postMinimalSurface,
+  postRuledSurface, postTensileStructure, postUniformMesh, type RequestWithKind,
 } from './generated/hey_api';
 import { client } from './generated/hey_api/client.gen';
 
@@ -19,6 +19,7 @@ function post(request: RequestWithKind) {
     case 'minimal_surface': return postMinimalSurface({ body: request, ...options });
     case 'uniform_mesh': return postUniformMesh({ body: request, ...options });
     case 'tensile_structure': return postTensileStructure({ body: request, ...options });
+    case 'cable_net': return postCableNet({ body: request, ...options });
   }
 }
 

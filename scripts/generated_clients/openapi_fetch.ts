@@ -22,6 +22,7 @@ function post(request: Schemas['RequestWithKind']) {
     case 'minimal_surface': return client.POST('/v1/minimal-surfaces', { body: request, params: { header } });
     case 'uniform_mesh': return client.POST('/v1/uniform-meshes', { body: request, params: { header } });
     case 'tensile_structure': return client.POST('/v1/tensile-structures', { body: request, params: { header } });
+    case 'cable_net': return client.POST('/v1/cable-nets', { body: request, params: { header } });
   }
 }
 

@@ -12,6 +12,7 @@ KINDS: dict[str, Any] = {
     "minimal_surface": (generated.MinimalSurfaceRequest, "post_minimal_surface", generated.MinimalSurfaceJob),
     "uniform_mesh": (generated.UniformMeshRequest, "post_uniform_mesh", generated.UniformMeshJob),
     "tensile_structure": (generated.TensileStructureRequest, "post_tensile_structure", generated.TensileStructureJob),
+    "cable_net": (generated.CableNetRequest, "post_cable_net", generated.CableNetJob),
 }
 
 

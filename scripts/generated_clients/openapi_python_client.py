@@ -7,13 +7,14 @@ from typing import Any
 import examples
 from python_client import Client, models
 from python_client.api.jobs import get_job, get_mesh
-from python_client.api.solve import post_minimal_surface, post_ruled_surface, post_tensile_structure, post_uniform_mesh
+from python_client.api.solve import post_cable_net, post_minimal_surface, post_ruled_surface, post_tensile_structure, post_uniform_mesh
 
 KINDS: dict[str, Any] = {
     "ruled_surface": (models.RuledSurfaceRequest, post_ruled_surface, models.RuledSurfaceJob),
     "minimal_surface": (models.MinimalSurfaceRequest, post_minimal_surface, models.MinimalSurfaceJob),
     "uniform_mesh": (models.UniformMeshRequest, post_uniform_mesh, models.UniformMeshJob),
     "tensile_structure": (models.TensileStructureRequest, post_tensile_structure, models.TensileStructureJob),
+    "cable_net": (models.CableNetRequest, post_cable_net, models.CableNetJob),
 }
 
 

@@ -1,4 +1,5 @@
-//! The stored artefact: one mesh in f64 with all data that the download formats need.
+//! The stored artefact: one mesh in f64 with all data that the download formats need. The mesh of a cable net has vertices
+//! and no triangles; the net is in the line sets.
 //!
 //! The bytes are the magic `\x89PLATEAU`, the version as a little-endian u32, [`Contents`] in the format of the library
 //! postcard, and the SHA-256 of everything before it. Vertex numbers are stored as differences from the preceding ones,
@@ -18,6 +19,9 @@ const MAGIC: &[u8; 8] = b"\x89PLATEAU";
 pub const VERSION: u32 = 5;
 const HEAD_BYTES: usize = MAGIC.len() + 4;
 const CHECKSUM_BYTES: usize = 32;
+
+/// Name of the line sets of cables.
+pub const CABLES: &str = "cables";
 
 /// Unsigned mean curvature of each vertex.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -185,7 +189,7 @@ impl Archive {
     /// Validates contents. Time is linear in their size.
     ///
     /// # Errors
-    /// Returns [`Defect::Contents`] if there is no vertex or triangle, an index is out of range, a number is not
+    /// Returns [`Defect::Contents`] if there is no vertex, or neither a triangle nor a cable, an index is out of range, a number is not
     /// finite, lists do not match, the statistics are not JSON, or a name is invalid.
     pub fn new(contents: Contents) -> Result<Self, Defect> {
         check(&contents).map_err(Defect::Contents)?;
@@ -254,7 +258,9 @@ fn check(contents: &Contents) -> Result<(), &'static str> {
     let ensure = |holds: bool, defect: &'static str| if holds { Ok(()) } else { Err(defect) };
     let fits = |length: usize| u32::try_from(length).is_ok();
 
-    ensure(!vertices.is_empty() && !contents.mesh.triangles.is_empty(), "it has no triangle")?;
+    let is_net = contents.line_sets.iter().any(|set| set.name == CABLES);
+    let something = !contents.mesh.triangles.is_empty() || is_net;
+    ensure(!vertices.is_empty() && something, "it has no triangle")?;
     ensure(fits(vertices.len()) && fits(contents.mesh.triangles.len()), "more than 2^32 vertices or triangles")?;
     ensure(vertices.iter().all(|v| v.is_finite()), "a coordinate is not finite")?;
     ensure(contents.mesh.triangles.iter().flatten().all(exists), "a triangle names a vertex that does not exist")?;

@@ -5,8 +5,9 @@
 //!   translation. Survey coordinates of 1e7 therefore keep a ten-millionth of the mesh's size. `asset.extras.origin` is
 //!   the same point in the client's unit and axes. With `Origin::Local` the nodes have no translation.
 //! - The scene and the node of the surface repeat the extras, because some programs drop those of the asset.
-//! - The surface is node 0. Every line set is a separate node (`LINES`, `LINE_STRIP`) over the same positions, so that
-//!   a viewer can switch it on and off. Segments with values have separate positions and carry the value at both ends.
+//! - The surface is node 0. A mesh without triangles, such as a cable net, has its vertices as `POINTS` there.
+//! - Every line set is a separate node (`LINES`, `LINE_STRIP`) over the same positions, so that a viewer can switch it on
+//!   and off. Segments with values have separate positions and carry the value at both ends.
 //! - `NORMAL` is area-weighted and has unit length everywhere. If no triangle gives a direction, it is the up axis.
 //! - Where three sheets meet, each sheet has its own vertices with their own normals, after all vertices of the mesh.
 //! - `_LOWER_BOUND_SLACK` is 1 - |curl A · n| of the field that proves the lower bound of the area. It is 0 where the
@@ -30,6 +31,7 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 const UNSIGNED_BYTE: u32 = 5121;
 const UNSIGNED_INT: u32 = 5125;
 const FLOAT: u32 = 5126;
+const POINTS: u32 = 0;
 const LINES: u32 = 1;
 const LINE_STRIP: u32 = 3;
 const TRIANGLES: u32 = 4;
@@ -254,10 +256,10 @@ impl Scene {
             let further = split.iter().flat_map(|(_, source)| &source[values.len()..]);
             values.iter().copied().chain(further.map(|&vertex| values[vertex as usize])).collect()
         };
-        let mut attributes = json!({
-            "POSITION": shared,
-            "NORMAL": buffer.vectors(normals(mesh, frame).into_iter()),
-        });
+        let mut attributes = json!({ "POSITION": shared });
+        if !mesh.triangles.is_empty() {
+            attributes["NORMAL"] = buffer.vectors(normals(mesh, frame).into_iter()).into();
+        }
         if let Some(curvature) = &contents.mean_curvature {
             let per_metre = |value: f64| (value / frame.metres).min(f64::from(f32::MAX)) as f32;
             let values = with_split_vertices(&curvature.values);
@@ -269,7 +271,13 @@ impl Scene {
             let slack = with_split_vertices(&certificate.slack);
             attributes["_LOWER_BOUND_SLACK"] = buffer.scalars(slack.iter().map(|&value| value as f32)).into();
         }
-        let triangles = buffer.indices(mesh.triangles.iter().flatten().copied());
+        let name = if mesh.triangles.is_empty() { "vertices" } else { "surface" };
+        let mut primitive = json!({ "material": materials.len(), "mode": POINTS });
+        if !mesh.triangles.is_empty() {
+            primitive["indices"] = buffer.indices(mesh.triangles.iter().flatten().copied()).into();
+            primitive["mode"] = TRIANGLES.into();
+        }
+        primitive["attributes"] = attributes;
 
         let base_color = if contents.mean_curvature.is_some() { [1.0, 1.0, 1.0, 1.0] } else { [0.55, 0.68, 0.8, 1.0] };
         let translation = frame.translation().to_array();
@@ -279,11 +287,9 @@ impl Scene {
             "origin_x": x, "origin_y": y, "origin_z": z,
             "unit": contents.unit.symbol(), "up": contents.up.symbol(),
         });
-        nodes.push(json!({ "name": "surface", "mesh": meshes.len(), "translation": translation, "extras": place }));
-        meshes.push(json!({ "name": "surface", "primitives": [
-            { "attributes": attributes, "indices": triangles, "material": materials.len(), "mode": TRIANGLES }
-        ] }));
-        materials.push(material("surface", base_color, true));
+        nodes.push(json!({ "name": name, "mesh": meshes.len(), "translation": translation, "extras": place }));
+        meshes.push(json!({ "name": name, "primitives": [primitive] }));
+        materials.push(material(name, base_color, true));
         for set in choices.line_sets(contents) {
             let primitives = line_primitives(set, materials.len(), shared, &positions, frame, buffer);
             if primitives.is_empty() {

@@ -6,8 +6,8 @@ use super::archive::{Archive, Lines};
 use super::{Choices, Origin};
 use plateau_geometry::DVec3;
 
-/// Writes the vertices in archive order (OBJ counts from 1), one object `surface` of triangles, and one object per line
-/// set.
+/// Writes the vertices in archive order (OBJ counts from 1), one object `surface` of triangles if there are any, and one
+/// object per line set.
 #[must_use]
 pub fn to_obj(archive: &Archive, choices: Choices) -> Vec<u8> {
     let contents = archive.contents();
@@ -26,7 +26,9 @@ pub fn to_obj(archive: &Archive, choices: Choices) -> Vec<u8> {
         // `{:?}` gives the shortest text that reads back as the same f64, with an exponent if that is shorter.
         put!("v {:?} {:?} {:?}", vertex.x, vertex.y, vertex.z);
     }
-    put!("o surface");
+    if !contents.mesh.triangles.is_empty() {
+        put!("o surface");
+    }
     for [a, b, c] in contents.mesh.triangles.iter().map(|t| t.map(from_one)) {
         put!("f {a} {b} {c}");
     }

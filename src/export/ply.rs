@@ -1,10 +1,11 @@
 //! PLY in the client's axes and unit, binary little-endian or text. Coordinates are `double` with every digit. If the mean
 //! curvature (1/unit) is known, it is `mean_curvature`. It is also `quality`, which MeshLab shows, and the colours of glTF.
-//! If a lower bound of the area is known, `lower_bound_slack` says where it is not tight.
+//! If a lower bound of the area is known, `lower_bound_slack` says where it is not tight. A mesh without triangles, such as
+//! a cable net, has `edge` elements with their values, such as `force`.
 
 use std::io::Write as _;
 
-use super::archive::Archive;
+use super::archive::{Archive, Lines, SegmentValues};
 use super::gltf::color;
 use super::obj::one_line;
 use super::{Choices, Origin};
@@ -38,8 +39,15 @@ pub fn to_ply(archive: &Archive, choices: Choices) -> Vec<u8> {
     if slack.is_some() {
         header.push_str("property double lower_bound_slack\n");
     }
-    header
-        .push_str(&format!("element face {}\nproperty list uchar uint vertex_indices\nend_header\n", triangles.len()));
+    let edges = if triangles.is_empty() { edges(archive, choices) } else { Edges::default() };
+    header.push_str(&format!("element face {}\nproperty list uchar uint vertex_indices\n", triangles.len()));
+    if triangles.is_empty() {
+        header.push_str(&format!("element edge {}\nproperty int vertex1\nproperty int vertex2\n", edges.pairs.len()));
+        if let Some(name) = edges.name {
+            header.push_str(&format!("property double {name}\n"));
+        }
+    }
+    header.push_str("end_header\n");
 
     let mut out = header.into_bytes();
     let a_vertex = 24 + 15 * usize::from(curvature.is_some()) + 8 * usize::from(slack.is_some());
@@ -88,5 +96,44 @@ pub fn to_ply(archive: &Archive, choices: Choices) -> Vec<u8> {
             [a, b, c].iter().for_each(|v| out.extend_from_slice(&v.to_le_bytes()));
         }
     }
+    for (k, pair) in edges.pairs.iter().enumerate() {
+        let value = edges.name.map(|_| edges.values[k]);
+        if choices.ascii {
+            put!("{} {}", pair[0], pair[1]);
+            value.iter().for_each(|value| put!(" {value:?}"));
+            out.push(b'\n');
+        } else {
+            pair.iter().for_each(|v| out.extend_from_slice(&v.to_le_bytes()));
+            value.iter().for_each(|value| out.extend_from_slice(&value.to_le_bytes()));
+        }
+    }
     out
+}
+
+/// All segments of a mesh's line sets, and their values if every segment has one of the same name.
+#[derive(Default)]
+struct Edges<'a> {
+    pairs: Vec<[u32; 2]>,
+    name: Option<&'a str>,
+    values: Vec<f64>,
+}
+
+fn name(values: Option<&SegmentValues>) -> Option<&str> {
+    values.map(|values| values.name.as_str())
+}
+
+fn edges(archive: &Archive, choices: Choices) -> Edges<'_> {
+    let segments = || {
+        choices.line_sets(archive.contents()).iter().filter_map(|set| match &set.lines {
+            Lines::Segments { pairs, values } => Some((pairs, values.as_ref())),
+            Lines::Polylines(_) | Lines::Arrows { .. } => None,
+        })
+    };
+    let first = segments().next().and_then(|(_, values)| name(values));
+    let common = first.filter(|first| segments().all(|(_, values)| name(values) == Some(*first)));
+    Edges {
+        pairs: segments().flat_map(|(pairs, _)| pairs.iter().copied()).collect(),
+        name: common,
+        values: segments().filter_map(|(_, values)| values).flat_map(|values| values.values.iter().copied()).collect(),
+    }
 }

@@ -12,10 +12,13 @@ use super::{Choices, Error, Origin};
 /// without area.
 ///
 /// # Errors
-/// Returns [`Error::OutOfRange`] if a coordinate exceeds f32.
+/// Returns [`Error::OutOfRange`] if a coordinate exceeds f32, and [`Error::NoTriangles`] for a cable net.
 pub fn to_stl(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
     let contents = archive.contents();
     let mesh = &contents.mesh;
+    if mesh.triangles.is_empty() {
+        return Err(Error::NoTriangles { format: "STL" });
+    }
     let local = match choices.origin {
         Origin::Local => true,
         Origin::Given => false,

@@ -1,7 +1,7 @@
 //! Makes the outputs of a component.
 
 use super::component::{Component, Geometry, Output, Source, Type};
-use crate::export::archive::{Archive, LineSet, Lines};
+use crate::export::archive::{Archive, CABLES, LineSet, Lines};
 use crate::export::{Error, Pattern};
 use crate::opennurbs::{envelope, write};
 use crate::wire::job::{Job, JobWarning};
@@ -206,7 +206,9 @@ pub fn geometry(archive: &Archive) -> Result<Vec<u8>, Error> {
     let mut add = |part: Geometry, of: Type, data: String| {
         parts.entry(name(part)).or_default().push(Item { of: of.result(), data });
     };
-    add(Geometry::Mesh, Type::Mesh, envelope::to_json(&write::mesh(vertices, &contents.mesh.triangles)));
+    if !contents.mesh.triangles.is_empty() {
+        add(Geometry::Mesh, Type::Mesh, envelope::to_json(&write::mesh(vertices, &contents.mesh.triangles)));
+    }
     let corners = contents.mesh.triangles.iter().map(|&triangle| contents.mesh.corners(triangle));
     let area: f64 = corners.map(|[a, b, c]| (b - a).cross(c - a).length() / 2.0).sum();
     add(Geometry::Area, Type::Number, Value::from(area).to_string());
@@ -214,7 +216,7 @@ pub fn geometry(archive: &Archive) -> Result<Vec<u8>, Error> {
         let (lines, numbers) = match set.name.as_str() {
             "bridges" => (Geometry::Rulings, None),
             "members" => (Geometry::Members, Some(Geometry::MemberLengths)),
-            "cables" => (Geometry::Cables, Some(Geometry::CableForces)),
+            CABLES => (Geometry::Cables, Some(Geometry::CableForces)),
             _ => continue,
         };
         let LineSet { lines: Lines::Segments { pairs, values }, .. } = set else { continue };

@@ -110,16 +110,18 @@ pub enum Recipe {
     UniformMesh,
     TensileStructure,
     PneumaticFilm,
+    CableNet,
 }
 
 impl Recipe {
-    const ALL: [Self; 6] = [
+    const ALL: [Self; 7] = [
         Self::MinimalSurface,
         Self::FilmFromMesh,
         Self::RuledStrip,
         Self::UniformMesh,
         Self::TensileStructure,
         Self::PneumaticFilm,
+        Self::CableNet,
     ];
 
     #[must_use]
@@ -129,6 +131,7 @@ impl Recipe {
             Self::RuledStrip => Kind::RuledSurface,
             Self::UniformMesh => Kind::UniformMesh,
             Self::TensileStructure | Self::PneumaticFilm => Kind::TensileStructure,
+            Self::CableNet => Kind::CableNet,
         }
     }
 
@@ -140,6 +143,7 @@ impl Recipe {
             Self::UniformMesh => "uniform-mesh",
             Self::TensileStructure => "tensile-structure",
             Self::PneumaticFilm => "pneumatic-film",
+            Self::CableNet => "cable-net",
         }
     }
 
@@ -151,6 +155,7 @@ impl Recipe {
             Self::UniformMesh => "Uniform Mesh",
             Self::TensileStructure => "Tensile Structure",
             Self::PneumaticFilm => "Pneumatic Film",
+            Self::CableNet => "Cable Net",
         }
     }
 
@@ -166,6 +171,7 @@ impl Recipe {
             }
             Self::TensileStructure => "Film in equilibrium with cables along its edges between anchors.",
             Self::PneumaticFilm => "Film in equilibrium with a pressure or around a volume, on fixed edges.",
+            Self::CableNet => "Net of cables in equilibrium that comes nearest to target forces and lengths.",
         }
     }
 }
@@ -254,6 +260,7 @@ fn family(kind: Kind) -> Recipe {
         Kind::RuledSurface => Recipe::RuledStrip,
         Kind::UniformMesh => Recipe::UniformMesh,
         Kind::TensileStructure => Recipe::TensileStructure,
+        Kind::CableNet => Recipe::CableNet,
     }
 }
 
@@ -406,6 +413,25 @@ fn inputs(recipe: Recipe) -> Vec<Input> {
             weight(),
             triangles(),
         ],
+        Recipe::CableNet => vec![
+            required(
+                "Cables",
+                "C",
+                Type::Curve,
+                Some(1),
+                "Lines and polylines. Each segment is an edge of the net, and equal points are joined.",
+            ),
+            required("Supports", "A", Type::Point, Some(1), "Points of the cables that do not move."),
+            required("Cable Value", "V", Type::Number, None, "Target of every edge."),
+            optional(
+                "Cable Mode",
+                "M",
+                Type::Text,
+                "force",
+                "Meaning of the value: force, length (of each edge) or force_density.",
+            ),
+            optional("Load", "W", Type::Number, 0.0, "Weight on every point that is no support, against the z axis."),
+        ],
     };
     if recipe != Recipe::FilmFromMesh {
         inputs.push(optional("Tolerance", "Tol", Type::Number, 0.0, TOLERANCE));
@@ -450,10 +476,27 @@ fn outputs(kind: Kind) -> Vec<Output> {
         |pointer, name, nickname, of, description| output(name, nickname, of, Source::Statistic(pointer), description);
     let mesh = geometry(Geometry::Mesh, "Mesh", "M", Type::Mesh, "The mesh, with vertices in double precision.");
     let area = "Area of the mesh.";
-    let area = match kind {
+    let surface = match kind {
+        // A net has neither triangles nor an area.
+        Kind::CableNet => Vec::new(),
         // The statistics of a uniform mesh have no area.
-        Kind::UniformMesh => geometry(Geometry::Area, "Area", "A", Type::Number, area),
-        _ => figure("/area", "Area", "A", Type::Number, area),
+        Kind::UniformMesh => vec![mesh, geometry(Geometry::Area, "Area", "A", Type::Number, area)],
+        _ => vec![mesh, figure("/area", "Area", "A", Type::Number, area)],
+    };
+    let cables = |cables, description| {
+        let forces = "Force in each of them.";
+        vec![
+            geometry(Geometry::Cables, "Cables", "Ca", Type::Curve, cables),
+            geometry(Geometry::CableForces, "Cable Forces", "F", Type::Number, forces),
+            geometry(Geometry::Anchors, "Anchor Points", "AP", Type::Point, description),
+            geometry(
+                Geometry::AnchorForces,
+                "Anchor Forces",
+                "AF",
+                Type::Vector,
+                "Force of each of these supports on the structure.",
+            ),
+        ]
     };
     let converged = figure("/converged", "Converged", "C", Type::Boolean, "Whether the solver reached its tolerance.");
     let own = match kind {
@@ -475,23 +518,19 @@ fn outputs(kind: Kind) -> Vec<Output> {
             geometry(Geometry::MemberLengths, "Member Lengths", "L", Type::Number, "Length of each member."),
             figure("/equal_edges", "Equal Edges", "N", Type::Integer, "Number of members of the edge length."),
         ],
-        Kind::TensileStructure => vec![
-            converged,
-            figure("/pressure", "Pressure", "P", Type::Number, "Pressure, given or found."),
-            geometry(Geometry::Cables, "Cables", "Ca", Type::Curve, "Segments of the cables."),
-            geometry(Geometry::CableForces, "Cable Forces", "F", Type::Number, "Force in each segment."),
-            geometry(Geometry::Anchors, "Anchor Points", "AP", Type::Point, "Supports at the ends of cables."),
-            geometry(
-                Geometry::AnchorForces,
-                "Anchor Forces",
-                "AF",
-                Type::Vector,
-                "Force of each of these supports on the structure.",
-            ),
-        ],
+        Kind::TensileStructure => [
+            vec![converged, figure("/pressure", "Pressure", "P", Type::Number, "Pressure, given or found.")],
+            cables("Segments of the cables.", "Supports at the ends of cables."),
+        ]
+        .concat(),
+        Kind::CableNet => [
+            vec![converged, figure("/objective_value", "Loss", "L", Type::Number, "Deviation from the targets.")],
+            cables("Edges of the net.", "The supports."),
+        ]
+        .concat(),
     };
     let statistics = output("Statistics", "S", Type::Text, Source::Statistics, "All figures, one on each line.");
-    [vec![mesh, area], own, vec![statistics, JOB]].concat()
+    [surface, own, vec![statistics, JOB]].concat()
 }
 
 impl Component {

@@ -112,7 +112,49 @@ impl Maker<'_> {
                 }
                 self.film();
             }
+            Recipe::CableNet => self.cable_net(),
         }
+    }
+
+    /// Joins equal points of the cables to vertices, and makes an edge of each segment.
+    fn cable_net(&mut self) {
+        let mut vertices: Vec<Point> = Vec::new();
+        let mut numbers: HashMap<[u64; 3], u32> = HashMap::new();
+        let mut number = |point: Point| {
+            *numbers.entry(bits(point)).or_insert_with(|| {
+                vertices.push(point);
+                vertices.len() as u32 - 1
+            })
+        };
+        let mut edges: Vec<[u32; 2]> = Vec::new();
+        for line in self.sampled("Cables") {
+            let line: Vec<u32> = line.into_iter().map(&mut number).collect();
+            edges.extend(line.windows(2).map(|pair| [pair[0], pair[1]]));
+        }
+        let mut supports: Vec<u32> = Vec::new();
+        for (index, &support) in self.values.points("Supports").iter().enumerate() {
+            match numbers.get(&bits(support)).copied() {
+                Some(vertex) if supports.contains(&vertex) => {}
+                Some(vertex) => {
+                    self.place(format!("/supports/{}", supports.len()), nth("Supports", index));
+                    supports.push(vertex);
+                }
+                None => self.errors.push(format!("{}: is no point of the cables", nth("Supports", index))),
+            }
+        }
+        let mode = self.values.text("Cable Mode");
+        if matches!(mode, "force" | "length" | "force_density") {
+            self.set("cables", "Cable Value", json!([{ "name": "net", mode: self.values.number("Cable Value") }]));
+        } else {
+            self.errors.push("Cable Mode: must be one of: force, length, force_density".into());
+        }
+        let load = self.values.number("Load");
+        if load != 0.0 {
+            self.set("loads", "Load", json!([{ "force": [0.0, 0.0, -load] }]));
+        }
+        self.set("vertices", "Cables", json!(vertices));
+        self.set("edges", "Cables", json!(edges));
+        self.set("supports", "Supports", json!(supports));
     }
 
     /// Sets a field of the request and notes the input that it is made of.
@@ -350,6 +392,12 @@ impl Maker<'_> {
     }
 }
 
+/// Returns a key that is the same for equal points.
+fn bits(point: Point) -> [u64; 3] {
+    // Adding 0 makes -0 and 0 equal.
+    point.map(|coordinate| (coordinate + 0.0).to_bits())
+}
+
 fn distance(a: Point, b: Point) -> f64 {
     (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
 }
@@ -396,8 +444,7 @@ fn joined(mesh: &Mesh) -> (Vec<Point>, Vec<[u32; 3]>) {
     let mut vertices = Vec::new();
     let mut number = |vertex: u32| {
         let point = mesh.vertices[vertex as usize].to_array();
-        // Adding 0 makes -0 and 0 equal.
-        *numbers.entry(point.map(|coordinate| (coordinate + 0.0).to_bits())).or_insert_with(|| {
+        *numbers.entry(bits(point)).or_insert_with(|| {
             vertices.push(point);
             vertices.len() as u32 - 1
         })

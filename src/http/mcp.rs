@@ -35,9 +35,9 @@ use std::time::Duration;
 
 /// Text that a client may give its model before the first call.
 const INSTRUCTIONS: &str = "Plateau finds forms: minimal surfaces over boundary curves, optimal ruled strips between \
-    curves, and meshes of surfaces and polygons with as many equal edges as possible. Call describe to see the kinds, and \
-    describe with a kind for its request's schema and an example. Then call solve, or start and get for requests that take \
-    minutes. link gives the address of the mesh. Lengths are in the request's unit, and angles are in degrees.";
+    curves, meshes of surfaces and polygons with as many equal edges as possible, films with cables in equilibrium, and \
+    cable nets. Call describe to see the kinds, and describe with a kind for its request's schema and an example. Then call \
+    solve, or start and get for requests that take minutes. link gives the address of the mesh. Lengths are in the request's unit, and angles are in degrees.";
 
 /// Bytes that a message may have besides the body of its request.
 const ENVELOPE_BYTES: usize = 64 << 10;

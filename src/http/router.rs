@@ -28,6 +28,7 @@ pub fn resources(with_metrics: bool) -> Vec<Resource> {
         Resource::at(Kind::UniformMesh.path()).post(submit::uniform_mesh, submit::entry(Kind::UniformMesh)),
         Resource::at(Kind::TensileStructure.path())
             .post(submit::tensile_structure, submit::entry(Kind::TensileStructure)),
+        Resource::at(Kind::CableNet.path()).post(submit::cable_net, submit::entry(Kind::CableNet)),
         Resource::at("/v1/jobs").get(jobs::list, jobs::list_entry()),
         Resource::at("/v1/jobs/{id}").get(jobs::get, jobs::get_entry()).delete(jobs::delete, jobs::delete_entry()),
         Resource::at("/v1/jobs/{id}/cancel").post(jobs::cancel, jobs::cancel_entry()),

@@ -2,16 +2,18 @@
 //! `wire`, this is the only file that knows both the types of the wire and those of the geometry.
 
 use super::progress::Signal;
-use crate::export::archive::{Certificate, Contents, middle};
+use crate::export::archive::{CABLES, Certificate, Contents, middle};
 use crate::export::pattern::BRIDGES;
 use crate::export::{Archive, LineSet, Lines, MeanCurvature, Polyline, SegmentValues};
 use crate::units::ForceUnit;
+use crate::wire::cable_net::{CableNetStatistics, Group};
 use crate::wire::job::{JobError, JobWarning, Progress};
 use crate::wire::minimal_surface::{CertificateDocument, MinimalStatistics};
 use crate::wire::ruled_surface::RuledStatistics;
 use crate::wire::tensile_structure::TensileStatistics;
 use crate::wire::uniform_mesh::{UniformStatistics, input_vertices};
 use crate::wire::{FieldError, MAX_ERRORS, Problem, Request};
+use plateau_geometry::cable_net;
 use plateau_geometry::error::Warning;
 use plateau_geometry::lower_bound;
 use plateau_geometry::minimal_surface::{self, StopReason};
@@ -99,6 +101,7 @@ pub fn solve(request: &Request, signal: &dyn Fn() -> Signal, report: &dyn Fn(Pro
         }
         Problem::UniformMesh { domain, options } => uniform(request, domain, options, &exec),
         Problem::TensileStructure { structure, options, force } => tensile(request, structure, options, *force, &exec),
+        Problem::CableNet { net, options, groups, force } => cables(request, net, options, groups, *force, &exec),
     };
     let mut solved = solved?;
     solved.warnings.extend(far_from_zero(&solved.archive));
@@ -295,10 +298,11 @@ fn tensile(
     for (cable, result) in structure.cables.iter().zip(&found.cables) {
         let pairs = result.vertices.windows(2).map(|pair| [pair[0], pair[1]]).collect();
         let lines = Lines::Segments { pairs, values: forces(result.segment_forces.clone()) };
-        let name = if cable.course.is_mast() { "masts" } else { "cables" };
+        let name = if cable.course.is_mast() { "masts" } else { CABLES };
         line_sets.push(LineSet { name: name.into(), group: cable.name.clone(), lines });
     }
-    line_sets.push(line_set("reactions", reactions(&found, forces)));
+    let feet = found.reactions.iter().map(|reaction| (found.mesh.vertices[reaction.vertex as usize], reaction.force));
+    line_sets.push(line_set("reactions", reactions(feet.collect(), &found.mesh.vertices, forces)));
     let archive = archive(Contents {
         generator: generator(),
         title: "tensile structure".into(),
@@ -316,17 +320,82 @@ fn tensile(
     Ok(Solved { statistics, warnings: warnings(found.warnings), archive, reproducible })
 }
 
-/// Returns an arrow for each support at the end of a cable, from the support in the direction of its force on the
-/// structure. The longest arrow has [`LONGEST_ARROW`] of the mesh's radius.
-fn reactions(found: &tensile_structure::TensileStructure, forces: impl Fn(Vec<f64>) -> Option<SegmentValues>) -> Lines {
-    let largest = found.reactions.iter().map(|reaction| reaction.force.length()).fold(0.0, f64::max);
-    let scale = LONGEST_ARROW * polyline::radius(&found.mesh.vertices) / largest.max(f64::MIN_POSITIVE);
-    let arrow = |reaction: &tensile_structure::Reaction| {
-        let foot = found.mesh.vertices[reaction.vertex as usize];
-        [foot, foot + scale * reaction.force].map(|end| end.to_array())
-    };
+/// Returns an arrow for each support and its force on the structure, from the support in the direction of the force. The
+/// longest arrow has [`LONGEST_ARROW`] of the radius of the vertices.
+fn reactions(
+    supports: Vec<(DVec3, DVec3)>,
+    vertices: &[DVec3],
+    forces: impl Fn(Vec<f64>) -> Option<SegmentValues>,
+) -> Lines {
+    let largest = supports.iter().map(|(_, force)| force.length()).fold(0.0, f64::max);
+    let radius = LONGEST_ARROW * polyline::radius(vertices);
+    // Dividing first keeps the arrows finite however small the forces are.
+    let arrow = |force: DVec3| if largest > 0.0 { radius * (force / largest) } else { DVec3::ZERO };
     Lines::Arrows {
-        ends: found.reactions.iter().map(arrow).collect(),
-        values: forces(found.reactions.iter().map(|reaction| reaction.force.length()).collect()),
+        ends: supports.iter().map(|&(foot, force)| [foot, foot + arrow(force)].map(|end| end.to_array())).collect(),
+        values: forces(supports.iter().map(|(_, force)| force.length()).collect()),
     }
+}
+
+/// Number of edges that a warning names.
+const NAMED_EDGES: usize = 10;
+
+fn cables(
+    request: &Request,
+    net: &cable_net::Net,
+    options: &cable_net::Options,
+    groups: &[Group],
+    force: ForceUnit,
+    exec: &Execution,
+) -> Result<Solved, Error> {
+    let found = cable_net::solve(net, options, exec)?;
+    let statistics = to_json(&CableNetStatistics::of(&found, net, groups, force, middle(&found.vertices).to_array()))?;
+    let forces = |values: Vec<f64>| Some(SegmentValues { name: "force".into(), unit: force.symbol().into(), values });
+    let lines = |group: &Group| Lines::Segments {
+        pairs: group.edges.iter().map(|&k| net.edges[k].ends).collect(),
+        values: forces(group.edges.iter().map(|&k| found.forces[k]).collect()),
+    };
+    let set = |group: &Group| LineSet { name: CABLES.into(), group: group.name.clone(), lines: lines(group) };
+    let mut line_sets: Vec<LineSet> = groups.iter().map(set).collect();
+    let feet = net.supports.iter().map(|&v| found.vertices[v as usize]).zip(found.reactions.iter().copied());
+    line_sets.push(line_set("reactions", reactions(feet.collect(), &found.vertices, forces)));
+    let warnings = warnings(net_warnings(&found));
+    let archive = archive(Contents {
+        generator: generator(),
+        title: "cable net".into(),
+        unit: request.unit,
+        up: request.up,
+        input_vertices: vec![(0..found.vertices.len() as u32).collect()],
+        mesh: Mesh::new(found.vertices, Vec::new()),
+        mean_curvature: None,
+        line_sets,
+        statistics: statistics.clone(),
+        unrolls: false,
+        certificate: None,
+    })?;
+    let reproducible = found.stop_reason != cable_net::StopReason::Deadline;
+    Ok(Solved { statistics, warnings, archive, reproducible })
+}
+
+fn net_warnings(found: &cable_net::CableNet) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    if !found.converged() {
+        let detail = format!(
+            "the net is in equilibrium, but the loss still fell when the solver stopped ({}): allow more iterations",
+            found.stop_reason.name()
+        );
+        warnings.push(Warning::new("not_converged", detail));
+    }
+    let slack: Vec<usize> = (0..found.slack.len()).filter(|&k| found.slack[k]).collect();
+    if !slack.is_empty() {
+        let names: Vec<String> = slack.iter().take(NAMED_EDGES).map(|k| format!("/edges/{k}")).collect();
+        let more = slack.len() - names.len();
+        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        let detail = format!(
+            "the targets leave these edges no force; least_force_density keeps them in tension: {}{more}",
+            names.join(", ")
+        );
+        warnings.push(Warning::new("slack_cable", detail));
+    }
+    warnings
 }

@@ -12,7 +12,7 @@
 //! | `true` as a schema | `{}` | openapi-python-client writes nothing at all |
 //! | formats of unsigned integers | nothing | tools warn about unknown formats; type and minimum say the same |
 
-use super::{Kind, batch, job, minimal_surface, ruled_surface, tensile_structure, uniform_mesh};
+use super::{Kind, batch, cable_net, job, minimal_surface, ruled_surface, tensile_structure, uniform_mesh};
 use schemars::generate::{SchemaGenerator, SchemaSettings};
 use serde_json::{Map, Value, json};
 use std::sync::LazyLock;
@@ -52,6 +52,7 @@ pub fn request_component(kind: Kind) -> &'static str {
         Kind::MinimalSurface => "MinimalSurfaceRequest",
         Kind::UniformMesh => "UniformMeshRequest",
         Kind::TensileStructure => "TensileStructureRequest",
+        Kind::CableNet => "CableNetRequest",
     }
 }
 
@@ -63,6 +64,7 @@ pub fn job_component(kind: Kind) -> &'static str {
         Kind::MinimalSurface => "MinimalSurfaceJob",
         Kind::UniformMesh => "UniformMeshJob",
         Kind::TensileStructure => "TensileStructureJob",
+        Kind::CableNet => "CableNetJob",
     }
 }
 
@@ -72,6 +74,7 @@ fn statistics_component(kind: Kind) -> &'static str {
         Kind::MinimalSurface => "MinimalStatistics",
         Kind::UniformMesh => "UniformStatistics",
         Kind::TensileStructure => "TensileStatistics",
+        Kind::CableNet => "CableNetStatistics",
     }
 }
 
@@ -86,6 +89,7 @@ fn requests(generator: &mut SchemaGenerator) {
     generator.subschema_for::<minimal_surface::MinimalSurfaceRequest>();
     generator.subschema_for::<uniform_mesh::UniformMeshRequest>();
     generator.subschema_for::<tensile_structure::TensileStructureRequest>();
+    generator.subschema_for::<cable_net::CableNetRequest>();
 }
 
 fn definitions(settings: SchemaSettings, add: impl FnOnce(&mut SchemaGenerator)) -> Map<String, Value> {

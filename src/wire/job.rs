@@ -204,7 +204,8 @@ fn statistics_schema(generator: &mut SchemaGenerator) -> schemars::Schema {
     let minimal = generator.subschema_for::<super::minimal_surface::MinimalStatistics>();
     let uniform = generator.subschema_for::<super::uniform_mesh::UniformStatistics>();
     let tensile = generator.subschema_for::<super::tensile_structure::TensileStatistics>();
-    schemars::json_schema!({ "anyOf": [ruled, minimal, uniform, tensile, { "type": "null" }] })
+    let net = generator.subschema_for::<super::cable_net::CableNetStatistics>();
+    schemars::json_schema!({ "anyOf": [ruled, minimal, uniform, tensile, net, { "type": "null" }] })
 }
 
 /// One page of jobs, newest first.

@@ -15,7 +15,7 @@ pub struct Mesh {
     pub origin: Point,
     /// The request's own points come first, in their order.
     pub vertices: Vec<Point>,
-    /// Three indices of vertices for each triangle, counted from 0.
+    /// Three indices of vertices for each triangle, counted from 0. A cable net has none.
     pub triangles: Vec<[u32; 3]>,
     pub attributes: MeshAttributes,
     pub lines: Vec<MeshLines>,

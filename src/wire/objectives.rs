@@ -33,6 +33,7 @@ pub fn objectives() -> ObjectiveList {
     objectives.extend(super::minimal_surface::objectives());
     objectives.extend(super::uniform_mesh::objectives());
     objectives.extend(super::tensile_structure::objectives());
+    objectives.extend(super::cable_net::objectives());
     ObjectiveList { objectives }
 }
 
@@ -41,9 +42,9 @@ pub fn objectives() -> ObjectiveList {
 pub struct Limits {
     /// Largest size of a request's body in bytes.
     pub body_bytes: usize,
-    /// Largest number of points of all polylines of a request.
+    /// Largest number of points of all polylines of a request, and of vertices of a cable net.
     pub points: usize,
-    /// Largest number of triangles of a minimal surface, a uniform mesh or a tensile structure.
+    /// Largest number of triangles of a minimal surface, a uniform mesh or a tensile structure, and of edges of a cable net.
     pub triangles: usize,
     /// Largest number of cells of the grids of all strips of a ruled surface.
     pub grid_cells: u64,
@@ -295,13 +296,28 @@ const FILES: &[(&str, &str, &str)] = &[
     ),
     (
         "ridge-and-valley",
-        "A long roof between ridge cables and a valley cable",
+        "A roof with a ridge cable between two valley cables, on edge cables between high and low points",
         include_str!("../../api/examples/ridge-and-valley.json"),
     ),
     (
+        "air-hall",
+        "An air hall under pressure in a net of hoop cables and a spine",
+        include_str!("../../api/examples/air-hall.json"),
+    ),
+    (
         "film-on-a-plane",
-        "A film between a ring and the ground, on which its edge slides",
+        "A half catenoid that slides on a plane and meets it at a right angle",
         include_str!("../../api/examples/film-on-a-plane.json"),
+    ),
+    (
+        "four-cables",
+        "Four cables with given forces carry a load between two low and two high points",
+        include_str!("../../api/examples/four-cables.json"),
+    ),
+    (
+        "cable-net-by-targets",
+        "A cable net between two low and two high points: forces of 20 kN on the rim, equal lengths inside",
+        include_str!("../../api/examples/cable-net-by-targets.json"),
     ),
     ("vault", "A cylindrical vault (NURBS) with at most eight lengths", include_str!("../../api/examples/vault.json")),
 ];

@@ -138,6 +138,7 @@ pub const MINIMAL: &str = "/v1/minimal-surfaces";
 pub const RULED: &str = "/v1/ruled-surfaces";
 pub const UNIFORM: &str = "/v1/uniform-meshes";
 pub const TENSILE: &str = "/v1/tensile-structures";
+pub const CABLE_NETS: &str = "/v1/cable-nets";
 
 pub fn example(name: &str) -> Value {
     let text = std::fs::read_to_string(root().join(format!("api/examples/{name}.json"))).expect("the example's file");
@@ -159,6 +160,7 @@ pub fn path_of(kind: &str) -> &'static str {
         "ruled_surface" => RULED,
         "uniform_mesh" => UNIFORM,
         "tensile_structure" => TENSILE,
+        "cable_net" => CABLE_NETS,
         other => panic!("unknown kind {other}"),
     }
 }

@@ -14,6 +14,7 @@ async fn objectives_have_a_formula_a_unit_and_a_source() {
         ("uniform_mesh", "fewest_nodes"),
         ("uniform_mesh", "most_equal_edges"),
         ("tensile_structure", "equilibrium"),
+        ("cable_net", "nearest_to_targets"),
     ] {
         assert!(objectives.iter().any(|objective| objective["kind"] == kind && objective["name"] == name), "{kind}");
     }

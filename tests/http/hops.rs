@@ -160,11 +160,18 @@ async fn components_are_described_as_hops_reads_them() {
         }
         names.push(uri.rsplit('/').next().unwrap().to_owned());
     }
-    let solving =
-        ["minimal-surface", "film-from-mesh", "ruled-strip", "uniform-mesh", "tensile-structure", "pneumatic-film"];
+    let solving = [
+        "minimal-surface",
+        "film-from-mesh",
+        "ruled-strip",
+        "uniform-mesh",
+        "tensile-structure",
+        "pneumatic-film",
+        "cable-net",
+    ];
     let starting = solving.map(|name| format!("{name}-start"));
-    let polling =
-        ["ruled-strip", "minimal-surface", "uniform-mesh", "tensile-structure"].map(|name| format!("{name}-poll"));
+    let polling = ["ruled-strip", "minimal-surface", "uniform-mesh", "tensile-structure", "cable-net"]
+        .map(|name| format!("{name}-poll"));
     let expected: Vec<String> = solving.map(str::to_owned).into_iter().chain(starting).chain(polling).collect();
     assert_eq!(names, expected);
     assert_eq!(app.get("/hops/nothing").await.status(), StatusCode::NOT_FOUND);
@@ -315,6 +322,39 @@ async fn a_sail_hangs_on_cables_between_its_anchors() {
     let answer = app.run("pneumatic-film", &dome).await;
     assert!(mesh(&answer).vertices.iter().any(|vertex| vertex.z > 0.02));
     assert_eq!(output(&answer, "Pressure"), [0.5]);
+}
+
+#[tokio::test]
+async fn a_cable_net_is_made_of_lines_that_share_points() {
+    let app = TestApp::start().await;
+    let middle = [0.2, 0.7, 3.0];
+    // Two polylines cross in a vertex of both.
+    let lines = [vec![[0.0, 0.0, 0.0], middle, [1.0, 1.0, 0.0]], vec![[1.0, 0.0, 1.0], middle, [0.0, 1.0, 1.0]]];
+    let supports = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]];
+    let net = |supports: &[[f64; 3]]| {
+        vec![
+            curves("Cables", &lines),
+            points("Supports", supports),
+            number("Cable Value", 1.0),
+            text("Cable Mode", "force_density"),
+        ]
+    };
+    let answer = app.run("cable-net", &net(&supports)).await;
+    let cables: Vec<_> = output(&answer, "Cables").iter().map(polyline).collect();
+    assert_eq!(cables.len(), 4);
+    assert!(cables.iter().all(|line| line.iter().any(|end| end.distance(DVec3::splat(0.5)) < 1e-12)), "{cables:?}");
+    assert!(output(&answer, "Cable Forces").iter().all(|f| (f.as_f64().unwrap() - 0.75f64.sqrt()).abs() < 1e-12));
+    assert_eq!(output(&answer, "Anchor Points").len(), 4);
+    assert_eq!(output(&answer, "Converged"), [true]);
+    let heavier = app.run("cable-net", &[net(&supports), vec![number("Load", 1.0)]].concat()).await;
+    let low = output(&heavier, "Cables").iter().flat_map(polyline).map(|end| end.z).fold(1.0, f64::min);
+    assert!(low.abs() < 1e-12 && output(&heavier, "Cables") != output(&answer, "Cables"), "{low}");
+    // A support must be a point of the cables, and every vertex must be held.
+    let response = app.hops("cable-net", &net(&[[9.0, 9.0, 9.0]])).await;
+    let errors = app.refused("cable-net", response, 422).await;
+    assert!(errors[0].starts_with("Supports[0]: is no point of the cables"), "{errors:?}");
+    let response = app.hops("cable-net", &net(&supports[..1])).await;
+    assert!(app.refused("cable-net", response, 422).await[0].starts_with("Cables"), "moves freely");
 }
 
 #[tokio::test]

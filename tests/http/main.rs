@@ -6,6 +6,7 @@ mod base_path;
 mod batches;
 #[cfg(feature = "s3")]
 mod bucket;
+mod cable_nets;
 mod cancel;
 mod catalogue;
 mod certificates;

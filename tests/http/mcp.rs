@@ -72,10 +72,10 @@ async fn every_tool_has_schemas_that_stand_alone_and_describe_lists_what_can_be_
         }
     }
     let described = &succeed(&app, "describe", &json!({})).await["structuredContent"];
-    assert_eq!(described["kinds"].as_array().unwrap().len(), 4);
+    assert_eq!(described["kinds"].as_array().unwrap().len(), 5);
     assert_eq!(described["limits"], app.get_json("/v1/limits").await);
     assert_eq!(described["objectives"], app.get_json("/v1/objectives").await["objectives"]);
-    for kind in ["ruled_surface", "minimal_surface", "uniform_mesh", "tensile_structure"] {
+    for kind in ["ruled_surface", "minimal_surface", "uniform_mesh", "tensile_structure", "cable_net"] {
         let described = &succeed(&app, "describe", &json!({ "kind": kind })).await["structuredContent"];
         let request = &described["example"]["request"];
         assert_eq!(request["kind"], kind);

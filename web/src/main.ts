@@ -8,7 +8,7 @@ import { changed, gizmo, useObjective } from './app/document';
 import { showDock } from './app/drawing';
 import { keep } from './app/keeping';
 import { compare } from './app/modes';
-import { announce, label, placeLabel, readSurface } from './app/notes';
+import { announce, label, placeLabel, readLine, readSurface } from './app/notes';
 import { openExample } from './app/opening';
 import { doc, embedded, host, isStale, session, sketch, stage, surface, tools } from './app/session';
 import { preferredTheme, setTheme } from './app/theme';
@@ -16,7 +16,7 @@ import { showPanel, wire } from './app/wiring';
 import { $ } from './dom';
 import type { Vec3 } from './model/request';
 
-Object.assign(host, { changed: (dragging: boolean) => changed({ dragging }), selectionChanged: showDock, label, read: readSurface, announce });
+Object.assign(host, { changed: (dragging: boolean) => changed({ dragging }), selectionChanged: showDock, label, read: readSurface, readLine, announce });
 compare.use = useObjective;
 stage.under = (x, y) => surface.pick(stage, x, y)?.point ?? null;
 stage.content = () => [...sketch.places, ...surface.outline()];

@@ -56,6 +56,13 @@ def test_every_kind_is_solved_and_saved(tmp_path: Path) -> None:
         edges = [{"along": {"from": k, "to": (k + 1) % 4}, "mode": "force", "value": 10} for k in range(4)]
         sail = client.tensile_structure([square], {"tension": 1}, cables=edges, resolution={"triangles": 500})
         assert sail.statistics["converged"] and sail.statistics["area"] == pytest.approx(63.77, rel=0.01)
+        corners = [(0, 0, 0), (1, 0, 1), (1, 1, 0), (0, 1, 1), (0.2, 0.7, 3)]
+        spokes = [(0, 4), (1, 4), (2, 4), (3, 4)]
+        net = client.cable_net(corners, spokes, [0, 1, 2, 3], cables=[{"force_density": 1}])
+        assert net.vertices[4] == pytest.approx([0.5, 0.5, 0.5]) and len(net.triangles) == 0
+        assert net.edges.tolist() == [list(ends) for ends in spokes]
+        assert net.forces == pytest.approx([0.75**0.5] * 4)
+        assert net.statistics["balance"]["imbalance"] < 1e-9 and len(film.edges) == 0
         assert len(strip.triangles) == strip.statistics["triangles"] == 3
         assert film.statistics["converged"] and len(film.vertices) == film.statistics["vertices"]
         assert (film.unit, film.up) == ("mm", "z") and film.mean_curvature is not None and strip.mean_curvature is None

@@ -4,7 +4,7 @@ import { ConnectionFailed, JobCancelled, JobFailed, problemOf } from './errors.j
 import { readEvents } from './events.js';
 import { Mesh, readLines } from './mesh.js';
 import type {
-  JobInfo, JobSummary, Kind, Limits, MeshFormat, MinimalStatistics, MinimalSurfaceOptions, ObjectiveList, PatternFormat,
+  CableNetOptions, CableNetStatistics, JobInfo, JobSummary, Kind, Limits, MeshFormat, MinimalStatistics, MinimalSurfaceOptions, ObjectiveList, PatternFormat,
   Progress, Request, RuledStatistics, RuledSurfaceOptions, StatisticsOf, Status, TensileFilm, TensileStatistics,
   TensileStructureOptions, UniformMeshOptions, UniformStatistics,
 } from './types.js';
@@ -38,6 +38,7 @@ const PATHS: Record<Kind, string> = {
   minimal_surface: 'v1/minimal-surfaces',
   uniform_mesh: 'v1/uniform-meshes',
   tensile_structure: 'v1/tensile-structures',
+  cable_net: 'v1/cable-nets',
 };
 
 /** Seconds that one request waits for a job's end; the server may grant less. */
@@ -157,6 +158,18 @@ export class Plateau {
   ): Promise<Result<TensileStatistics>> {
     const loops = curves('boundaries', boundaries);
     return this.solve({ kind: 'tensile_structure', boundaries: loops, film, ...options }, control);
+  }
+
+  /**
+   * The shape in equilibrium of a cable net that comes nearest to target forces and lengths. `edges` are pairs of indices of
+   * `vertices`, and `supports` are the indices of the vertices that do not move.
+   */
+  async cableNet(
+    vertices: CurveLike, edges: readonly (readonly [number, number])[], supports: readonly number[],
+    options: CableNetOptions = {}, control?: SolveControl,
+  ): Promise<Result<CableNetStatistics>> {
+    const net = { vertices: points(vertices), edges: edges.map(([a, b]) => [a, b]), supports: [...supports] };
+    return this.solve({ kind: 'cable_net', ...net, ...options }, control);
   }
 
   /** Solves a request with its `kind` in it, such as those of `GET /v1/examples`. */

@@ -8,8 +8,12 @@ import type { JobInfo, JobWarning, Units, UpAxis } from './types.js';
 export class Mesh<Statistics> {
   /** x y z of each vertex. The request's own points come first, in their order. */
   readonly vertices: Float64Array;
-  /** Three indices of vertices for each triangle. */
+  /** Three indices of vertices for each triangle. A cable net has none. */
   readonly triangles: Uint32Array;
+  /** Two indices of vertices for each edge of a cable net, cable by cable. Other kinds have none here. */
+  readonly edges: Uint32Array;
+  /** The force of each of `edges`. */
+  readonly forces: Float64Array;
   /** Per vertex, 1/unit; null for kinds that have none. */
   readonly meanCurvature: Float64Array | null;
   readonly unit: Units;
@@ -26,6 +30,8 @@ export class Mesh<Statistics> {
     const read = readPly(ply);
     this.vertices = read.vertices;
     this.triangles = read.triangles;
+    this.edges = read.edges;
+    this.forces = read.forces;
     this.meanCurvature = read.meanCurvature;
     this.unit = read.unit as Units;
     this.up = read.up as UpAxis;
@@ -61,14 +67,20 @@ export function readPly(buffer: ArrayBuffer) {
   const end = text.indexOf('end_header\n');
   if (end < 0) throw new Error('the PLY file has no header');
   const header = text.slice(0, end).split('\n').map((line) => line.split(' '));
-  // Each property of a vertex with the offset of its value. Lists belong to the faces.
-  let stride = 0;
-  const columns = new Map<string, number>();
-  for (const [word, type = '', name = ''] of header) {
-    if (word !== 'property' || type === 'list') continue;
-    columns.set(name, stride);
-    stride += { double: 8, float: 4, uchar: 1 }[type] ?? 0;
-  }
+  // Each property of an element with the offset of its value. Lists belong to the faces.
+  const rowOf = (element: string) => {
+    let stride = 0;
+    let current = '';
+    const offsets = new Map<string, number>();
+    for (const [word, type = '', name = ''] of header) {
+      if (word === 'element') current = type;
+      if (word !== 'property' || type === 'list' || current !== element) continue;
+      offsets.set(name, stride);
+      stride += { double: 8, float: 4, int: 4, uchar: 1 }[type] ?? 0;
+    }
+    return { offsets, stride };
+  };
+  const { offsets: columns, stride } = rowOf('vertex');
   const count = (element: string) => Number(header.find((line) => line[0] === 'element' && line[1] === element)?.[2]);
   const [, , unit = '', up = ''] = header.find((line) => line[0] === 'comment' && line[1] === 'unit') ?? [];
 
@@ -87,7 +99,15 @@ export function readPly(buffer: ArrayBuffer) {
       triangles[3 * triangle + corner] = view.getUint32(offset + 1 + 4 * corner, true);
     }
   }
-  return { vertices, triangles, meanCurvature, unit: unit.replace(',', ''), up };
+  const edge = rowOf('edge');
+  const edges = new Uint32Array(2 * (count('edge') || 0));
+  const force = edge.offsets.get('force');
+  const forces = new Float64Array(force === undefined ? 0 : edges.length / 2);
+  for (let k = 0; 2 * k < edges.length; k++, offset += edge.stride) {
+    for (let end = 0; end < 2; end++) edges[2 * k + end] = view.getUint32(offset + 4 * end, true);
+    if (force !== undefined) forces[k] = view.getFloat64(offset + force, true);
+  }
+  return { vertices, triangles, edges, forces, meanCurvature, unit: unit.replace(',', ''), up };
 }
 
 /** The curves of an OBJ file by the names of their sets, as indices of vertices. */

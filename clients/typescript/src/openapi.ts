@@ -331,6 +331,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/cable-nets": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Finds the shape in equilibrium of a cable net that comes nearest to target forces and lengths
+         * @description With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead to its job. A job without a mesh is then answered with 409.
+         */
+        post: operations["postCableNet"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/examples": {
         parameters: {
             query?: never;
@@ -777,6 +797,196 @@ export interface components {
          * @enum {string}
          */
         CableMode: "force" | "end_tension" | "horizontal_component" | "force_density" | "length" | "unstressed_length" | "sag";
+        /** @description A job: an accepted request and its state. */
+        CableNetJob: {
+            /** @description Time of submission (RFC 3339, UTC). */
+            created_at: string;
+            /** @description Null unless the job has failed. */
+            error: components["schemas"]["JobError"] | null;
+            /** @description Time at which the job and its mesh are removed. */
+            expires_at: string | null;
+            finished_at: string | null;
+            /** @description ULID, which sorts by time of submission. */
+            id: string;
+            /**
+             * @description Kind of the request. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "cable_net";
+            /** @description Name of the job for people, if the request gave one. */
+            label: string | null;
+            links: components["schemas"]["Links"];
+            /** @description Fields of the client, if the request gave some. */
+            metadata: {
+                [key: string]: unknown;
+            } | null;
+            progress: components["schemas"]["Progress"];
+            started_at: string | null;
+            /** @description Null until the job has succeeded. */
+            statistics: components["schemas"]["CableNetStatistics"] | null;
+            status: components["schemas"]["Status"];
+            warnings: components["schemas"]["JobWarning"][];
+        };
+        /** @enum {string} */
+        CableNetKind: "cable_net";
+        /**
+         * @description A net of cables without film, whose shape in equilibrium comes nearest to target forces and lengths.
+         *
+         *     The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension.
+         *     Cables are groups of edges with common targets.
+         */
+        CableNetRequest: {
+            /** @description Groups of edges with their targets. Edges that no cable lists have no target. */
+            cables?: components["schemas"]["NetCable"][];
+            /** @description Whether the stored result of an equal earlier request may be returned. */
+            cache?: components["schemas"]["Cache"];
+            /**
+             * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+             *     `webhooks` of `GET /v1/limits`.
+             */
+            callback_url?: string | null;
+            /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
+            cancel_on_disconnect?: boolean;
+            /** @description Pairs of vertices that a cable joins, counted from 0. */
+            edges: number[][];
+            /** @description Optional here, because the path names the kind. `plateau solve` needs it. */
+            kind?: components["schemas"]["CableNetKind"] | null;
+            /** @description Name of the job for people. The job and lists of jobs show it. */
+            label?: string | null;
+            /**
+             * Format: double
+             * @description Lower bound of the force densities that are found, a force per length. If it is above 0, every cable stays in
+             *     tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`.
+             */
+            least_force_density?: number;
+            /** @description Loads on vertices. Loads of one vertex are added. */
+            loads?: components["schemas"]["NetLoad"][];
+            /** @description Maximum number of steps. Null means 200. */
+            max_iterations?: number | null;
+            /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
+            metadata?: {
+                [key: string]: unknown;
+            } | null;
+            /**
+             * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+             *     accepted, older jobs with the same key that have not ended are cancelled.
+             */
+            supersede?: string | null;
+            /** @description Vertices that do not move, counted from 0. */
+            supports: number[];
+            /**
+             * Format: double
+             * @description The shape counts as found when three steps in a row each lower the loss by less than this fraction of it. Default: `0.0001`.
+             */
+            tolerance?: number;
+            units?: components["schemas"]["LengthAndForce"];
+            /** @description Axis that points up. Default: `z`. */
+            up?: components["schemas"]["UpAxis"];
+            /** @description Points of the net: supports where they stay, the other vertices where form finding begins. */
+            vertices: components["schemas"]["Point"][];
+            weights?: components["schemas"]["TargetWeights"];
+        };
+        /**
+         * @description A net of cables without film, whose shape in equilibrium comes nearest to target forces and lengths.
+         *
+         *     The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension.
+         *     Cables are groups of edges with common targets.
+         */
+        CableNetRequestWithKind: {
+            /** @description Groups of edges with their targets. Edges that no cable lists have no target. */
+            cables?: components["schemas"]["NetCable"][];
+            /** @description Whether the stored result of an equal earlier request may be returned. */
+            cache?: components["schemas"]["Cache"];
+            /**
+             * @description URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+             *     `webhooks` of `GET /v1/limits`.
+             */
+            callback_url?: string | null;
+            /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
+            cancel_on_disconnect?: boolean;
+            /** @description Pairs of vertices that a cable joins, counted from 0. */
+            edges: number[][];
+            /**
+             * @description Kind of the request. (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "cable_net";
+            /** @description Name of the job for people. The job and lists of jobs show it. */
+            label?: string | null;
+            /**
+             * Format: double
+             * @description Lower bound of the force densities that are found, a force per length. If it is above 0, every cable stays in
+             *     tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`.
+             */
+            least_force_density?: number;
+            /** @description Loads on vertices. Loads of one vertex are added. */
+            loads?: components["schemas"]["NetLoad"][];
+            /** @description Maximum number of steps. Null means 200. */
+            max_iterations?: number | null;
+            /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
+            metadata?: {
+                [key: string]: unknown;
+            } | null;
+            /**
+             * @description Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+             *     accepted, older jobs with the same key that have not ended are cancelled.
+             */
+            supersede?: string | null;
+            /** @description Vertices that do not move, counted from 0. */
+            supports: number[];
+            /**
+             * Format: double
+             * @description The shape counts as found when three steps in a row each lower the loss by less than this fraction of it. Default: `0.0001`.
+             */
+            tolerance?: number;
+            units?: components["schemas"]["LengthAndForce"];
+            /** @description Axis that points up. Default: `z`. */
+            up?: components["schemas"]["UpAxis"];
+            /** @description Points of the net: supports where they stay, the other vertices where form finding begins. */
+            vertices: components["schemas"]["Point"][];
+            weights?: components["schemas"]["TargetWeights"];
+        };
+        /** @description Statistics of a cable net. */
+        CableNetStatistics: {
+            balance: components["schemas"]["ForceBalance"];
+            /** @description Cables in the order of the request, and `other` for edges that no cable lists. */
+            cables: components["schemas"]["NetCableResult"][];
+            converged: boolean;
+            edge_lengths: components["schemas"]["Spread"];
+            edges: number;
+            /** @description Unit of the forces. */
+            force_unit: string;
+            /**
+             * Format: double
+             * @description Largest derivative of the loss by the logarithm of a force density.
+             */
+            gradient: number;
+            iterations: number;
+            /**
+             * Format: double
+             * @description Σ force · length.
+             */
+            load_path: number;
+            objective: string;
+            /**
+             * Format: double
+             * @description Loss: the weighted sum of the mean squared deviations from the targets and of the load path. 0 without targets.
+             */
+            objective_value: number;
+            /** @description Middle of the net's bounding box, which files with `origin=local` are relative to. */
+            origin: number[];
+            /** @description Supports in the order of the request. */
+            reactions: components["schemas"]["NetReaction"][];
+            /**
+             * Format: double
+             * @description Largest force on a free vertex that is not balanced, over the largest force of a cable.
+             */
+            residual: number;
+            stop_reason: string;
+            /** @description Always 0: a net has no triangles. */
+            triangles: number;
+            vertices: number;
+        };
         /**
          * @description Whether the result of an equal earlier request may be returned. Results are deterministic, so it has the same bytes.
          *
@@ -1148,7 +1358,7 @@ export interface components {
         /** @description Mesh that the solver starts from: built by the service, or supplied by the client. */
         InitialMesh: components["schemas"]["MadeMesh"] | components["schemas"]["GivenMesh"];
         /** @description A job: an accepted request and its state. */
-        Job: components["schemas"]["RuledSurfaceJob"] | components["schemas"]["MinimalSurfaceJob"] | components["schemas"]["UniformMeshJob"] | components["schemas"]["TensileStructureJob"];
+        Job: components["schemas"]["RuledSurfaceJob"] | components["schemas"]["MinimalSurfaceJob"] | components["schemas"]["UniformMeshJob"] | components["schemas"]["TensileStructureJob"] | components["schemas"]["CableNetJob"];
         /** @description Reason for a failure: what was wrong with the geometry, and what to try. */
         JobError: {
             detail: string;
@@ -1251,7 +1461,7 @@ export interface components {
          * @description Kind of a request.
          * @enum {string}
          */
-        Kind: "ruled_surface" | "minimal_surface" | "uniform_mesh" | "tensile_structure";
+        Kind: "ruled_surface" | "minimal_surface" | "uniform_mesh" | "tensile_structure" | "cable_net";
         /**
          * @description Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
          *     weight of a cable a force per length, and an axial stiffness a force.
@@ -1282,13 +1492,13 @@ export interface components {
             grid_cells: number;
             /** @description Largest `max_iterations`. */
             iterations: number;
-            /** @description Largest number of points of all polylines of a request. */
+            /** @description Largest number of points of all polylines of a request, and of vertices of a cable net. */
             points: number;
             /** @description Number of jobs that may wait in the queue. */
             queue_length: number;
             /** @description Time in seconds after its end at which a job is removed with its mesh. 0 means never. */
             retention_s: number;
-            /** @description Largest number of triangles of a minimal surface, a uniform mesh or a tensile structure. */
+            /** @description Largest number of triangles of a minimal surface, a uniform mesh or a tensile structure, and of edges of a cable net. */
             triangles: number;
             /** @description Longest wait that `Prefer: wait` can ask for, in seconds. */
             wait_max_s: number;
@@ -1386,7 +1596,7 @@ export interface components {
             lines: components["schemas"]["MeshLines"][];
             /** @description Point that the vertices are relative to. It is zero unless the file was asked for with `origin=local`. */
             origin: number[];
-            /** @description Three indices of vertices for each triangle, counted from 0. */
+            /** @description Three indices of vertices for each triangle, counted from 0. A cable net has none. */
             triangles: number[][];
             unit: components["schemas"]["Units"];
             up: components["schemas"]["UpAxis"];
@@ -1684,6 +1894,85 @@ export interface components {
             /** @description Axis that points up. Default: `z`. */
             up?: components["schemas"]["UpAxis"];
         };
+        /** @description Edges with common targets. Targets are met in least squares, and `force_density` exactly. */
+        NetCable: {
+            /**
+             * Format: double
+             * @description EA, a force. It gives the unstressed length.
+             */
+            axial_stiffness?: number | null;
+            /** @description Numbers of its edges, counted from 0. Null means all edges that no other cable lists. */
+            edges?: number[] | null;
+            /**
+             * Format: double
+             * @description Force that each edge is to have.
+             */
+            force?: number | null;
+            /**
+             * Format: double
+             * @description Force over length of each edge, which is held. Not together with `force` or `length`.
+             */
+            force_density?: number | null;
+            /**
+             * Format: double
+             * @description Length that each edge is to have in the found shape.
+             */
+            length?: number | null;
+            /** @description Name in statistics and files. Null means its number, as in `cable 0`. */
+            name?: string | null;
+        };
+        /** @description A cable of the found net: all its edges together. */
+        NetCableResult: {
+            edge_lengths: components["schemas"]["ValueRange"];
+            /** @description Number of its edges. */
+            edges: number;
+            /**
+             * Format: double
+             * @description Mean force, weighted by length.
+             */
+            force: number;
+            force_densities: components["schemas"]["ValueRange"];
+            /**
+             * Format: double
+             * @description Largest |force / target - 1|; null without a target.
+             */
+            force_deviation: number | null;
+            /** Format: double */
+            force_max: number;
+            /** Format: double */
+            force_min: number;
+            /**
+             * Format: double
+             * @description Sum of the edges' lengths.
+             */
+            length: number;
+            /**
+             * Format: double
+             * @description Largest |length / target - 1|; null without a target.
+             */
+            length_deviation: number | null;
+            name: string;
+            /** @description Number of edges to which the targets leave no force, so that only `least_force_density` keeps them in tension. */
+            slack_edges: number;
+            /**
+             * Format: double
+             * @description Sum of the edges' unstressed lengths, length / (1 + force / axial stiffness) each; null without an axial stiffness.
+             */
+            unstressed_length: number | null;
+        };
+        /** @description A load, the same on each of its vertices. */
+        NetLoad: {
+            /** @description Force on each of the vertices. */
+            force: number[];
+            /** @description Vertices on which the load acts. Null means all vertices that are no supports. */
+            vertices?: number[] | null;
+        };
+        /** @description A support of the net. */
+        NetReaction: {
+            /** @description Force of the support on the net. */
+            force: number[];
+            vertex: number;
+        };
         /** @description A NURBS patch. */
         Nurbs: {
             /** @description Control points: rows along u, each with the points along v. */
@@ -1798,7 +2087,7 @@ export interface components {
             point: number[];
         };
         /** @description A request that names its kind. */
-        RequestWithKind: components["schemas"]["RuledSurfaceRequestWithKind"] | components["schemas"]["MinimalSurfaceRequestWithKind"] | components["schemas"]["UniformMeshRequestWithKind"] | components["schemas"]["TensileStructureRequestWithKind"];
+        RequestWithKind: components["schemas"]["RuledSurfaceRequestWithKind"] | components["schemas"]["MinimalSurfaceRequestWithKind"] | components["schemas"]["UniformMeshRequestWithKind"] | components["schemas"]["TensileStructureRequestWithKind"] | components["schemas"]["CableNetRequestWithKind"];
         /** @description Resolution of the mesh, given by exactly one of the three fields. */
         Resolution: {
             /**
@@ -2341,6 +2630,24 @@ export interface components {
              */
             normal_deviation_max_deg: number;
         };
+        /** @description Weights of the terms of the loss. */
+        TargetWeights: {
+            /**
+             * Format: double
+             * @description Weight of the mean of (force / target - 1)² over the edges with a target force. Default: `1.0`.
+             */
+            force?: number;
+            /**
+             * Format: double
+             * @description Weight of the mean of (length / target - 1)² over the edges with a target length. Default: `1.0`.
+             */
+            length?: number;
+            /**
+             * Format: double
+             * @description Weight of the load path Σ force · length, as a fraction of its value at the start. Default: `0.0`.
+             */
+            load_path?: number;
+        };
         /** @description The film's prestress and weight. The prestress is either `tension`, or `warp` and `weft` with a `direction`. */
         TensileFilm: {
             direction?: components["schemas"]["WarpDirection"];
@@ -2828,6 +3135,13 @@ export interface components {
          * @enum {string}
          */
         UpAxis: "z" | "y";
+        /** @description Smallest and largest value. */
+        ValueRange: {
+            /** Format: double */
+            max: number;
+            /** Format: double */
+            min: number;
+        };
         /**
          * @description Field of directions in space, given by exactly one of its fields. The film's warp is the projection of the field onto
          *     the film. Directions need no unit length.
@@ -4003,6 +4317,68 @@ export interface operations {
             503: components["responses"]["Unavailable"];
         };
     };
+    postCableNet: {
+        parameters: {
+            query?: never;
+            header?: {
+                /**
+                 * @description `wait=N` waits up to N seconds for the end (RFC 7240). An invalid preference is ignored.
+                 * @example wait=10
+                 */
+                Prefer?: string;
+                /** @description Printable ASCII text. The same key with the same body returns the same job; with another body the answer is 422. */
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["CableNetRequest"];
+            };
+        };
+        responses: {
+            /** @description The job ended within the time of `Prefer: wait` (read its `status`), or this idempotency key was used before with this body. */
+            200: {
+                headers: {
+                    /** @description Address of the job. */
+                    Location?: string;
+                    /** @description The wait that was granted. */
+                    "Preference-Applied"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CableNetJob"];
+                };
+            };
+            /** @description The job is stored on disk and will be solved. */
+            202: {
+                headers: {
+                    /** @description Address of the job. */
+                    Location?: string;
+                    /** @description The wait that was granted. */
+                    "Preference-Applied"?: string;
+                    "Retry-After": components["headers"]["RetryAfter"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CableNetJob"];
+                };
+            };
+            400: components["responses"]["BadRequest"];
+            401: components["responses"]["Unauthorized"];
+            403: components["responses"]["ForeignPage"];
+            408: components["responses"]["RequestTimeout"];
+            409: components["responses"]["NoMesh"];
+            413: components["responses"]["TooLarge"];
+            415: components["responses"]["UnsupportedMediaType"];
+            421: components["responses"]["Misdirected"];
+            422: components["responses"]["Invalid"];
+            429: components["responses"]["QueueFull"];
+            500: components["responses"]["Failed"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
     listExamples: {
         parameters: {
             query?: never;
@@ -4033,7 +4409,7 @@ export interface operations {
             header?: never;
             path: {
                 /** @description Name of the example. */
-                name: "two-rails" | "helicoid" | "catenoid" | "tent" | "four-corners" | "ridge-rope" | "own-mesh" | "helicoid-relaxation" | "two-rings" | "rings-12-free" | "rings-12-best" | "rings-14-free" | "rings-14-best" | "rings-14-pinkall-polthier" | "cut-cylinder" | "three-rings" | "tetrahedron-loops" | "nested-loops" | "three-half-circles" | "three-half-circles-uneven" | "helicoid-liu-wang" | "scherk-relaxation" | "wavy-strip" | "contour-stack" | "wang-tang-i" | "wang-tang-ii" | "wang-tang-iii" | "wang-tang-iv" | "wang-tang-v" | "wang-tang-vi" | "latticed-roof" | "latticed-roof-steep" | "latticed-film" | "latticed-roof-few-lengths" | "floor-fewest-nodes" | "floor-equal-members" | "courtyard" | "plane-sail" | "four-point-sail" | "inflated-disc" | "conic-tent" | "flying-mast" | "ridge-and-valley" | "film-on-a-plane" | "vault";
+                name: "two-rails" | "helicoid" | "catenoid" | "tent" | "four-corners" | "ridge-rope" | "own-mesh" | "helicoid-relaxation" | "two-rings" | "rings-12-free" | "rings-12-best" | "rings-14-free" | "rings-14-best" | "rings-14-pinkall-polthier" | "cut-cylinder" | "three-rings" | "tetrahedron-loops" | "nested-loops" | "three-half-circles" | "three-half-circles-uneven" | "helicoid-liu-wang" | "scherk-relaxation" | "wavy-strip" | "contour-stack" | "wang-tang-i" | "wang-tang-ii" | "wang-tang-iii" | "wang-tang-iv" | "wang-tang-v" | "wang-tang-vi" | "latticed-roof" | "latticed-roof-steep" | "latticed-film" | "latticed-roof-few-lengths" | "floor-fewest-nodes" | "floor-equal-members" | "courtyard" | "plane-sail" | "four-point-sail" | "inflated-disc" | "conic-tent" | "flying-mast" | "ridge-and-valley" | "air-hall" | "film-on-a-plane" | "four-cables" | "cable-net-by-targets" | "vault";
             };
             cookie?: never;
         };
@@ -4061,7 +4437,7 @@ export interface operations {
                 /** @description Only jobs in this state. */
                 status?: "queued" | "running" | "succeeded" | "failed" | "cancelled";
                 /** @description Only jobs of this kind. */
-                kind?: "ruled_surface" | "minimal_surface" | "uniform_mesh" | "tensile_structure";
+                kind?: "ruled_surface" | "minimal_surface" | "uniform_mesh" | "tensile_structure" | "cable_net";
                 /** @description Only jobs that were submitted with this `Idempotency-Key`. */
                 idempotency_key?: string;
                 /** @description Maximum number of jobs on the page. The default is 50. */

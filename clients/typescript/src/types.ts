@@ -20,18 +20,21 @@ export type MinimalStatistics = Schemas['MinimalStatistics'];
 export type UniformStatistics = Schemas['UniformStatistics'];
 export type TensileStatistics = Schemas['TensileStatistics'];
 export type TensileFilm = Schemas['TensileFilm'];
+export type CableNetStatistics = Schemas['CableNetStatistics'];
 
 export type RuledSurfaceOptions = Omit<Schemas['RuledSurfaceRequest'], 'kind' | 'directrices'>;
 export type MinimalSurfaceOptions = Omit<Schemas['MinimalSurfaceRequest'], 'kind' | 'boundaries'>;
 export type UniformMeshOptions = Omit<Schemas['UniformMeshRequest'], 'kind' | 'domain' | 'edge_length'>;
 export type TensileStructureOptions = Omit<Schemas['TensileStructureRequest'], 'kind' | 'boundaries' | 'film'>;
+export type CableNetOptions = Omit<Schemas['CableNetRequest'], 'kind' | 'vertices' | 'edges' | 'supports'>;
 
 /** A request with its kind, as `GET /v1/examples` has them. */
 export type Request =
   | (Omit<Schemas['RuledSurfaceRequest'], 'kind'> & { kind: 'ruled_surface' })
   | (Omit<Schemas['MinimalSurfaceRequest'], 'kind'> & { kind: 'minimal_surface' })
   | (Omit<Schemas['UniformMeshRequest'], 'kind'> & { kind: 'uniform_mesh' })
-  | (Omit<Schemas['TensileStructureRequest'], 'kind'> & { kind: 'tensile_structure' });
+  | (Omit<Schemas['TensileStructureRequest'], 'kind'> & { kind: 'tensile_structure' })
+  | (Omit<Schemas['CableNetRequest'], 'kind'> & { kind: 'cable_net' });
 
 /** What the statistics of a request's mesh are. */
 export type StatisticsOf<R extends { kind: Kind }> = R['kind'] extends 'ruled_surface'
@@ -42,7 +45,9 @@ export type StatisticsOf<R extends { kind: Kind }> = R['kind'] extends 'ruled_su
       ? UniformStatistics
       : R['kind'] extends 'tensile_structure'
         ? TensileStatistics
-        : RuledStatistics | MinimalStatistics | UniformStatistics | TensileStatistics;
+        : R['kind'] extends 'cable_net'
+          ? CableNetStatistics
+          : RuledStatistics | MinimalStatistics | UniformStatistics | TensileStatistics | CableNetStatistics;
 
 export type MeshFormat = 'glb' | 'gltf' | 'obj' | 'ply' | 'stl' | 'json';
 export type PatternFormat = 'svg' | 'dxf';

@@ -60,6 +60,13 @@ test('every kind is solved', async () => {
   const square = [[0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0]];
   const sail = await client.tensileStructure([square], { tension: 1 }, { cables: edges, resolution: { triangles: 500 } });
   assert.ok(sail.statistics.converged && Math.abs(sail.statistics.area - 63.77) < 0.6);
+  const corners = [[0, 0, 0], [1, 0, 1], [1, 1, 0], [0, 1, 1], [0.2, 0.7, 3]];
+  const spokes = [[0, 4], [1, 4], [2, 4], [3, 4]];
+  const net = await client.cableNet(corners, spokes, [0, 1, 2, 3], { cables: [{ force_density: 1 }] });
+  assert.ok([12, 13, 14].every((k) => Math.abs(net.vertices[k] - 0.5) < 1e-12) && net.triangles.length === 0);
+  assert.deepEqual([...net.edges], spokes.flat());
+  assert.ok(net.forces.every((force) => Math.abs(force - Math.sqrt(0.75)) < 1e-12) && net.forces.length === 4);
+  assert.equal(film.edges.length, 0);
   assert.equal(strip.triangles.length, 3 * strip.statistics.triangles);
   assert.equal(strip.meanCurvature, null);
   assert.equal(film.vertices.length, 3 * film.statistics.vertices);

@@ -21,7 +21,7 @@ fn net(cells: u32) -> Net {
             net.vertices.push(DVec3::new(size * f64::from(i), size * f64::from(j), lift));
             let mut join = |other: u32, rim: bool| {
                 let (force, length) = (rim.then_some(20.0), (!rim).then_some(size));
-                net.edges.push(Edge { ends: [number(i, j), other], density: None, force, length });
+                net.edges.push(Edge { ends: [number(i, j), other], force, length, ..Edge::default() });
             };
             if i < cells {
                 join(number(i + 1, j), j == 0 || j == cells);

@@ -2,7 +2,7 @@
 //!
 //! [`solve`] takes a [`Net`]: points, the cables between them, supports and loads. Without targets the force densities
 //! give the shape by linear equations (Schek 1974). With forces and lengths that cables are to have, the densities are
-//! found for which the shape comes nearest to them, in least squares and in exact equilibrium.
+//! found for which the shape comes nearest to them, in least squares and in exact equilibrium. Densities can be held too.
 //!
 //! ```
 //! use plateau_geometry::cable_net::{Edge, Net, Options, solve};
@@ -29,7 +29,7 @@ mod shape;
 pub use fitting::StopReason;
 pub use options::{Edge, Net, Options};
 
-use crate::{DVec3, Error, Estimate, Execution};
+use crate::{DVec3, Error, Estimate, Execution, InputError, Place, polyline};
 
 /// A net in equilibrium.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +46,10 @@ pub struct CableNet {
     pub reactions: Vec<DVec3>,
     /// The sum of all loads.
     pub loads: DVec3,
+    /// For each edge whether only the least density keeps it in tension.
+    pub slack: Vec<bool>,
+    /// The sum of the reactions' magnitudes.
+    pub magnitudes: f64,
     /// |loads + reactions| over the sum of the reactions' magnitudes.
     pub imbalance: f64,
     /// The largest force on a free vertex that is not balanced.
@@ -63,13 +67,29 @@ pub struct CableNet {
     pub stop_reason: StopReason,
 }
 
+/// Largest derivative of the loss at which a net that no step improves counts as found. The loss has no unit.
+const STATIONARY: f64 = 1e-6;
+
+impl CableNet {
+    /// Whether the loss is at a minimum: fitting ended because it no longer falls.
+    #[must_use]
+    pub fn converged(&self) -> bool {
+        match self.stop_reason {
+            StopReason::NoTargets | StopReason::Change => true,
+            StopReason::Stalled => self.gradient <= STATIONARY,
+            StopReason::MaxIterations | StopReason::Deadline => false,
+        }
+    }
+}
+
 /// Finds the shape of a net.
 ///
 /// The result depends on nothing but the arguments, to the byte.
 ///
 /// # Errors
 /// [`Error::Input`] for what the arguments themselves show; [`Error::NoResult`] for a net whose equations are singular
-/// to working precision; [`Error::Interrupted`] on cancel and deadline.
+/// to working precision, that collapses, or whose targets leave cables slack; [`Error::Interrupted`] on cancel. A deadline
+/// returns the shape of the last step.
 pub fn solve(net: &Net, options: &Options, exec: &Execution) -> Result<CableNet, Error> {
     check(net, options)?;
     let fitted = fitting::fit(net, options, exec)?;
@@ -92,6 +112,12 @@ pub fn solve(net: &Net, options: &Options, exec: &Execution) -> Result<CableNet,
     }
     let magnitudes: f64 = reactions.iter().map(|reaction| reaction.length()).sum();
     let sum: DVec3 = reactions.iter().sum::<DVec3>() + loads;
+    if !magnitudes.is_finite() || !at.iter().all(|p| p.is_finite()) || !forces.iter().all(|force| force.is_finite()) {
+        return Err(Error::no_result("no_equilibrium", "the loads and forces are too large for each other"));
+    }
+    refuse_collapsed(net, &lengths)?;
+    let slack = slack_edges(net, options, &forces, &fitted.densities);
+    refuse_slack(options, &slack)?;
     Ok(CableNet {
         load_path: forces.iter().zip(&lengths).map(|(force, length)| force * length).sum(),
         vertices: at,
@@ -100,13 +126,62 @@ pub fn solve(net: &Net, options: &Options, exec: &Execution) -> Result<CableNet,
         densities: fitted.densities,
         imbalance: sum.length() / magnitudes.max(f64::MIN_POSITIVE),
         residual_force: unbalanced.iter().map(|force| force.length()).fold(0.0, f64::max),
+        slack,
         reactions,
+        magnitudes,
         loads,
         loss: fitted.loss,
         gradient: fitted.gradient,
         iterations: fitted.iterations,
         stop_reason: fitted.stop_reason,
     })
+}
+
+/// Largest number of edges that an error names.
+const NAMED_EDGES: usize = 50;
+/// Length below which an edge counts as collapsed, as a fraction of the size of the net as it was given.
+const COLLAPSED: f64 = 1e-9;
+/// Force below which a cable counts as slack, as a fraction of the mean force, and distance of a density from the least
+/// one, as a fraction of it. Fitting never reaches zero: where the targets
+/// leave a cable no force, its density falls until the loss no longer changes by the tolerance.
+const SLACK: f64 = 1e-3;
+
+/// Fails with the edges that meet a condition, if there are any.
+fn refuse(reason: &'static str, detail: &str, edges: &[usize], each: &str) -> Result<(), Error> {
+    if edges.is_empty() {
+        return Ok(());
+    }
+    let place = |&k: &usize| InputError::new(Place::field("edges").at(k), each);
+    let places = edges.iter().take(NAMED_EDGES).map(place).collect();
+    Err(Error::NoResult { reason, detail: detail.into(), places })
+}
+
+/// Refuses a shape in which edges have no length, such as a net without loads at a single support.
+fn refuse_collapsed(net: &Net, lengths: &[f64]) -> Result<(), Error> {
+    let least = COLLAPSED * polyline::radius(&net.vertices);
+    let collapsed: Vec<usize> = (0..lengths.len()).filter(|&k| lengths[k] <= least).collect();
+    let detail = "the net collapses: nothing holds the ends of some cables apart; add supports or loads";
+    refuse("no_equilibrium", detail, &collapsed, "has no length in equilibrium")
+}
+
+/// For each edge whether the targets leave it no force.
+fn slack_edges(net: &Net, options: &Options, forces: &[f64], densities: &[f64]) -> Vec<bool> {
+    let mean = forces.iter().sum::<f64>() / forces.len() as f64;
+    let lowest = options.least_density * (1.0 + SLACK);
+    let slack = |k: usize| !net.edges[k].held && (forces[k] <= SLACK * mean || densities[k] <= lowest);
+    (0..forces.len()).map(slack).collect()
+}
+
+/// Refuses a shape in which cables have no force because the targets would need them to push.
+fn refuse_slack(options: &Options, slack: &[bool]) -> Result<(), Error> {
+    // With a least density the caller has said how much tension stays.
+    if options.least_density > 0.0 {
+        return Ok(());
+    }
+    let slack: Vec<usize> = (0..slack.len()).filter(|&k| slack[k]).collect();
+    let detail = "the targets leave some cables no force; change their targets, or give a least force density, which keeps \
+                  every cable in tension";
+    refuse("slack_cable", detail, &slack, "would be slack")
 }
 
 /// Checks the arguments of [`solve`] before any work: linear in the size of the net.

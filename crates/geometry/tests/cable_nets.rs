@@ -2,6 +2,7 @@
 
 use plateau_geometry::cable_net::{CableNet, Edge, Net, Options, StopReason, check, solve};
 use plateau_geometry::{DVec3, Error, Execution, Interruption, Signal};
+use std::cell::Cell;
 
 /// A square net of `side` units with `cells` cells each way: vertices row by row, edges with whether they are on the
 /// rim.
@@ -71,6 +72,7 @@ fn lifted(cells: u32) -> Net {
     let mut net = grid(10.0, cells, |ends, rim| Edge {
         ends,
         density: Some(force_at_start(rim) * f64::from(cells) / 10.0),
+        held: false,
         force: rim.then_some(20.0),
         length: (!rim).then_some(10.0 / f64::from(cells)),
     });
@@ -126,16 +128,65 @@ fn a_target_that_a_net_can_reach_is_reached() {
 fn a_shorter_load_path_is_found_when_it_is_asked_for() {
     let mut net = lifted(6);
     net.loads = vec![DVec3::new(0.0, 0.0, -0.5); net.vertices.len()];
-    let plain = found(&net, &Options::default());
-    let light = found(&net, &Options { load_path_weight: 1.0, ..Options::default() });
+    let options = Options { least_density: 0.01, ..Options::default() };
+    let plain = found(&net, &options);
+    let light = found(&net, &Options { load_path_weight: 1.0, ..options });
     println!("{} {}", plain.load_path, light.load_path);
     assert!(light.load_path < 0.9 * plain.load_path);
 }
 
 #[test]
+fn held_densities_stay_and_the_others_are_fitted() {
+    // The rim of the lifted net keeps its density while the lengths inside are fitted.
+    let mut net = lifted(6);
+    for edge in &mut net.edges {
+        if edge.force.is_some() {
+            (edge.density, edge.force, edge.held) = (Some(15.0), None, true);
+        }
+    }
+    let plain = Net { edges: net.edges.iter().map(|edge| Edge { length: None, ..*edge }).collect(), ..net.clone() };
+    let start = found(&plain, &Options { least_density: 0.1, ..Options::default() });
+    let result = found(&net, &Options { least_density: 0.1, ..Options::default() });
+    let held = net.edges.iter().zip(&result.densities).filter(|(edge, _)| edge.held);
+    assert!(held.clone().count() == 24 && held.clone().all(|(_, q)| *q == 15.0));
+    let deviation = |found: &CableNet| {
+        let of = |(edge, length): (&Edge, &f64)| edge.length.map(|target| (length / target - 1.0).powi(2));
+        net.edges.iter().zip(&found.lengths).filter_map(of).sum::<f64>()
+    };
+    assert!(deviation(&result) < 0.5 * deviation(&start), "{} {}", deviation(&result), deviation(&start));
+    // Held densities alone are the linear equations, whatever the targets.
+    net.edges.iter_mut().for_each(|edge| (edge.density, edge.held) = (edge.density.or(Some(1.0)), true));
+    assert_eq!(found(&net, &Options::default()).stop_reason, StopReason::NoTargets);
+}
+
+#[test]
+fn a_deadline_returns_the_net_of_the_last_step_in_equilibrium() {
+    let net = lifted(6);
+    let looks = Cell::new(0);
+    let signal = || {
+        looks.set(looks.get() + 1);
+        if looks.get() > 4 { Signal::Deadline } else { Signal::Continue }
+    };
+    let options = Options { least_density: 0.1, ..Options::default() };
+    let result = solve(&net, &options, &Execution::new(&signal, &|_| {})).unwrap();
+    assert_eq!((result.stop_reason, result.converged()), (StopReason::Deadline, false));
+    assert!(result.iterations > 0 && result.iterations < 5 && result.imbalance < 1e-12);
+}
+
+#[test]
+fn targets_that_are_met_from_the_start_need_no_step() {
+    let ends = [DVec3::new(-1.0, 0.0, 0.0), DVec3::new(1.0, 0.0, 0.0), DVec3::ZERO];
+    let edge = |k: u32| Edge { ends: [k, 2], force: Some(1.0), length: Some(1.0), ..Edge::default() };
+    let net = Net { vertices: ends.to_vec(), edges: vec![edge(0), edge(1)], supports: vec![0, 1], loads: Vec::new() };
+    let result = found(&net, &Options::default());
+    assert!(result.loss < 1e-24 && result.converged(), "{result:?}");
+}
+
+#[test]
 fn scales_of_lengths_and_forces_change_nothing() {
     let net = lifted(6);
-    let reference = found(&net, &Options::default());
+    let options = Options { least_density: 1e-3, ..Options::default() };
+    let reference = found(&net, &options);
     let mut scaled = net.clone();
     scaled.vertices.iter_mut().for_each(|p| *p *= 1000.0);
     for edge in &mut scaled.edges {
@@ -143,7 +194,7 @@ fn scales_of_lengths_and_forces_change_nothing() {
         edge.force = edge.force.map(|force| 4.0 * force);
         edge.length = edge.length.map(|length| 1000.0 * length);
     }
-    let result = found(&scaled, &Options::default());
+    let result = found(&scaled, &Options { least_density: 4.0 * 1e-3 / 1000.0, ..options });
     assert!((result.loss / reference.loss - 1.0).abs() < 1e-3, "{} {}", result.loss, reference.loss);
 }
 
@@ -167,6 +218,27 @@ fn bad_nets_are_refused_by_the_place_of_the_value() {
     assert_eq!(refused(&|net| net.vertices[5].y = f64::INFINITY), "/vertices/5");
     assert_eq!(refused(&|net| net.edges.clear()), "/edges");
     assert_eq!(refused(&|net| net.supports.clear()), "/vertices/0");
+    let chain = |supports: &[u32], length: f64, loads: Vec<DVec3>| {
+        let vertices = (0..4u32).map(|k| DVec3::new(f64::from(k), 0.0, 0.0)).collect();
+        let edge = |k| Edge { ends: [k, k + 1], length: Some(length), ..Edge::default() };
+        let net = Net { vertices, edges: (0..3).map(edge).collect(), supports: supports.to_vec(), loads };
+        match check(&net, &Options::default()) {
+            Ok(()) => Vec::new(),
+            Err(Error::Input(errors)) => errors.iter().map(|error| error.place.to_string()).collect(),
+            Err(other) => panic!("{other:?}"),
+        }
+    };
+    // The end of a chain moves freely, and then what hangs on it, unless a load pulls at it.
+    assert_eq!(chain(&[0], 1.0, Vec::new()), ["/vertices/1", "/vertices/2", "/vertices/3"]);
+    let pull = DVec3::new(1.0, 0.0, 0.0);
+    assert_eq!(chain(&[0], 1.0, vec![DVec3::ZERO, DVec3::ZERO, DVec3::ZERO, pull]), Vec::<String>::new());
+    // A cable between two supports has the length of its chord.
+    assert_eq!(chain(&[0, 1, 3], 1.0, Vec::new()), Vec::<String>::new());
+    assert_eq!(chain(&[0, 1, 3], 1.1, Vec::new()), ["/edges/0/length"]);
+    assert_eq!(chain(&[0, 1, 3], 0.9, Vec::new()), ["/edges/0/length"]);
+    assert_eq!(refused(&|net| net.vertices[8] = net.vertices[7]), "/edges/14");
+    assert_eq!(refused(&|net| net.edges[4].ends = net.edges[3].ends), "/edges/4");
+    assert_eq!(refused(&|net| (net.edges[4].density, net.edges[4].held) = (None, true)), "/edges/4/density");
     // A vertex without cables.
     assert_eq!(refused(&|net| net.vertices.push(DVec3::ZERO)), "/vertices/25");
 }
@@ -174,7 +246,8 @@ fn bad_nets_are_refused_by_the_place_of_the_value() {
 #[test]
 fn the_same_net_gives_the_same_bits_and_looks_at_the_caller() {
     let net = lifted(6);
-    let [a, b] = [0, 1].map(|_| solve(&net, &Options::default(), &Execution::default()).unwrap());
+    let options = Options { least_density: 0.1, ..Options::default() };
+    let [a, b] = [0, 1].map(|_| solve(&net, &options, &Execution::default()).unwrap());
     assert_eq!(a, b);
     let cancel = Execution::new(&|| Signal::Cancel, &|_| {});
     let cancelled = solve(&net, &Options::default(), &cancel);

@@ -2,6 +2,7 @@
 //! [`wire`](crate::wire).
 
 use crate::export::MeshFormat;
+use crate::wire::cable_net::{CableNetRequest, CableNetStatistics};
 use crate::wire::job::JobSummary;
 use crate::wire::minimal_surface::{MinimalStatistics, MinimalSurfaceRequest};
 use crate::wire::objectives::{Example, ExampleSummary, Limits, Objective};
@@ -157,6 +158,7 @@ pub fn request(kind: Kind) -> Value {
         Kind::MinimalSurface => schema::standalone::<MinimalSurfaceRequest>(),
         Kind::UniformMesh => schema::standalone::<UniformMeshRequest>(),
         Kind::TensileStructure => schema::standalone::<TensileStructureRequest>(),
+        Kind::CableNet => schema::standalone::<CableNetRequest>(),
     })
 }
 
@@ -168,6 +170,7 @@ pub fn statistics(kind: Kind) -> Value {
         Kind::MinimalSurface => schema::standalone::<MinimalStatistics>(),
         Kind::UniformMesh => schema::standalone::<UniformStatistics>(),
         Kind::TensileStructure => schema::standalone::<TensileStatistics>(),
+        Kind::CableNet => schema::standalone::<CableNetStatistics>(),
     })
 }
 

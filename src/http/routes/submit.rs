@@ -55,6 +55,10 @@ pub async fn tensile_structure(
     submit(&app, &caller, Kind::TensileStructure, request).await
 }
 
+pub async fn cable_net(State(app): State<App>, caller: Caller, request: Request<Body>) -> Result<Response, Failure> {
+    submit(&app, &caller, Kind::CableNet, request).await
+}
+
 async fn submit(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) -> Result<Response, Failure> {
     let wait_s = granted_wait_s(app, request.headers());
     let mesh_format = accepted_mesh(request.headers()).filter(|_| wait_s.is_some());
@@ -136,6 +140,7 @@ pub fn entry(kind: Kind) -> Value {
         Kind::MinimalSurface => "postMinimalSurface",
         Kind::UniformMesh => "postUniformMesh",
         Kind::TensileStructure => "postTensileStructure",
+        Kind::CableNet => "postCableNet",
     };
     let examples: Map<String, Value> = ready_requests()
         .iter()

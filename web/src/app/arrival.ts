@@ -96,7 +96,7 @@ function showKinds(): void {
     radio.addEventListener('change', () => switchKind(kind));
     return el('label', {}, radio, KINDS[kind].label);
   }));
-  $('blank-starts').replaceChildren(...kinds.map((kind) => el('button', {
+  $('blank-starts').replaceChildren(...kinds.filter((kind) => KINDS[kind].lines.length > 0).map((kind) => el('button', {
     type: 'button', onclick: () => { $<HTMLDialogElement>('gallery').close(); startBlank(kind); },
   }, `Draw a ${KINDS[kind].label.toLowerCase()}`)));
 }

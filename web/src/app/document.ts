@@ -90,6 +90,7 @@ export function showDocument(dragging = false): void {
   $<HTMLButtonElement>('undo').disabled = !history.canUndo;
   $<HTMLButtonElement>('redo').disabled = !history.canRedo;
   $('draw').setAttribute('aria-pressed', String(tools.drawing));
+  $<HTMLButtonElement>('draw').disabled = KINDS[doc().kind].lines.length === 0;
   $('title').textContent = doc().title ?? '';
   if (!dragging && $<HTMLDetailsElement>('request-box').open) showRequest();
   showDock();

@@ -1,16 +1,18 @@
 // The drawing on the stage, and the strip below it: what to do next, the line being drawn, or the selected points.
 
 import { $ } from '../dom';
+import { cablesOf, stretch } from '../model/cables';
 import { findings } from '../model/checks';
-import { isWhole, KINDS } from '../model/request';
+import { at, coordinates, isWhole, KINDS, type Request, type Vec3 } from '../model/request';
+import { type Found, type Modes, showCable } from '../panels/cable';
 import { capital, count } from '../text';
-import { doc, embedded, host, session, sketch, stage, surface, tools } from './session';
+import { doc, embedded, host, server, session, sketch, stage, surface, tools } from './session';
 
 /** The drawing on the stage, with what is wrong with it marked. */
 export function redraw(dragging = false): void {
   sketch.group.visible = !session.viewing && !embedded;
   surface.drawn = sketch.group.visible;
-  sketch.show(session.viewing ? [] : host.lines, doc().draft, host.frame);
+  drawLines();
   if (!dragging) {
     host.faulty = new Set([...session.serverFaulty, ...findings(host.lines).flatMap(({ line, points }) => points.map((point) => `${line}/${point}`))]);
     stage.rememberWhetherAllIsSeen();
@@ -18,13 +20,50 @@ export function redraw(dragging = false): void {
   tools.refresh();
 }
 
+/** The cable that the stage shows as the chosen one. */
+let drawnCable = -1;
+
+/** The lines, and the cables along them. */
+function drawLines(): void {
+  drawnCable = tools.cable;
+  const { request, kind } = doc();
+  const course = ({ along }: ReturnType<typeof cablesOf>[number]): Vec3[] =>
+    (along ? stretch(request, along).map((point) => coordinates(at(request, ['boundaries', along.boundary ?? 0, point])) ?? [0, 0, 0]) : []);
+  const courses = kind === 'tensile_structure' && !session.viewing ? cablesOf(request).map(course) : [];
+  sketch.show(session.viewing ? [] : host.lines, doc().draft, host.frame, { courses, chosen: tools.cable });
+}
+
+/** What a cable can hold constant, of the server's document. */
+export function cableModes(): Modes {
+  const schemas = (server.openapi as { components?: { schemas?: Record<string, { enum?: string[]; 'x-enum-descriptions'?: string[] }> } }).components?.schemas;
+  const { enum: names = ['force'], 'x-enum-descriptions': help } = schemas?.CableMode ?? {};
+  return names.map((name, i) => ({ name, help: help?.[i] }));
+}
+
+/** The chosen cable in the result, if the result is that of the drawing. */
+export function foundCable(): Found | undefined {
+  if (!session.shown || session.shown.job.kind !== 'tensile_structure') return undefined;
+  const course = (request: Request): string => JSON.stringify(cablesOf(request)[tools.cable]?.along);
+  if (course(session.shown.request) !== course(doc().request)) return undefined;
+  return (session.shown.job.statistics as { cables?: Found[] } | null)?.cables?.[tools.cable];
+}
+
 export function showDock(): void {
   const { drawing, selection } = tools;
   const introduced = !$('intro').hidden && !drawing && selection.length === 0;
   $('intro').hidden = !introduced;
   $('drawing').hidden = !drawing;
+  const cable = !drawing && selection.length === 0 ? cablesOf(doc().request)[tools.cable] : undefined;
+  if (drawnCable !== tools.cable) {
+    drawLines();
+    tools.refresh();
+  }
+  $('cabling').hidden = !tools.mayCable;
+  $('cabling').setAttribute('aria-pressed', String(tools.cabling));
+  $('cable').hidden = !cable;
   $('point').hidden = drawing || selection.length === 0;
-  $('hint').hidden = introduced || drawing || selection.length > 0;
+  $('hint').hidden = introduced || drawing || selection.length > 0 || cable !== undefined;
+  if (cable) showCable(doc().request, cable, tools.cable, cableModes());
   if (drawing) showLine();
   else if (selection.length > 0) showPoint();
   else $('hint').textContent = hint();
@@ -33,8 +72,10 @@ export function showDock(): void {
 export function hint(): string {
   if (session.viewing) return 'The server keeps no drawing of this job: only its mesh is shown. Undo, or any edit, brings your drawing back.';
   if (session.mode === 'compare') return 'Each objective solved on the same rails; the best value of each row is bold. Drag beside the figures to turn all of them.';
+  if (tools.cabling) return 'Click an edge of the boundary to hang it on a cable, or a point and then another for a cable along several edges.';
   if (session.mode === 'flat') return 'The strip unrolled into the plane, to scale. Drag to move it, wheel to zoom.';
   if (host.lines.length === 0) return 'Nothing is drawn yet. Press Draw, open a file, or drop one here.';
+  if (doc().kind === 'cable_net') return 'Drag a support to move it. The net is given by its request: its vertices, edges and targets.';
   if (!isWhole(doc().kind, doc().request)) return `A strip needs two ${KINDS[doc().kind].line}s: press Draw for the next one.`;
   return 'Drag a point to move it, press on an edge to add one. Drag the ground to orbit, right-drag to pan, wheel to zoom.';
 }
@@ -73,5 +114,8 @@ export function showPoint(): void {
   const edge = tools.edgeBefore();
   $('edge-field').hidden = !edge;
   if (edge && document.activeElement !== $('edge')) $<HTMLInputElement>('edge').value = String(Number(edge.length.toPrecision(7)));
-  $<HTMLButtonElement>('insert-point').disabled = !only;
+  const onlyMoves = selection.some((ref) => host.lines[ref.line]?.only);
+  $<HTMLButtonElement>('insert-point').disabled = !only || onlyMoves;
+  for (const id of ['delete-point', 'remove-line']) $<HTMLButtonElement>(id).disabled = onlyMoves;
+  $('cable-from-point').hidden = !only || !tools.mayCable;
 }

@@ -45,3 +45,6 @@ export const readSurface: typeof host.read = (point, face, x, y) => {
   const where = host.frame.fromScene(point.toArray()).map((each) => number(each, 5)).join(', ');
   label(session.quantity && value !== null ? reading(session.quantity, value) : where, x, y, point.toArray());
 };
+
+/** Says beside a point of a line what its value is. */
+export const readLine: typeof host.readLine = (point, value, x, y) => label(value, x, y, point.toArray());

@@ -73,10 +73,11 @@ function takeLines(lines: Polyline[], format: string, metres: boolean, name: str
   const short = own.findIndex((points) => points.length < (kind === 'ruled_surface' ? 1 : least));
   if (short >= 0) throw new FileFault(`Line ${short + 1} of the file has ${count(own[short]!.length, 'point')}; a ${line} needs ${least}.`);
   const next: Request = { ...structuredClone(request) };
-  for (const field of ['normals', 'tangents', 'constraints']) delete next[field];
+  for (const field of ['normals', 'tangents', 'constraints', 'cables', 'free_points', 'supports']) delete next[field];
   if (typeof next.initial_mesh === 'object') delete next.initial_mesh;
   if (kind === 'ruled_surface') Object.assign(next, { directrices: own, closed: lines.length > 1 && lines.every(({ closed }) => closed) });
-  else if (kind === 'minimal_surface') next.boundaries = own;
+  else if (kind === 'minimal_surface' || kind === 'tensile_structure') next.boundaries = own;
+  else if (kind === 'cable_net') Object.assign(next, netOf(lines.map(({ closed }, i) => (closed ? [...own[i]!, own[i]![0]!] : own[i]!))), { cables: [{ force_density: 1 }], loads: [] });
   else {
     const bySize = [...own].sort((a, b) => extent(b) - extent(a));
     next.domain = { polygon: bySize[0], ...(bySize.length > 1 && { holes: bySize.slice(1) }) };
@@ -84,6 +85,26 @@ function takeLines(lines: Polyline[], format: string, metres: boolean, name: str
   replace(kind, next, name || `${format} drawing`);
   changed();
   toast(`${format}: ${count(own.length, 'line')}, ${count(own.reduce((sum, points) => sum + points.length, 0), 'point')}. Undo brings back what was there.`);
+}
+
+/** A net whose edges are the segments of lines. Equal points are joined, and the points with the fewest edges are supports. */
+function netOf(lines: Vec3[][]): { vertices: Vec3[]; edges: [number, number][]; supports: number[] } {
+  const numbers = new Map<string, number>();
+  const vertices: Vec3[] = [], counts: number[] = [];
+  const number = (point: Vec3): number => {
+    const key = point.join(' ');
+    const known = numbers.get(key) ?? vertices.length;
+    if (known === vertices.length) {
+      numbers.set(key, known);
+      vertices.push(point);
+      counts.push(0);
+    }
+    counts[known]! += 1;
+    return known;
+  };
+  const edges = lines.flatMap((line) => line.slice(1).map((point, i): [number, number] => [number(line[i]!), number(point)]));
+  const fewest = Math.min(...counts);
+  return { vertices, edges, supports: vertices.map((_, v) => v).filter((v) => counts[v] === fewest) };
 }
 
 const extent = (points: Vec3[]): number => {

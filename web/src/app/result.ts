@@ -7,8 +7,8 @@ import { metresOf, type Request, unitOf } from '../model/request';
 import { charts } from '../panels/chart';
 import { showLegend } from '../panels/legend';
 import { keyFigures, samplesOf, statistics, warnings } from '../panels/report';
-import type { ResultMesh } from '../stage/mesh';
-import { offered, quantity } from '../stage/quantities';
+import { hasSurface, type ResultMesh } from '../stage/mesh';
+import { firstOf, offered, quantity } from '../stage/quantities';
 import { count, duration } from '../text';
 import { offerModes, setMode } from './modes';
 import { label, say } from './notes';
@@ -37,24 +37,28 @@ export function show(job: Job, mesh: ResultMesh, solved: string, whileDragging =
   const request = JSON.parse(solved) as Request;
   session.shown = { job, mesh, solved, request, dragging: whileDragging };
   label(null);
+  // A structure with cables is first seen by its forces. Another choice stays until another kind is shown.
+  if (first && session.colour === 'plain') session.colour = firstOf(mesh);
   choose();
   surface.show(mesh, job.kind, host.frame, session.quantity);
+  // The model is fitted into the room that the legend leaves.
+  $('look').hidden = false;
+  showLayers();
   stage.measure();
   stage.rememberWhetherAllIsSeen();
   if (first && !session.cameraGiven) stage.fit(false);
   session.cameraGiven = false;
-  showLayers();
 
   $('nothing').hidden = true;
   $('result').hidden = false;
-  $('look').hidden = false;
   $('job-id').textContent = job.id;
   const values = job.statistics as Record<string, unknown>;
   $('figures').replaceChildren(...keyFigures(job, unitOf(request)));
   $('warnings').replaceChildren(...warnings(job.warnings));
   $('statistics').replaceChildren(...statistics(values));
   $('charts').replaceChildren(...charts(samplesOf(values.history as api.HistoryRow[] | undefined), 'Area', toleranceOf(request)));
-  offer($('downloads'), ['glb', 'gltf', 'obj', 'ply', 'stl'], job, job.links.mesh!);
+  // STL has only triangles.
+  offer($('downloads'), ['glb', 'gltf', 'obj', 'ply', ...(hasSurface(mesh) ? ['stl'] : [])], job, job.links.mesh!);
   const pattern = Boolean(job.links.pattern && values.flat_pattern);
   $('pattern-box').hidden = !pattern;
   if (pattern) offer($('pattern-downloads'), ['svg', 'dxf'], job, job.links.pattern!);
@@ -71,7 +75,9 @@ function sayHowItWent(job: Job, mesh: ResultMesh): void {
   // The server keeps results: the same request again takes no time.
   const how = time > 0 ? `Solved in ${duration(time)}` : 'Solved';
   const { converged } = job.statistics as { converged?: boolean };
-  say(`${how}: ${count(mesh.geometry.index!.count / 3, 'triangle')}.${converged === false ? ' Not converged.' : ''}`);
+  const segments = mesh.lines.filter(({ name }) => name.startsWith('cables')).reduce((sum, line) => sum + line.segments.length / 6, 0);
+  const size = hasSurface(mesh) ? count(mesh.geometry.index!.count / 3, 'triangle') : count(segments, 'edge');
+  say(`${how}: ${size}.${converged === false ? ' Not converged.' : ''}`);
 }
 
 function offer(box: HTMLElement, formats: string[], job: Job, link: string): void {
@@ -127,8 +133,13 @@ function choose(): void {
 }
 
 function showLayers(): void {
-  const names: Record<keyof typeof surface.layers, string> = { surface: 'Surface', edges: 'Mesh', lines: 'Lines' };
-  $('layers').replaceChildren(...(Object.keys(names) as (keyof typeof surface.layers)[]).map((name) => {
+  const names: Record<keyof typeof surface.layers, string> = { surface: 'Surface', edges: 'Mesh', lines: 'Lines', reactions: 'Reactions' };
+  const mesh = session.shown?.mesh;
+  const has = (name: keyof typeof surface.layers): boolean => {
+    if (name === 'reactions') return mesh?.lines.some((line) => line.name === 'reactions' && line.segments.length > 0) ?? false;
+    return name === 'lines' || !mesh || hasSurface(mesh);
+  };
+  $('layers').replaceChildren(...(Object.keys(names) as (keyof typeof surface.layers)[]).filter(has).map((name) => {
     const button = el('button', { type: 'button', 'aria-pressed': String(surface.layers[name]) }, names[name]);
     button.addEventListener('click', () => {
       surface.setLayers({ [name]: !surface.layers[name] });

@@ -21,12 +21,12 @@ export const embedded = document.documentElement.hasAttribute('data-embed');
 
 export const THEMES: Record<string, { sketch: SketchLook; look: Look; grid: [string, number]; shadow: number }> = {
   light: {
-    sketch: { paper: '#ffffff', accent: '#0a6c7e', ink: '#1c2427', fault: '#c62f26', soft: '#6d7b81' },
-    look: { membrane: '#f2eee6', ink: '#20292d', accent: '#b4561f' }, grid: ['#5b6b73', 0.42], shadow: 0.5,
+    sketch: { paper: '#ffffff', accent: '#0a6c7e', ink: '#1c2427', fault: '#c62f26', soft: '#6d7b81', cable: '#b4561f' },
+    look: { membrane: '#f2eee6', ink: '#20292d', accent: '#b4561f', reaction: '#c2185b', rim: '#ffffff' }, grid: ['#5b6b73', 0.42], shadow: 0.5,
   },
   dark: {
-    sketch: { paper: '#12181b', accent: '#56c4d4', ink: '#ffffff', fault: '#ff7a70', soft: '#8fa0a8' },
-    look: { membrane: '#cbc7be', ink: '#0d1214', accent: '#ffb273' }, grid: ['#90a4ad', 0.3], shadow: 0.85,
+    sketch: { paper: '#12181b', accent: '#56c4d4', ink: '#ffffff', fault: '#ff7a70', soft: '#8fa0a8', cable: '#ffb273' },
+    look: { membrane: '#cbc7be', ink: '#0d1214', accent: '#ffb273', reaction: '#ff8fb8', rim: '#6c7c84' }, grid: ['#90a4ad', 0.3], shadow: 0.85,
   },
 };
 
@@ -84,6 +84,6 @@ stage.model.add(surface.group, sketch.group);
 /** What the tools tell the page; main.ts says who listens. */
 export const host: Host = {
   history, stage, sketch, surface, lines: [], frame: new Frame([0, 0, 0], doc().request), faulty: new Set(), fixed: embedded,
-  changed() {}, selectionChanged() {}, label() {}, read() {}, announce() {},
+  changed() {}, selectionChanged() {}, label() {}, read() {}, readLine() {}, announce() {},
 };
 export const tools = new Tools(host);

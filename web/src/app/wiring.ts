@@ -3,17 +3,19 @@
 import * as api from '../api/client';
 import { $, save } from '../dom';
 import { ACCEPT, openFile, openText } from '../files/open';
-import { isWhole, print, type Vec3 } from '../model/request';
+import { type Cable, cablesOf } from '../model/cables';
+import { isWhole, print, type Request, type Vec3 } from '../model/request';
+import { changeMode } from '../panels/cable';
 import { typed } from '../text';
 import { arrive } from './arrival';
-import { isLive, redo, showRequest, startBlank, undo } from './document';
-import { hint, showPoint } from './drawing';
+import { changed, isLive, redo, showRequest, startBlank, undo } from './document';
+import { foundCable, hint, showDock, showPoint } from './drawing';
 import { keep, keepNow } from './keeping';
 import { fitAll, setMode } from './modes';
 import { label, say, toast } from './notes';
 import { applyRequest, openLink, showRecent, take } from './opening';
 import { showQuantity } from './result';
-import { doc, isStale, type Mode, session, stage, tools } from './session';
+import { doc, history, isStale, type Mode, session, stage, tools } from './session';
 import { copy, openShare, savePicture } from './sharing';
 import { giveUp, solve } from './solving';
 import { switchTheme } from './theme';
@@ -46,10 +48,11 @@ function wireSetup(): void {
   on('apply-request', 'click', applyRequest);
   on('save-request', 'click', () => save(new Blob([print({ kind: doc().kind, ...doc().request })], { type: 'application/json' }), `${doc().kind.replaceAll('_', '-')}.json`));
   for (const button of all('[data-panel]:is(button)')) button.addEventListener('click', () => showPanel(button.dataset.panel!));
-  for (const form of ['point', 'options', 'key-form', 'drawing']) on(form, 'submit', (event) => event.preventDefault());
+  for (const form of ['point', 'options', 'key-form', 'drawing', 'cable']) on(form, 'submit', (event) => event.preventDefault());
 }
 
 function wireDrawing(): void {
+  on('cabling', 'click', () => (tools.cabling ? tools.stopCabling() : tools.startCabling()));
   on('draw', 'click', () => (tools.drawing ? tools.stopDrawing() : tools.startDrawing()));
   on('undo', 'click', undo);
   on('redo', 'click', redo);
@@ -62,6 +65,9 @@ function wireDrawing(): void {
   on('insert-point', 'click', () => tools.insert());
   on('delete-point', 'click', () => tools.remove());
   on('remove-line', 'click', () => tools.removeLine());
+  on('cable-from-point', 'click', () => tools.cableFromPoint());
+  on('drop-cable', 'click', () => tools.dropCable());
+  wireCable();
   on('intro-draw', 'click', () => startBlank('minimal_surface'));
   for (const input of document.querySelectorAll<HTMLInputElement>('#point input')) {
     input.addEventListener('input', () => { input.dataset.dirty = '1'; });
@@ -89,6 +95,38 @@ function wireDrawing(): void {
     if (fault) toast(fault);
     else entry.value = '';
   });
+}
+
+/** The fields of the chosen cable. */
+function wireCable(): void {
+  const edit = (change: (cable: Cable, request: Request) => void): void => {
+    const done = history.edit(({ request }) => {
+      const cable = cablesOf(request)[tools.cable];
+      if (cable) change(cable, request);
+    });
+    if (done) changed();
+  };
+  on('cable-mode', 'change', () => {
+    const { value } = $<HTMLSelectElement>('cable-mode');
+    const found = foundCable();
+    edit((cable, request) => changeMode(request, cable, value, found));
+  });
+  for (const [id, set] of [
+    ['cable-value', (cable: Cable, value: number) => { cable.value = value; }],
+    ['cable-stiffness', (cable: Cable, value: number) => { cable.axial_stiffness = value; }],
+  ] as const) {
+    const input = $<HTMLInputElement>(id);
+    input.addEventListener('input', () => { input.dataset.dirty = '1'; });
+    input.addEventListener('blur', () => { delete input.dataset.dirty; });
+    input.addEventListener('change', () => {
+      delete input.dataset.dirty;
+      const value = typed(input.value);
+      if (value > 0) edit((cable) => set(cable, value));
+      else if (id === 'cable-stiffness' && input.value.trim() === '') edit((cable) => { delete cable.axial_stiffness; });
+      else toast(`${JSON.stringify(input.value)} is not a number above 0.`);
+      showDock();
+    });
+  }
 }
 
 function wireStage(): void {
@@ -182,6 +220,7 @@ function shortcut(event: KeyboardEvent): void {
   else if (control && !typing && key === 'y') redo();
   else if (tools.drawing && event.key === 'Enter' && !target.matches('button, summary, a')) tools.finishDrawing();
   else if (tools.drawing && event.key === 'Escape') tools.stopDrawing();
+  else if (tools.cabling && event.key === 'Escape') tools.stopCabling();
   else if (tools.drawing && !typing && !control && /^[\d.,@-]$/.test(event.key)) {
     // A number typed while drawing is the next point.
     const entry = $<HTMLInputElement>('entry');

@@ -6,6 +6,7 @@ export type Vec3 = [number, number, number];
 export type Request = Record<string, unknown>;
 export type Path = (string | number)[];
 
+/** `lines` is empty for a kind whose points are moved but not drawn. */
 interface KindFacts { path: string; label: string; line: string; lines: string[]; least: number; purpose: string }
 
 export const KINDS: Record<Kind, KindFacts> = {
@@ -13,6 +14,7 @@ export const KINDS: Record<Kind, KindFacts> = {
   ruled_surface: { path: '/v1/ruled-surfaces', label: 'Strip', line: 'rail', lines: ['directrices'], least: 2, purpose: 'A ruled strip between two rails' },
   uniform_mesh: { path: '/v1/uniform-meshes', label: 'Lattice', line: 'hole', lines: ['domain', 'holes'], least: 3, purpose: 'A gridshell or floor of equal members' },
   tensile_structure: { path: '/v1/tensile-structures', label: 'Tensile', line: 'boundary', lines: ['boundaries'], least: 3, purpose: 'A film with cables, pressure and weight in equilibrium' },
+  cable_net: { path: '/v1/cable-nets', label: 'Net', line: 'net', lines: [], least: 2, purpose: 'A net of cables with target forces and lengths' },
 };
 
 const METRES: Record<string, number> = { mm: 0.001, cm: 0.01, m: 1, in: 0.0254, ft: 0.3048 };
@@ -25,7 +27,11 @@ export const metresOf = (request: Request): number => METRES[unitOf(request)] ??
 export const upAxisOf = (request: Request): 1 | 2 => (request.up === 'y' ? 1 : 2);
 
 /** A polyline of a request. Its points are the request's own arrays; some may not be points at all. */
-export interface Line { name: string; path: Path; points: unknown[]; closed: boolean; planar: boolean }
+export interface Line {
+  name: string; path: Path; points: unknown[]; closed: boolean; planar: boolean;
+  /** The points that are drawn and can be moved; all of them unless given. None is added or removed then. */
+  only?: Set<number>;
+}
 
 const isNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
 export const isPoint = (value: unknown): value is number[] => Array.isArray(value) && value.length === 3 && value.every(isNumber);
@@ -47,6 +53,11 @@ export function linesOf(kind: Kind, request: Request): Line[] {
   };
   if (kind === 'ruled_surface') many('rail', ['directrices'], request.directrices, request.closed === true);
   if (kind === 'tensile_structure') many('boundary', ['boundaries'], request.boundaries, true);
+  // The other vertices of a net are only where form finding begins.
+  if (kind === 'cable_net' && Array.isArray(request.vertices)) {
+    const supports = new Set((Array.isArray(request.supports) ? request.supports as unknown[] : []).filter(Number.isInteger) as number[]);
+    found.push({ name: 'vertices', path: ['vertices'], points: request.vertices, closed: false, planar: false, only: supports });
+  }
   if (kind === 'minimal_surface') {
     many('boundary', ['boundaries'], request.boundaries, true);
     const constraints = asObject(request.constraints);
@@ -67,7 +78,9 @@ const asObject = (value: unknown): Record<string, unknown> | null =>
   (value !== null && typeof value === 'object' && !Array.isArray(value) ? value as Record<string, unknown> : null);
 
 /** Points that are no chain: they are drawn as points, without a line through them. */
-export const isLoose = (line: Line): boolean => line.path[0] === 'constraints' && line.path[1] === 'points';
+export const isLoose = (line: Line): boolean => line.only !== undefined || (line.path[0] === 'constraints' && line.path[1] === 'points');
+/** Whether a point of a line is drawn. */
+export const isShown = (line: Line, point: number): boolean => line.only?.has(point) ?? true;
 
 /** The value that a path leads to. */
 export function at(request: Request, path: Path): unknown {
@@ -101,6 +114,7 @@ export function blank(kind: Kind): Request {
   if (kind === 'ruled_surface') return { directrices: [] };
   if (kind === 'uniform_mesh') return { domain: {}, edge_length: 1 };
   if (kind === 'tensile_structure') return { boundaries: [], film: { tension: 1 } };
+  if (kind === 'cable_net') return { vertices: [], edges: [], supports: [], cables: [{ force_density: 1 }] };
   return { boundaries: [] };
 }
 
@@ -108,6 +122,7 @@ export function blank(kind: Kind): Request {
 export function isWhole(kind: Kind, request: Request): boolean {
   const lines = linesOf(kind, request);
   if (kind === 'ruled_surface') return lines.length >= 2;
+  if (kind === 'cable_net') return Array.isArray(request.edges) && request.edges.length > 0;
   return lines.length >= 1 || (kind === 'uniform_mesh' && Object.keys(asObject(request.domain) ?? {}).length > 0);
 }
 
@@ -116,6 +131,7 @@ export function kindOf(request: Request): Kind | null {
   if (typeof request.kind === 'string') return request.kind in KINDS ? request.kind as Kind : null;
   if ('boundaries' in request) return 'minimal_surface';
   if ('directrices' in request) return 'ruled_surface';
+  if ('edges' in request) return 'cable_net';
   return 'domain' in request ? 'uniform_mesh' : null;
 }
 

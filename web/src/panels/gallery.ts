@@ -9,10 +9,10 @@ const GROUPS: { title: string; about: string; names: (string | RegExp)[] }[] = [
   { title: 'Canopies and soap films', about: 'Several rings, every way to span them', names: [/rings/, /loops/, /half-circles/] },
   { title: 'Strips', about: 'Ruled surfaces that fold flat', names: ['two-rails', 'wavy-strip', 'contour-stack', /^wang-tang/] },
   { title: 'Gridshells and floors', about: 'Lattices of equal members', names: [/^latticed/, 'vault', 'courtyard', /^floor/] },
-  { title: 'Tensile structures', about: 'Films with cables, pressure and weight', names: [/sail/, 'inflated-disc'] },
+  { title: 'Tensile structures', about: 'Films with cables, pressure and weight', names: [/sail/, /cable/, /film-on/, /mast/, /conic/, /cushion/, 'ridge-and-valley', 'air-hall', 'inflated-disc'] },
   { title: 'From the papers', about: 'Helicoid, catenoid, Scherk and the methods that found them', names: [/./] },
 ];
-const PREFIX: Record<string, number> = { minimal_surface: 5, ruled_surface: 2, uniform_mesh: 3, tensile_structure: 4 };
+const PREFIX: Record<string, number> = { minimal_surface: 5, ruled_surface: 2, uniform_mesh: 3, tensile_structure: 4, cable_net: 4 };
 
 /** A line of a few words for a card; the whole title is its tooltip. */
 const short = (title: string): string => title.replace(/ \((.*)\)$/, '').replace(/, every way to span them compared$/, ', compared');

@@ -20,6 +20,7 @@ const KEY: Record<string, [string, string, string][]> = {
   minimal_surface: [['area', 'Area', 'u²'], ['triangles', 'Triangles', ''], ['residual', 'Residual', ''], ['stability.stable', 'Stable', '']],
   ruled_surface: [['area', 'Area', 'u²'], ['convex_bridge_ratio', 'Convex bridges', '%'], ['bending_energy', 'Bending energy', ''], ['largest_fold_deg', 'Largest fold', '°']],
   uniform_mesh: [['nodes', 'Nodes', ''], ['edges', 'Members', ''], ['equal_edges', 'Equal members', ''], ['distinct_lengths', 'Distinct lengths', '']],
+  cable_net: [['edges', 'Edges', ''], ['load_path', 'Load path', ''], ['balance.imbalance', 'Force imbalance', ''], ['objective_value', 'Loss', '']],
   tensile_structure: [['area', 'Area', 'u²'], ['pressure', 'Pressure', ''], ['balance.imbalance', 'Force imbalance', ''], ['stress.deviation', 'Stress deviation', '']],
 };
 

@@ -1,4 +1,5 @@
-// A finished job's mesh as three.js reads it: one surface, and line sets with what they carry.
+// A finished job's mesh as three.js reads it: one surface, and line sets with what they carry. A cable net has points in place
+// of the surface: its geometry has no triangles.
 
 import { BufferAttribute, BufferGeometry, type Line, type Mesh } from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
@@ -33,6 +34,10 @@ export async function parseMesh(bytes: ArrayBuffer): Promise<ResultMesh> {
     }
   }
   geometry.deleteAttribute('color');
+  if (!geometry.index) {
+    geometry.setIndex([]);
+    geometry.setAttribute('normal', new BufferAttribute(new Float32Array(3 * geometry.attributes.position!.count), 3));
+  }
   const lines: LineSet[] = [];
   for (let index = 1; index < document.nodes.length; index += 1) {
     const node = await gltf.parser.getDependency('node', index) as Line;
@@ -53,6 +58,8 @@ export async function parseMesh(bytes: ArrayBuffer): Promise<ResultMesh> {
   const [x = 0, y = 0, z = 0] = document.nodes[0]?.translation ?? [];
   return { geometry, attributes, lines, translation: [x, y, z], extras: document.asset.extras ?? {} };
 }
+
+export const hasSurface = ({ geometry }: ResultMesh): boolean => geometry.index!.count > 0;
 
 /** Six numbers a segment, whatever the primitive's mode. */
 export function segmentsOf(line: Line): Float32Array {

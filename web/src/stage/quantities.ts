@@ -3,7 +3,7 @@
 import { Vector3 } from 'three';
 import { humanise, number } from '../text';
 import type { Scale } from './colours';
-import { type Edges, edgesOf, type ResultMesh } from './mesh';
+import { type Edges, edgesOf, hasSurface, type LineSet, type ResultMesh } from './mesh';
 
 export interface Quantity {
   id: string;
@@ -31,17 +31,27 @@ const CURVATURE_NOISE = 1e-4;
 /** Lengths that differ by less than this fraction are shown as equal. */
 const LENGTH_NOISE = 1e-6;
 
+/** Values along lines that differ by less than this fraction are shown as equal. */
+const VALUE_NOISE = 1e-3;
+
 /** The quantities that a result offers; values are computed when one is chosen. */
 export function offered(mesh: ResultMesh, kind: string): { id: string; label: string }[] {
   const found = [{ id: 'plain', label: 'Plain' }];
   for (const name of mesh.attributes.keys()) found.push({ id: name, label: humanise(name) });
-  found.push({ id: 'edge_length', label: 'Edge length' });
-  if (kind !== 'minimal_surface') found.push({ id: 'bending', label: 'Bending (fold angle)' });
-  const carried = new Set(mesh.lines.flatMap((line) => line.values.map(({ name }) => name)));
-  carried.delete('length');
-  for (const name of carried) found.push({ id: `line:${name}`, label: humanise(name) });
+  // A net has no triangles.
+  if (hasSurface(mesh)) found.push({ id: 'edge_length', label: 'Edge length' });
+  if (hasSurface(mesh) && kind !== 'minimal_surface') found.push({ id: 'bending', label: 'Bending (fold angle)' });
+  const names = new Set(along(mesh).flatMap((line) => line.values.map(({ name }) => name)));
+  names.delete('length');
+  for (const name of names) found.push({ id: `line:${name}`, label: humanise(name) });
   return found;
 }
+
+/** The lines that have values to be coloured by. The arrows of reactions are a layer of their own, with other magnitudes. */
+const along = (mesh: ResultMesh): LineSet[] => mesh.lines.filter(({ name }) => name !== 'reactions');
+
+/** The quantity that a result shows first: the forces of its cables, if it has some. */
+export const firstOf = (mesh: ResultMesh): string => (mesh.lines.some(({ name, values }) => name.startsWith('cables') && values.some((each) => each.name === 'force')) ? 'line:force' : 'plain');
 
 /** `metres`: metres of the request's unit, in which people read lengths. */
 export function quantity(mesh: ResultMesh, id: string, unit: string, metres: number): Quantity | null {
@@ -147,7 +157,7 @@ const foldAngle = (normals: Vector3[], { faces }: Edges, e: number): number =>
   (normals[faces[2 * e]!]!.angleTo(normals[faces[2 * e + 1]!]!) * 180) / Math.PI;
 
 function carried(mesh: ResultMesh, name: string): Quantity | null {
-  const sets = mesh.lines.flatMap((line) => line.values.filter((each) => each.name === name).map((each) => ({ line, each })));
+  const sets = along(mesh).flatMap((line) => line.values.filter((each) => each.name === name).map((each) => ({ line, each })));
   if (sets.length === 0) return null;
   const total = sets.reduce((sum, { each }) => sum + each.values.length / 2, 0);
   const values = new Float32Array(total), segments = new Float32Array(6 * total);
@@ -157,7 +167,11 @@ function carried(mesh: ResultMesh, name: string): Quantity | null {
     for (let i = 0; i < each.values.length; i += 2) values[at + i / 2] = each.values[i]!;
     at += each.values.length / 2;
   }
-  return scaled({ id: `line:${name}`, label: humanise(name), unit: sets[0]!.each.unit, at: 'segment', values, segments }, 0);
+  const found = scaled({ id: `line:${name}`, label: humanise(name), unit: sets[0]!.each.unit, at: 'segment', values, segments }, 0);
+  // A force that is the same along a cable deviates by the error of the mesh.
+  if (found.high - found.low > VALUE_NOISE * Math.max(Math.abs(found.low), Math.abs(found.high))) return found;
+  const middle = Number(((found.low + found.high) / 2).toPrecision(4));
+  return { ...found, low: middle, high: middle };
 }
 
 /** A value's place on the scale, from 0 to 1. Noise lies in the middle of a diverging scale. */

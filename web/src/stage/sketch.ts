@@ -3,7 +3,7 @@
 
 import { BufferAttribute, BufferGeometry, Color, Group, Points, ShaderMaterial } from 'three';
 import type { Frame } from '../model/frame';
-import { coordinates, isLoose, type Line, type Vec3 } from '../model/request';
+import { coordinates, isLoose, isShown, type Line, type Vec3 } from '../model/request';
 import { type Lines, retire, wideLines } from './surface';
 
 export interface PointRef { line: number; point: number }
@@ -41,7 +41,7 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-export interface SketchLook { paper: string; accent: string; ink: string; fault: string; soft: string }
+export interface SketchLook { paper: string; accent: string; ink: string; fault: string; soft: string; cable: string }
 
 /** Shows what is not behind the surface dimly through it. */
 export class Sketch {
@@ -51,6 +51,7 @@ export class Sketch {
   refs: PointRef[] = [];
   private points: Points<BufferGeometry, ShaderMaterial> | null = null;
   private lines: Lines | null = null;
+  private cables: Lines[] = [];
   private extra = new Group();
   private material: ShaderMaterial;
 
@@ -74,13 +75,15 @@ export class Sketch {
     this.material.uniforms.scale!.value = scale;
   }
 
-  show(lines: Line[], draft: Vec3[] | null, frame: Frame): void {
+  /** `cables`: the courses of cables along the lines, and the number of the chosen one. */
+  show(lines: Line[], draft: Vec3[] | null, frame: Frame, cables: { courses: Vec3[][]; chosen: number } = { courses: [], chosen: -1 }): void {
     const places: Vec3[] = [], refs: PointRef[] = [];
     const segments: number[] = [];
     lines.forEach((line, l) => {
       const own = line.points.map(coordinates);
       const seen = own.map((point) => (point ? frame.toScene(point) : null));
       seen.forEach((at, p) => {
+        if (!isShown(line, p)) return;
         // What is no point at all stands between its neighbours, so that it can be seen and mended.
         const stand = at ?? middle(seen[(p + seen.length - 1) % seen.length] ?? null, seen[(p + 1) % seen.length] ?? null);
         if (!stand) return;
@@ -100,6 +103,7 @@ export class Sketch {
     this.places = places;
     this.refs = refs;
     this.setLines(new Float32Array(segments));
+    this.setCables(cables.courses.map((course) => course.map((point) => frame.toScene(point))), cables.chosen);
     this.setPoints();
   }
 
@@ -112,6 +116,25 @@ export class Sketch {
     if (this.lines) {
       this.lines.renderOrder = 1;
       this.group.add(this.lines);
+    }
+  }
+
+  private setCables(courses: Vec3[][], chosen: number): void {
+    for (const line of this.cables) {
+      retire(line);
+      this.group.remove(line);
+    }
+    const chain = (course: Vec3[]): number[] => course.slice(1).flatMap((point, i) => [...course[i]!, ...point]);
+    const add = (segments: number[], width: number, color: string): Lines[] => (segments.length > 0 ? [wideLines(new Float32Array(segments), width, color)] : []);
+    this.cables = [
+      ...add(courses.flatMap((course, k) => (k === chosen ? [] : chain(course))), 5, this.look.cable),
+      ...add(chain(courses[chosen] ?? []), 8, this.look.cable),
+    ];
+    for (const line of this.cables) {
+      // The line of the boundary runs along their middle.
+      line.renderOrder = 0.9;
+      line.material.depthWrite = false;
+      this.group.add(line);
     }
   }
 

@@ -10,14 +10,19 @@ import { acceleratedRaycast, MeshBVH } from 'three-mesh-bvh';
 import type { Frame } from '../model/frame';
 import type { Vec3 } from '../model/request';
 import { colour } from './colours';
-import { edgesOf, type ResultMesh } from './mesh';
-import { fraction, type Quantity } from './quantities';
+import { edgesOf, hasSurface, type ResultMesh } from './mesh';
+import { fraction, type Quantity, reading } from './quantities';
+import { number } from '../text';
 import type { Stage } from './stage';
 
+/** Pixels within which a click reads a line's value. */
+const LINE_GRIP = 8;
+/** The head of a reaction's arrow, as fractions of the longest arrow. */
+const HEAD = { length: 0.16, width: 0.06 };
 /** More segments than this are drawn one pixel wide. */
 const MOST_WIDE = 20_000;
 
-export interface Look { membrane: string; ink: string; accent: string }
+export interface Look { membrane: string; ink: string; accent: string; reaction: string; rim: string }
 
 type WithTree = BufferGeometry & { boundsTree?: MeshBVH };
 
@@ -56,7 +61,7 @@ export class Surface {
   private kind = '';
   private quantity: Quantity | null = null;
   private lines: Lines[] = [];
-  layers = { surface: true, edges: false, lines: true };
+  layers = { surface: true, edges: false, lines: true, reactions: false };
   /** Whether the drawing shows the boundaries already. */
   drawn = true;
   private ghost = false;
@@ -147,21 +152,32 @@ export class Surface {
       const line = wideLines(segments, width, color, colours, opacity);
       line.userData.opacity = opacity;
       line.userData.isLine = true;
+      line.renderOrder = 0.01 * this.lines.length;
       this.lines.push(line);
       this.group.add(line);
     };
     const along = quantity?.at === 'segment' ? quantity : null;
+    // The ends of the scale are nearly as dark or as bright as the ground: a rim sets the cables off from it.
+    if (along?.id.startsWith('line:')) {
+      add(along.segments!, 5, this.look.rim);
+      const rim = this.lines.at(-1);
+      // Only its colour is left behind: what is drawn at the same place afterwards lies on it.
+      if (rim) Object.assign(rim.material, { depthWrite: false });
+    }
     if (along) add(along.segments!, 3, this.look.ink, 1, segmentColours(along));
     if (this.layers.edges && along?.id !== 'edge_length') add(edgeSegments(result), 1, this.look.ink, 0.3);
     if (this.layers.lines) {
-      for (const { name, segments } of result.lines) {
-        if (along && (name.startsWith('members') || name === 'bridges')) continue;
+      for (const { name, segments, values } of result.lines) {
+        if (name === 'reactions' || (along && (name.startsWith('members') || name === 'bridges'))) continue;
+        // These are drawn in their colours already.
+        if (values.some((each) => along?.id === `line:${each.name}`)) continue;
         if (name === 'boundaries' || name === 'directrices') { if (!this.drawn) add(segments, 2, this.look.ink, 0.85); }
         else if (name.startsWith('members')) add(segments, name.includes('rim') ? 1.4 : 2, this.look.ink, name.includes('rim') ? 0.5 : 0.8);
         else if (name === 'bridges') add(segments, 1, this.look.ink, 0.35);
         else add(segments, 2.4, this.look.accent);
       }
     }
+    if (this.layers.reactions) add(arrows(result), 2.2, this.look.reaction);
     if (ghost) {
       this.ghost = false;
       this.setGhost(true);
@@ -177,13 +193,36 @@ export class Surface {
 
   /** The nearest point of the surface under a pixel. */
   pick(stage: Stage, x: number, y: number): { point: Vector3; distance: number; face: number } | null {
-    if (!this.mesh || !this.layers.surface || !this.tree()) return null;
+    if (!this.mesh || !this.layers.surface || !this.result || !hasSurface(this.result) || !this.tree()) return null;
     const raycaster = new Raycaster();
     raycaster.setFromCamera(new Vector2((x / stage.width) * 2 - 1, 1 - (y / stage.height) * 2), stage.camera);
     raycaster.firstHitOnly = true;
     this.group.updateMatrixWorld();
     const [hit] = raycaster.intersectObject(this.mesh, false);
     return hit ? { point: hit.point, distance: hit.distance, face: hit.faceIndex ?? 0 } : null;
+  }
+
+  /** The point of a coloured line or of a reaction's arrow that is nearest to a pixel, within a few pixels of it. */
+  pickLine(stage: Stage, x: number, y: number): { point: Vector3; value: string } | null {
+    const { quantity, result } = this;
+    const found: { distance: number; point: Vector3; value: string }[] = [];
+    const search = (segments: Float32Array, reading: (index: number) => string): void => {
+      for (let i = 0; i < segments.length / 6; i += 1) {
+        const [a, b] = [0, 3].map((end) => this.group.localToWorld(new Vector3().fromArray(segments, 6 * i + end))) as [Vector3, Vector3];
+        const p = stage.project(a.toArray()), q = stage.project(b.toArray());
+        if (!p.visible || !q.visible) continue;
+        const length = (q.x - p.x) ** 2 + (q.y - p.y) ** 2;
+        const t = length > 0 ? Math.min(1, Math.max(0, ((x - p.x) * (q.x - p.x) + (y - p.y) * (q.y - p.y)) / length)) : 0;
+        const distance = Math.hypot(p.x + t * (q.x - p.x) - x, p.y + t * (q.y - p.y) - y);
+        if (distance <= LINE_GRIP) found.push({ distance, point: a.lerp(b, t), value: reading(i) });
+      }
+    };
+    this.group.updateMatrixWorld();
+    if (quantity?.at === 'segment') search(quantity.segments!, (i) => reading(quantity, quantity.values[i]!));
+    const reactions = this.layers.reactions ? result?.lines.find(({ name }) => name === 'reactions') : undefined;
+    const force = reactions?.values.find(({ name }) => name === 'force');
+    if (reactions && force) search(reactions.segments, (i) => `Reaction ${number(force.values[2 * i]!, 4)} ${force.unit}`);
+    return found.sort((a, b) => a.distance - b.distance)[0] ?? null;
   }
 
   /** The value of the quantity that is shown, at a point that `pick` found. */
@@ -219,6 +258,31 @@ export class Surface {
     }
     return points;
   }
+}
+
+/** The reactions as arrows: each line with two barbs in each of two planes, so that the head is seen from everywhere. */
+function arrows(result: ResultMesh): Float32Array {
+  const { segments } = result.lines.find(({ name }) => name === 'reactions') ?? { segments: new Float32Array() };
+  const a = new Vector3(), b = new Vector3();
+  let longest = 0;
+  for (let i = 0; i < segments.length; i += 6) longest = Math.max(longest, a.fromArray(segments, i).distanceTo(b.fromArray(segments, i + 3)));
+  const out: number[] = [];
+  for (let i = 0; i < segments.length; i += 6) {
+    a.fromArray(segments, i);
+    b.fromArray(segments, i + 3);
+    const along = b.clone().sub(a);
+    const length = along.length();
+    if (!(length > 1e-6 * longest)) continue;
+    along.divideScalar(length);
+    const across = new Vector3(Math.abs(along.x) < 0.8 ? 1 : 0, Math.abs(along.x) < 0.8 ? 0 : 1, 0).cross(along).normalize();
+    const size = Math.min(longest * HEAD.length, length);
+    const base = b.clone().addScaledVector(along, -size);
+    out.push(...a.toArray(), ...b.toArray());
+    for (const side of [across, across.clone().cross(along)]) {
+      for (const sign of [-1, 1]) out.push(...base.clone().addScaledVector(side, (sign * size * HEAD.width) / HEAD.length).toArray(), ...b.toArray());
+    }
+  }
+  return new Float32Array(out);
 }
 
 function vertexColours(q: Quantity): Float32Array {

@@ -2,8 +2,9 @@
 
 import { Vector3 } from 'three';
 import type { Frame } from '../model/frame';
+import { addCable, boundaryRemoved, cableAt, pointInserted, pointRemoved, removeCable, stretch } from '../model/cables';
 import type { History } from '../model/history';
-import { at, coordinates, isLoose, KINDS, type Line, type Request, unitOf, type Vec3 } from '../model/request';
+import { at, coordinates, isLoose, isShown, KINDS, type Line, type Request, unitOf, type Vec3 } from '../model/request';
 import { number } from '../text';
 import { type PointRef, same, type Sketch } from './sketch';
 import type { Stage } from './stage';
@@ -32,6 +33,8 @@ export interface Host {
   label(text: string | null, x?: number, y?: number): void;
   /** The surface was clicked. */
   read(point: Vector3, face: number, x: number, y: number): void;
+  /** A line with a value was clicked. */
+  readLine(point: Vector3, value: string, x: number, y: number): void;
   announce(text: string): void;
   /** The model is only looked at. */
   readonly fixed: boolean;
@@ -51,6 +54,12 @@ export class Tools {
   private hover: PointRef | null = null;
   private ghost: { line: number; after: number; point: Vec3 } | null = null;
   private busy = false;
+  /** Whether a click on a boundary makes a cable there. */
+  cabling = false;
+  /** The cable that was clicked; -1 for none. */
+  cable = -1;
+  /** The point at which a cable of several segments begins. */
+  private cableFrom: PointRef | null = null;
   private marquee: HTMLElement;
 
   constructor(private readonly host: Host) {
@@ -66,7 +75,7 @@ export class Tools {
       this.hover = null;
       this.ghost = null;
       this.next = null;
-      if (this.drawing) host.label(null);
+      if (this.drawing || this.cabling) host.label(null);
       this.refresh();
     });
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
@@ -74,6 +83,8 @@ export class Tools {
     host.stage.beforeDraw = () => this.hints();
   }
 
+  /** Whether cables can be drawn: they run along the boundaries of tensile structures. */
+  get mayCable(): boolean { return this.host.history.document.kind === 'tensile_structure' && !this.host.fixed; }
   get drawing(): boolean { return this.host.history.document.draft !== null; }
   get only(): PointRef | null { return this.selection.length === 1 ? this.selection[0]! : null; }
 
@@ -81,6 +92,7 @@ export class Tools {
 
   select(refs: PointRef[]): void {
     this.selection = refs;
+    if (refs.length > 0) this.cable = -1;
     this.refresh();
     this.host.selectionChanged();
     const { only } = this;
@@ -91,6 +103,9 @@ export class Tools {
   /** After the lines were made anew: forgets what is no longer there. */
   prune(): void {
     const { lines } = this.host;
+    if (!this.mayCable) this.stopCabling();
+    if (this.cable >= this.cables) this.cable = -1;
+    this.cableFrom = null;
     this.selection = this.selection.filter(({ line, point }) => point < (lines[line]?.points.length ?? 0));
     this.hover = null;
     this.ghost = null;
@@ -100,6 +115,7 @@ export class Tools {
     const { sketch, stage, faulty } = this.host;
     sketch.mark((ref) => {
       if (ref.line < 0) return 4;
+      if (same(this.cableFrom, ref)) return 2;
       if (this.selection.some((each) => same(each, ref))) return 2;
       if (faulty.has(`${ref.line}/${ref.point}`)) return 3;
       return same(this.hover, ref) ? 1 : 0;
@@ -109,7 +125,7 @@ export class Tools {
 
   step(by: number): void {
     const { lines } = this.host;
-    const all = lines.flatMap((line, l) => line.points.map((_, p) => ({ line: l, point: p })));
+    const all = lines.flatMap((line, l) => line.points.map((_, p) => ({ line: l, point: p })).filter(({ point }) => isShown(line, point)));
     if (all.length === 0) return;
     const now = all.findIndex((ref) => same(ref, this.selection.at(-1) ?? null));
     this.select([all[now < 0 ? (by > 0 ? 0 : all.length - 1) : (now + by + all.length) % all.length]!]);
@@ -136,7 +152,8 @@ export class Tools {
     return hidden ? null : ref;
   }
 
-  private nearestEdge(x: number, y: number): typeof this.ghost {
+  /** `whole`: near its ends too, and however short it is seen. */
+  private nearestEdge(x: number, y: number, whole = false): typeof this.ghost {
     const { stage, lines, frame } = this.host;
     let best: { line: number; after: number; point: Vec3; distance: number } | null = null;
     lines.forEach((line, l) => {
@@ -148,8 +165,9 @@ export class Tools {
         if (!a || !b) continue;
         const p = stage.project(frame.toScene(a)), q = stage.project(frame.toScene(b));
         const length = (q.x - p.x) ** 2 + (q.y - p.y) ** 2;
-        if (!p.visible || !q.visible || length < 900) continue;
-        const t = ((x - p.x) * (q.x - p.x) + (y - p.y) * (q.y - p.y)) / length;
+        if (!p.visible || !q.visible || length < (whole ? 1 : 900)) continue;
+        const along = ((x - p.x) * (q.x - p.x) + (y - p.y) * (q.y - p.y)) / length;
+        const t = whole ? Math.min(0.9, Math.max(0.1, along)) : along;
         const distance = Math.hypot(p.x + t * (q.x - p.x) - x, p.y + t * (q.y - p.y) - y);
         if (t < 0.08 || t > 0.92 || distance > GRIP.edge || (best && distance >= best.distance)) continue;
         // The fraction on the screen is not the fraction in space: the point on the edge nearest to the pointer's ray is.
@@ -174,7 +192,7 @@ export class Tools {
     const { only } = this;
     const { stage, frame, lines } = this.host;
     const point = only && coordinates(lines[only.line]?.points[only.point]);
-    if (!point || this.drawing) return null;
+    if (!point || this.drawing || this.cabling) return null;
     const from = new Vector3(...frame.toScene(point));
     const length = ARROW * stage.pixelAt(from);
     return { from, to: from.clone().addScaledVector(this.liftAxis(), length) };
@@ -211,6 +229,13 @@ export class Tools {
       stage.invalidate();
       return;
     }
+    if (this.cabling) {
+      this.hover = this.nearestPoint(x, y, GRIP.point);
+      this.ghost = this.hover ? null : this.nearestEdge(x, y, true);
+      stage.canvas.style.cursor = this.hover || this.ghost ? 'pointer' : '';
+      this.refresh();
+      return;
+    }
     const onArrow = this.onArrow(x, y);
     const hover = onArrow ? null : this.nearestPoint(x, y, GRIP.point);
     const ghost = onArrow || hover ? null : this.nearestEdge(x, y);
@@ -236,6 +261,10 @@ export class Tools {
       });
       return;
     }
+    if (this.cabling) {
+      this.onRelease(event, (x, y, travelled) => { if (travelled <= STILL) this.clickCable(x, y, touch); });
+      return;
+    }
     if (this.onArrow(start.x, start.y)) {
       this.drag(event, this.only!, 'height');
       return;
@@ -259,8 +288,13 @@ export class Tools {
     }
     this.onRelease(event, (x, y, travelled) => {
       if (travelled > STILL) return;
+      const line = host.surface.pickLine(stage, x, y);
       const hit = host.surface.pick(stage, x, y);
-      if (hit) host.read(hit.point, hit.face, x, y);
+      // A line lies on the surface or before it, unless the surface hides it.
+      const eye = stage.camera.position;
+      const hidden = line && hit && hit.distance < 0.98 * eye.distanceTo(line.point);
+      if (line && !hidden) host.readLine(line.point, line.value, x, y);
+      else if (hit) host.read(hit.point, hit.face, x, y);
       else {
         host.label(null);
         if (this.selection.length > 0) this.select([]);
@@ -421,6 +455,102 @@ export class Tools {
     return ref ? coordinates(lines[ref.line]!.points[ref.point]) : null;
   }
 
+  // ---- Cables along boundaries ----
+
+  private get cables(): number { return (this.host.history.document.request.cables as unknown[] | undefined)?.length ?? 0; }
+
+  startCabling(): void {
+    if (!this.mayCable) return;
+    this.stopDrawing();
+    this.cabling = true;
+    this.select([]);
+    this.host.selectionChanged();
+  }
+
+  stopCabling(): void {
+    if (!this.cabling) return;
+    this.cabling = false;
+    this.cableFrom = null;
+    this.ghost = null;
+    this.host.label(null);
+    this.host.stage.canvas.style.cursor = '';
+    this.host.selectionChanged();
+  }
+
+  chooseCable(cable: number): void {
+    this.selection = [];
+    this.cable = cable;
+    this.refresh();
+    this.host.selectionChanged();
+    if (cable >= 0) this.host.announce(`Cable ${cable + 1} of ${this.cables}`);
+  }
+
+  /** A click on an edge chooses its cable or makes one; a click on a point begins or ends a cable of several edges. */
+  private clickCable(x: number, y: number, touch: boolean): void {
+    const point = this.nearestPoint(x, y, touch ? GRIP.touch : GRIP.point);
+    const edge = point ? null : this.nearestEdge(x, y, true);
+    const from = this.cableFrom;
+    if (point && from && from.line === point.line && from.point !== point.point) this.makeCable(point.line, ...this.ordered(from, point.point));
+    else if (point) {
+      this.cableFrom = same(from, point) ? null : point;
+      this.refresh();
+      this.host.selectionChanged();
+    } else if (edge) {
+      const known = cableAt(this.host.history.document.request, edge.line, edge.after);
+      if (known >= 0) this.chooseCable(known);
+      else this.makeCable(edge.line, edge.after, (edge.after + 1) % this.host.lines[edge.line]!.points.length);
+    } else {
+      this.cableFrom = null;
+      this.chooseCable(-1);
+    }
+  }
+
+  /** The shorter way between two points of a boundary, in the boundary's direction. */
+  private ordered({ line, point }: PointRef, other: number): [number, number] {
+    const count = this.host.lines[line]!.points.length;
+    return (other - point + count) % count <= count / 2 ? [point, other] : [other, point];
+  }
+
+  makeCable(line: number, from: number, to: number): void {
+    let made = -1;
+    this.cableFrom = null;
+    const done = this.host.history.edit(({ request }) => { made = addCable(request, line, from, to); });
+    if (done) this.host.changed(false);
+    this.chooseCable(made);
+  }
+
+  /** A cable from the selected point to the next one, or the one that is there already. */
+  cableFromPoint(): void {
+    const { only } = this;
+    if (!only || !this.mayCable) return;
+    const known = cableAt(this.host.history.document.request, only.line, only.point);
+    if (known >= 0) this.chooseCable(known);
+    else this.makeCable(only.line, only.point, (only.point + 1) % this.host.lines[only.line]!.points.length);
+  }
+
+  dropCable(): void {
+    const { cable } = this;
+    if (cable < 0) return;
+    const done = this.host.history.edit(({ request }) => removeCable(request, cable));
+    this.cable = -1;
+    if (done) this.host.changed(false);
+    this.host.selectionChanged();
+  }
+
+  /** What the pointer would make or choose, in the scene's coordinates: pairs of ends. */
+  private cableHint(): Vec3[] {
+    const { lines, frame, history } = this.host;
+    const { cableFrom: from, hover, ghost } = this;
+    const line = lines[hover?.line ?? ghost?.line ?? -1];
+    if (!line) return [];
+    const place = (point: number): Vec3 => frame.toScene(coordinates(line.points[point]) ?? [0, 0, 0]);
+    const pairs = (points: number[]): Vec3[] => points.slice(1).flatMap((point, i) => [place(points[i]!), place(point)]);
+    if (ghost) return pairs([ghost.after, (ghost.after + 1) % line.points.length]);
+    if (!from || from.line !== hover!.line || from.point === hover!.point) return [];
+    const [a, b] = this.ordered(from, hover!.point);
+    return pairs(stretch(history.document.request, { boundary: from.line, from: a, to: b }));
+  }
+
   // ---- Changing points ----
 
   private write({ line, point }: PointRef, to: Vec3): void {
@@ -485,6 +615,7 @@ export class Tools {
 
   private insertAt(line: number, after: number, point: Vec3): void {
     this.companions(line).forEach((vectors) => vectors.splice(after + 1, 0, structuredClone(vectors[after])));
+    if (this.mayCable) pointInserted(this.host.history.document.request, line, after);
     this.host.lines[line]!.points.splice(after + 1, 0, point);
     this.selection = [{ line, point: after + 1 }];
   }
@@ -493,7 +624,7 @@ export class Tools {
   insert(): void {
     const { only } = this;
     const line = only && this.host.lines[only.line];
-    if (!line) return;
+    if (!line || line.only) return;
     const here = coordinates(line.points[only.point]);
     const follows = coordinates(line.points[only.point + 1]) ?? (line.closed ? coordinates(line.points[0]) : null);
     if (!here) return;
@@ -506,13 +637,14 @@ export class Tools {
   /** Removes the selected points, and lines that have none left. */
   remove(): void {
     const { host } = this;
-    if (this.selection.length === 0) return;
+    if (this.selection.length === 0 || this.selection.some((ref) => host.lines[ref.line]?.only)) return;
     const [first] = this.selection;
     host.history.edit(() => {
       const gone = [...this.selection].sort((a, b) => b.line - a.line || b.point - a.point);
       for (const { line, point } of gone) {
         this.companions(line).forEach((vectors) => vectors.splice(point, 1));
         host.lines[line]!.points.splice(point, 1);
+        if (this.mayCable) pointRemoved(host.history.document.request, line, point, host.lines[line]!.points.length);
       }
       for (let line = host.lines.length - 1; line >= 0; line -= 1) if (host.lines[line]!.points.length === 0) this.dropLine(line);
     });
@@ -525,7 +657,7 @@ export class Tools {
   removeLine(): void {
     const { host } = this;
     const lines = [...new Set(this.selection.map((ref) => ref.line))].sort((a, b) => b - a);
-    if (lines.length === 0) return;
+    if (lines.length === 0 || lines.some((line) => host.lines[line]?.only)) return;
     host.history.edit(() => lines.forEach((line) => this.dropLine(line)));
     this.selection = [];
     host.changed(false);
@@ -539,6 +671,7 @@ export class Tools {
     const last = path.at(-1)!;
     if (Array.isArray(parent)) parent.splice(Number(last), 1);
     else delete parent[last];
+    if (this.mayCable) boundaryRemoved(request, line);
     if (path[0] === 'directrices') for (const name of ['normals', 'tangents']) if (Array.isArray(request[name])) (request[name] as unknown[]).splice(Number(last), 1);
   }
 
@@ -546,7 +679,8 @@ export class Tools {
 
   startDrawing(): void {
     const { history, stage, lines, frame } = this.host;
-    if (this.drawing) return;
+    if (this.drawing || KINDS[history.document.kind].lines.length === 0) return;
+    this.stopCabling();
     history.edit((document) => { document.draft = []; });
     this.select([]);
     const heights = lines.flatMap((line) => line.points.map((point) => coordinates(point)?.[frame.up] ?? Infinity));
@@ -701,7 +835,8 @@ export class Tools {
       ghost = to;
       if (draft.length > 0) segments.push(frame.toScene(draft.at(-1)!), to);
       if (draft.length > 1 && KINDS[history.document.kind].line !== 'rail') faint.push(to, frame.toScene(draft[0]!));
-    } else if (this.ghost && !this.busy) ghost = frame.toScene(this.ghost.point);
+    } else if (this.cabling) segments.push(...this.cableHint());
+    else if (this.ghost && !this.busy) ghost = frame.toScene(this.ghost.point);
     const arrow = this.arrow();
     if (arrow) {
       const tip = arrow.to.toArray();
@@ -725,7 +860,7 @@ export class Tools {
     const { stage, frame, lines } = this.host;
     if (event.ctrlKey || event.metaKey) {
       if (event.key !== 'a') return;
-      this.select(lines.flatMap((line, l) => line.points.map((_, p) => ({ line: l, point: p }))));
+      this.select(lines.flatMap((line, l) => line.points.map((_, p) => ({ line: l, point: p })).filter(({ point }) => isShown(line, point))));
       event.preventDefault();
       return;
     }
@@ -746,7 +881,8 @@ export class Tools {
       const [x, y] = turns[event.key]!;
       if (event.shiftKey) stage.pan(-24 * x, -24 * y);
       else stage.orbit(0.12 * x, 0.12 * y);
-    } else if (chosen && (event.key === 'Delete' || event.key === 'Backspace')) this.remove();
+    } else if (this.cable >= 0 && (event.key === 'Delete' || event.key === 'Backspace')) this.dropCable();
+    else if (chosen && (event.key === 'Delete' || event.key === 'Backspace')) this.remove();
     else if (chosen && (event.key === 'Insert' || event.key === 'Enter')) this.insert();
     else if (event.key === ']') this.step(1);
     else if (event.key === '[') this.step(-1);

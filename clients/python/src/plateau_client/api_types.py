@@ -19,6 +19,7 @@ CableMode = Literal['force', 'end_tension', 'horizontal_component', 'force_densi
 - `length`: The length in the found shape.
 - `unstressed_length`: The length without force. The force is EA (length / unstressed length - 1), and 0 if that is negative.
 - `sag`: The largest distance from the chord between the ends."""
+CableNetKind = Literal['cable_net']
 Cache = Literal['reuse', 'bypass']
 """Whether the result of an equal earlier request may be returned. Results are deterministic, so it has the same bytes.
 
@@ -34,9 +35,9 @@ Goal = Union["RuledSurfaceObjective", "WeightedSum"]
 """A named objective, or a weighted sum."""
 InitialMesh = Union["MadeMesh", "GivenMesh"]
 """Mesh that the solver starts from: built by the service, or supplied by the client."""
-Job = Union["RuledSurfaceJob", "MinimalSurfaceJob", "UniformMeshJob", "TensileStructureJob"]
+Job = Union["RuledSurfaceJob", "MinimalSurfaceJob", "UniformMeshJob", "TensileStructureJob", "CableNetJob"]
 """A job: an accepted request and its state."""
-Kind = Literal['ruled_surface', 'minimal_surface', 'uniform_mesh', 'tensile_structure']
+Kind = Literal['ruled_surface', 'minimal_surface', 'uniform_mesh', 'tensile_structure', 'cable_net']
 """Kind of a request."""
 LinearSolver = Literal['direct', 'conjugate_gradients']
 """Linear solver. `direct` always uses elimination. `conjugate_gradients` uses elimination only if the conjugate
@@ -73,7 +74,7 @@ Process = Literal['laplacian_fairing', 'area_minimising', 'edge_swapping']
 """A process of vertex relaxation."""
 ProcessStage = Union["Process", Sequence["Process"]]
 """One process, or several that take turns."""
-RequestWithKind = Union["RuledSurfaceRequestWithKind", "MinimalSurfaceRequestWithKind", "UniformMeshRequestWithKind", "TensileStructureRequestWithKind"]
+RequestWithKind = Union["RuledSurfaceRequestWithKind", "MinimalSurfaceRequestWithKind", "UniformMeshRequestWithKind", "TensileStructureRequestWithKind", "CableNetRequestWithKind"]
 """A request that names its kind."""
 Rim = Literal['bounded', 'free']
 """`bounded` keeps the members between the edge length and its double wherever possible. `free` does not limit them, as
@@ -229,6 +230,150 @@ class CableForce(TypedDict):
     """Whether it carries no force."""
     unstressed_length: Optional[float]
     """Length / (1 + force / axial stiffness); null without an axial stiffness."""
+
+
+class CableNetJob(TypedDict):
+    """A job: an accepted request and its state."""
+    created_at: str
+    """Time of submission (RFC 3339, UTC)."""
+    error: Optional[JobError]
+    """Null unless the job has failed."""
+    expires_at: Optional[str]
+    """Time at which the job and its mesh are removed."""
+    finished_at: Optional[str]
+    id: str
+    """ULID, which sorts by time of submission."""
+    kind: Literal['cable_net']
+    """Kind of the request."""
+    label: Optional[str]
+    """Name of the job for people, if the request gave one."""
+    links: Links
+    metadata: Optional[Dict[str, Any]]
+    """Fields of the client, if the request gave some."""
+    progress: Progress
+    started_at: Optional[str]
+    statistics: Optional[CableNetStatistics]
+    """Null until the job has succeeded."""
+    status: Status
+    warnings: List[JobWarning]
+
+
+class CableNetRequest(TypedDict):
+    """A net of cables without film, whose shape in equilibrium comes nearest to target forces and lengths.
+
+    The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension.
+    Cables are groups of edges with common targets."""
+    cables: NotRequired[Sequence[NetCable]]
+    """Groups of edges with their targets. Edges that no cable lists have no target."""
+    cache: NotRequired[Cache]
+    """Whether the stored result of an equal earlier request may be returned."""
+    callback_url: NotRequired[Optional[str]]
+    """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+    `webhooks` of `GET /v1/limits`."""
+    cancel_on_disconnect: NotRequired[bool]
+    """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
+    edges: Sequence[Sequence[int]]
+    """Pairs of vertices that a cable joins, counted from 0."""
+    kind: NotRequired[Optional[CableNetKind]]
+    """Optional here, because the path names the kind. `plateau solve` needs it."""
+    label: NotRequired[Optional[str]]
+    """Name of the job for people. The job and lists of jobs show it."""
+    least_force_density: NotRequired[float]
+    """Lower bound of the force densities that are found, a force per length. If it is above 0, every cable stays in
+    tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`."""
+    loads: NotRequired[Sequence[NetLoad]]
+    """Loads on vertices. Loads of one vertex are added."""
+    max_iterations: NotRequired[Optional[int]]
+    """Maximum number of steps. Null means 200."""
+    metadata: NotRequired[Optional[Dict[str, Any]]]
+    """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
+    supersede: NotRequired[Optional[str]]
+    """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    accepted, older jobs with the same key that have not ended are cancelled."""
+    supports: Sequence[int]
+    """Vertices that do not move, counted from 0."""
+    tolerance: NotRequired[float]
+    """The shape counts as found when three steps in a row each lower the loss by less than this fraction of it. Default: `0.0001`."""
+    units: NotRequired[LengthAndForce]
+    up: NotRequired[UpAxis]
+    """Axis that points up. Default: `z`."""
+    vertices: Sequence[Point]
+    """Points of the net: supports where they stay, the other vertices where form finding begins."""
+    weights: NotRequired[TargetWeights]
+
+
+class CableNetRequestWithKind(TypedDict):
+    """A net of cables without film, whose shape in equilibrium comes nearest to target forces and lengths.
+
+    The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension.
+    Cables are groups of edges with common targets."""
+    cables: NotRequired[List[NetCable]]
+    """Groups of edges with their targets. Edges that no cable lists have no target."""
+    cache: NotRequired[Cache]
+    """Whether the stored result of an equal earlier request may be returned."""
+    callback_url: NotRequired[Optional[str]]
+    """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+    `webhooks` of `GET /v1/limits`."""
+    cancel_on_disconnect: NotRequired[bool]
+    """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
+    edges: List[List[int]]
+    """Pairs of vertices that a cable joins, counted from 0."""
+    kind: Literal['cable_net']
+    """Kind of the request."""
+    label: NotRequired[Optional[str]]
+    """Name of the job for people. The job and lists of jobs show it."""
+    least_force_density: NotRequired[float]
+    """Lower bound of the force densities that are found, a force per length. If it is above 0, every cable stays in
+    tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`."""
+    loads: NotRequired[List[NetLoad]]
+    """Loads on vertices. Loads of one vertex are added."""
+    max_iterations: NotRequired[Optional[int]]
+    """Maximum number of steps. Null means 200."""
+    metadata: NotRequired[Optional[Dict[str, Any]]]
+    """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
+    supersede: NotRequired[Optional[str]]
+    """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    accepted, older jobs with the same key that have not ended are cancelled."""
+    supports: List[int]
+    """Vertices that do not move, counted from 0."""
+    tolerance: NotRequired[float]
+    """The shape counts as found when three steps in a row each lower the loss by less than this fraction of it. Default: `0.0001`."""
+    units: NotRequired[LengthAndForce]
+    up: NotRequired[UpAxis]
+    """Axis that points up. Default: `z`."""
+    vertices: List[Point]
+    """Points of the net: supports where they stay, the other vertices where form finding begins."""
+    weights: NotRequired[TargetWeights]
+
+
+class CableNetStatistics(TypedDict):
+    """Statistics of a cable net."""
+    balance: ForceBalance
+    cables: List[NetCableResult]
+    """Cables in the order of the request, and `other` for edges that no cable lists."""
+    converged: bool
+    edge_lengths: Spread
+    edges: int
+    force_unit: str
+    """Unit of the forces."""
+    gradient: float
+    """Largest derivative of the loss by the logarithm of a force density."""
+    iterations: int
+    load_path: float
+    """Σ force · length."""
+    objective: str
+    objective_value: float
+    """Loss: the weighted sum of the mean squared deviations from the targets and of the load path. 0 without targets."""
+    origin: List[float]
+    """Middle of the net's bounding box, which files with `origin=local` are relative to."""
+    reactions: List[NetReaction]
+    """Supports in the order of the request."""
+    residual: float
+    """Largest force on a free vertex that is not balanced, over the largest force of a cable."""
+    stop_reason: str
+    triangles: int
+    """Always 0: a net has no triangles."""
+    vertices: int
 
 
 class Certificate(TypedDict):
@@ -633,13 +778,13 @@ class Limits(TypedDict):
     iterations: int
     """Largest `max_iterations`."""
     points: int
-    """Largest number of points of all polylines of a request."""
+    """Largest number of points of all polylines of a request, and of vertices of a cable net."""
     queue_length: int
     """Number of jobs that may wait in the queue."""
     retention_s: int
     """Time in seconds after its end at which a job is removed with its mesh. 0 means never."""
     triangles: int
-    """Largest number of triangles of a minimal surface, a uniform mesh or a tensile structure."""
+    """Largest number of triangles of a minimal surface, a uniform mesh or a tensile structure, and of edges of a cable net."""
     wait_max_s: int
     """Longest wait that `Prefer: wait` can ask for, in seconds."""
     webhooks: bool
@@ -707,7 +852,7 @@ class Mesh(TypedDict):
     origin: List[float]
     """Point that the vertices are relative to. It is zero unless the file was asked for with `origin=local`."""
     triangles: List[List[int]]
-    """Three indices of vertices for each triangle, counted from 0."""
+    """Three indices of vertices for each triangle, counted from 0. A cable net has none."""
     unit: Units
     up: UpAxis
     vertices: List[Point]
@@ -929,6 +1074,60 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     """Unit of the coordinates. Default: `m`."""
     up: NotRequired[UpAxis]
     """Axis that points up. Default: `z`."""
+
+
+class NetCable(TypedDict):
+    """Edges with common targets. Targets are met in least squares, and `force_density` exactly."""
+    axial_stiffness: NotRequired[Optional[float]]
+    """EA, a force. It gives the unstressed length."""
+    edges: NotRequired[Optional[Sequence[int]]]
+    """Numbers of its edges, counted from 0. Null means all edges that no other cable lists."""
+    force: NotRequired[Optional[float]]
+    """Force that each edge is to have."""
+    force_density: NotRequired[Optional[float]]
+    """Force over length of each edge, which is held. Not together with `force` or `length`."""
+    length: NotRequired[Optional[float]]
+    """Length that each edge is to have in the found shape."""
+    name: NotRequired[Optional[str]]
+    """Name in statistics and files. Null means its number, as in `cable 0`."""
+
+
+class NetCableResult(TypedDict):
+    """A cable of the found net: all its edges together."""
+    edge_lengths: ValueRange
+    edges: int
+    """Number of its edges."""
+    force: float
+    """Mean force, weighted by length."""
+    force_densities: ValueRange
+    force_deviation: Optional[float]
+    """Largest |force / target - 1|; null without a target."""
+    force_max: float
+    force_min: float
+    length: float
+    """Sum of the edges' lengths."""
+    length_deviation: Optional[float]
+    """Largest |length / target - 1|; null without a target."""
+    name: str
+    slack_edges: int
+    """Number of edges to which the targets leave no force, so that only `least_force_density` keeps them in tension."""
+    unstressed_length: Optional[float]
+    """Sum of the edges' unstressed lengths, length / (1 + force / axial stiffness) each; null without an axial stiffness."""
+
+
+class NetLoad(TypedDict):
+    """A load, the same on each of its vertices."""
+    force: Sequence[float]
+    """Force on each of the vertices."""
+    vertices: NotRequired[Optional[Sequence[int]]]
+    """Vertices on which the load acts. Null means all vertices that are no supports."""
+
+
+class NetReaction(TypedDict):
+    """A support of the net."""
+    force: List[float]
+    """Force of the support on the net."""
+    vertex: int
 
 
 class Nurbs(TypedDict):
@@ -1387,6 +1586,16 @@ class SurfaceFit(TypedDict):
     """Largest angle between the normals of a triangle and of the surface below its middle."""
 
 
+class TargetWeights(TypedDict):
+    """Weights of the terms of the loss."""
+    force: NotRequired[float]
+    """Weight of the mean of (force / target - 1)² over the edges with a target force. Default: `1.0`."""
+    length: NotRequired[float]
+    """Weight of the mean of (length / target - 1)² over the edges with a target length. Default: `1.0`."""
+    load_path: NotRequired[float]
+    """Weight of the load path Σ force · length, as a fraction of its value at the start. Default: `0.0`."""
+
+
 class TensileFilm(TypedDict):
     """The film's prestress and weight. The prestress is either `tension`, or `warp` and `weft` with a `direction`."""
     direction: NotRequired[WarpDirection]
@@ -1739,6 +1948,12 @@ class UniformStatistics(TypedDict):
     """Entry k is the number of nodes with k members."""
 
 
+class ValueRange(TypedDict):
+    """Smallest and largest value."""
+    max: float
+    min: float
+
+
 class WarpDirection(TypedDict):
     """Field of directions in space, given by exactly one of its fields. The film's warp is the projection of the field onto
     the film. Directions need no unit length."""
@@ -1969,3 +2184,39 @@ class TensileStructureOptions(TypedDict, total=False):
     volume: Optional[float]
     """Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
     pressure is found. Not with cables along a boundary, `supports` or `rings`."""
+
+
+class CableNetOptions(TypedDict, total=False):
+    """A net of cables without film, whose shape in equilibrium comes nearest to target forces and lengths.
+
+    The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension.
+    Cables are groups of edges with common targets."""
+    cables: Sequence[NetCable]
+    """Groups of edges with their targets. Edges that no cable lists have no target."""
+    cache: Cache
+    """Whether the stored result of an equal earlier request may be returned."""
+    callback_url: Optional[str]
+    """URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+    `webhooks` of `GET /v1/limits`."""
+    cancel_on_disconnect: bool
+    """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
+    label: Optional[str]
+    """Name of the job for people. The job and lists of jobs show it."""
+    least_force_density: float
+    """Lower bound of the force densities that are found, a force per length. If it is above 0, every cable stays in
+    tension. Otherwise a job fails if its targets leave a cable slack. Default: `0.0`."""
+    loads: Sequence[NetLoad]
+    """Loads on vertices. Loads of one vertex are added."""
+    max_iterations: Optional[int]
+    """Maximum number of steps. Null means 200."""
+    metadata: Optional[Dict[str, Any]]
+    """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
+    supersede: Optional[str]
+    """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    accepted, older jobs with the same key that have not ended are cancelled."""
+    tolerance: float
+    """The shape counts as found when three steps in a row each lower the loss by less than this fraction of it. Default: `0.0001`."""
+    units: LengthAndForce
+    up: UpAxis
+    """Axis that points up. Default: `z`."""
+    weights: TargetWeights

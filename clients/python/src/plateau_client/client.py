@@ -180,6 +180,24 @@ class Plateau:
         request = requests.tensile_structure(boundaries, film, **options)
         return self._solve(request, Watch(on_progress, bar), timeout)
 
+    def cable_net(
+        self,
+        vertices: CurveLike,
+        edges: Any,
+        supports: Any,
+        *,
+        on_progress: Optional[ProgressCallback] = None,
+        bar: bool = False,
+        timeout: Optional[float] = None,
+        **options: Unpack[api.CableNetOptions],
+    ) -> Result[api.CableNetStatistics]:
+        """The shape in equilibrium of a cable net that comes nearest to target forces and lengths.
+
+        `edges` are pairs of indices into `vertices`, and `supports` are the indices of the vertices that do not move.
+        """
+        request = requests.cable_net(vertices, edges, supports, **options)
+        return self._solve(request, Watch(on_progress, bar), timeout)
+
     def solve(
         self,
         request: Mapping[str, Any],

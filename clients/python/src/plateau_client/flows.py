@@ -28,6 +28,7 @@ PATHS = {
     "minimal_surface": "v1/minimal-surfaces",
     "uniform_mesh": "v1/uniform-meshes",
     "tensile_structure": "v1/tensile-structures",
+    "cable_net": "v1/cable-nets",
 }
 ENDED = ("succeeded", "failed", "cancelled")
 

@@ -23,7 +23,11 @@ class Mesh(Generic[Statistics]):
     vertices: npt.NDArray[np.float64]
     """Shape (n, 3). The request's own points come first, in their order."""
     triangles: npt.NDArray[np.int64]
-    """Shape (m, 3), indices into `vertices`."""
+    """Shape (m, 3), indices into `vertices`. A cable net has none."""
+    edges: npt.NDArray[np.int64]
+    """Shape (k, 2), indices into `vertices`: the edges of a cable net, cable by cable. Other kinds have none here."""
+    forces: npt.NDArray[np.float64]
+    """The force of each of `edges`."""
     mean_curvature: Optional[npt.NDArray[np.float64]]
     """Per vertex, 1/unit; minimal surfaces only."""
     unit: str
@@ -39,6 +43,7 @@ class Mesh(Generic[Statistics]):
         self.job = job
         self.statistics = job["statistics"]  # type: ignore[assignment]
         self.vertices, self.triangles, self.mean_curvature, self.unit, self.up = read_ply(ply)
+        self.edges, self.forces = read_edges(ply)
 
     @property
     def id(self) -> str:
@@ -104,9 +109,8 @@ def read_ply(data: bytes) -> Any:
     """Vertices, triangles, mean curvature, unit and up axis of the server's binary PLY."""
     end = data.index(b"end_header\n") + len(b"end_header\n")
     header = [line.split() for line in data[:end].decode("utf-8").splitlines()]
-    types = {"double": "<f8", "float": "<f4", "uchar": "u1"}
-    columns: Any = np.dtype([(line[2], types[line[1]]) for line in header if line[0] == "property" and len(line) == 3])
     counts = {line[1]: int(line[2]) for line in header if line[0] == "element"}
+    columns = _columns(header, "vertex")
     frame = next(line for line in header if line[:2] == ["comment", "unit"])
     table = np.frombuffer(data, dtype=columns, count=counts["vertex"], offset=end)
     face: Any = np.dtype([("size", "u1"), ("corners", "<u4", 3)])
@@ -114,6 +118,32 @@ def read_ply(data: bytes) -> Any:
     curvature = table["mean_curvature"].copy() if "mean_curvature" in columns.names else None
     vertices = np.stack([table["x"], table["y"], table["z"]], axis=1)
     return vertices, faces["corners"].astype(np.int64), curvature, frame[2].rstrip(","), frame[3]
+
+
+def read_edges(data: bytes) -> Any:
+    """The edges of the server's binary PLY and their forces, which follow the faces."""
+    end = data.index(b"end_header\n") + len(b"end_header\n")
+    header = [line.split() for line in data[:end].decode("utf-8").splitlines()]
+    counts = {line[1]: int(line[2]) for line in header if line[0] == "element"}
+    count = counts.get("edge", 0)
+    if count == 0:
+        return np.empty((0, 2), dtype=np.int64), np.empty(0)
+    columns = _columns(header, "edge")
+    table = np.frombuffer(data, dtype=columns, count=count, offset=len(data) - count * columns.itemsize)
+    ends = np.stack([table["vertex1"], table["vertex2"]], axis=1).astype(np.int64)
+    return ends, table["force"].copy() if "force" in columns.names else np.empty(0)
+
+
+def _columns(header: List[List[str]], element: str) -> Any:
+    """The type of one row of an element of a PLY file, lists left out."""
+    types = {"double": "<f8", "float": "<f4", "uchar": "u1", "int": "<i4"}
+    found, current = [], ""
+    for line in header:
+        if line[0] == "element":
+            current = line[1]
+        elif line[0] == "property" and len(line) == 3 and current == element:
+            found.append((line[2], types[line[1]]))
+    return np.dtype(found)
 
 
 def read_lines(obj: bytes) -> Dict[str, List[npt.NDArray[np.int64]]]:

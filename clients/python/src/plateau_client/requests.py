@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Dict, Mapping, Union
 
-from .curves import CurveLike, curves
+import numpy as np
+
+from .curves import CurveLike, curves, points
 from .curves import domain as read_domain
 
 if TYPE_CHECKING:
@@ -32,3 +34,15 @@ def tensile_structure(
 ) -> Dict[str, Any]:
     loops = curves("boundaries", boundaries)
     return {"kind": "tensile_structure", "boundaries": loops, "film": film, **options}
+
+
+def cable_net(
+    vertices: CurveLike, edges: Any, supports: Any, **options: Unpack[api.CableNetOptions]
+) -> Dict[str, Any]:
+    return {
+        "kind": "cable_net",
+        "vertices": points(vertices),
+        "edges": np.asarray(edges, dtype=np.int64).reshape(-1, 2).tolist(),
+        "supports": np.asarray(supports, dtype=np.int64).reshape(-1).tolist(),
+        **options,
+    }

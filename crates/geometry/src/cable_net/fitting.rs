@@ -35,7 +35,7 @@ use super::options::{Net, Options};
 use super::shape::Shape;
 use crate::sparse::pattern::BlockPattern;
 use crate::sparse::{LinearError, Symbolic};
-use crate::{DVec3, Error, Execution, Progress};
+use crate::{DVec3, Error, Execution, Interruption, Progress};
 use glam::DMat3;
 
 /// Damping at the start, as a multiple of the loss, its factors after a step that was kept and one that was not, and
@@ -67,6 +67,8 @@ pub enum StopReason {
     Stalled,
     /// The allowed steps are used up.
     MaxIterations,
+    /// The caller's time is used up.
+    Deadline,
 }
 
 impl StopReason {
@@ -78,6 +80,7 @@ impl StopReason {
             Self::Change => "change",
             Self::Stalled => "stalled",
             Self::MaxIterations => "max_iterations",
+            Self::Deadline => "deadline",
         }
     }
 }
@@ -144,9 +147,14 @@ impl<'a> Loss<'a> {
         self.force > 0.0 || self.length > 0.0 || self.load_path > 0.0
     }
 
+    /// The derivative p = dq/ds of an edge's density: zero if the density is held.
+    fn slope(&self, e: usize, q: f64) -> f64 {
+        if self.net.edges[e].held { 0.0 } else { q - self.least }
+    }
+
     fn sums(&self, e: usize, q: f64, at: &[DVec3]) -> Sums {
         let edge = &self.net.edges[e];
-        let (length, p) = (length(edge.ends, at), q - self.least);
+        let (length, p) = (length(edge.ends, at), self.slope(e, q));
         let mut sums = Sums::default();
         if let Some(target) = edge.force {
             let factor = self.force / target;
@@ -181,7 +189,7 @@ impl<'a> Loss<'a> {
         let of = |(e, sums): (usize, &Sums)| {
             let [a, b] = self.net.edges[e].ends;
             let edge = at[b as usize] - at[a as usize];
-            sums.g_s - (densities[e] - self.least) * edge.dot(lambda[b as usize] - lambda[a as usize])
+            sums.g_s - self.slope(e, densities[e]) * edge.dot(lambda[b as usize] - lambda[a as usize])
         };
         Ok(sums.iter().enumerate().map(of).collect())
     }
@@ -223,7 +231,7 @@ impl Step {
         let (mut positions, mut multipliers) = (0.0, 0.0);
         for (e, sums) in sums.iter().enumerate() {
             let own = sums.h_ss + damping;
-            let c = (densities[e] - loss.least) * length(loss.net.edges[e].ends, at);
+            let c = loss.slope(e, densities[e]) * length(loss.net.edges[e].ends, at);
             positions += sums.h_ll - sums.h_sl * sums.h_sl / own;
             multipliers += c * c / own;
         }
@@ -231,7 +239,7 @@ impl Step {
         for (e, edge) in loss.net.edges.iter().enumerate() {
             let (q, sums, u) = (densities[e], &sums[e], unit(edge.ends, at));
             let own = sums.h_ss + damping;
-            let c = scale * (q - loss.least) * length(edge.ends, at);
+            let c = scale * loss.slope(e, q) * length(edge.ends, at);
             let along = outer(u);
             let xx = along * (sums.h_ll - sums.h_sl * sums.h_sl / own);
             let ll = along * (-c * c / own);
@@ -277,7 +285,7 @@ impl Step {
         let change = |(e, sums): (usize, &Sums)| {
             let [a, b] = loss.net.edges[e].ends;
             let u = unit([a, b], at);
-            let c = scale * (densities[e] - loss.least) * length([a, b], at);
+            let c = scale * loss.slope(e, densities[e]) * length([a, b], at);
             let (x, l) = (u.dot(part(b, 0) - part(a, 0)), u.dot(part(b, 3) - part(a, 3)));
             (c * l - sums.g_s - sums.h_sl * x) / (sums.h_ss + damping)
         };
@@ -296,7 +304,8 @@ pub(super) fn start(net: &Net, options: &Options) -> Vec<f64> {
     let known: Vec<f64> = net.edges.iter().filter_map(given).filter(|q| q.is_finite()).collect();
     let mean = if known.is_empty() { 1.0 } else { known.iter().sum::<f64>() / known.len() as f64 };
     let above = 1.001 * options.least_density;
-    net.edges.iter().map(|edge| given(edge).filter(|q| q.is_finite()).unwrap_or(mean).max(above)).collect()
+    let found = |edge: &super::options::Edge| given(edge).filter(|q| q.is_finite()).unwrap_or(mean);
+    net.edges.iter().map(|edge| if edge.held { found(edge) } else { found(edge).max(above) }).collect()
 }
 
 fn refused(error: LinearError) -> Error {
@@ -318,22 +327,37 @@ pub(super) fn fit(net: &Net, options: &Options, exec: &Execution) -> Result<Fitt
         let gradient = gradient.iter().fold(0.0, |max: f64, g| max.max(2.0 * g.abs()));
         Ok(Fitted { densities, vertices: at, loss: value, gradient, iterations, stop_reason })
     };
-    if !loss.has_targets() {
+    if !loss.has_targets() || net.edges.iter().all(|edge| edge.held) {
         return fitted(densities, at, value, 0, StopReason::NoTargets);
+    }
+    if !value.is_finite() {
+        return Err(Error::no_result("no_equilibrium", "the loads and targets are too large for each other"));
+    }
+    if value == 0.0 {
+        return fitted(densities, at, value, 0, StopReason::Change);
     }
     let limit = options.max_iterations.unwrap_or(DEFAULT_STEPS);
     let mut step = Step::new(net, shape.fixed()).map_err(refused)?;
-    let mut damping = DAMPING * value;
+    let mut damping = (DAMPING * value).max(LEAST_DAMPING);
     let mut quiet = 0;
     for iteration in 1..=limit {
         loop {
-            exec.look(200 * net.edges.len() as u64)?;
+            match exec.look(200 * net.edges.len() as u64) {
+                // The shape of the last step is a net in equilibrium.
+                Err(Interruption::DeadlinePassed) => {
+                    return fitted(densities, at, value, iteration - 1, StopReason::Deadline);
+                }
+                other => other?,
+            }
             let moved = step.take(&loss, &densities, &at, damping).ok().and_then(|changes| {
                 let next = |(q, change): (&f64, f64)| {
                     options.least_density
                         + (q - options.least_density) * change.clamp(-LARGEST_STEP, LARGEST_STEP).exp()
                 };
-                let moved: Vec<f64> = densities.iter().zip(changes).map(next).collect();
+                let of_edge = |((edge, q), change): ((&super::options::Edge, &f64), f64)| {
+                    if edge.held { *q } else { next((q, change)) }
+                };
+                let moved: Vec<f64> = net.edges.iter().zip(&densities).zip(changes).map(of_edge).collect();
                 let reached = shape.positions(net, &moved).ok()?;
                 let lower = loss.value(&moved, &reached);
                 (lower < value).then_some((moved, reached, lower))
@@ -378,7 +402,7 @@ mod tests {
             let mut join = |other: u32| {
                 let force = (net.edges.len() % 3 == 0).then_some(2.0);
                 let length = (net.edges.len() % 2 == 0).then_some(1.1);
-                net.edges.push(Edge { ends: [k, other], density: None, force, length });
+                net.edges.push(Edge { held: false, ends: [k, other], density: None, force, length });
             };
             if k % 4 < 3 {
                 join(k + 1);

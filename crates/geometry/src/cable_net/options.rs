@@ -24,6 +24,8 @@ pub struct Edge {
     pub ends: [u32; 2],
     /// The force density q = force / length, from which fitting begins. Without targets it is the result's.
     pub density: Option<f64>,
+    /// Whether fitting leaves the given density as it is.
+    pub held: bool,
     /// The force that the cable is to have.
     pub force: Option<f64>,
     /// The length that the cable is to have.
@@ -111,8 +113,10 @@ pub(super) fn check(net: &Net, options: &Options) -> Result<(), Error> {
         }
         if let Some(density) = edge.density {
             let detail = format!("must be above least_density ({})", options.least_density);
-            require(&mut errors, density > options.least_density, place().then("density"), detail);
+            require(&mut errors, edge.held || density > options.least_density, place().then("density"), detail);
         }
+        let held = !edge.held || edge.density.is_some();
+        require(&mut errors, held, place().then("density"), "is needed to be held");
     }
     require(&mut errors, !net.edges.is_empty(), Place::field("edges"), "must not be empty");
     for (name, value) in [
@@ -126,9 +130,77 @@ pub(super) fn check(net: &Net, options: &Options) -> Result<(), Error> {
         require(&mut errors, sound, Place::field(name), "must be a finite number, not negative");
     }
     if errors.is_empty() {
+        check_edges(net, &mut errors);
         check_supports(net, &mut errors);
     }
+    if errors.is_empty() {
+        check_loose_ends(net, &mut errors);
+    }
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
+}
+
+/// Vertices closer than this fraction of the net's size count as at the same point.
+const SAME_POINT: f64 = 1e-9;
+
+/// Names edges without length, edges that repeat another, and lengths that an edge between two supports cannot have.
+fn check_edges(net: &Net, errors: &mut Vec<InputError>) {
+    let bounds = |(low, high): (DVec3, DVec3), p: &DVec3| (low.min(*p), high.max(*p));
+    let (low, high) = net.vertices.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), bounds);
+    let same = SAME_POINT * low.distance(high);
+    let mut held = vec![false; net.vertices.len()];
+    net.supports.iter().for_each(|&v| held[v as usize] = true);
+    let mut seen: Vec<([u32; 2], usize)> = Vec::with_capacity(net.edges.len());
+    for (k, edge) in net.edges.iter().enumerate() {
+        let [a, b] = edge.ends;
+        let place = || Place::field("edges").at(k);
+        let distance = net.vertices[a as usize].distance(net.vertices[b as usize]);
+        let apart = distance > same;
+        require(errors, apart, place(), format!("has no length: vertices {a} and {b} are at the same point"));
+        seen.push(([a.min(b), a.max(b)], k));
+        let Some(length) = edge.length.filter(|_| apart && held[a as usize] && held[b as usize]) else { continue };
+        let fits = (length - distance).abs() <= SAME_POINT * distance;
+        let fault = if length > distance { "the cable would be slack" } else { "it is shorter than the chord" };
+        let detail = format!("{fault}: both ends are supports, {distance} apart");
+        require(errors, fits, place().then("length"), detail);
+    }
+    seen.sort_unstable();
+    for pair in seen.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+        let detail = format!("joins the same two vertices as edge {}", pair[0].1);
+        require(errors, false, Place::field("edges").at(pair[1].1), detail);
+    }
+}
+
+/// Names the vertices that move freely because a single cable and no load acts on them, also after others like them are
+/// taken away.
+fn check_loose_ends(net: &Net, errors: &mut Vec<InputError>) {
+    let count = net.vertices.len();
+    let mut cables: Vec<Vec<u32>> = vec![Vec::new(); count];
+    for edge in &net.edges {
+        let [a, b] = edge.ends;
+        cables[a as usize].push(b);
+        cables[b as usize].push(a);
+    }
+    let mut left: Vec<usize> = cables.iter().map(Vec::len).collect();
+    let mut stays: Vec<bool> = (0..count).map(|v| net.load(v) != DVec3::ZERO).collect();
+    net.supports.iter().for_each(|&v| stays[v as usize] = true);
+    let mut loose: Vec<usize> = (0..count).filter(|&v| left[v] < 2 && !stays[v]).collect();
+    let mut free = Vec::new();
+    while let Some(v) = loose.pop() {
+        free.push(v);
+        stays[v] = true;
+        for &other in &cables[v] {
+            let other = other as usize;
+            left[other] -= 1;
+            if left[other] == 1 && !stays[other] {
+                loose.push(other);
+            }
+        }
+    }
+    free.sort_unstable();
+    for v in free {
+        let detail = "moves freely: a single cable and no load acts on it";
+        require(errors, false, Place::field("vertices").at(v), detail);
+    }
 }
 
 /// Names the vertices that no chain of cables joins to a support: they move freely.

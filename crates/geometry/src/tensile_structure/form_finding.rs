@@ -14,7 +14,7 @@
 
 use super::mixing::Mixing;
 use super::model::{ForceBy, Model};
-use super::options::{CableMode, Options, Pressure, Structure, WeaveHold};
+use super::options::{Options, Pressure, Structure, WeaveHold};
 use crate::energy::cable::Law;
 use crate::energy::{self, ForceDensity, Load, PlaneStress, Prestress, Term, Volume};
 use crate::equilibrium::newton::{State, keeps_orientation};
@@ -48,9 +48,6 @@ const MAX_RENEWALS: u32 = 60;
 const MAX_REFERENCES: u32 = 300;
 /// The stresses of a woven film count as settled if none changes by more than this fraction.
 const STRESSES_SETTLED: f64 = 1e-6;
-/// A slack cable bears a force again from this strain on. Rounding of lengths is far below, and strains of cables in use
-/// are far above.
-const TAUT: f64 = 1e-9;
 /// Largest number of times that a stalled Newton iteration is followed by another step 1.
 const MAX_RETURNS: u32 = 3;
 /// Newton steps of the balance, which is linear but for a pressure.
@@ -329,7 +326,7 @@ impl Run<'_> {
                 // Without a step the residual is that of the reference shape itself.
                 Outcome::Converged if self.solves == solves => {
                     found.residual = state.residual;
-                    if self.slacken(found) || self.tauten() || change > STRESSES_SETTLED {
+                    if self.slacken(found) || change > STRESSES_SETTLED {
                         continue;
                     }
                     let flipped = self.model.flipped() > 0;
@@ -366,22 +363,15 @@ impl Run<'_> {
             found.residual = state.residual;
             found.energy = state.energy;
             self.multipliers(&state, volume, found);
-            // A cable that would push may also keep the iteration from converging, because it buckles.
-            let failed = match outcome {
-                Outcome::Converged => None,
-                Outcome::Stalled => Some(StopReason::Stalled),
-                Outcome::StepsUsed => Some(StopReason::MaxIterations),
-                Outcome::Refused(_) => Some(StopReason::Collapsed),
+            match outcome {
+                Outcome::Converged => {}
+                Outcome::Stalled => return Ok(StopReason::Stalled),
+                Outcome::StepsUsed => return Ok(StopReason::MaxIterations),
+                Outcome::Refused(_) => return Ok(StopReason::Collapsed),
                 Outcome::Interrupted(interruption) => return Err(Error::Interrupted(interruption).into()),
-            };
-            if let Some(reason) = failed {
-                if self.slacken(found) {
-                    continue;
-                }
-                return Ok(reason);
             }
             let change = if self.structure.film.weight > 0.0 { weight.renew(&body.vertices) } else { 0.0 };
-            if self.slacken(found) || self.tauten() {
+            if self.slacken(found) {
                 continue;
             }
             if change <= self.options.tolerance.max(1e-12) {
@@ -402,25 +392,6 @@ impl Run<'_> {
                 self.model.forces_by[k] = ForceBy::Law;
                 self.model.cables[k].law = Law::Force(0.0);
                 *force = 0.0;
-                any = true;
-            }
-        }
-        any
-    }
-
-    /// Lets elastic cables that went slack, and are longer than their unstressed length by now, bear a force again.
-    /// Returns whether there are any.
-    fn tauten(&mut self) -> bool {
-        let at = self.model.vertices();
-        let mut any = false;
-        for (k, cable) in self.structure.cables.iter().enumerate() {
-            let (CableMode::UnstressedLength(unstressed), Some(stiffness)) = (cable.mode, cable.axial_stiffness) else {
-                continue;
-            };
-            let is_slack = self.model.forces_by[k] == ForceBy::Law;
-            if is_slack && self.model.cables[k].length(&at) > unstressed * (1.0 + TAUT) {
-                self.model.forces_by[k] = ForceBy::Elastic { unstressed, stiffness };
-                self.model.cables[k].law = Law::Multiplier;
                 any = true;
             }
         }

@@ -382,9 +382,7 @@ pub(super) fn finish(
 ) -> Result<TensileStructure, Error> {
     let gave_up = matches!(found.stop_reason, StopReason::Stalled | StopReason::Collapsed);
     if !found.residual.is_finite() || (gave_up && !(found.is_shape() && model.flipped() == 0)) {
-        // A cable that would have to push buckles, and no shape converges.
-        let pushing = pushing_cable(structure, &model, &found, &model.vertices());
-        return Err(pushing.unwrap_or_else(|| no_equilibrium(structure)));
+        return Err(no_equilibrium(structure));
     }
     let at = model.vertices();
     if let Some(error) = pushing_cable(structure, &model, &found, &at) {

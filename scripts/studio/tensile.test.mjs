@@ -1,0 +1,149 @@
+// Cables: drawn by clicks on the boundary, coloured by their forces, and the reactions at their ends.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { apply, onStage, pixels, points, request, showPanel, solved, useStudio } from './harness.mjs';
+
+const studio = useStudio();
+/** A square whose points the studio can be told apart by. */
+const SAIL = {
+  kind: 'tensile_structure', boundaries: [[[0, 0, 0], [10, 0, 3], [10, 10, 0], [0, 10, 3]]], film: { tension: 1 }, cables: [], resolution: { triangles: 300 },
+};
+const middle = (a, b) => ({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 });
+const click = async (page, place) => page.mouse.click(...await onStage(page, place));
+
+async function openSail(page, extra = {}) {
+  await studio.open('plane-sail');
+  await apply(page, { ...SAIL, ...extra });
+  await solved(page);
+}
+
+test('a click on a boundary hangs that edge on a cable, and its dock changes it', async () => {
+  const { page } = studio;
+  await openSail(page);
+  await page.click('#cabling');
+  assert.equal(await page.getAttribute('#cabling', 'aria-pressed'), 'true');
+  const [a, b] = await points(page);
+  await click(page, middle(a, b));
+  assert.deepEqual((await request(page)).cables, [{ along: { boundary: 0, from: 0, to: 1 }, mode: 'force', value: 10 }]);
+  await solved(page);
+  assert.match(await page.textContent('#statistics'), /Cables \(1\)/);
+  // The same edge again chooses the cable instead of making another.
+  await click(page, middle(a, b));
+  assert.equal((await request(page)).cables.length, 1);
+  assert.equal(await page.textContent('#cable-name'), 'Cable 1');
+  await page.fill('#cable-value', '14');
+  await page.keyboard.press('Tab');
+  assert.equal((await request(page)).cables[0].value, 14);
+  await solved(page);
+  // Another mode keeps the shape: its value is that of the result.
+  const { length } = (await (await fetch(`${studio.url}/v1/jobs/${await page.textContent('#job-id')}`)).json()).statistics.cables[0];
+  await page.selectOption('#cable-mode', 'length');
+  const [cable] = (await request(page)).cables;
+  assert.equal(cable.mode, 'length');
+  assert.ok(Math.abs(cable.value / length - 1) < 1e-5, `${cable.value} ${length}`);
+  assert.equal(await page.textContent('#cable-unit'), 'm');
+  await solved(page);
+  await page.click('#drop-cable');
+  assert.deepEqual((await request(page)).cables, []);
+  await page.keyboard.press('Control+z');
+  assert.equal((await request(page)).cables.length, 1, 'removing is one step of undo');
+  await page.keyboard.press('Escape');
+  assert.equal(await page.getAttribute('#cabling', 'aria-pressed'), 'false');
+});
+
+test('two points make a cable along several edges, in the direction of the boundary', async () => {
+  const { page } = studio;
+  await openSail(page, { boundaries: [[[0, 0, 0], [5, 0, 1], [10, 0, 3], [10, 10, 0], [0, 10, 3]]] });
+  await page.uncheck('#live');
+  await page.click('#cabling');
+  const places = await points(page);
+  await click(page, places[2]);
+  await click(page, places[0]);
+  assert.deepEqual((await request(page)).cables.map(({ along }) => along), [{ boundary: 0, from: 0, to: 2 }]);
+  // A cable in the way of another gives way.
+  await click(page, places[1]);
+  await click(page, places[3]);
+  assert.deepEqual((await request(page)).cables.map(({ along }) => along), [{ boundary: 0, from: 1, to: 3 }]);
+});
+
+test('a selected point offers a cable to the next one, for the keyboard', async () => {
+  const { page } = studio;
+  await openSail(page);
+  await page.uncheck('#live');
+  await page.focus('#view');
+  for (let i = 0; i < 4; i += 1) await page.keyboard.press(']');
+  await page.click('#cable-from-point');
+  assert.deepEqual((await request(page)).cables.map(({ along }) => along), [{ boundary: 0, from: 3, to: 0 }]);
+  assert.ok(await page.isVisible('#cable'));
+  await page.focus('#view');
+  await page.keyboard.press('Delete');
+  assert.deepEqual((await request(page)).cables, []);
+});
+
+test('cables follow points that are added and removed', async () => {
+  const { page } = studio;
+  const cables = [{ along: { from: 1, to: 2 }, value: 10 }, { along: { from: 3, to: 0 }, value: 10 }];
+  await openSail(page, { cables });
+  await page.uncheck('#live');
+  await page.focus('#view');
+  await page.keyboard.press(']');
+  await page.keyboard.press('Insert');
+  assert.deepEqual((await request(page)).cables.map(({ along }) => along), [{ from: 2, to: 3 }, { from: 4, to: 0 }]);
+  await page.keyboard.press('Delete');
+  assert.deepEqual((await request(page)).cables.map(({ along }) => along), [{ from: 1, to: 2 }, { from: 3, to: 0 }]);
+  // A point between the ends of no cable left: the cable goes with it.
+  await click(page, (await points(page))[1]);
+  await page.keyboard.press('Delete');
+  assert.deepEqual((await request(page)).cables.map(({ along }) => along), [{ from: 2, to: 0 }]);
+});
+
+test('cables are coloured by their forces with a legend, and reactions are arrows to be switched on', async () => {
+  const { page } = studio;
+  for (const name of ['four-point-sail', 'cable-net-by-targets']) {
+    await studio.open(name);
+    assert.equal(await page.inputValue('#quantity'), 'line:force', name);
+    assert.match(await page.textContent('#scale-note'), /Force \[kN\]/);
+    const off = page.locator('#layers button', { hasText: 'Reactions' });
+    assert.equal(await off.getAttribute('aria-pressed'), 'false');
+    // The arrows are pink, which the scale from violet to yellow is nowhere.
+    const pink = async () => (await pixels(page)).filter(([r, g, b]) => r > g + 80 && b > g + 40).length;
+    assert.equal(await pink(), 0, `${name}: no arrows before`);
+    await off.click();
+    assert.ok(await pink() > 5, `${name}: arrows`);
+    await off.click();
+    assert.equal(await pink(), 0, `${name}: no arrows after`);
+  }
+});
+
+test('a click on a cable reads its force', async () => {
+  const { page } = studio;
+  await studio.open('four-cables');
+  const { cables } = (await (await fetch(`${studio.url}/v1/jobs/${await page.textContent('#job-id')}`)).json()).statistics;
+  assert.ok(Math.abs(cables[0].force - 5) < 1e-6 && Math.abs(cables[1].force - 6) < 1e-6, JSON.stringify(cables));
+  const mesh = await (await fetch(`${studio.url}/v1/jobs/${await page.textContent('#job-id')}/mesh?format=json`)).json();
+  const at = mesh.vertices[0].map((value, axis) => 0.6 * value + 0.4 * mesh.vertices[4][axis]);
+  await click(page, await page.evaluate((point) => window.studio.project(point), at));
+  assert.match(await page.textContent('#label'), /^Force 5 kN$/);
+});
+
+test('a net is shown without triangles, its supports move, and none of its points is removed', async () => {
+  const { page } = studio;
+  await studio.open('four-cables');
+  assert.match(await page.textContent('#status'), /4 edges/);
+  assert.equal((await points(page)).length, 4, 'the free vertex is no handle');
+  assert.ok(await page.isDisabled('#draw'));
+  const layers = await page.locator('#layers button').allTextContents();
+  assert.deepEqual(layers, ['Lines', 'Reactions', 'Drawing']);
+  await showPanel(page, 'results');
+  assert.deepEqual(await page.locator('#downloads button').allTextContents(), ['GLB', 'GLTF', 'OBJ', 'PLY']);
+  await page.focus('#view');
+  await page.keyboard.press(']');
+  assert.ok(await page.isDisabled('#delete-point') && await page.isDisabled('#insert-point'));
+  await page.keyboard.press('Delete');
+  assert.equal((await request(page)).vertices.length, 5);
+  const before = (await request(page)).vertices[0];
+  await page.keyboard.press('PageUp');
+  assert.ok((await request(page)).vertices[0][2] > before[2]);
+  await solved(page);
+});

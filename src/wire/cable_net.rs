@@ -1,0 +1,555 @@
+//! `POST /v1/cable-nets`: the request, its statistics, and their conversion to and from the geometry's types.
+
+use super::common::{Cache, Point};
+use super::minimal_surface::Spread;
+use super::objectives::Objective as ObjectiveDoc;
+use super::tensile_structure::{ForceBalance, LengthAndForce};
+use super::{Checked, FieldError, Kind, Problem, Rejection};
+use crate::config::LimitsConfig;
+use crate::units::{ForceUnit, UpAxis};
+use plateau_geometry::cable_net as geometry;
+use plateau_geometry::error::Step;
+use plateau_geometry::mesh::measure;
+use plateau_geometry::{DVec3, Error as GeometryError, InputError};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+/// Largest number of cables, and of loads, of a request.
+const MAX_CABLES: u32 = 1000;
+/// Name of the cable to which the edges that no cable lists belong.
+const OTHER_EDGES: &str = "other";
+
+/// A net of cables without film, whose shape in equilibrium comes nearest to target forces and lengths.
+///
+/// The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension.
+/// Cables are groups of edges with common targets.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CableNetRequest {
+    /// Optional here, because the path names the kind. `plateau solve` needs it.
+    #[serde(default)]
+    pub kind: Option<CableNetKind>,
+    /// Whether the stored result of an equal earlier request may be returned.
+    #[serde(default)]
+    pub cache: Cache,
+    /// URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+    /// `webhooks` of `GET /v1/limits`.
+    #[serde(default)]
+    #[schemars(length(max = 2000))]
+    pub callback_url: Option<String>,
+    /// Name of the job for people. The job and lists of jobs show it.
+    #[serde(default)]
+    #[schemars(length(max = 200))]
+    pub label: Option<String>,
+    /// Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them.
+    #[serde(default)]
+    pub metadata: Option<Map<String, Value>>,
+    /// Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    /// accepted, older jobs with the same key that have not ended are cancelled.
+    #[serde(default)]
+    #[schemars(length(min = 1, max = 200))]
+    pub supersede: Option<String>,
+    /// Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`.
+    #[serde(default)]
+    pub cancel_on_disconnect: bool,
+    #[serde(default)]
+    pub units: LengthAndForce,
+    /// Axis that points up.
+    #[serde(default)]
+    pub up: UpAxis,
+    /// Points of the net: supports where they stay, the other vertices where form finding begins.
+    #[schemars(length(min = 2))]
+    pub vertices: Vec<Point>,
+    /// Pairs of vertices that a cable joins, counted from 0.
+    #[schemars(length(min = 1), inner(inner(range(min = 0, max = 4_294_967_295u32))))]
+    pub edges: Vec<[u32; 2]>,
+    /// Vertices that do not move, counted from 0.
+    #[schemars(length(min = 1), inner(range(min = 0, max = 4_294_967_295u32)))]
+    pub supports: Vec<u32>,
+    /// Loads on vertices. Loads of one vertex are added.
+    #[serde(default)]
+    #[schemars(length(max = MAX_CABLES))]
+    pub loads: Vec<NetLoad>,
+    /// Groups of edges with their targets. Edges that no cable lists have no target.
+    #[serde(default)]
+    #[schemars(length(max = MAX_CABLES))]
+    pub cables: Vec<NetCable>,
+    #[serde(default)]
+    pub weights: TargetWeights,
+    /// Lower bound of the force densities that are found, a force per length. If it is above 0, every cable stays in
+    /// tension. Otherwise a job fails if its targets leave a cable slack.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1e50))]
+    pub least_force_density: f64,
+    /// The shape counts as found when three steps in a row each lower the loss by less than this fraction of it.
+    #[serde(default = "default_tolerance")]
+    #[schemars(range(min = 0, max = 1))]
+    pub tolerance: f64,
+    /// Maximum number of steps. Null means 200.
+    #[serde(default)]
+    #[schemars(range(min = 1, max = 1_000_000_000))]
+    pub max_iterations: Option<u32>,
+}
+
+fn default_tolerance() -> f64 {
+    1e-4
+}
+
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum CableNetKind {
+    CableNet,
+}
+
+/// A load, the same on each of its vertices.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct NetLoad {
+    /// Vertices on which the load acts. Null means all vertices that are no supports.
+    #[serde(default)]
+    #[schemars(length(min = 1), inner(range(min = 0, max = 4_294_967_295u32)))]
+    pub vertices: Option<Vec<u32>>,
+    /// Force on each of the vertices.
+    pub force: Point,
+}
+
+/// Edges with common targets. Targets are met in least squares, and `force_density` exactly.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct NetCable {
+    /// Name in statistics and files. Null means its number, as in `cable 0`.
+    #[serde(default)]
+    #[schemars(length(min = 1, max = 100))]
+    pub name: Option<String>,
+    /// Numbers of its edges, counted from 0. Null means all edges that no other cable lists.
+    #[serde(default)]
+    #[schemars(length(min = 1), inner(range(min = 0, max = 4_294_967_295u32)))]
+    pub edges: Option<Vec<u32>>,
+    /// Force that each edge is to have.
+    #[serde(default)]
+    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
+    pub force: Option<f64>,
+    /// Length that each edge is to have in the found shape.
+    #[serde(default)]
+    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
+    pub length: Option<f64>,
+    /// Force over length of each edge, which is held. Not together with `force` or `length`.
+    #[serde(default)]
+    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
+    pub force_density: Option<f64>,
+    /// EA, a force. It gives the unstressed length.
+    #[serde(default)]
+    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
+    pub axial_stiffness: Option<f64>,
+}
+
+/// Weights of the terms of the loss.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TargetWeights {
+    /// Weight of the mean of (force / target - 1)² over the edges with a target force.
+    #[serde(default = "one")]
+    #[schemars(range(min = 0, max = 1e50))]
+    pub force: f64,
+    /// Weight of the mean of (length / target - 1)² over the edges with a target length.
+    #[serde(default = "one")]
+    #[schemars(range(min = 0, max = 1e50))]
+    pub length: f64,
+    /// Weight of the load path Σ force · length, as a fraction of its value at the start.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1e50))]
+    pub load_path: f64,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+impl Default for TargetWeights {
+    fn default() -> Self {
+        Self { force: 1.0, length: 1.0, load_path: 0.0 }
+    }
+}
+
+/// Groups of a net's edges for statistics and files.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    pub name: String,
+    /// Numbers of its edges in increasing order.
+    pub edges: Vec<usize>,
+    pub axial_stiffness: Option<f64>,
+}
+
+impl CableNetRequest {
+    /// Makes the checks that the schema cannot express, and converts the request to the geometry's types.
+    ///
+    /// # Errors
+    /// Returns every offending value.
+    pub(super) fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
+        let too_many = |pointer: &str, detail: String| Err(Rejection::TooLarge(vec![FieldError::new(pointer, detail)]));
+        for (pointer, count, most, what) in [
+            ("/vertices", self.vertices.len(), limits.points, "points"),
+            ("/edges", self.edges.len(), limits.triangles, "edges"),
+        ] {
+            if count > most {
+                let detail = format!("has more {what} than this server accepts ({most}); see GET /v1/limits");
+                return too_many(pointer, detail);
+            }
+        }
+        if self.max_iterations.is_some_and(|count| count > limits.iterations) {
+            let detail = format!("is more than this server allows ({}); see GET /v1/limits", limits.iterations);
+            return too_many("/max_iterations", detail);
+        }
+        let mut errors = Vec::new();
+        let of_edge = self.check_cables(&mut errors);
+        let loads = self.check_loads(&mut errors);
+        self.check_supports(&mut errors);
+        if !errors.is_empty() {
+            return Err(Rejection::Invalid(errors));
+        }
+        let (net, options) = self.to_geometry(&of_edge, loads);
+        geometry::check(&net, &options).map_err(|error| placed(error, &of_edge))?;
+        Ok(Checked {
+            memory_bytes: geometry::estimate(&net).bytes,
+            quick: false,
+            problem: Problem::CableNet { net, options, groups: self.groups(&of_edge), force: self.units.force },
+        })
+    }
+
+    /// Returns the number of each edge's cable. Edges that no cable lists belong to the cable without a list, if there is
+    /// one.
+    fn check_cables(&self, errors: &mut Vec<FieldError>) -> Vec<Option<usize>> {
+        let mut of_edge = vec![None; self.edges.len()];
+        let mut rest = None;
+        for (k, cable) in self.cables.iter().enumerate() {
+            let mut refuse = |field: String, detail: String| {
+                errors.push(FieldError::new(format!("/cables/{k}{field}"), detail));
+            };
+            if cable.force_density.is_some() && (cable.force.is_some() || cable.length.is_some()) {
+                let detail = "is not allowed with a force or a length: it is held, and they follow from it";
+                refuse("/force_density".into(), detail.into());
+            }
+            if cable.name.as_deref() == Some(OTHER_EDGES) {
+                refuse("/name".into(), format!("is the name of the edges that no cable lists: {OTHER_EDGES}"));
+            }
+            let Some(edges) = &cable.edges else {
+                match rest {
+                    None => rest = Some(k),
+                    Some(first) => refuse(
+                        String::new(),
+                        format!("needs `edges`, because cable {first} has all edges that no other cable lists"),
+                    ),
+                }
+                continue;
+            };
+            for (i, &edge) in edges.iter().enumerate() {
+                match of_edge.get_mut(edge as usize) {
+                    None => {
+                        refuse(format!("/edges/{i}"), format!("there are {} edges, numbered from 0", self.edges.len()))
+                    }
+                    Some(Some(other)) => refuse(format!("/edges/{i}"), format!("belongs to cable {other} already")),
+                    Some(cable) => *cable = Some(k),
+                }
+            }
+        }
+        of_edge.iter_mut().for_each(|cable| *cable = cable.or(rest));
+        let asks = |cable: &NetCable| cable.force.is_some() || cable.length.is_some() || cable.force_density.is_some();
+        if !self.cables.iter().any(asks) && self.weights.load_path <= 0.0 {
+            let detail = "needs a cable with a force, a length or a force density, unless the load path has a weight";
+            errors.push(FieldError::new("/cables", detail));
+        }
+        of_edge
+    }
+
+    /// Returns the load on each vertex, or nothing if there are no loads.
+    fn check_loads(&self, errors: &mut Vec<FieldError>) -> Vec<DVec3> {
+        if self.loads.is_empty() {
+            return Vec::new();
+        }
+        let count = self.vertices.len();
+        let mut loads = vec![DVec3::ZERO; count];
+        let mut held = vec![false; count];
+        for &support in &self.supports {
+            if let Some(held) = held.get_mut(support as usize) {
+                *held = true;
+            }
+        }
+        for (k, load) in self.loads.iter().enumerate() {
+            let force = DVec3::from_array(load.force);
+            let Some(vertices) = &load.vertices else {
+                (0..count).filter(|&v| !held[v]).for_each(|v| loads[v] += force);
+                continue;
+            };
+            for (i, &v) in vertices.iter().enumerate() {
+                match loads.get_mut(v as usize) {
+                    Some(load) => *load += force,
+                    None => errors.push(FieldError::new(format!("/loads/{k}/vertices/{i}"), numbered(count))),
+                }
+            }
+        }
+        loads
+    }
+
+    fn check_supports(&self, errors: &mut Vec<FieldError>) {
+        let mut seen = vec![None; self.vertices.len()];
+        for (k, &support) in self.supports.iter().enumerate() {
+            match seen.get_mut(support as usize) {
+                None => errors.push(FieldError::new(format!("/supports/{k}"), numbered(self.vertices.len()))),
+                Some(Some(first)) => {
+                    errors.push(FieldError::new(format!("/supports/{k}"), format!("repeats support {first}")));
+                }
+                Some(place) => *place = Some(k),
+            }
+        }
+    }
+
+    fn to_geometry(&self, of_edge: &[Option<usize>], loads: Vec<DVec3>) -> (geometry::Net, geometry::Options) {
+        let edge = |(&ends, cable): (&[u32; 2], &Option<usize>)| {
+            let cable = cable.map(|k| &self.cables[k]);
+            let density = cable.and_then(|cable| cable.force_density);
+            geometry::Edge {
+                ends,
+                density,
+                held: density.is_some(),
+                force: cable.and_then(|cable| cable.force),
+                length: cable.and_then(|cable| cable.length),
+            }
+        };
+        let net = geometry::Net {
+            vertices: self.vertices.iter().copied().map(DVec3::from_array).collect(),
+            edges: self.edges.iter().zip(of_edge).map(edge).collect(),
+            supports: self.supports.clone(),
+            loads,
+        };
+        let options = geometry::Options {
+            force_weight: self.weights.force,
+            length_weight: self.weights.length,
+            load_path_weight: self.weights.load_path,
+            least_density: self.least_force_density,
+            tolerance: self.tolerance,
+            max_iterations: self.max_iterations,
+        };
+        (net, options)
+    }
+
+    /// Returns the cables with their edges. Cables without edges are left out.
+    fn groups(&self, of_edge: &[Option<usize>]) -> Vec<Group> {
+        let mut groups: Vec<Group> = self
+            .cables
+            .iter()
+            .enumerate()
+            .map(|(k, cable)| Group {
+                name: cable.name.clone().unwrap_or_else(|| format!("{k}")),
+                edges: Vec::new(),
+                axial_stiffness: cable.axial_stiffness,
+            })
+            .collect();
+        groups.push(Group { name: OTHER_EDGES.into(), edges: Vec::new(), axial_stiffness: None });
+        for (k, cable) in of_edge.iter().enumerate() {
+            groups[cable.unwrap_or(self.cables.len())].edges.push(k);
+        }
+        groups.retain(|group| !group.edges.is_empty());
+        groups
+    }
+}
+
+fn numbered(count: usize) -> String {
+    format!("there are {count} vertices, numbered from 0")
+}
+
+/// Converts the places of the geometry's errors to those of the request.
+fn placed(error: GeometryError, of_edge: &[Option<usize>]) -> Rejection {
+    let GeometryError::Input(errors) = error else { return error.into() };
+    Rejection::Invalid(errors.iter().map(|error| FieldError::new(pointer(error, of_edge), &*error.detail)).collect())
+}
+
+fn pointer(error: &InputError, of_edge: &[Option<usize>]) -> String {
+    use Step::{Field, Index};
+    match error.place.0.as_slice() {
+        [Field("edges"), Index(k), Field("ends")] => format!("/edges/{k}"),
+        [Field("edges"), Index(k), Field("ends"), Index(end)] => format!("/edges/{k}/{end}"),
+        [Field("edges"), Index(k), Field(field)] => {
+            let field = if *field == "density" { "force_density" } else { field };
+            match of_edge.get(*k).copied().flatten() {
+                Some(cable) => format!("/cables/{cable}/{field}"),
+                None => format!("/edges/{k}"),
+            }
+        }
+        [Field("loads"), ..] => "/loads".into(),
+        [Field("least_density")] => "/least_force_density".into(),
+        [Field("force_weight")] => "/weights/force".into(),
+        [Field("length_weight")] => "/weights/length".into(),
+        [Field("load_path_weight")] => "/weights/load_path".into(),
+        _ => FieldError::from(error).pointer,
+    }
+}
+
+/// Returns the objectives of this kind.
+#[must_use]
+pub fn objectives() -> Vec<ObjectiveDoc> {
+    vec![ObjectiveDoc {
+        name: "nearest_to_targets",
+        kind: Kind::CableNet,
+        minimises: "w_F mean((F / F* - 1)²) + w_L mean((L / L* - 1)²) + w_P Σ F L / (Σ F L at the start), in exact \
+                    equilibrium, over the edges' force densities",
+        unit: "1",
+        source: "Schek 1974",
+        options: vec![
+            "edges",
+            "supports",
+            "loads",
+            "cables",
+            "weights",
+            "least_force_density",
+            "tolerance",
+            "max_iterations",
+        ],
+    }]
+}
+
+/// Smallest and largest value.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct ValueRange {
+    pub min: f64,
+    pub max: f64,
+}
+
+impl ValueRange {
+    fn of(values: impl Iterator<Item = f64>) -> Self {
+        let empty = Self { min: f64::INFINITY, max: f64::NEG_INFINITY };
+        values.fold(empty, |range, value| Self { min: range.min.min(value), max: range.max.max(value) })
+    }
+}
+
+/// A cable of the found net: all its edges together.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(rename = "NetCableResult")]
+pub struct CableResult {
+    pub name: String,
+    /// Number of its edges.
+    pub edges: usize,
+    /// Mean force, weighted by length.
+    pub force: f64,
+    pub force_min: f64,
+    pub force_max: f64,
+    /// Sum of the edges' lengths.
+    pub length: f64,
+    /// Sum of the edges' unstressed lengths, length / (1 + force / axial stiffness) each; null without an axial stiffness.
+    pub unstressed_length: Option<f64>,
+    pub edge_lengths: ValueRange,
+    pub force_densities: ValueRange,
+    /// Largest |force / target - 1|; null without a target.
+    pub force_deviation: Option<f64>,
+    /// Largest |length / target - 1|; null without a target.
+    pub length_deviation: Option<f64>,
+    /// Number of edges to which the targets leave no force, so that only `least_force_density` keeps them in tension.
+    pub slack_edges: usize,
+}
+
+/// A support of the net.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct NetReaction {
+    pub vertex: u32,
+    /// Force of the support on the net.
+    pub force: Point,
+}
+
+/// Statistics of a cable net.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct CableNetStatistics {
+    /// Middle of the net's bounding box, which files with `origin=local` are relative to.
+    pub origin: Point,
+    pub objective: &'static str,
+    /// Loss: the weighted sum of the mean squared deviations from the targets and of the load path. 0 without targets.
+    pub objective_value: f64,
+    /// Unit of the forces.
+    pub force_unit: &'static str,
+    pub vertices: usize,
+    pub edges: usize,
+    /// Always 0: a net has no triangles.
+    pub triangles: usize,
+    /// Cables in the order of the request, and `other` for edges that no cable lists.
+    pub cables: Vec<CableResult>,
+    /// Supports in the order of the request.
+    pub reactions: Vec<NetReaction>,
+    pub balance: ForceBalance,
+    /// Σ force · length.
+    pub load_path: f64,
+    /// Largest force on a free vertex that is not balanced, over the largest force of a cable.
+    pub residual: f64,
+    /// Largest derivative of the loss by the logarithm of a force density.
+    pub gradient: f64,
+    pub converged: bool,
+    pub stop_reason: &'static str,
+    pub iterations: u32,
+    pub edge_lengths: Spread,
+}
+
+impl CableNetStatistics {
+    #[must_use]
+    pub fn of(
+        found: &geometry::CableNet,
+        net: &geometry::Net,
+        groups: &[Group],
+        force: ForceUnit,
+        origin: Point,
+    ) -> Self {
+        let reaction = |(vertex, force): (&u32, &DVec3)| NetReaction { vertex: *vertex, force: force.to_array() };
+        let largest = found.forces.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        Self {
+            origin,
+            objective: "nearest_to_targets",
+            objective_value: found.loss,
+            force_unit: force.symbol(),
+            vertices: found.vertices.len(),
+            edges: net.edges.len(),
+            triangles: 0,
+            cables: groups.iter().map(|group| CableResult::of(found, net, group)).collect(),
+            reactions: net.supports.iter().zip(&found.reactions).map(reaction).collect(),
+            balance: ForceBalance {
+                loads: found.loads.to_array(),
+                reactions: found.reactions.iter().sum::<DVec3>().to_array(),
+                magnitudes: found.magnitudes,
+                imbalance: found.imbalance,
+                residual_force: found.residual_force,
+            },
+            load_path: found.load_path,
+            residual: found.residual_force / largest,
+            gradient: found.gradient,
+            converged: found.converged(),
+            stop_reason: found.stop_reason.name(),
+            iterations: found.iterations,
+            edge_lengths: measure::Spread::of(found.lengths.iter().copied()).into(),
+        }
+    }
+}
+
+impl CableResult {
+    fn of(found: &geometry::CableNet, net: &geometry::Net, group: &Group) -> Self {
+        let edges = || group.edges.iter().copied();
+        let length: f64 = edges().map(|k| found.lengths[k]).sum();
+        let path: f64 = edges().map(|k| found.forces[k] * found.lengths[k]).sum();
+        let forces = ValueRange::of(edges().map(|k| found.forces[k]));
+        let deviation = |values: &[f64], target: fn(&geometry::Edge) -> Option<f64>| {
+            let of = |k: usize| Some((values[k] / target(&net.edges[k])? - 1.0).abs());
+            edges().filter_map(of).reduce(f64::max)
+        };
+        Self {
+            name: group.name.clone(),
+            edges: group.edges.len(),
+            force: path / length,
+            force_min: forces.min,
+            force_max: forces.max,
+            length,
+            unstressed_length: group
+                .axial_stiffness
+                .map(|stiffness| edges().map(|k| found.lengths[k] / (1.0 + found.forces[k] / stiffness)).sum()),
+            edge_lengths: ValueRange::of(edges().map(|k| found.lengths[k])),
+            force_densities: ValueRange::of(edges().map(|k| found.densities[k])),
+            force_deviation: deviation(&found.forces, |edge| edge.force),
+            length_deviation: deviation(&found.lengths, |edge| edge.length),
+            slack_edges: edges().filter(|&k| found.slack[k]).count(),
+        }
+    }
+}
