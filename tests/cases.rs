@@ -68,6 +68,19 @@ fn points_a_millionth_of_the_radius_apart_leave_a_film_that_converges() {
     assert!(!has(&warnings, "not_converged"), "{warnings:?}");
 }
 
+#[test]
+fn a_boundary_of_many_points_needs_no_resolution() {
+    let points: Vec<[f64; 3]> = (0..3000)
+        .map(|k| std::f64::consts::TAU * f64::from(k) / 3000.0)
+        .map(|angle| [angle.cos(), angle.sin(), 0.2 * (2.0 * angle).sin()])
+        .collect();
+    let request = serde_json::json!({"kind": "minimal_surface", "boundaries": [points]});
+    let (statistics, warnings) = solved_body("3,000 points", request.to_string().as_bytes());
+    let triangles = statistics["triangles"].as_u64().unwrap();
+    assert!((9_000..15_000).contains(&triangles), "{triangles}");
+    assert_eq!(statistics["converged"], true, "{warnings:?}");
+}
+
 /// A connected film of this area that does not cross itself.
 fn is_connected_film(name: &str, area: f64) {
     let (statistics, warnings) = solved(name);

@@ -9,7 +9,6 @@ use crate::config::LimitsConfig;
 use crate::units::{ForceUnit, Unit, UpAxis};
 use plateau_geometry::DVec3;
 use plateau_geometry::equilibrium::Support;
-use plateau_geometry::minimal_surface as surface;
 use plateau_geometry::tensile_structure as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -83,6 +82,7 @@ pub struct TensileStructureRequest {
     #[serde(default)]
     #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
     pub volume: Option<f64>,
+    /// Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more.
     #[serde(default)]
     pub resolution: Resolution,
     /// Residual (largest unbalanced force over twice the vertex's share of tension times area, times the radius of the
@@ -450,13 +450,7 @@ impl TensileStructureRequest {
 
     /// Converts the request to the geometry's types.
     fn to_geometry(&self, sliding: Vec<geometry::Sliding>) -> (geometry::Structure, geometry::Options) {
-        let resolution = match self.resolution {
-            Resolution { triangles: Some(count), .. } => surface::Resolution::Triangles(count as usize),
-            Resolution { edge_length: Some(length), .. } => surface::Resolution::EdgeLength(length),
-            Resolution { interior_vertices, .. } => {
-                surface::Resolution::InteriorVertices(interior_vertices.unwrap_or(1000) as usize)
-            }
-        };
+        let resolution = self.resolution.to_geometry(self.boundaries.iter().map(Vec::len).sum());
         let structure = geometry::Structure {
             boundaries: common::polylines(&self.boundaries),
             film: geometry::FilmStress { tension: self.film.tension, weight: self.film.weight },

@@ -163,7 +163,10 @@ fn relax(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Er
     let limits = options.limits();
     let given = matches!(options.initial_mesh, InitialMesh::Given(_));
     match &options.method {
-        Method::LiuWang(method) => liu_wang::run(film, method, limits, exec),
+        Method::LiuWang(method) => {
+            let candidate = options.barycentres(film.boundaries.len()).is_some();
+            liu_wang::run(film, method, candidate, limits, exec)
+        }
         Method::Harmonic => dirichlet::run_once(film, exec),
         Method::VertexRelaxation(method) => chen_cai_zheng::run(film, method, limits, exec),
         Method::PinkallPolthier(method) => pinkall_polthier::run(film, method, limits, exec),

@@ -183,14 +183,15 @@ impl<'a> Solve<'a> {
         Ok((reason, None))
     }
 
-    /// Widens the small angles of a converged film and lets it converge again, as long as that makes its smallest angle
-    /// larger. Returns the pattern and the factorisation of the connectivity that remains.
+    /// Widens the small angles of a converged film, opens its flipped triangles and lets it converge again, as long as
+    /// that leaves fewer flipped triangles or a larger smallest angle. Returns the pattern and the factorisation of the
+    /// connectivity that remains.
     fn widen(&mut self, film: &mut Film, pattern: Pattern, direct: Direct) -> Result<(Pattern, Direct), Error> {
         let (mut pattern, mut direct) = (pattern, direct);
         for _ in 0..if self.may_widen { WIDENINGS } else { 0 } {
             self.exec.look(film.triangles().len() as u64)?;
-            let before = smallest_angle(film);
-            if before >= NARROW {
+            let (before, flipped) = (smallest_angle(film), film.flipped_triangles());
+            if before >= NARROW && flipped == 0 {
                 break;
             }
             let mut widened = film.clone();
@@ -200,10 +201,9 @@ impl<'a> Solve<'a> {
             let new_pattern = Pattern::new(widened.triangles(), &widened.fixed);
             let mut solver = Direct::new(new_pattern.matrix()).map_err(too_large)?;
             let reason = self.newton(&mut widened, &new_pattern, &mut solver, Aim::Minimum)?;
-            if reason != StopReason::Residual
-                || smallest_angle(&widened) <= before
-                || widened.flipped_triangles() > film.flipped_triangles()
-            {
+            let flipped_after = widened.flipped_triangles();
+            let improves = flipped_after < flipped || (flipped_after == flipped && smallest_angle(&widened) > before);
+            if reason != StopReason::Residual || !improves {
                 break;
             }
             (*film, pattern, direct) = (widened, new_pattern, solver);
