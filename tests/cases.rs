@@ -81,6 +81,26 @@ fn a_boundary_of_many_points_needs_no_resolution() {
     assert_eq!(statistics["converged"], true, "{warnings:?}");
 }
 
+#[test]
+fn a_strip_is_accepted_by_the_cells_that_its_search_visits() {
+    let rail = |phase: f64, y: f64| -> Vec<[f64; 3]> {
+        let point = |k: u32| {
+            let u = f64::from(k) / 49_999.0;
+            [10.0 * u, y + 0.3 * (9.0 * u + phase).sin(), 0.3 * (7.0 * u - phase).cos()]
+        };
+        (0..50_000).map(point).collect()
+    };
+    let read = |objective: &str| {
+        let request = serde_json::json!({
+            "kind": "ruled_surface", "directrices": [rail(0.3, 0.0), rail(1.9, 3.0)], "objective": objective
+        });
+        Request::read_with_kind(request.to_string().as_bytes(), &LimitsConfig::default())
+    };
+    // The grid has 2.5e9 cells, more than are accepted. Least area visits a thousandth of them.
+    read("minimal_area").unwrap_or_else(|rejection| panic!("{rejection:?}"));
+    assert!(format!("{:?}", read("minimal_twist").unwrap_err()).contains("grid cells"));
+}
+
 /// A connected film of this area that does not cross itself.
 fn is_connected_film(name: &str, area: f64) {
     let (statistics, warnings) = solved(name);
