@@ -932,7 +932,8 @@ class MinimalSurfaceRequest(TypedDict):
     boundaries: Sequence[Polygon]
     """Closed polygons that do not repeat their first point."""
     boundary_curvature: NotRequired[bool]
-    """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do. Default: `true`."""
+    """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
+    does. The film then leaves the minimal surface beside the boundary. Default: `false`."""
     boundary_sampling: NotRequired[BoundarySampling]
     cache: NotRequired[Cache]
     """Whether the stored result of an equal earlier request may be returned."""
@@ -968,6 +969,7 @@ class MinimalSurfaceRequest(TypedDict):
     """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
     stages."""
     resolution: NotRequired[Resolution]
+    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more."""
     seed: NotRequired[int]
     """Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`."""
     solver: NotRequired[Solver]
@@ -991,7 +993,8 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     boundaries: List[Polygon]
     """Closed polygons that do not repeat their first point."""
     boundary_curvature: NotRequired[bool]
-    """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do. Default: `true`."""
+    """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
+    does. The film then leaves the minimal surface beside the boundary. Default: `false`."""
     boundary_sampling: NotRequired[BoundarySampling]
     cache: NotRequired[Cache]
     """Whether the stored result of an equal earlier request may be returned."""
@@ -1027,6 +1030,7 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
     stages."""
     resolution: NotRequired[Resolution]
+    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more."""
     seed: NotRequired[int]
     """Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`."""
     solver: NotRequired[Solver]
@@ -1638,6 +1642,7 @@ class TensileStructureRequest(TypedDict):
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary or with `supports`."""
     resolution: NotRequired[Resolution]
+    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more."""
     supersede: NotRequired[Optional[str]]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
@@ -1686,6 +1691,7 @@ class TensileStructureRequestWithKind(TypedDict):
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary or with `supports`."""
     resolution: NotRequired[Resolution]
+    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more."""
     supersede: NotRequired[Optional[str]]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
@@ -1936,7 +1942,8 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     area_tolerance: float
     """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop. Default: `1e-6`."""
     boundary_curvature: bool
-    """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do. Default: `true`."""
+    """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
+    does. The film then leaves the minimal surface beside the boundary. Default: `false`."""
     boundary_sampling: BoundarySampling
     cache: Cache
     """Whether the stored result of an equal earlier request may be returned."""
@@ -1970,6 +1977,7 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
     stages."""
     resolution: Resolution
+    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more."""
     seed: int
     """Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`."""
     solver: Solver
@@ -2049,6 +2057,7 @@ class TensileStructureOptions(TypedDict, total=False):
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary or with `supports`."""
     resolution: Resolution
+    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more."""
     supersede: Optional[str]
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
