@@ -68,6 +68,39 @@ fn points_a_millionth_of_the_radius_apart_leave_a_film_that_converges() {
     assert!(!has(&warnings, "not_converged"), "{warnings:?}");
 }
 
+#[test]
+fn a_boundary_of_many_points_needs_no_resolution() {
+    let points: Vec<[f64; 3]> = (0..3000)
+        .map(|k| std::f64::consts::TAU * f64::from(k) / 3000.0)
+        .map(|angle| [angle.cos(), angle.sin(), 0.2 * (2.0 * angle).sin()])
+        .collect();
+    let request = serde_json::json!({"kind": "minimal_surface", "boundaries": [points]});
+    let (statistics, warnings) = solved_body("3,000 points", request.to_string().as_bytes());
+    let triangles = statistics["triangles"].as_u64().unwrap();
+    assert!((9_000..15_000).contains(&triangles), "{triangles}");
+    assert_eq!(statistics["converged"], true, "{warnings:?}");
+}
+
+#[test]
+fn a_strip_is_accepted_by_the_cells_that_its_search_visits() {
+    let rail = |phase: f64, y: f64| -> Vec<[f64; 3]> {
+        let point = |k: u32| {
+            let u = f64::from(k) / 49_999.0;
+            [10.0 * u, y + 0.3 * (9.0 * u + phase).sin(), 0.3 * (7.0 * u - phase).cos()]
+        };
+        (0..50_000).map(point).collect()
+    };
+    let read = |objective: &str| {
+        let request = serde_json::json!({
+            "kind": "ruled_surface", "directrices": [rail(0.3, 0.0), rail(1.9, 3.0)], "objective": objective
+        });
+        Request::read_with_kind(request.to_string().as_bytes(), &LimitsConfig::default())
+    };
+    // The grid has 2.5e9 cells, more than are accepted. Least area visits a thousandth of them.
+    read("minimal_area").unwrap_or_else(|rejection| panic!("{rejection:?}"));
+    assert!(format!("{:?}", read("minimal_twist").unwrap_err()).contains("grid cells"));
+}
+
 /// A connected film of this area that does not cross itself.
 fn is_connected_film(name: &str, area: f64) {
     let (statistics, warnings) = solved(name);
@@ -120,12 +153,12 @@ fn angles_at_re_entrant_corners_do_not_fall_with_the_resolution() {
     assert!(statistics["angles_deg"]["min"].as_f64().unwrap() >= 20.0, "{}", statistics["angles_deg"]);
 }
 
-/// Surface Evolver finds 3.686 with 8 flipped triangles at the same count; here 76 are left, which is said.
+/// Surface Evolver finds 3.686 with 8 flipped triangles at the same count.
 #[test]
 fn a_noisy_loop_that_leaves_flipped_triangles_is_not_called_converged() {
     let (statistics, warnings) = solved("film_gps_corr_4000");
     let (flipped, area) = (statistics["flipped_triangles"].as_u64().unwrap(), statistics["area"].as_f64().unwrap());
-    assert!(flipped <= 76 && area < 3.72, "{flipped} flipped, area {area}");
+    assert!(flipped <= 8 && area < 3.69, "{flipped} flipped, area {area}");
     assert_eq!(statistics["converged"] == true, flipped == 0);
     assert!(flipped == 0 || has(&warnings, "not_converged"), "{warnings:?}");
 }

@@ -63,6 +63,7 @@ pub struct MinimalSurfaceRequest {
     /// Method that minimises the area.
     #[serde(default)]
     pub solver: Solver,
+    /// Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more.
     #[serde(default)]
     pub resolution: Resolution,
     #[serde(default)]
@@ -109,8 +110,9 @@ pub struct MinimalSurfaceRequest {
     #[serde(default = "default_seed")]
     #[schemars(range(min = 0, max = 4_294_967_295u32))]
     pub seed: u32,
-    /// Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do.
-    #[serde(default = "default_true")]
+    /// Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
+    /// does. The film then leaves the minimal surface beside the boundary.
+    #[serde(default)]
     pub boundary_curvature: bool,
     /// Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
     /// bound is to be and how long the search may take. Only for `minimal_area`.
@@ -164,10 +166,6 @@ fn default_seed() -> u32 {
     1
 }
 
-fn default_true() -> bool {
-    true
-}
-
 fn default_tolerance() -> f64 {
     1e-6
 }
@@ -204,7 +202,8 @@ pub enum Solver {
 }
 
 /// Resolution of the mesh, given by exactly one of the three fields.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+// None of them stands for a request without a resolution; the schema refuses an empty object.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("minProperties" = 1, "maxProperties" = 1))]
 pub struct Resolution {
@@ -222,9 +221,24 @@ pub struct Resolution {
     pub interior_vertices: Option<u32>,
 }
 
-impl Default for Resolution {
-    fn default() -> Self {
-        Self { triangles: Some(2000), edge_length: None, interior_vertices: None }
+/// Number of triangles if the request has no resolution.
+const DEFAULT_TRIANGLES: usize = 2000;
+/// Smallest number of triangles for each boundary point if the request has no resolution. A larger value grades the
+/// triangles more gently from a boundary of many points to the middle.
+const DEFAULT_TRIANGLES_PER_POINT: usize = 4;
+
+impl Resolution {
+    /// Converts the resolution to the geometry's type, for boundaries with so many points.
+    pub(super) fn to_geometry(self, boundary_points: usize) -> geometry::Resolution {
+        match self {
+            Self { triangles: Some(count), .. } => geometry::Resolution::Triangles(count as usize),
+            Self { edge_length: Some(length), .. } => geometry::Resolution::EdgeLength(length),
+            Self { interior_vertices: Some(count), .. } => geometry::Resolution::InteriorVertices(count as usize),
+            Self { .. } => {
+                let graded = DEFAULT_TRIANGLES_PER_POINT * boundary_points;
+                geometry::Resolution::Triangles(graded.max(DEFAULT_TRIANGLES))
+            }
+        }
     }
 }
 
@@ -426,13 +440,7 @@ impl MinimalSurfaceRequest {
 
     /// Converts the request to the geometry's types.
     fn to_geometry(&self) -> (Vec<Vec<plateau_geometry::DVec3>>, geometry::Options) {
-        let resolution = match self.resolution {
-            Resolution { triangles: Some(count), .. } => geometry::Resolution::Triangles(count as usize),
-            Resolution { edge_length: Some(length), .. } => geometry::Resolution::EdgeLength(length),
-            Resolution { interior_vertices, .. } => {
-                geometry::Resolution::InteriorVertices(interior_vertices.unwrap_or(1000) as usize)
-            }
-        };
+        let resolution = self.resolution.to_geometry(self.boundaries.iter().map(Vec::len).sum());
         let options = geometry::Options {
             method: self.method(),
             boundary_sampling: match self.boundary_sampling {

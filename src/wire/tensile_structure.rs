@@ -10,7 +10,6 @@ use crate::units::{ForceUnit, Unit, UpAxis};
 use plateau_geometry::DVec3;
 use plateau_geometry::equilibrium::Support;
 use plateau_geometry::mesh::self_intersections::Skipped;
-use plateau_geometry::minimal_surface as surface;
 use plateau_geometry::tensile_structure as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -98,6 +97,7 @@ pub struct TensileStructureRequest {
     #[serde(default)]
     #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
     pub volume: Option<f64>,
+    /// Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more.
     #[serde(default)]
     pub resolution: Resolution,
     /// Residual (largest unbalanced force over twice the vertex's share of tension times area, times the radius of the
@@ -643,13 +643,7 @@ impl TensileStructureRequest {
         sliding: Vec<geometry::Sliding>,
         rings: Vec<geometry::Ring>,
     ) -> (geometry::Structure, geometry::Options) {
-        let resolution = match self.resolution {
-            Resolution { triangles: Some(count), .. } => surface::Resolution::Triangles(count as usize),
-            Resolution { edge_length: Some(length), .. } => surface::Resolution::EdgeLength(length),
-            Resolution { interior_vertices, .. } => {
-                surface::Resolution::InteriorVertices(interior_vertices.unwrap_or(1000) as usize)
-            }
-        };
+        let resolution = self.resolution.to_geometry(self.boundaries.iter().map(Vec::len).sum());
         let cables = self.cables.iter().enumerate().map(|(k, cable)| cable.to_geometry(k));
         let masts = self.masts.iter().enumerate().map(|(k, mast)| mast.to_geometry(k));
         let structure = geometry::Structure {

@@ -1740,7 +1740,10 @@ export interface components {
             area_tolerance?: number;
             /** @description Closed polygons that do not repeat their first point. */
             boundaries: components["schemas"]["Polygon"][];
-            /** @description Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do. Default: `true`. */
+            /**
+             * @description Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
+             *     does. The film then leaves the minimal surface beside the boundary. Default: `false`.
+             */
             boundary_curvature?: boolean;
             boundary_sampling?: components["schemas"]["BoundarySampling"];
             /** @description Whether the stored result of an equal earlier request may be returned. */
@@ -1790,6 +1793,7 @@ export interface components {
              *     stages.
              */
             processes?: components["schemas"]["ProcessStage"][] | null;
+            /** @description Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. */
             resolution?: components["schemas"]["Resolution"];
             /** @description Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`. */
             seed?: number;
@@ -1820,7 +1824,10 @@ export interface components {
             area_tolerance?: number;
             /** @description Closed polygons that do not repeat their first point. */
             boundaries: components["schemas"]["Polygon"][];
-            /** @description Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do. Default: `true`. */
+            /**
+             * @description Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
+             *     does. The film then leaves the minimal surface beside the boundary. Default: `false`.
+             */
             boundary_curvature?: boolean;
             boundary_sampling?: components["schemas"]["BoundarySampling"];
             /** @description Whether the stored result of an equal earlier request may be returned. */
@@ -1873,6 +1880,7 @@ export interface components {
              *     stages.
              */
             processes?: components["schemas"]["ProcessStage"][] | null;
+            /** @description Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. */
             resolution?: components["schemas"]["Resolution"];
             /** @description Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`. */
             seed?: number;
@@ -2812,6 +2820,7 @@ export interface components {
              *     with `volume`, and not with cables along a boundary or with `supports`.
              */
             pressure?: number | null;
+            /** @description Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. */
             resolution?: components["schemas"]["Resolution"];
             /** @description Boundaries that are rigid rings and move along an axis. */
             rings?: components["schemas"]["Ring"][];
@@ -2887,6 +2896,7 @@ export interface components {
              *     with `volume`, and not with cables along a boundary or with `supports`.
              */
             pressure?: number | null;
+            /** @description Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. */
             resolution?: components["schemas"]["Resolution"];
             /** @description Boundaries that are rigid rings and move along an axis. */
             rings?: components["schemas"]["Ring"][];

@@ -143,6 +143,7 @@ fn refuse_lost_film(statistics: &Statistics) -> Result<(), Error> {
     let ended = match statistics.stop_reason {
         StopReason::Collapsed => "collapsed",
         StopReason::Stalled | StopReason::Residual if statistics.flipped_triangles > 0 => "folded over",
+        StopReason::Stalled if statistics.degenerate_triangles > 0 => "collapsed in part",
         StopReason::Stalled if statistics.residual > LOST => "stopped far from any",
         _ => return Ok(()),
     };
@@ -163,7 +164,10 @@ fn relax(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Er
     let limits = options.limits();
     let given = matches!(options.initial_mesh, InitialMesh::Given(_));
     match &options.method {
-        Method::LiuWang(method) => liu_wang::run(film, method, limits, exec),
+        Method::LiuWang(method) => {
+            let candidate = options.barycentres(film.boundaries.len()).is_some();
+            liu_wang::run(film, method, candidate, limits, exec)
+        }
         Method::Harmonic => dirichlet::run_once(film, exec),
         Method::VertexRelaxation(method) => chen_cai_zheng::run(film, method, limits, exec),
         Method::PinkallPolthier(method) => pinkall_polthier::run(film, method, limits, exec),

@@ -1,5 +1,6 @@
 //! Better meshes of a surface as it is. None of these moves a fixed vertex or removes a locked edge.
 
+pub(crate) mod area_flips;
 pub(crate) mod delaunay;
 pub(crate) mod isotropic;
 pub(crate) mod sheets;

@@ -632,7 +632,11 @@ fn loops_that_share_a_point_are_told_so() {
     let surface = solve(&[square.clone(), above.clone()], &apart, &Execution::default()).unwrap();
     let shared: Vec<_> = surface.warnings.iter().filter(|warning| warning.code == "shared_points").collect();
     assert_eq!(shared.len(), 1, "{:?}", surface.warnings);
-    assert!(shared[0].detail.starts_with("/boundaries/1/0 is also point 2 of boundary 0: "), "{}", shared[0].detail);
+    assert!(
+        shared[0].detail.starts_with("point 0 of boundary 1 is also point 2 of boundary 0: "),
+        "{}",
+        shared[0].detail
+    );
     // A film that has to connect them fails, and the point is named there too.
     assert_eq!(crossings(&[square.clone(), above]), ["/topology", "/boundaries/1/0"]);
     let below = moved(&square, at(0.0, 0.0, 9.0));

@@ -965,7 +965,8 @@ class MinimalSurfaceRequest(TypedDict):
     boundaries: Sequence[Polygon]
     """Closed polygons that do not repeat their first point."""
     boundary_curvature: NotRequired[bool]
-    """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do. Default: `true`."""
+    """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
+    does. The film then leaves the minimal surface beside the boundary. Default: `false`."""
     boundary_sampling: NotRequired[BoundarySampling]
     cache: NotRequired[Cache]
     """Whether the stored result of an equal earlier request may be returned."""
@@ -1001,6 +1002,7 @@ class MinimalSurfaceRequest(TypedDict):
     """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
     stages."""
     resolution: NotRequired[Resolution]
+    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more."""
     seed: NotRequired[int]
     """Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`."""
     solver: NotRequired[Solver]
@@ -1024,7 +1026,8 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     boundaries: List[Polygon]
     """Closed polygons that do not repeat their first point."""
     boundary_curvature: NotRequired[bool]
-    """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do. Default: `true`."""
+    """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
+    does. The film then leaves the minimal surface beside the boundary. Default: `false`."""
     boundary_sampling: NotRequired[BoundarySampling]
     cache: NotRequired[Cache]
     """Whether the stored result of an equal earlier request may be returned."""
@@ -1060,6 +1063,7 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
     stages."""
     resolution: NotRequired[Resolution]
+    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more."""
     seed: NotRequired[int]
     """Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`."""
     solver: NotRequired[Solver]
@@ -1720,6 +1724,7 @@ class TensileStructureRequest(TypedDict):
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary or with `supports`."""
     resolution: NotRequired[Resolution]
+    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more."""
     rings: NotRequired[Sequence[Ring]]
     """Boundaries that are rigid rings and move along an axis."""
     supersede: NotRequired[Optional[str]]
@@ -1774,6 +1779,7 @@ class TensileStructureRequestWithKind(TypedDict):
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary or with `supports`."""
     resolution: NotRequired[Resolution]
+    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more."""
     rings: NotRequired[List[Ring]]
     """Boundaries that are rigid rings and move along an axis."""
     supersede: NotRequired[Optional[str]]
@@ -2051,7 +2057,8 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     area_tolerance: float
     """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop. Default: `1e-6`."""
     boundary_curvature: bool
-    """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang do. Default: `true`."""
+    """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
+    does. The film then leaves the minimal surface beside the boundary. Default: `false`."""
     boundary_sampling: BoundarySampling
     cache: Cache
     """Whether the stored result of an equal earlier request may be returned."""
@@ -2085,6 +2092,7 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     """Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
     stages."""
     resolution: Resolution
+    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more."""
     seed: int
     """Seed of the choice among the candidate points of `initial_mesh: barycentres`. Default: `1`."""
     solver: Solver
@@ -2168,6 +2176,7 @@ class TensileStructureOptions(TypedDict, total=False):
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     with `volume`, and not with cables along a boundary or with `supports`."""
     resolution: Resolution
+    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more."""
     rings: Sequence[Ring]
     """Boundaries that are rigid rings and move along an axis."""
     supersede: Optional[str]

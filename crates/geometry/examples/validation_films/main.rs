@@ -2,7 +2,7 @@
 //! topologies, triple junctions, lower bounds.
 //!
 //! `cargo run --release -p plateau-geometry --example validation_films -- docs/validation` writes the SVG files there
-//! and prints the tables.
+//! and prints the tables; with `liu-wang` behind the folder those of Liu and Wang alone.
 
 mod bento_cavalcanti;
 #[path = "../../tests/boundaries/mod.rs"]
@@ -28,6 +28,9 @@ fn main() {
             std::process::exit(1);
         }
     };
+    if std::env::args().nth(2).as_deref() == Some("liu-wang") {
+        return liu_wang::run_all(&save);
+    }
     chen_cai_zheng::run_all(&save);
     liu_wang::run_all(&save);
     bento_cavalcanti::run_all(&save);

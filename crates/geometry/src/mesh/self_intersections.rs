@@ -26,7 +26,7 @@ mod soup;
 use crate::error::Warning;
 use crate::{DVec3, Execution, Interruption, Mesh};
 pub use boxes::Order;
-use boxes::{Leaves, Tree};
+use boxes::{Leaves, Tree, Visits};
 use predicates::{meet_apart, overlap_beside_edge, pierces, segment_meets_triangle};
 use soup::{NONE, Soup};
 use std::ops::ControlFlow;
@@ -161,7 +161,7 @@ fn intersections_among(
         return Ok(found);
     }
     let stars = soup.embedded_stars(&list, exec)?;
-    let leaves = Leaves { triangles: list, order, size: LEAF, margin: 0.0 };
+    let leaves = Leaves { triangles: list, order, size: LEAF, margin: 0.0, visits: Visits::Pairs };
     let tree = Tree::new(leaves, |t| soup.corners(soup.triangles[t as usize]), exec)?;
     let labels = tree.labels(|t| largest_star(&soup.triangles[t as usize], &stars));
     let same_star = |a: usize, b: usize| labels[a] != NONE && labels[a] == labels[b];
@@ -206,7 +206,8 @@ pub fn surfaces_cross(
     let soup = Soup::new(&vertices, &triangles, exec)?;
     // Every triangle and every node has the number of its surface; a node with triangles of both has none.
     let surface = |t: u32| u32::from(t as usize >= first.1.len());
-    let leaves = Leaves { triangles: soup.with_area(), order: Order::Spatial, size: LEAF, margin: 0.0 };
+    let triangles = soup.with_area();
+    let leaves = Leaves { triangles, order: Order::Spatial, size: LEAF, margin: 0.0, visits: Visits::Pairs };
     let tree = Tree::new(leaves, |t| soup.corners(soup.triangles[t as usize]), exec)?;
     let labels = tree.labels(surface);
     let same_surface = |a: usize, b: usize| labels[a] != NONE && labels[a] == labels[b];

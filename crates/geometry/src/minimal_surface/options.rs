@@ -247,7 +247,8 @@ impl Default for PinkallPolthier {
 pub struct LiuWang {
     /// ε of the paper's stopping criteria, in lengths divided by the boundary's radius.
     pub tolerance: f64,
-    /// Whether the curvatures at boundary vertices count (from their interior edges), as in the paper.
+    /// Whether the curvatures at boundary vertices count (from their interior edges), as in the paper. Off by default:
+    /// the half ring of a boundary vertex does not cancel, so that the film is pulled off the surface.
     pub boundary_curvature: bool,
     /// The seed that chooses the candidate points of the initial mesh, if [`InitialMesh::Auto`] stands for
     /// [`InitialMesh::Barycentres`].
@@ -256,7 +257,7 @@ pub struct LiuWang {
 
 impl Default for LiuWang {
     fn default() -> Self {
-        Self { tolerance: AREA_TOLERANCE, boundary_curvature: true, seed: 1 }
+        Self { tolerance: AREA_TOLERANCE, boundary_curvature: false, seed: 1 }
     }
 }
 

@@ -84,13 +84,20 @@ impl Input {
     /// Warnings about the boundaries themselves.
     pub fn warnings(&self) -> Vec<Warning> {
         let merged = (self.dropped > 0).then(|| Warning::merged_points(self.dropped, None));
-        let shared =
-            self.shared_point().map(|point| Warning::new("shared_points", format!("{} {}", point.place, point.detail)));
+        let shared = self
+            .shared()
+            .map(|([k, i], detail)| Warning::new("shared_points", format!("point {i} of boundary {k} {detail}")));
         merged.into_iter().chain(shared).collect()
     }
 
     /// The first point that two boundaries have in common, on the later one, with what a caller should know.
     pub fn shared_point(&self) -> Option<InputError> {
+        let ([k, i], detail) = self.shared()?;
+        Some(InputError::new(Place::field("boundaries").at(k).at(i), detail))
+    }
+
+    /// The boundary and the number of this point, and what a caller should know.
+    fn shared(&self) -> Option<([usize; 2], String)> {
         let mut owners = std::collections::BTreeMap::new();
         let (mut first, mut count) = (None, 0);
         for (k, points) in self.given.iter().enumerate() {
@@ -110,7 +117,7 @@ impl Input {
              touches itself",
             self.sources[owner][number]
         );
-        Some(InputError::new(Place::field("boundaries").at(k).at(self.sources[k][i]), detail))
+        Some(([k, self.sources[k][i]], detail))
     }
 
     /// The error with the numbers of the input's points instead of those that are left after merging.

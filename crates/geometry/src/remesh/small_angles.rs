@@ -4,6 +4,7 @@
 //! Source: Freitag, Ollivier-Gooch, *Tetrahedral mesh improvement using swapping and smoothing* (1997), on a surface.
 //! Departures:
 //! - Only the triangles below a goal are treated, thinnest first. The rest of the mesh keeps its bits.
+//! - A flipped triangle (its normal points against those of its vertices) counts as one with an angle of zero.
 //! - An interior edge may also collapse. At a corner of the boundary this takes triangles out of a fan that is too
 //!   dense for the corner's angle, which no flip and no move does.
 //!
@@ -67,18 +68,12 @@ pub(crate) fn smallest_angle(film: &Film) -> f64 {
 /// # Errors
 /// The interruptions of `exec`; the film is then as it was before.
 pub(crate) fn widen(film: &mut Film, goal: f64, exec: &Execution) -> Result<Option<Vec<u32>>, Interruption> {
-    let thin = film.triangles().iter().filter(|&&t| least(film.corners(t)) < goal).count();
-    if thin == 0 {
-        return Ok(None);
-    }
     let mut widening = Widening { film: film.clone(), goal, thin: BinaryHeap::new() };
     (0..film.triangles().len() as u32).for_each(|t| widening.consider(t));
-    let (most, mut changes) = (CHANGES_PER_TRIANGLE * thin, 0);
+    let (most, mut changes) = (CHANGES_PER_TRIANGLE * widening.thin.len(), 0);
     while let Some(Reverse((Angle(angle), t))) = widening.thin.pop() {
         // A triangle that has changed since it was queued was queued again with its new angle.
-        if widening.film.topology.is_removed(t)
-            || least(widening.film.corners(widening.film.triangles()[t as usize])).total_cmp(&angle).is_ne()
-        {
+        if widening.film.topology.is_removed(t) || widening.angle(t).total_cmp(&angle).is_ne() {
             continue;
         }
         exec.look(100)?;
@@ -142,8 +137,28 @@ struct Widening {
 }
 
 impl Widening {
+    /// The smallest angle of a triangle; 0 if it is flipped: its normal points away from those of its vertices. Only
+    /// a triangle that leans away from a neighbour is compared with them.
+    fn angle(&self, t: u32) -> f64 {
+        let film = &self.film;
+        let area_vector = |t: u32| double_area_vector(film.corners(film.triangles()[t as usize]));
+        let own = area_vector(t);
+        let leans_away = |h: u32| {
+            let twin = film.topology.twin[h as usize];
+            twin != NONE && area_vector(twin / 3).dot(own) < 0.0
+        };
+        let triangle = film.triangles()[t as usize];
+        let vertex_normal = |v: u32| {
+            let around: DVec3 = film.topology.outgoing_half_edges(v).map(|h| area_vector(h / 3)).sum();
+            around.normalize_or_zero()
+        };
+        let is_flipped =
+            (3 * t..3 * t + 3).any(leans_away) && triangle.into_iter().map(vertex_normal).sum::<DVec3>().dot(own) < 0.0;
+        if is_flipped { 0.0 } else { least(film.corners(triangle)) }
+    }
+
     fn consider(&mut self, t: u32) {
-        let angle = least(self.film.corners(self.film.triangles()[t as usize]));
+        let angle = self.angle(t);
         if angle < self.goal {
             self.thin.push(Reverse((Angle(angle), t)));
         }
@@ -174,13 +189,14 @@ impl Widening {
         if self.film.is_locked(a, b) || !topology.can_flip(h) {
             return None;
         }
-        let (c, d) = (topology.opposite(h), topology.opposite(topology.twin[h as usize]));
+        let twin = topology.twin[h as usize];
+        let (c, d) = (topology.opposite(h), topology.opposite(twin));
         let corners = |t: [u32; 3]| self.film.corners(t);
         let before = [corners([a, b, c]), corners([b, a, d])];
         let after = [corners([d, c, a]), corners([c, d, b])];
         let direction = before.map(double_area_vector).into_iter().sum::<DVec3>().normalize_or_zero();
         let reached = quality(after.into_iter(), direction)?;
-        Some((reached - least(before[0]).min(least(before[1])), Change::Flip(h)))
+        Some((reached - self.angle(h / 3).min(self.angle(twin / 3)), Change::Flip(h)))
     }
 
     /// The better of the collapses of an edge into its ends or its middle.
@@ -194,25 +210,26 @@ impl Widening {
         }
         let around = || {
             let of = |v: u32, other: u32| {
-                let triangles = film.topology.outgoing_half_edges(v).map(|h| film.triangles()[h as usize / 3]);
-                triangles.map(move |t| (t, t.contains(&other)))
+                let numbers = film.topology.outgoing_half_edges(v).map(|h| h / 3);
+                numbers.map(move |t| (t, film.triangles()[t as usize].contains(&other)))
             };
             of(stays, leaves).chain(of(leaves, stays).filter(|(_, both)| !both))
         };
         let mut before = f64::INFINITY;
         let mut direction = DVec3::ZERO;
         for (t, _) in around() {
-            let corners = film.corners(t);
-            before = before.min(least(corners));
-            direction += double_area_vector(corners);
+            before = before.min(self.angle(t));
+            direction += double_area_vector(film.corners(film.triangles()[t as usize]));
         }
         let direction = direction.normalize_or_zero();
         let (p, q) = (film.vertices[stays as usize], film.vertices[leaves as usize]);
         let places = [p, 0.5 * (p + q), q];
         let mut best: Option<(f64, Change)> = None;
         for &place in if is_fixed(stays) { &places[..1] } else { &places[..] } {
-            let moved =
-                |t: [u32; 3]| t.map(|v| if v == stays || v == leaves { place } else { film.vertices[v as usize] });
+            let moved = |t: u32| {
+                let corner = |v: u32| if v == stays || v == leaves { place } else { film.vertices[v as usize] };
+                film.triangles()[t as usize].map(corner)
+            };
             let left = around().filter(|(_, both)| !both).map(|(t, _)| moved(t));
             if let Some(reached) = quality(left, direction)
                 && best.is_none_or(|(gain, _)| reached - before > gain)
@@ -240,7 +257,8 @@ impl Widening {
             return None;
         }
         let reached = |place: DVec3| quality(ring.iter().map(|&[j, k]| [place, j, k]), direction);
-        let before = ring.iter().map(|&[j, k]| least([start, j, k])).fold(f64::INFINITY, f64::min);
+        let triangles = film.topology.outgoing_half_edges(v).map(|h| h / 3);
+        let before = triangles.map(|t| self.angle(t)).fold(f64::INFINITY, f64::min);
         let size = ring.iter().map(|[j, _]| j.distance(start)).sum::<f64>() / ring.len() as f64;
         let across = direction.any_orthonormal_vector();
         let along = direction.cross(across);

@@ -132,8 +132,9 @@ fn aligned(sum: DVec3, direction: DVec3) -> DVec3 {
 
 /// A balanced binary tree over triangles. Node 1 is the root, the children of k are 2k and 2k + 1.
 pub(super) struct Tree {
-    /// Triangles in the order of the leaves, and their boxes.
+    /// Triangles in the order of the leaves.
     order: Vec<u32>,
+    /// Their boxes, if pairs of triangles are visited.
     boxes: Vec<AxisBox>,
     nodes: Vec<AxisBox>,
     own: Vec<OwnBox>,
@@ -154,6 +155,17 @@ pub(super) struct Leaves {
     pub size: usize,
     /// How far the triangles may be from where their corners say.
     pub margin: f64,
+    /// What will be visited.
+    pub visits: Visits,
+}
+
+/// What a tree is searched for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Visits {
+    /// Pairs of leaves.
+    Leaves,
+    /// Pairs of triangles too, for which the tree keeps a box of each triangle.
+    Pairs,
 }
 
 impl Tree {
@@ -162,7 +174,7 @@ impl Tree {
         corners: impl Fn(u32) -> [DVec3; 3],
         exec: &Execution<'_>,
     ) -> Result<Self, Interruption> {
-        let Leaves { triangles: mut list, order, size, margin } = leaves;
+        let Leaves { triangles: mut list, order, size, margin, visits } = leaves;
         let mut whole = AxisBox::EMPTY;
         for chunk in list.chunks(LOOK) {
             whole = chunk.iter().fold(whole, |whole, &t| whole.with(&AxisBox::of(&corners(t))));
@@ -173,7 +185,7 @@ impl Tree {
         }
         let base = list.len().div_ceil(size).max(1).next_power_of_two();
         let mut tree = Self {
-            boxes: Vec::with_capacity(list.len()),
+            boxes: Vec::with_capacity(if visits == Visits::Pairs { list.len() } else { 0 }),
             nodes: vec![AxisBox::EMPTY; 2 * base],
             own: vec![OwnBox::EMPTY; 2 * base],
             base,
@@ -196,7 +208,9 @@ impl Tree {
             for &t in triangles {
                 let corners = corners(t);
                 let extent = AxisBox::of(&corners).widened(margin);
-                tree.boxes.push(extent);
+                if visits == Visits::Pairs {
+                    tree.boxes.push(extent);
+                }
                 tree.nodes[node] = tree.nodes[node].with(&extent);
                 here.push(corners.map(|corner| corner - origin));
             }
@@ -281,7 +295,8 @@ impl Tree {
         Ok(true)
     }
 
-    /// Visits every pair of triangles whose boxes meet, as [`visit_leaves`](Self::visit_leaves).
+    /// Visits every pair of triangles whose boxes meet, as [`visit_leaves`](Self::visit_leaves). The tree was built for
+    /// [`Visits::Pairs`].
     pub fn visit_pairs(
         &self,
         most_work: u64,

@@ -15,7 +15,7 @@
 //! A coarse tree then finds the pairs of leaves that are neither apart nor together in a chart. Only their triangles are
 //! suspects. On smooth films there are none.
 
-use super::boxes::{Leaves, Order, Tree};
+use super::boxes::{Leaves, Order, Tree, Visits};
 use super::soup::{LOOK, NONE, Soup};
 use crate::{DVec2, DVec3, Execution, Interruption};
 use std::ops::ControlFlow;
@@ -23,10 +23,17 @@ use std::ops::ControlFlow;
 /// Cosine of the angle from a direction up to which triangles belong to its charts: 72 degrees. A larger angle makes the
 /// charts overlap more, and the boundaries that are seen from the side touch more often.
 const CHART: f64 = 0.31;
-/// Cosine of the angle from a direction up to which no further direction is needed: 40 degrees. The difference of the two
-/// angles, 32 degrees, is how much the normals of a leaf's triangles may differ.
-const COVERED: f64 = 0.77;
-/// Largest number of directions. A sphere needs about 14; more are needed only by noise.
+/// The same angle in degrees.
+const CHART_DEG: f64 = 72.0;
+/// How much the normals of a leaf's triangles may differ (degrees) so that one of the charts has them all, for a mesh of
+/// [`SPREAD_TRIANGLES`], and at least. It falls with the fourth root of the number of triangles, half as fast as the angle
+/// between neighbours, because a surface may bend more in one place than elsewhere. A smaller value needs fewer
+/// directions, and finds no chart for leaves that bend more.
+const SPREAD_DEG: f64 = 32.0;
+const LEAST_SPREAD_DEG: f64 = 10.0;
+const SPREAD_TRIANGLES: f64 = 8_000.0;
+/// Largest number of directions, at most the bits of [`Facing`]. A sphere of 8,000 triangles needs about 14; more are
+/// needed only by noise.
 const DIRECTIONS: usize = 20;
 /// Numbers of slabs into which the parts that lie over themselves are cut, one after the other.
 const SLABS: [f64; 3] = [2.0, 6.0, 18.0];
@@ -57,12 +64,16 @@ pub(super) fn suspects(
     exec: &Execution<'_>,
 ) -> Result<Vec<u32>, Interruption> {
     let Some(surface) = Surface::new(soup, &list, exec)? else { return Ok(list) };
-    let leaves = Leaves { triangles: list.clone(), order, size: leaf_size, margin: 0.0 };
+    let leaves = Leaves { triangles: list.clone(), order, size: leaf_size, margin: 0.0, visits: Visits::Leaves };
     let tree = Tree::new(leaves, |t| soup.corners(soup.triangles[t as usize]), exec)?;
     let mut layers: Vec<Vec<u32>> = Vec::new();
-    let mut slab_work = SLAB_WORK * list.len();
-    for direction in directions(soup, &list, exec)? {
-        surface.add_layers(direction, &list, &tree, &mut layers, &mut slab_work, exec)?;
+    let directions = directions(soup, &list, exec)?;
+    let facing = facing(soup, &list, &directions, exec)?;
+    let mut scratch = Scratch::new(soup.triangles.len(), SLAB_WORK * list.len());
+    for (k, &direction) in directions.iter().enumerate() {
+        let members = list.iter().zip(&facing).filter(|(_, facing)| *facing >> k & 1 == 1).map(|(&t, _)| t).collect();
+        exec.look(list.len() as u64)?;
+        surface.add_layers(direction, members, &tree, &mut layers, &mut scratch, exec)?;
     }
     let same_chart = |a: usize, b: usize| layers.iter().any(|labels| labels[a] != NONE && labels[a] == labels[b]);
     let mut is_suspect = vec![false; soup.triangles.len()];
@@ -79,14 +90,16 @@ pub(super) fn suspects(
     Ok(list.into_iter().filter(|&t| is_suspect[t as usize]).collect())
 }
 
-/// Directions such that nearly every normal is within the angle of [`COVERED`] of one of them.
+/// Directions such that nearly every normal is within a leaf's spread of the charts' edge of one of them.
 fn directions(soup: &Soup, list: &[u32], exec: &Execution<'_>) -> Result<Vec<DVec3>, Interruption> {
+    let spread = SPREAD_DEG * (SPREAD_TRIANGLES / list.len() as f64).sqrt().sqrt();
+    let covered = (CHART_DEG - spread.clamp(LEAST_SPREAD_DEG, SPREAD_DEG)).to_radians().cos();
     let mut directions: Vec<DVec3> = Vec::new();
     let mut last = 0;
     for chunk in list.chunks(LOOK) {
         for &t in chunk {
             let normal = soup.normals[t as usize];
-            let is_covered = |direction: &DVec3| faces(normal, *direction, COVERED);
+            let is_covered = |direction: &DVec3| faces(normal, *direction, covered);
             if directions.get(last).is_some_and(is_covered) {
                 continue;
             }
@@ -102,6 +115,23 @@ fn directions(soup: &Soup, list: &[u32], exec: &Execution<'_>) -> Result<Vec<DVe
         exec.look(chunk.len() as u64)?;
     }
     Ok(directions)
+}
+
+/// For a triangle the directions whose charts it may belong to, a bit for each.
+type Facing = u32;
+
+/// The directions that each triangle of the list faces.
+fn facing(soup: &Soup, list: &[u32], directions: &[DVec3], exec: &Execution<'_>) -> Result<Vec<Facing>, Interruption> {
+    let mut facing = Vec::with_capacity(list.len());
+    for chunk in list.chunks(LOOK) {
+        facing.extend(chunk.iter().map(|&t| {
+            let normal = soup.normals[t as usize];
+            let bit = |(k, &direction)| Facing::from(faces(normal, direction, CHART)) << k;
+            directions.iter().enumerate().map(bit).sum::<Facing>()
+        }));
+        exec.look(chunk.len() as u64)?;
+    }
+    Ok(facing)
 }
 
 /// Whether the angle between a normal and a direction is below one with this cosine. False for triangles without a
@@ -181,69 +211,81 @@ impl<'a> Surface<'a> {
     }
 
     /// Adds the charts of a direction: for each layer the number of the chart that all triangles of a node belong to.
+    /// The members are the triangles that face the direction.
     fn add_layers(
         &self,
         direction: DVec3,
-        list: &[u32],
+        members: Vec<u32>,
         tree: &Tree,
         layers: &mut Vec<Vec<u32>>,
-        slab_work: &mut usize,
+        scratch: &mut Scratch,
         exec: &Execution<'_>,
     ) -> Result<(), Interruption> {
-        let facing = |t: &u32| faces(self.soup.normals[*t as usize], direction, CHART);
-        let mut left: Vec<u32> = list.iter().copied().filter(facing).collect();
-        exec.look(list.len() as u64)?;
-        let mut cells = vec![NONE; self.soup.triangles.len()];
-        left.iter().for_each(|&t| cells[t as usize] = 0);
-        let mut add = |cells: &[u32], members: &[u32]| {
-            let charts = self.charts(direction, cells, members, exec)?;
-            if charts.holds.contains(&true) {
-                layers.push(tree.labels(|t| charts.of(t)));
-            }
-            Ok(charts)
-        };
-        let whole = add(&cells, &left)?;
-        left.iter().for_each(|&t| cells[t as usize] = NONE);
-        left.retain(|&t| whole.of(t) == NONE);
+        let mut left = members;
+        left.iter().for_each(|&t| scratch.cells[t as usize] = 0);
+        let mut next = self.add_layer(direction, &left, tree, layers, scratch, exec)?;
+        left.iter().for_each(|&t| scratch.cells[t as usize] = NONE);
+        left = next;
         // Parts that lie over themselves.
         let height = |t: u32| self.soup.corners(self.soup.triangles[t as usize])[0].dot(direction);
         for count in SLABS {
-            if left.is_empty() || *slab_work < left.len() {
+            if left.is_empty() || scratch.slab_work < left.len() {
                 break;
             }
-            *slab_work -= left.len();
+            scratch.slab_work -= left.len();
             let (low, high) = left.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &t| {
                 let height = height(t);
                 (low.min(height), high.max(height))
             });
             let thickness = ((high - low) / count).max(f64::MIN_POSITIVE);
-            let mut remaining = Vec::new();
+            next = Vec::new();
             for shift in [0.0, 0.5] {
-                left.iter().for_each(|&t| cells[t as usize] = ((height(t) - low) / thickness + shift) as u32);
-                let charts = add(&cells, &left)?;
-                remaining.extend(left.iter().copied().filter(|&t| charts.of(t) == NONE));
+                left.iter().for_each(|&t| scratch.cells[t as usize] = ((height(t) - low) / thickness + shift) as u32);
+                next.extend(self.add_layer(direction, &left, tree, layers, scratch, exec)?);
             }
-            left.iter().for_each(|&t| cells[t as usize] = NONE);
-            remaining.sort_unstable();
-            remaining.dedup();
-            left = remaining;
+            left.iter().for_each(|&t| scratch.cells[t as usize] = NONE);
+            next.sort_unstable();
+            next.dedup();
+            left = next;
         }
         Ok(())
     }
 
-    /// The connected parts of the cells, and which of them are charts. The members face the direction, and no other
-    /// triangle has a cell.
+    /// Adds the layer of the charts of the present cells, if there are any. Returns the members that are in none.
+    fn add_layer(
+        &self,
+        direction: DVec3,
+        members: &[u32],
+        tree: &Tree,
+        layers: &mut Vec<Vec<u32>>,
+        scratch: &mut Scratch,
+        exec: &Execution<'_>,
+    ) -> Result<Vec<u32>, Interruption> {
+        let holds = self.charts(direction, members, scratch, exec)?;
+        let chart = |t: u32| {
+            let part = scratch.parts[t as usize];
+            if part != NONE && holds[part as usize] { part } else { NONE }
+        };
+        if holds.contains(&true) {
+            layers.push(tree.labels(chart));
+        }
+        let outside = members.iter().copied().filter(|&t| chart(t) == NONE).collect();
+        members.iter().for_each(|&t| scratch.parts[t as usize] = NONE);
+        Ok(outside)
+    }
+
+    /// Finds the connected parts of the cells. Returns for each part whether it is a chart. The members face the
+    /// direction, and no other triangle has a cell.
     fn charts(
         &self,
         direction: DVec3,
-        cells: &[u32],
         members: &[u32],
+        scratch: &mut Scratch,
         exec: &Execution<'_>,
-    ) -> Result<Charts, Interruption> {
-        let mut parts = vec![NONE; self.soup.triangles.len()];
+    ) -> Result<Vec<bool>, Interruption> {
+        let Scratch { cells, parts, stack, .. } = scratch;
         let mut boundary: Vec<u32> = Vec::new();
         let (mut count, mut work) = (0, 0);
-        let mut stack = Vec::new();
         for &seed in members {
             if parts[seed as usize] != NONE {
                 continue;
@@ -268,29 +310,28 @@ impl<'a> Surface<'a> {
             }
             count += 1;
         }
-        let mut charts = Charts { parts, holds: vec![false; count as usize] };
-        if boundary.len() <= members.len() / BOUNDARY_SHARE + FREE_BOUNDARY {
-            boundary.sort_unstable();
-            let boundary = Boundary::new(self, direction, cells, &charts.parts, &boundary);
-            charts.holds = boundary.encloses_once(count as usize, exec)?;
+        if boundary.len() > members.len() / BOUNDARY_SHARE + FREE_BOUNDARY {
+            return Ok(vec![false; count as usize]);
         }
-        Ok(charts)
+        boundary.sort_unstable();
+        Boundary::new(self, direction, cells, parts, &boundary).encloses_once(count as usize, exec)
     }
 }
 
-/// Connected parts of a surface.
-struct Charts {
-    /// For each triangle the number of its part, or [`NONE`].
+/// Arrays that are used for one direction after another.
+struct Scratch {
+    /// For each triangle of the present members its cell, else [`NONE`].
+    cells: Vec<u32>,
+    /// For each triangle the number of its connected part, or [`NONE`].
     parts: Vec<u32>,
-    /// For each part whether it is a chart.
-    holds: Vec<bool>,
+    stack: Vec<u32>,
+    /// Triangles that may still be cut into slabs.
+    slab_work: usize,
 }
 
-impl Charts {
-    /// The number of a triangle's chart, or [`NONE`].
-    fn of(&self, triangle: u32) -> u32 {
-        let part = self.parts[triangle as usize];
-        if part != NONE && self.holds[part as usize] { part } else { NONE }
+impl Scratch {
+    fn new(triangles: usize, slab_work: usize) -> Self {
+        Self { cells: vec![NONE; triangles], parts: vec![NONE; triangles], stack: Vec::new(), slab_work }
     }
 }
 
@@ -344,7 +385,7 @@ impl Boundary {
         let mut holds = self.has_one_outer_polygon(parts);
         self.reject_crossings_at_vertices(&mut holds);
         let edges = (0..self.ends.len() as u32).filter(|&e| holds[self.parts[e as usize] as usize]).collect();
-        let leaves = Leaves { triangles: edges, order: Order::Spatial, size: 4, margin: MARGIN };
+        let leaves = Leaves { triangles: edges, order: Order::Spatial, size: 4, margin: MARGIN, visits: Visits::Pairs };
         let flat = |e: u32| {
             let [from, to] = self.points[e as usize].map(|point| point.extend(0.0));
             [from, to, to]

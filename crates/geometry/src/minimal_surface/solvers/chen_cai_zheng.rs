@@ -20,10 +20,11 @@
 //!   therefore has at most its share of the remaining iterations.
 
 use crate::mesh::film::Film;
-use crate::mesh::measure::{double_area_vector, is_degenerate};
+use crate::mesh::measure::double_area_vector;
 use crate::minimal_surface::curvature::Curvature;
 use crate::minimal_surface::options::{Limits, Process, Solver, VertexRelaxation};
 use crate::minimal_surface::run::{HistoryRow, Run, StopReason};
+use crate::remesh::area_flips::reduces_area;
 use crate::{DVec3, Error, Execution, Interruption, Progress};
 use glam::DMat3;
 
@@ -209,7 +210,10 @@ impl Relaxation<'_> {
         loop {
             let mut swapped = 0;
             for h in 0..self.film.topology.twin.len() as u32 {
-                if h < self.film.topology.twin[h as usize] && gains(self.film, h) && self.film.topology.can_flip(h) {
+                if h < self.film.topology.twin[h as usize]
+                    && reduces_area(self.film, h)
+                    && self.film.topology.can_flip(h)
+                {
                     self.film.topology.flip(h);
                     swapped += 1;
                 }
@@ -221,19 +225,6 @@ impl Relaxation<'_> {
             }
         }
     }
-}
-
-/// Whether swapping the edge reduces the area by more than rounding and leaves no degenerate triangle.
-fn gains(film: &Film, h: u32) -> bool {
-    let Some(hinge) = film.topology.hinge(h) else { return false };
-    let [p, q, r, s] = hinge.map(|v| film.vertices[v as usize]);
-    let double_area = |corners| double_area_vector(corners).length();
-    let before = double_area([p, q, r]) + double_area([q, p, s]);
-    let after = double_area([s, r, p]) + double_area([r, s, q]);
-    after < before * (1.0 - 1e-12)
-        && !is_degenerate([s, r, p])
-        && !is_degenerate([r, s, q])
-        && !film.is_locked(hinge[0], hinge[1])
 }
 
 /// The step of eq. 5 for one vertex, and the number of the vertex's triangles.

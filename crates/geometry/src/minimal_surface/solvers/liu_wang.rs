@@ -2,16 +2,23 @@
 //!
 //! 1. The initial mesh is a Delaunay triangulation of the loop with n points inside, chosen by a seed from candidates
 //!    at barycentres ([`barycentres`](crate::minimal_surface::initial_mesh::barycentres)).
-//! 2. Levenberg and Marquardt's method (their Fig. 5) minimises F = ½ Σ H_i² over the positions of the interior
+//! 2. The mesh is faired once: every interior vertex becomes the mean of its neighbours (Tutte's map with uniform
+//!    weights). Then it is made Delaunay.
+//! 3. Levenberg and Marquardt's method (their Fig. 5) minimises F = ½ Σ H_i² over the positions of the interior
 //!    vertices, with H_i = (1/B_i) Σ_e β(e)|e|/2 ([`curvature`]).
-//! 3. The mesh is made Delaunay again. Steps 2 and 3 repeat until the triangulation stays the same.
+//! 4. The mesh is made Delaunay again. Steps 3 and 4 repeat until the triangulation stays the same.
 //!
 //! Departures from the paper:
+//! - The curvatures at boundary vertices are left out unless the caller asks for them. Their eq. 1 has them, but half a
+//!   ring does not cancel, so F falls by degenerating triangles.
+//! - Step 2. Without the boundary F has n terms for 3 n unknowns: every start reaches F = 0 and keeps the layout of its
+//!   points along the surface, so the start decides. The fairing is for the candidate mesh of step 1 alone; other
+//!   starts are taken as they are.
 //! - Lengths are divided by the radius R of the boundary first, because the four stopping criteria depend on the scale.
 //! - |F_k - F_{k-1}| is tested after accepted steps only. As printed, every rejected step would end the run.
 //! - The gradient of the dihedral angle has a closed form that is regular at a flat edge. Their eq. 3 is 0/0 there and
 //!   has a wrong sign.
-//! - Step 3 flips the edges whose two opposite angles add up to more than 180°. The mesh is then Delaunay on the
+//! - Step 4 flips the edges whose two opposite angles add up to more than 180°. The mesh is then Delaunay on the
 //!   surface itself, and no plane projection is needed. The flips end, because each lowers the Dirichlet energy.
 //! - A mesh of several loops, or without interior vertices, is taken as it is.
 
@@ -22,7 +29,9 @@ use crate::minimal_surface::curvature::Curvature;
 use crate::minimal_surface::options::{Limits, LiuWang, Solver};
 use crate::minimal_surface::run::{HistoryRow, Run, StopReason};
 use crate::remesh::delaunay::flip_to_delaunay;
+use crate::sparse::Symbolic;
 use crate::sparse::levenberg_marquardt::{Criteria, LeastSquares, NormalEquations, Stop, minimise};
+use crate::sparse::pattern::{FIXED, Pattern};
 use crate::{DVec3, Error, Execution, Interruption, Progress};
 use curvature::CurvatureRows;
 
@@ -97,7 +106,8 @@ impl LeastSquares<3> for Bending {
     }
 }
 
-/// Steps 2 and 3 on a film: lowers F = ½ Σ H² until the triangulation stays the same.
+/// Steps 2 to 4 on a film: lowers F = ½ Σ H² until the triangulation stays the same. Step 2 only for a `candidate`
+/// mesh of step 1.
 ///
 /// `options.tolerance` is their ε, for lengths divided by R: a run ends at |ΔF| < ε(1 + F), ‖∇F‖∞ < ∛ε(1 + F), ‖δ‖∞ <
 /// √ε(1 + ‖δ‖∞), or after `max_iterations` steps. Where F vanishes, the *normal cycle* curvature of the surface
@@ -107,7 +117,16 @@ impl LeastSquares<3> for Bending {
 ///
 /// # Errors
 /// [`Interruption::Cancelled`].
-pub(crate) fn run(film: &mut Film, options: &LiuWang, limits: Limits, execution: &Execution) -> Result<Run, Error> {
+pub(crate) fn run(
+    film: &mut Film,
+    options: &LiuWang,
+    candidate: bool,
+    limits: Limits,
+    execution: &Execution,
+) -> Result<Run, Error> {
+    if candidate {
+        fair(film);
+    }
     let mut run = Run::new(Solver::LevenbergMarquardt);
     let radius = film.radius();
     let given = film.vertices.clone();
@@ -122,6 +141,40 @@ pub(crate) fn run(film: &mut Film, options: &LiuWang, limits: Limits, execution:
         Err(interruption) => return Err(interruption.into()),
     }
     Ok(run)
+}
+
+/// Step 2 without the flips: moves every free vertex to the mean of its neighbours, all at once. A film whose linear
+/// system has no solution stays as it is.
+fn fair(film: &mut Film) {
+    let pattern = Pattern::new(film.triangles(), &film.fixed);
+    let count = pattern.free.vertex.len();
+    let mut matrix = pattern.matrix();
+    let mut means = vec![0.0; 3 * count];
+    for (triangle, slots) in film.triangles().iter().zip(&pattern.slots) {
+        for k in 0..3 {
+            // Every neighbour of an interior vertex is the end of one half-edge that starts there.
+            let (row, end) = (pattern.free.unknown[triangle[k] as usize], triangle[(k + 1) % 3] as usize);
+            if row == FIXED {
+                continue;
+            }
+            let row = row as usize;
+            matrix.values[pattern.row_start[row] as usize] += 1.0;
+            if slots[k] == FIXED {
+                let place = film.vertices[end].to_array();
+                (0..3).for_each(|axis| means[axis * count + row] += place[axis]);
+            } else {
+                matrix.values[slots[k] as usize] = -1.0;
+            }
+        }
+    }
+    let solved = Symbolic::analyse(&matrix, None)
+        .and_then(|symbolic| symbolic.factorise(&matrix).and_then(|factor| factor.solve(&mut means)));
+    if count == 0 || solved.is_err() {
+        return;
+    }
+    for (row, &v) in pattern.free.vertex.iter().enumerate() {
+        film.vertices[v as usize] = DVec3::new(means[row], means[count + row], means[2 * count + row]);
+    }
 }
 
 fn rounds(

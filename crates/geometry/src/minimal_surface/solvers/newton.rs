@@ -2,9 +2,9 @@
 //!
 //! 1. *Settle*: rounds of Delaunay flips, tangential relaxation and one to four Pinkall-Polthier solves
 //!    ([`harmonic`](crate::minimal_surface::harmonic)). They accept any start and leave good triangles.
-//! 2. *Newton* in normal heights ([`newton`](crate::equilibrium::newton)). If it stalls, or a triangle is flipped, step
-//!    1 starts again. If it converges with small angles, these are widened where they are, and it starts again from
-//!    there.
+//! 2. *Newton* in normal heights ([`newton`](crate::equilibrium::newton)). If triangles are flipped, flips of edges
+//!    that reduce the area open their folds, and it starts again. If triangles are still flipped, or it stalls, step 1
+//!    starts again. If it converges with small angles, these are widened where they are, and it starts again from there.
 //! 3. *Stability* ([`stability`](crate::equilibrium::stability)). If the caller asks for it, an unstable surface is
 //!    left along its lowest mode.
 
@@ -18,6 +18,7 @@ use crate::minimal_surface::options::{Limits, OnUnstable, Solver};
 use crate::minimal_surface::run::{
     ExtrapolatedArea, Record, Run, Stability, StabilityMethod, StopReason, geometric_part,
 };
+use crate::remesh::area_flips::flip_to_less_area;
 use crate::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
 use crate::remesh::small_angles::{smallest_angle, widen};
 use crate::sparse::Factorisation;
@@ -57,6 +58,8 @@ pub(crate) const NARROW: f64 = 0.384;
 pub(crate) const WIDE: f64 = 0.489;
 /// Largest number of rounds of widening and solving. A larger value helps films whose angles a solve shrinks again.
 pub(crate) const WIDENINGS: u32 = 4;
+/// Largest number of rounds of flips that open folds. A larger value helps films whose folds a solve closes again.
+const OPENINGS: u32 = 4;
 /// Largest number of times that a stalled Newton iteration is followed by another step 1.
 const MAX_RETURNS: u32 = 2;
 
@@ -169,9 +172,16 @@ impl<'a> Solve<'a> {
         let mut reason = StopReason::Stalled;
         for attempt in 0..=MAX_RETURNS {
             let collapsed = self.settle(film)?;
-            let pattern = Pattern::new(film.triangles(), &film.fixed);
+            let mut pattern = Pattern::new(film.triangles(), &film.fixed);
             let mut direct = Direct::new(pattern.matrix()).map_err(too_large)?;
-            reason = match self.newton(film, &pattern, &mut direct, Aim::Minimum)? {
+            let mut outcome = self.newton(film, &pattern, &mut direct, Aim::Minimum)?;
+            if matches!(outcome, StopReason::Residual | StopReason::Stalled)
+                && let Some(opened) = self.open_folds(film)?
+            {
+                outcome = StopReason::Residual;
+                (pattern, direct) = opened;
+            }
+            reason = match outcome {
                 StopReason::Residual if film.flipped_triangles() == 0 || attempt == MAX_RETURNS => {
                     return Ok((StopReason::Residual, Some(self.widen(film, pattern, direct)?)));
                 }
@@ -183,14 +193,41 @@ impl<'a> Solve<'a> {
         Ok((reason, None))
     }
 
-    /// Widens the small angles of a converged film and lets it converge again, as long as that makes its smallest angle
-    /// larger. Returns the pattern and the factorisation of the connectivity that remains.
+    /// Opens the folds of a film with flipped triangles by flips that reduce the area, and lets it converge again, as
+    /// long as that leaves fewer flipped triangles. Returns the pattern and the factorisation of the new connectivity;
+    /// `None` if no triangle is flipped, or if it does not help.
+    fn open_folds(&mut self, film: &mut Film) -> Result<Option<(Pattern, Direct)>, Error> {
+        let mut opened = None;
+        for _ in 0..OPENINGS {
+            self.exec.look(film.triangles().len() as u64)?;
+            let flipped = film.flipped_triangles();
+            let mut better = film.clone();
+            let flips = if flipped == 0 { 0 } else { flip_to_less_area(&mut better) };
+            if flips == 0 {
+                break;
+            }
+            let pattern = Pattern::new(better.triangles(), &better.fixed);
+            let mut direct = Direct::new(pattern.matrix()).map_err(too_large)?;
+            let outcome = self.newton(&mut better, &pattern, &mut direct, Aim::Minimum)?;
+            if outcome != StopReason::Residual || better.flipped_triangles() >= flipped {
+                break;
+            }
+            *film = better;
+            self.edges_swapped += flips;
+            opened = Some((pattern, direct));
+        }
+        Ok(opened)
+    }
+
+    /// Widens the small angles of a converged film, opens its flipped triangles and lets it converge again, as long as
+    /// that leaves fewer flipped triangles or a larger smallest angle. Returns the pattern and the factorisation of the
+    /// connectivity that remains.
     fn widen(&mut self, film: &mut Film, pattern: Pattern, direct: Direct) -> Result<(Pattern, Direct), Error> {
         let (mut pattern, mut direct) = (pattern, direct);
         for _ in 0..if self.may_widen { WIDENINGS } else { 0 } {
             self.exec.look(film.triangles().len() as u64)?;
-            let before = smallest_angle(film);
-            if before >= NARROW {
+            let (before, flipped) = (smallest_angle(film), film.flipped_triangles());
+            if before >= NARROW && flipped == 0 {
                 break;
             }
             let mut widened = film.clone();
@@ -200,10 +237,9 @@ impl<'a> Solve<'a> {
             let new_pattern = Pattern::new(widened.triangles(), &widened.fixed);
             let mut solver = Direct::new(new_pattern.matrix()).map_err(too_large)?;
             let reason = self.newton(&mut widened, &new_pattern, &mut solver, Aim::Minimum)?;
-            if reason != StopReason::Residual
-                || smallest_angle(&widened) <= before
-                || widened.flipped_triangles() > film.flipped_triangles()
-            {
+            let flipped_after = widened.flipped_triangles();
+            let improves = flipped_after < flipped || (flipped_after == flipped && smallest_angle(&widened) > before);
+            if reason != StopReason::Residual || !improves {
                 break;
             }
             (*film, pattern, direct) = (widened, new_pattern, solver);
