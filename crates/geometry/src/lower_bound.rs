@@ -9,16 +9,16 @@
 //! "surface" may be read as integral current. Surfaces without an orientation (a Möbius film) and films with triple
 //! junctions are outside of the theorem.
 //!
-//! A is piecewise polynomial with continuous tangential components ([`element`]). Mollified, it becomes a smooth field
+//! A is piecewise polynomial with continuous tangential components (`element`). Mollified, it becomes a smooth field
 //! whose curl is an average of values of norm at most 1, and whose integral along Γ tends to that of A, since only the
 //! tangential component can matter where Γ runs inside a face or an edge. So Stokes' theorem applies.
 //!
 //! # The computation
 //! Every A gives a bound; the largest is the solution of a convex problem, dual to that of the least area. The box is
-//! cut into tetrahedra by bisection ([`bisection`]), finer where the film lies. A maximises ∮A under |curl A| <= 1
-//! ([`barrier`]); the multipliers of the constraint are the dual surface, and the mesh is refined where that surface bends
+//! cut into tetrahedra by bisection (`bisection`), finer where the film lies. A maximises ∮A under |curl A| <= 1
+//! (`barrier`); the multipliers of the constraint are the dual surface, and the mesh is refined where that surface bends
 //! inside a tetrahedron. Meshes are nested, so every level starts from the field of the one before. At the end |curl A|
-//! and ∮A are computed with outward rounding ([`rigorous`]): the bound is a theorem about the given polygons in f64.
+//! and ∮A are computed with outward rounding (`rigorous`): the bound is a theorem about the given polygons in f64.
 //!
 //! # Work instead of time
 //! This crate knows no clock. The budget in seconds is converted to work by fixed rates, so the same request always

@@ -36,9 +36,7 @@ def tensile_structure(
     return {"kind": "tensile_structure", "boundaries": loops, "film": film, **options}
 
 
-def cable_net(
-    vertices: CurveLike, edges: Any, supports: Any, **options: Unpack[api.CableNetOptions]
-) -> Dict[str, Any]:
+def cable_net(vertices: CurveLike, edges: Any, supports: Any, **options: Unpack[api.CableNetOptions]) -> Dict[str, Any]:
     return {
         "kind": "cable_net",
         "vertices": points(vertices),

@@ -22,7 +22,7 @@
 //! and an [`Equation`] determines it.
 //!
 //! Sources: Schek, *The force density method for form finding* (1974) for the densities; Hooke's law with engineering
-//! strain for the elastic cable; derivatives by [`length`](super::length).
+//! strain for the elastic cable; derivatives by [`super::length`].
 
 use super::length::{self, Stretch};
 use super::{Condition, Term};

@@ -5,7 +5,7 @@
 //! without area are left out (their neighbours cover them). All decisions are exact: they use the adaptive predicates
 //! of `robust`.
 //!
-//! Most triangles are settled by [`charts`]: large parts of a surface that all face one direction provably do not
+//! Most triangles are settled by `charts`: large parts of a surface that all face one direction provably do not
 //! intersect themselves. The other triangles are searched pair by pair.
 //!
 //! A bounding-volume hierarchy finds the pairs that may intersect: axis-aligned boxes first, then boxes along each
