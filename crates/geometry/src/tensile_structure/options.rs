@@ -146,7 +146,8 @@ pub enum SlidingPart {
     Point(BoundaryPoint),
 }
 
-/// A boundary that is a rigid ring, guided along an axis without friction. It bears every other force and turns nowhere.
+/// A boundary that is a rigid ring, guided along an axis without friction. It bears every other force and turns
+/// nowhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ring {
     /// The number of the boundary.
@@ -295,8 +296,8 @@ impl Options {
     }
 }
 
-/// A length counts as longer than a chord from this ratio on: at a smaller one the force would exceed the film's tension
-/// times the chord by a factor of more than 10,000.
+/// A length counts as longer than a chord from this ratio on: at a smaller one the force would exceed the film's
+/// tension times the chord by a factor of more than 10,000.
 const LEAST_EXCESS: f64 = 1e-9;
 
 const COORDINATE: &str = "every coordinate must be a finite number of magnitude at most 1e50";
@@ -503,8 +504,8 @@ fn check_cable(
         return;
     }
     if cable.course.is_mast() {
-        let detail = "both ends are supports, so that the mast bears no force of the structure; at least one end must be \
-                      a joint, the hub of a ring, a free point or a point that slides";
+        let detail = "both ends are supports, so that the mast bears no force of the structure; at least one end must \
+                      be a joint, the hub of a ring, a free point or a point that slides";
         errors.push(InputError::new(place().then("points"), detail));
         return;
     }
@@ -748,8 +749,9 @@ fn check_pressure(structure: &Structure, errors: &mut Vec<InputError>) {
     let limit = pressure_limit(structure);
     if value.abs() > limit {
         let detail = format!(
-            "is above the limit of the opening, {limit:.6}: the film's tension times the length of the boundaries, \
-             divided by the area that they enclose; no film of this tension holds more"
+            "is above the limit of the opening, {limit:.6}: the film's tension times the length of the boundary, and \
+             the forces of the cables across the film at their ends, divided by the area that the boundary encloses; \
+             no film of this tension holds more"
         );
         errors.push(InputError::new(place(), detail));
     }
@@ -808,17 +810,40 @@ fn check_supports(structure: &Structure, errors: &mut Vec<InputError>) {
 }
 
 /// The largest pressure that a film of constant tension can hold: the pressure on the opening's vector area is borne by
-/// the tension along its perimeter, |p A| <= σ P, with the larger of the stresses of warp and weft for σ. Infinite for
-/// several boundaries, whose openings may balance each other, and for stresses that vary along the edge.
+/// the tension along its perimeter and by the cables that end there, |p A| <= σ P + Σ F, with the larger of the
+/// stresses of warp and weft for σ. Infinite where something that is not known before the solve bears it: several
+/// boundaries, whose openings may balance each other; stresses that vary along the edge, as those of a heavy film do;
+/// and a cable across the film whose force at its ends is not given.
 pub(super) fn pressure_limit(structure: &Structure) -> f64 {
     let [points] = &structure.boundaries[..] else { return f64::INFINITY };
+    if structure.film.weight > 0.0 {
+        return f64::INFINITY;
+    }
     let largest = match &structure.film.prestress {
         FilmPrestress::Isotropic(tension) => *tension,
         FilmPrestress::Woven(Weave { hold: WeaveHold::Ratio, .. }) => return f64::INFINITY,
         FilmPrestress::Woven(weave) => weave.warp.max(weave.weft),
     };
+    let across = structure.cables.iter().filter(|cable| matches!(cable.course, Course::Across(_)));
+    let borne: f64 = across.map(|cable| forces_at_ends(structure, cable)).sum();
     let mean = polyline::mean(points);
     let next = |k: usize| points[(k + 1) % points.len()] - mean;
     let area: DVec3 = (0..points.len()).map(|k| 0.5 * (points[k] - mean).cross(next(k))).sum();
-    largest * polyline::length(points, true) / area.length()
+    (largest * polyline::length(points, true) + borne) / area.length()
+}
+
+/// The sum of a cable's forces at its two ends, if it is given with the mode; else infinite. A woven film pulls along
+/// the cable and changes its force, by an amount that is known only with the shape.
+fn forces_at_ends(structure: &Structure, cable: &Cable) -> f64 {
+    if cable.weight > 0.0 || structure.film.weave().is_some() {
+        return f64::INFINITY;
+    }
+    match cable.mode {
+        CableMode::Force(force) | CableMode::EndTension(force) => 2.0 * force,
+        CableMode::HorizontalComponent(_)
+        | CableMode::ForceDensity(_)
+        | CableMode::Length(_)
+        | CableMode::UnstressedLength(_)
+        | CableMode::Sag(_) => f64::INFINITY,
+    }
 }
