@@ -1,13 +1,13 @@
 //! Anderson's mixing, which accelerates a fixed-point iteration x ← g(x).
 //!
 //! With the residuals f = g(x) - x of the last rounds, the next x is g less the combination of the differences Δx + Δf
-//! of these rounds whose Δf come nearest to f. For a linear iteration this is GMRES on a window of rounds. Source: Walker,
-//! Ni, *Anderson Acceleration for Fixed-Point Iterations* (2011).
+//! of these rounds whose Δf come nearest to f. For a linear iteration this is GMRES on a window of rounds. Source:
+//! Walker, Ni, *Anderson Acceleration for Fixed-Point Iterations* (2011).
 
 /// Number of differences that are kept. With a larger number the oldest ones belong to a shape that is far away.
 const WINDOW: usize = 8;
-/// A difference that lies in the span of the others up to this fraction of it is left out, because its coefficient would
-/// be rounding errors.
+/// A difference that lies in the span of the others up to this fraction of it is left out, because its coefficient
+/// would be rounding errors.
 const INDEPENDENT: f64 = 1e-7;
 /// If the residual grows by more than this factor, the differences are forgotten, because the iteration is far from
 /// linear.

@@ -22,7 +22,7 @@ const ON_SEGMENT: f64 = 1e-9;
 const MOST_AIR_SEGMENTS: f64 = 1000.0;
 
 /// A structure as a mesh. Positions are relative to the mean of the boundaries' points.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Model {
     pub centre: DVec3,
     pub film: Film,
@@ -54,8 +54,8 @@ pub(super) struct Model {
     start_edge: f64,
     /// The stresses of a woven film.
     pub stress_field: Option<StressField>,
-    /// For each cable and each of its segments what the pull of a woven film along the cable adds to the force; empty for
-    /// other films and for cables in the air.
+    /// For each cable and each of its segments what the pull of a woven film along the cable adds to the force; empty
+    /// for other films and for cables in the air.
     pub further_forces: Vec<Vec<f64>>,
     pub warnings: Vec<Warning>,
 }
@@ -66,6 +66,17 @@ pub(super) struct MovingRing {
     pub axis: DVec3,
     /// The vertices of its boundary, then that of its hub.
     pub vertices: Vec<u32>,
+}
+
+/// What the stresses of a woven film become in a renewal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Renewal {
+    /// Those of the required ratio that come nearest to the balance within the film.
+    Balance,
+    /// They stay as they are.
+    Keep,
+    /// The required ones, constant over the film.
+    Required,
 }
 
 /// What determines the force of a cable.
@@ -170,6 +181,16 @@ impl Model {
 
     pub fn input_vertex(&self, BoundaryPoint { boundary, point }: BoundaryPoint) -> u32 {
         self.input_vertices[boundary][point]
+    }
+
+    /// Lets a cable bear no force.
+    pub fn let_go(&mut self, k: usize) {
+        self.forces_by[k] = ForceBy::Law;
+        self.cables[k].law = Law::Force(0.0);
+    }
+
+    fn is_let_go(&self, k: usize) -> bool {
+        self.forces_by[k] == ForceBy::Law && self.cables[k].law == Law::Force(0.0)
     }
 
     /// All vertices: the film's, then those in the air.
@@ -394,7 +415,11 @@ impl Model {
         for (k, &fixed) in self.air_fixed.iter().enumerate() {
             body.freedoms[self.film.vertices.len() + k] = if fixed { Freedom::Fixed } else { Freedom::Free };
         }
-        for chain in &self.chains {
+        for (k, chain) in self.chains.iter().enumerate() {
+            // Nothing but the film holds a slack cable across it.
+            if self.is_let_go(k) && matches!(structure.cables[k].course, Course::Across(_)) {
+                continue;
+            }
             for three in chain.windows(3) {
                 body.freedoms[three[1] as usize] = Freedom::Across([three[0], three[2]]);
             }
@@ -531,19 +556,22 @@ impl Model {
     }
 
     /// Lets the stresses of a woven film, and the forces of its cables from segment to segment, follow from the balance
-    /// of forces within the film. With `adapt` false the stresses stay the given ones. Returns the largest relative
-    /// change of a stress; 0 for other films.
-    pub fn renew_stresses(&mut self, structure: &Structure, adapt: bool) -> Result<f64, LinearError> {
+    /// of forces within the film. Returns the largest relative change of a stress; 0 for other films.
+    pub fn renew_stresses(&mut self, structure: &Structure, renewal: Renewal) -> Result<f64, LinearError> {
         let at = self.vertices();
         let loads = self.film_loads(structure, &at);
         let Some(field) = &mut self.stress_field else { return Ok(0.0) };
         let triangles = self.film.triangles();
-        let change = if adapt {
-            let inside: Vec<bool> = self.film.fixed.iter().map(|fixed| !fixed).collect();
-            field.renew(triangles, &at, &loads, &inside)?
-        } else {
-            field.make_constant();
-            0.0
+        let change = match renewal {
+            Renewal::Balance => {
+                let inside: Vec<bool> = self.film.fixed.iter().map(|fixed| !fixed).collect();
+                field.renew(triangles, &at, &loads, &inside)?
+            }
+            Renewal::Keep => 0.0,
+            Renewal::Required => {
+                field.make_constant();
+                0.0
+            }
         };
         let mut pull = vec![DVec3::ZERO; at.len()];
         field.prestress(triangles, &at).add_gradient(&at, &mut pull);

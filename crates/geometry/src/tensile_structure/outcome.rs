@@ -156,6 +156,8 @@ pub struct Statistics {
     pub stability: Option<Stability>,
     /// The least slope of a triangle against the horizontal, in radians.
     pub minimum_slope: f64,
+    /// The centroid of the triangle with the least slope.
+    pub flattest_place: DVec3,
     /// Lengths of the film's edges.
     pub edge_lengths: Spread,
     /// Smallest and largest inner angle, in radians.
@@ -203,6 +205,10 @@ const MOVES: f64 = 0.5;
 /// A woven film whose stresses deviate from the required ones by more than this (root mean square) gets a warning. On
 /// the meshes of the examples the deviation that is the mesh's error alone is below 0.02.
 const DEVIATES: f64 = 0.05;
+/// Slope in radians (5 degrees) below which a heavy film gets the warning `flat`. Rain and melting snow stay on a
+/// flatter roof and weigh it down, so that the hollow grows: ponding. Guides for membrane roofs ask for 5 to 10
+/// degrees.
+const LEAST_SLOPE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 /// Number of points that a message lists.
 const LISTED: usize = 12;
 
@@ -364,7 +370,10 @@ fn pushing_cable(structure: &Structure, model: &Model, found: &Found, at: &[DVec
     let mean = |(term, &further): (&crate::energy::Cable, &f64)| forces(term, further, at).0;
     let is_cable = |k: &usize| !structure.cables[*k].course.is_mast();
     let all = model.cables.iter().zip(&found.length_forces).map(mean).enumerate();
-    let k = all.filter(|(_, force)| *force < 0.0).map(|(k, _)| k).find(is_cable)?;
+    let pushes = all.filter(|(_, force)| *force < 0.0).map(|(k, _)| k).find(is_cable);
+    // An elastic cable may be slack; a cable of given length may not, because its length is not reached.
+    let of_length = |k: &usize| matches!(structure.cables[*k].mode, CableMode::Length(_));
+    let k = pushes.or_else(|| found.slack.iter().copied().find(of_length))?;
     let place = InputError::new(
         cable_place(structure, k).then("value"),
         "is longer than the film pulls it: the cable would be slack",
@@ -393,10 +402,7 @@ pub(super) fn finish(
     let triangles = film.triangles.clone();
     let cables = cables(&model, &found, structure, &at);
     let (flipped, degenerate) = (model.flipped(), measure::degenerate_triangles(&film));
-    let slope = |triangle: &[u32; 3]| {
-        let normal = double_area_vector(triangle.map(|v| at[v as usize])).normalize_or_zero();
-        normal.cross(structure.up).length().atan2(normal.dot(structure.up).abs())
-    };
+    let (minimum_slope, flattest_place) = flattest(&triangles, &at, structure.up);
     let has_pressure = structure.pressure != super::options::Pressure::None;
     let mesh = Mesh::new(at.iter().map(|p| *p + model.centre).collect(), triangles.clone());
     let (self_intersections, crossings) = self_intersections::check(&mesh, Order::Spatial, usize::MAX, exec)?;
@@ -422,7 +428,8 @@ pub(super) fn finish(
             morse_index: stability.morse_index,
             lowest_eigenvalue: stability.lowest_eigenvalue,
         }),
-        minimum_slope: triangles.iter().map(slope).fold(f64::INFINITY, f64::min),
+        minimum_slope,
+        flattest_place: flattest_place + model.centre,
         edge_lengths: Spread::of(measure::edge_lengths(&film, &topology).into_iter()),
         angles: measure::angle_range(&film),
         flipped_triangles: flipped,
@@ -457,6 +464,20 @@ pub(super) fn finish(
         statistics,
         warnings,
     })
+}
+
+/// The least slope of a triangle against the horizontal, in radians, and the centroid of the first triangle that has
+/// it.
+fn flattest(triangles: &[[u32; 3]], at: &[DVec3], up: DVec3) -> (f64, DVec3) {
+    let (mut least, mut place) = (f64::INFINITY, DVec3::ZERO);
+    for corners in triangles.iter().map(|triangle| triangle.map(|v| at[v as usize])) {
+        let normal = double_area_vector(corners).normalize_or_zero();
+        let slope = normal.cross(up).length().atan2(normal.dot(up).abs());
+        if slope < least {
+            (least, place) = (slope, corners.iter().sum::<DVec3>() / 3.0);
+        }
+    }
+    (least, place)
 }
 
 /// What holds a vertex.
@@ -636,6 +657,16 @@ fn warn(
     {
         warnings.push(Warning::new("stress_deviates", deviating_stress(&weave, structure)));
     }
+    if structure.film.weight > 0.0 && statistics.minimum_slope < LEAST_SLOPE {
+        let DVec3 { x, y, z } = statistics.flattest_place;
+        let detail = format!(
+            "the film's slope is {:.2} degrees at ({x:.4}, {y:.4}, {z:.4}), below the limit of {:.0} degrees: unless \
+             this is a crown, from which water runs off, rain and snow stay there and weigh the film down (ponding)",
+            statistics.minimum_slope.to_degrees(),
+            LEAST_SLOPE.to_degrees()
+        );
+        warnings.push(Warning::new("flat", detail));
+    }
     if let Some(stability) = statistics.stability {
         let radius = crate::polyline::radius(&model.film.vertices);
         if (stability.lowest_eigenvalue * radius * radius).abs() < MECHANISM {
@@ -666,8 +697,8 @@ fn deviating_stress(weave: &WeaveStress, structure: &Structure) -> String {
         ),
     };
     format!(
-        "{cause}; the returned forces balance with {:.4} to {:.4} along the warp and {:.4} to {:.4} along the weft, which \
-         deviates by {:.1} % (root mean square); {remedy}",
+        "{cause}; the returned forces balance with {:.4} to {:.4} along the warp and {:.4} to {:.4} along the weft, \
+         which deviates by {:.1} % (root mean square); {remedy}",
         weave.warp.min,
         weave.warp.max,
         weave.weft.min,

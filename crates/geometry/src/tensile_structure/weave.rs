@@ -1,16 +1,16 @@
 //! The field of stresses of a woven film.
 //!
-//! Warp and weft have the stresses m σ_w and m σ_f along two directions w and f of the film, with a common factor m that
-//! varies over the film. Within the film the forces balance if
+//! Warp and weft have the stresses m σ_w and m σ_f along two directions w and f of the film, with a common factor m
+//! that varies over the film. Within the film the forces balance if
 //!
 //! ```text
 //! div (m T) + q = 0          T = σ_w w wᵀ + σ_f f fᵀ, q the load within the film
 //! ```
 //!
-//! On a surface of revolution with unequal stresses along and around it no constant m satisfies this; m ∝ r^(k - 1) with
-//! the ratio k = σ_f / σ_w of hoop to meridian does, because (r m σ_w)' = m σ_f. In general the two equations determine
-//! the gradient of ln m, which may be no gradient of a function. The field takes the nearest one. With the unbalanced
-//! force R = -(div (m T) + q) of the present m per area, ln m changes by δ with
+//! On a surface of revolution with unequal stresses along and around it no constant m satisfies this; m ∝ r^(k - 1)
+//! with the ratio k = σ_f / σ_w of hoop to meridian does, because (r m σ_w)' = m σ_f. In general the two equations
+//! determine the gradient of ln m, which may be no gradient of a function. The field takes the nearest one. With the
+//! unbalanced force R = -(div (m T) + q) of the present m per area, ln m changes by δ with
 //!
 //! ```text
 //! ∫ |∇δ - (m T)⁻¹ R|² -> min          a Poisson equation with the cotangent Laplacian
