@@ -161,15 +161,15 @@ pub struct Film {
     #[serde(default)]
     #[schemars(with = "WeaveHold")]
     pub hold: Option<WeaveHold>,
-    /// Weight per area of the found shape. An isotropic tension is `tension` at the film's mean height and grows with the
-    /// height by the weight.
+    /// Weight per area of the found shape. An isotropic tension is `tension` at the film's mean height and grows with
+    /// the height by the weight.
     #[serde(default)]
     #[schemars(range(min = 0, max = 1e50))]
     pub weight: f64,
 }
 
-/// Field of directions in space, given by exactly one of its fields. The film's warp is the projection of the field onto
-/// the film. Directions need no unit length.
+/// Field of directions in space, given by exactly one of its fields. The film's warp is the projection of the field
+/// onto the film. Directions need no unit length.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("minProperties" = 1, "maxProperties" = 1))]
@@ -790,8 +790,8 @@ pub struct WeaveStress {
     pub required_ratio: f64,
     /// Root mean square over the area of ratio / required ratio - 1.
     pub ratio_deviation_rms: f64,
-    /// Root mean square over the area of each stress over the one required at the same place, less 1. Above 0.05 the job
-    /// has the warning `stress_deviates`.
+    /// Root mean square over the area of each stress over the one required at the same place, less 1. Above 0.05 the
+    /// job has the warning `stress_deviates`.
     pub deviation_rms: f64,
 }
 
@@ -868,8 +868,11 @@ pub struct TensileStatistics {
     pub contact_angle_deg: Option<AngleRange>,
     /// Null where the solve did not converge, and with warp and weft, because no energy has their shape as its minimum.
     pub stability: Option<EquilibriumStability>,
-    /// Smallest slope of a triangle in degrees. Water stands on a film that is flatter than about 5.
+    /// Smallest slope of a triangle against the horizontal, in degrees. Water stands on a film that is flatter than
+    /// about 5; a film with a weight then gets the warning `flat`.
     pub minimum_slope_deg: f64,
+    /// Centroid of the triangle with the smallest slope.
+    pub minimum_slope_at: Point,
     pub residual: f64,
     pub converged: bool,
     pub stop_reason: &'static str,
@@ -957,6 +960,7 @@ impl TensileStatistics {
                 lowest_eigenvalue: stability.lowest_eigenvalue,
             }),
             minimum_slope_deg: statistics.minimum_slope.to_degrees(),
+            minimum_slope_at: statistics.flattest_place.to_array(),
             residual: statistics.residual,
             converged: statistics.converged,
             stop_reason: statistics.stop_reason.name(),

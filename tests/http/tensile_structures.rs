@@ -94,7 +94,14 @@ async fn each_wrong_value_gets_an_error_with_its_pointer() {
         cable.as_object_mut().unwrap().extend(extra.as_object().unwrap().clone());
         sail(json!({ "cables": [cable] }))
     };
+    // The sail on two corners turns about the line between them. The cables run from corner 0 to corner 2 and back.
+    let half = |from: u32, to: u32| json!({ "along": { "from": from, "to": to }, "value": 10 });
+    let turning = sail(json!({ "cables": [half(0, 2), half(2, 0)] }));
+    let sliding =
+        |on: Value| sail(json!({ "supports": [{ "along": { "from": 0, "to": 2 }, "on": on }], "cables": [] }));
     let cases = [
+        (turning, vec!["/boundaries/0/1", "/boundaries/0/3"]),
+        (sliding(json!({ "plane": { "point": [0, 0, 1], "normal": [0, 0, 1] } })), vec!["/boundaries/0/1"]),
         (json!({}), vec!["/boundaries", "/film"]),
         (sail(json!({ "film": {} })), vec!["/film/tension"]),
         (sail(json!({ "film": { "tension": 0 } })), vec!["/film/tension"]),
@@ -191,6 +198,30 @@ async fn stresses_that_cannot_be_in_equilibrium_are_returned_with_a_warning() {
     assert_eq!(job["warnings"][0]["code"], "stress_deviates", "{job}");
     assert!(job["statistics"]["stress"]["weave"]["deviation_rms"].as_f64().unwrap() > 0.05);
     assert!(job["statistics"]["balance"]["imbalance"].as_f64().unwrap() < 1e-9);
+}
+
+#[tokio::test]
+async fn a_cable_of_given_length_that_would_be_slack_fails_by_its_pointer() {
+    let app = TestApp::start().await;
+    let body = json!({
+        "boundaries": [[[0, 0, 0], [5, 0, 0], [10, 0, 0], [10, 10, 0], [5, 10, 0], [0, 10, 0]]],
+        "film": { "tension": 1 }, "resolution": { "triangles": 300 },
+        "cables": [{ "name": "valley", "across": [[5, 0, 0], [5, 10, 0]], "mode": "length", "value": 11 }]
+    });
+    let posted = app.post(TENSILE, &body).await;
+    let job = app.ended(posted.json().await.unwrap()).await;
+    assert_eq!((&job["status"], &job["error"]["type"]), (&json!("failed"), &json!("/problems/slack-cable")), "{job}");
+    assert_eq!(job["error"]["errors"][0]["pointer"], "/cables/0/value");
+    assert!(job["error"]["detail"].as_str().unwrap().contains("valley"), "{job}");
+}
+
+#[tokio::test]
+async fn a_heavy_flat_film_has_its_flattest_place_and_a_warning() {
+    let app = TestApp::start().await;
+    let job = app.solve(TENSILE, &sail(json!({ "cables": [], "film": { "tension": 1, "weight": 0.001 } }))).await;
+    assert_eq!(job["warnings"][0]["code"], "flat", "{job}");
+    assert!(job["statistics"]["minimum_slope_deg"].as_f64().unwrap() < 5.0);
+    assert_eq!(job["statistics"]["minimum_slope_at"].as_array().unwrap().len(), 3);
 }
 
 #[tokio::test]

@@ -2677,8 +2677,8 @@ export interface components {
             weft?: number;
             /**
              * Format: double
-             * @description Weight per area of the found shape. An isotropic tension is `tension` at the film's mean height and grows with the
-             *     height by the weight. Default: `0.0`.
+             * @description Weight per area of the found shape. An isotropic tension is `tension` at the film's mean height and grows with
+             *     the height by the weight. Default: `0.0`.
              */
             weight?: number;
         };
@@ -2702,9 +2702,12 @@ export interface components {
             force_unit: string;
             iterations: number;
             masts: components["schemas"]["MastForce"][];
+            /** @description Centroid of the triangle with the smallest slope. */
+            minimum_slope_at: number[];
             /**
              * Format: double
-             * @description Smallest slope of a triangle in degrees. Water stands on a film that is flatter than about 5.
+             * @description Smallest slope of a triangle against the horizontal, in degrees. Water stands on a film that is flatter than
+             *     about 5; a film with a weight then gets the warning `flat`.
              */
             minimum_slope_deg: number;
             objective: string;
@@ -3153,8 +3156,8 @@ export interface components {
             min: number;
         };
         /**
-         * @description Field of directions in space, given by exactly one of its fields. The film's warp is the projection of the field onto
-         *     the film. Directions need no unit length.
+         * @description Field of directions in space, given by exactly one of its fields. The film's warp is the projection of the field
+         *     onto the film. Directions need no unit length.
          */
         WarpDirection: {
             /** @description Polyline along whose tangent at the nearest point the warp runs. */
@@ -3176,8 +3179,8 @@ export interface components {
         WeaveStress: {
             /**
              * Format: double
-             * @description Root mean square over the area of each stress over the one required at the same place, less 1. Above 0.05 the job
-             *     has the warning `stress_deviates`.
+             * @description Root mean square over the area of each stress over the one required at the same place, less 1. Above 0.05 the
+             *     job has the warning `stress_deviates`.
              */
             deviation_rms: number;
             hold: components["schemas"]["WeaveHold"];

@@ -1611,8 +1611,8 @@ class TensileFilm(TypedDict):
     weft: NotRequired[float]
     """Stress along the weft, at right angles to the warp, a force per length."""
     weight: NotRequired[float]
-    """Weight per area of the found shape. An isotropic tension is `tension` at the film's mean height and grows with the
-    height by the weight. Default: `0.0`."""
+    """Weight per area of the found shape. An isotropic tension is `tension` at the film's mean height and grows with
+    the height by the weight. Default: `0.0`."""
 
 
 class TensileStatistics(TypedDict):
@@ -1634,8 +1634,11 @@ class TensileStatistics(TypedDict):
     """Unit of the forces."""
     iterations: int
     masts: List[MastForce]
+    minimum_slope_at: List[float]
+    """Centroid of the triangle with the smallest slope."""
     minimum_slope_deg: float
-    """Smallest slope of a triangle in degrees. Water stands on a film that is flatter than about 5."""
+    """Smallest slope of a triangle against the horizontal, in degrees. Water stands on a film that is flatter than
+    about 5; a film with a weight then gets the warning `flat`."""
     objective: str
     objective_value: float
     """Energy of the found shape. With warp and weft the film counts with half the sum of its stresses times its area."""
@@ -1961,8 +1964,8 @@ class ValueRange(TypedDict):
 
 
 class WarpDirection(TypedDict):
-    """Field of directions in space, given by exactly one of its fields. The film's warp is the projection of the field onto
-    the film. Directions need no unit length."""
+    """Field of directions in space, given by exactly one of its fields. The film's warp is the projection of the field
+    onto the film. Directions need no unit length."""
     along: NotRequired[Sequence[Point]]
     """Polyline along whose tangent at the nearest point the warp runs."""
     parallel: NotRequired[Sequence[float]]
@@ -1973,8 +1976,8 @@ class WarpDirection(TypedDict):
 class WeaveStress(TypedDict):
     """Stresses along warp and weft."""
     deviation_rms: float
-    """Root mean square over the area of each stress over the one required at the same place, less 1. Above 0.05 the job
-    has the warning `stress_deviates`."""
+    """Root mean square over the area of each stress over the one required at the same place, less 1. Above 0.05 the
+    job has the warning `stress_deviates`."""
     hold: WeaveHold
     ratio: StressRange
     """Stress of the weft over that of the warp."""
