@@ -1,7 +1,8 @@
-"""Form finding beside Kratos (PyPI `KratosMultiphysics`, `KratosStructuralMechanicsApplication`, `KratosLinearSolversApplication`), in one run.
+"""Form finding beside Kratos and compas_fd, in one run.
 
+    python3 -m venv PEERS && PEERS/bin/pip install -r benches/peers/requirements.txt
     cargo build --release
-    python3 benches/tensile_structure_peers.py target/release/plateau [TRIANGLES ...]
+    PEERS/bin/python benches/peers/tensile_structures.py target/release/plateau [--iterations N] [TRIANGLES ...]
 
 Two structures with closed forms, each at about so many triangles (2000 without an argument):
 
@@ -9,12 +10,19 @@ Two structures with closed forms, each at about so many triangles (2000 without 
   radius 10: area 63.765571, length of a cable 10.471976, sag 1.339746.
 - `catenoid`: a film between two rings of radius 10 at a distance of 12: neck 7.450711, area 699.9643.
 
+Two more are small and run once:
+
+- `collapse`: the same rings at distances beside 13.25487, beyond which there is no catenoid: 13.2 has one, 13.3 has none.
+- `hypar`: the test of compas_fd (`fd_numpy`), four supports and a free point of equal force densities, at (0.5, 0.5, 0.5).
+
 Ours is `plateau solve` from the request to the written GLB. Kratos runs its form finding solver (the update reference strategy)
 with the settings of its own test of a four-point sail on a structured mesh of as many triangles: membrane and cable elements of
-its default, isotropic prestress 1, residual tolerance 1e-7 and at most 200 iterations, with the sparse LU of its
+its default, isotropic prestress 1, residual tolerance 1e-7 and at most N iterations (200), with the sparse LU of its
 `LinearSolversApplication`. Its time is that of `AnalysisStage.Run`, reading the mesh from its
-file included. Both are processor time of one thread. Prints one JSON line for each; `ratio` is ours over Kratos's.
+file included. Both are processor time of one thread. Prints one JSON line for each; `ratio` is ours over Kratos's. With fewer
+than 200 iterations Kratos has not converged, and the ratio is an upper bound.
 """
+import argparse
 import contextlib
 import json
 import math
@@ -42,14 +50,14 @@ def rings(triangles):
     return count, max(2, round(triangles / (2 * count)))
 
 
-def request(case, triangles):
+def request(case, triangles, height=12):
     if case == "sail":
         corners = [[0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0]]
         cables = [{"along": {"from": k, "to": (k + 1) % 4}, "mode": "force", "value": 10} for k in range(4)]
         return {"kind": "tensile_structure", "boundaries": [corners], "film": {"tension": 1}, "cables": cables,
                 "resolution": {"triangles": triangles}}
     count, _ = rings(triangles)
-    return {"kind": "tensile_structure", "boundaries": [circle(count, 0), circle(count, 12)], "film": {"tension": 1},
+    return {"kind": "tensile_structure", "boundaries": [circle(count, 0), circle(count, height)], "film": {"tension": 1},
             "resolution": {"triangles": triangles}}
 
 
@@ -63,6 +71,13 @@ def ours(binary, case, triangles, folder):
     statistics = json.loads(run.stdout)
     figures = {"triangles": statistics["triangles"], "area": statistics["area"], "converged": statistics["converged"],
                "residual": statistics["residual"], "imbalance": statistics["balance"]["imbalance"]}
+    if case == "catenoid":
+        # The rings lie on both sides of the neck, so that it is inside the film.
+        obj = os.path.join(folder, "mesh.obj")
+        subprocess.run([binary, "solve", path, "-o", obj], check=True, capture_output=True)
+        with open(obj) as file:
+            points = [list(map(float, line.split()[1:4])) for line in file if line.startswith("v ")]
+        figures["neck"] = min(math.hypot(x, y) for x, y, _ in points)
     if case == "sail":
         figures.update(cable=statistics["cables"][0]["length"], sag=statistics["cables"][0]["sag"])
     figures["seconds"] = after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
@@ -124,7 +139,7 @@ def write_mesh(path, points, faces, chains, fixed):
         part("fixed", fixed, [])
 
 
-def kratos(case, triangles, folder):
+def kratos(case, triangles, iterations, folder):
     import KratosMultiphysics
     import KratosMultiphysics.LinearSolversApplication  # noqa: F401 (registers the solver)
     import KratosMultiphysics.StructuralMechanicsApplication  # noqa: F401 (registers the elements)
@@ -151,7 +166,7 @@ def kratos(case, triangles, folder):
             "material_import_settings": {"materials_filename": os.path.join(folder, "materials.json")},
             "time_stepping": {"time_step": 1.1}, "line_search": False, "convergence_criterion": "residual_criterion",
             "displacement_relative_tolerance": 1e-7, "displacement_absolute_tolerance": 1e-7,
-            "residual_relative_tolerance": 1e-7, "residual_absolute_tolerance": 1e-7, "max_iteration": 200,
+            "residual_relative_tolerance": 1e-7, "residual_absolute_tolerance": 1e-7, "max_iteration": iterations,
             "rotation_dofs": False,
             "linear_solver_settings": {"solver_type": "LinearSolversApplication.sparse_lu"}, "printing_format": "none", "write_formfound_geometry_file": False,
             "projection_settings": {"model_part_name": "Structure", "echo_level": 0, "projection_type": "planar",
@@ -189,16 +204,57 @@ def kratos(case, triangles, folder):
     return figures
 
 
+def collapse(binary, folder):
+    """Whether ours finds a catenoid between rings at distances beside the limit."""
+    found = {}
+    for height in (13.2, 13.3):
+        path = os.path.join(folder, "request.json")
+        with open(path, "w") as file:
+            json.dump(request("catenoid", 8000, height), file)
+        run = subprocess.run([binary, "solve", path, "-o", os.path.join(folder, "mesh.glb")], capture_output=True, text=True)
+        found[height] = {"area": json.loads(run.stdout)["area"]} if run.returncode == 0 else {"refused": run.stderr.splitlines()[0]}
+    return {"bench": "tensile_structure/collapse", "exact": {"limit": 13.25487}, "ours": found}
+
+
+def hypar(binary, folder):
+    from compas_fd.solvers import fd_numpy
+
+    vertices = [[0, 0, 0], [1, 0, 1], [1, 1, 0], [0, 1, 1], [0.2, 0.7, 3]]
+    edges = [[0, 4], [1, 4], [2, 4], [3, 4]]
+    start = time.process_time()
+    theirs = fd_numpy(vertices=vertices, fixed=[0, 1, 2, 3], edges=edges, forcedensities=[1.0] * 4).vertices[4]
+    seconds = time.process_time() - start
+    path, obj = os.path.join(folder, "request.json"), os.path.join(folder, "net.obj")
+    with open(path, "w") as file:
+        json.dump({"kind": "cable_net", "vertices": vertices, "edges": edges, "supports": [0, 1, 2, 3],
+                   "cables": [{"force_density": 1}]}, file)
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    subprocess.run([binary, "solve", path, "-o", obj], check=True, capture_output=True)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    with open(obj) as file:
+        points = [list(map(float, line.split()[1:4])) for line in file if line.startswith("v ")]
+    return {"bench": "tensile_structure/hypar", "exact": [0.5, 0.5, 0.5],
+            "ours": {"point": points[4], "process_seconds": after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime},
+            "compas_fd": {"point": [float(x) for x in theirs], "seconds": seconds}}
+
+
 def main():
-    binary, sizes = sys.argv[1], [int(size) for size in sys.argv[2:]] or [2000]
-    for triangles in sizes:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("binary")
+    parser.add_argument("triangles", nargs="*", type=int, default=[2000])
+    parser.add_argument("--iterations", type=int, default=200)
+    arguments = parser.parse_intermixed_args()
+    with tempfile.TemporaryDirectory() as folder:
+        print(json.dumps(hypar(arguments.binary, folder)), flush=True)
+        print(json.dumps(collapse(arguments.binary, folder)), flush=True)
+    for triangles in arguments.triangles:
         for case in ("sail", "catenoid"):
             with tempfile.TemporaryDirectory() as folder:
-                own = ours(binary, case, triangles, folder)
+                own = ours(arguments.binary, case, triangles, folder)
                 with contextlib.redirect_stdout(sys.stderr):
-                    theirs = kratos(case, triangles, folder)
+                    theirs = kratos(case, triangles, arguments.iterations, folder)
             line = {"bench": f"tensile_structure/{case}", "exact": EXACT[case], "ours": own, "kratos": theirs}
-            line["ratio"] = round(own["seconds"] / theirs["seconds"], 3)
+            line["ratio"] = round(own["seconds"] / theirs["seconds"], 4)
             print(json.dumps(line), flush=True)
 
 
