@@ -1,11 +1,13 @@
 //! Uniform meshes of strongly curved surfaces: the mesh stands for its surface, or `converged` is false and says why.
 //!
-//! The campaign runs a few random patches and films; with `PLATEAU_LONG=1` it runs 300 patches and 100 films.
+//! The campaign runs a few random patches and films; with `PLATEAU_LONG=1` it runs 300 patches and 100 films, with
+//! `PLATEAU_LONG=76..100` only those of them with these numbers.
 
 use plateau_geometry::mesh::measure;
 use plateau_geometry::uniform_mesh::{Domain, Method, Nurbs, Objective, Options, OutOfRange, UniformMesh, Why, solve};
 use plateau_geometry::{DVec2, DVec3, Error, Execution};
 use std::f64::consts::TAU;
+use std::ops::Range;
 use std::time::Instant;
 
 fn run(domain: &Domain, edge_length: f64, objective: Objective) -> Result<UniformMesh, Error> {
@@ -240,13 +242,20 @@ fn random_film(seed: u64) -> (Domain, f64) {
     (Domain::Boundaries(vec![(0..120).map(at).collect()]), 0.8 + 0.4 * random.unit())
 }
 
-/// Meshes the cases of one kind under both objectives: all of them with `PLATEAU_LONG=1`, else the first few.
-fn campaign(make: impl Fn(u64) -> (Domain, f64), cases: std::ops::Range<u64>, few: u64) {
-    let long = std::env::var("PLATEAU_LONG").is_ok();
-    let few = if cases.start == 0 { few } else { 0 };
-    let last = if long { cases.end } else { few };
+/// The numbers of the cases that `PLATEAU_LONG` asks for: those of a range "first..end", else all.
+fn asked_for() -> Option<Range<u64>> {
+    let value = std::env::var("PLATEAU_LONG").ok()?;
+    let number = |text: &str| text.parse().expect("PLATEAU_LONG is 1 or a range as 76..100");
+    Some(value.split_once("..").map_or(0..u64::MAX, |(first, end)| number(first)..number(end)))
+}
+
+/// Meshes the cases of one kind under both objectives: those that are asked for, else the first few.
+fn campaign(make: impl Fn(u64) -> (Domain, f64), cases: Range<u64>, few: u64) {
+    let asked = asked_for();
+    let long = asked.is_some();
+    let asked = asked.unwrap_or(0..few);
     let (mut runs, mut refused, mut unconverged, mut faults) = (0, 0, 0, Vec::new());
-    for seed in cases.start..last {
+    for seed in cases.start.max(asked.start)..cases.end.min(asked.end) {
         let (domain, edge_length) = make(seed);
         for objective in Objective::ALL {
             runs += 1;
@@ -260,10 +269,13 @@ fn campaign(make: impl Fn(u64) -> (Domain, f64), cases: std::ops::Range<u64>, fe
                     if long {
                         let seconds = clock.elapsed().as_secs_f64();
                         let said = if result.converged { &[][..] } else { &result.warnings[..] };
+                        let fit = result.statistics.surface.expect("a curved domain is compared with its surface");
                         println!(
-                            "{seed} {} {} nodes {seconds:.2} s {said:?}",
+                            "{seed} {} {} nodes {seconds:.2} s {:?} area {:+.5} {said:?}",
                             objective.name(),
-                            result.statistics.nodes
+                            result.statistics.nodes,
+                            fit.method,
+                            fit.area_error
                         );
                     }
                 }
