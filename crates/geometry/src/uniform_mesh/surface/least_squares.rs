@@ -48,6 +48,8 @@ pub(in crate::uniform_mesh) struct Settings {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::uniform_mesh) struct Outcome {
     pub energy: f64,
+    /// Number of steps tried.
+    pub steps: u64,
     pub interrupted: Option<Interruption>,
 }
 
@@ -70,7 +72,9 @@ pub(in crate::uniform_mesh) fn minimise<P: LeastSquares<2>>(
         step: 0.0,
         max_iterations,
     };
+    let mut steps = 0;
     let mut observe = |iteration: u64, _: &[P::Place], energy: f64| {
+        steps = iteration;
         execution.report(Progress {
             fraction: from + (to - from) * iteration as f64 / max_iterations as f64,
             phase,
@@ -81,5 +85,5 @@ pub(in crate::uniform_mesh) fn minimise<P: LeastSquares<2>>(
     };
     let (stop, energy) = levenberg_marquardt::minimise(problem, x, criteria, &mut observe, execution);
     let interrupted = if let Stop::Interrupted(interruption) = stop { Some(interruption) } else { None };
-    Outcome { energy, interrupted }
+    Outcome { energy, steps, interrupted }
 }

@@ -26,6 +26,12 @@ const LARGEST_SHIFT: f64 = 0.5;
 const ENOUGH: f64 = 1e-9;
 const ROUNDS: usize = 16;
 const ATTEMPTS: usize = 3;
+/// Largest number of steps of one attempt, times the number of moving nodes. On patches of 5,000 nodes and more the steps
+/// beyond lowered the energy by one or two hundredths, and took four fifths of the time. Meshes of fewer than 600 nodes
+/// never reach it: their rounds end first.
+const NODE_STEPS: usize = 600_000;
+/// Fewest steps that an attempt may take whatever the number of nodes.
+const FEWEST_STEPS: usize = 30;
 
 /// What a member's length is to be, in ℓ.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -360,7 +366,10 @@ pub(in crate::uniform_mesh) fn refine<S: Sheet>(
             break;
         }
         let mut widened = false;
-        for (k, &given) in given.iter().enumerate() {
+        // Bounds of lattice members do not count: to widen them would repeat this attempt.
+        let in_rim = |k: &usize| moving.aims[moving.active[*k]] == Aim::Within;
+        for k in (0..given.len()).filter(in_rim).collect::<Vec<usize>>() {
+            let given = given[k];
             let (length, [low, high]) = (moving.length(k), moving.bounds[k]);
             if length < low - ENOUGH || length > high + ENOUGH {
                 moving.bounds[k] = [low.min(given), high.max(given)];
@@ -407,18 +416,20 @@ impl<S: Sheet> Moving<'_, '_, S> {
         self.weight = WEIGHT;
         self.shifts.fill([0.0; 2]);
         let (mut last, mut stalled) = (f64::INFINITY, 0);
+        let mut steps_left = (NODE_STEPS / x.len().max(1)).max(FEWEST_STEPS) as u64;
         for round in 0..rounds {
             let part = |k: usize| from + (to - from) * k as f64 / rounds as f64;
-            let settings =
-                Settings { phase, span: (part(round), part(round + 1)), max_iterations: iterations, tolerance };
+            let span = (part(round), part(round + 1));
+            let settings = Settings { phase, span, max_iterations: iterations.min(steps_left), tolerance };
             let outcome = minimise(self, x, settings, execution);
+            steps_left -= outcome.steps;
             if outcome.interrupted.is_some() {
                 return outcome.interrupted;
             }
             self.energy(x);
             let excess = self.excess();
             stalled = if excess > 0.9 * last { stalled + 1 } else { 0 };
-            if excess <= ENOUGH || stalled == 3 {
+            if excess <= ENOUGH || stalled == 3 || steps_left == 0 {
                 break;
             }
             if excess > 0.3 * last && self.weight < LARGEST_WEIGHT {
