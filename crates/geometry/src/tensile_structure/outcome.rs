@@ -660,8 +660,9 @@ fn warn(
     if structure.film.weight > 0.0 && statistics.minimum_slope < LEAST_SLOPE {
         let DVec3 { x, y, z } = statistics.flattest_place;
         let detail = format!(
-            "the film's slope is {:.2} degrees at ({x:.4}, {y:.4}, {z:.4}), below the limit of {:.0} degrees: unless \
-             this is a crown, from which water runs off, rain and snow stay there and weigh the film down (ponding)",
+            "the film's slope is {:.2} degrees at ({x:.4}, {y:.4}, {z:.4}), below the limit of {:.0} degrees: \
+             unless this is a crown, a saddle or a corner, from which water runs off, rain and snow stay there and weigh \
+             the film down (ponding)",
             statistics.minimum_slope.to_degrees(),
             LEAST_SLOPE.to_degrees()
         );
