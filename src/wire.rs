@@ -26,9 +26,15 @@ pub mod uniform_mesh;
 use crate::config::LimitsConfig;
 use crate::units::{ForceUnit, Unit, UpAxis};
 use body::{Body, PointList};
+use cable_net::CableNetRequest;
+use minimal_surface::MinimalSurfaceRequest;
 use plateau_geometry::error::Step;
 use plateau_geometry::{DVec3, Error as GeometryError, InputError};
+use ruled_surface::RuledSurfaceRequest;
+use serde::de::DeserializeOwned;
 use serde_json::Value;
+use tensile_structure::TensileStructureRequest;
+use uniform_mesh::UniformMeshRequest;
 
 /// Number of errors of one body that are listed.
 pub const MAX_ERRORS: usize = 50;
@@ -252,27 +258,22 @@ struct Checked {
     problem: Problem,
 }
 
-/// Checks a request of one kind and converts it to a [`Request`].
-macro_rules! checked {
-    ($request:ident, $limits:expr) => {{
-        let Checked { memory_bytes, quick, problem } = $request.check($limits)?;
-        let marks = common::Marks::new(
-            $request.label,
-            $request.metadata.as_ref(),
-            $request.supersede,
-            $request.cancel_on_disconnect,
-        )?;
-        Request {
-            unit: $request.units.into(),
-            up: $request.up,
-            cache: $request.cache,
-            callback_url: $request.callback_url,
-            marks,
-            memory_bytes,
-            quick,
-            problem,
-        }
-    }};
+/// A request of one kind as its JSON has it.
+trait KindRequest: DeserializeOwned {
+    /// Returns the fields that concern the job.
+    fn job(&self) -> &common::JobFields;
+
+    /// Returns the unit of the coordinates and the axis that points up.
+    fn axes(&self) -> (Unit, UpAxis);
+
+    /// Takes the points of a field that was read separately.
+    fn take(&mut self, _list: &PointList) {}
+
+    /// Makes the checks that the schema cannot express, and converts the request to the geometry's types.
+    ///
+    /// # Errors
+    /// Returns every offending value.
+    fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection>;
 }
 
 impl Request {
@@ -301,31 +302,19 @@ impl Request {
     /// # Errors
     /// Fails if this version does not know the body, or if it exceeds the limits.
     pub fn read_stored(kind: Kind, body: &[u8], limits: &LimitsConfig) -> Result<Self, Rejection> {
-        let unknown = |error: serde_json::Error| Rejection::Malformed(error.to_string());
         let request = match kind {
-            Kind::RuledSurface => {
-                let request: ruled_surface::RuledSurfaceRequest = serde_json::from_slice(body).map_err(unknown)?;
-                checked!(request, limits)
-            }
-            Kind::MinimalSurface => {
-                let request: minimal_surface::MinimalSurfaceRequest = serde_json::from_slice(body).map_err(unknown)?;
-                checked!(request, limits)
-            }
-            Kind::UniformMesh => {
-                let request: uniform_mesh::UniformMeshRequest = serde_json::from_slice(body).map_err(unknown)?;
-                checked!(request, limits)
-            }
-            Kind::TensileStructure => {
-                let request: tensile_structure::TensileStructureRequest =
-                    serde_json::from_slice(body).map_err(unknown)?;
-                checked!(request, limits)
-            }
-            Kind::CableNet => {
-                let request: cable_net::CableNetRequest = serde_json::from_slice(body).map_err(unknown)?;
-                checked!(request, limits)
-            }
+            Kind::RuledSurface => Self::stored::<RuledSurfaceRequest>(body, limits),
+            Kind::MinimalSurface => Self::stored::<MinimalSurfaceRequest>(body, limits),
+            Kind::UniformMesh => Self::stored::<UniformMeshRequest>(body, limits),
+            Kind::TensileStructure => Self::stored::<TensileStructureRequest>(body, limits),
+            Kind::CableNet => Self::stored::<CableNetRequest>(body, limits),
         };
-        request.within(limits)
+        request?.within(limits)
+    }
+
+    fn stored<T: KindRequest>(body: &[u8], limits: &LimitsConfig) -> Result<Self, Rejection> {
+        let request: T = serde_json::from_slice(body).map_err(|error| Rejection::Malformed(error.to_string()))?;
+        Self::checked(&request, limits)
     }
 
     /// Reads a body that names its own kind, as `plateau solve` accepts it.
@@ -352,35 +341,40 @@ impl Request {
     /// Reads a request from a body's outline and the point lists that were read separately.
     fn of(kind: Kind, outline: &Value, lists: &[PointList], limits: &LimitsConfig) -> Result<Self, Rejection> {
         schema::validate(kind, outline)?;
-        let checked = Self::checked(kind, outline, lists, limits);
-        checked.map_err(|rejection| rejection.placed_in(outline))?.within(limits)
+        let request = match kind {
+            Kind::RuledSurface => Self::validated::<RuledSurfaceRequest>(outline, lists, limits),
+            Kind::MinimalSurface => Self::validated::<MinimalSurfaceRequest>(outline, lists, limits),
+            Kind::UniformMesh => Self::validated::<UniformMeshRequest>(outline, lists, limits),
+            Kind::TensileStructure => Self::validated::<TensileStructureRequest>(outline, lists, limits),
+            Kind::CableNet => Self::validated::<CableNetRequest>(outline, lists, limits),
+        };
+        request.map_err(|rejection| rejection.placed_in(outline))?.within(limits)
     }
 
-    fn checked(kind: Kind, value: &Value, lists: &[PointList], limits: &LimitsConfig) -> Result<Self, Rejection> {
-        Ok(match kind {
-            Kind::RuledSurface => {
-                let mut request: ruled_surface::RuledSurfaceRequest = schema::deserialize(value)?;
-                lists.iter().for_each(|list| request.take(list));
-                checked!(request, limits)
-            }
-            Kind::MinimalSurface => {
-                let mut request: minimal_surface::MinimalSurfaceRequest = schema::deserialize(value)?;
-                lists.iter().for_each(|list| request.take(list));
-                checked!(request, limits)
-            }
-            Kind::UniformMesh => {
-                let request: uniform_mesh::UniformMeshRequest = schema::deserialize(value)?;
-                checked!(request, limits)
-            }
-            Kind::TensileStructure => {
-                let mut request: tensile_structure::TensileStructureRequest = schema::deserialize(value)?;
-                lists.iter().for_each(|list| request.take(list));
-                checked!(request, limits)
-            }
-            Kind::CableNet => {
-                let request: cable_net::CableNetRequest = schema::deserialize(value)?;
-                checked!(request, limits)
-            }
+    /// Reads an outline that was validated against the schema.
+    fn validated<T: KindRequest>(
+        outline: &Value,
+        lists: &[PointList],
+        limits: &LimitsConfig,
+    ) -> Result<Self, Rejection> {
+        let mut request: T = schema::deserialize(outline)?;
+        lists.iter().for_each(|list| request.take(list));
+        Self::checked(&request, limits)
+    }
+
+    fn checked<T: KindRequest>(request: &T, limits: &LimitsConfig) -> Result<Self, Rejection> {
+        let Checked { memory_bytes, quick, problem } = request.check(limits)?;
+        let (unit, up) = request.axes();
+        let job = request.job();
+        Ok(Self {
+            unit,
+            up,
+            cache: job.cache,
+            callback_url: job.callback_url.clone(),
+            marks: common::Marks::new(job)?,
+            memory_bytes,
+            quick,
+            problem,
         })
     }
 

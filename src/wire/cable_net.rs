@@ -1,19 +1,18 @@
 //! `POST /v1/cable-nets`: the request, its statistics, and their conversion to and from the geometry's types.
 
-use super::common::{Cache, Point};
+use super::common::{JobFields, Point};
 use super::minimal_surface::Spread;
 use super::objectives::Objective as ObjectiveDoc;
 use super::tensile_structure::{ForceBalance, LengthAndForce};
-use super::{Checked, FieldError, Kind, Problem, Rejection};
+use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
 use crate::config::LimitsConfig;
-use crate::units::{ForceUnit, UpAxis};
+use crate::units::{ForceUnit, Unit, UpAxis};
 use plateau_geometry::cable_net as geometry;
 use plateau_geometry::error::Step;
 use plateau_geometry::mesh::measure;
 use plateau_geometry::{DVec3, Error as GeometryError, InputError};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value};
 
 /// Largest number of cables, and of loads, of a request.
 const MAX_CABLES: u32 = 1000;
@@ -30,29 +29,8 @@ pub struct CableNetRequest {
     /// Optional here, because the path names the kind. `plateau solve` needs it.
     #[serde(default)]
     pub kind: Option<CableNetKind>,
-    /// Whether the stored result of an equal earlier request may be returned.
-    #[serde(default)]
-    pub cache: Cache,
-    /// URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
-    /// `webhooks` of `GET /v1/limits`.
-    #[serde(default)]
-    #[schemars(length(max = 2000))]
-    pub callback_url: Option<String>,
-    /// Name of the job for people. The job and lists of jobs show it.
-    #[serde(default)]
-    #[schemars(length(max = 200))]
-    pub label: Option<String>,
-    /// Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them.
-    #[serde(default)]
-    pub metadata: Option<Map<String, Value>>,
-    /// Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
-    /// accepted, older jobs with the same key that have not ended are cancelled.
-    #[serde(default)]
-    #[schemars(length(min = 1, max = 200))]
-    pub supersede: Option<String>,
-    /// Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`.
-    #[serde(default)]
-    pub cancel_on_disconnect: bool,
+    #[serde(flatten)]
+    pub job: JobFields,
     #[serde(default)]
     pub units: LengthAndForce,
     /// Axis that points up.
@@ -181,12 +159,16 @@ pub struct Group {
     pub axial_stiffness: Option<f64>,
 }
 
-impl CableNetRequest {
-    /// Makes the checks that the schema cannot express, and converts the request to the geometry's types.
-    ///
-    /// # Errors
-    /// Returns every offending value.
-    pub(super) fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
+impl KindRequest for CableNetRequest {
+    fn job(&self) -> &JobFields {
+        &self.job
+    }
+
+    fn axes(&self) -> (Unit, UpAxis) {
+        (self.units.into(), self.up)
+    }
+
+    fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
         let too_many = |pointer: &str, detail: String| Err(Rejection::TooLarge(vec![FieldError::new(pointer, detail)]));
         for (pointer, count, most, what) in [
             ("/vertices", self.vertices.len(), limits.points, "points"),
@@ -216,7 +198,9 @@ impl CableNetRequest {
             problem: Problem::CableNet { net, options, groups: self.groups(&of_edge), force: self.units.force },
         })
     }
+}
 
+impl CableNetRequest {
     /// Returns the number of each edge's cable. Edges that no cable lists belong to the cable without a list, if there is
     /// one.
     fn check_cables(&self, errors: &mut Vec<FieldError>) -> Vec<Option<usize>> {

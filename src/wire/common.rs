@@ -1,4 +1,4 @@
-//! Types that requests of every kind share: points and the use of kept results.
+//! Types that requests of every kind share: points, and the fields that concern the job.
 
 use super::{FieldError, Rejection};
 use plateau_geometry::DVec3;
@@ -20,7 +20,35 @@ pub enum Cache {
     Bypass,
 }
 
-/// Fields of a request that concern its job and not its result.
+/// Fields that requests of every kind have because they concern the job and not its result.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+pub struct JobFields {
+    /// Whether the stored result of an equal earlier request may be returned.
+    #[serde(default)]
+    pub cache: Cache,
+    /// URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
+    /// `webhooks` of `GET /v1/limits`.
+    #[serde(default)]
+    #[schemars(length(max = 2000))]
+    pub callback_url: Option<String>,
+    /// Name of the job for people. The job and lists of jobs show it.
+    #[serde(default)]
+    #[schemars(length(max = 200))]
+    pub label: Option<String>,
+    /// Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them.
+    #[serde(default)]
+    pub metadata: Option<Map<String, Value>>,
+    /// Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
+    /// accepted, older jobs with the same key that have not ended are cancelled.
+    #[serde(default)]
+    #[schemars(length(min = 1, max = 200))]
+    pub supersede: Option<String>,
+    /// Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`.
+    #[serde(default)]
+    pub cancel_on_disconnect: bool,
+}
+
+/// What a checked request says of its job.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Marks {
     pub label: Option<String>,
@@ -38,29 +66,28 @@ impl Marks {
     ///
     /// # Errors
     /// Returns every offending value.
-    pub(super) fn new(
-        label: Option<String>,
-        metadata: Option<&Map<String, Value>>,
-        supersede: Option<String>,
-        cancel_on_disconnect: bool,
-    ) -> Result<Self, Rejection> {
+    pub(super) fn new(job: &JobFields) -> Result<Self, Rejection> {
         let mut errors = Vec::new();
-        for (pointer, text) in [("/label", &label), ("/supersede", &supersede)] {
+        for (pointer, text) in [("/label", &job.label), ("/supersede", &job.supersede)] {
             // PostgreSQL cannot store a NUL, and no other control character belongs on one line.
             if text.as_ref().is_some_and(|text| text.chars().any(char::is_control)) {
                 errors.push(FieldError::new(pointer, "must not contain control characters"));
             }
         }
-        let metadata = metadata.map(|fields| Value::Object(fields.clone()).to_string());
+        let metadata = job.metadata.as_ref().map(|fields| Value::Object(fields.clone()).to_string());
         if let Some(text) = metadata.as_ref().filter(|text| text.len() > METADATA_BYTES) {
             let detail = format!("has {} bytes as JSON text, more than {METADATA_BYTES}", text.len());
             errors.push(FieldError::new("/metadata", detail));
         }
-        if errors.is_empty() {
-            Ok(Self { label, metadata, supersede, cancel_on_disconnect })
-        } else {
-            Err(Rejection::Invalid(errors))
+        if !errors.is_empty() {
+            return Err(Rejection::Invalid(errors));
         }
+        Ok(Self {
+            label: job.label.clone(),
+            metadata,
+            supersede: job.supersede.clone(),
+            cancel_on_disconnect: job.cancel_on_disconnect,
+        })
     }
 }
 

@@ -8,16 +8,15 @@ pub use certificate::{Certificate, CertificateDocument};
 pub use statistics::{AngleRange, MinimalStatistics, Spread};
 
 use super::body::PointList;
-use super::common::{self, Cache, Point};
+use super::common::{self, JobFields, Point};
 use super::objectives::Objective as ObjectiveDoc;
-use super::{Checked, FieldError, Kind, Problem, Rejection};
+use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
 use crate::config::LimitsConfig;
 use crate::units::{Unit, UpAxis};
 use plateau_geometry::lower_bound;
 use plateau_geometry::minimal_surface as geometry;
 use schemars::JsonSchema;
 use serde::Deserialize;
-use serde_json::{Map, Value};
 
 /// Boundary polygons, and options for the surface that spans them.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -26,29 +25,8 @@ pub struct MinimalSurfaceRequest {
     /// Optional here, because the path names the kind. `plateau solve` needs it.
     #[serde(default)]
     pub kind: Option<MinimalSurfaceKind>,
-    /// Whether the stored result of an equal earlier request may be returned.
-    #[serde(default)]
-    pub cache: Cache,
-    /// URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
-    /// `webhooks` of `GET /v1/limits`.
-    #[serde(default)]
-    #[schemars(length(max = 2000))]
-    pub callback_url: Option<String>,
-    /// Name of the job for people. The job and lists of jobs show it.
-    #[serde(default)]
-    #[schemars(length(max = 200))]
-    pub label: Option<String>,
-    /// Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them.
-    #[serde(default)]
-    pub metadata: Option<Map<String, Value>>,
-    /// Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
-    /// accepted, older jobs with the same key that have not ended are cancelled.
-    #[serde(default)]
-    #[schemars(length(min = 1, max = 200))]
-    pub supersede: Option<String>,
-    /// Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`.
-    #[serde(default)]
-    pub cancel_on_disconnect: bool,
+    #[serde(flatten)]
+    pub job: JobFields,
     /// Unit of the coordinates.
     #[serde(default)]
     pub units: Unit,
@@ -364,19 +342,22 @@ pub enum Process {
     EdgeSwapping,
 }
 
-impl MinimalSurfaceRequest {
-    /// Takes the points of a field that was read separately.
-    pub(super) fn take(&mut self, list: &PointList) {
+impl KindRequest for MinimalSurfaceRequest {
+    fn job(&self) -> &JobFields {
+        &self.job
+    }
+
+    fn axes(&self) -> (Unit, UpAxis) {
+        (self.units, self.up)
+    }
+
+    fn take(&mut self, list: &PointList) {
         if list.field == "boundaries" {
             self.boundaries.clone_from(&list.polylines);
         }
     }
 
-    /// Makes the checks that the schema cannot express, and converts the request to the geometry's types.
-    ///
-    /// # Errors
-    /// Returns every offending value.
-    pub(super) fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
+    fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
         common::check_point_count("/boundaries", &self.boundaries, limits.points)?;
         let too_many = |pointer: &str, detail: String| Err(Rejection::TooLarge(vec![FieldError::new(pointer, detail)]));
         if self.resolution.triangles.is_some_and(|count| count as usize > limits.triangles) {
@@ -428,7 +409,9 @@ impl MinimalSurfaceRequest {
             problem: Problem::MinimalSurface { boundaries, options, certify },
         })
     }
+}
 
+impl MinimalSurfaceRequest {
     /// Returns the options of the search for a lower bound of the area, if the request asks for one.
     fn certify_options(&self) -> Option<lower_bound::Options> {
         match self.certify {

@@ -1,9 +1,9 @@
 //! `POST /v1/ruled-surfaces`: the request, its statistics, and their conversion to and from the geometry's types.
 
 use super::body::PointList;
-use super::common::{self, Cache, Point};
+use super::common::{self, JobFields, Point};
 use super::objectives::Objective as ObjectiveDoc;
-use super::{Checked, FieldError, Kind, Problem, Rejection};
+use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
 use crate::config::LimitsConfig;
 use crate::units::{Unit, UpAxis};
 use plateau_geometry::Execution;
@@ -11,7 +11,6 @@ use plateau_geometry::mesh::self_intersections::Skipped;
 use plateau_geometry::ruled_surface as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value};
 
 /// Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -20,29 +19,8 @@ pub struct RuledSurfaceRequest {
     /// Optional here, because the path names the kind. `plateau solve` needs it.
     #[serde(default)]
     pub kind: Option<RuledSurfaceKind>,
-    /// Whether the stored result of an equal earlier request may be returned.
-    #[serde(default)]
-    pub cache: Cache,
-    /// URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
-    /// `webhooks` of `GET /v1/limits`.
-    #[serde(default)]
-    #[schemars(length(max = 2000))]
-    pub callback_url: Option<String>,
-    /// Name of the job for people. The job and lists of jobs show it.
-    #[serde(default)]
-    #[schemars(length(max = 200))]
-    pub label: Option<String>,
-    /// Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them.
-    #[serde(default)]
-    pub metadata: Option<Map<String, Value>>,
-    /// Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
-    /// accepted, older jobs with the same key that have not ended are cancelled.
-    #[serde(default)]
-    #[schemars(length(min = 1, max = 200))]
-    pub supersede: Option<String>,
-    /// Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`.
-    #[serde(default)]
-    pub cancel_on_disconnect: bool,
+    #[serde(flatten)]
+    pub job: JobFields,
     /// Unit of the coordinates.
     #[serde(default)]
     pub units: Unit,
@@ -210,9 +188,16 @@ pub enum Objective {
     MinimalNormalVariation,
 }
 
-impl RuledSurfaceRequest {
-    /// Takes the points of a field that was read separately.
-    pub(super) fn take(&mut self, list: &PointList) {
+impl KindRequest for RuledSurfaceRequest {
+    fn job(&self) -> &JobFields {
+        &self.job
+    }
+
+    fn axes(&self) -> (Unit, UpAxis) {
+        (self.units, self.up)
+    }
+
+    fn take(&mut self, list: &PointList) {
         let polylines = list.polylines.clone();
         match list.field {
             "directrices" => self.directrices = polylines,
@@ -222,11 +207,7 @@ impl RuledSurfaceRequest {
         }
     }
 
-    /// Makes the checks that the schema cannot express, and converts the request to the geometry's types.
-    ///
-    /// # Errors
-    /// Returns every offending value.
-    pub(super) fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
+    fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
         common::check_point_count("/directrices", &self.directrices, limits.points)?;
         self.check_sampling(limits)?;
         let (directrices, options) = self.to_geometry();
@@ -249,7 +230,9 @@ impl RuledSurfaceRequest {
             problem: Problem::RuledSurface { directrices, options },
         })
     }
+}
 
+impl RuledSurfaceRequest {
     fn check_sampling(&self, limits: &LimitsConfig) -> Result<(), Rejection> {
         let Some(sampling) = self.sampling else { return Ok(()) };
         let invalid = |pointer: &str, detail: &str| Err(Rejection::Invalid(vec![FieldError::new(pointer, detail)]));

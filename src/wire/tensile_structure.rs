@@ -1,10 +1,10 @@
 //! `POST /v1/tensile-structures`: the request, its statistics, and their conversion to and from the geometry's types.
 
 use super::body::PointList;
-use super::common::{self, Cache, Point};
+use super::common::{self, JobFields, Point};
 use super::minimal_surface::{AngleRange, Resolution, Spread};
 use super::objectives::Objective as ObjectiveDoc;
-use super::{Checked, FieldError, Kind, Problem, Rejection};
+use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
 use crate::config::LimitsConfig;
 use crate::units::{ForceUnit, Unit, UpAxis};
 use plateau_geometry::DVec3;
@@ -13,7 +13,6 @@ use plateau_geometry::mesh::self_intersections::Skipped;
 use plateau_geometry::tensile_structure as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value};
 
 /// Largest number of cables, and of free points, of a request.
 const MAX_CABLES: u32 = 1000;
@@ -30,29 +29,8 @@ pub struct TensileStructureRequest {
     /// Optional here, because the path names the kind. `plateau solve` needs it.
     #[serde(default)]
     pub kind: Option<TensileStructureKind>,
-    /// Whether the stored result of an equal earlier request may be returned.
-    #[serde(default)]
-    pub cache: Cache,
-    /// URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
-    /// `webhooks` of `GET /v1/limits`.
-    #[serde(default)]
-    #[schemars(length(max = 2000))]
-    pub callback_url: Option<String>,
-    /// Name of the job for people. The job and lists of jobs show it.
-    #[serde(default)]
-    #[schemars(length(max = 200))]
-    pub label: Option<String>,
-    /// Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them.
-    #[serde(default)]
-    pub metadata: Option<Map<String, Value>>,
-    /// Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
-    /// accepted, older jobs with the same key that have not ended are cancelled.
-    #[serde(default)]
-    #[schemars(length(min = 1, max = 200))]
-    pub supersede: Option<String>,
-    /// Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`.
-    #[serde(default)]
-    pub cancel_on_disconnect: bool,
+    #[serde(flatten)]
+    pub job: JobFields,
     #[serde(default)]
     pub units: LengthAndForce,
     /// Axis that points up. Weights pull against it.
@@ -535,19 +513,22 @@ impl Cable {
     }
 }
 
-impl TensileStructureRequest {
-    /// Takes the points of a field that was read separately.
-    pub(super) fn take(&mut self, list: &PointList) {
+impl KindRequest for TensileStructureRequest {
+    fn job(&self) -> &JobFields {
+        &self.job
+    }
+
+    fn axes(&self) -> (Unit, UpAxis) {
+        (self.units.into(), self.up)
+    }
+
+    fn take(&mut self, list: &PointList) {
         if list.field == "boundaries" {
             self.boundaries.clone_from(&list.polylines);
         }
     }
 
-    /// Makes the checks that the schema cannot express, and converts the request to the geometry's types.
-    ///
-    /// # Errors
-    /// Returns every offending value.
-    pub(super) fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
+    fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
         common::check_point_count("/boundaries", &self.boundaries, limits.points)?;
         let too_many = |pointer: &str, detail: String| Err(Rejection::TooLarge(vec![FieldError::new(pointer, detail)]));
         let (triangles, interior) = (self.resolution.triangles, self.resolution.interior_vertices);
@@ -635,7 +616,9 @@ impl TensileStructureRequest {
             problem: Problem::TensileStructure { structure, options, force: self.units.force },
         })
     }
+}
 
+impl TensileStructureRequest {
     /// Converts the request to the geometry's types.
     fn to_geometry(
         &self,

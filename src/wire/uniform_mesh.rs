@@ -1,16 +1,16 @@
 //! `POST /v1/uniform-meshes`: the request, its statistics, and their conversion to and from the geometry's types.
 
-use super::common::{self, Cache, Point};
+use super::common::{self, JobFields, Point};
 use super::minimal_surface::{AngleRange, Spread};
 use super::objectives::Objective as ObjectiveDoc;
-use super::{Checked, FieldError, Kind, Problem, Rejection};
+use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
 use crate::config::LimitsConfig;
 use crate::units::{Unit, UpAxis};
 use plateau_geometry::mesh::self_intersections::Skipped;
 use plateau_geometry::uniform_mesh as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value};
+use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// Number of members outside [ℓ, 2ℓ] that are listed individually. `out_of_range_edges` counts all of them.
@@ -23,29 +23,8 @@ pub struct UniformMeshRequest {
     /// Optional here, because the path names the kind. `plateau solve` needs it.
     #[serde(default)]
     pub kind: Option<UniformMeshKind>,
-    /// Whether the stored result of an equal earlier request may be returned.
-    #[serde(default)]
-    pub cache: Cache,
-    /// URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
-    /// `webhooks` of `GET /v1/limits`.
-    #[serde(default)]
-    #[schemars(length(max = 2000))]
-    pub callback_url: Option<String>,
-    /// Name of the job for people. The job and lists of jobs show it.
-    #[serde(default)]
-    #[schemars(length(max = 200))]
-    pub label: Option<String>,
-    /// Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them.
-    #[serde(default)]
-    pub metadata: Option<Map<String, Value>>,
-    /// Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
-    /// accepted, older jobs with the same key that have not ended are cancelled.
-    #[serde(default)]
-    #[schemars(length(min = 1, max = 200))]
-    pub supersede: Option<String>,
-    /// Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`.
-    #[serde(default)]
-    pub cancel_on_disconnect: bool,
+    #[serde(flatten)]
+    pub job: JobFields,
     /// Unit of the coordinates.
     #[serde(default)]
     pub units: Unit,
@@ -239,12 +218,16 @@ impl Domain {
     }
 }
 
-impl UniformMeshRequest {
-    /// Makes the checks that the schema cannot express, and converts the request to the geometry's types.
-    ///
-    /// # Errors
-    /// Returns every offending value.
-    pub(super) fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
+impl KindRequest for UniformMeshRequest {
+    fn job(&self) -> &JobFields {
+        &self.job
+    }
+
+    fn axes(&self) -> (Unit, UpAxis) {
+        (self.units, self.up)
+    }
+
+    fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
         self.domain.check()?;
         let (points, field) = self.domain.point_count();
         if points > limits.points {
@@ -279,7 +262,9 @@ impl UniformMeshRequest {
         geometry::check(&domain, &options)?;
         Ok(Checked { memory_bytes: estimate.bytes, quick: false, problem: Problem::UniformMesh { domain, options } })
     }
+}
 
+impl UniformMeshRequest {
     /// Converts the request to the geometry's types.
     fn to_geometry(&self) -> (geometry::Domain, geometry::Options) {
         let optimise = match (self.optimise_nodes, self.optimise, self.max_distinct_lengths) {
