@@ -52,3 +52,22 @@ test('nested options are set and taken back', async () => {
   assert.notDeepEqual((await request(page)).resolution, { triangles: 500 });
   assert.equal((await request(page)).solver, undefined);
 });
+
+test('a lower bound of the area is asked for by a switch, whose options appear with it', async () => {
+  const { page } = studio;
+  await studio.open('four-corners');
+  await page.uncheck('#live');
+  await page.click('#options summary');
+  assert.equal(await page.isVisible('#options [name="certify.gap"]'), false);
+  await page.check('#options [name="certify"]');
+  assert.deepEqual((await request(page)).certify, {});
+  await page.fill('#options [name="certify.seconds"]', '1');
+  await page.keyboard.press('Tab');
+  assert.deepEqual((await request(page)).certify, { seconds: 1 });
+  await page.check('#live');
+  await solved(page);
+  assert.match(await page.textContent('#figures'), /above the least area by at most/);
+  assert.match(await page.textContent('#statistics'), /No oriented surface of any topology with this boundary has an area below/);
+  await page.uncheck('#options [name="certify"]');
+  assert.equal((await request(page)).certify, undefined);
+});

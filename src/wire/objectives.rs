@@ -152,6 +152,11 @@ const FILES: &[(&str, &str, &str)] = &[
         include_str!("../../api/examples/rings-12-best.json"),
     ),
     (
+        "rings-11-proven",
+        "Rings closer together: the two discs have the least area of all surfaces, proven up to 2%",
+        include_str!("../../api/examples/rings-11-proven.json"),
+    ),
+    (
         "rings-14-free",
         "Two rings too far apart for a catenoid: the neck pinches, two discs are left",
         include_str!("../../api/examples/rings-14-free.json"),

@@ -42,7 +42,7 @@ const at = (openapi: OpenApi, ref: string): Schema =>
 
 type Control =
   | { type: 'choice'; names: string[]; help: Record<string, string | undefined>; other: Schema | null }
-  | { type: 'flag' } | { type: 'number'; whole: boolean } | { type: 'text' } | { type: 'one_of' } | { type: 'group' } | { type: 'numbers'; count: number; item: Schema };
+  | { type: 'flag' } | { type: 'switch'; options: Schema } | { type: 'number'; whole: boolean } | { type: 'text' } | { type: 'one_of' } | { type: 'group' } | { type: 'numbers'; count: number; item: Schema };
 
 /** What kind of control a resolved schema calls for; null if none does it justice (lists of points). */
 export function controlOf(openapi: OpenApi, schema: Schema): Control | null {
@@ -54,6 +54,9 @@ export function controlOf(openapi: OpenApi, schema: Schema): Control | null {
     // A union of names and one object: the object is one more choice, with controls of its own.
     return { type: 'choice', names: names as string[], help, other: variants.find((each) => each.properties) ?? null };
   }
+  // True or false, or an object that says more than true.
+  const options = variants.find((each) => each.properties);
+  if (options && variants.some((each) => each.type === 'boolean')) return { type: 'switch', options };
   const types = [schema.type].flat();
   if (types.includes('boolean')) return { type: 'flag' };
   if (types.includes('integer') || types.includes('number')) return { type: 'number', whole: types.includes('integer') };
@@ -69,7 +72,7 @@ export function controlOf(openapi: OpenApi, schema: Schema): Control | null {
 
 const SHOWN_FIRST = ['objective', 'secondary_objective', 'resolution', 'edge_length', 'closed', 'optimise', 'max_distinct_lengths', 'topology', 'units', 'up'];
 /** Titles where a field's name says too little. */
-const TITLES: Record<string, string> = { closed: 'Closed rails', units: 'Unit', up: 'Up axis', all_objectives: 'Compare all objectives', optimise: 'Optimise' };
+const TITLES: Record<string, string> = { closed: 'Closed rails', units: 'Unit', up: 'Up axis', all_objectives: 'Compare all objectives', optimise: 'Optimise', certify: 'Prove a lower bound of the area' };
 /** Fields about the sending of a request, which the studio does itself. */
 const LEFT_OUT = ['kind', 'supersede', 'cancel_on_disconnect'];
 const rank = (name: string): number => SHOWN_FIRST.indexOf(name) + 1 || SHOWN_FIRST.length + 1;
@@ -111,6 +114,10 @@ function make(host: FormHost, name: string, field: Schema, control: Control, giv
     const box = el('input', { type: 'checkbox', name: path.join('.'), id, checked: value === true });
     box.addEventListener('change', () => set(box.checked));
     return el('label', { className: 'check field', title }, box, titleOf(name));
+  }
+  if (control.type === 'switch') {
+    const options = { ...control.options, description: field.description, nullable: true };
+    return group(host, name, options, value === true ? {} : value || null, set, path);
   }
   if (control.type === 'choice') return choice(host, name, field, control, given, set, path);
   if (control.type === 'number') {

@@ -17,7 +17,7 @@ function text(value: unknown): string {
 
 /** The figures that people look for first, by kind: `[path, label, unit]` with `u` for the request's unit. */
 const KEY: Record<string, [string, string, string][]> = {
-  minimal_surface: [['area', 'Area', 'u²'], ['triangles', 'Triangles', ''], ['residual', 'Residual', ''], ['stability.stable', 'Stable', '']],
+  minimal_surface: [['area', 'Area', 'u²'], ['triangles', 'Triangles', ''], ['residual', 'Residual', ''], ['stability.stable', 'Stable', ''], ['certificate.gap', 'Proven: above the least area by at most', '%']],
   ruled_surface: [['area', 'Area', 'u²'], ['convex_bridge_ratio', 'Convex bridges', '%'], ['bending_energy', 'Bending energy', ''], ['largest_fold_deg', 'Largest fold', '°']],
   uniform_mesh: [['nodes', 'Nodes', ''], ['edges', 'Members', ''], ['equal_edges', 'Equal members', ''], ['distinct_lengths', 'Distinct lengths', '']],
   cable_net: [['edges', 'Edges', ''], ['load_path', 'Load path', ''], ['balance.imbalance', 'Force imbalance', ''], ['objective_value', 'Loss', '']],
