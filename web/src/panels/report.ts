@@ -63,7 +63,13 @@ export function statistics(values: Values): HTMLElement[] {
   return [el('table', { className: 'plain' }, el('tbody', {}, ...rows)), ...lists];
 }
 
-const row = (name: string, value: string): HTMLElement => el('tr', {}, el('th', { scope: 'row' }, humanise(name.replace(/_deg (.*)$/, ' $1_deg'))), el('td', {}, value));
+/** A text longer than this stands below its name, because the column of values is narrow. */
+const LONG_TEXT = 60;
+function row(name: string, value: string): HTMLElement {
+  const title = humanise(name.replace(/_deg (.*)$/, ' $1_deg'));
+  if (value.length > LONG_TEXT) return el('tr', {}, el('td', { className: 'long', colSpan: 2 }, el('span', {}, title), value));
+  return el('tr', {}, el('th', { scope: 'row' }, title), el('td', {}, value));
+}
 
 const folded = (name: string, of: string, inner: HTMLElement): HTMLElement =>
   el('details', {}, el('summary', {}, `${humanise(name)} (${of})`), el('div', { className: 'wide', tabIndex: 0, role: 'region', 'aria-label': humanise(name) }, inner));
