@@ -819,6 +819,19 @@ pub struct EquilibriumStability {
     pub lowest_eigenvalue: f64,
 }
 
+/// Water that stands on the film after rain, in all hollows from which it cannot run off over an edge.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct Ponding {
+    /// Depth of the water at its deepest place.
+    pub depth: f64,
+    /// Deepest place.
+    pub at: Point,
+    /// Area of the water's surface.
+    pub area: f64,
+    /// Volume of the water. Times 9.81 kN/m³ it is the water's weight.
+    pub volume: f64,
+}
+
 /// Statistics of a tensile structure.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct TensileStatistics {
@@ -851,11 +864,12 @@ pub struct TensileStatistics {
     pub contact_angle_deg: Option<AngleRange>,
     /// Null where the solve did not converge, and with warp and weft, because no energy has their shape as its minimum.
     pub stability: Option<EquilibriumStability>,
-    /// Smallest slope of a triangle against the horizontal, in degrees. Water stands on a film that is flatter than
-    /// about 5; a film with a weight then gets the warning `flat`.
+    /// Smallest slope of a triangle against the horizontal, in degrees. The middle of a saddle and a crown have 0.
     pub minimum_slope_deg: f64,
     /// Centroid of the triangle with the smallest slope.
     pub minimum_slope_at: Point,
+    /// Water that would stand on the film after rain. Null if it runs off over the film's edges.
+    pub ponding: Option<Ponding>,
     pub residual: f64,
     pub converged: bool,
     pub stop_reason: &'static str,
@@ -944,6 +958,12 @@ impl TensileStatistics {
             }),
             minimum_slope_deg: statistics.minimum_slope.to_degrees(),
             minimum_slope_at: statistics.flattest_place.to_array(),
+            ponding: statistics.ponding.map(|ponding| Ponding {
+                depth: ponding.depth,
+                at: ponding.place.to_array(),
+                area: ponding.area,
+                volume: ponding.volume,
+            }),
             residual: statistics.residual,
             converged: statistics.converged,
             stop_reason: statistics.stop_reason.name(),

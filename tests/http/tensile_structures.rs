@@ -216,12 +216,19 @@ async fn a_cable_of_given_length_that_would_be_slack_fails_by_its_pointer() {
 }
 
 #[tokio::test]
-async fn a_heavy_flat_film_has_its_flattest_place_and_a_warning() {
+async fn a_film_in_which_water_stands_has_its_depth_and_a_warning() {
     let app = TestApp::start().await;
     let job = app.solve(TENSILE, &sail(json!({ "cables": [], "film": { "tension": 1, "weight": 0.001 } }))).await;
-    assert_eq!(job["warnings"][0]["code"], "flat", "{job}");
-    assert!(job["statistics"]["minimum_slope_deg"].as_f64().unwrap() < 5.0);
-    assert_eq!(job["statistics"]["minimum_slope_at"].as_array().unwrap().len(), 3);
+    assert_eq!(job["warnings"][0]["code"], "ponding", "{job}");
+    let statistics = &job["statistics"];
+    assert!(statistics["minimum_slope_deg"].as_f64().unwrap() < 5.0);
+    assert_eq!(statistics["minimum_slope_at"].as_array().unwrap().len(), 3);
+    // A plane square of side 10 that hangs through: 0.0737 w a² / σ.
+    let ponding = &statistics["ponding"];
+    assert!((ponding["depth"].as_f64().unwrap() - 0.00737).abs() < 2e-4, "{ponding}");
+    assert!((ponding["area"].as_f64().unwrap() - 100.0).abs() < 0.1, "{ponding}");
+    assert_eq!(ponding["at"].as_array().unwrap().len(), 3);
+    assert!(ponding["volume"].as_f64().unwrap() > 0.3 * 0.737, "{ponding}");
 }
 
 #[tokio::test]

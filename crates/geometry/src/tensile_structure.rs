@@ -51,6 +51,7 @@ mod mixing;
 mod model;
 mod options;
 mod outcome;
+mod ponding;
 mod weave;
 
 pub use options::{
@@ -61,6 +62,7 @@ pub use outcome::{
     CableResult, EdgeReaction, ForceBalance, Reaction, Stability, Statistics, Stress, StressRange, TensileStructure,
     WeaveStress,
 };
+pub use ponding::Ponding;
 
 use crate::error::Step;
 use crate::minimal_surface;

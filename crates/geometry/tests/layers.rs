@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Files and folders of `src`, earliest layer first. A file belongs to the longest entry that its path starts with.
-const LAYERS: [&str; 47] = [
+const LAYERS: [&str; 48] = [
     "execution",
     "error",
     "estimate",
@@ -45,6 +45,7 @@ const LAYERS: [&str; 47] = [
     "tensile_structure/mixing",
     "tensile_structure/model",
     "tensile_structure/form_finding",
+    "tensile_structure/ponding",
     "tensile_structure/outcome",
     "tensile_structure",
     "cable_net/options",

@@ -5,6 +5,7 @@ use super::model::{Model, MovingRing, forces};
 use super::options::{
     BoundaryPoint, CableMode, Course, FilmPrestress, Ring, Structure, Weave, WeaveHold, cable_place, chord,
 };
+use super::ponding::{self, Ponding, Roof};
 use crate::energy::PlaneStress;
 use crate::equilibrium::{Freedom, Support};
 use crate::error::{InputError, Warning};
@@ -158,6 +159,8 @@ pub struct Statistics {
     pub minimum_slope: f64,
     /// The centroid of the triangle with the least slope.
     pub flattest_place: DVec3,
+    /// The water that stands on the film after rain; `None` if it runs off.
+    pub ponding: Option<Ponding>,
     /// Lengths of the film's edges.
     pub edge_lengths: Spread,
     /// Smallest and largest inner angle, in radians.
@@ -205,10 +208,6 @@ const MOVES: f64 = 0.5;
 /// A woven film whose stresses deviate from the required ones by more than this (root mean square) gets a warning. On
 /// the meshes of the examples the deviation that is the mesh's error alone is below 0.02.
 const DEVIATES: f64 = 0.05;
-/// Slope in radians (5 degrees) below which a heavy film gets the warning `flat`. Rain and melting snow stay on a
-/// flatter roof and weigh it down, so that the hollow grows: ponding. Guides for membrane roofs ask for 5 to 10
-/// degrees.
-const LEAST_SLOPE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 /// Number of points that a message lists.
 const LISTED: usize = 12;
 
@@ -403,6 +402,8 @@ pub(super) fn finish(
     let cables = cables(&model, &found, structure, &at);
     let (flipped, degenerate) = (model.flipped(), measure::degenerate_triangles(&film));
     let (minimum_slope, flattest_place) = flattest(&triangles, &at, structure.up);
+    let (rims, folds) = (&model.film.boundaries, &model.film.locked);
+    let ponding = ponding::find(&Roof { triangles: &triangles, at: &at, rims, folds, up: structure.up }, exec)?;
     let has_pressure = structure.pressure != super::options::Pressure::None;
     let mesh = Mesh::new(at.iter().map(|p| *p + model.centre).collect(), triangles.clone());
     let (self_intersections, crossings) = self_intersections::check(&mesh, Order::Spatial, usize::MAX, exec)?;
@@ -430,6 +431,7 @@ pub(super) fn finish(
         }),
         minimum_slope,
         flattest_place: flattest_place + model.centre,
+        ponding: ponding.map(|ponding| Ponding { place: ponding.place + model.centre, ..ponding }),
         edge_lengths: Spread::of(measure::edge_lengths(&film, &topology).into_iter()),
         angles: measure::angle_range(&film),
         flipped_triangles: flipped,
@@ -657,16 +659,12 @@ fn warn(
     {
         warnings.push(Warning::new("stress_deviates", deviating_stress(&weave, structure)));
     }
-    if structure.film.weight > 0.0 && statistics.minimum_slope < LEAST_SLOPE {
-        let DVec3 { x, y, z } = statistics.flattest_place;
+    if let Some(Ponding { depth, place: DVec3 { x, y, z }, .. }) = statistics.ponding {
         let detail = format!(
-            "the film's slope is {:.2} degrees at ({x:.4}, {y:.4}, {z:.4}), below the limit of {:.0} degrees: \
-             unless this is a crown, a saddle or a corner, from which water runs off, rain and snow stay there and weigh \
-             the film down (ponding)",
-            statistics.minimum_slope.to_degrees(),
-            LEAST_SLOPE.to_degrees()
+            "water would stand up to {depth:.4} deep on the film, deepest at ({x:.4}, {y:.4}, {z:.4}), because it cannot \
+             run off over an edge; its weight would deepen the hollow (ponding)"
         );
-        warnings.push(Warning::new("flat", detail));
+        warnings.push(Warning::new("ponding", detail));
     }
     if let Some(stability) = statistics.stability {
         let radius = crate::polyline::radius(&model.film.vertices);
