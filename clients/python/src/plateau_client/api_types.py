@@ -1189,6 +1189,18 @@ class PlaneGuide(TypedDict):
     point: Point
 
 
+class Ponding(TypedDict):
+    """Water that stands on the film after rain, in all hollows from which it cannot run off over an edge."""
+    area: float
+    """Area of the water's surface."""
+    at: List[float]
+    """Deepest place."""
+    depth: float
+    """Depth of the water at its deepest place."""
+    volume: float
+    """Volume of the water. Times 9.81 kN/m³ it is the water's weight."""
+
+
 class Problem(TypedDict):
     """A problem document, RFC 9457."""
     detail: str
@@ -1637,13 +1649,14 @@ class TensileStatistics(TypedDict):
     minimum_slope_at: List[float]
     """Centroid of the triangle with the smallest slope."""
     minimum_slope_deg: float
-    """Smallest slope of a triangle against the horizontal, in degrees. Water stands on a film that is flatter than
-    about 5; a film with a weight then gets the warning `flat`."""
+    """Smallest slope of a triangle against the horizontal, in degrees. The middle of a saddle and a crown have 0."""
     objective: str
     objective_value: float
     """Energy of the found shape. With warp and weft the film counts with half the sum of its stresses times its area."""
     origin: List[float]
     """Middle of the mesh's bounding box, which files with `origin=local` are relative to."""
+    ponding: Optional[Ponding]
+    """Water that would stand on the film after rain. Null if it runs off over the film's edges."""
     pressure: float
     """Pressure, given or found; 0 for none."""
     reactions: List[SupportReaction]

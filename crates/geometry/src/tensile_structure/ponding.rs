@@ -398,13 +398,29 @@ mod tests {
     fn the_deepest_of_two_ponds_is_named_and_both_are_measured() {
         // Two paraboloids of radius 1/4 in a plane, one twice as deep as the other.
         let one = |x: f64, y: f64, depth: f64| (depth * (4.0 * (x * x + y * y) - 1.0)).min(0.0);
-        let both = on(&disc(64, |x, y| one(2.0 * x - 1.0, 2.0 * y, 0.2) + one(2.0 * x + 1.0, 2.0 * y, 0.1))).unwrap();
-        assert!((both.depth - 0.2).abs() < 2e-3 && both.place.distance(DVec3::new(0.5, 0.0, -0.2)) < 0.05, "{both:?}");
-        // Each has the area π r² and half of it times its depth as volume. The plane around them is as high as the water,
-        // so triangles across their rims count as a whole.
         let area = PI / 16.0;
-        assert!((both.area / (2.0 * area) - 1.0).abs() < 0.15, "{both:?}");
-        assert!((both.volume / (0.5 * area * 0.3) - 1.0).abs() < 0.02, "{both:?}");
+        for deeper in [1.0, -1.0] {
+            let bowls = |x: f64, y: f64| {
+                let x = 2.0 * x * deeper;
+                one(x - 1.0, 2.0 * y, 0.2) + one(x + 1.0, 2.0 * y, 0.1)
+            };
+            let both = on(&disc(64, bowls)).unwrap();
+            assert!((both.depth - 0.2).abs() < 2e-3, "{both:?}");
+            assert!(both.place.distance(DVec3::new(0.5 * deeper, 0.0, -0.2)) < 0.05, "{both:?}");
+            // Each has the area π r² and half of it times its depth as volume. The plane around them is as high as the
+            // water, so triangles across their rims count as a whole.
+            assert!((both.area / (2.0 * area) - 1.0).abs() < 0.15, "{both:?}");
+            assert!((both.volume / (0.5 * area * 0.3) - 1.0).abs() < 0.02, "{both:?}");
+        }
+    }
+
+    #[test]
+    fn a_crater_on_a_hill_fills_up_to_its_own_rim() {
+        // z = 1/2 - (4 r² - 1)² / 5: the crater has the radius 1/2, the depth 1/5 and the volume π / 60.
+        let crater = on(&disc(64, |x, y| 0.5 - 0.2 * (4.0 * (x * x + y * y) - 1.0).powi(2))).unwrap();
+        assert!((crater.depth - 0.2).abs() < 2e-3, "{crater:?}");
+        assert!((crater.area / (0.25 * PI) - 1.0).abs() < 0.1, "{crater:?}");
+        assert!((crater.volume / (PI / 60.0) - 1.0).abs() < 0.03, "{crater:?}");
     }
 
     #[test]
