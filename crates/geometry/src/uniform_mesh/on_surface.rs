@@ -222,7 +222,13 @@ fn flattened(
             _ => None,
         };
         match narrow {
-            Some(length) if length < 1.0 => boundary.sides.why(members[member], length, &boundary.outline.nodes),
+            Some(length) if length < 1.0 => {
+                match boundary.sides.why(members[member], length, &boundary.outline.nodes) {
+                    // A corner does not shorten the edges along its sides.
+                    Why::SharpCorner | Why::Narrow if boundary.sides.are_on_one(members[member]) => Why::Curvature,
+                    why => why,
+                }
+            }
             _ if flat.interrupted => Why::Unfinished,
             _ if is_in_range(before[member]) && !lattice_group[member] => Why::Optimised,
             _ => Why::Curvature,

@@ -101,6 +101,11 @@ impl Sides {
         self.sides[self.stands[node as usize][1] as usize].start
     }
 
+    /// Whether an edge between nodes of the boundary runs along one side.
+    pub fn are_on_one(&self, [a, b]: [u32; 2]) -> bool {
+        self.stands[a as usize].iter().any(|s| self.stands[b as usize].contains(s))
+    }
+
     /// Why a planar edge of this length (in ℓ) between nodes of the boundary is outside [ℓ, 2ℓ]. `nodes`: all boundary nodes.
     pub fn why(&self, edge: [u32; 2], length: f64, nodes: &[DVec2]) -> Why {
         let [Some(&a), Some(&b)] = edge.map(|v| self.stands.get(v as usize)) else { return Why::Unfinished };

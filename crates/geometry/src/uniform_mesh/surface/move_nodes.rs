@@ -38,8 +38,8 @@ const FEWEST_STEPS: usize = 30;
 pub(in crate::uniform_mesh) enum Aim {
     /// As near to this as possible.
     At(f64),
-    /// Within [1, 2].
-    Within,
+    /// Between this and 2.
+    Within(f64),
     Free,
 }
 
@@ -194,9 +194,9 @@ impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
         let at = |v: u32| (nodes.parameters[v as usize], nodes.positions[v as usize]);
         let guarded = |t: &&[u32; 3]| t.iter().any(|&v| v >= fixed) && nodes.surface.are_upright(&[**t], &at);
         let triangles = nodes.triangles.iter().filter(guarded).copied().collect();
-        let (bounds, shifts) = (vec![[1.0, 2.0]; active.len()], vec![[0.0; 2]; active.len()]);
+        let (bounds, shifts) = (vec![[0.0; 2]; active.len()], vec![[0.0; 2]; active.len()]);
         let moving = nodes.parameters.len() - nodes.fixed;
-        Self {
+        let mut moving = Self {
             nodes,
             active,
             aims,
@@ -206,7 +206,22 @@ impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
             triangles,
             here: Vec::new(),
             metrics: vec![[1.0, 0.0, 1.0]; moving],
+        };
+        moving.reset_bounds();
+        moving
+    }
+
+    /// Sets the bounds to those of the aims.
+    fn reset_bounds(&mut self) {
+        for (bounds, &member) in self.bounds.iter_mut().zip(&self.active) {
+            let least = if let Aim::Within(least) = self.aims[member] { least } else { 1.0 };
+            *bounds = [least, 2.0];
         }
+    }
+
+    /// Whether an active member has bounds.
+    fn is_bounded(&self, k: usize) -> bool {
+        matches!(self.aims[self.active[k]], Aim::Within(_))
     }
 
     fn position(&self, v: u32) -> DVec3 {
@@ -220,7 +235,7 @@ impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
     fn residual(&self, k: usize, length: f64) -> (f64, f64) {
         match self.aims[self.active[k]] {
             Aim::At(target) => (length - target, 1.0),
-            Aim::Within => {
+            Aim::Within(_) => {
                 let ([low, high], [down, up]) = (self.bounds[k], self.shifts[k]);
                 let (under, over) = (low + MARGIN - length + down, length - high + MARGIN + up);
                 if under > 0.0 {
@@ -243,7 +258,7 @@ impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
     /// Largest excess of a rim member over its bounds.
     fn excess(&self) -> f64 {
         (0..self.active.len())
-            .filter(|&k| self.aims[self.active[k]] == Aim::Within)
+            .filter(|&k| self.is_bounded(k))
             .map(|k| (self.length(k), self.bounds[k]))
             .map(|(length, [low, high])| (low - length).max(length - high))
             .fold(0.0, f64::max)
@@ -251,7 +266,7 @@ impl<'a, 'b, S: Sheet> Moving<'a, 'b, S> {
 
     fn shift(&mut self) {
         for k in 0..self.active.len() {
-            if self.aims[self.active[k]] == Aim::Within {
+            if self.is_bounded(k) {
                 let length = self.length(k);
                 let ([low, high], [down, up]) = (self.bounds[k], self.shifts[k]);
                 self.shifts[k] =
@@ -367,7 +382,7 @@ pub(in crate::uniform_mesh) fn refine<S: Sheet>(
         }
         let mut widened = false;
         // Bounds of lattice members do not count: to widen them would repeat this attempt.
-        let in_rim = |k: &usize| moving.aims[moving.active[*k]] == Aim::Within;
+        let in_rim = |k: &usize| moving.is_bounded(*k);
         for k in (0..given.len()).filter(in_rim).collect::<Vec<usize>>() {
             let given = given[k];
             let (length, [low, high]) = (moving.length(k), moving.bounds[k]);
@@ -381,7 +396,7 @@ pub(in crate::uniform_mesh) fn refine<S: Sheet>(
         }
     }
     // Never hand back what is worse in both respects than what came in.
-    moving.bounds.fill([1.0, 2.0]);
+    moving.reset_bounds();
     if moving.deviation(&x) >= before.0 && moving.excess() >= before.1 {
         x = start;
         moving.energy(&x);

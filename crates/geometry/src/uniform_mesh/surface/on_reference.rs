@@ -7,6 +7,9 @@
 //! 3. The paper's optimisation ([`refine`]): the nodes move on the surface to the least Σ (L - ℓ)² over the group, all
 //!    other members within [ℓ, 2ℓ].
 //! 4. Members that are still out of range are split or collapsed, and the nodes move again. The last move takes its time.
+//! 5. A member that is far out of range even then, without a reason in the boundary, is split or collapsed once more, and
+//!    the nodes move again: the best mesh of step 4 is one before its last members were mended. Members across a sharp
+//!    corner may then be as short as the distance between its sides at 2ℓ.
 //!
 //! [`Objective::FewestNodes`] has no lattice group: all members are brought into [ℓ, 2ℓ], starting from the largest
 //! triangles for which that is possible.
@@ -19,6 +22,7 @@ use crate::mesh::measure::double_area_vector;
 use crate::mesh::topology::{next, previous};
 use crate::uniform_mesh::edges::edges;
 use crate::uniform_mesh::options::Objective;
+use crate::uniform_mesh::report::Why;
 use crate::{DVec2, DVec3};
 
 /// The sizes that the remeshing starts from, in ℓ.
@@ -29,14 +33,18 @@ const FEWEST: Size = Size { largest: 1.45, least: 1.12, turn: 0.2 };
 const EQUAL: Size = Size { largest: 1.06, least: 1.06, turn: 1.0 };
 /// Rounds of moving the nodes and mending members out of range.
 const ROUNDS: usize = 3;
+/// Most rounds of mending members that are far out of range at the end.
+const REPAIRS: usize = 2;
+/// Members outside this range, in ℓ, are far out of it. A mesh with members outside [0.6 ℓ, 2.5 ℓ] is not converged.
+const FAR: (f64, f64) = (0.7, 2.3);
 /// Rounds of multipliers in each of these moves.
 const BRIEF: usize = 2;
 /// Longest displacement of a node in one step, in ℓ.
 const LONGEST_STEP: f64 = 0.35;
 /// Members within this range, in ℓ, may belong to the lattice group.
 const GROUP: std::ops::RangeInclusive<f64> = 0.7..=1.4;
-/// Members out of [ℓ, 2ℓ] by less than this, in ℓ, are left to the next move of the nodes.
-const SLIGHT: f64 = 0.02;
+/// Members outside this range, in ℓ, are mended. What is missing from [ℓ, 2ℓ] is left to the next move of the nodes.
+const OUT: (f64, f64) = (0.98, 2.02);
 /// Least altitude of a triangle as a fraction of its longest side, seen along the surface's normal, that a move may leave.
 /// Without it nodes are pressed flat against the boundary.
 const THINNEST: f64 = 0.12;
@@ -160,12 +168,27 @@ pub(in crate::uniform_mesh) fn mesh<'a>(
     if !optimise {
         return Ok((best, None));
     }
-    let part = |k: usize| from + (to - from) * k as f64 / (ROUNDS + 1) as f64;
+    // The net of the best nodes, as it was before its members were mended.
+    let mut of_best = net.clone();
+    let part = |k: usize| from + (to - from) * k as f64 / (ROUNDS + 1 + REPAIRS) as f64;
     let move_nodes = |nodes: &mut OnSurface<'a, Reference>, rounds: usize, k: usize| {
-        let aim = |&lattice: &bool| if lattice { Aim::At(1.0) } else { Aim::Within };
+        let aim = |&lattice: &bool| if lattice { Aim::At(1.0) } else { Aim::Within(1.0) };
         let aims: Vec<Aim> = nodes.lattice_group.iter().map(aim).collect();
         let effort = Effort { rounds, ..reference.effort() };
         refine(nodes, &aims, effort, "optimise_nodes", (part(k), part(k + 1)), execution)
+    };
+    let move_repaired = |nodes: &mut OnSurface<'a, Reference>, k: usize| {
+        let aim = |(&lattice, &ends): (&bool, &[u32; 2])| {
+            // Aims that no place of the nodes can reach push them towards a sharp corner, or away from it.
+            let across = reference.apart_across(ends.map(|v| nodes.parameters[v as usize]));
+            match across {
+                _ if lattice => Aim::At(1.0),
+                Some(apart) => Aim::Within((2.0 * apart).min(1.0)),
+                None => Aim::Within(1.0),
+            }
+        };
+        let aims: Vec<Aim> = nodes.lattice_group.iter().zip(&nodes.members).map(aim).collect();
+        refine(nodes, &aims, reference.effort(), "optimise_nodes", (part(k), part(k + 1)), execution)
     };
     let mut least = f64::INFINITY;
     for round in 0..ROUNDS {
@@ -175,19 +198,43 @@ pub(in crate::uniform_mesh) fn mesh<'a>(
         if misfit < least {
             least = misfit;
             best = here.clone();
+            of_best = net.clone();
         }
         if interrupted.is_some() {
             return Ok((best, interrupted));
         }
-        for (v, &place) in here.parameters.iter().enumerate() {
-            net.put(v as u32, place);
-        }
-        if !mend(&mut net) {
+        net.put_all(&here.parameters);
+        if !mend(&mut net, OUT) {
             break;
         }
     }
-    let interrupted = move_nodes(&mut best, reference.effort().rounds, ROUNDS);
+    let mut interrupted = move_nodes(&mut best, reference.effort().rounds, ROUNDS);
+    for repair in 0..REPAIRS {
+        let far = far_members(&best);
+        if far == 0 || interrupted.is_some() {
+            break;
+        }
+        of_best.put_all(&best.parameters);
+        if !mend(&mut of_best, FAR) {
+            break;
+        }
+        let mut here = nodes(&mut of_best, objective);
+        interrupted = move_repaired(&mut here, ROUNDS + 1 + repair);
+        if far_members(&here) >= far {
+            break;
+        }
+        best = here;
+    }
     Ok((best, interrupted))
+}
+
+/// Number of members that are far out of range, and that the boundary does not force to be.
+fn far_members(nodes: &OnSurface<'_, Reference>) -> usize {
+    let is_far = |&(&ends, length): &(&[u32; 2], f64)| {
+        let places = ends.map(|v| nodes.parameters[v as usize]);
+        !(FAR.0..=FAR.1).contains(&length) && nodes.surface.why(places, length) == Why::Curvature
+    };
+    nodes.members.iter().zip(nodes.lengths()).filter(is_far).count()
 }
 
 /// The net's nodes as nodes that move, with the lattice group for the lengths as they are.
@@ -276,8 +323,8 @@ fn misfit(nodes: &OnSurface<'_, Reference>) -> f64 {
     nodes.lengths().iter().zip(&nodes.lattice_group).map(term).sum()
 }
 
-/// Splits members that are too long, collapses those that are too short, and flips. Says whether anything changed.
-fn mend(net: &mut Net<'_>) -> bool {
+/// Splits members that are longer than a range, collapses those that are shorter, and flips. Says whether anything changed.
+fn mend(net: &mut Net<'_>, (shortest, longest): (f64, f64)) -> bool {
     let count = |net: &Net<'_>| net.topology.twin.len() as u32;
     let before = net.topology.triangles().to_vec();
     let seen_wide = |h: u32| {
@@ -287,11 +334,11 @@ fn mend(net: &mut Net<'_>) -> bool {
             && a.distance(b) > SEEN_WIDE.0
             && (a - apex).angle_between(b - apex) > SEEN_WIDE.1
     };
-    let too_long = |&h: &u32| net.length(h) > 2.0 + SLIGHT || seen_wide(h);
+    let too_long = |&h: &u32| net.length(h) > longest || seen_wide(h);
     let mut long: Vec<u32> = (0..count(net)).filter(too_long).collect();
     long.sort_by(|&a, &b| net.length(b).total_cmp(&net.length(a)).then(a.cmp(&b)));
     net.split_edges(&long);
-    let mut short: Vec<u32> = (0..count(net)).filter(|&h| net.length(h) < 1.0 - SLIGHT).collect();
+    let mut short: Vec<u32> = (0..count(net)).filter(|&h| net.length(h) < shortest).collect();
     short.sort_by(|&a, &b| net.length(a).total_cmp(&net.length(b)).then(a.cmp(&b)));
     short.truncate(short.len().min(net.places.len() / 50 + 1));
     net.collapse_edges(&short, Collapse::Middle, 1.9);

@@ -48,8 +48,14 @@ const GRID: Grid = Grid {
 const CREASE: f64 = 0.35;
 /// A vertex of a curve is a corner if the curve turns by more than this angle, radians.
 const CORNER_TURN: f64 = std::f64::consts::FRAC_PI_6;
-/// An edge across a sharp corner is out of range because of the corner if its ends are nearer to it than this, in ℓ.
+/// An edge across a sharp corner is out of range because of the corner if its ends are nearer to it than this, in ℓ, ...
 const NEAR_CORNER: f64 = 3.0;
+/// ... and if it is as long as the distance between the sides there, up to this fraction.
+const FORCED: f64 = 0.9;
+/// Points on each side, less one, at which that distance is taken.
+const STEPS_NEAR_CORNER: usize = 8;
+/// A closed side takes three nodes. Their distance on a circle, as a fraction of its length.
+const OF_THREE: f64 = 0.275;
 /// Points nearer than this fraction of the surface's size coincide.
 const COINCIDENT: f64 = 1e-9;
 /// Largest number of edges that one walk crosses; a guard against an endless walk around a degenerate vertex.
@@ -403,30 +409,80 @@ impl Reference {
         }
     }
 
-    /// Why an edge of this length, in ℓ, between two nodes is outside [ℓ, 2ℓ].
+    /// Why an edge of this length, in ℓ, between two nodes is outside [ℓ, 2ℓ]. The boundary and the creases are the reason
+    /// only for edges that are as long as they allow; shorter ones are left to [`Why::Curvature`].
     pub fn why(&self, ends: [Place; 2], length: f64) -> Why {
         let [first, second] = ends.map(|place| self.curves_of(place.bond));
         if length > 1.0 || first.is_empty() || second.is_empty() {
             return Why::Curvature;
         }
-        let curve = |c: u32| &self.curves[c as usize];
-        let shared: Vec<u32> = first.iter().copied().filter(|c| second.contains(c)).collect();
-        if shared.iter().any(|&c| curve(c).length() < 1.0) {
-            return Why::ShortSide;
+        let shared: Vec<&Curve> =
+            first.iter().filter(|c| second.contains(c)).map(|&c| &self.curves[c as usize]).collect();
+        if !shared.is_empty() {
+            let are_corners = ends.iter().all(|place| matches!(place.bond, Bond::Fixed(_)));
+            let forces = |curve: &&Curve| {
+                let is_whole = are_corners || length >= FORCED * OF_THREE * curve.length();
+                curve.length() < 1.0 && is_whole
+            };
+            return if shared.iter().any(forces) { Why::ShortSide } else { Why::Curvature };
         }
-        let sharp = |&v: &u32| {
-            let corner = self.mesh.vertices[v as usize];
-            let near = ends.iter().all(|place| self.point(place.spot).distance(corner) < NEAR_CORNER);
-            near && self.angle_at(v) < std::f64::consts::FRAC_PI_2
-        };
-        let also_second = |v: &u32| second.iter().any(|&c| curve(c).ends.contains(v));
-        if first.iter().flat_map(|&c| curve(c).ends).filter(also_second).any(|v| sharp(&v)) {
-            Why::SharpCorner
-        } else if shared.is_empty() {
-            Why::Narrow
-        } else {
-            Why::Curvature
+        match self.apart_at_corner(ends, [&first, &second]) {
+            None => Why::Narrow,
+            Some(apart) if apart < 1.0 && length >= FORCED * apart => Why::SharpCorner,
+            Some(_) => Why::Curvature,
         }
+    }
+
+    /// The least length that a sharp corner leaves to edges across it, if these nodes stand on its two sides and that
+    /// length is below ℓ.
+    pub fn apart_across(&self, ends: [Place; 2]) -> Option<f64> {
+        let [first, second] = ends.map(|place| self.curves_of(place.bond));
+        if first.is_empty() || second.is_empty() || first.iter().any(|c| second.contains(c)) {
+            return None;
+        }
+        self.apart_at_corner(ends, [&first, &second]).filter(|&apart| apart < 1.0)
+    }
+
+    /// How far the curves of two nodes are apart at the corner where they meet, infinite if that is not sharp. `None` if
+    /// they meet at none, or the nodes are not near it.
+    fn apart_at_corner(&self, ends: [Place; 2], [first, second]: [&[u32]; 2]) -> Option<f64> {
+        let points = ends.map(|place| self.point(place.spot));
+        let mut least = None;
+        for (&c, &d) in first.iter().flat_map(|c| second.iter().map(move |d| (c, d))) {
+            let [one, other] = [c, d].map(|c| self.curves[c as usize].ends);
+            for v in one.into_iter().filter(|v| other.contains(v)) {
+                let corner = self.mesh.vertices[v as usize];
+                if points.iter().all(|point| point.distance(corner) < NEAR_CORNER) {
+                    let is_sharp = self.angle_at(v) < std::f64::consts::FRAC_PI_2;
+                    let apart = if is_sharp { self.apart_near(v, [c, d]) } else { f64::INFINITY };
+                    least = Some(apart.min(least.unwrap_or(f64::INFINITY)));
+                }
+            }
+        }
+        least
+    }
+
+    /// The least distance between two curves that meet at a corner, from ℓ to [`NEAR_CORNER`] away from it along each: no
+    /// node stands nearer to the corner if every edge along the curves is ℓ or longer. Straight curves that meet at an
+    /// angle α are 2 sin(α/2) ℓ apart.
+    fn apart_near(&self, corner: u32, curves: [u32; 2]) -> f64 {
+        let [one, other] = curves.map(|c| {
+            let curve = &self.curves[c as usize];
+            let length = curve.length();
+            let way = |k: usize| (1.0 + (NEAR_CORNER - 1.0) * k as f64 / STEPS_NEAR_CORNER as f64).min(length);
+            let mut points = Vec::new();
+            for k in 0..=STEPS_NEAR_CORNER {
+                // A closed curve leaves its corner in both directions.
+                if curve.ends[0] == corner {
+                    points.push(self.point(self.on_curve(c, way(k))));
+                }
+                if curve.ends[1] == corner {
+                    points.push(self.point(self.on_curve(c, length - way(k))));
+                }
+            }
+            points
+        });
+        one.iter().flat_map(|p| other.iter().map(|q| p.distance(*q))).fold(f64::INFINITY, f64::min)
     }
 
     /// The unit tangent of a curve.
@@ -721,4 +777,72 @@ fn tessellate(patch: &Nurbs) -> Option<Tessellation> {
     }
     let corners = vec![vertex(0, 0), vertex(nu, 0), vertex(nu, nv), vertex(0, nv)];
     Some(Tessellation { mesh: Mesh::new(vertices, triangles), parameters, lines: candidates, corners })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A flat rhombus of side 10 with this angle at the origin, in degrees, and its two curves from there.
+    fn rhombus(degrees: f64) -> (Reference, [u32; 2]) {
+        let (a, b) = (DVec3::X * 10.0, DVec2::from_angle(degrees.to_radians()).extend(0.0) * 10.0);
+        let knots = vec![0.0, 0.0, 1.0, 1.0];
+        let control_points = vec![vec![DVec3::ZERO, b], vec![a, a + b]];
+        let patch = Nurbs { degrees: [1, 1], knots: [knots.clone(), knots], control_points, weights: None };
+        let reference = Reference::of_patch(&patch, &InputPlace::field("domain")).unwrap();
+        let is_here = |c: &u32| reference.curves[*c as usize].ends.iter().any(|&v| is_origin(&reference, v));
+        let here: Vec<u32> = (0..reference.curves.len() as u32).filter(is_here).collect();
+        (reference, [here[0], here[1]])
+    }
+
+    fn is_origin(reference: &Reference, vertex: u32) -> bool {
+        reference.mesh.vertices[vertex as usize].length() < 1e-9
+    }
+
+    #[test]
+    fn a_sharp_corner_is_the_reason_only_for_edges_across_it_that_are_as_long_as_its_angle_makes_them() {
+        for (degrees, expected) in [(20.0, Why::SharpCorner), (50.0, Why::SharpCorner), (90.0, Why::Curvature)] {
+            let (reference, curves) = rhombus(degrees);
+            let node = |which: usize, from_corner: f64| {
+                let curve = &reference.curves[curves[which] as usize];
+                let starts_here = is_origin(&reference, curve.ends[0]);
+                let at = if starts_here { from_corner } else { curve.length() - from_corner };
+                let bond = Bond::Curve { curve: curves[which], at };
+                Place { spot: reference.on_curve(curves[which], at), bond }
+            };
+            let why = |ends: [Place; 2]| {
+                let [p, q] = ends.map(|place| reference.point(place.spot));
+                reference.why(ends, p.distance(q))
+            };
+            // Both ends at ℓ from the corner: with straight sides 2 sin(α/2) ℓ apart.
+            if degrees < 60.0 {
+                assert_eq!(why([node(0, 1.0), node(1, 1.0)]), expected, "{degrees}");
+                assert_eq!(why([node(0, 1.0), node(1, 1.1)]), expected, "{degrees}");
+            }
+            // Nearer to the corner than any edge in range lets them stand.
+            assert_eq!(why([node(0, 0.5), node(1, 0.5)]), Why::Curvature, "{degrees}");
+            // Along a side no corner forces anything.
+            assert_eq!(why([node(0, 1.0), node(0, 1.3)]), Why::Curvature, "{degrees}");
+        }
+    }
+
+    #[test]
+    fn a_short_side_is_the_reason_only_for_the_whole_side() {
+        let (mut reference, curves) = rhombus(90.0);
+        for vertex in &mut reference.mesh.vertices {
+            *vertex *= 0.08;
+        }
+        for curve in &mut reference.curves {
+            curve.at.iter_mut().for_each(|at| *at *= 0.08);
+        }
+        let curve = &reference.curves[curves[0] as usize];
+        let end = |k: usize| {
+            let bond = Bond::Fixed(curve.ends[k]);
+            Place { spot: reference.spot_of(curve.ends[k]), bond }
+        };
+        let middle =
+            Place { spot: reference.on_curve(curves[0], 0.1), bond: Bond::Curve { curve: curves[0], at: 0.1 } };
+        assert_eq!(reference.why([end(0), end(1)], 0.8), Why::ShortSide);
+        assert_eq!(reference.why([end(0), middle], 0.1), Why::Curvature);
+    }
 }

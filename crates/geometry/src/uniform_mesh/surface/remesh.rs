@@ -153,6 +153,13 @@ impl<'a> Net<'a> {
         self.sizes[v] = self.size.at(self.reference.curvature(place.spot));
     }
 
+    /// Puts every node to its new place.
+    pub fn put_all(&mut self, places: &[Place]) {
+        for (v, &place) in places.iter().enumerate() {
+            self.put(v as u32, place);
+        }
+    }
+
     fn is_free(&self, v: u32) -> bool {
         self.places[v as usize].bond == Bond::Free
     }

@@ -51,7 +51,7 @@ pub(in crate::uniform_mesh) fn fit(
     let rounds = if freedom == Freedom::Free { 0 } else { REBUILDS };
     let part = |k: usize| from + (to - from) * k as f64 / (rounds + 1) as f64;
     let move_nodes = |nodes: &mut OnSurface<'_, Surface>, round: usize| {
-        let rim = if freedom == Freedom::Free { Aim::Free } else { Aim::Within };
+        let rim = if freedom == Freedom::Free { Aim::Free } else { Aim::Within(1.0) };
         let aim = |&lattice: &bool| if lattice { Aim::At(1.0) } else { rim };
         let aims: Vec<Aim> = nodes.lattice_group.iter().map(aim).collect();
         refine(nodes, &aims, nodes.surface.effort(), "optimise_nodes", (part(round), part(round + 1)), execution)
