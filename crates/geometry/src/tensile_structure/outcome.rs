@@ -406,7 +406,7 @@ pub(super) fn finish(
     let ponding = ponding::find(&Roof { triangles: &triangles, at: &at, rims, folds, up: structure.up }, exec)?;
     let has_pressure = structure.pressure != super::options::Pressure::None;
     let mesh = Mesh::new(at.iter().map(|p| *p + model.centre).collect(), triangles.clone());
-    let (self_intersections, crossings) = self_intersections::check(&mesh, Order::Spatial, usize::MAX, exec)?;
+    let (self_intersections, crossings) = self_intersections::check(&mesh, None, Order::Spatial, usize::MAX, exec)?;
     let holds = holds(&model);
     let balance = found.balance.as_ref().map(|balance| sums(&model, balance, &holds, &at));
     let (reactions, edge_reactions) = reactions(&model, &found, &holds);
