@@ -310,6 +310,11 @@ const FILES: &[(&str, &str, &str)] = &[
         include_str!("../../api/examples/air-hall.json"),
     ),
     (
+        "cushion",
+        "A cushion of constant volume: two films of different prestress over a hexagon, and the pressure between them",
+        include_str!("../../api/examples/cushion.json"),
+    ),
+    (
         "film-on-a-plane",
         "A half catenoid that slides on a plane and meets it at a right angle",
         include_str!("../../api/examples/film-on-a-plane.json"),

@@ -16,6 +16,8 @@ use serde::{Deserialize, Serialize};
 
 /// Largest number of cables, and of free points, of a request.
 const MAX_CABLES: u32 = 1000;
+/// Largest number of layers, and of chambers, of a request. Cushions have two to five.
+const MAX_LAYERS: u32 = 16;
 /// Largest number of points of a polyline of directions. Every triangle looks for its nearest point in every round.
 const MAX_DIRECTION_POINTS: u32 = 200;
 
@@ -39,7 +41,20 @@ pub struct TensileStructureRequest {
     /// Closed polygons that do not repeat their first point: the edges of the film before form finding.
     #[schemars(length(min = 1), inner(length(min = 3)))]
     pub boundaries: Vec<Vec<Point>>,
-    pub film: Film,
+    /// The film. Required unless there are `layers`.
+    #[serde(default)]
+    #[schemars(with = "Film")]
+    pub film: Option<Film>,
+    /// Two or more films over the same boundaries in place of `film`: a cushion. The first lies on the side from which
+    /// the first boundary runs counter-clockwise, each next one below it. Each has a `tension`.
+    #[serde(default)]
+    #[schemars(with = "Vec<Film>", length(min = 2, max = MAX_LAYERS))]
+    pub layers: Option<Vec<Film>>,
+    /// Closed spaces below layers. Every space between two layers needs one. Not together with `film`, which has
+    /// `pressure` and `volume`.
+    #[serde(default)]
+    #[schemars(length(max = MAX_LAYERS))]
+    pub chambers: Vec<Chamber>,
     /// Cables along the boundaries and in the air.
     #[serde(default)]
     #[schemars(length(max = MAX_CABLES))]
@@ -66,16 +81,16 @@ pub struct TensileStructureRequest {
     #[schemars(length(max = MAX_CABLES))]
     pub masts: Vec<Mast>,
     /// Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
-    /// with `volume`, and not with cables along a boundary or with `supports`.
+    /// with `volume`, and not with cables along a boundary, `supports`, `rings` or `layers`.
     #[serde(default)]
     #[schemars(range(min = -1e50, max = 1e50))]
     pub pressure: Option<f64>,
     /// Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
-    /// pressure is found. Not with cables along a boundary, `supports` or `rings`.
+    /// pressure is found. Not with cables along a boundary, `supports`, `rings` or `layers`.
     #[serde(default)]
     #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
     pub volume: Option<f64>,
-    /// Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more.
+    /// Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those are more.
     #[serde(default)]
     pub resolution: Resolution,
     /// Residual (largest unbalanced force over twice the vertex's share of tension times area, times the radius of the
@@ -146,6 +161,25 @@ pub struct Film {
     pub weight: f64,
 }
 
+/// A closed space below a layer: up to the next layer, or, below the last layer, up to fans from each boundary to its
+/// mean, which stand for the ground. It has exactly one of `pressure` and `volume`.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Chamber {
+    /// Number of the layer, counted from 0.
+    #[serde(default)]
+    #[schemars(range(max = 4_294_967_295u32))]
+    pub below: u32,
+    /// Pressure above that outside, a force per area.
+    #[serde(default)]
+    #[schemars(with = "f64", range(min = -1e50, max = 1e50))]
+    pub pressure: Option<f64>,
+    /// Volume. The pressure is found.
+    #[serde(default)]
+    #[schemars(with = "f64", range(max = 1e50), extend("exclusiveMinimum" = 0))]
+    pub volume: Option<f64>,
+}
+
 /// Field of directions in space, given by exactly one of its fields. The film's warp is the projection of the field
 /// onto the film. Directions need no unit length.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -187,28 +221,33 @@ pub enum WeaveHold {
 }
 
 impl Film {
-    /// Converts the prestress to the geometry's type, or returns what is missing or too much.
-    fn prestress(&self) -> Result<geometry::FilmPrestress, Vec<FieldError>> {
+    /// Converts the film to the geometry's type.
+    fn to_geometry(&self, pointer: &str) -> Result<geometry::FilmStress, Vec<FieldError>> {
+        Ok(geometry::FilmStress { prestress: self.prestress(pointer)?, weight: self.weight })
+    }
+
+    /// Converts the prestress to the geometry's type, or returns what is missing or too much. `pointer` is the film's.
+    fn prestress(&self, pointer: &str) -> Result<geometry::FilmPrestress, Vec<FieldError>> {
         let (warp, weft, direction) = match (self.tension, self.warp, self.weft, &self.direction, self.hold) {
             (Some(tension), None, None, None, None) => return Ok(geometry::FilmPrestress::Isotropic(tension)),
             (None, None, None, None, None) => {
                 let detail = "is required, or warp, weft and direction in its place";
-                return Err(vec![FieldError::new("/film/tension", detail)]);
+                return Err(vec![FieldError::new(format!("{pointer}/tension"), detail)]);
             }
             (Some(_), ..) => {
                 let detail = "is not allowed with warp, weft, direction or hold";
-                return Err(vec![FieldError::new("/film/tension", detail)]);
+                return Err(vec![FieldError::new(format!("{pointer}/tension"), detail)]);
             }
             (None, Some(warp), Some(weft), Some(direction), _) => (warp, weft, direction),
             (None, warp, weft, direction, _) => {
                 let given = [("warp", warp.is_some()), ("weft", weft.is_some()), ("direction", direction.is_some())];
                 let detail = "is required: a prestress by warp and weft needs both and a direction";
                 let missing = given.into_iter().filter(|(_, given)| !given);
-                return Err(missing.map(|(name, _)| FieldError::new(format!("/film/{name}"), detail)).collect());
+                return Err(missing.map(|(name, _)| FieldError::new(format!("{pointer}/{name}"), detail)).collect());
             }
         };
         let unit = |vector: Point, field: &str| {
-            let error = || FieldError::new(format!("/film/direction/{field}"), "must be a vector with a length");
+            let error = || FieldError::new(format!("{pointer}/direction/{field}"), "must be a vector with a length");
             DVec3::from_array(vector).try_normalize().ok_or_else(|| vec![error()])
         };
         let direction = match direction {
@@ -593,14 +632,12 @@ impl KindRequest for TensileStructureRequest {
                 None => errors.push(FieldError::new(format!("/rings/{k}/axis"), "must be a vector with a length")),
             }
         }
-        let prestress = match self.film.prestress() {
-            Ok(prestress) if errors.is_empty() => prestress,
-            prestress => {
-                errors.extend(prestress.err().unwrap_or_default());
-                return Err(Rejection::Invalid(errors));
-            }
-        };
-        let (structure, options) = self.to_geometry(prestress, sliding, rings);
+        let layers = self.layers(&mut errors);
+        let chambers = self.chambers(&mut errors);
+        if !errors.is_empty() {
+            return Err(Rejection::Invalid(errors));
+        }
+        let (structure, options) = self.to_geometry(layers, chambers, sliding, rings);
         geometry::check(&structure, &options)?;
         let estimate = geometry::estimate(&structure, &options);
         if estimate.triangles > limits.triangles as f64 {
@@ -619,10 +656,63 @@ impl KindRequest for TensileStructureRequest {
 }
 
 impl TensileStructureRequest {
+    /// Converts the film or the layers.
+    fn layers(&self, errors: &mut Vec<FieldError>) -> Vec<geometry::FilmStress> {
+        let mut take = |film: &Film, pointer: &str| film.to_geometry(pointer).map_err(|own| errors.extend(own)).ok();
+        match (&self.film, &self.layers) {
+            (Some(film), None) => take(film, "/film").into_iter().collect(),
+            (None, Some(layers)) => {
+                layers.iter().enumerate().filter_map(|(k, film)| take(film, &format!("/layers/{k}"))).collect()
+            }
+            (Some(_), Some(_)) => {
+                errors.push(FieldError::new("/layers", "is not allowed with film: a single film is one layer"));
+                Vec::new()
+            }
+            (None, None) => {
+                errors.push(FieldError::new("/film", "is required, or layers in its place"));
+                Vec::new()
+            }
+        }
+    }
+
+    /// Converts the chambers, or the pressure or volume of a single film.
+    fn chambers(&self, errors: &mut Vec<FieldError>) -> Vec<geometry::Chamber> {
+        if self.layers.is_none() {
+            if !self.chambers.is_empty() {
+                let detail = "is not allowed without layers: below a single film it is its pressure or volume";
+                errors.push(FieldError::new("/chambers", detail));
+            }
+            let holds = self.pressure.map(geometry::Pressure::Constant);
+            let holds = holds.or(self.volume.map(geometry::Pressure::Volume));
+            return holds.map(|holds| geometry::Chamber { below: 0, holds }).into_iter().collect();
+        }
+        for (name, given) in [("pressure", self.pressure), ("volume", self.volume)] {
+            if given.is_some() {
+                let detail = "is not allowed with layers: each of chambers has its own";
+                errors.push(FieldError::new(format!("/{name}"), detail));
+            }
+        }
+        let mut chambers = Vec::with_capacity(self.chambers.len());
+        for (k, chamber) in self.chambers.iter().enumerate() {
+            let holds = match (chamber.pressure, chamber.volume) {
+                (Some(pressure), None) => geometry::Pressure::Constant(pressure),
+                (None, Some(volume)) => geometry::Pressure::Volume(volume),
+                _ => {
+                    let detail = "needs exactly one of: pressure, volume";
+                    errors.push(FieldError::new(format!("/chambers/{k}"), detail));
+                    continue;
+                }
+            };
+            chambers.push(geometry::Chamber { below: chamber.below as usize, holds });
+        }
+        chambers
+    }
+
     /// Converts the request to the geometry's types.
     fn to_geometry(
         &self,
-        prestress: geometry::FilmPrestress,
+        layers: Vec<geometry::FilmStress>,
+        chambers: Vec<geometry::Chamber>,
         sliding: Vec<geometry::Sliding>,
         rings: Vec<geometry::Ring>,
     ) -> (geometry::Structure, geometry::Options) {
@@ -631,18 +721,14 @@ impl TensileStructureRequest {
         let masts = self.masts.iter().enumerate().map(|(k, mast)| mast.to_geometry(k));
         let structure = geometry::Structure {
             boundaries: common::polylines(&self.boundaries),
-            film: geometry::FilmStress { prestress, weight: self.film.weight },
+            layers,
             // The masts follow the cables.
             cables: cables.chain(masts).collect(),
             free_points: self.free_points.iter().map(|point| point.to_geometry()).collect(),
             sliding,
             rings,
             joints: common::points(&self.joints),
-            pressure: match (self.pressure, self.volume) {
-                (Some(pressure), _) => geometry::Pressure::Constant(pressure),
-                (None, Some(volume)) => geometry::Pressure::Volume(volume),
-                (None, None) => geometry::Pressure::None,
-            },
+            chambers,
             up: match self.up {
                 UpAxis::Z => DVec3::Z,
                 UpAxis::Y => DVec3::Y,
@@ -658,12 +744,14 @@ pub fn objectives() -> Vec<ObjectiveDoc> {
     vec![ObjectiveDoc {
         name: "equilibrium",
         kind: Kind::TensileStructure,
-        minimises: "σ A + Σ T L + Σ (EA / 2 L0) (L - L0)²₊ - p V and the potential energy of the weights, with lengths \
+        minimises: "Σ σ A + Σ T L + Σ (EA / 2 L0) (L - L0)²₊ - Σ p V and the potential energy of the weights, with lengths \
                     and volumes as constraints where they are given",
         unit: "force u",
         source: "Schek 1974; Bletzinger, Ramm 1999, section 3",
         options: vec![
             "film",
+            "layers",
+            "chambers",
             "cables",
             "free_points",
             "supports",
@@ -762,6 +850,26 @@ pub struct FilmStress {
     pub weave: Option<WeaveStress>,
 }
 
+/// A layer of the found shape. In the mesh its triangles follow those of the layers before it.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct LayerFigures {
+    pub triangles: usize,
+    pub area: f64,
+    /// Null if the forces could not be balanced.
+    pub stress: Option<FilmStress>,
+}
+
+/// A chamber of the found shape.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct ChamberState {
+    /// Number of the layer above it.
+    pub below: usize,
+    /// Pressure above that outside, given or found.
+    pub pressure: f64,
+    /// Volume up to the next layer, or up to fans from each boundary to its mean.
+    pub volume: f64,
+}
+
 /// Stresses along warp and weft.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct WeaveStress {
@@ -789,6 +897,13 @@ pub struct StressRange {
 impl From<geometry::StressRange> for StressRange {
     fn from(range: geometry::StressRange) -> Self {
         Self { min: range.min, max: range.max, mean: range.mean }
+    }
+}
+
+impl From<geometry::Stress> for FilmStress {
+    fn from(stress: geometry::Stress) -> Self {
+        let geometry::Stress { min, max, deviation, weave } = stress;
+        Self { min, max, deviation, weave: weave.map(WeaveStress::from) }
     }
 }
 
@@ -844,11 +959,16 @@ pub struct TensileStatistics {
     pub force_unit: &'static str,
     pub vertices: usize,
     pub triangles: usize,
+    /// Area of all layers.
     pub area: f64,
-    /// Null without a pressure.
+    /// Volume of the first of `chambers`. Null without a pressure.
     pub volume: Option<f64>,
-    /// Pressure, given or found; 0 for none.
+    /// Pressure in the first of `chambers`, given or found; 0 for none.
     pub pressure: f64,
+    /// The layers. A single film is one.
+    pub layers: Vec<LayerFigures>,
+    /// The chambers. The space below a single film with a pressure is one.
+    pub chambers: Vec<ChamberState>,
     pub cables: Vec<CableForce>,
     pub masts: Vec<MastForce>,
     pub rings: Vec<RingPosition>,
@@ -858,7 +978,7 @@ pub struct TensileStatistics {
     pub edge_reactions: Vec<EdgeReaction>,
     /// Null if the forces could not be balanced.
     pub balance: Option<ForceBalance>,
-    /// Null if the forces could not be balanced.
+    /// Stresses of all layers. Null if the forces could not be balanced.
     pub stress: Option<FilmStress>,
     /// Angle between the film's pull on sliding edges and their surface. Null without such an edge.
     pub contact_angle_deg: Option<AngleRange>,
@@ -911,6 +1031,16 @@ impl TensileStatistics {
             force: -found.force,
             length: found.length,
         };
+        let layer = |layer: &geometry::LayerResult| LayerFigures {
+            triangles: layer.triangles,
+            area: layer.area,
+            stress: layer.stress.map(FilmStress::from),
+        };
+        let chamber = |(chamber, found): (&geometry::Chamber, &geometry::ChamberResult)| ChamberState {
+            below: chamber.below,
+            pressure: found.pressure,
+            volume: found.volume,
+        };
         let ring = |(ring, &travel): (&geometry::Ring, &f64)| RingPosition { boundary: ring.boundary, travel };
         let reaction = |reaction: &geometry::Reaction| SupportReaction {
             vertex: reaction.vertex,
@@ -928,8 +1058,10 @@ impl TensileStatistics {
             vertices: statistics.vertices,
             triangles: statistics.triangles,
             area: statistics.area,
-            volume: statistics.volume,
-            pressure: statistics.pressure,
+            volume: statistics.chambers.first().map(|chamber| chamber.volume),
+            pressure: statistics.chambers.first().map_or(0.0, |chamber| chamber.pressure),
+            layers: statistics.layers.iter().map(layer).collect(),
+            chambers: structure.chambers.iter().zip(&statistics.chambers).map(chamber).collect(),
             cables: members().filter(|(member, _)| !member.course.is_mast()).map(cable).collect(),
             masts: members().filter(|(member, _)| member.course.is_mast()).map(mast).collect(),
             rings: structure.rings.iter().zip(&result.ring_travels).map(ring).collect(),
@@ -942,12 +1074,7 @@ impl TensileStatistics {
                 imbalance: balance.imbalance,
                 residual_force: balance.residual_force,
             }),
-            stress: statistics.stress.map(|stress| FilmStress {
-                min: stress.min,
-                max: stress.max,
-                deviation: stress.deviation,
-                weave: stress.weave.map(WeaveStress::from),
-            }),
+            stress: statistics.stress.map(FilmStress::from),
             contact_angle_deg: statistics
                 .contact_angle
                 .map(|(min, max)| AngleRange { min: min.to_degrees(), max: max.to_degrees() }),

@@ -102,7 +102,21 @@ async fn each_wrong_value_gets_an_error_with_its_pointer() {
     let cases = [
         (turning, vec!["/boundaries/0/1", "/boundaries/0/3"]),
         (sliding(json!({ "plane": { "point": [0, 0, 1], "normal": [0, 0, 1] } })), vec!["/boundaries/0/1"]),
-        (json!({}), vec!["/boundaries", "/film"]),
+        (json!({}), vec!["/boundaries"]),
+        (json!({ "boundaries": [[[0, 0, 0], [1, 0, 0], [1, 1, 0]]] }), vec!["/film"]),
+        (cushion(json!({ "film": { "tension": 1 } })), vec!["/layers"]),
+        (cushion(json!({ "layers": [{ "tension": 1 }] })), vec!["/layers"]),
+        (cushion(json!({ "layers": [{ "tension": 1 }, {}] })), vec!["/layers/1/tension"]),
+        (cushion(json!({ "layers": [{ "tension": 1 }, { "tension": 0 }] })), vec!["/layers/1/tension"]),
+        (cushion(json!({ "pressure": 0.1 })), vec!["/pressure"]),
+        (cushion(json!({ "chambers": [] })), vec!["/chambers"]),
+        (cushion(json!({ "chambers": [{}] })), vec!["/chambers/0"]),
+        (cushion(json!({ "chambers": [{ "volume": 1, "pressure": 1 }] })), vec!["/chambers/0"]),
+        (cushion(json!({ "chambers": [{ "volume": 0 }] })), vec!["/chambers/0/volume"]),
+        (cushion(json!({ "chambers": [{ "below": 2, "volume": 1 }] })), vec!["/chambers/0/below", "/chambers"]),
+        (cushion(json!({ "chambers": [{ "pressure": 0.41 }] })), vec!["/chambers/0/pressure"]),
+        (cushion(json!({ "chambers": [{ "pressure": -0.1 }] })), vec!["/chambers/0/pressure"]),
+        (sail(json!({ "chambers": [{ "volume": 1 }] })), vec!["/chambers"]),
         (sail(json!({ "film": {} })), vec!["/film/tension"]),
         (sail(json!({ "film": { "tension": 0 } })), vec!["/film/tension"]),
         (sail(json!({ "film": { "tension": 1, "warp": 2 } })), vec!["/film/tension"]),
@@ -213,6 +227,39 @@ async fn a_cable_of_given_length_that_would_be_slack_fails_by_its_pointer() {
     assert_eq!((&job["status"], &job["error"]["type"]), (&json!("failed"), &json!("/problems/slack-cable")), "{job}");
     assert_eq!(job["error"]["errors"][0]["pointer"], "/cables/0/value");
     assert!(job["error"]["detail"].as_str().unwrap().contains("valley"), "{job}");
+}
+
+/// Two films over a square of side 10, whose opening holds the difference 0.4.
+fn cushion(changes: Value) -> Value {
+    let mut body = json!({
+        "boundaries": [[[0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0]]],
+        "layers": [{ "tension": 1 }, { "tension": 1 }], "chambers": [{ "below": 0, "volume": 30 }],
+        "resolution": { "triangles": 300 }
+    });
+    for (name, value) in changes.as_object().unwrap() {
+        body[name] = value.clone();
+    }
+    body
+}
+
+#[tokio::test]
+async fn a_cushion_keeps_its_volume_and_has_a_pressure() {
+    let app = TestApp::start().await;
+    let job = app.solve(TENSILE, &example("cushion")).await;
+    assert_eq!(job["warnings"], json!([]), "{job}");
+    let statistics = &job["statistics"];
+    assert_eq!(statistics["converged"], true, "{statistics}");
+    let chamber = &statistics["chambers"][0];
+    assert!((chamber["volume"].as_f64().unwrap() - 24.0).abs() < 1e-6, "{chamber}");
+    assert!(chamber["pressure"].as_f64().unwrap() > 0.1, "{chamber}");
+    assert_eq!((&statistics["pressure"], &statistics["volume"]), (&chamber["pressure"], &chamber["volume"]));
+    let layers = statistics["layers"].as_array().unwrap();
+    let count: u64 = layers.iter().map(|layer| layer["triangles"].as_u64().unwrap()).sum();
+    assert_eq!((layers.len(), Some(count)), (2, statistics["triangles"].as_u64()));
+    let stress = |k: usize| layers[k]["stress"]["max"].as_f64().unwrap();
+    assert!(stress(0) > 1.1 && stress(1) < 0.9, "{layers:?}");
+    assert!(statistics["balance"]["imbalance"].as_f64().unwrap() < 1e-9);
+    assert_eq!(statistics["self_intersections"], 0);
 }
 
 #[tokio::test]

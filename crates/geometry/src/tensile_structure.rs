@@ -6,13 +6,13 @@
 //! or a freedom of its vertices in the [equilibrium core](crate::equilibrium):
 //!
 //! ```text
-//! E = σ Σ A + Σ T L + Σ (EA / 2 L0) (L - L0)²₊ - p V + weights          volumes and lengths as constraints where given
+//! E = Σ σ A + Σ T L + Σ (EA / 2 L0) (L - L0)²₊ - Σ p V + weights        volumes and lengths as constraints where given
 //! ```
 //!
 //! ```
 //! use plateau_geometry::minimal_surface::Resolution;
 //! use plateau_geometry::tensile_structure::{
-//!     Cable, CableMode, Course, FilmPrestress, FilmStress, Options, Pressure, Structure, solve,
+//!     Cable, CableMode, Course, FilmPrestress, FilmStress, Options, Structure, solve,
 //! };
 //! use plateau_geometry::{DVec3, Execution};
 //!
@@ -27,13 +27,13 @@
 //! };
 //! let structure = Structure {
 //!     boundaries: vec![corners.to_vec()],
-//!     film: FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 },
+//!     layers: vec![FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 }],
 //!     cables: (0..4).map(cable).collect(),
 //!     free_points: Vec::new(),
 //!     sliding: Vec::new(),
 //!     rings: Vec::new(),
 //!     joints: Vec::new(),
-//!     pressure: Pressure::None,
+//!     chambers: Vec::new(),
 //!     up: DVec3::Z,
 //! };
 //! let sail = solve(&structure, &Options::new(Resolution::Triangles(500)), &Execution::default())?;
@@ -55,12 +55,12 @@ mod ponding;
 mod weave;
 
 pub use options::{
-    BoundaryPoint, Cable, CableMode, Course, FilmPrestress, FilmStress, Options, Pressure, Ring, Sliding, SlidingPart,
-    Structure, WarpDirection, Weave, WeaveHold,
+    BoundaryPoint, Cable, CableMode, Chamber, Course, FilmPrestress, FilmStress, Options, Pressure, Ring, Sliding,
+    SlidingPart, Structure, WarpDirection, Weave, WeaveHold,
 };
 pub use outcome::{
-    CableResult, EdgeReaction, ForceBalance, Reaction, Stability, Statistics, Stress, StressRange, TensileStructure,
-    WeaveStress,
+    CableResult, ChamberResult, EdgeReaction, ForceBalance, LayerResult, Reaction, Stability, Statistics, Stress,
+    StressRange, TensileStructure, WeaveStress,
 };
 pub use ponding::Ponding;
 
@@ -142,10 +142,11 @@ fn placed(structure: &Structure, mut error: Error) -> Error {
 /// bytes at 50,000 triangles. A larger value refuses more requests.
 const BYTES_PER_TRIANGLE: f64 = 8_000.0;
 
-/// Estimates the triangles of the result and the memory that solving takes. The number of triangles is that of the film
+/// Estimates the triangles of the result and the memory that solving takes. The number of triangles is that of the layers
 /// over the boundaries before form finding ([`minimal_surface::estimate`]).
 #[must_use]
 pub fn estimate(structure: &Structure, options: &Options) -> Estimate {
     let start = minimal_surface::estimate(&structure.boundaries, &model::start_options(structure, options));
-    Estimate { bytes: (start.triangles * BYTES_PER_TRIANGLE) as u64, ..start }
+    let triangles = start.triangles * structure.layers.len() as f64;
+    Estimate { triangles, bytes: (triangles * BYTES_PER_TRIANGLE) as u64, ..start }
 }

@@ -3,8 +3,8 @@
 use plateau_geometry::equilibrium::Support;
 use plateau_geometry::minimal_surface::Resolution;
 use plateau_geometry::tensile_structure::{
-    BoundaryPoint, Cable, CableMode, CableResult, Course, FilmPrestress, FilmStress, Options, Pressure, Ring, Sliding,
-    SlidingPart, Structure, TensileStructure, WarpDirection, Weave, WeaveHold, check, solve,
+    BoundaryPoint, Cable, CableMode, CableResult, Chamber, Course, FilmPrestress, FilmStress, Options, Pressure, Ring,
+    Sliding, SlidingPart, Structure, TensileStructure, WarpDirection, Weave, WeaveHold, check, solve,
 };
 use plateau_geometry::{DVec3, Error, Execution, Interruption, Signal};
 use std::f64::consts::{PI, TAU};
@@ -21,15 +21,20 @@ fn edge(k: usize, mode: CableMode) -> Cable {
 fn film(boundaries: Vec<Vec<DVec3>>) -> Structure {
     Structure {
         boundaries,
-        film: FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 },
+        layers: vec![FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 }],
         cables: Vec::new(),
         free_points: Vec::new(),
         sliding: Vec::new(),
         rings: Vec::new(),
         joints: Vec::new(),
-        pressure: Pressure::None,
+        chambers: Vec::new(),
         up: DVec3::Z,
     }
+}
+
+/// The space below a single film.
+fn below(holds: Pressure) -> Vec<Chamber> {
+    vec![Chamber { below: 0, holds }]
 }
 
 fn sail(mode: CableMode) -> Structure {
@@ -112,19 +117,23 @@ fn a_disc_under_pressure_is_a_cap_of_a_sphere() {
     let mut errors = [Vec::new(), Vec::new(), Vec::new()];
     for (points, edge_length) in [(24, 1.2), (48, 0.6), (96, 0.3)] {
         let mut structure = film(vec![circle(points, 5.0, 0.0)]);
-        structure.pressure = Pressure::Constant(0.2);
+        structure.chambers = below(Pressure::Constant(0.2));
         let cap = found(&structure, edge_length);
         let top = cap.mesh.vertices.iter().map(|p| p.z).fold(0.0, f64::max);
         errors[0].push(top - height);
         errors[1].push(cap.statistics.area - area);
-        errors[2].push(cap.statistics.volume.unwrap() - volume);
+        errors[2].push(cap.statistics.chambers[0].volume - volume);
         let loads = cap.statistics.balance.unwrap().loads;
         let opening = 0.5 * points as f64 * 25.0 * (TAU / points as f64).sin();
         assert!((loads.z - 0.2 * opening).abs() < 1e-9 && loads.truncate().length() < 1e-9);
         // The same shape by its volume: the pressure is found.
-        structure.pressure = Pressure::Volume(cap.statistics.volume.unwrap());
+        structure.chambers = below(Pressure::Volume(cap.statistics.chambers[0].volume));
         let by_volume = found(&structure, edge_length);
-        assert!((by_volume.statistics.pressure - 0.2).abs() < 1e-4, "{}", by_volume.statistics.pressure);
+        assert!(
+            (by_volume.statistics.chambers[0].pressure - 0.2).abs() < 1e-4,
+            "{}",
+            by_volume.statistics.chambers[0].pressure
+        );
         assert!((by_volume.statistics.area - cap.statistics.area).abs() < 1e-3);
     }
     println!("{errors:?} {:?}", errors.each_ref().map(|errors| order(errors)));
@@ -139,11 +148,11 @@ fn a_volume_beyond_the_hemisphere_is_reached() {
     let height = radius + (radius * radius - 25.0).sqrt();
     let volume = PI * height * height * (3.0 * radius - height) / 3.0;
     let mut structure = film(vec![circle(64, 5.0, 0.0)]);
-    structure.pressure = Pressure::Volume(volume);
+    structure.chambers = below(Pressure::Volume(volume));
     let cap = found(&structure, 0.5);
     println!("{:?}", cap.statistics);
-    assert!((cap.statistics.volume.unwrap() / volume - 1.0).abs() < 1e-9);
-    assert!((cap.statistics.pressure - 2.0 / radius).abs() < 0.01 * 2.0 / radius);
+    assert!((cap.statistics.chambers[0].volume / volume - 1.0).abs() < 1e-9);
+    assert!((cap.statistics.chambers[0].pressure - 2.0 / radius).abs() < 0.01 * 2.0 / radius);
 }
 
 /// Delaunay's surface of revolution between two rings of radius 1 at heights 0 and `height`, tension 1: the profile
@@ -196,7 +205,7 @@ fn a_film_under_pressure_between_rings_is_a_surface_of_delaunay() {
         let mut structure = film(vec![circle(count, 1.0, 0.0), circle(count, 1.0, height)]);
         // The lower ring runs counter-clockwise as seen from above, so the pressure acts outwards.
         structure.boundaries[1].reverse();
-        structure.pressure = pressure;
+        structure.chambers = below(pressure);
         structure
     };
     // A neck and a bulge of the unduloid, a neck and a bulge of the nodoid. With the axial force 2 r - p r² at the
@@ -222,8 +231,8 @@ fn a_film_under_pressure_between_rings_is_a_surface_of_delaunay() {
             let radii = result.mesh.vertices.iter().map(|p| p.truncate().length());
             let extreme = if middle > 1.0 { radii.fold(0.0, f64::max) } else { radii.fold(f64::INFINITY, f64::min) };
             errors[0].push(statistics.area - exact.area);
-            let volume = statistics.volume.unwrap() - exact.volume;
-            errors[1].push(if by_volume { statistics.pressure - pressure } else { volume });
+            let volume = statistics.chambers[0].volume - exact.volume;
+            errors[1].push(if by_volume { statistics.chambers[0].pressure - pressure } else { volume });
             errors[2].push(extreme - middle);
         }
         println!("{middle} {pressure} {errors:?} {:?}", errors.each_ref().map(|errors| order(errors)));
@@ -348,7 +357,7 @@ fn stiff_edge_cables_curved_in_space_are_found_by_their_unstressed_length() {
 #[test]
 fn the_weight_of_a_film_is_borne_by_its_supports() {
     let mut structure = film(vec![circle(48, 5.0, 0.0)]);
-    structure.film.weight = 0.1;
+    structure.layers[0].weight = 0.1;
     let hanging = found(&structure, 0.6);
     let balance = hanging.statistics.balance.unwrap();
     assert!((balance.reactions.z - 0.1 * hanging.statistics.area).abs() < 1e-3 * balance.reactions.z);
@@ -371,8 +380,8 @@ fn what_the_arguments_show_is_refused_by_its_place() {
         change(&mut structure);
         refused(&structure)
     };
-    assert_eq!(with(&|s| s.film.prestress = FilmPrestress::Isotropic(0.0)), ["/film/tension"]);
-    assert_eq!(with(&|s| s.film.weight = -1.0), ["/film/weight"]);
+    assert_eq!(with(&|s| s.layers[0].prestress = FilmPrestress::Isotropic(0.0)), ["/film/tension"]);
+    assert_eq!(with(&|s| s.layers[0].weight = -1.0), ["/film/weight"]);
     assert_eq!(with(&|s| s.cables[1].mode = CableMode::Length(9.99)), ["/cables/1/value"]);
     assert_eq!(with(&|s| s.cables[1].mode = CableMode::Sag(-1.0)), ["/cables/1/value"]);
     assert_eq!(with(&|s| s.cables[2].mode = CableMode::UnstressedLength(9.0)), ["/cables/2/axial_stiffness"]);
@@ -389,10 +398,10 @@ fn what_the_arguments_show_is_refused_by_its_place() {
         ["/cables/0/along/to"]
     );
     assert_eq!(with(&|s| s.cables[1].course = Course::Boundary { boundary: 0, from: 0, to: 2 }), ["/cables/1/along"]);
-    assert_eq!(with(&|s| s.pressure = Pressure::Constant(0.1)), ["/pressure"]);
+    assert_eq!(with(&|s| s.chambers = below(Pressure::Constant(0.1))), ["/pressure"]);
     assert_eq!(with(&|s| s.free_points.push(BoundaryPoint { boundary: 0, point: 7 })), ["/free_points/0/point"]);
     let mut disc = film(vec![circle(64, 5.0, 0.0)]);
-    disc.pressure = Pressure::Constant(0.41);
+    disc.chambers = below(Pressure::Constant(0.41));
     assert_eq!(refused(&disc), ["/pressure"]);
     let Err(Error::Input(errors)) = check(&disc, &Options::new(Resolution::Triangles(200))) else { panic!() };
     assert!(errors[0].detail.contains("0.400"), "{}", errors[0].detail);
@@ -576,7 +585,7 @@ fn conic_membrane(points: usize, hold: WeaveHold) -> Structure {
     let ring = |count: usize, radius: f64| circle(count, radius, 2.0 * (radius - 1.0).sqrt());
     let mut inner = ring(points, 1.25);
     inner.reverse();
-    Structure { film: woven(2.0, 1.0, around_z(), hold), ..film(vec![ring(3 * points, 4.0), inner]) }
+    Structure { layers: vec![woven(2.0, 1.0, around_z(), hold)], ..film(vec![ring(3 * points, 4.0), inner]) }
 }
 
 #[test]
@@ -614,7 +623,8 @@ fn equal_stresses_of_warp_and_weft_make_a_minimal_surface() {
     let rings = vec![circle(48, 1.0, 0.5), circle(48, 1.0, -0.5)];
     let soap = found(&film(rings.clone()), 0.13);
     for hold in [WeaveHold::Ratio, WeaveHold::Magnitudes] {
-        let cloth = found_woven(&Structure { film: woven(1.0, 1.0, around_z(), hold), ..film(rings.clone()) }, 0.13);
+        let cloth =
+            found_woven(&Structure { layers: vec![woven(1.0, 1.0, around_z(), hold)], ..film(rings.clone()) }, 0.13);
         assert!(cloth.warnings.is_empty(), "{:?}", cloth.warnings);
         let difference = cloth.statistics.area / soap.statistics.area - 1.0;
         println!("{hold:?} {difference}");
@@ -636,7 +646,7 @@ fn edge_cables_of_a_plane_woven_sail_are_arcs_of_ellipses_whose_force_varies() {
         let mut errors = Vec::new();
         for edge_length in [1.0, 0.5, 0.25] {
             let film = woven(2.0, 1.0, WarpDirection::Parallel(DVec3::X), hold);
-            let sail = found_woven(&Structure { film, ..sail(CableMode::Sag(sag)) }, edge_length);
+            let sail = found_woven(&Structure { layers: vec![film], ..sail(CableMode::Sag(sag)) }, edge_length);
             assert!(sail.warnings.is_empty(), "{:?}", sail.warnings);
             let mut worst = 0.0f64;
             for (cable, centre) in sail.cables.iter().zip(centres) {
@@ -656,7 +666,7 @@ fn edge_cables_of_a_plane_woven_sail_are_arcs_of_ellipses_whose_force_varies() {
 #[test]
 fn a_wrong_weave_is_refused_by_its_place() {
     let place = |stress: FilmStress| {
-        let structure = Structure { film: stress, ..film(vec![square(10.0)]) };
+        let structure = Structure { layers: vec![stress], ..film(vec![square(10.0)]) };
         let Err(Error::Input(errors)) = check(&structure, &Options::new(Resolution::Triangles(100))) else {
             panic!("accepted");
         };
@@ -775,7 +785,7 @@ fn wrong_rings_joints_and_masts_are_refused_by_their_places() {
     assert_eq!(places(&|s| s.cables[4].mode = CableMode::Sag(1.0)), ["/masts/0/mode"]);
     assert_eq!(places(&|s| s.cables[4].mode = CableMode::Length(-1.0)), ["/masts/0/value"]);
     assert_eq!(places(&|s| s.cables[4].course = Course::Mast([DVec3::X, DVec3::Y])), ["/masts/0/points"]);
-    assert_eq!(places(&|s| s.pressure = Pressure::Constant(0.01)), ["/pressure"]);
+    assert_eq!(places(&|s| s.chambers = below(Pressure::Constant(0.01))), ["/pressure"]);
     let alone = places(&|s| {
         s.boundaries.remove(0);
         s.cables.clear();
@@ -837,8 +847,8 @@ fn cables_across_the_film_bear_a_part_of_the_pressure() {
     // Without a cable the tension along the perimeter holds at most 40 / 100.
     let limit = |cables: Vec<Cable>, weight: f64| {
         let mut structure = Structure { cables, ..film(vec![boundary.clone()]) };
-        structure.film.weight = weight;
-        structure.pressure = Pressure::Constant(1e3);
+        structure.layers[0].weight = weight;
+        structure.chambers = below(Pressure::Constant(1e3));
         match check(&structure, &Options::new(Resolution::Triangles(100))) {
             Err(Error::Input(errors)) => {
                 assert_eq!(errors.iter().map(|error| error.place.to_string()).collect::<Vec<_>>(), ["/pressure"]);
@@ -859,8 +869,8 @@ fn cables_across_the_film_bear_a_part_of_the_pressure() {
     assert_eq!(limit(Vec::new(), 0.01), None);
     // A pressure above the limit without the cable has a shape with it.
     let above = Structure { cables: cable(CableMode::Force(10.0)), ..film(vec![boundary.clone()]) };
-    let domed = found(&Structure { pressure: Pressure::Constant(0.42), ..above }, 1.0);
-    assert!(domed.statistics.volume.is_some_and(|volume| volume > 50.0), "{:?}", domed.statistics);
+    let domed = found(&Structure { chambers: below(Pressure::Constant(0.42)), ..above }, 1.0);
+    assert!(domed.statistics.chambers[0].volume > 50.0, "{:?}", domed.statistics);
 }
 
 #[test]
@@ -871,7 +881,7 @@ fn water_stands_in_a_heavy_film_from_which_it_cannot_run_off() {
     let with = |weight: f64| {
         let rim = circle(48, radius, 0.0).into_iter().map(|p| DVec3::new(p.x, p.y, slope * p.x)).collect();
         let mut structure = film(vec![rim]);
-        structure.film.weight = weight;
+        structure.layers[0].weight = weight;
         found(&structure, 0.6)
     };
     let heavy = with(0.02);
@@ -897,10 +907,10 @@ fn the_flat_middle_of_a_saddle_and_of_a_crown_is_no_pond() {
     let mut saddle = film(vec![square(10.0)]);
     saddle.boundaries[0][1].z = 4.0;
     saddle.boundaries[0][3].z = 4.0;
-    saddle.film.weight = 1e-3;
+    saddle.layers[0].weight = 1e-3;
     let mut crown = film(vec![circle(48, 5.0, 0.0)]);
-    crown.pressure = Pressure::Constant(0.1);
-    crown.film.weight = 1e-3;
+    crown.chambers = below(Pressure::Constant(0.1));
+    crown.layers[0].weight = 1e-3;
     for structure in [saddle, crown] {
         let result = found(&structure, 0.7);
         assert!(result.warnings.is_empty() && result.statistics.ponding.is_none(), "{:?}", result.warnings);

@@ -40,7 +40,8 @@ const rounded = (value: number): number => Number(value.toPrecision(2));
 export function likelyValue(request: Request, along: Along, mode: string): number {
   const length = chord(request, along) || 1;
   // A cable of force σ c has the radius c and sags by 13% of its chord c.
-  const force = (Number((request.film as { tension?: number } | undefined)?.tension) || 1) * length;
+  const films = (Array.isArray(request.layers) ? request.layers : [request.film]) as ({ tension?: number } | undefined)[];
+  const force = (films.reduce((sum, film) => sum + (Number(film?.tension) || 0), 0) || 1) * length;
   if (mode === 'force_density') return rounded(force / length);
   if (mode === 'length') return rounded(1.05 * length);
   if (mode === 'unstressed_length') return rounded(1.045 * length);

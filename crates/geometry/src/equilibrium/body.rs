@@ -109,6 +109,26 @@ impl Body {
         Self { vertices, freedoms, supports, groups, terms, constraints, triangles, curves }
     }
 
+    /// Adds a film whose boundary vertices are vertices of the body already, with whatever freedom they have.
+    /// `numbers[v]` is the number in the body of vertex v of the complex, which has no junctions. The vertices inside
+    /// move along their normals.
+    ///
+    /// # Panics
+    /// If a number is missing or names no vertex.
+    pub fn add_film(&mut self, complex: &Complex, numbers: &[u32], tension: f64) {
+        let own = |v: u32| numbers[v as usize];
+        let triangles: Vec<[u32; 3]> = complex.triangles.iter().map(|triangle| triangle.map(own)).collect();
+        let edges = complex.edges().filter(|edge| edge.count() == 1);
+        self.curves.extend(edges.map(|edge| (edge.ends.map(own), tension)));
+        for (kind, &number) in complex.kinds.iter().zip(numbers) {
+            if *kind == VertexKind::Sheet {
+                self.freedoms[number as usize] = Freedom::Normal;
+            }
+        }
+        self.triangles.extend(&triangles);
+        self.terms.push(Box::new(Area { triangles, tension }));
+    }
+
     /// The triangles, oriented alike within each sheet.
     #[must_use]
     pub fn triangles(&self) -> &[[u32; 3]] {

@@ -17,6 +17,16 @@ const FLIPS_PER_EDGE: usize = 10;
 /// plane the result is the (constrained) Delaunay triangulation. All edges are visited once, and afterwards only those
 /// around a flipped edge.
 pub(crate) fn flip_to_delaunay(film: &mut Film) -> u64 {
+    flip_where(film, |_, _| true)
+}
+
+/// [`flip_to_delaunay`] without flips to an edge whose ends are both fixed: two films over one boundary would share it.
+pub(crate) fn flip_without_chords(film: &mut Film) -> u64 {
+    flip_where(film, |film, [.., a, b]| !(film.fixed[a as usize] && film.fixed[b as usize]))
+}
+
+/// Flips edges for which `may` holds with the four vertices of their hinge; the flipped edge connects the last two.
+fn flip_where(film: &mut Film, may: impl Fn(&Film, [u32; 4]) -> bool) -> u64 {
     let count = film.topology.twin.len() as u32;
     let mut queue: Vec<u32> = (0..count).rev().filter(|&h| film.topology.twin[h as usize] > h).collect();
     let mut queued = vec![false; count as usize];
@@ -25,7 +35,7 @@ pub(crate) fn flip_to_delaunay(film: &mut Film) -> u64 {
     let mut flips = 0;
     while let Some(h) = queue.pop() {
         queued[h as usize] = false;
-        if flips >= limit || !wants_flip(film, h) {
+        if flips >= limit || !wants_flip(film, h, &may) {
             continue;
         }
         film.topology.flip(h);
@@ -42,7 +52,7 @@ pub(crate) fn flip_to_delaunay(film: &mut Film) -> u64 {
     flips
 }
 
-fn wants_flip(film: &Film, h: u32) -> bool {
+fn wants_flip(film: &Film, h: u32, may: impl Fn(&Film, [u32; 4]) -> bool) -> bool {
     let Some(hinge) = film.topology.hinge(h) else { return false };
     let [p, q, r, s] = hinge.map(|v| film.vertices[v as usize]);
     let (left, right) = ((p - r, q - r), (q - s, p - s));
@@ -62,6 +72,7 @@ fn wants_flip(film: &Film, h: u32) -> bool {
         && first.dot(before) > 0.0
         && second.dot(before) > 0.0
         && !film.is_locked(hinge[0], hinge[1])
+        && may(film, hinge)
         && film.topology.can_flip(h)
 }
 
@@ -128,7 +139,7 @@ mod tests {
         let mut film = shaken(12, 0.0);
         assert!(flip_to_delaunay(&mut film) > 10);
         for h in 0..film.topology.twin.len() as u32 {
-            assert!(!wants_flip(&film, h));
+            assert!(!wants_flip(&film, h, |_, _| true));
             if let Some(hinge) = film.topology.hinge(h) {
                 let [p, q, r, s] = hinge.map(|v| film.vertices[v as usize].truncate());
                 let coord = |v: glam::DVec2| robust::Coord { x: v.x, y: v.y };

@@ -15,14 +15,14 @@
 
 use super::mixing::Mixing;
 use super::model::{ForceBy, Model, Renewal};
-use super::options::{CableMode, Course, Options, Pressure, Structure, WeaveHold};
+use super::options::{CableMode, Chamber, Course, Options, Pressure, Structure, WeaveHold};
 use super::weave::StressField;
 use crate::energy::{self, ForceDensity, Load, PlaneStress, Prestress, Term, Volume};
 use crate::equilibrium::newton::{State, keeps_orientation};
 use crate::equilibrium::{Aim, Body, Constraint, Determined, Frame, Freedom, Outcome, Settings, Stability};
 use crate::mesh::measure::{double_area_vector, normals};
 use crate::minimal_surface::StopReason;
-use crate::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
+use crate::remesh::delaunay::{flip_to_delaunay, flip_without_chords, tangential_relaxation};
 use crate::sparse::LinearError;
 use crate::{DVec3, Error, Execution, Interruption, Progress};
 
@@ -70,8 +70,8 @@ pub(super) struct Found {
     pub stability: Option<Stability>,
     /// Displacements of the vertices in the lowest mode.
     pub lowest_mode: Option<Vec<DVec3>>,
-    /// The pressure, given or found.
-    pub pressure: f64,
+    /// The pressure in each chamber, given or found.
+    pub pressures: Vec<f64>,
     /// Per cable the part of its force that is the multiplier of its length.
     pub length_forces: Vec<f64>,
     /// Step 3, if step 2 converged.
@@ -86,7 +86,7 @@ const NEARLY: f64 = 1e-3;
 
 impl Found {
     /// No shape yet.
-    fn nothing(cables: usize) -> Self {
+    fn nothing(cables: usize, chambers: usize) -> Self {
         Self {
             stop_reason: StopReason::Stalled,
             residual: f64::INFINITY,
@@ -94,7 +94,7 @@ impl Found {
             energy: 0.0,
             stability: None,
             lowest_mode: None,
-            pressure: 0.0,
+            pressures: vec![0.0; chambers],
             length_forces: vec![0.0; cables],
             balance: None,
             slack: Vec::new(),
@@ -123,7 +123,7 @@ pub(super) struct Balance {
     pub cable_forces: Vec<Vec<f64>>,
     /// The triangles' edges in the reference shape: positions before the balance.
     pub reference: Vec<DVec3>,
-    /// Per triangle the stress in the reference shape: the required one.
+    /// Per triangle, one layer after the other, the stress in the reference shape: the required one.
     pub stresses: Vec<PlaneStress>,
 }
 
@@ -179,7 +179,7 @@ pub(super) fn run(
 impl Run<'_> {
     /// All steps from the model's present shape.
     fn attempt(&mut self) -> Result<Found, Error> {
-        let mut found = Found::nothing(self.structure.cables.len());
+        let mut found = Found::nothing(self.structure.cables.len(), self.structure.chambers.len());
         match self.shape(&mut found) {
             Ok(()) => {}
             Err(Stop::Reason(reason)) => found.stop_reason = reason,
@@ -235,14 +235,13 @@ impl Run<'_> {
     }
 
     fn shape(&mut self, found: &mut Found) -> Result<(), Stop> {
-        let volume = if let Pressure::Volume(volume) = self.structure.pressure { Some(volume) } else { None };
         let mut first_round = 1;
         for attempt in 0..=MAX_RETURNS {
-            self.settle(volume, first_round)?;
+            self.settle(first_round)?;
             first_round = VOLUME_ROUNDS;
             let reason = match self.model.stress_field {
-                None => self.newton(volume, found)?,
-                Some(_) => self.renew_references(volume, found)?,
+                None => self.newton(found)?,
+                Some(_) => self.renew_references(found)?,
             };
             found.stop_reason = reason;
             match reason {
@@ -252,15 +251,14 @@ impl Run<'_> {
             }
         }
         if found.is_shape() && self.model.flipped() == 0 {
-            self.balance(volume, found)?;
+            self.balance(found)?;
         }
         Ok(())
     }
 
     /// The residual and the energy of a shape that was left before Newton's method began.
     fn measure(&mut self, found: &mut Found) -> Result<(), Error> {
-        let volume = if let Pressure::Volume(volume) = self.structure.pressure { Some(volume) } else { None };
-        let mut body = self.model.body(self.structure, volume, false)?;
+        let mut body = self.model.body(self.structure, 1.0, false)?;
         let settings = Settings { max_steps: 0, ..Settings::default() };
         let (_, state) = body.solve_once(&settings, &Execution::default(), &mut |_, _| {}).map_err(too_large)?;
         (found.residual, found.energy) = (state.residual, state.energy);
@@ -301,26 +299,30 @@ impl Run<'_> {
     }
 
     fn look(&self) -> Result<(), Stop> {
-        let work = 20 * self.model.film.triangles().len() as u64;
+        let count: usize = self.model.layers.iter().map(|layer| layer.film.triangles().len()).sum();
+        let work = 20 * count as u64;
         self.exec.look(work).map_err(|interruption| Stop::from(Error::from(interruption)))
     }
 
     /// Step 1.
-    fn settle(&mut self, volume: Option<f64>, first_round: u32) -> Result<(), Stop> {
+    fn settle(&mut self, first_round: u32) -> Result<(), Stop> {
         let settings = Settings { aim: Aim::Minimum, tolerance: 1e-6, max_steps: STEPS_PER_ROUND };
         let last_round = if self.model.stress_field.is_some() { MAX_WOVEN_ROUNDS } else { MAX_ROUNDS };
+        let by_volume = self.structure.chambers.iter().any(|chamber| matches!(chamber.holds, Pressure::Volume(_)));
         for round in first_round..=last_round {
-            let grown = volume.map(|volume| volume * f64::from(round.min(VOLUME_ROUNDS)) / f64::from(VOLUME_ROUNDS));
+            let grown = f64::from(round.min(VOLUME_ROUNDS)) / f64::from(VOLUME_ROUNDS);
             self.model.hang(self.structure);
             // The stresses vary even if their magnitudes are to be held. Otherwise the vertices of a film whose
             // stresses cannot be in equilibrium would move within it from round to round.
             self.renew_stresses(Renewal::Balance)?;
             let mut body = self.model.body(self.structure, grown, true)?;
             self.look()?;
-            let tension = self.structure.film.mean();
             let before = body.vertices.clone();
             if self.model.stress_field.is_none() {
-                body.terms[0] = Box::new(Prestress::isotropic(self.model.film.triangles(), |_| tension, &before));
+                for ((term, layer), film) in body.terms.iter_mut().zip(&self.model.layers).zip(&self.structure.layers) {
+                    let (triangles, tension) = (layer.triangles().collect::<Vec<_>>(), film.mean());
+                    *term = Box::new(Prestress::isotropic(&triangles, |_| tension, &before));
+                }
             }
             for freedom in &mut body.freedoms {
                 if *freedom == Freedom::Normal {
@@ -331,16 +333,19 @@ impl Run<'_> {
             let moved = self.largest_motion(&before, &body.vertices);
             self.model.set_vertices(&body.vertices);
             self.model.renew_start_forces(self.structure);
-            self.look()?;
-            flip_to_delaunay(&mut self.model.film);
-            self.look()?;
-            tangential_relaxation(&mut self.model.film, 1);
-            flip_to_delaunay(&mut self.model.film);
+            let flip = if self.model.layers.len() > 1 { flip_without_chords } else { flip_to_delaunay };
+            for k in 0..self.model.layers.len() {
+                self.look()?;
+                flip(&mut self.model.layers[k].film);
+                self.look()?;
+                tangential_relaxation(&mut self.model.layers[k].film, 1);
+                flip(&mut self.model.layers[k].film);
+            }
             self.look()?;
             if matches!(outcome, Outcome::Refused(_)) {
                 return Err(Stop::Reason(StopReason::Collapsed));
             }
-            let grown = volume.is_none() || round >= VOLUME_ROUNDS;
+            let grown = !by_volume || round >= VOLUME_ROUNDS;
             if grown && moved <= SETTLED * self.model.mean_edge() {
                 break;
             }
@@ -351,7 +356,7 @@ impl Run<'_> {
     /// The largest distance between two positions of a vertex. Inside a woven film it is that along the normal, because
     /// vertices may move within the film from round to round although the shape has settled.
     fn largest_motion(&self, before: &[DVec3], after: &[DVec3]) -> f64 {
-        let film = &self.model.film;
+        let film = &self.model.layers[0].film;
         let normals = match self.model.stress_field {
             Some(_) => normals(before, film.triangles()),
             None => Vec::new(),
@@ -371,7 +376,7 @@ impl Run<'_> {
     }
 
     /// Step 2 for a woven film.
-    fn renew_references(&mut self, volume: Option<f64>, found: &mut Found) -> Result<StopReason, Stop> {
+    fn renew_references(&mut self, found: &mut Found) -> Result<StopReason, Stop> {
         let settings = Settings { aim: Aim::Minimum, tolerance: self.options.tolerance, max_steps: 1 };
         let mut renewal = match self.model.stress_field.as_ref().map(StressField::hold) {
             Some(WeaveHold::Ratio) => Renewal::Balance,
@@ -387,12 +392,12 @@ impl Run<'_> {
                 renewal = Renewal::Keep;
                 mixing.clear();
             }
-            let mut body = self.model.body(self.structure, volume, false)?;
+            let mut body = self.model.body(self.structure, 1.0, false)?;
             let solves = self.solves;
             let (outcome, state) = self.solve(&mut body, &settings, "newton", 0.05)?;
             self.model.set_vertices(&body.vertices);
             found.energy = state.energy;
-            self.multipliers(&state, volume, found);
+            self.multipliers(&state, found);
             match outcome {
                 // Without a step the residual is that of the reference shape itself.
                 Outcome::Converged if self.solves == solves => {
@@ -414,7 +419,7 @@ impl Run<'_> {
             let reached = self.model.unknowns();
             let mixed = mixing.next(start, reached.clone());
             self.model.set_unknowns(&mixed);
-            if !keeps_orientation(self.model.film.triangles(), &body.vertices, &self.model.vertices()) {
+            if !keeps_orientation(self.model.layers[0].film.triangles(), &body.vertices, &self.model.vertices()) {
                 self.model.set_unknowns(&reached);
                 mixing.clear();
             }
@@ -424,16 +429,16 @@ impl Run<'_> {
     }
 
     /// Step 2.
-    fn newton(&mut self, volume: Option<f64>, found: &mut Found) -> Result<StopReason, Stop> {
+    fn newton(&mut self, found: &mut Found) -> Result<StopReason, Stop> {
         let settings = Settings { aim: Aim::Minimum, tolerance: self.options.tolerance, max_steps: NEWTON_STEPS };
         for _ in 0..MAX_RENEWALS {
-            let mut body = self.model.body(self.structure, volume, false)?;
-            let mut weight = self.model.weight(self.structure, &body.vertices);
+            let mut body = self.model.body(self.structure, 1.0, false)?;
+            let mut weights = self.model.weights(self.structure, &body.vertices);
             let (outcome, state) = self.solve(&mut body, &settings, "newton", 0.05)?;
             self.model.set_vertices(&body.vertices);
             found.residual = state.residual;
             found.energy = state.energy;
-            self.multipliers(&state, volume, found);
+            self.multipliers(&state, found);
             match outcome {
                 Outcome::Converged => {}
                 Outcome::Stalled => return Ok(StopReason::Stalled),
@@ -441,7 +446,11 @@ impl Run<'_> {
                 Outcome::Refused(_) => return Ok(StopReason::Collapsed),
                 Outcome::Interrupted(interruption) => return Err(Error::Interrupted(interruption).into()),
             }
-            let change = if self.structure.film.weight > 0.0 { weight.renew(&body.vertices) } else { 0.0 };
+            let change = if self.structure.has_heavy_layers() {
+                weights.iter_mut().map(|weight| weight.renew(&body.vertices)).fold(0.0, f64::max)
+            } else {
+                0.0
+            };
             if self.slacken(found) {
                 continue;
             }
@@ -449,7 +458,7 @@ impl Run<'_> {
                 if self.model.flipped() > 0 {
                     return Ok(StopReason::Stalled);
                 }
-                return self.stability(volume, found);
+                return self.stability(found);
             }
         }
         Ok(StopReason::MaxIterations)
@@ -469,8 +478,8 @@ impl Run<'_> {
     }
 
     /// The stability of the converged shape.
-    fn stability(&mut self, volume: Option<f64>, found: &mut Found) -> Result<StopReason, Stop> {
-        let mut body = self.model.body(self.structure, volume, false)?;
+    fn stability(&mut self, found: &mut Found) -> Result<StopReason, Stop> {
+        let mut body = self.model.body(self.structure, 1.0, false)?;
         // The terms' own renewals end at once, because the coefficients have just been renewed.
         let settings = Settings {
             aim: Aim::Stationary,
@@ -488,28 +497,33 @@ impl Run<'_> {
         Ok(StopReason::Residual)
     }
 
-    /// The constraints' multipliers: the forces of cables of given length, and the pressure of a given volume.
-    fn multipliers(&self, state: &State<Frame>, volume: Option<f64>, found: &mut Found) {
+    /// The constraints' multipliers: the forces of cables of given length, and the pressures of given volumes.
+    fn multipliers(&self, state: &State<Frame>, found: &mut Found) {
         let mut multipliers = state.constraints.iter().map(|constraint| constraint.multiplier);
         for (force, by) in found.length_forces.iter_mut().zip(&self.model.forces_by) {
             if *by != ForceBy::Law {
                 *force = multipliers.next().unwrap_or(0.0);
             }
         }
-        found.pressure = match (volume, self.structure.pressure) {
-            (Some(_), _) => multipliers.next().unwrap_or(0.0),
-            (None, Pressure::Constant(pressure)) => pressure,
-            (None, _) => 0.0,
+        found.pressures = self.pressures(multipliers);
+    }
+
+    /// The pressure in each chamber, with the multipliers of the given volumes.
+    fn pressures(&self, mut of_volumes: impl Iterator<Item = f64>) -> Vec<f64> {
+        let pressure = |chamber: &Chamber| match chamber.holds {
+            Pressure::Constant(pressure) => pressure,
+            Pressure::Volume(_) => of_volumes.next().unwrap_or(0.0),
         };
+        self.structure.chambers.iter().map(pressure).collect()
     }
 
     /// Step 3.
-    fn balance(&mut self, volume: Option<f64>, found: &mut Found) -> Result<(), Stop> {
+    fn balance(&mut self, found: &mut Found) -> Result<(), Stop> {
         let structure = self.structure;
-        let mut body = self.model.body(structure, volume, false)?;
+        let mut body = self.model.body(structure, 1.0, false)?;
         let reference = body.vertices.clone();
-        let triangles = self.model.film.triangles().to_vec();
-        let stresses = self.reference_stresses(&triangles, &reference);
+        let triangles = self.model.triangles();
+        let stresses = self.reference_stresses(&reference);
         let mut loads = self.model.film_loads(structure, &reference);
         if let Some(forces) = self.model.ring_forces(structure) {
             loads.iter_mut().zip(forces).for_each(|(load, force)| *load += force);
@@ -527,7 +541,7 @@ impl Run<'_> {
             densities.push(own);
         }
         body.terms.clear();
-        // The forces of the cables are now those of their densities; only lengths and a volume keep their values.
+        // The forces of the cables are now those of their densities; only lengths and volumes keep their values.
         body.constraints.retain(|constraint| matches!(constraint.by, Determined::Value(_)));
         // The length of a mast that pushes with a given force is held at what was found. With a force density in its
         // place all forces would be linear in the positions, and a mast between two free ends would shrink to nothing.
@@ -536,7 +550,7 @@ impl Run<'_> {
         for (place, &k) in pushing.iter().enumerate() {
             let quantity = energy::Length { segments: densities[k].segments.clone(), tension: -1.0 };
             let held = Constraint::value(Box::new(quantity.clone()), quantity.value(&reference));
-            // Before the volume, which comes last.
+            // Before the volumes, which come last.
             let lengths = self.model.forces_by.iter().filter(|by| matches!(by, ForceBy::Length(_))).count();
             body.constraints.insert(lengths + place, held);
         }
@@ -546,8 +560,10 @@ impl Run<'_> {
         }));
         body.terms.push(Box::new(Load { forces: loads.clone() }));
         densities.iter().for_each(|own| body.terms.push(Box::new(own.clone())));
-        if let Pressure::Constant(pressure) = structure.pressure {
-            body.terms.push(Box::new(Volume { triangles: triangles.clone(), pressure }));
+        for chamber in &structure.chambers {
+            if let Pressure::Constant(pressure) = chamber.holds {
+                body.terms.push(Box::new(Volume { triangles: self.model.walls(chamber.below), pressure }));
+            }
         }
         for freedom in &mut body.freedoms {
             *freedom = match *freedom {
@@ -562,16 +578,21 @@ impl Run<'_> {
             return Ok(());
         }
         let at = &body.vertices;
-        let pressure = match (volume, state.constraints.last()) {
-            (Some(_), Some(constraint)) => constraint.multiplier,
-            _ => found.pressure,
-        };
+        let mut multipliers = state.constraints.iter().map(|constraint| constraint.multiplier);
+        let mut more = vec![0.0; densities.len()];
+        let by_length = (0..densities.len()).filter(|&k| matches!(self.model.forces_by[k], ForceBy::Length(_)));
+        for k in by_length.chain(pushing) {
+            more[k] = multipliers.next().unwrap_or(0.0);
+        }
+        let pressures = self.pressures(multipliers);
         // The cone over the film's edge belongs to the volume and not to the film: a pressure acts on the triangles.
         let mut forces = state.frame.gradient.clone();
-        if pressure != 0.0 {
+        for (chamber, &pressure) in structure.chambers.iter().zip(&pressures).filter(|(_, pressure)| **pressure != 0.0)
+        {
+            let walls = self.model.walls(chamber.below);
             let mut cone = vec![DVec3::ZERO; at.len()];
-            Volume { triangles: triangles.clone(), pressure: -1.0 }.add_gradient(at, &mut cone);
-            for triangle in &triangles {
+            Volume { triangles: walls.clone(), pressure: -1.0 }.add_gradient(at, &mut cone);
+            for triangle in &walls {
                 let sixth = double_area_vector(triangle.map(|v| at[v as usize])) / 6.0;
                 for &v in triangle {
                     loads[v as usize] += pressure * sixth;
@@ -580,35 +601,33 @@ impl Run<'_> {
             }
             forces.iter_mut().zip(&cone).for_each(|(force, cone)| *force += pressure * *cone);
         }
-        let mut multipliers = state.constraints.iter().map(|constraint| constraint.multiplier);
         let mut cable_forces = Vec::with_capacity(densities.len());
-        let mut more = vec![0.0; densities.len()];
-        let by_length = (0..densities.len()).filter(|&k| matches!(self.model.forces_by[k], ForceBy::Length(_)));
-        for k in by_length.chain(pushing) {
-            more[k] = multipliers.next().unwrap_or(0.0);
-        }
         for (own, more) in densities.iter().zip(more) {
             let mut forces = Vec::with_capacity(own.segments.len());
             own.visit_forces(at, &mut |force| forces.push(force + more));
             cable_forces.push(forces);
         }
-        found.pressure = pressure;
+        found.pressures = pressures;
         self.model.set_vertices(&body.vertices);
         found.balance = Some(Balance { forces, loads, cable_forces, reference, stresses });
         Ok(())
     }
 
-    /// Per triangle the stress that is required at the found shape.
-    fn reference_stresses(&self, triangles: &[[u32; 3]], at: &[DVec3]) -> Vec<PlaneStress> {
-        let weight = self.model.weight(self.structure, at);
-        let of = |triangle: &[u32; 3]| match &self.model.stress_field {
-            Some(field) => field.required(triangle, at),
-            None => {
-                let [a, b, _] = triangle.map(|v| at[v as usize]);
-                let tension = self.structure.film.mean() + weight.tension(triangle, at);
-                PlaneStress { direction: (b - a).normalize_or_zero(), along: tension, across: tension }
-            }
-        };
-        triangles.iter().map(of).collect()
+    /// Per triangle, one layer after the other, the stress that is required at the found shape.
+    fn reference_stresses(&self, at: &[DVec3]) -> Vec<PlaneStress> {
+        let weights = self.model.weights(self.structure, at);
+        let mut stresses = Vec::new();
+        for ((layer, film), weight) in self.model.layers.iter().zip(&self.structure.layers).zip(&weights) {
+            let tension = film.mean();
+            stresses.extend(layer.triangles().map(|triangle| match &self.model.stress_field {
+                Some(field) => field.required(&triangle, at),
+                None => {
+                    let [a, b, _] = triangle.map(|v| at[v as usize]);
+                    let tension = tension + weight.tension(&triangle, at);
+                    PlaneStress { direction: (b - a).normalize_or_zero(), along: tension, across: tension }
+                }
+            }));
+        }
+        stresses
     }
 }

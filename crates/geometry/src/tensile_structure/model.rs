@@ -1,7 +1,10 @@
-//! The mesh of a tensile structure: the film's triangles, the vertices of its cables, and what each vertex may do.
+//! The mesh of a tensile structure: the triangles of its layers, the vertices of its cables, and what each vertex may do.
 
 use super::catenary::Catenary;
-use super::options::{BoundaryPoint, Cable, CableMode, Course, Options, Pressure, Sliding, SlidingPart, Structure};
+use super::options::{
+    BoundaryPoint, Cable, CableMode, Course, FilmStress, Options, Pressure, Sliding, SlidingPart, Structure,
+    chamber_place,
+};
 use super::weave::{StressField, pulls_along};
 use crate::energy::cable::{self, CableCondition, Equation, Law};
 use crate::energy::{Load, Term, Volume, Weight};
@@ -12,7 +15,8 @@ use crate::mesh::film::Film;
 use crate::mesh::measure;
 use crate::minimal_surface::{self, Constraints, Method};
 use crate::sparse::LinearError;
-use crate::{DVec3, Error, Execution, Place, energy, polyline};
+use crate::{DVec3, Error, Execution, Mesh, Place, energy, polyline};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Fewest segments of a heavy cable in the air.
 const LEAST_AIR_SEGMENTS: f64 = 16.0;
@@ -25,8 +29,10 @@ const MOST_AIR_SEGMENTS: f64 = 1000.0;
 #[derive(Clone, Debug)]
 pub(super) struct Model {
     pub centre: DVec3,
-    pub film: Film,
-    /// Vertices of cables in the air, numbered after those of the film.
+    pub layers: Vec<Layer>,
+    /// Number of vertices of all layers.
+    films: usize,
+    /// Vertices of cables in the air, numbered after those of the layers.
     pub air: Vec<DVec3>,
     /// For each vertex in the air whether it is a support.
     pub air_fixed: Vec<bool>,
@@ -40,7 +46,7 @@ pub(super) struct Model {
     pub free: Vec<u32>,
     /// For each input point its vertex.
     pub input_vertices: Vec<Vec<u32>>,
-    /// The volume between fans from each boundary to its mean and the origin, which closes the film's own.
+    /// The volume between fans from each boundary to its mean and the origin, which closes that of the last layer.
     pub cap_volume: f64,
     /// The surfaces on which vertices slide, and the freedom of each vertex that does.
     pub supports: Vec<Support>,
@@ -58,6 +64,22 @@ pub(super) struct Model {
     /// for other films and for cables in the air.
     pub further_forces: Vec<Vec<f64>>,
     pub warnings: Vec<Warning>,
+}
+
+/// A layer with its own mesh. All layers begin as copies of one mesh and share the vertices of their boundaries.
+#[derive(Clone, Debug)]
+pub(super) struct Layer {
+    /// Its vertices have numbers of their own.
+    pub film: Film,
+    /// The number in the model of each vertex of the film. Those of the first layer keep their numbers.
+    pub numbers: Vec<u32>,
+}
+
+impl Layer {
+    /// The triangles with the numbers of the model.
+    pub fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
+        self.film.triangles().iter().map(|triangle| triangle.map(|v| self.numbers[v as usize]))
+    }
 }
 
 /// A ring that moves along its axis as a whole.
@@ -127,10 +149,16 @@ impl Model {
         let input_vertices = surface.input_vertices;
         let invalid = || Error::no_result("invalid_mesh", "the initial mesh is no oriented manifold");
         let lost = || Error::no_result("invalid_mesh", "a cable across the film has no edges in the initial mesh");
-        let film = Film::new(surface.mesh.vertices, &surface.mesh.triangles, surface.boundaries).ok_or_else(invalid)?;
+        let mut mesh = surface.mesh;
+        if structure.layers.len() > 1 {
+            split_chords(&mut mesh, &surface.boundaries);
+        }
+        let film = Film::new(mesh.vertices, &mesh.triangles, surface.boundaries).ok_or_else(invalid)?;
+        let numbers = (0..film.vertices.len() as u32).collect();
         let mut model = Self {
             centre,
-            film,
+            films: film.vertices.len(),
+            layers: vec![Layer { film, numbers }],
             air: Vec::new(),
             air_fixed: Vec::new(),
             joined: 0,
@@ -151,6 +179,9 @@ impl Model {
         };
         for sliding in &structure.sliding {
             model.slide(sliding);
+        }
+        for _ in 1..structure.layers.len() {
+            model.add_layer();
         }
         model.join(structure);
         model.cap_volume = model.caps();
@@ -173,9 +204,9 @@ impl Model {
             model.cables.push(energy::Cable::new(segments, law).heavy(cable.weight, structure.up));
             model.forces_by.push(by);
         }
-        let count = model.film.vertices.len();
+        let film = &model.layers[0].film;
         model.stress_field =
-            structure.film.weave().map(|weave| StressField::new(weave, centre, model.film.triangles(), count));
+            structure.weave().map(|weave| StressField::new(weave, centre, film.triangles(), film.vertices.len()));
         Ok(model)
     }
 
@@ -193,29 +224,75 @@ impl Model {
         self.forces_by[k] == ForceBy::Law && self.cables[k].law == Law::Force(0.0)
     }
 
-    /// All vertices: the film's, then those in the air.
+    /// Adds a copy of the first layer with vertices of its own inside.
+    fn add_layer(&mut self) {
+        let film = self.layers[0].film.clone();
+        let mut on_boundary = vec![false; film.vertices.len()];
+        film.boundaries.iter().flatten().for_each(|&v| on_boundary[v as usize] = true);
+        let mut numbers = Vec::with_capacity(film.vertices.len());
+        for (v, on_boundary) in on_boundary.into_iter().enumerate() {
+            numbers.push(if on_boundary { v } else { self.films } as u32);
+            self.films += usize::from(!on_boundary);
+        }
+        self.layers.push(Layer { film, numbers });
+    }
+
+    /// All vertices: those of the layers, then those in the air.
     pub fn vertices(&self) -> Vec<DVec3> {
-        self.film.vertices.iter().chain(&self.air).copied().collect()
+        let mut vertices = vec![DVec3::ZERO; self.films];
+        for layer in &self.layers {
+            layer.numbers.iter().zip(&layer.film.vertices).for_each(|(&v, &place)| vertices[v as usize] = place);
+        }
+        vertices.extend(&self.air);
+        vertices
     }
 
     pub fn set_vertices(&mut self, vertices: &[DVec3]) {
-        let count = self.film.vertices.len();
-        self.film.vertices.copy_from_slice(&vertices[..count]);
-        self.air.copy_from_slice(&vertices[count..]);
+        for layer in &mut self.layers {
+            layer.numbers.iter().zip(&mut layer.film.vertices).for_each(|(&v, own)| *own = vertices[v as usize]);
+        }
+        self.air.copy_from_slice(&vertices[self.films..]);
+    }
+
+    /// The triangles of all layers, one layer after the other.
+    pub fn triangles(&self) -> Vec<[u32; 3]> {
+        self.layers.iter().flat_map(Layer::triangles).collect()
+    }
+
+    /// The mesh of all layers, without the vertices in the air.
+    pub fn mesh(&self) -> Mesh {
+        let mut vertices = self.vertices();
+        vertices.truncate(self.films);
+        Mesh::new(vertices, self.triangles())
+    }
+
+    /// For each vertex whether the edge of a film or a support in the air holds it at the start.
+    pub fn fixed(&self) -> Vec<bool> {
+        let mut fixed = vec![false; self.films];
+        for layer in &self.layers {
+            layer.numbers.iter().zip(&layer.film.fixed).for_each(|(&v, &own)| fixed[v as usize] = own);
+        }
+        fixed.extend(&self.air_fixed);
+        fixed
+    }
+
+    /// The vertices of the boundaries, each as a loop.
+    pub fn boundaries(&self) -> &[Vec<u32>] {
+        &self.layers[0].film.boundaries
     }
 
     pub fn mean_edge(&self) -> f64 {
-        let triangles = self.film.triangles();
+        let (triangles, at) = (self.triangles(), self.vertices());
         let sum: f64 = triangles
             .iter()
             .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
-            .map(|[a, b]| self.film.vertices[a as usize].distance(self.film.vertices[b as usize]))
+            .map(|[a, b]| at[a as usize].distance(at[b as usize]))
             .sum();
         sum / (3 * triangles.len()) as f64
     }
 
     fn along(&self, boundary: usize, from: usize, to: usize) -> Vec<u32> {
-        let rim = &self.film.boundaries[boundary];
+        let rim = &self.boundaries()[boundary];
         let vertex = |point: usize| self.input_vertices[boundary][point];
         let place = |v: u32| rim.iter().position(|&w| w == v).expect("an input point is a vertex of its boundary");
         let (first, last) = (place(vertex(from)), place(vertex(to)));
@@ -223,12 +300,14 @@ impl Model {
         (0..=count).map(|k| rim[(first + k) % rim.len()]).collect()
     }
 
-    /// The vertices of a cable across the film, with those that were added between its points. Its edges stay.
+    /// The vertices of a cable across the film, which is the only layer, with those that were added between its points.
+    /// Its edges stay.
     fn across(&mut self, points: &[u32]) -> Option<Vec<u32>> {
+        let film = &mut self.layers[0].film;
         let mut chain = vec![*points.first()?];
         for pair in points.windows(2) {
             let (mut here, end) = (pair[0], pair[1]);
-            let at = |v: u32| self.film.vertices[v as usize];
+            let at = |v: u32| film.vertices[v as usize];
             let span = at(end) - at(here);
             let (start, direction) = (at(here), span.normalize_or_zero());
             while here != end {
@@ -239,22 +318,22 @@ impl Model {
                         && place.reject_from_normalized(direction).length() <= ON_SEGMENT * span.length()
                 };
                 let nearer = |a: &u32, b: &u32| at(*a).distance(at(here)).total_cmp(&at(*b).distance(at(here)));
-                here = self.film.topology.neighbours(here).filter(ahead).min_by(nearer)?;
+                here = film.topology.neighbours(here).filter(ahead).min_by(nearer)?;
                 chain.push(here);
             }
         }
         for pair in chain.windows(2) {
-            self.film.locked.push([pair[0].min(pair[1]), pair[0].max(pair[1])]);
+            film.locked.push([pair[0].min(pair[1]), pair[0].max(pair[1])]);
         }
-        self.film.locked.sort_unstable();
-        chain.iter().for_each(|&v| self.film.fixed[v as usize] = true);
+        film.locked.sort_unstable();
+        chain.iter().for_each(|&v| film.fixed[v as usize] = true);
         (chain.len() > 1).then_some(chain)
     }
 
     /// Makes the rings that move and the vertices of hubs and joints.
     fn join(&mut self, structure: &Structure) {
         for ring in &structure.rings {
-            let mut vertices = self.film.boundaries[ring.boundary].clone();
+            let mut vertices = self.boundaries()[ring.boundary].clone();
             vertices.extend(ring.hub.map(|hub| self.add_to_air(hub)));
             self.rings.push(MovingRing { axis: ring.axis, vertices });
         }
@@ -268,7 +347,7 @@ impl Model {
     fn add_to_air(&mut self, point: DVec3) -> u32 {
         self.air.push(point - self.centre);
         self.air_fixed.push(false);
-        (self.film.vertices.len() + self.air.len() - 1) as u32
+        (self.films + self.air.len() - 1) as u32
     }
 
     fn through_the_air(&mut self, structure: &Structure, cable: &Cable, ends: [DVec3; 2], edge: f64) -> Vec<u32> {
@@ -279,7 +358,7 @@ impl Model {
                 }
             }
             let place = end - self.centre;
-            let count = self.film.vertices.len();
+            let count = self.films;
             let may_join = |k: usize| k < self.joined || self.air_fixed[k];
             if let Some(k) = (0..self.air.len()).find(|&k| may_join(k) && self.air[k] == place) {
                 return (count + k) as u32;
@@ -300,7 +379,7 @@ impl Model {
             let share = k as f64 / pieces as f64;
             // Without a catenary the cable starts from a sag of a tenth of its length, so that it has a curvature.
             let sag = 0.4 * straight * share * (1.0 - share) * structure.up;
-            chain.push((self.film.vertices.len() + self.air.len()) as u32);
+            chain.push((self.films + self.air.len()) as u32);
             self.air.push(ends[0] - self.centre + share * (ends[1] - ends[0]) - sag);
             self.air_fixed.push(false);
         }
@@ -321,7 +400,7 @@ impl Model {
     /// Hangs the heavy cables in the air in the catenaries between their present ends.
     pub fn hang(&mut self, structure: &Structure) {
         let at = self.vertices();
-        let count = self.film.vertices.len();
+        let count = self.films;
         for k in 0..self.chains.len() {
             let Some(catenary) = self.catenary(structure, k, &at) else { continue };
             let (chain, length) = (&self.chains[k], catenary.length());
@@ -355,22 +434,24 @@ impl Model {
     fn slide(&mut self, sliding: &Sliding) {
         let number = self.supports.len() as u32;
         self.supports.push(moved(sliding.on, -self.centre));
-        let on = &self.supports[number as usize];
+        let on = self.supports[number as usize];
         let (vertices, closed): (Vec<u32>, bool) = match sliding.part {
             SlidingPart::Point(point) => {
                 let v = self.input_vertex(point);
-                self.film.vertices[v as usize] = on.nearest(self.film.vertices[v as usize]);
+                let vertex = &mut self.layers[0].film.vertices[v as usize];
+                *vertex = on.nearest(*vertex);
                 self.sliding.push((v, Freedom::On(number)));
                 return;
             }
             SlidingPart::Edge { boundary, from, to } => (self.along(boundary, from, to), false),
-            SlidingPart::Boundary(boundary) => (self.film.boundaries[boundary].clone(), true),
+            SlidingPart::Boundary(boundary) => (self.boundaries()[boundary].clone(), true),
         };
         let count = vertices.len();
         let inner = if closed { 0..count } else { 1..count - 1 };
         for k in inner {
             let v = vertices[k];
-            self.film.vertices[v as usize] = on.nearest(self.film.vertices[v as usize]);
+            let vertex = &mut self.layers[0].film.vertices[v as usize];
+            *vertex = on.nearest(*vertex);
             let beside = [vertices[(k + count - 1) % count], vertices[(k + 1) % count]];
             self.sliding.push((v, Freedom::AcrossOn { support: number, beside }));
         }
@@ -378,8 +459,9 @@ impl Model {
 
     fn caps(&self) -> f64 {
         let mut sixfold = 0.0;
-        for rim in self.film.topology.boundary_loops() {
-            let points: Vec<DVec3> = rim.iter().map(|&v| self.film.vertices[v as usize]).collect();
+        let film = &self.layers[0].film;
+        for rim in film.topology.boundary_loops() {
+            let points: Vec<DVec3> = rim.iter().map(|&v| film.vertices[v as usize]).collect();
             let mean = polyline::mean(&points);
             for k in 0..points.len() {
                 sixfold += mean.dot(points[(k + 1) % points.len()].cross(points[k]));
@@ -388,32 +470,47 @@ impl Model {
         sixfold / 6.0
     }
 
-    /// The volume that the film and the fans from each boundary to its mean enclose.
-    pub fn volume(&self, vertices: &[DVec3]) -> f64 {
-        let triangles = self.film.triangles().to_vec();
-        Volume { triangles, pressure: -1.0 }.value(vertices) + self.cap_volume
+    /// The triangles of the layers around the space below a layer, oriented so that their normals point out of it.
+    pub fn walls(&self, below: usize) -> Vec<[u32; 3]> {
+        let mut walls: Vec<[u32; 3]> = self.layers[below].triangles().collect();
+        if let Some(next) = self.layers.get(below + 1) {
+            walls.extend(next.triangles().map(|[a, b, c]| [a, c, b]));
+        }
+        walls
     }
 
-    /// The body with the terms of the structure, the film's area first. `volume` is the volume to be enclosed, if that
-    /// is required. At the `start` every cable has the force densities and the loads of its present shape and of a
-    /// force that comes near the required one.
-    pub fn body(&self, structure: &Structure, volume: Option<f64>, start: bool) -> Result<Body, Error> {
-        let vertices = self.vertices();
+    /// The volume that closes the one of the walls of the space below a layer.
+    fn cap(&self, below: usize) -> f64 {
+        if below + 1 == self.layers.len() { self.cap_volume } else { 0.0 }
+    }
+
+    /// The volume below a layer: up to the next one, or up to fans from each boundary to its mean.
+    pub fn volume(&self, below: usize, vertices: &[DVec3]) -> f64 {
+        Volume { triangles: self.walls(below), pressure: -1.0 }.value(vertices) + self.cap(below)
+    }
+
+    /// The body with the terms of the structure, first those of the layers. `grown` is the part of the chambers' given
+    /// volumes that they are to have. At the `start` every cable has the force densities and the loads of its present
+    /// shape and of a force that comes near the required one.
+    pub fn body(&self, structure: &Structure, grown: f64, start: bool) -> Result<Body, Error> {
         let invalid = |defect| Error::no_result("invalid_mesh", format!("the film's mesh is damaged: {defect}"));
-        let complex = Complex::build(self.film.triangles().to_vec(), self.film.vertices.len()).map_err(invalid)?;
-        let tension = structure.film.mean();
-        let tensions = vec![tension; complex.sheets.len()];
-        let mut body = Body::new(vertices, &complex, &tensions);
+        let complex =
+            |layer: &Layer| Complex::build(layer.film.triangles().to_vec(), layer.film.vertices.len()).map_err(invalid);
+        let first = complex(&self.layers[0])?;
+        let tension = structure.layers[0].mean();
+        let mut body = Body::new(self.vertices(), &first, &vec![tension; first.sheets.len()]);
         // All sheets have one tension or one field of stresses, so one term serves them all.
         body.terms.truncate(0);
+        let triangles = self.layers[0].film.triangles();
         match &self.stress_field {
-            None => {
-                body.terms.push(Box::new(energy::Area { triangles: self.film.triangles().to_vec(), tension }));
-            }
-            Some(field) => body.terms.push(Box::new(field.prestress(self.film.triangles(), &body.vertices))),
+            None => body.terms.push(Box::new(energy::Area { triangles: triangles.to_vec(), tension })),
+            Some(field) => body.terms.push(Box::new(field.prestress(triangles, &body.vertices))),
+        }
+        for (layer, film) in self.layers.iter().zip(&structure.layers).skip(1) {
+            body.add_film(&complex(layer)?, &layer.numbers, film.mean());
         }
         for (k, &fixed) in self.air_fixed.iter().enumerate() {
-            body.freedoms[self.film.vertices.len() + k] = if fixed { Freedom::Fixed } else { Freedom::Free };
+            body.freedoms[self.films + k] = if fixed { Freedom::Fixed } else { Freedom::Free };
         }
         for (k, chain) in self.chains.iter().enumerate() {
             // Nothing but the film holds a slack cable across it.
@@ -438,12 +535,15 @@ impl Model {
         for &(v, freedom) in &self.sliding {
             body.freedoms[v as usize] = freedom;
         }
-        if structure.film.weight > 0.0 {
+        if structure.has_heavy_layers() {
             // The stresses of a woven film are what its field says, so its weight only loads it.
-            body.terms.push(match &self.stress_field {
-                None => Box::new(self.weight(structure, &body.vertices)),
-                Some(_) => Box::new(Load { forces: self.film_loads(structure, &body.vertices) }),
-            });
+            if self.stress_field.is_some() {
+                body.terms.push(Box::new(Load { forces: self.film_loads(structure, &body.vertices) }));
+            } else {
+                for weight in self.weights(structure, &body.vertices) {
+                    body.terms.push(Box::new(weight));
+                }
+            }
         }
         for (k, (cable, &by)) in self.cables.iter().zip(&self.forces_by).enumerate() {
             // A straight cable in the air has no other shape, so its length is a constraint from the start.
@@ -471,20 +571,25 @@ impl Model {
                 }
             }
         }
-        let triangles = || self.film.triangles().to_vec();
-        match (structure.pressure, volume) {
-            (_, Some(volume)) => {
-                let quantity = Box::new(Volume { triangles: triangles(), pressure: -1.0 });
-                body.constraints.push(Constraint::value(quantity, volume - self.cap_volume));
+        let before = body.constraints.len();
+        let mut by_volume = Vec::new();
+        for (k, chamber) in structure.chambers.iter().enumerate() {
+            let triangles = self.walls(chamber.below);
+            match chamber.holds {
+                Pressure::Volume(volume) => {
+                    let quantity = Box::new(Volume { triangles, pressure: -1.0 });
+                    let value = volume * grown - self.cap(chamber.below);
+                    body.constraints.push(Constraint::value(quantity, value));
+                    by_volume.push(k);
+                }
+                Pressure::Constant(pressure) => body.terms.push(Box::new(Volume { triangles, pressure })),
             }
-            (Pressure::Constant(pressure), None) => {
-                body.terms.push(Box::new(Volume { triangles: triangles(), pressure }));
-            }
-            (Pressure::None | Pressure::Volume(_), None) => {}
         }
         body.check().map_err(|defect| match defect {
-            crate::equilibrium::BodyDefect::Target(_) => Error::input(
-                Place::field("volume"),
+            crate::equilibrium::BodyDefect::Target(constraint) => Error::input(
+                constraint
+                    .checked_sub(before)
+                    .map_or(Place::field("cables"), |k| chamber_place(structure, by_volume[k])),
                 "cannot be told from an empty one; move the boundaries or change it",
             ),
             other => Error::no_result("invalid_mesh", other.to_string()),
@@ -526,9 +631,12 @@ impl Model {
         body.terms.push(Box::new(Load { forces: loads }));
     }
 
-    /// The film's weight, with the datum at the mean height of these positions.
-    pub fn weight(&self, structure: &Structure, vertices: &[DVec3]) -> Weight {
-        Weight::new(self.film.triangles().to_vec(), structure.film.weight, structure.up, vertices)
+    /// The weight of each layer, with the datum at its mean height at these positions.
+    pub fn weights(&self, structure: &Structure, vertices: &[DVec3]) -> Vec<Weight> {
+        let weight = |(layer, film): (&Layer, &FilmStress)| {
+            Weight::new(layer.triangles().collect(), film.weight, structure.up, vertices)
+        };
+        self.layers.iter().zip(&structure.layers).map(weight).collect()
     }
 
     /// The forces on the rings from outside, in equal shares on the vertices of each; `None` if there are none.
@@ -536,7 +644,7 @@ impl Model {
         if structure.rings.iter().all(|ring| ring.force == 0.0) {
             return None;
         }
-        let mut forces = vec![DVec3::ZERO; self.film.vertices.len() + self.air.len()];
+        let mut forces = vec![DVec3::ZERO; self.films + self.air.len()];
         for (ring, moving) in structure.rings.iter().zip(&self.rings) {
             let share = ring.force / moving.vertices.len() as f64 * ring.axis;
             moving.vertices.iter().for_each(|&v| forces[v as usize] += share);
@@ -544,13 +652,15 @@ impl Model {
         Some(forces)
     }
 
-    /// The film's weight as a force on each vertex, at these positions.
+    /// The weight of the layers as a force on each vertex, at these positions.
     pub fn film_loads(&self, structure: &Structure, vertices: &[DVec3]) -> Vec<DVec3> {
         let mut loads = vec![DVec3::ZERO; vertices.len()];
-        for triangle in self.film.triangles() {
-            let area = 0.5 * measure::double_area_vector(triangle.map(|v| vertices[v as usize])).length();
-            let third = structure.up * (structure.film.weight * area / 3.0);
-            triangle.iter().for_each(|&v| loads[v as usize] -= third);
+        for (layer, film) in self.layers.iter().zip(&structure.layers) {
+            for triangle in layer.triangles() {
+                let area = 0.5 * measure::double_area_vector(triangle.map(|v| vertices[v as usize])).length();
+                let third = structure.up * (film.weight * area / 3.0);
+                triangle.iter().for_each(|&v| loads[v as usize] -= third);
+            }
         }
         loads
     }
@@ -561,10 +671,11 @@ impl Model {
         let at = self.vertices();
         let loads = self.film_loads(structure, &at);
         let Some(field) = &mut self.stress_field else { return Ok(0.0) };
-        let triangles = self.film.triangles();
+        let film = &self.layers[0].film;
+        let triangles = film.triangles();
         let change = match renewal {
             Renewal::Balance => {
-                let inside: Vec<bool> = self.film.fixed.iter().map(|fixed| !fixed).collect();
+                let inside: Vec<bool> = film.fixed.iter().map(|fixed| !fixed).collect();
                 field.renew(triangles, &at, &loads, &inside)?
             }
             Renewal::Keep => 0.0,
@@ -596,7 +707,7 @@ impl Model {
     /// Takes what [`unknowns`](Self::unknowns) returned, or a combination of several, in which vertices that slide are
     /// taken back to their supports.
     pub fn set_unknowns(&mut self, unknowns: &[f64]) {
-        let count = self.film.vertices.len() + self.air.len();
+        let count = self.films + self.air.len();
         let mut vertices: Vec<DVec3> = unknowns[..3 * count].chunks_exact(3).map(DVec3::from_slice).collect();
         for (v, freedom) in &self.sliding {
             if let Some(support) = freedom.support() {
@@ -611,11 +722,49 @@ impl Model {
         }
     }
 
-    /// Number of flipped triangles of the film.
+    /// Number of flipped triangles of all layers.
     pub fn flipped(&self) -> usize {
-        let normals = measure::normals(&self.film.vertices, self.film.triangles());
-        measure::count_flipped(&self.film.vertices, self.film.triangles(), &normals)
+        self.layers.iter().map(|layer| layer.film.flipped_triangles()).sum()
     }
+}
+
+/// Divides every edge that connects two vertices of the boundaries through the inside at its middle. Two layers over the
+/// same boundaries would both have it, and could not come apart there.
+fn split_chords(mesh: &mut Mesh, boundaries: &[Vec<u32>]) {
+    let mut on_boundary = vec![false; mesh.vertices.len()];
+    boundaries.iter().flatten().for_each(|&v| on_boundary[v as usize] = true);
+    let mut rims = BTreeSet::new();
+    for rim in boundaries {
+        let next = |k: usize| rim[(k + 1) % rim.len()];
+        rims.extend((0..rim.len()).map(|k| (rim[k].min(next(k)), rim[k].max(next(k)))));
+    }
+    let mut middles = BTreeMap::new();
+    let mut triangles = Vec::with_capacity(mesh.triangles.len());
+    for &triangle in &mesh.triangles {
+        // The middle of the side that begins at each corner, if it is a chord.
+        let middle = [0, 1, 2].map(|k| {
+            let (a, b) = (triangle[k], triangle[(k + 1) % 3]);
+            let side = (a.min(b), a.max(b));
+            let is_chord = on_boundary[a as usize] && on_boundary[b as usize] && !rims.contains(&side);
+            is_chord.then(|| {
+                *middles.entry(side).or_insert_with(|| {
+                    mesh.vertices.push(0.5 * (mesh.vertices[a as usize] + mesh.vertices[b as usize]));
+                    (mesh.vertices.len() - 1) as u32
+                })
+            })
+        });
+        // Turned so that the chords are the first sides.
+        let count = middle.iter().flatten().count();
+        let turn = (0..3).find(|turn| (0..count).all(|k| middle[(turn + k) % 3].is_some())).unwrap_or(0);
+        let [a, b, c] = [0, 1, 2].map(|k| triangle[(turn + k) % 3]);
+        match [0, 1, 2].map(|k| middle[(turn + k) % 3]) {
+            [Some(u), Some(v), Some(w)] => triangles.extend([[a, u, w], [u, b, v], [w, v, c], [u, v, w]]),
+            [Some(u), Some(v), None] => triangles.extend([[u, b, v], [a, u, v], [a, v, c]]),
+            [Some(u), ..] => triangles.extend([[a, u, c], [u, b, c]]),
+            _ => triangles.push(triangle),
+        }
+    }
+    mesh.triangles = triangles;
 }
 
 /// A support at another place.
@@ -683,7 +832,7 @@ fn start_force(cable: &Cable, structure: &Structure, segments: &[[u32; 2]], at: 
     let span = at[last as usize] - at[first as usize];
     let chord = span.length();
     let length = || segments.iter().map(|&segment| energy::length::length(segment, at)).sum::<f64>();
-    let load = if cable.course.ends_in_the_air().is_some() { cable.weight } else { structure.film.mean() };
+    let load = if cable.course.ends_in_the_air().is_some() { cable.weight } else { structure.pull() };
     match cable.mode {
         CableMode::Force(force) | CableMode::EndTension(force) => force,
         CableMode::HorizontalComponent(wanted) => {

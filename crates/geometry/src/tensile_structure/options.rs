@@ -14,8 +14,9 @@ use crate::{DVec3, Error, Place};
 pub struct Structure {
     /// Closed polygons that do not repeat their first point: the edges of the film before form finding.
     pub boundaries: Vec<Vec<DVec3>>,
-    /// The film.
-    pub film: FilmStress,
+    /// The films over the boundaries, which share their edges: the first on the side from which the first boundary runs
+    /// counter-clockwise, each next one behind it. Usually one.
+    pub layers: Vec<FilmStress>,
     /// Cables along the boundaries and in the air.
     pub cables: Vec<Cable>,
     /// Points of the boundaries at which cables end and which no support holds.
@@ -26,8 +27,8 @@ pub struct Structure {
     pub rings: Vec<Ring>,
     /// Points in the air at which cables and masts end and which no support holds.
     pub joints: Vec<DVec3>,
-    /// The pressure on the film.
-    pub pressure: Pressure,
+    /// The closed spaces behind layers. Every space between two layers is one, or the layers would touch.
+    pub chambers: Vec<Chamber>,
     /// The unit vector that points up. Weights pull against it.
     pub up: DVec3,
 }
@@ -160,17 +161,55 @@ pub struct Ring {
     pub hub: Option<DVec3>,
 }
 
-/// The pressure on the side that the film's normals point away from. The normals point to the side from which the first
-/// boundary runs counter-clockwise.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// A closed space on the side of a layer that its normals point away from. The normals point to the side from which the
+/// first boundary runs counter-clockwise. The space ends at the next layer; behind the last layer it ends at fans from
+/// each boundary to its mean.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chamber {
+    /// The number of the layer.
+    pub below: usize,
+    /// What holds the pressure in it.
+    pub holds: Pressure,
+}
+
+/// What holds the pressure in a chamber, which is that above the pressure outside.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Pressure {
-    /// None.
-    #[default]
-    None,
     /// This pressure, a force per area. It may be negative.
     Constant(f64),
-    /// The pressure at which the film and fans from each boundary to its mean enclose this volume.
+    /// The pressure at which the chamber has this volume.
     Volume(f64),
+}
+
+impl Pressure {
+    /// The name in requests.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Constant(_) => "pressure",
+            Self::Volume(_) => "volume",
+        }
+    }
+}
+
+impl Structure {
+    /// The pull of all layers on an edge, a force per length: the sum of their mean stresses.
+    #[must_use]
+    pub fn pull(&self) -> f64 {
+        self.layers.iter().map(FilmStress::mean).sum()
+    }
+
+    /// The weave of the film, which is its only layer then.
+    #[must_use]
+    pub fn weave(&self) -> Option<&Weave> {
+        self.layers.first().and_then(FilmStress::weave)
+    }
+
+    /// Whether a layer has a weight.
+    #[must_use]
+    pub fn has_heavy_layers(&self) -> bool {
+        self.layers.iter().any(|layer| layer.weight > 0.0)
+    }
 }
 
 /// A cable or a mast.
@@ -313,6 +352,17 @@ pub(super) fn cable_place(structure: &Structure, k: usize) -> Place {
     Place::field(if is_mast { "masts" } else { "cables" }).at(before)
 }
 
+/// The place of a layer in a request, where a single one is the film.
+pub(super) fn layer_place(structure: &Structure, k: usize) -> Place {
+    if structure.layers.len() > 1 { Place::field("layers").at(k) } else { Place::field("film") }
+}
+
+/// The place of what holds the pressure in a chamber. That of a single film stands in the request itself.
+pub(super) fn chamber_place(structure: &Structure, k: usize) -> Place {
+    let name = structure.chambers[k].holds.name();
+    if structure.layers.len() > 1 { Place::field("chambers").at(k).then(name) } else { Place::field(name) }
+}
+
 /// The chord of a cable before form finding, if its course is in range.
 pub(super) fn chord(structure: &Structure, cable: &Cable) -> Option<f64> {
     match &cable.course {
@@ -342,19 +392,27 @@ pub(super) fn check(structure: &Structure, options: &Options) -> Result<(), Erro
     let positive = |value: f64| value.is_finite() && value > 0.0;
     let not_negative = |value: f64| value.is_finite() && value >= 0.0;
     let above = "must be a finite number above 0";
-    let film = || Place::field("film");
-    match &structure.film.prestress {
-        FilmPrestress::Isotropic(tension) => {
-            require(&mut errors, positive(*tension), film().then("tension"), above);
+    let several = structure.layers.len() > 1;
+    require(&mut errors, !structure.layers.is_empty(), Place::field("layers"), "needs one film or more");
+    for (k, layer) in structure.layers.iter().enumerate() {
+        let film = || layer_place(structure, k);
+        match &layer.prestress {
+            FilmPrestress::Isotropic(tension) => {
+                require(&mut errors, positive(*tension), film().then("tension"), above);
+            }
+            FilmPrestress::Woven(_) if several => {
+                let detail = "is not offered for several layers, which have one tension in all directions each";
+                errors.push(InputError::new(film().then("warp"), detail));
+            }
+            FilmPrestress::Woven(weave) => check_weave(weave, &mut errors),
         }
-        FilmPrestress::Woven(weave) => check_weave(weave, &mut errors),
+        require(
+            &mut errors,
+            not_negative(layer.weight),
+            film().then("weight"),
+            "must be a finite number, not negative",
+        );
     }
-    require(
-        &mut errors,
-        not_negative(structure.film.weight),
-        film().then("weight"),
-        "must be a finite number, not negative",
-    );
     require(
         &mut errors,
         not_negative(options.tolerance),
@@ -375,7 +433,7 @@ pub(super) fn check(structure: &Structure, options: &Options) -> Result<(), Erro
     check_joints(structure, &mut errors);
     check_free_points(structure, &mut errors);
     if errors.is_empty() {
-        check_pressure(structure, &mut errors);
+        check_chambers(structure, &mut errors);
         check_supports(structure, &mut errors);
     }
     if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
@@ -476,6 +534,11 @@ fn check_cable(
             }
         }
         Course::Across(points) => {
+            if structure.layers.len() > 1 {
+                let detail = "is not offered for several layers: a cable runs along a boundary or in the air";
+                errors.push(InputError::new(place().then("across"), detail));
+                return;
+            }
             for (i, point) in points.iter().enumerate() {
                 require(errors, is_usable(*point), place().then("across").at(i), COORDINATE);
             }
@@ -715,45 +778,135 @@ fn check_free_points(structure: &Structure, errors: &mut Vec<InputError>) {
     }
 }
 
-fn check_pressure(structure: &Structure, errors: &mut Vec<InputError>) {
-    let (name, value) = match structure.pressure {
-        Pressure::None => return,
-        Pressure::Constant(value) => ("pressure", value),
-        Pressure::Volume(value) => ("volume", value),
-    };
-    let place = || Place::field(name);
+fn check_chambers(structure: &Structure, errors: &mut Vec<InputError>) {
+    let last = structure.layers.len() - 1;
+    let before = errors.len();
+    for (k, chamber) in structure.chambers.iter().enumerate() {
+        let below = || Place::field("chambers").at(k).then("below");
+        if chamber.below > last {
+            let detail = format!("there are {} layers, numbered from 0", structure.layers.len());
+            errors.push(InputError::new(below(), detail));
+            continue;
+        }
+        let same = structure.chambers[..k].iter().position(|other| other.below == chamber.below);
+        if let Some(other) = same {
+            let detail = format!("is the layer of chamber {other}: there is one space below each layer");
+            errors.push(InputError::new(below(), detail));
+            continue;
+        }
+        check_chamber(structure, k, errors);
+    }
+    for layer in 0..last {
+        if !structure.chambers.iter().any(|chamber| chamber.below == layer) {
+            let detail = format!("needs one below layer {layer}: without it layers {layer} and {} touch", layer + 1);
+            errors.push(InputError::new(Place::field("chambers"), detail));
+        }
+    }
+    if errors.len() == before {
+        check_pressures(structure, errors);
+    }
+}
+
+fn check_chamber(structure: &Structure, k: usize, errors: &mut Vec<InputError>) {
+    let Chamber { below, holds } = structure.chambers[k];
+    let place = || chamber_place(structure, k);
+    let (Pressure::Constant(value) | Pressure::Volume(value)) = holds;
     if !value.is_finite() {
         errors.push(InputError::new(place(), "must be a finite number"));
         return;
     }
-    if structure.cables.iter().any(|cable| matches!(cable.course, Course::Boundary { .. })) {
-        let detail = "is not offered for a film whose edge hangs on a cable, because the space below it is not closed; \
-                      leave the cables or the pressure out";
-        errors.push(InputError::new(place(), detail));
-        return;
+    // Two layers close the space between them wherever their common edge is.
+    if below + 1 == structure.layers.len() {
+        if structure.cables.iter().any(|cable| matches!(cable.course, Course::Boundary { .. })) {
+            let detail = "is not offered for a film whose edge hangs on a cable, because the space below it is not \
+                          closed; leave the cables or the pressure out";
+            errors.push(InputError::new(place(), detail));
+            return;
+        }
+        if !structure.sliding.is_empty() {
+            let detail = "is not offered for a film whose edge slides, because the space below it is not closed";
+            errors.push(InputError::new(place(), detail));
+            return;
+        }
+        if !structure.rings.is_empty() {
+            let detail = "is not offered for a film with a ring that moves, because the space below it is not closed";
+            errors.push(InputError::new(place(), detail));
+            return;
+        }
     }
-    if !structure.sliding.is_empty() {
-        let detail = "is not offered for a film whose edge slides, because the space below it is not closed";
-        errors.push(InputError::new(place(), detail));
-        return;
+    if let Pressure::Volume(volume) = holds {
+        let detail = if structure.layers.len() > 1 {
+            "must be above 0"
+        } else {
+            "must be above 0; reverse the first boundary to inflate the other side"
+        };
+        require(errors, volume > 0.0, place(), detail);
     }
-    if !structure.rings.is_empty() {
-        let detail = "is not offered for a film with a ring that moves, because the space below it is not closed";
-        errors.push(InputError::new(place(), detail));
-        return;
-    }
-    if name == "volume" {
-        require(errors, value > 0.0, place(), "must be above 0; reverse the first boundary to inflate the other side");
-        return;
-    }
-    let limit = pressure_limit(structure);
-    if value.abs() > limit {
+}
+
+/// The chamber below a layer; for the space in front of the first one `None`, as for one that is not closed.
+fn chamber_below(structure: &Structure, layer: Option<usize>) -> Option<usize> {
+    structure.chambers.iter().position(|chamber| Some(chamber.below) == layer)
+}
+
+/// The pressure below each layer less that above it, where both are known before the solve, and the chamber that it
+/// follows from.
+fn known_differences(structure: &Structure) -> Vec<Option<(f64, usize)>> {
+    let known = |layer: Option<usize>| match chamber_below(structure, layer) {
+        None => Some((0.0, None)),
+        Some(k) => match structure.chambers[k].holds {
+            Pressure::Constant(pressure) => Some((pressure, Some(k))),
+            Pressure::Volume(_) => None,
+        },
+    };
+    let difference = |layer: usize| {
+        let ((below, own), (above, other)) = (known(Some(layer))?, known(layer.checked_sub(1))?);
+        Some((below - above, own.or(other)?))
+    };
+    (0..structure.layers.len()).map(difference).collect()
+}
+
+/// Refuses pressures above the limits of the openings, and pressures that press one layer through another.
+fn check_pressures(structure: &Structure, errors: &mut Vec<InputError>) {
+    let differences = known_differences(structure);
+    let before = errors.len();
+    for (layer, known) in differences.iter().enumerate() {
+        let Some((difference, chamber)) = *known else { continue };
+        let limit = pressure_limit(structure, layer);
+        let place = chamber_place(structure, chamber);
+        if difference.abs() <= limit || errors.iter().any(|error| error.place == place) {
+            continue;
+        }
+        let of_layer = if structure.layers.len() > 1 {
+            format!("makes a difference of {difference:.6} between the two sides of layer {layer}, which ")
+        } else {
+            String::new()
+        };
         let detail = format!(
-            "is above the limit of the opening, {limit:.6}: the film's tension times the length of the boundary, and \
-             the forces of the cables across the film at their ends, divided by the area that the boundary encloses; \
-             no film of this tension holds more"
+            "{of_layer}is above the limit of the opening, {limit:.6}: the film's tension times the length of the \
+             boundary, and the forces of the cables across the film at their ends, divided by the area that the \
+             boundary encloses; no film of this tension holds more"
         );
-        errors.push(InputError::new(place(), detail));
+        errors.push(InputError::new(place, detail));
+    }
+    if errors.len() > before {
+        return;
+    }
+    // Of two layers without weight over the same edge the one with the larger curvature lies in front.
+    for (layer, pair) in differences.windows(2).enumerate() {
+        let [Some((above, chamber)), Some((below, _))] = *pair else { continue };
+        let [upper, lower] = [layer, layer + 1].map(|k| &structure.layers[k]);
+        if structure.has_heavy_layers() || above / upper.mean() > below / lower.mean() {
+            continue;
+        }
+        let detail = format!(
+            "presses layers {layer} and {} onto each other: the difference of the pressures on the two sides over the \
+             tension must be larger for layer {layer} ({:.6}) than for the layer below it ({:.6})",
+            layer + 1,
+            above / upper.mean(),
+            below / lower.mean()
+        );
+        errors.push(InputError::new(chamber_place(structure, chamber), detail));
     }
 }
 
@@ -787,7 +940,7 @@ fn check_supports(structure: &Structure, errors: &mut Vec<InputError>) {
     for ends in structure.cables.iter().filter_map(|cable| cable.course.ends_in_the_air()) {
         supports.extend(ends.into_iter().filter(|end| !joined.contains(end)));
     }
-    let heavy = structure.film.weight > 0.0 || structure.cables.iter().any(|cable| cable.weight > 0.0);
+    let heavy = structure.has_heavy_layers() || structure.cables.iter().any(|cable| cable.weight > 0.0);
     let first = supports.first().copied().unwrap_or_default();
     let farthest =
         supports.iter().map(|p| *p - first).fold(DVec3::ZERO, |a, b| if b.length() > a.length() { b } else { a });
@@ -809,17 +962,19 @@ fn check_supports(structure: &Structure, errors: &mut Vec<InputError>) {
     }
 }
 
-/// The largest pressure that a film of constant tension can hold: the pressure on the opening's vector area is borne by
+/// The largest pressure that a layer of constant tension can hold: the pressure on the opening's vector area is borne by
 /// the tension along its perimeter and by the cables that end there, |p A| <= σ P + Σ F, with the larger of the
 /// stresses of warp and weft for σ. Infinite where something that is not known before the solve bears it: several
-/// boundaries, whose openings may balance each other; stresses that vary along the edge, as those of a heavy film do;
-/// and a cable across the film whose force at its ends is not given.
-pub(super) fn pressure_limit(structure: &Structure) -> f64 {
+/// boundaries, whose openings may balance each other; an edge that moves; stresses that vary along the edge, as those of
+/// a heavy film do; and a cable across the film whose force at its ends is not given.
+fn pressure_limit(structure: &Structure, layer: usize) -> f64 {
     let [points] = &structure.boundaries[..] else { return f64::INFINITY };
-    if structure.film.weight > 0.0 {
+    let film = &structure.layers[layer];
+    let hangs = structure.cables.iter().any(|cable| matches!(cable.course, Course::Boundary { .. }));
+    if film.weight > 0.0 || hangs || !structure.sliding.is_empty() || !structure.rings.is_empty() {
         return f64::INFINITY;
     }
-    let largest = match &structure.film.prestress {
+    let largest = match &film.prestress {
         FilmPrestress::Isotropic(tension) => *tension,
         FilmPrestress::Woven(Weave { hold: WeaveHold::Ratio, .. }) => return f64::INFINITY,
         FilmPrestress::Woven(weave) => weave.warp.max(weave.weft),
@@ -835,7 +990,7 @@ pub(super) fn pressure_limit(structure: &Structure) -> f64 {
 /// The sum of a cable's forces at its two ends, if it is given with the mode; else infinite. A woven film pulls along
 /// the cable and changes its force, by an amount that is known only with the shape.
 fn forces_at_ends(structure: &Structure, cable: &Cable) -> f64 {
-    if cable.weight > 0.0 || structure.film.weave().is_some() {
+    if cable.weight > 0.0 || structure.weave().is_some() {
         return f64::INFINITY;
     }
     match cable.mode {

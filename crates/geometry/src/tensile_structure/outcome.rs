@@ -3,7 +3,8 @@
 use super::form_finding::{Balance, Found};
 use super::model::{Model, MovingRing, forces};
 use super::options::{
-    BoundaryPoint, CableMode, Course, FilmPrestress, Ring, Structure, Weave, WeaveHold, cable_place, chord,
+    BoundaryPoint, CableMode, Chamber, Course, FilmPrestress, FilmStress, Ring, Structure, Weave, WeaveHold,
+    cable_place, chord,
 };
 use super::ponding::{self, Ponding, Roof};
 use crate::energy::PlaneStress;
@@ -97,6 +98,26 @@ pub struct StressRange {
     pub mean: f64,
 }
 
+/// A layer of the shape. Its triangles follow those of the layers before it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LayerResult {
+    /// Number of triangles.
+    pub triangles: usize,
+    /// Area.
+    pub area: f64,
+    /// Principal stresses; `None` if the forces could not be balanced.
+    pub stress: Option<Stress>,
+}
+
+/// A chamber of the shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChamberResult {
+    /// The pressure above that outside, given or found.
+    pub pressure: f64,
+    /// The volume up to the next layer, or up to fans from each boundary to its mean.
+    pub volume: f64,
+}
+
 /// The sums of the forces.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ForceBalance {
@@ -132,12 +153,12 @@ pub struct Statistics {
     pub vertices: usize,
     /// Number of triangles.
     pub triangles: usize,
-    /// Area of the film.
+    /// Area of all layers.
     pub area: f64,
-    /// The volume between the film and fans from each boundary to its mean, if there is a pressure.
-    pub volume: Option<f64>,
-    /// The pressure, given or found; zero for none.
-    pub pressure: f64,
+    /// The layers in the order of the input.
+    pub layers: Vec<LayerResult>,
+    /// The chambers in the order of the input.
+    pub chambers: Vec<ChamberResult>,
     /// How far the shape is from equilibrium, dimensionless.
     pub residual: f64,
     /// Whether the residual is at most the tolerance and no triangle is flipped or degenerate.
@@ -146,7 +167,7 @@ pub struct Statistics {
     pub stop_reason: StopReason,
     /// Number of linear solves.
     pub iterations: u32,
-    /// Principal stresses; `None` if the forces could not be balanced.
+    /// Principal stresses of all layers; `None` if the forces could not be balanced.
     pub stress: Option<Stress>,
     /// Sums of the forces; `None` if the forces could not be balanced.
     pub balance: Option<ForceBalance>,
@@ -249,12 +270,30 @@ impl Deformed {
     }
 }
 
-/// The stresses of the balanced shape, all required stresses those of the reference shape but of an isotropic film the
-/// given tension.
-fn stress(balance: &Balance, structure: &Structure, model: &Model, at: &[DVec3]) -> Stress {
+/// The stresses of all layers together.
+fn of_all(layers: &[LayerResult]) -> Option<Stress> {
+    let widen = |a: Stress, b: Stress| Stress {
+        min: a.min.min(b.min),
+        max: a.max.max(b.max),
+        deviation: a.deviation.max(b.deviation),
+        weave: a.weave,
+    };
+    layers.iter().filter_map(|layer| layer.stress).reduce(widen)
+}
+
+/// The stresses of a layer of the balanced shape, all required stresses those of the reference shape but of an isotropic
+/// film the given tension. `first` is the number of the layer's first triangle.
+fn stress(
+    balance: &Balance,
+    film: &FilmStress,
+    model: &Model,
+    first: usize,
+    triangles: &[[u32; 3]],
+    at: &[DVec3],
+) -> Stress {
     let mut stress = Stress { min: f64::INFINITY, max: 0.0, deviation: 0.0, weave: None };
     let mut woven = WovenSums::default();
-    for (triangle, own) in model.film.triangles().iter().zip(&balance.stresses) {
+    for (triangle, own) in triangles.iter().zip(&balance.stresses[first..]) {
         let now = triangle.map(|v| at[v as usize]);
         let found = Deformed::of(*own, triangle.map(|v| balance.reference[v as usize]), now);
         let (least, most) = found.principal();
@@ -266,9 +305,9 @@ fn stress(balance: &Balance, structure: &Structure, model: &Model, at: &[DVec3])
             woven.add(0.5 * normal.length(), [found.along(warp), found.along(weft)], *own);
         }
     }
-    match structure.film.weave() {
+    match film.weave() {
         None => {
-            let tension = structure.film.mean();
+            let tension = film.mean();
             stress.deviation = (stress.max / tension - 1.0).abs().max((1.0 - stress.min / tension).abs());
         }
         Some(weave) => {
@@ -338,7 +377,9 @@ impl WovenSums {
 
 /// The names of cables whose force cannot hold a plane edge: an arc of radius F / σ does not reach across the chord.
 fn weak_cables(structure: &Structure) -> Vec<InputError> {
-    let FilmPrestress::Isotropic(tension) = structure.film.prestress else { return Vec::new() };
+    let [FilmStress { prestress: FilmPrestress::Isotropic(tension), .. }] = structure.layers[..] else {
+        return Vec::new();
+    };
     let weak = |(k, cable): (usize, &super::options::Cable)| {
         let CableMode::Force(force) = cable.mode else { return None };
         if !matches!(cable.course, Course::Boundary { .. }) {
@@ -396,15 +437,17 @@ pub(super) fn finish(
     if let Some(error) = pushing_cable(structure, &model, &found, &at) {
         return Err(error);
     }
-    let film = model.film.mesh();
-    let topology = film.check().map_err(|defect| Error::no_result("invalid_mesh", defect.to_string()))?;
+    let film = model.mesh();
     let triangles = film.triangles.clone();
+    let (layers, edge_lengths) = measure_layers(&model, &found, structure, &at)?;
     let cables = cables(&model, &found, structure, &at);
     let (flipped, degenerate) = (model.flipped(), measure::degenerate_triangles(&film));
     let (minimum_slope, flattest_place) = flattest(&triangles, &at, structure.up);
-    let (rims, folds) = (&model.film.boundaries, &model.film.locked);
+    let (rims, folds) = (model.boundaries(), &model.layers[0].film.locked);
     let ponding = ponding::find(&Roof { triangles: &triangles, at: &at, rims, folds, up: structure.up }, exec)?;
-    let has_pressure = structure.pressure != super::options::Pressure::None;
+    let chamber =
+        |(chamber, &pressure): (&Chamber, &f64)| ChamberResult { pressure, volume: model.volume(chamber.below, &at) };
+    let chambers = structure.chambers.iter().zip(&found.pressures).map(chamber).collect();
     let mesh = Mesh::new(at.iter().map(|p| *p + model.centre).collect(), triangles.clone());
     let (self_intersections, crossings) = self_intersections::check(&mesh, None, Order::Spatial, usize::MAX, exec)?;
     let holds = holds(&model);
@@ -415,13 +458,13 @@ pub(super) fn finish(
         vertices: at.len(),
         triangles: triangles.len(),
         area: measure::area(&film),
-        volume: has_pressure.then(|| model.volume(&at)),
-        pressure: found.pressure,
+        stress: of_all(&layers),
+        layers,
+        chambers,
         residual: found.residual,
         converged: found.stop_reason == StopReason::Residual && flipped == 0 && degenerate == 0,
         stop_reason: found.stop_reason,
         iterations: found.iterations,
-        stress: found.balance.as_ref().map(|balance| stress(balance, structure, &model, &at)),
         balance,
         contact_angle: found.balance.as_ref().and_then(|balance| contact_angles(balance, &holds, &at)),
         stability: found.stability.map(|stability| Stability {
@@ -432,7 +475,7 @@ pub(super) fn finish(
         minimum_slope,
         flattest_place: flattest_place + model.centre,
         ponding: ponding.map(|ponding| Ponding { place: ponding.place + model.centre, ..ponding }),
-        edge_lengths: Spread::of(measure::edge_lengths(&film, &topology).into_iter()),
+        edge_lengths,
         angles: measure::angle_range(&film),
         flipped_triangles: flipped,
         degenerate_triangles: degenerate,
@@ -457,7 +500,7 @@ pub(super) fn finish(
     let ring_travels = structure.rings.iter().zip(&model.rings).map(travel).collect();
     Ok(TensileStructure {
         mesh: Mesh::new(vertices, triangles),
-        boundaries: model.film.boundaries.clone(),
+        boundaries: model.boundaries().to_vec(),
         input_vertices: model.input_vertices,
         cables,
         reactions,
@@ -466,6 +509,27 @@ pub(super) fn finish(
         statistics,
         warnings,
     })
+}
+
+/// The figures of each layer, and the lengths of the edges of all.
+fn measure_layers(
+    model: &Model,
+    found: &Found,
+    structure: &Structure,
+    at: &[DVec3],
+) -> Result<(Vec<LayerResult>, Spread), Error> {
+    let (mut layers, mut lengths, mut first) = (Vec::new(), Vec::new(), 0);
+    for (layer, film) in model.layers.iter().zip(&structure.layers) {
+        let mesh = layer.film.mesh();
+        let topology = mesh.check().map_err(|defect| Error::no_result("invalid_mesh", defect.to_string()))?;
+        lengths.extend(measure::edge_lengths(&mesh, &topology));
+        let triangles: Vec<[u32; 3]> = layer.triangles().collect();
+        let of_balance = |balance| stress(balance, film, model, first, &triangles, at);
+        let stress = found.balance.as_ref().map(of_balance);
+        layers.push(LayerResult { triangles: triangles.len(), area: measure::area(&mesh), stress });
+        first += triangles.len();
+    }
+    Ok((layers, Spread::of(lengths.into_iter())))
 }
 
 /// The least slope of a triangle against the horizontal, in radians, and the centroid of the first triangle that has
@@ -493,8 +557,8 @@ enum Hold {
 }
 
 fn holds(model: &Model) -> Vec<Hold> {
-    let fixed = model.film.fixed.iter().chain(&model.air_fixed);
-    let mut holds: Vec<Hold> = fixed.map(|fixed| if *fixed { Hold::Fixed } else { Hold::Nothing }).collect();
+    let fixed = model.fixed().into_iter();
+    let mut holds: Vec<Hold> = fixed.map(|fixed| if fixed { Hold::Fixed } else { Hold::Nothing }).collect();
     for chain in &model.chains {
         for &v in chain.get(1..chain.len() - 1).unwrap_or_default() {
             holds[v as usize] = Hold::Nothing;
@@ -588,7 +652,7 @@ fn reactions(model: &Model, found: &Found, holds: &[Hold]) -> (Vec<Reaction>, Ve
         .filter(|&v| single[v as usize])
         .map(|vertex| Reaction { vertex, point: point_of(vertex), force: balance.forces[vertex as usize] })
         .collect();
-    let edges = model.film.boundaries.iter().enumerate().filter_map(|(boundary, rim)| {
+    let edges = model.boundaries().iter().enumerate().filter_map(|(boundary, rim)| {
         if let Some(Hold::Guided(number)) = rim.first().map(|&v| holds[v as usize]) {
             // The hub passes its force on to the ring.
             let force = model.rings[number].vertices.iter().map(|&v| balance.forces[v as usize]).sum();
@@ -621,7 +685,7 @@ fn cables(model: &Model, found: &Found, structure: &Structure, at: &[DVec3]) -> 
             length,
             unstressed_length: cable.axial_stiffness.map(|stiffness| length / (1.0 + force / stiffness)),
             sag: term.sag(at),
-            slack: !cable.course.is_mast() && largest <= SLACK * structure.film.mean() * length,
+            slack: !cable.course.is_mast() && largest <= SLACK * structure.pull() * length,
             segment_forces,
         }
     };
@@ -666,8 +730,19 @@ fn warn(
         );
         warnings.push(Warning::new("ponding", detail));
     }
+    for (chamber, ChamberResult { volume, .. }) in structure.chambers.iter().zip(&statistics.chambers) {
+        let next = chamber.below + 1;
+        if next < structure.layers.len() && *volume <= 0.0 {
+            let detail = format!(
+                "layer {next} lies in front of layer {}: the volume between them is {volume:.4}, and they do not press on \
+                 each other here as they would in fact; change the pressures",
+                chamber.below
+            );
+            warnings.push(Warning::new("layers_cross", detail));
+        }
+    }
     if let Some(stability) = statistics.stability {
-        let radius = crate::polyline::radius(&model.film.vertices);
+        let radius = crate::polyline::radius(&model.mesh().vertices);
         if (stability.lowest_eigenvalue * radius * radius).abs() < MECHANISM {
             warnings.push(Warning::new("mechanism", mechanism(model, found)));
         } else if !stability.stable {
@@ -683,7 +758,7 @@ fn warn(
 
 /// The stresses of a woven film that differ from the required ones.
 fn deviating_stress(weave: &WeaveStress, structure: &Structure) -> String {
-    let required = |of: fn(&Weave) -> f64| structure.film.weave().map_or(0.0, of);
+    let required = |of: fn(&Weave) -> f64| structure.weave().map_or(0.0, of);
     let (warp, weft) = (required(|weave| weave.warp), required(|weave| weave.weft));
     let (cause, remedy) = match weave.hold {
         WeaveHold::Magnitudes => (
