@@ -6,22 +6,25 @@
 
 Two structures with closed forms, each at about so many triangles (2000 without an argument):
 
-- `sail`: a plane film of tension 1 between the corners of a 10 x 10 square with edge cables of force 10. Each edge is an arc of
-  radius 10: area 63.765571, length of a cable 10.471976, sag 1.339746.
+- `sail`: a plane film of tension 1 between the corners of a 10 x 10 square with edge cables of force 10. Each edge is
+  an arc of radius 10: area 63.765571, length of a cable 10.471976, sag 1.339746.
 - `catenoid`: a film between two rings of radius 10 at a distance of 12: neck 7.450711, area 699.9643.
 
 Two more are small and run once:
 
-- `collapse`: the same rings at distances beside 13.25487, beyond which there is no catenoid: 13.2 has one, 13.3 has none.
-- `hypar`: the test of compas_fd (`fd_numpy`), four supports and a free point of equal force densities, at (0.5, 0.5, 0.5).
+- `collapse`: the same rings at distances beside 13.25487, beyond which there is no catenoid: 13.2 has one, 13.3 has
+  none.
+- `hypar`: the test of compas_fd (`fd_numpy`), four supports and a free point of equal force densities, at (0.5, 0.5,
+  0.5).
 
-Ours is `plateau solve` from the request to the written GLB. Kratos runs its form finding solver (the update reference strategy)
-with the settings of its own test of a four-point sail on a structured mesh of as many triangles: membrane and cable elements of
-its default, isotropic prestress 1, residual tolerance 1e-7 and at most N iterations (200), with the sparse LU of its
-`LinearSolversApplication`. Its time is that of `AnalysisStage.Run`, reading the mesh from its
-file included. Both are processor time of one thread. Prints one JSON line for each; `ratio` is ours over Kratos's. With fewer
-than 200 iterations Kratos has not converged, and the ratio is an upper bound.
+Ours is `plateau solve` from the request to the written GLB. Kratos runs its form finding solver (the update reference
+strategy) with the settings of its own test of a four-point sail on a structured mesh of as many triangles: membrane and
+cable elements of its default, isotropic prestress 1, residual tolerance 1e-7 and at most N iterations (200), with the
+sparse LU of its `LinearSolversApplication`. Its time is that of `AnalysisStage.Run`, reading the mesh from its
+file included. Both are processor time of one thread. Prints one JSON line for each; `ratio` is ours over Kratos's. With
+fewer than 200 iterations Kratos has not converged, and the ratio is an upper bound.
 """
+
 import argparse
 import contextlib
 import json
@@ -34,14 +37,19 @@ import tempfile
 import time
 
 EXACT = {
-    "sail": {"area": 100 - 4 * (50 * (math.pi / 3 - math.sin(math.pi / 3))), "cable": 10 * math.pi / 3,
-             "sag": 10 - math.sqrt(75)},
+    "sail": {
+        "area": 100 - 4 * (50 * (math.pi / 3 - math.sin(math.pi / 3))),
+        "cable": 10 * math.pi / 3,
+        "sag": 10 - math.sqrt(75),
+    },
     "catenoid": {"area": 699.9643, "neck": 7.450711},
 }
 
 
 def circle(count, height):
-    return [[10 * math.cos(2 * math.pi * k / count), 10 * math.sin(2 * math.pi * k / count), height] for k in range(count)]
+    return [
+        [10 * math.cos(2 * math.pi * k / count), 10 * math.sin(2 * math.pi * k / count), height] for k in range(count)
+    ]
 
 
 def rings(triangles):
@@ -54,11 +62,20 @@ def request(case, triangles, height=12):
     if case == "sail":
         corners = [[0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0]]
         cables = [{"along": {"from": k, "to": (k + 1) % 4}, "mode": "force", "value": 10} for k in range(4)]
-        return {"kind": "tensile_structure", "boundaries": [corners], "film": {"tension": 1}, "cables": cables,
-                "resolution": {"triangles": triangles}}
+        return {
+            "kind": "tensile_structure",
+            "boundaries": [corners],
+            "film": {"tension": 1},
+            "cables": cables,
+            "resolution": {"triangles": triangles},
+        }
     count, _ = rings(triangles)
-    return {"kind": "tensile_structure", "boundaries": [circle(count, 0), circle(count, height)], "film": {"tension": 1},
-            "resolution": {"triangles": triangles}}
+    return {
+        "kind": "tensile_structure",
+        "boundaries": [circle(count, 0), circle(count, height)],
+        "film": {"tension": 1},
+        "resolution": {"triangles": triangles},
+    }
 
 
 def ours(binary, case, triangles, folder):
@@ -66,11 +83,18 @@ def ours(binary, case, triangles, folder):
     with open(path, "w") as file:
         json.dump(request(case, triangles), file)
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    run = subprocess.run([binary, "solve", path, "-o", os.path.join(folder, "mesh.glb")], check=True, capture_output=True)
+    run = subprocess.run(
+        [binary, "solve", path, "-o", os.path.join(folder, "mesh.glb")], check=True, capture_output=True
+    )
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     statistics = json.loads(run.stdout)
-    figures = {"triangles": statistics["triangles"], "area": statistics["area"], "converged": statistics["converged"],
-               "residual": statistics["residual"], "imbalance": statistics["balance"]["imbalance"]}
+    figures = {
+        "triangles": statistics["triangles"],
+        "area": statistics["area"],
+        "converged": statistics["converged"],
+        "residual": statistics["residual"],
+        "imbalance": statistics["balance"]["imbalance"],
+    }
     if case == "catenoid":
         # The rings lie on both sides of the neck, so that it is inside the film.
         obj = os.path.join(folder, "mesh.obj")
@@ -100,8 +124,12 @@ def structured(case, triangles):
             a, b, c, d = number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)
             rising = (i < n / 2) == (j < n / 2)
             faces += [[a, b, c], [a, c, d]] if rising else [[a, b, d], [b, c, d]]
-        chains = [[number(i, 0) for i in range(n + 1)], [number(n, j) for j in range(n + 1)],
-                  [number(i, n) for i in range(n, -1, -1)], [number(0, j) for j in range(n, -1, -1)]]
+        chains = [
+            [number(i, 0) for i in range(n + 1)],
+            [number(n, j) for j in range(n + 1)],
+            [number(i, n) for i in range(n, -1, -1)],
+            [number(0, j) for j in range(n, -1, -1)],
+        ]
         return points, faces, chains, [number(0, 0), number(n, 0), number(0, n), number(n, n)]
     count, rows = rings(triangles)
     points = [point for row in range(rows + 1) for point in circle(count, 12 * row / rows)]
@@ -143,40 +171,94 @@ def kratos(case, triangles, iterations, folder):
     import KratosMultiphysics
     import KratosMultiphysics.LinearSolversApplication  # noqa: F401 (registers the solver)
     import KratosMultiphysics.StructuralMechanicsApplication  # noqa: F401 (registers the elements)
-    from KratosMultiphysics.StructuralMechanicsApplication.structural_mechanics_analysis import StructuralMechanicsAnalysis
+    from KratosMultiphysics.StructuralMechanicsApplication.structural_mechanics_analysis import (
+        StructuralMechanicsAnalysis,
+    )
 
     points, faces, chains, fixed = structured(case, triangles)
     write_mesh(os.path.join(folder, "mesh.mdpa"), points, faces, chains, fixed)
-    membrane = {"model_part_name": "Structure.membrane", "properties_id": 1, "Material": {
-        "constitutive_law": {"name": "LinearElasticPlaneStress2DLaw"},
-        "Variables": {"THICKNESS": 1.0, "PRESTRESS_VECTOR": [1.0, 1.0, 0], "DENSITY": 0.0, "YOUNG_MODULUS": 0.0,
-                      "POISSON_RATIO": 0.0}, "Tables": {}}}
-    cables = {"model_part_name": "Structure.cables", "properties_id": 2, "Material": {
-        "constitutive_law": {"name": "TrussConstitutiveLaw"},
-        "Variables": {"DENSITY": 0.0, "YOUNG_MODULUS": 1e-15, "CROSS_AREA": 1.0, "TRUSS_PRESTRESS_PK2": 10.0},
-        "Tables": {}}}
+    membrane = {
+        "model_part_name": "Structure.membrane",
+        "properties_id": 1,
+        "Material": {
+            "constitutive_law": {"name": "LinearElasticPlaneStress2DLaw"},
+            "Variables": {
+                "THICKNESS": 1.0,
+                "PRESTRESS_VECTOR": [1.0, 1.0, 0],
+                "DENSITY": 0.0,
+                "YOUNG_MODULUS": 0.0,
+                "POISSON_RATIO": 0.0,
+            },
+            "Tables": {},
+        },
+    }
+    cables = {
+        "model_part_name": "Structure.cables",
+        "properties_id": 2,
+        "Material": {
+            "constitutive_law": {"name": "TrussConstitutiveLaw"},
+            "Variables": {"DENSITY": 0.0, "YOUNG_MODULUS": 1e-15, "CROSS_AREA": 1.0, "TRUSS_PRESTRESS_PK2": 10.0},
+            "Tables": {},
+        },
+    }
     with open(os.path.join(folder, "materials.json"), "w") as file:
         json.dump({"properties": [membrane] + ([cables] if chains else [])}, file)
     parameters = {
-        "problem_data": {"problem_name": case, "parallel_type": "OpenMP", "echo_level": 0, "start_time": 0.0, "end_time": 1.0},
+        "problem_data": {
+            "problem_name": case,
+            "parallel_type": "OpenMP",
+            "echo_level": 0,
+            "start_time": 0.0,
+            "end_time": 1.0,
+        },
         "solver_settings": {
-            "solver_type": "formfinding", "model_part_name": "Structure", "domain_size": 3, "echo_level": 0,
+            "solver_type": "formfinding",
+            "model_part_name": "Structure",
+            "domain_size": 3,
+            "echo_level": 0,
             "analysis_type": "non_linear",
             "model_import_settings": {"input_type": "mdpa", "input_filename": os.path.join(folder, "mesh")},
             "material_import_settings": {"materials_filename": os.path.join(folder, "materials.json")},
-            "time_stepping": {"time_step": 1.1}, "line_search": False, "convergence_criterion": "residual_criterion",
-            "displacement_relative_tolerance": 1e-7, "displacement_absolute_tolerance": 1e-7,
-            "residual_relative_tolerance": 1e-7, "residual_absolute_tolerance": 1e-7, "max_iteration": iterations,
+            "time_stepping": {"time_step": 1.1},
+            "line_search": False,
+            "convergence_criterion": "residual_criterion",
+            "displacement_relative_tolerance": 1e-7,
+            "displacement_absolute_tolerance": 1e-7,
+            "residual_relative_tolerance": 1e-7,
+            "residual_absolute_tolerance": 1e-7,
+            "max_iteration": iterations,
             "rotation_dofs": False,
-            "linear_solver_settings": {"solver_type": "LinearSolversApplication.sparse_lu"}, "printing_format": "none", "write_formfound_geometry_file": False,
-            "projection_settings": {"model_part_name": "Structure", "echo_level": 0, "projection_type": "planar",
-                                    "global_direction": [1.0, 0, 0], "variable_name": "LOCAL_PRESTRESS_AXIS_1",
-                                    "method_specific_settings": {}, "check_local_space_dimension": False}},
-        "processes": {"constraints_process_list": [{
-            "python_module": "assign_vector_variable_process", "kratos_module": "KratosMultiphysics",
-            "Parameters": {"model_part_name": "Structure.fixed", "variable_name": "DISPLACEMENT", "interval": [0.0, "End"],
-                           "constrained": [True, True, True], "value": [0.0, 0.0, 0.0]}}], "loads_process_list": []},
-        "output_processes": {}}
+            "linear_solver_settings": {"solver_type": "LinearSolversApplication.sparse_lu"},
+            "printing_format": "none",
+            "write_formfound_geometry_file": False,
+            "projection_settings": {
+                "model_part_name": "Structure",
+                "echo_level": 0,
+                "projection_type": "planar",
+                "global_direction": [1.0, 0, 0],
+                "variable_name": "LOCAL_PRESTRESS_AXIS_1",
+                "method_specific_settings": {},
+                "check_local_space_dimension": False,
+            },
+        },
+        "processes": {
+            "constraints_process_list": [
+                {
+                    "python_module": "assign_vector_variable_process",
+                    "kratos_module": "KratosMultiphysics",
+                    "Parameters": {
+                        "model_part_name": "Structure.fixed",
+                        "variable_name": "DISPLACEMENT",
+                        "interval": [0.0, "End"],
+                        "constrained": [True, True, True],
+                        "value": [0.0, 0.0, 0.0],
+                    },
+                }
+            ],
+            "loads_process_list": [],
+        },
+        "output_processes": {},
+    }
     model = KratosMultiphysics.Model()
     KratosMultiphysics.Logger.GetDefaultOutput().SetSeverity(KratosMultiphysics.Logger.Severity.WARNING)
     analysis = StructuralMechanicsAnalysis(model, KratosMultiphysics.Parameters(json.dumps(parameters)))
@@ -194,8 +276,12 @@ def kratos(case, triangles, iterations, folder):
         s = 0.5 * (a + b + c)
         return math.sqrt(max(0.0, s * (s - a) * (s - b) * (s - c)))
 
-    figures = {"triangles": len(faces), "area": sum(map(area, faces)), "seconds": seconds,
-               "iterations": part.ProcessInfo[KratosMultiphysics.NL_ITERATION_NUMBER]}
+    figures = {
+        "triangles": len(faces),
+        "area": sum(map(area, faces)),
+        "seconds": seconds,
+        "iterations": part.ProcessInfo[KratosMultiphysics.NL_ITERATION_NUMBER],
+    }
     if chains:
         figures["cable"] = sum(distance(a, b) for a, b in zip(chains[0], chains[0][1:]))
         figures["sag"] = max(abs(at[v][1]) for v in chains[0])
@@ -211,8 +297,12 @@ def collapse(binary, folder):
         path = os.path.join(folder, "request.json")
         with open(path, "w") as file:
             json.dump(request("catenoid", 8000, height), file)
-        run = subprocess.run([binary, "solve", path, "-o", os.path.join(folder, "mesh.glb")], capture_output=True, text=True)
-        found[height] = {"area": json.loads(run.stdout)["area"]} if run.returncode == 0 else {"refused": run.stderr.splitlines()[0]}
+        run = subprocess.run(
+            [binary, "solve", path, "-o", os.path.join(folder, "mesh.glb")], capture_output=True, text=True
+        )
+        found[height] = (
+            {"area": json.loads(run.stdout)["area"]} if run.returncode == 0 else {"refused": run.stderr.splitlines()[0]}
+        )
     return {"bench": "tensile_structure/collapse", "exact": {"limit": 13.25487}, "ours": found}
 
 
@@ -226,16 +316,30 @@ def hypar(binary, folder):
     seconds = time.process_time() - start
     path, obj = os.path.join(folder, "request.json"), os.path.join(folder, "net.obj")
     with open(path, "w") as file:
-        json.dump({"kind": "cable_net", "vertices": vertices, "edges": edges, "supports": [0, 1, 2, 3],
-                   "cables": [{"force_density": 1}]}, file)
+        json.dump(
+            {
+                "kind": "cable_net",
+                "vertices": vertices,
+                "edges": edges,
+                "supports": [0, 1, 2, 3],
+                "cables": [{"force_density": 1}],
+            },
+            file,
+        )
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     subprocess.run([binary, "solve", path, "-o", obj], check=True, capture_output=True)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     with open(obj) as file:
         points = [list(map(float, line.split()[1:4])) for line in file if line.startswith("v ")]
-    return {"bench": "tensile_structure/hypar", "exact": [0.5, 0.5, 0.5],
-            "ours": {"point": points[4], "process_seconds": after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime},
-            "compas_fd": {"point": [float(x) for x in theirs], "seconds": seconds}}
+    return {
+        "bench": "tensile_structure/hypar",
+        "exact": [0.5, 0.5, 0.5],
+        "ours": {
+            "point": points[4],
+            "process_seconds": after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime,
+        },
+        "compas_fd": {"point": [float(x) for x in theirs], "seconds": seconds},
+    }
 
 
 def main():

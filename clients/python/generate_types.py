@@ -34,7 +34,7 @@ OPTIONS = {
     "RuledSurfaceOptions": ("RuledSurfaceRequest", {"kind", "directrices"}),
     "MinimalSurfaceOptions": ("MinimalSurfaceRequest", {"kind", "boundaries"}),
     "UniformMeshOptions": ("UniformMeshRequest", {"kind", "domain", "edge_length"}),
-    "TensileStructureOptions": ("TensileStructureRequest", {"kind", "boundaries", "film"}),
+    "TensileStructureOptions": ("TensileStructureRequest", {"kind", "boundaries", "film", "layers"}),
     "CableNetOptions": ("CableNetRequest", {"kind", "vertices", "edges", "supports"}),
 }
 

@@ -152,12 +152,17 @@ export class Plateau {
     return this.solve({ kind: 'uniform_mesh', domain: given, edge_length: edgeLength, ...options }, control);
   }
 
-  /** The shape in equilibrium of a film of constant tension with cables, pressure and weight. */
+  /**
+   * The shape in equilibrium of a film of constant tension with cables, pressure and weight. Several films are the layers of a
+   * cushion, with `chambers` between them.
+   */
   async tensileStructure(
-    boundaries: readonly CurveLike[], film: TensileFilm, options: TensileStructureOptions = {}, control?: SolveControl,
+    boundaries: readonly CurveLike[], film: TensileFilm | readonly TensileFilm[], options: TensileStructureOptions = {},
+    control?: SolveControl,
   ): Promise<Result<TensileStatistics>> {
     const loops = curves('boundaries', boundaries);
-    return this.solve({ kind: 'tensile_structure', boundaries: loops, film, ...options }, control);
+    const films = Array.isArray(film) ? { layers: film as TensileFilm[] } : { film: film as TensileFilm };
+    return this.solve({ kind: 'tensile_structure', boundaries: loops, ...films, ...options }, control);
   }
 
   /**

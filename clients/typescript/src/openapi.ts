@@ -1041,6 +1041,39 @@ export interface components {
              */
             seconds?: number;
         };
+        /**
+         * @description A closed space below a layer: up to the next layer, or, below the last layer, up to fans from each boundary to its
+         *     mean, which stand for the ground. It has exactly one of `pressure` and `volume`.
+         */
+        Chamber: {
+            /** @description Number of the layer, counted from 0. Default: `0`. */
+            below?: number;
+            /**
+             * Format: double
+             * @description Pressure above that outside, a force per area.
+             */
+            pressure?: number;
+            /**
+             * Format: double
+             * @description Volume. The pressure is found.
+             */
+            volume?: number;
+        };
+        /** @description A chamber of the found shape. */
+        ChamberState: {
+            /** @description Number of the layer above it. */
+            below: number;
+            /**
+             * Format: double
+             * @description Pressure above that outside, given or found.
+             */
+            pressure: number;
+            /**
+             * Format: double
+             * @description Volume up to the next layer, or up to fans from each boundary to its mean.
+             */
+            volume: number;
+        };
         CircleGuide: {
             /** @description Normal of the circle's plane. */
             axis: number[];
@@ -1462,6 +1495,14 @@ export interface components {
          * @enum {string}
          */
         Kind: "ruled_surface" | "minimal_surface" | "uniform_mesh" | "tensile_structure" | "cable_net";
+        /** @description A layer of the found shape. In the mesh its triangles follow those of the layers before it. */
+        LayerFigures: {
+            /** Format: double */
+            area: number;
+            /** @description Null if the forces could not be balanced. */
+            stress: components["schemas"]["FilmStress"] | null;
+            triangles: number;
+        };
         /**
          * @description Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
          *     weight of a cable a force per length, and an axial stiffness a force.
@@ -2705,11 +2746,16 @@ export interface components {
         /** @description Statistics of a tensile structure. */
         TensileStatistics: {
             angles_deg: components["schemas"]["AngleRange"];
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Area of all layers.
+             */
             area: number;
             /** @description Null if the forces could not be balanced. */
             balance: components["schemas"]["ForceBalance"] | null;
             cables: components["schemas"]["CableForce"][];
+            /** @description The chambers. The space below a single film with a pressure is one. */
+            chambers: components["schemas"]["ChamberState"][];
             /** @description Angle between the film's pull on sliding edges and their surface. Null without such an edge. */
             contact_angle_deg: components["schemas"]["AngleRange"] | null;
             converged: boolean;
@@ -2721,6 +2767,8 @@ export interface components {
             /** @description Unit of the forces. */
             force_unit: string;
             iterations: number;
+            /** @description The layers. A single film is one. */
+            layers: components["schemas"]["LayerFigures"][];
             masts: components["schemas"]["MastForce"][];
             /** @description Centroid of the triangle with the smallest slope. */
             minimum_slope_at: number[];
@@ -2741,7 +2789,7 @@ export interface components {
             ponding: components["schemas"]["Ponding"] | null;
             /**
              * Format: double
-             * @description Pressure, given or found; 0 for none.
+             * @description Pressure in the first of `chambers`, given or found; 0 for none.
              */
             pressure: number;
             /** @description Supports at the ends of cables. */
@@ -2756,13 +2804,13 @@ export interface components {
             /** @description Null where the solve did not converge, and with warp and weft, because no energy has their shape as its minimum. */
             stability: components["schemas"]["EquilibriumStability"] | null;
             stop_reason: string;
-            /** @description Null if the forces could not be balanced. */
+            /** @description Stresses of all layers. Null if the forces could not be balanced. */
             stress: components["schemas"]["FilmStress"] | null;
             triangles: number;
             vertices: number;
             /**
              * Format: double
-             * @description Null without a pressure.
+             * @description Volume of the first of `chambers`. Null without a pressure.
              */
             volume: number | null;
         };
@@ -2818,7 +2866,13 @@ export interface components {
             callback_url?: string | null;
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
             cancel_on_disconnect?: boolean;
-            film: components["schemas"]["TensileFilm"];
+            /**
+             * @description Closed spaces below layers. Every space between two layers needs one. Not together with `film`, which has
+             *     `pressure` and `volume`.
+             */
+            chambers?: components["schemas"]["Chamber"][];
+            /** @description The film. Required unless there are `layers`. */
+            film?: components["schemas"]["TensileFilm"];
             /**
              * @description Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
              *     on both sides; cables in the air can tie it back.
@@ -2830,6 +2884,11 @@ export interface components {
             kind?: components["schemas"]["TensileStructureKind"] | null;
             /** @description Name of the job for people. The job and lists of jobs show it. */
             label?: string | null;
+            /**
+             * @description Two or more films over the same boundaries in place of `film`: a cushion. The first lies on the side from which
+             *     the first boundary runs counter-clockwise, each next one below it. Each has a `tension`.
+             */
+            layers?: components["schemas"]["TensileFilm"][];
             /** @description Straight members that may push. */
             masts?: components["schemas"]["Mast"][];
             /** @description Maximum number of linear solves. Null means 400. */
@@ -2841,10 +2900,10 @@ export interface components {
             /**
              * Format: double
              * @description Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
-             *     with `volume`, and not with cables along a boundary or with `supports`.
+             *     with `volume`, and not with cables along a boundary, `supports`, `rings` or `layers`.
              */
             pressure?: number | null;
-            /** @description Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. */
+            /** @description Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those are more. */
             resolution?: components["schemas"]["Resolution"];
             /** @description Boundaries that are rigid rings and move along an axis. */
             rings?: components["schemas"]["Ring"][];
@@ -2867,7 +2926,7 @@ export interface components {
             /**
              * Format: double
              * @description Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
-             *     pressure is found. Not with cables along a boundary, `supports` or `rings`.
+             *     pressure is found. Not with cables along a boundary, `supports`, `rings` or `layers`.
              */
             volume?: number | null;
         };
@@ -2891,7 +2950,13 @@ export interface components {
             callback_url?: string | null;
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
             cancel_on_disconnect?: boolean;
-            film: components["schemas"]["TensileFilm"];
+            /**
+             * @description Closed spaces below layers. Every space between two layers needs one. Not together with `film`, which has
+             *     `pressure` and `volume`.
+             */
+            chambers?: components["schemas"]["Chamber"][];
+            /** @description The film. Required unless there are `layers`. */
+            film?: components["schemas"]["TensileFilm"];
             /**
              * @description Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
              *     on both sides; cables in the air can tie it back.
@@ -2906,6 +2971,11 @@ export interface components {
             kind: "tensile_structure";
             /** @description Name of the job for people. The job and lists of jobs show it. */
             label?: string | null;
+            /**
+             * @description Two or more films over the same boundaries in place of `film`: a cushion. The first lies on the side from which
+             *     the first boundary runs counter-clockwise, each next one below it. Each has a `tension`.
+             */
+            layers?: components["schemas"]["TensileFilm"][];
             /** @description Straight members that may push. */
             masts?: components["schemas"]["Mast"][];
             /** @description Maximum number of linear solves. Null means 400. */
@@ -2917,10 +2987,10 @@ export interface components {
             /**
              * Format: double
              * @description Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
-             *     with `volume`, and not with cables along a boundary or with `supports`.
+             *     with `volume`, and not with cables along a boundary, `supports`, `rings` or `layers`.
              */
             pressure?: number | null;
-            /** @description Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more. */
+            /** @description Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those are more. */
             resolution?: components["schemas"]["Resolution"];
             /** @description Boundaries that are rigid rings and move along an axis. */
             rings?: components["schemas"]["Ring"][];
@@ -2943,7 +3013,7 @@ export interface components {
             /**
              * Format: double
              * @description Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
-             *     pressure is found. Not with cables along a boundary, `supports` or `rings`.
+             *     pressure is found. Not with cables along a boundary, `supports`, `rings` or `layers`.
              */
             volume?: number | null;
         };
@@ -4443,7 +4513,7 @@ export interface operations {
             header?: never;
             path: {
                 /** @description Name of the example. */
-                name: "two-rails" | "helicoid" | "catenoid" | "tent" | "four-corners" | "ridge-rope" | "own-mesh" | "helicoid-relaxation" | "two-rings" | "rings-12-free" | "rings-12-best" | "rings-11-proven" | "rings-14-free" | "rings-14-best" | "rings-14-pinkall-polthier" | "cut-cylinder" | "three-rings" | "tetrahedron-loops" | "nested-loops" | "three-half-circles" | "three-half-circles-uneven" | "helicoid-liu-wang" | "scherk-relaxation" | "wavy-strip" | "contour-stack" | "wang-tang-i" | "wang-tang-ii" | "wang-tang-iii" | "wang-tang-iv" | "wang-tang-v" | "wang-tang-vi" | "latticed-roof" | "latticed-roof-steep" | "latticed-film" | "latticed-roof-few-lengths" | "floor-fewest-nodes" | "floor-equal-members" | "courtyard" | "plane-sail" | "four-point-sail" | "inflated-disc" | "conic-tent" | "flying-mast" | "ridge-and-valley" | "air-hall" | "film-on-a-plane" | "four-cables" | "cable-net-by-targets" | "vault";
+                name: "two-rails" | "helicoid" | "catenoid" | "tent" | "four-corners" | "ridge-rope" | "own-mesh" | "helicoid-relaxation" | "two-rings" | "rings-12-free" | "rings-12-best" | "rings-11-proven" | "rings-14-free" | "rings-14-best" | "rings-14-pinkall-polthier" | "cut-cylinder" | "three-rings" | "tetrahedron-loops" | "nested-loops" | "three-half-circles" | "three-half-circles-uneven" | "helicoid-liu-wang" | "scherk-relaxation" | "wavy-strip" | "contour-stack" | "wang-tang-i" | "wang-tang-ii" | "wang-tang-iii" | "wang-tang-iv" | "wang-tang-v" | "wang-tang-vi" | "latticed-roof" | "latticed-roof-steep" | "latticed-film" | "latticed-roof-few-lengths" | "floor-fewest-nodes" | "floor-equal-members" | "courtyard" | "plane-sail" | "four-point-sail" | "inflated-disc" | "conic-tent" | "flying-mast" | "ridge-and-valley" | "air-hall" | "cushion" | "film-on-a-plane" | "four-cables" | "cable-net-by-targets" | "vault";
             };
             cookie?: never;
         };

@@ -25,7 +25,7 @@ export type CableNetStatistics = Schemas['CableNetStatistics'];
 export type RuledSurfaceOptions = Omit<Schemas['RuledSurfaceRequest'], 'kind' | 'directrices'>;
 export type MinimalSurfaceOptions = Omit<Schemas['MinimalSurfaceRequest'], 'kind' | 'boundaries'>;
 export type UniformMeshOptions = Omit<Schemas['UniformMeshRequest'], 'kind' | 'domain' | 'edge_length'>;
-export type TensileStructureOptions = Omit<Schemas['TensileStructureRequest'], 'kind' | 'boundaries' | 'film'>;
+export type TensileStructureOptions = Omit<Schemas['TensileStructureRequest'], 'kind' | 'boundaries' | 'film' | 'layers'>;
 export type CableNetOptions = Omit<Schemas['CableNetRequest'], 'kind' | 'vertices' | 'edges' | 'supports'>;
 
 /** A request with its kind, as `GET /v1/examples` has them. */

@@ -6,7 +6,7 @@ import asyncio
 import os
 import uuid
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, AsyncIterator, Dict, List, Mapping, Optional, TypeVar, Union, cast
+from typing import TYPE_CHECKING, Any, AsyncIterator, Dict, List, Mapping, Optional, Sequence, TypeVar, Union, cast
 
 import httpx
 
@@ -169,14 +169,17 @@ class AsyncPlateau:
     async def tensile_structure(
         self,
         boundaries: CurveLike,
-        film: api.TensileFilm,
+        film: Union[api.TensileFilm, Sequence[api.TensileFilm]],
         *,
         on_progress: Optional[ProgressCallback] = None,
         bar: bool = False,
         timeout: Optional[float] = None,
         **options: Unpack[api.TensileStructureOptions],
     ) -> AsyncResult[api.TensileStatistics]:
-        """The shape in equilibrium of a film of constant tension with cables, pressure and weight."""
+        """The shape in equilibrium of a film of constant tension with cables, pressure and weight.
+
+        Several films are the layers of a cushion, with `chambers` between them.
+        """
         request = requests.tensile_structure(boundaries, film, **options)
         return await self._solve(request, Watch(on_progress, bar), timeout)
 

@@ -405,6 +405,27 @@ class CertifyOptions(TypedDict):
     the same request gives the same result on every machine. Default: `2.0`."""
 
 
+class Chamber(TypedDict):
+    """A closed space below a layer: up to the next layer, or, below the last layer, up to fans from each boundary to its
+    mean, which stand for the ground. It has exactly one of `pressure` and `volume`."""
+    below: NotRequired[int]
+    """Number of the layer, counted from 0. Default: `0`."""
+    pressure: NotRequired[float]
+    """Pressure above that outside, a force per area."""
+    volume: NotRequired[float]
+    """Volume. The pressure is found."""
+
+
+class ChamberState(TypedDict):
+    """A chamber of the found shape."""
+    below: int
+    """Number of the layer above it."""
+    pressure: float
+    """Pressure above that outside, given or found."""
+    volume: float
+    """Volume up to the next layer, or up to fans from each boundary to its mean."""
+
+
 class CircleGuide(TypedDict):
     axis: Sequence[float]
     """Normal of the circle's plane."""
@@ -750,6 +771,14 @@ class Junctions(TypedDict):
     """Angles between the pulls of neighbouring sheets at the junctions' inner vertices."""
     sheets: int
     """Number of parts of the film that are connected without crossing a junction."""
+
+
+class LayerFigures(TypedDict):
+    """A layer of the found shape. In the mesh its triangles follow those of the layers before it."""
+    area: float
+    stress: Optional[FilmStress]
+    """Null if the forces could not be balanced."""
+    triangles: int
 
 
 class LengthAndForce(TypedDict):
@@ -1631,9 +1660,12 @@ class TensileStatistics(TypedDict):
     """Statistics of a tensile structure."""
     angles_deg: AngleRange
     area: float
+    """Area of all layers."""
     balance: Optional[ForceBalance]
     """Null if the forces could not be balanced."""
     cables: List[CableForce]
+    chambers: List[ChamberState]
+    """The chambers. The space below a single film with a pressure is one."""
     contact_angle_deg: Optional[AngleRange]
     """Angle between the film's pull on sliding edges and their surface. Null without such an edge."""
     converged: bool
@@ -1645,6 +1677,8 @@ class TensileStatistics(TypedDict):
     force_unit: str
     """Unit of the forces."""
     iterations: int
+    layers: List[LayerFigures]
+    """The layers. A single film is one."""
     masts: List[MastForce]
     minimum_slope_at: List[float]
     """Centroid of the triangle with the smallest slope."""
@@ -1658,7 +1692,7 @@ class TensileStatistics(TypedDict):
     ponding: Optional[Ponding]
     """Water that would stand on the film after rain. Null if it runs off over the film's edges."""
     pressure: float
-    """Pressure, given or found; 0 for none."""
+    """Pressure in the first of `chambers`, given or found; 0 for none."""
     reactions: List[SupportReaction]
     """Supports at the ends of cables."""
     residual: float
@@ -1671,11 +1705,11 @@ class TensileStatistics(TypedDict):
     """Null where the solve did not converge, and with warp and weft, because no energy has their shape as its minimum."""
     stop_reason: str
     stress: Optional[FilmStress]
-    """Null if the forces could not be balanced."""
+    """Stresses of all layers. Null if the forces could not be balanced."""
     triangles: int
     vertices: int
     volume: Optional[float]
-    """Null without a pressure."""
+    """Volume of the first of `chambers`. Null without a pressure."""
 
 
 class TensileStructureJob(TypedDict):
@@ -1720,7 +1754,11 @@ class TensileStructureRequest(TypedDict):
     `webhooks` of `GET /v1/limits`."""
     cancel_on_disconnect: NotRequired[bool]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
-    film: TensileFilm
+    chambers: NotRequired[Sequence[Chamber]]
+    """Closed spaces below layers. Every space between two layers needs one. Not together with `film`, which has
+    `pressure` and `volume`."""
+    film: NotRequired[TensileFilm]
+    """The film. Required unless there are `layers`."""
     free_points: NotRequired[Sequence[BoundaryPoint]]
     """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     on both sides; cables in the air can tie it back."""
@@ -1730,6 +1768,9 @@ class TensileStructureRequest(TypedDict):
     """Optional here, because the path names the kind. `plateau solve` needs it."""
     label: NotRequired[Optional[str]]
     """Name of the job for people. The job and lists of jobs show it."""
+    layers: NotRequired[Sequence[TensileFilm]]
+    """Two or more films over the same boundaries in place of `film`: a cushion. The first lies on the side from which
+    the first boundary runs counter-clockwise, each next one below it. Each has a `tension`."""
     masts: NotRequired[Sequence[Mast]]
     """Straight members that may push."""
     max_iterations: NotRequired[Optional[int]]
@@ -1738,9 +1779,9 @@ class TensileStructureRequest(TypedDict):
     """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     pressure: NotRequired[Optional[float]]
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
-    with `volume`, and not with cables along a boundary or with `supports`."""
+    with `volume`, and not with cables along a boundary, `supports`, `rings` or `layers`."""
     resolution: NotRequired[Resolution]
-    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more."""
+    """Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those are more."""
     rings: NotRequired[Sequence[Ring]]
     """Boundaries that are rigid rings and move along an axis."""
     supersede: NotRequired[Optional[str]]
@@ -1756,7 +1797,7 @@ class TensileStructureRequest(TypedDict):
     """Axis that points up. Weights pull against it. Default: `z`."""
     volume: NotRequired[Optional[float]]
     """Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
-    pressure is found. Not with cables along a boundary, `supports` or `rings`."""
+    pressure is found. Not with cables along a boundary, `supports`, `rings` or `layers`."""
 
 
 class TensileStructureRequestWithKind(TypedDict):
@@ -1775,7 +1816,11 @@ class TensileStructureRequestWithKind(TypedDict):
     `webhooks` of `GET /v1/limits`."""
     cancel_on_disconnect: NotRequired[bool]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
-    film: TensileFilm
+    chambers: NotRequired[List[Chamber]]
+    """Closed spaces below layers. Every space between two layers needs one. Not together with `film`, which has
+    `pressure` and `volume`."""
+    film: NotRequired[TensileFilm]
+    """The film. Required unless there are `layers`."""
     free_points: NotRequired[List[BoundaryPoint]]
     """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     on both sides; cables in the air can tie it back."""
@@ -1785,6 +1830,9 @@ class TensileStructureRequestWithKind(TypedDict):
     """Kind of the request."""
     label: NotRequired[Optional[str]]
     """Name of the job for people. The job and lists of jobs show it."""
+    layers: NotRequired[List[TensileFilm]]
+    """Two or more films over the same boundaries in place of `film`: a cushion. The first lies on the side from which
+    the first boundary runs counter-clockwise, each next one below it. Each has a `tension`."""
     masts: NotRequired[List[Mast]]
     """Straight members that may push."""
     max_iterations: NotRequired[Optional[int]]
@@ -1793,9 +1841,9 @@ class TensileStructureRequestWithKind(TypedDict):
     """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     pressure: NotRequired[Optional[float]]
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
-    with `volume`, and not with cables along a boundary or with `supports`."""
+    with `volume`, and not with cables along a boundary, `supports`, `rings` or `layers`."""
     resolution: NotRequired[Resolution]
-    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more."""
+    """Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those are more."""
     rings: NotRequired[List[Ring]]
     """Boundaries that are rigid rings and move along an axis."""
     supersede: NotRequired[Optional[str]]
@@ -1811,7 +1859,7 @@ class TensileStructureRequestWithKind(TypedDict):
     """Axis that points up. Weights pull against it. Default: `z`."""
     volume: NotRequired[Optional[float]]
     """Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
-    pressure is found. Not with cables along a boundary, `supports` or `rings`."""
+    pressure is found. Not with cables along a boundary, `supports`, `rings` or `layers`."""
 
 
 class UniformMeshJob(TypedDict):
@@ -2175,6 +2223,9 @@ class TensileStructureOptions(TypedDict, total=False):
     `webhooks` of `GET /v1/limits`."""
     cancel_on_disconnect: bool
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
+    chambers: Sequence[Chamber]
+    """Closed spaces below layers. Every space between two layers needs one. Not together with `film`, which has
+    `pressure` and `volume`."""
     free_points: Sequence[BoundaryPoint]
     """Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     on both sides; cables in the air can tie it back."""
@@ -2190,9 +2241,9 @@ class TensileStructureOptions(TypedDict, total=False):
     """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     pressure: Optional[float]
     """Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
-    with `volume`, and not with cables along a boundary or with `supports`."""
+    with `volume`, and not with cables along a boundary, `supports`, `rings` or `layers`."""
     resolution: Resolution
-    """Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more."""
+    """Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those are more."""
     rings: Sequence[Ring]
     """Boundaries that are rigid rings and move along an axis."""
     supersede: Optional[str]
@@ -2208,7 +2259,7 @@ class TensileStructureOptions(TypedDict, total=False):
     """Axis that points up. Weights pull against it. Default: `z`."""
     volume: Optional[float]
     """Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
-    pressure is found. Not with cables along a boundary, `supports` or `rings`."""
+    pressure is found. Not with cables along a boundary, `supports`, `rings` or `layers`."""
 
 
 class CableNetOptions(TypedDict, total=False):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Dict, Mapping, Union
+from typing import TYPE_CHECKING, Any, Dict, Mapping, Sequence, Union
 
 import numpy as np
 
@@ -30,10 +30,12 @@ def uniform_mesh(
 
 
 def tensile_structure(
-    boundaries: CurveLike, film: api.TensileFilm, **options: Unpack[api.TensileStructureOptions]
+    boundaries: CurveLike,
+    film: Union[api.TensileFilm, Sequence[api.TensileFilm]],
+    **options: Unpack[api.TensileStructureOptions],
 ) -> Dict[str, Any]:
-    loops = curves("boundaries", boundaries)
-    return {"kind": "tensile_structure", "boundaries": loops, "film": film, **options}
+    films = {"film": film} if isinstance(film, Mapping) else {"layers": list(film)}
+    return {"kind": "tensile_structure", "boundaries": curves("boundaries", boundaries), **films, **options}
 
 
 def cable_net(vertices: CurveLike, edges: Any, supports: Any, **options: Unpack[api.CableNetOptions]) -> Dict[str, Any]:
