@@ -34,7 +34,7 @@ def tensile_structure(
     film: Union[api.TensileFilm, Sequence[api.TensileFilm]],
     **options: Unpack[api.TensileStructureOptions],
 ) -> Dict[str, Any]:
-    films = {"film": film} if isinstance(film, Mapping) else {"layers": list(film)}
+    films: Dict[str, Any] = {"film": film} if isinstance(film, Mapping) else {"layers": list(film)}
     return {"kind": "tensile_structure", "boundaries": curves("boundaries", boundaries), **films, **options}
 
 
