@@ -102,7 +102,7 @@ fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<Mini
     {
         let mut surface = triple_junction::solve(&input.given, &input.vertices, mesh, options, exec)?;
         surface.warnings.extend(input.warnings());
-        return Ok(surface.checked(None, exec)?);
+        return Ok(surface.checked(exec)?);
     }
     let given = options;
     let options = &options.centred(input.centre);
@@ -126,11 +126,11 @@ fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<Mini
             SolvedFilm { film, kind, initial_area, run }
         }
     };
-    let (surface, topology) = finish(input, solved, given)?;
+    let surface = finish(input, solved, given)?;
     if matches!(given.method, Method::Newton(Newton { topology: TopologyRule::Fixed, .. })) {
         refuse_lost_film(&surface.statistics)?;
     }
-    Ok(surface.checked(Some(&topology), exec)?)
+    Ok(surface.checked(exec)?)
 }
 
 /// Residual above which a film that is not converged has nothing to do with a minimal surface: its mean curvature is

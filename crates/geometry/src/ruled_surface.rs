@@ -147,8 +147,7 @@ fn solve_with(
         }
     }
     pulse.phase("checks");
-    let (check, warning) =
-        self_intersections::check(&surface.mesh, None, Order::AsGiven, MOST_CHECKED_TRIANGLES, execution)?;
+    let (check, warning) = self_intersections::check(&surface.mesh, Order::AsGiven, MOST_CHECKED_TRIANGLES, execution)?;
     surface.self_intersections = check;
     prepared.warnings.extend(warning);
     for (k, strip) in strips.iter().enumerate() {

@@ -23,7 +23,6 @@ mod charts;
 mod predicates;
 mod soup;
 
-use super::topology::Topology;
 use crate::error::Warning;
 use crate::{DVec3, Execution, Interruption, Mesh};
 pub use boxes::Order;
@@ -81,13 +80,12 @@ impl Skipped {
 }
 
 /// Checks a mesh that leaves a solver. The warning `self_intersections` says how many pairs of triangles intersect, and
-/// where. `topology` is the mesh's own, where it is at hand: without it the neighbours are paired here.
+/// where.
 ///
 /// # Errors
 /// [`Interruption::Cancelled`]. A deadline that passes ends the check, and the mesh is still good.
 pub fn check(
     mesh: &Mesh,
-    topology: Option<&Topology>,
     order: Order,
     most_triangles: usize,
     exec: &Execution<'_>,
@@ -97,8 +95,7 @@ pub fn check(
         return Ok(skipped(Skipped::TooManyTriangles));
     }
     let most_work = LEAST_WORK + WORK_PER_TRIANGLE * mesh.triangles.len() as u64;
-    let twins = topology.map(|topology| &topology.twin[..]);
-    let found = match search(&mesh.vertices, &mesh.triangles, twins, order, most_work, exec) {
+    let found = match self_intersections(&mesh.vertices, &mesh.triangles, order, most_work, exec) {
         Err(Interruption::DeadlinePassed) => return Ok(skipped(Skipped::DeadlinePassed)),
         found => found?,
     };
@@ -143,23 +140,10 @@ pub fn self_intersections(
     most_work: u64,
     exec: &Execution<'_>,
 ) -> Result<SelfIntersections, Interruption> {
-    search(vertices, triangles, None, order, most_work, exec)
-}
-
-/// As [`self_intersections`]; `twins` are those of the half-edges as in [`Topology::twin`].
-fn search(
-    vertices: &[DVec3],
-    triangles: &[[u32; 3]],
-    twins: Option<&[u32]>,
-    order: Order,
-    most_work: u64,
-    exec: &Execution<'_>,
-) -> Result<SelfIntersections, Interruption> {
     let soup = Soup::new(vertices, triangles, exec)?;
     let mut list = soup.with_area();
     if list.len() >= LEAST_CHARTED {
-        let twins = twins.filter(|_| !soup.is_merged);
-        list = charts::suspects(&soup, list, twins, order, COARSE_LEAF, exec)?;
+        list = charts::suspects(&soup, list, order, COARSE_LEAF, exec)?;
     }
     intersections_among(&soup, list, order, most_work, exec)
 }
@@ -326,7 +310,7 @@ mod tests {
             let (vertices, triangles) = net(&mut random);
             let soup = Soup::new(&vertices, &triangles, &exec).unwrap();
             let list = soup.with_area();
-            let suspects = charts::suspects(&soup, list.clone(), None, Order::Spatial, 1 + case % 4, &exec).unwrap();
+            let suspects = charts::suspects(&soup, list.clone(), Order::Spatial, 1 + case % 4, &exec).unwrap();
             all += list.len();
             suspected += suspects.len();
             let among = |list| intersections_among(&soup, list, Order::Spatial, u64::MAX, &exec).unwrap();

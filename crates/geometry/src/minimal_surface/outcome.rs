@@ -9,7 +9,6 @@ use super::statistics::{self, Statistics};
 use crate::error::Warning;
 use crate::mesh::film::Film;
 use crate::mesh::self_intersections::{self, Order};
-use crate::mesh::topology::Topology;
 use crate::{DVec3, Error, Execution, Interruption, Mesh};
 
 /// Largest fraction by which a resolution may be missed without a warning. A larger value warns less often.
@@ -49,8 +48,8 @@ pub struct MinimalSurface {
 
 impl MinimalSurface {
     /// The surface with its self-intersections counted, and a warning if there are any.
-    pub(super) fn checked(mut self, topology: Option<&Topology>, exec: &Execution<'_>) -> Result<Self, Interruption> {
-        let (check, warning) = self_intersections::check(&self.mesh, topology, Order::Spatial, usize::MAX, exec)?;
+    pub(super) fn checked(mut self, exec: &Execution<'_>) -> Result<Self, Interruption> {
+        let (check, warning) = self_intersections::check(&self.mesh, Order::Spatial, usize::MAX, exec)?;
         self.statistics.self_intersections = check;
         self.warnings.extend(warning);
         Ok(self)
@@ -124,12 +123,11 @@ fn restore(mesh: &mut Mesh, fixed: &[([u64; 3], u32)], constraints: &Constraints
 }
 
 /// Moves the mesh back to the position of the input, brings its vertices into the documented order, and measures it.
-/// Returns its topology too.
 pub(super) fn finish(
     input: Input,
     SolvedFilm { film, kind, initial_area, mut run }: SolvedFilm,
     options: &Options,
-) -> Result<(MinimalSurface, Topology), Error> {
+) -> Result<MinimalSurface, Error> {
     run.pinches.iter_mut().for_each(|pinch| pinch.place += input.centre);
     let mut unstable_mode = run.unstable_mode.take();
     let film = match film.boundary_first(input.point_count()) {
@@ -183,7 +181,7 @@ pub(super) fn finish(
         *vertex = point;
     }
     let constraints = restore(&mut mesh, &fixed, &options.constraints, input.centre);
-    let surface = MinimalSurface {
+    Ok(MinimalSurface {
         mesh,
         boundaries,
         input_vertices: input.vertices,
@@ -192,6 +190,5 @@ pub(super) fn finish(
         unstable_mode,
         statistics,
         warnings,
-    };
-    Ok((surface, topology))
+    })
 }

@@ -449,7 +449,7 @@ pub(super) fn finish(
         |(chamber, &pressure): (&Chamber, &f64)| ChamberResult { pressure, volume: model.volume(chamber.below, &at) };
     let chambers = structure.chambers.iter().zip(&found.pressures).map(chamber).collect();
     let mesh = Mesh::new(at.iter().map(|p| *p + model.centre).collect(), triangles.clone());
-    let (self_intersections, crossings) = self_intersections::check(&mesh, None, Order::Spatial, usize::MAX, exec)?;
+    let (self_intersections, crossings) = self_intersections::check(&mesh, Order::Spatial, usize::MAX, exec)?;
     let holds = holds(&model);
     let balance = found.balance.as_ref().map(|balance| sums(&model, balance, &holds, &at));
     let (reactions, edge_reactions) = reactions(&model, &found, &holds);

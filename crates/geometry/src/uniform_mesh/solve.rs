@@ -154,7 +154,7 @@ pub fn solve(domain: &Domain, options: &Options, execution: &Execution<'_>) -> R
         Domain::Boundaries(boundaries) => on_film(boundaries, options, execution),
     }?;
     if solved.statistics.self_intersections.pairs.is_none() {
-        let (found, warning) = self_intersections::check(&solved.mesh, None, Order::Spatial, usize::MAX, execution)?;
+        let (found, warning) = self_intersections::check(&solved.mesh, Order::Spatial, usize::MAX, execution)?;
         solved.statistics.self_intersections = found;
         solved.warnings.extend(warning);
     }

@@ -181,28 +181,14 @@ impl Tree {
         exec: &Execution<'_>,
     ) -> Result<Self, Interruption> {
         let Leaves { triangles: mut list, order, size, margin, visits } = leaves;
-        let whole = match (order, visits) {
-            (Order::Spatial, Visits::Leaves) => {
-                let blocks = Blocks::of(&list, size, &corners, exec)?;
-                if blocks.are_compact {
-                    blocks.sort(&mut list, size, exec)?;
-                } else {
-                    sort_triangles(&corners, &mut list, &blocks.whole, exec)?;
-                }
-                blocks.whole
-            }
-            _ => {
-                let mut whole = AxisBox::EMPTY;
-                for chunk in list.chunks(LOOK) {
-                    whole = chunk.iter().fold(whole, |whole, &t| whole.with(&AxisBox::of(&corners(t))));
-                    exec.look(chunk.len() as u64)?;
-                }
-                if order == Order::Spatial {
-                    sort_triangles(&corners, &mut list, &whole, exec)?;
-                }
-                whole
-            }
-        };
+        let mut whole = AxisBox::EMPTY;
+        for chunk in list.chunks(LOOK) {
+            whole = chunk.iter().fold(whole, |whole, &t| whole.with(&AxisBox::of(&corners(t))));
+            exec.look(chunk.len() as u64)?;
+        }
+        if order == Order::Spatial {
+            sort_along_curve(&corners, &mut list, &whole, exec)?;
+        }
         let base = list.len().div_ceil(size).max(1).next_power_of_two();
         let mut tree = Self {
             boxes: Vec::with_capacity(if visits == Visits::Pairs { list.len() } else { 0 }),
@@ -256,18 +242,11 @@ impl Tree {
 
     /// For each node the label that all its triangles have, or [`NONE`].
     pub fn labels(&self, label: impl Fn(u32) -> u32) -> Vec<u32> {
-        self.labels_of_leaves(|leaf| {
-            let triangles = self.leaf_at(leaf);
-            let first = label(triangles[0]);
-            if triangles[1..].iter().all(|&t| label(t) == first) { first } else { NONE }
-        })
-    }
-
-    /// For each node the label that all its leaves have, or [`NONE`].
-    pub fn labels_of_leaves(&self, label: impl Fn(usize) -> u32) -> Vec<u32> {
         let mut labels = vec![NONE; 2 * self.base];
-        for leaf in 0..self.leaf_count() {
-            labels[self.base + leaf] = label(leaf);
+        for (leaf, triangles) in self.order.chunks(self.leaf_size).enumerate() {
+            let first = label(triangles[0]);
+            let same = triangles[1..].iter().all(|&t| label(t) == first);
+            labels[self.base + leaf] = if same { first } else { NONE };
         }
         for node in (1..self.base).rev() {
             let [left, right] = [2 * node, 2 * node + 1];
@@ -345,81 +324,14 @@ impl Tree {
         self.visit_leaves(most_work, skip, visit, exec)
     }
 
-    /// The triangles of a leaf's node.
+    /// The triangles of a leaf.
     pub fn leaf(&self, node: usize) -> &[u32] {
         &self.order[self.places(node)]
-    }
-
-    /// Number of leaves.
-    pub fn leaf_count(&self) -> usize {
-        self.order.len().div_ceil(self.leaf_size)
-    }
-
-    /// The triangles of a leaf by its number.
-    pub fn leaf_at(&self, leaf: usize) -> &[u32] {
-        self.leaf(self.base + leaf)
     }
 
     fn places(&self, leaf: usize) -> Range<usize> {
         let start = (leaf - self.base) * self.leaf_size;
         start.min(self.order.len())..(start + self.leaf_size).min(self.order.len())
-    }
-}
-
-/// The triangles as they are given, in blocks of the size of a leaf.
-struct Blocks {
-    boxes: Vec<AxisBox>,
-    whole: AxisBox,
-    /// Whether the blocks are pieces of the surface that can serve as leaves.
-    are_compact: bool,
-}
-
-/// Blocks count as compact if the mean diagonal of their boxes is at most so many times that of the triangles' boxes, times
-/// the root of the number of triangles in a block. Blocks that subdivision leaves have 1, rows of triangles 2.
-const COMPACT: f64 = 1.5;
-
-impl Blocks {
-    fn of(
-        list: &[u32],
-        size: usize,
-        corners: impl Fn(u32) -> [DVec3; 3],
-        exec: &Execution<'_>,
-    ) -> Result<Self, Interruption> {
-        let mut boxes = Vec::with_capacity(list.len().div_ceil(size));
-        let mut whole = AxisBox::EMPTY;
-        let (mut diagonals, mut of_blocks) = (0.0, 0.0);
-        for (k, block) in list.chunks(size).enumerate() {
-            let mut extent = AxisBox::EMPTY;
-            for &t in block {
-                let own = AxisBox::of(&corners(t));
-                diagonals += own.low.distance(own.high);
-                extent = extent.with(&own);
-            }
-            of_blocks += extent.low.distance(extent.high);
-            whole = whole.with(&extent);
-            boxes.push(extent);
-            if (k + 1) % (LOOK / size) == 0 {
-                exec.look(LOOK as u64)?;
-            }
-        }
-        let means = (of_blocks / boxes.len() as f64, diagonals / list.len() as f64);
-        let are_compact = means.0 <= COMPACT * (size as f64).sqrt() * means.1;
-        Ok(Self { boxes, whole, are_compact })
-    }
-
-    /// Sorts the blocks along a space-filling curve. One that is not full stays the last.
-    fn sort(&self, list: &mut Vec<u32>, size: usize, exec: &Execution<'_>) -> Result<(), Interruption> {
-        let mut blocks: Vec<u32> = (0..(list.len() / size) as u32).collect();
-        let middle = |block: u32| 0.5 * (self.boxes[block as usize].low + self.boxes[block as usize].high);
-        sort_along_curve(middle, &mut blocks, &self.whole, exec)?;
-        let mut sorted = Vec::with_capacity(list.len());
-        for &block in &blocks {
-            let start = block as usize * size;
-            sorted.extend_from_slice(&list[start..start + size]);
-        }
-        sorted.extend_from_slice(&list[sorted.len()..]);
-        *list = sorted;
-        exec.look(list.len() as u64)
     }
 }
 
@@ -455,22 +367,8 @@ fn place_on_curve([mut x, mut y, mut z]: [u32; 3]) -> u32 {
 }
 
 /// Sorts triangles by the place of their centre on a space-filling curve, stable.
-fn sort_triangles(
-    corners: impl Fn(u32) -> [DVec3; 3],
-    list: &mut Vec<u32>,
-    whole: &AxisBox,
-    exec: &Execution<'_>,
-) -> Result<(), Interruption> {
-    let middle = |t: u32| {
-        let [a, b, c] = corners(t);
-        (a + b + c) / 3.0
-    };
-    sort_along_curve(middle, list, whole, exec)
-}
-
-/// Sorts things by the place of their middle on a space-filling curve, stable.
 fn sort_along_curve(
-    middle: impl Fn(u32) -> DVec3,
+    corners: impl Fn(u32) -> [DVec3; 3],
     list: &mut Vec<u32>,
     whole: &AxisBox,
     exec: &Execution<'_>,
@@ -478,7 +376,8 @@ fn sort_along_curve(
     let cells = f64::from((1 << BITS) - 1);
     let scale = cells / (whole.high - whole.low).max(DVec3::splat(f64::MIN_POSITIVE));
     let code = |t: u32| {
-        let at = (middle(t) - whole.low) * scale;
+        let [a, b, c] = corners(t);
+        let at = ((a + b + c) / 3.0 - whole.low) * scale;
         place_on_curve(at.to_array().map(|coordinate| (coordinate as u32).min((1 << BITS) - 1)))
     };
     let mut keyed: Vec<(u32, u32)> = list.iter().map(|&t| (code(t), t)).collect();

@@ -8,36 +8,36 @@
 //! counter-clockwise, with all others clockwise, winds round no point more than once. A common point of two triangles
 //! would then lie on the boundary of the chart from both sides.
 //!
-//! Charts are made of the leaves of a coarse tree, each a piece of the surface with some dozens of triangles, because most
-//! of the work is then done once for a leaf. A few directions are chosen so that the normals of each leaf are near one of
-//! them. The leaves within a wide cone around each direction form charts, which overlap: neighbours are nearly always
-//! together in one of them. A part that lies over itself, as a helicoid of several turns does, is cut across the direction
-//! into slabs, twice, half a slab apart.
+//! A few directions are chosen so that each normal is near one of them. The triangles within a wide cone around each
+//! direction form charts, which overlap: neighbours are nearly always together in one of them. A part that lies over
+//! itself, as a helicoid of several turns does, is cut across the direction into slabs, twice, half a slab apart.
 //!
-//! The tree then finds the pairs of leaves that are neither apart nor together in a chart. Only their triangles are
+//! A coarse tree then finds the pairs of leaves that are neither apart nor together in a chart. Only their triangles are
 //! suspects. On smooth films there are none.
 
 use super::boxes::{Leaves, Order, Tree, Visits};
 use super::soup::{LOOK, NONE, Soup};
 use crate::{DVec2, DVec3, Execution, Interruption};
-use std::borrow::Cow;
-use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-/// Angle in degrees from a direction up to which triangles belong to its charts. A larger angle makes the charts overlap
-/// more, and the boundaries that are seen from the side touch more often.
+/// Cosine of the angle from a direction up to which triangles belong to its charts: 72 degrees. A larger angle makes the
+/// charts overlap more, and the boundaries that are seen from the side touch more often.
+const CHART: f64 = 0.31;
+/// The same angle in degrees.
 const CHART_DEG: f64 = 72.0;
-/// How much closer to one of the directions than [`CHART_DEG`] the mean normal of a leaf is, as a multiple of the largest
-/// angle between that normal and its triangles', and its bounds in degrees. That many leaves around are then in the same
-/// chart. A smaller value needs fewer directions, and finds no chart for leaves that bend more.
-const SPREAD: f64 = 3.0;
-const SPREAD_DEG: (f64, f64) = (10.0, 32.0);
+/// How much the normals of a leaf's triangles may differ (degrees) so that one of the charts has them all, for a mesh of
+/// [`SPREAD_TRIANGLES`], and at least. It falls with the fourth root of the number of triangles, half as fast as the angle
+/// between neighbours, because a surface may bend more in one place than elsewhere. A smaller value needs fewer
+/// directions, and finds no chart for leaves that bend more.
+const SPREAD_DEG: f64 = 32.0;
+const LEAST_SPREAD_DEG: f64 = 10.0;
+const SPREAD_TRIANGLES: f64 = 8_000.0;
 /// Largest number of directions, at most the bits of [`Facing`]. A sphere of 8,000 triangles needs about 14; more are
 /// needed only by noise.
 const DIRECTIONS: usize = 20;
 /// Numbers of slabs into which the parts that lie over themselves are cut, one after the other.
 const SLABS: [f64; 3] = [2.0, 6.0, 18.0];
-/// Leaves that are cut into slabs, counted each time, as a multiple of the mesh's own.
+/// Triangles that are cut into slabs, counted each time, as a multiple of the mesh's own.
 const SLAB_WORK: usize = 4;
 /// Largest number of times that the boundary of a chart may pass through one vertex.
 const PASSES: usize = 16;
@@ -55,35 +55,25 @@ const MARGIN: f64 = 1e-14;
 const LEAST_AREA: f64 = 1e-10;
 
 /// The triangles of the list that may intersect another one, or all of them where no charts are found. `leaf_size` is
-/// the number of triangles that are together suspects or not. `twins`: those of the mesh's half-edges as in [`Surface`],
-/// where they are known.
+/// the number of triangles that are together suspects or not.
 pub(super) fn suspects(
     soup: &Soup,
     list: Vec<u32>,
-    twins: Option<&[u32]>,
     order: Order,
     leaf_size: usize,
     exec: &Execution<'_>,
 ) -> Result<Vec<u32>, Interruption> {
-    let twins = match twins {
-        Some(twins) => Cow::Borrowed(twins),
-        None => Cow::Owned(twins_of(soup, &list, exec)?),
-    };
-    if is_boundary_long(&twins, &list) {
-        return Ok(list);
-    }
+    let Some(surface) = Surface::new(soup, &list, exec)? else { return Ok(list) };
     let leaves = Leaves { triangles: list.clone(), order, size: leaf_size, margin: 0.0, visits: Visits::Leaves };
     let tree = Tree::new(leaves, |t| soup.corners(soup.triangles[t as usize]), exec)?;
-    let surface = Surface::new(soup, &tree, twins, exec)?;
     let mut layers: Vec<Vec<u32>> = Vec::new();
-    let cones = surface.cones(exec)?;
-    let directions = directions(&cones);
-    let facing = facing(&cones, &directions);
-    exec.look((cones.len() * directions.len()) as u64)?;
-    let mut scratch = Scratch::new(cones.len());
+    let directions = directions(soup, &list, exec)?;
+    let facing = facing(soup, &list, &directions, exec)?;
+    let mut scratch = Scratch::new(soup.triangles.len(), SLAB_WORK * list.len());
     for (k, &direction) in directions.iter().enumerate() {
-        let members = (0..cones.len() as u32).filter(|&leaf| facing[leaf as usize] >> k & 1 == 1).collect();
-        surface.add_layers(direction, members, &mut layers, &mut scratch, exec)?;
+        let members = list.iter().zip(&facing).filter(|(_, facing)| *facing >> k & 1 == 1).map(|(&t, _)| t).collect();
+        exec.look(list.len() as u64)?;
+        surface.add_layers(direction, members, &tree, &mut layers, &mut scratch, exec)?;
     }
     let same_chart = |a: usize, b: usize| layers.iter().any(|labels| labels[a] != NONE && labels[a] == labels[b]);
     let mut is_suspect = vec![false; soup.triangles.len()];
@@ -100,235 +90,160 @@ pub(super) fn suspects(
     Ok(list.into_iter().filter(|&t| is_suspect[t as usize]).collect())
 }
 
-/// The normals of a leaf's triangles: a unit vector, and the largest angle between it and one of them, in radians.
-#[derive(Clone, Copy)]
-struct Cone {
-    axis: DVec3,
-    angle: f64,
-}
-
-impl Cone {
-    /// The angle is a full turn if a triangle has no certain normal: its square vanishes.
-    fn of(normals: impl Iterator<Item = DVec3> + Clone) -> Self {
-        let axis = normals.clone().sum::<DVec3>().normalize_or_zero();
-        let cosine = |normal: DVec3| {
-            let squared = normal.length_squared();
-            if squared > 0.0 { normal.dot(axis) / squared.sqrt() } else { f64::NEG_INFINITY }
-        };
-        let least = normals.map(cosine).fold(1.0, f64::min);
-        Self { axis, angle: if least > 0.0 { least.acos() } else { TAU } }
-    }
-
-    /// How close to a direction the axis must be, so that the leaf and those around it face the direction.
-    fn reach(&self) -> f64 {
-        let spread = (SPREAD * self.angle).clamp(SPREAD_DEG.0.to_radians(), SPREAD_DEG.1.to_radians());
-        CHART_DEG.to_radians() - spread
-    }
-
-    /// Whether all its normals are within the charts' angle of a direction.
-    fn faces(&self, direction: DVec3) -> bool {
-        let angle = self.axis.dot(direction).clamp(-1.0, 1.0).acos();
-        angle + self.angle <= CHART_DEG.to_radians()
-    }
-}
-
-/// Directions such that nearly every leaf, and its neighbours, face one of them.
-fn directions(cones: &[Cone]) -> Vec<DVec3> {
+/// Directions such that nearly every normal is within a leaf's spread of the charts' edge of one of them.
+fn directions(soup: &Soup, list: &[u32], exec: &Execution<'_>) -> Result<Vec<DVec3>, Interruption> {
+    let spread = SPREAD_DEG * (SPREAD_TRIANGLES / list.len() as f64).sqrt().sqrt();
+    let covered = (CHART_DEG - spread.clamp(LEAST_SPREAD_DEG, SPREAD_DEG)).to_radians().cos();
     let mut directions: Vec<DVec3> = Vec::new();
-    for cone in cones {
-        // No direction serves a leaf that bends so much.
-        if cone.angle > SPREAD_DEG.1.to_radians() {
-            continue;
-        }
-        let least = cone.reach().cos();
-        if directions.len() < DIRECTIONS && !directions.iter().any(|direction| cone.axis.dot(*direction) >= least) {
-            directions.push(cone.axis);
-        }
-    }
-    directions
-}
-
-/// For a leaf the directions whose charts it may belong to, a bit for each.
-type Facing = u32;
-
-/// The directions that each leaf faces.
-fn facing(cones: &[Cone], directions: &[DVec3]) -> Vec<Facing> {
-    let bit = |cone: &Cone, k: usize| Facing::from(cone.faces(directions[k])) << k;
-    cones.iter().map(|cone| (0..directions.len()).map(|k| bit(cone, k)).sum()).collect()
-}
-
-/// For each half-edge 3 t + k, from corner k of triangle t to the next one, the half-edge in the opposite direction along
-/// the same edge; [`NONE`] unless the edge has exactly these two.
-fn twins_of(soup: &Soup, list: &[u32], exec: &Execution<'_>) -> Result<Vec<u32>, Interruption> {
-    // The half-edges of each vertex with a lower number, each after the number of the other end.
-    let mut start = vec![0u32; soup.points.len() + 1];
-    let edges = |t: u32| {
-        let [a, b, c] = soup.triangles[t as usize];
-        [[a, b], [b, c], [c, a]]
-    };
-    for chunk in list.chunks(LOOK) {
-        chunk.iter().flat_map(|&t| edges(t)).for_each(|[a, b]| start[a.min(b) as usize + 1] += 1);
-        exec.look(chunk.len() as u64)?;
-    }
-    for v in 0..soup.points.len() {
-        start[v + 1] += start[v];
-    }
-    let mut half_edges = vec![0u64; start[soup.points.len()] as usize];
+    let mut last = 0;
     for chunk in list.chunks(LOOK) {
         for &t in chunk {
-            for (k, [a, b]) in (0..).zip(edges(t)) {
-                // The slots of a vertex are filled from the end.
-                let slot = &mut start[a.min(b) as usize + 1];
-                *slot -= 1;
-                half_edges[*slot as usize] = u64::from(a.max(b)) << 32 | u64::from(3 * t + k);
+            let normal = soup.normals[t as usize];
+            let is_covered = |direction: &DVec3| faces(normal, *direction, covered);
+            if directions.get(last).is_some_and(is_covered) {
+                continue;
+            }
+            if let Some(found) = directions.iter().position(is_covered) {
+                last = found;
+            } else if directions.len() < DIRECTIONS
+                && let Some(direction) = normal.try_normalize()
+            {
+                last = directions.len();
+                directions.push(direction);
             }
         }
         exec.look(chunk.len() as u64)?;
     }
-    // Entry v + 1 is now where the half-edges of vertex v start.
-    start.remove(0);
-    start.push(half_edges.len() as u32);
-    let mut twins = vec![NONE; 3 * soup.triangles.len()];
-    let mut work = 0;
-    for v in 0..soup.points.len() {
-        let around = &mut half_edges[start[v] as usize..start[v + 1] as usize];
-        around.sort_unstable();
-        for edge in around.chunk_by(|a, b| a >> 32 == b >> 32) {
-            let other_end = (edge[0] >> 32) as u32;
-            let starts_here = |half_edge: u64| {
-                let h = half_edge as u32 as usize;
-                soup.triangles[h / 3][(h % 3 + 1) % 3] == other_end
-            };
-            match *edge {
-                [one, two] if starts_here(one) != starts_here(two) => {
-                    twins[one as u32 as usize] = two as u32;
-                    twins[two as u32 as usize] = one as u32;
-                }
-                _ => {}
-            }
-        }
-        work += 1 + around.len();
-        if work >= LOOK {
-            exec.look(work as u64)?;
-            work = 0;
-        }
+    Ok(directions)
+}
+
+/// For a triangle the directions whose charts it may belong to, a bit for each.
+type Facing = u32;
+
+/// The directions that each triangle of the list faces.
+fn facing(soup: &Soup, list: &[u32], directions: &[DVec3], exec: &Execution<'_>) -> Result<Vec<Facing>, Interruption> {
+    let mut facing = Vec::with_capacity(list.len());
+    for chunk in list.chunks(LOOK) {
+        facing.extend(chunk.iter().map(|&t| {
+            let normal = soup.normals[t as usize];
+            let bit = |(k, &direction)| Facing::from(faces(normal, direction, CHART)) << k;
+            directions.iter().enumerate().map(bit).sum::<Facing>()
+        }));
+        exec.look(chunk.len() as u64)?;
     }
-    Ok(twins)
+    Ok(facing)
 }
 
-/// Whether so many half-edges have no twin that charts would gain nothing.
-fn is_boundary_long(twins: &[u32], list: &[u32]) -> bool {
-    let bare = |&t: &u32| (0..3).filter(|k| twins[(3 * t + k) as usize] == NONE).count();
-    list.iter().map(bare).sum::<usize>() > list.len() / BOUNDARY_SHARE + FREE_BOUNDARY
+/// Whether the angle between a normal and a direction is below one with this cosine. False for triangles without a
+/// certain normal, whose squares vanish.
+fn faces(normal: DVec3, direction: DVec3, cosine: f64) -> bool {
+    let along = normal.dot(direction);
+    along > 0.0 && along * along > cosine * cosine * normal.length_squared()
 }
 
-/// The triangles with their neighbours, and the leaves with theirs.
+/// The triangles with their neighbours.
 struct Surface<'a> {
     soup: &'a Soup,
-    tree: &'a Tree,
-    /// See [`twins_of`].
-    twins: Cow<'a, [u32]>,
-    /// For each triangle the number of its leaf, or [`NONE`] if it is in none.
-    leaf_of: Vec<u32>,
-    /// The rims of the leaves, one after the other: the half-edges without a twin in the same leaf, each with the leaf
-    /// of its twin, or [`NONE`].
-    rims: Vec<(u32, u32)>,
-    /// Where the rim of each leaf starts.
-    start: Vec<u32>,
+    /// For each half-edge 3 t + k, from corner k of triangle t to the next one, the half-edge in the opposite direction
+    /// along the same edge; [`NONE`] unless the edge has exactly these two.
+    twins: Vec<u32>,
 }
 
 impl<'a> Surface<'a> {
-    fn new(soup: &'a Soup, tree: &'a Tree, twins: Cow<'a, [u32]>, exec: &Execution<'_>) -> Result<Self, Interruption> {
-        let mut leaf_of = vec![NONE; soup.triangles.len()];
-        for leaf in 0..tree.leaf_count() {
-            tree.leaf_at(leaf).iter().for_each(|&t| leaf_of[t as usize] = leaf as u32);
+    /// `None` if the boundary is too long to look for charts.
+    fn new(soup: &'a Soup, list: &[u32], exec: &Execution<'_>) -> Result<Option<Self>, Interruption> {
+        // The half-edges of each vertex with a lower number, each after the number of the other end.
+        let mut start = vec![0u32; soup.points.len() + 1];
+        let edges = |t: u32| {
+            let [a, b, c] = soup.triangles[t as usize];
+            [[a, b], [b, c], [c, a]]
+        };
+        for chunk in list.chunks(LOOK) {
+            chunk.iter().flat_map(|&t| edges(t)).for_each(|[a, b]| start[a.min(b) as usize + 1] += 1);
+            exec.look(chunk.len() as u64)?;
         }
-        exec.look(soup.triangles.len() as u64)?;
-        let (mut rims, mut start) = (Vec::new(), vec![0]);
-        let mut work = 0;
-        for leaf in 0..tree.leaf_count() {
-            for h in tree.leaf_at(leaf).iter().flat_map(|t| 3 * t..3 * t + 3) {
-                let twin = twins[h as usize];
-                let neighbour = if twin == NONE { NONE } else { leaf_of[twin as usize / 3] };
-                if neighbour != leaf as u32 {
-                    rims.push((h, neighbour));
+        for v in 0..soup.points.len() {
+            start[v + 1] += start[v];
+        }
+        let mut half_edges = vec![0u64; start[soup.points.len()] as usize];
+        for chunk in list.chunks(LOOK) {
+            for &t in chunk {
+                for (k, [a, b]) in (0..).zip(edges(t)) {
+                    // The slots of a vertex are filled from the end.
+                    let slot = &mut start[a.min(b) as usize + 1];
+                    *slot -= 1;
+                    half_edges[*slot as usize] = u64::from(a.max(b)) << 32 | u64::from(3 * t + k);
                 }
             }
-            start.push(rims.len() as u32);
-            work += tree.leaf_at(leaf).len();
-            if work >= LOOK {
-                exec.look(work as u64)?;
-                work = 0;
-            }
+            exec.look(chunk.len() as u64)?;
         }
-        Ok(Self { soup, tree, twins, leaf_of, rims, start })
-    }
-
-    fn rim(&self, leaf: u32) -> &[(u32, u32)] {
-        &self.rims[self.start[leaf as usize] as usize..self.start[leaf as usize + 1] as usize]
-    }
-
-    fn cones(&self, exec: &Execution<'_>) -> Result<Vec<Cone>, Interruption> {
-        let mut cones = Vec::with_capacity(self.tree.leaf_count());
+        // Entry v + 1 is now where the half-edges of vertex v start.
+        start.remove(0);
+        start.push(half_edges.len() as u32);
+        let mut twins = vec![NONE; 3 * soup.triangles.len()];
+        let mut bare = 0;
         let mut work = 0;
-        for leaf in 0..self.tree.leaf_count() {
-            let triangles = self.tree.leaf_at(leaf);
-            cones.push(Cone::of(triangles.iter().map(|&t| self.soup.normals[t as usize])));
-            work += triangles.len();
+        for v in 0..soup.points.len() {
+            let around = &mut half_edges[start[v] as usize..start[v + 1] as usize];
+            around.sort_unstable();
+            for edge in around.chunk_by(|a, b| a >> 32 == b >> 32) {
+                let other_end = (edge[0] >> 32) as u32;
+                let starts_here = |half_edge: u64| {
+                    let h = half_edge as u32 as usize;
+                    soup.triangles[h / 3][(h % 3 + 1) % 3] == other_end
+                };
+                match *edge {
+                    [one, two] if starts_here(one) != starts_here(two) => {
+                        twins[one as u32 as usize] = two as u32;
+                        twins[two as u32 as usize] = one as u32;
+                    }
+                    _ => bare += edge.len(),
+                }
+            }
+            work += 1 + around.len();
             if work >= LOOK {
                 exec.look(work as u64)?;
                 work = 0;
             }
         }
-        Ok(cones)
-    }
-
-    /// What the leaf of a triangle has in a list of one entry for each leaf.
-    fn cell(&self, triangle: u32, of_leaves: &[u32]) -> u32 {
-        match self.leaf_of[triangle as usize] {
-            NONE => NONE,
-            leaf => of_leaves[leaf as usize],
-        }
+        let is_short = bare <= list.len() / BOUNDARY_SHARE + FREE_BOUNDARY;
+        Ok(is_short.then_some(Self { soup, twins }))
     }
 
     /// Adds the charts of a direction: for each layer the number of the chart that all triangles of a node belong to.
-    /// The members are the leaves that face the direction.
+    /// The members are the triangles that face the direction.
     fn add_layers(
         &self,
         direction: DVec3,
         members: Vec<u32>,
+        tree: &Tree,
         layers: &mut Vec<Vec<u32>>,
         scratch: &mut Scratch,
         exec: &Execution<'_>,
     ) -> Result<(), Interruption> {
         let mut left = members;
-        left.iter().for_each(|&leaf| scratch.cells[leaf as usize] = 0);
-        let mut next = self.add_layer(direction, &left, layers, scratch, exec)?;
-        left.iter().for_each(|&leaf| scratch.cells[leaf as usize] = NONE);
+        left.iter().for_each(|&t| scratch.cells[t as usize] = 0);
+        let mut next = self.add_layer(direction, &left, tree, layers, scratch, exec)?;
+        left.iter().for_each(|&t| scratch.cells[t as usize] = NONE);
         left = next;
         // Parts that lie over themselves.
-        let height = |leaf: u32| {
-            let first = self.tree.leaf_at(leaf as usize)[0];
-            self.soup.corners(self.soup.triangles[first as usize])[0].dot(direction)
-        };
+        let height = |t: u32| self.soup.corners(self.soup.triangles[t as usize])[0].dot(direction);
         for count in SLABS {
             if left.is_empty() || scratch.slab_work < left.len() {
                 break;
             }
             scratch.slab_work -= left.len();
-            let (low, high) = left.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &leaf| {
-                let height = height(leaf);
+            let (low, high) = left.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &t| {
+                let height = height(t);
                 (low.min(height), high.max(height))
             });
             let thickness = ((high - low) / count).max(f64::MIN_POSITIVE);
             next = Vec::new();
             for shift in [0.0, 0.5] {
-                for &leaf in &left {
-                    scratch.cells[leaf as usize] = ((height(leaf) - low) / thickness + shift) as u32;
-                }
-                next.extend(self.add_layer(direction, &left, layers, scratch, exec)?);
+                left.iter().for_each(|&t| scratch.cells[t as usize] = ((height(t) - low) / thickness + shift) as u32);
+                next.extend(self.add_layer(direction, &left, tree, layers, scratch, exec)?);
             }
-            left.iter().for_each(|&leaf| scratch.cells[leaf as usize] = NONE);
+            left.iter().for_each(|&t| scratch.cells[t as usize] = NONE);
             next.sort_unstable();
             next.dedup();
             left = next;
@@ -341,26 +256,26 @@ impl<'a> Surface<'a> {
         &self,
         direction: DVec3,
         members: &[u32],
+        tree: &Tree,
         layers: &mut Vec<Vec<u32>>,
         scratch: &mut Scratch,
         exec: &Execution<'_>,
     ) -> Result<Vec<u32>, Interruption> {
         let holds = self.charts(direction, members, scratch, exec)?;
-        let chart = |leaf: u32| {
-            let part = scratch.parts[leaf as usize];
+        let chart = |t: u32| {
+            let part = scratch.parts[t as usize];
             if part != NONE && holds[part as usize] { part } else { NONE }
         };
         if holds.contains(&true) {
-            layers.push(self.tree.labels_of_leaves(|leaf| chart(leaf as u32)));
+            layers.push(tree.labels(chart));
         }
-        let outside = members.iter().copied().filter(|&leaf| chart(leaf) == NONE).collect();
-        members.iter().for_each(|&leaf| scratch.parts[leaf as usize] = NONE);
-        exec.look(members.len() as u64)?;
+        let outside = members.iter().copied().filter(|&t| chart(t) == NONE).collect();
+        members.iter().for_each(|&t| scratch.parts[t as usize] = NONE);
         Ok(outside)
     }
 
     /// Finds the connected parts of the cells. Returns for each part whether it is a chart. The members face the
-    /// direction, and no other leaf has a cell.
+    /// direction, and no other triangle has a cell.
     fn charts(
         &self,
         direction: DVec3,
@@ -370,33 +285,32 @@ impl<'a> Surface<'a> {
     ) -> Result<Vec<bool>, Interruption> {
         let Scratch { cells, parts, stack, .. } = scratch;
         let mut boundary: Vec<u32> = Vec::new();
-        let (mut count, mut triangles, mut work) = (0, 0, 0);
+        let (mut count, mut work) = (0, 0);
         for &seed in members {
             if parts[seed as usize] != NONE {
                 continue;
             }
             parts[seed as usize] = count;
             stack.push(seed);
-            while let Some(leaf) = stack.pop() {
-                let rim = self.rim(leaf);
-                for &(h, next) in rim {
-                    if next == NONE || cells[next as usize] != cells[leaf as usize] {
+            while let Some(t) = stack.pop() {
+                for h in 3 * t..3 * t + 3 {
+                    let next = self.twins[h as usize];
+                    if next == NONE || cells[next as usize / 3] != cells[t as usize] {
                         boundary.push(h);
-                    } else if parts[next as usize] == NONE {
-                        parts[next as usize] = count;
-                        stack.push(next);
+                    } else if parts[next as usize / 3] == NONE {
+                        parts[next as usize / 3] = count;
+                        stack.push(next / 3);
                     }
                 }
-                triangles += self.tree.leaf_at(leaf as usize).len();
-                work += rim.len();
-                if work >= LOOK {
+                work += 1;
+                if work == LOOK {
                     exec.look(work as u64)?;
                     work = 0;
                 }
             }
             count += 1;
         }
-        if boundary.len() > triangles / BOUNDARY_SHARE + FREE_BOUNDARY {
+        if boundary.len() > members.len() / BOUNDARY_SHARE + FREE_BOUNDARY {
             return Ok(vec![false; count as usize]);
         }
         boundary.sort_unstable();
@@ -406,19 +320,18 @@ impl<'a> Surface<'a> {
 
 /// Arrays that are used for one direction after another.
 struct Scratch {
-    /// For each leaf of the present members its cell, else [`NONE`].
+    /// For each triangle of the present members its cell, else [`NONE`].
     cells: Vec<u32>,
-    /// For each leaf the number of its connected part, or [`NONE`].
+    /// For each triangle the number of its connected part, or [`NONE`].
     parts: Vec<u32>,
     stack: Vec<u32>,
-    /// Leaves that may still be cut into slabs.
+    /// Triangles that may still be cut into slabs.
     slab_work: usize,
 }
 
 impl Scratch {
-    fn new(leaves: usize) -> Self {
-        let none = || vec![NONE; leaves];
-        Self { cells: none(), parts: none(), stack: Vec::new(), slab_work: SLAB_WORK * leaves }
+    fn new(triangles: usize, slab_work: usize) -> Self {
+        Self { cells: vec![NONE; triangles], parts: vec![NONE; triangles], stack: Vec::new(), slab_work }
     }
 }
 
@@ -451,7 +364,7 @@ impl Boundary {
             let mut next = after(h);
             loop {
                 let twin = surface.twins[next as usize];
-                if twin == NONE || surface.cell(twin / 3, cells) != surface.cell(h / 3, cells) {
+                if twin == NONE || cells[twin as usize / 3] != cells[h as usize / 3] {
                     return half_edges.binary_search(&next).expect("an edge without a twin in its part") as u32;
                 }
                 next = after(twin);
@@ -459,7 +372,7 @@ impl Boundary {
         };
         let ends: Vec<[u32; 2]> = half_edges.iter().map(|&h| [corner(h), corner(after(h))]).collect();
         Self {
-            parts: half_edges.iter().map(|&h| surface.cell(h / 3, parts)).collect(),
+            parts: half_edges.iter().map(|&h| parts[h as usize / 3]).collect(),
             points: ends.iter().map(|ends| ends.map(seen)).collect(),
             next: half_edges.iter().map(|&h| following(h)).collect(),
             ends,

@@ -26,8 +26,6 @@ pub(super) struct Soup {
     pub points: Vec<DVec3>,
     /// Multiplied by this, the points are the vertices again.
     pub unit: f64,
-    /// Whether vertices with equal coordinates were merged.
-    pub is_merged: bool,
     /// Corners; vertices with equal coordinates have the lowest of their numbers.
     pub triangles: Vec<[u32; 3]>,
     /// Twice the area vector of each triangle, with a relative error below 1e-3. Zero for triangles without area,
@@ -42,8 +40,7 @@ impl Soup {
         // Adding zero turns -0 into 0, so that equal coordinates have equal bits.
         let points: Vec<DVec3> = vertices.iter().map(|&v| v * unit.recip() + DVec3::ZERO).collect();
         let representative = representatives(&points, exec)?;
-        let is_merged = (0..).zip(&representative).any(|(v, &first): (u32, &u32)| first != v);
-        let mut soup = Self { points, unit, is_merged, triangles: Vec::new(), normals: Vec::new() };
+        let mut soup = Self { points, unit, triangles: Vec::new(), normals: Vec::new() };
         soup.triangles.reserve_exact(triangles.len());
         soup.normals.reserve_exact(triangles.len());
         for chunk in triangles.chunks(LOOK) {
