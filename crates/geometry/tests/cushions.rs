@@ -170,17 +170,46 @@ fn a_hall_of_two_layers_stands_on_the_ground() {
     assert!((loads.z / (0.3 * opening) - 1.0).abs() < 1e-9, "{loads} {}", 0.3 * opening);
 }
 
+/// Two fields with a neck between them that is narrower than an edge, so that a plane mesh has edges across the neck
+/// from boundary to boundary.
+fn dumbbell() -> Vec<DVec3> {
+    let half = [(0.0, -2.0), (4.0, -2.0), (4.0, -0.3), (8.0, -0.3), (8.0, -2.0), (12.0, -2.0)];
+    let other = half.iter().rev().map(|(x, y)| (*x, -y));
+    half.iter().copied().chain(other).map(|(x, y)| DVec3::new(x, y, 0.0)).collect()
+}
+
+/// Every edge has two triangles: of one layer inside, and one of each layer on the boundary.
+fn assert_only_the_edge_is_shared(cushion: &TensileStructure) {
+    let mut edges = BTreeMap::new();
+    for &[a, b, c] in &cushion.mesh.triangles {
+        for [a, b] in [[a, b], [b, c], [c, a]] {
+            *edges.entry([a.min(b), a.max(b)]).or_insert(0) += 1;
+        }
+    }
+    assert!(edges.values().all(|count| *count == 2), "an edge of both layers inside");
+}
+
+#[test]
+fn layers_come_apart_in_a_neck_that_is_narrower_than_an_edge() {
+    // A long film of width b under a pressure p is an arc of radius σ / p, which is b² p / (8 σ) high. Edges longer than
+    // the width leave a single row of vertices in the neck.
+    let arc = 0.6 * 0.6 * 0.1 / 8.0;
+    for (edge_length, off) in [(2.0, 0.5), (1.0, 0.5), (0.2, 0.1)] {
+        let cushion = found(&cushion(dumbbell(), &[1.0, 1.0], &[Pressure::Constant(0.1)]), edge_length);
+        assert_only_the_edge_is_shared(&cushion);
+        let [upper, _] = cushion.statistics.layers[..] else { panic!() };
+        let triangles = &cushion.mesh.triangles[..upper.triangles];
+        let places = triangles.iter().flatten().map(|&v| cushion.mesh.vertices[v as usize]);
+        let height = places.filter(|p| (5.0..7.0).contains(&p.x)).map(|p| p.z).fold(0.0, f64::max);
+        assert!((height / arc - 1.0).abs() < off, "{height} of {arc} with edges of {edge_length}");
+    }
+}
+
 #[test]
 fn layers_share_their_edge_and_nothing_else() {
     for edge_length in [2.5, 1.0] {
         let cushion = found(&cushion(square(), &[1.0, 1.0], &[Pressure::Constant(0.1)]), edge_length);
-        let mut edges = BTreeMap::new();
-        for &[a, b, c] in &cushion.mesh.triangles {
-            for [a, b] in [[a, b], [b, c], [c, a]] {
-                *edges.entry([a.min(b), a.max(b)]).or_insert(0) += 1;
-            }
-        }
-        assert!(edges.values().all(|count| *count == 2), "an edge of both layers inside");
+        assert_only_the_edge_is_shared(&cushion);
         let rim = &cushion.boundaries[0];
         assert!(rim.len() >= 4 && cushion.statistics.layers.iter().all(|layer| layer.triangles > 8));
         // The layers mirror each other.
@@ -264,7 +293,8 @@ fn what_the_arguments_show_is_refused_by_its_place() {
     // Pressures at which two of three layers would lie in the same place.
     assert_eq!(places(&with(&[0.1, 0.2].map(Pressure::Constant))), ["/chambers/0/pressure"]);
     assert_eq!(places(&with(&[0.2, 0.1].map(Pressure::Constant))), ["/chambers/1/pressure"]);
-    // The space between two layers is closed wherever their edge is, the one below the last layer only over a fixed one.
+    // The space between two layers is closed wherever their edge is, the one below the last layer only over a fixed
+    // edge.
     let mut hangs = cushion(square(), &[1.0, 1.0], &[0.1, 0.15].map(Pressure::Constant));
     let course = Course::Boundary { boundary: 0, from: 0, to: 1 };
     let mode = CableMode::Force(20.0);
