@@ -1,6 +1,5 @@
 //! Delaunay flips and smoothing on a surface that stays where it is. Fixed vertices do not move, locked edges stay, and
 //! no triangle turns over.
-//!
 
 use crate::DVec3;
 use crate::mesh::film::Film;

@@ -48,9 +48,11 @@ const GRID: Grid = Grid {
 const CREASE: f64 = 0.35;
 /// A vertex of a curve is a corner if the curve turns by more than this angle, radians.
 const CORNER_TURN: f64 = std::f64::consts::FRAC_PI_6;
-/// An edge across a sharp corner is out of range because of the corner if its ends are nearer to it than this, in ℓ, ...
+/// A sharp corner can be the reason for the length of an edge only if both ends of the edge are nearer to it than this,
+/// in ℓ.
 const NEAR_CORNER: f64 = 3.0;
-/// ... and if it is as long as the distance between the sides there, up to this fraction.
+/// A sharp corner or a short closed side is the reason for a short edge only if the edge has at least this fraction of the
+/// length that the corner or the side leaves to an edge.
 const FORCED: f64 = 0.9;
 /// Points on each side, less one, at which that distance is taken.
 const STEPS_NEAR_CORNER: usize = 8;
