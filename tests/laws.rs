@@ -345,18 +345,38 @@ fn reasons(code: &str) -> BTreeSet<String> {
     ["no_result(", "reason: "].iter().flat_map(|word| code.split(word).skip(1)).filter_map(literal).collect()
 }
 
+/// Returns the types of failed jobs' errors that the code names, without the path before them.
+fn types(code: &str) -> BTreeSet<String> {
+    let name = |rest: &str| rest.trim_start().trim_start_matches('"').split('"').next().map(str::to_owned);
+    ["JobError::new(", "\"/problems/"]
+        .iter()
+        .flat_map(|word| code.split(word).skip(1))
+        .filter_map(name)
+        .filter(|name| name.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'-'))
+        .collect()
+}
+
 #[test]
 fn every_reason_for_a_failed_job_is_in_the_catalogue() {
     let made_up =
         "Err(Error::no_result(\n  \"too_large\", detail)) NoResult { reason: \"torn\", detail } reason: &'static str";
     assert_eq!(reasons(made_up), BTreeSet::from(["too_large".into(), "torn".into()]));
+    assert_eq!(
+        types(r#"JobError::new("deadline", "late", errors); "type": "/problems/worker-lost", "/problems/{name}""#),
+        BTreeSet::from(["deadline".into(), "worker-lost".into()])
+    );
     let known: BTreeSet<&str> = plateau::wire::job::FAILURES.iter().map(|(name, _)| *name).collect();
+    let check = |path: &str, kind: &str| {
+        assert!(known.contains(kind), "{path}: {kind} is missing in FAILURES of wire/job.rs");
+    };
     let geometry = sources(&root().join("crates/geometry/src"));
     for path in geometry.into_iter().chain([root().join("src/jobs/solve.rs")]) {
         for reason in reasons(&code(&path).join("\n")) {
-            let kind = reason.replace('_', "-");
-            assert!(known.contains(kind.as_str()), "{}: {kind} is missing in FAILURES of wire/job.rs", path.display());
+            check(&path.display().to_string(), &reason.replace('_', "-"));
         }
+    }
+    for file in service().iter().filter(|file| ["jobs", "store", "wire"].contains(&file.part().as_str())) {
+        types(&file.code).iter().for_each(|kind| check(&file.path, kind));
     }
 }
 

@@ -233,8 +233,7 @@ impl IntoResponse for Failure {
 }
 
 /// Writes the problem document into a response marked by [`Failure`]. Other responses stay unchanged. Hops gets an answer
-/// in its own form. `base` is the
-/// base path of this server, and `path` is the request's path below it.
+/// in its own form. `base` is the base path of this server, and `path` is the request's path below it.
 pub fn write_problem(mut response: Response<Body>, base: &str, path: &str) -> Response<Body> {
     if let Some(Unaddressed(mut problem)) = response.extensions_mut().remove::<Unaddressed>() {
         if hops::is_solve(path) {
