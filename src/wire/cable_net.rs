@@ -1,6 +1,6 @@
 //! `POST /v1/cable-nets`: the request, its statistics, and their conversion to and from the geometry's types.
 
-use super::common::{JobFields, Point};
+use super::common::{self, JobFields, Point};
 use super::minimal_surface::Spread;
 use super::objectives::Objective as ObjectiveDoc;
 use super::tensile_structure::{ForceBalance, LengthAndForce};
@@ -169,20 +169,9 @@ impl KindRequest for CableNetRequest {
     }
 
     fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
-        let too_many = |pointer: &str, detail: String| Err(Rejection::TooLarge(vec![FieldError::new(pointer, detail)]));
-        for (pointer, count, most, what) in [
-            ("/vertices", self.vertices.len(), limits.points, "points"),
-            ("/edges", self.edges.len(), limits.triangles, "edges"),
-        ] {
-            if count > most {
-                let detail = format!("has more {what} than this server accepts ({most}); see GET /v1/limits");
-                return too_many(pointer, detail);
-            }
-        }
-        if self.max_iterations.is_some_and(|count| count > limits.iterations) {
-            let detail = format!("is more than this server allows ({}); see GET /v1/limits", limits.iterations);
-            return too_many("/max_iterations", detail);
-        }
+        common::check_count("/vertices", self.vertices.len(), limits.points, "points")?;
+        common::check_count("/edges", self.edges.len(), limits.triangles, "edges")?;
+        common::check_number("/max_iterations", self.max_iterations, limits.iterations as usize)?;
         let mut errors = Vec::new();
         let of_edge = self.check_cables(&mut errors);
         let loads = self.check_loads(&mut errors);

@@ -107,9 +107,28 @@ pub fn polylines(polylines: &[Vec<Point>]) -> Vec<Vec<DVec3>> {
 /// # Errors
 /// Returns [`Rejection::TooLarge`] at the field.
 pub fn check_point_count(field: &str, polylines: &[Vec<Point>], max_points: usize) -> Result<(), Rejection> {
-    let count: usize = polylines.iter().map(Vec::len).sum();
-    if count > max_points {
-        let detail = format!("has more points than this server accepts ({max_points}); see GET /v1/limits");
+    check_count(field, polylines.iter().map(Vec::len).sum(), max_points, "points")
+}
+
+/// Refuses a field with more than `most` entries. `what` says in the plural what is counted.
+///
+/// # Errors
+/// Returns [`Rejection::TooLarge`] at the field.
+pub fn check_count(field: &str, count: usize, most: usize, what: &str) -> Result<(), Rejection> {
+    if count > most {
+        let detail = format!("has more {what} than this server accepts ({most}); see GET /v1/limits");
+        return Err(Rejection::TooLarge(vec![FieldError::new(field, detail)]));
+    }
+    Ok(())
+}
+
+/// Refuses a number above `most`.
+///
+/// # Errors
+/// Returns [`Rejection::TooLarge`] at the field.
+pub fn check_number(field: &str, number: Option<u32>, most: usize) -> Result<(), Rejection> {
+    if number.is_some_and(|number| number as usize > most) {
+        let detail = format!("is more than this server allows ({most}); see GET /v1/limits");
         return Err(Rejection::TooLarge(vec![FieldError::new(field, detail)]));
     }
     Ok(())

@@ -206,6 +206,15 @@ const DEFAULT_TRIANGLES: usize = 2000;
 const DEFAULT_TRIANGLES_PER_POINT: usize = 4;
 
 impl Resolution {
+    /// Refuses numbers above the limits of this server.
+    ///
+    /// # Errors
+    /// Returns [`Rejection::TooLarge`] at the number.
+    pub fn check(&self, limits: &LimitsConfig) -> Result<(), Rejection> {
+        common::check_number("/resolution/triangles", self.triangles, limits.triangles)?;
+        common::check_number("/resolution/interior_vertices", self.interior_vertices, limits.triangles / 2)
+    }
+
     /// Converts the resolution to the geometry's type, for boundaries with so many points.
     pub(super) fn to_geometry(self, boundary_points: usize) -> geometry::Resolution {
         match self {
@@ -359,30 +368,16 @@ impl KindRequest for MinimalSurfaceRequest {
 
     fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
         common::check_point_count("/boundaries", &self.boundaries, limits.points)?;
-        let too_many = |pointer: &str, detail: String| Err(Rejection::TooLarge(vec![FieldError::new(pointer, detail)]));
-        if self.resolution.triangles.is_some_and(|count| count as usize > limits.triangles) {
-            let detail = format!("is more than this server allows ({}); see GET /v1/limits", limits.triangles);
-            return too_many("/resolution/triangles", detail);
-        }
-        if self.resolution.interior_vertices.is_some_and(|count| count as usize > limits.triangles / 2) {
-            let detail = format!("is more than this server allows ({}); see GET /v1/limits", limits.triangles / 2);
-            return too_many("/resolution/interior_vertices", detail);
-        }
+        self.resolution.check(limits)?;
         common::check_point_count("/constraints/polylines", &self.constraints.polylines, limits.points)?;
-        if self.constraints.points.len() > limits.points {
-            let detail = format!("has more points than this server accepts ({}); see GET /v1/limits", limits.points);
-            return too_many("/constraints/points", detail);
-        }
+        common::check_count("/constraints/points", self.constraints.points.len(), limits.points, "points")?;
         if let InitialMesh::Given(mesh) = &self.initial_mesh
             && mesh.triangles.len().max(mesh.vertices.len()) > limits.triangles
         {
             let detail = format!("is larger than this server accepts ({} triangles)", limits.triangles);
-            return too_many("/initial_mesh", detail);
+            return Err(Rejection::TooLarge(vec![FieldError::new("/initial_mesh", detail)]));
         }
-        if self.max_iterations.is_some_and(|count| count > limits.iterations) {
-            let detail = format!("is more than this server allows ({}); see GET /v1/limits", limits.iterations);
-            return too_many("/max_iterations", detail);
-        }
+        common::check_number("/max_iterations", self.max_iterations, limits.iterations as usize)?;
         let errors = self.combinations();
         if !errors.is_empty() {
             return Err(Rejection::Invalid(errors));
@@ -400,7 +395,7 @@ impl KindRequest for MinimalSurfaceRequest {
                 "asks for about {:.0} triangles, more than this server allows ({})",
                 estimate.triangles, limits.triangles
             );
-            return too_many("/resolution", detail);
+            return Err(Rejection::TooLarge(vec![FieldError::new("/resolution", detail)]));
         }
         let bound = certify.map_or(0, |options| lower_bound::memory_bytes(boundaries.len(), &options));
         Ok(Checked {

@@ -569,25 +569,10 @@ impl KindRequest for TensileStructureRequest {
 
     fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
         common::check_point_count("/boundaries", &self.boundaries, limits.points)?;
-        let too_many = |pointer: &str, detail: String| Err(Rejection::TooLarge(vec![FieldError::new(pointer, detail)]));
-        let (triangles, interior) = (self.resolution.triangles, self.resolution.interior_vertices);
-        for (pointer, count, most) in [
-            ("/resolution/triangles", triangles, limits.triangles),
-            ("/resolution/interior_vertices", interior, limits.triangles / 2),
-        ] {
-            if count.is_some_and(|count| count as usize > most) {
-                return too_many(pointer, format!("is more than this server allows ({most}); see GET /v1/limits"));
-            }
-        }
-        if self.max_iterations.is_some_and(|count| count > limits.iterations) {
-            let detail = format!("is more than this server allows ({}); see GET /v1/limits", limits.iterations);
-            return too_many("/max_iterations", detail);
-        }
-        let across: usize = self.cables.iter().filter_map(|cable| cable.across.as_ref()).map(Vec::len).sum();
-        if across > limits.points {
-            let detail = format!("has more points than this server accepts ({}); see GET /v1/limits", limits.points);
-            return too_many("/cables", detail);
-        }
+        self.resolution.check(limits)?;
+        common::check_number("/max_iterations", self.max_iterations, limits.iterations as usize)?;
+        let across = self.cables.iter().filter_map(|cable| cable.across.as_ref()).map(Vec::len).sum();
+        common::check_count("/cables", across, limits.points, "points")?;
         let mut errors = Vec::new();
         if self.pressure.is_some() && self.volume.is_some() {
             errors.push(FieldError::new(
@@ -645,7 +630,7 @@ impl KindRequest for TensileStructureRequest {
                 "asks for about {:.0} triangles, more than this server allows ({})",
                 estimate.triangles, limits.triangles
             );
-            return too_many("/resolution", detail);
+            return Err(Rejection::TooLarge(vec![FieldError::new("/resolution", detail)]));
         }
         Ok(Checked {
             memory_bytes: estimate.bytes,

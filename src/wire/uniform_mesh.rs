@@ -230,10 +230,7 @@ impl KindRequest for UniformMeshRequest {
     fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
         self.domain.check()?;
         let (points, field) = self.domain.point_count();
-        if points > limits.points {
-            let detail = format!("has more points than this server accepts ({}); see GET /v1/limits", limits.points);
-            return Err(Rejection::TooLarge(vec![FieldError::new(field, detail)]));
-        }
+        common::check_count(field, points, limits.points, "points")?;
         let invalid = |pointer: &str, detail: &str| Err(Rejection::Invalid(vec![FieldError::new(pointer, detail)]));
         if self.optimise == Optimise::Lengths && !self.optimise_nodes {
             return invalid(
