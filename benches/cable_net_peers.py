@@ -1,19 +1,26 @@
 """The cable net by targets beside jax_fdm (PyPI `jax_fdm`), in one run.
 
     cargo test -p plateau-geometry --bench cable_net --no-run     (prints the binary)
-    python3 benches/cable_net_peers.py BENCH_BINARY [CELLS ...]
+    PEERS/bin/python benches/cable_net_peers.py [--seconds S] BENCH_BINARY [CELLS ...]     (PEERS: benches/peers)
 
 The net is that of jax_fdm's `cablenet.md`: 10 m, CELLS x CELLS cells (10 without an argument), two opposite corners lifted by
 5 m; forces of 20 kN on the rim, equal lengths inside, no force density below 0.1. Both start from the same densities and
-minimise the same loss, the sum of the two mean squared errors. jax_fdm runs as in its example: L-BFGS-B, 1000 iterations,
-tolerance 1e-8. Seconds are wall time: for ours of the solver (`seconds`) and of the whole process (`process_seconds`), for
-jax_fdm of `constrained_fdm` with the compilation that precedes its first iteration (`peer_seconds`) and without
-(`peer_optimisation_seconds`). Prints one JSON line for each net; `ratio` is seconds over peer_optimisation_seconds.
+minimise the same loss, the sum of the two mean squared errors. jax_fdm runs as in its example: L-BFGS-B, at most 1000
+iterations, tolerance 1e-8. It runs in a process of its own and is stopped after S seconds of processor time (900); such a
+line has `"peer_ended": false`. Ours runs before it and after it, and the mean of both counts.
+
+`seconds` is the wall time of our solver and `process_seconds` the processor time of our whole process. `peer_seconds` is
+the wall time of `constrained_fdm` with the compilation that precedes its first iteration, `peer_optimisation_seconds`
+without it, and `peer_process_seconds` the processor time of the whole process. `ratio` is seconds over
+peer_optimisation_seconds, and `process_ratio` the same of the processor times. Prints one JSON line for each net.
 """
+import argparse
 import contextlib
 import io
 import json
 import re
+import resource
+import signal
 import subprocess
 import sys
 import time
@@ -64,17 +71,57 @@ def peer(cells):
     }
 
 
+def processor_seconds(usage):
+    return usage.ru_utime + usage.ru_stime
+
+
+def ours(binary, cells):
+    before = processor_seconds(resource.getrusage(resource.RUSAGE_CHILDREN))
+    run = subprocess.run([binary, "--case", str(cells)], check=True, capture_output=True, text=True)
+    seconds = processor_seconds(resource.getrusage(resource.RUSAGE_CHILDREN)) - before
+    return {**json.loads(run.stdout), "process_seconds": seconds}
+
+
+def peer_in_its_own_process(cells, limit):
+    """The figures of jax_fdm, or what it had used when it was stopped."""
+
+    def bound():
+        resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
+
+    before = processor_seconds(resource.getrusage(resource.RUSAGE_CHILDREN))
+    run = subprocess.run(
+        [sys.executable, __file__, "--peer", str(cells)], capture_output=True, text=True, preexec_fn=bound
+    )
+    seconds = processor_seconds(resource.getrusage(resource.RUSAGE_CHILDREN)) - before
+    figures = {"peer_ended": run.returncode == 0, "peer_process_seconds": round(seconds, 2)}
+    if run.returncode == 0:
+        figures.update(json.loads(run.stdout.splitlines()[-1]))
+    elif run.returncode not in (-signal.SIGXCPU, -signal.SIGKILL):
+        raise SystemExit(run.stderr)
+    return figures
+
+
 def main():
-    binary, nets = sys.argv[1], [int(cells) for cells in sys.argv[2:]] or [10]
-    for cells in nets:
-        start = time.perf_counter()
-        run = subprocess.run([binary, "--case", str(cells)], check=True, capture_output=True, text=True)
-        line = json.loads(run.stdout)
-        line["process_seconds"] = round(time.perf_counter() - start, 3)
-        line.update(peer="jax_fdm", **peer(cells))
-        if line["peer_optimisation_seconds"]:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--seconds", type=int, default=900)
+    parser.add_argument("--peer", type=int, help=argparse.SUPPRESS)
+    parser.add_argument("binary", nargs="?")
+    parser.add_argument("cells", nargs="*", type=int, default=[10])
+    arguments = parser.parse_intermixed_args()
+    if arguments.peer is not None:
+        print(json.dumps(peer(arguments.peer)))
+        return
+    for cells in arguments.cells:
+        line = ours(arguments.binary, cells)
+        line.update(peer="jax_fdm", **peer_in_its_own_process(cells, arguments.seconds))
+        again = ours(arguments.binary, cells)
+        for name in ("seconds", "process_seconds"):
+            line[name] = round(0.5 * (line[name] + again[name]), 4)
+        if line.get("peer_optimisation_seconds"):
             line["ratio"] = round(line["seconds"] / line["peer_optimisation_seconds"], 5)
+        line["process_ratio"] = round(line["process_seconds"] / line["peer_process_seconds"], 5)
         print(json.dumps(line), flush=True)
 
 
-main()
+if __name__ == "__main__":
+    main()
