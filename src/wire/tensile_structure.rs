@@ -334,7 +334,7 @@ pub struct BoundaryPoint {
 }
 
 /// A support without friction. What slides is exactly one of `along`, `boundary` and `point`.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SlidingSupport {
     /// Part of a boundary, without its two ends.
@@ -349,6 +349,12 @@ pub struct SlidingSupport {
     #[schemars(with = "BoundaryPoint")]
     pub point: Option<BoundaryPoint>,
     pub on: Guide,
+    /// Angle between the film and the surface, on the left of the edge's direction, as seen from the side to which the
+    /// surface's normal points: a plane's `normal`, outside a sphere or cylinder. Null means 90. A given angle needs an
+    /// edge on a plane, sphere or cylinder, and a single film with a `tension` and no weight.
+    #[serde(default)]
+    #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 180))]
+    pub contact_angle_deg: Option<f64>,
 }
 
 /// A boundary that is a rigid ring, guided along an axis without friction. It turns nowhere.
@@ -414,7 +420,7 @@ impl Mast {
 
 /// A line or surface to slide on, given by exactly one of its fields. Edges slide on surfaces only. Directions need no
 /// unit length.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("minProperties" = 1, "maxProperties" = 1))]
 pub struct Guide {
@@ -433,6 +439,9 @@ pub struct Guide {
     #[serde(default)]
     #[schemars(with = "CylinderGuide")]
     pub cylinder: Option<CylinderGuide>,
+    #[serde(default)]
+    #[schemars(with = "MeshGuide")]
+    pub mesh: Option<MeshGuide>,
 }
 
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
@@ -477,10 +486,35 @@ pub struct CylinderGuide {
     pub radius: f64,
 }
 
+/// A smooth surface along the client's own mesh. Neighbouring triangles are oriented alike.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MeshGuide {
+    #[schemars(length(min = 3))]
+    pub vertices: Vec<Point>,
+    /// Vertex indices of each triangle, counted from 0.
+    #[schemars(length(min = 1), inner(inner(range(min = 0, max = 4_294_967_295u32))))]
+    pub triangles: Vec<[u32; 3]>,
+    /// Length within which the mesh's edges are rounded, because a film cannot slide over a sharp edge. For a mesh of a
+    /// curved surface two to three times the length of its edges.
+    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
+    pub rounding: f64,
+}
+
+impl MeshGuide {
+    /// Number of vertices or of triangles, whichever is larger.
+    fn size(&self) -> usize {
+        self.vertices.len().max(self.triangles.len())
+    }
+}
+
 impl Guide {
-    /// Converts the guide, or returns the field of a direction without length. The schema demands exactly one field.
-    fn to_geometry(self) -> Result<Support, &'static str> {
-        let unit = |vector: Point, field: &'static str| DVec3::from_array(vector).try_normalize().ok_or(field);
+    /// Converts the guide, or returns the place of an error and the error. The schema demands exactly one field.
+    fn to_geometry(&self) -> Result<Support, (String, String)> {
+        let unit = |vector: Point, field: &str| {
+            let error = || (field.to_owned(), "must be a vector with a length".to_owned());
+            DVec3::from_array(vector).try_normalize().ok_or_else(error)
+        };
         let place = DVec3::from_array;
         if let Some(LineGuide { point, direction }) = self.line {
             let direction = unit(direction, "line/direction")?;
@@ -495,7 +529,11 @@ impl Guide {
         if let Some(CylinderGuide { point, axis, radius }) = self.cylinder {
             return Ok(Support::Cylinder { point: place(point), axis: unit(axis, "cylinder/axis")?, radius });
         }
-        let PlaneGuide { point, normal } = self.plane.ok_or("plane")?;
+        if let Some(MeshGuide { vertices, triangles, rounding }) = &self.mesh {
+            return Support::mesh(&common::points(vertices), triangles, *rounding)
+                .map_err(|error| (format!("mesh{}", error.place), error.detail));
+        }
+        let PlaneGuide { point, normal } = self.plane.ok_or_else(|| ("plane".into(), "is required".into()))?;
         Ok(Support::Plane { point: place(point), normal: unit(normal, "plane/normal")? })
     }
 }
@@ -573,6 +611,8 @@ impl KindRequest for TensileStructureRequest {
         common::check_number("/max_iterations", self.max_iterations, limits.iterations as usize)?;
         let across = self.cables.iter().filter_map(|cable| cable.across.as_ref()).map(Vec::len).sum();
         common::check_count("/cables", across, limits.points, "points")?;
+        let meshes = self.supports.iter().filter_map(|support| support.on.mesh.as_ref()).map(MeshGuide::size).sum();
+        common::check_count("/supports", meshes, limits.triangles, "triangles or vertices of meshes")?;
         let mut errors = Vec::new();
         if self.pressure.is_some() && self.volume.is_some() {
             errors.push(FieldError::new(
@@ -601,12 +641,10 @@ impl KindRequest for TensileStructureRequest {
                     continue;
                 }
             };
+            let contact_angle = support.contact_angle_deg.map(f64::to_radians);
             match support.on.to_geometry() {
-                Ok(on) => sliding.push(geometry::Sliding { part, on }),
-                Err(field) => {
-                    let detail = "must be a vector with a length";
-                    errors.push(FieldError::new(format!("/supports/{k}/on/{field}"), detail));
-                }
+                Ok(on) => sliding.push(geometry::Sliding { part, on, contact_angle }),
+                Err((place, detail)) => errors.push(FieldError::new(format!("/supports/{k}/on/{place}"), detail)),
             }
         }
         let mut rings = Vec::with_capacity(self.rings.len());
@@ -729,8 +767,9 @@ pub fn objectives() -> Vec<ObjectiveDoc> {
     vec![ObjectiveDoc {
         name: "equilibrium",
         kind: Kind::TensileStructure,
-        minimises: "Σ σ A + Σ T L + Σ (EA / 2 L0) (L - L0)²₊ - Σ p V and the potential energy of the weights, with lengths \
-                    and volumes as constraints where they are given",
+        minimises: "Σ σ A + Σ T L + Σ (EA / 2 L0) (L - L0)²₊ - Σ p V - Σ σ cos θ W and the potential energy of the \
+                    weights, with lengths and volumes as constraints where they are given and the area W of a support \
+                    beside an edge of given contact angle θ",
         unit: "force u",
         source: "Schek 1974; Bletzinger, Ramm 1999, section 3",
         options: vec![
@@ -965,7 +1004,8 @@ pub struct TensileStatistics {
     pub balance: Option<ForceBalance>,
     /// Stresses of all layers. Null if the forces could not be balanced.
     pub stress: Option<FilmStress>,
-    /// Angle between the film's pull on sliding edges and their surface. Null without such an edge.
+    /// Angle between the film's pull on sliding edges and their surface; of edges with a given angle that on their left.
+    /// Null without such an edge.
     pub contact_angle_deg: Option<AngleRange>,
     /// Null where the solve did not converge, and with warp and weft, because no energy has their shape as its minimum.
     pub stability: Option<EquilibriumStability>,

@@ -99,8 +99,30 @@ async fn each_wrong_value_gets_an_error_with_its_pointer() {
     let turning = sail(json!({ "cables": [half(0, 2), half(2, 0)] }));
     let sliding =
         |on: Value| sail(json!({ "supports": [{ "along": { "from": 0, "to": 2 }, "on": on }], "cables": [] }));
+    let floor = |triangles: Value, height: f64, rounding: f64| {
+        let at = |x: i32, y: i32| json!([x, y, height]);
+        let vertices = [at(-1, -1), at(11, -1), at(11, 11), at(-1, 11)];
+        sliding(json!({ "mesh": { "vertices": vertices, "triangles": triangles, "rounding": rounding } }))
+    };
+    let meshed = |triangles: Value| floor(triangles, 0.0, 1.0);
+    let leaning = |angle: f64| {
+        let mut body = sliding(json!({ "plane": { "point": [0, 0, 0], "normal": [0, 0, 1] } }));
+        body["supports"][0]["contact_angle_deg"] = json!(angle);
+        body
+    };
+    let mut leaning_on_a_mesh = meshed(json!([[0, 1, 2], [0, 2, 3]]));
+    leaning_on_a_mesh["supports"][0]["contact_angle_deg"] = json!(60);
     let cases = [
         (turning, vec!["/boundaries/0/1", "/boundaries/0/3"]),
+        (meshed(json!([])), vec!["/supports/0/on/mesh/triangles"]),
+        (meshed(json!([[0, 1, 2], [0, 2, 4]])), vec!["/supports/0/on/mesh/triangles/1/2"]),
+        (meshed(json!([[0, 1, 2], [0, 2, 2]])), vec!["/supports/0/on/mesh/triangles/1"]),
+        (meshed(json!([[0, 1, 2], [2, 0, 3]])), vec!["/supports/0/on/mesh/triangles/1"]),
+        (floor(json!([[0, 1, 2], [0, 2, 3]]), 0.0, 0.0), vec!["/supports/0/on/mesh/rounding"]),
+        (floor(json!([[0, 1, 2], [0, 2, 3]]), 2.0, 1.0), vec!["/boundaries/0/1"]),
+        (leaning_on_a_mesh, vec!["/supports/0/contact_angle_deg"]),
+        (leaning(0.0), vec!["/supports/0/contact_angle_deg"]),
+        (leaning(180.0), vec!["/supports/0/contact_angle_deg"]),
         (sliding(json!({ "plane": { "point": [0, 0, 1], "normal": [0, 0, 1] } })), vec!["/boundaries/0/1"]),
         (json!({}), vec!["/boundaries"]),
         (json!({ "boundaries": [[[0, 0, 0], [1, 0, 0], [1, 1, 0]]] }), vec!["/film"]),
@@ -175,6 +197,31 @@ async fn each_wrong_value_gets_an_error_with_its_pointer() {
     // The error for a pressure above the limit says the limit, 2 σ / r for a disc.
     let refused = problem(app.post(TENSILE, &disc(json!({ "pressure": 0.5 }))).await, 422).await;
     assert!(refused["errors"][0]["detail"].as_str().unwrap().contains("0.40"), "{refused}");
+}
+
+#[tokio::test]
+async fn an_edge_slides_on_a_mesh_and_meets_a_plane_at_a_given_angle() {
+    let app = TestApp::start().await;
+    let solved = async |support: Value| {
+        let mut body = example("film-on-a-plane");
+        body["supports"][0].as_object_mut().unwrap().extend(support.as_object().unwrap().clone());
+        let job = app.solve(TENSILE, &body).await;
+        assert_eq!(job["statistics"]["converged"], true, "{job}");
+        let number = |value: &Value| value.as_f64().unwrap();
+        let angle = &job["statistics"]["contact_angle_deg"];
+        (number(&job["statistics"]["area"]), number(&angle["min"]), number(&angle["max"]))
+    };
+    let (plane, ..) = solved(json!({})).await;
+    // The same plane as a mesh of two triangles.
+    let vertices = json!([[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]]);
+    let mesh = json!({ "vertices": vertices, "triangles": [[0, 1, 2], [0, 2, 3]], "rounding": 1 });
+    let (area, least, most) = solved(json!({ "on": { "mesh": mesh } })).await;
+    assert!((area / plane - 1.0).abs() < 1e-9, "{area} {plane}");
+    assert!((least - 90.0).abs() < 1e-6 && (most - 90.0).abs() < 1e-6, "{least} {most}");
+    // The edge runs counter-clockwise, so that the film leans inward at less than a right angle.
+    let (area, least, most) = solved(json!({ "contact_angle_deg": 70 })).await;
+    assert!((least - 70.0).abs() < 0.1 && (most - 70.0).abs() < 0.1, "{least} {most}");
+    assert!((area / plane - 1.0).abs() > 0.01, "{area} {plane}");
 }
 
 #[tokio::test]

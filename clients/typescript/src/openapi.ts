@@ -1306,6 +1306,7 @@ export interface components {
             circle?: components["schemas"]["CircleGuide"];
             cylinder?: components["schemas"]["CylinderGuide"];
             line?: components["schemas"]["LineGuide"];
+            mesh?: components["schemas"]["MeshGuide"];
             plane?: components["schemas"]["PlaneGuide"];
             sphere?: components["schemas"]["SphereGuide"];
         };
@@ -1648,6 +1649,18 @@ export interface components {
         MeshAttributes: {
             /** @description Unsigned mean curvature of each vertex in 1/unit. Only minimal surfaces have it. */
             mean_curvature?: number[];
+        };
+        /** @description A smooth surface along the client's own mesh. Neighbouring triangles are oriented alike. */
+        MeshGuide: {
+            /**
+             * Format: double
+             * @description Length within which the mesh's edges are rounded, because a film cannot slide over a sharp edge. For a mesh of a
+             *     curved surface two to three times the length of its edges.
+             */
+            rounding: number;
+            /** @description Vertex indices of each triangle, counted from 0. */
+            triangles: number[][];
+            vertices: components["schemas"]["Polygon"];
         };
         /** @description Lines along the mesh. */
         MeshLines: {
@@ -2487,6 +2500,13 @@ export interface components {
             along?: components["schemas"]["Along"];
             /** @description Number of a boundary that slides as a whole. */
             boundary?: number;
+            /**
+             * Format: double
+             * @description Angle between the film and the surface, on the left of the edge's direction, as seen from the side to which the
+             *     surface's normal points: a plane's `normal`, outside a sphere or cylinder. Null means 90. A given angle needs an
+             *     edge on a plane, sphere or cylinder, and a single film with a `tension` and no weight.
+             */
+            contact_angle_deg?: number | null;
             on: components["schemas"]["Guide"];
             point?: components["schemas"]["BoundaryPoint"];
         };
@@ -2756,7 +2776,10 @@ export interface components {
             cables: components["schemas"]["CableForce"][];
             /** @description The chambers. The space below a single film with a pressure is one. */
             chambers: components["schemas"]["ChamberState"][];
-            /** @description Angle between the film's pull on sliding edges and their surface. Null without such an edge. */
+            /**
+             * @description Angle between the film's pull on sliding edges and their surface; of edges with a given angle that on their left.
+             *     Null without such an edge.
+             */
             contact_angle_deg: components["schemas"]["AngleRange"] | null;
             converged: boolean;
             degenerate_triangles: number;

@@ -24,7 +24,9 @@
 
 mod body;
 mod constraint;
+mod contact;
 mod freedom;
+mod mesh_surface;
 pub(crate) mod newton;
 mod normal_motion;
 pub(crate) mod residual;
@@ -35,7 +37,9 @@ pub(crate) mod v_cycle;
 
 pub use body::{Body, BodyDefect, Report, Stability};
 pub use constraint::{Constraint, Determined};
+pub use contact::Contact;
 pub use freedom::{Freedom, Support};
+pub use mesh_surface::MeshSurface;
 pub use newton::{Aim, Outcome, Settings};
 
 pub(crate) use body::{Frame, Motion};

@@ -64,6 +64,7 @@ pub use outcome::{
 };
 pub use ponding::Ponding;
 
+use crate::equilibrium::Support;
 use crate::error::Step;
 use crate::minimal_surface;
 use crate::{DVec3, Error, Estimate, Execution, InputError, Place};
@@ -141,6 +142,8 @@ fn placed(structure: &Structure, mut error: Error) -> Error {
 /// Number of bytes of memory per triangle. The factor with three unknowns at every vertex takes most of it: about 1,800
 /// bytes at 50,000 triangles. A larger value refuses more requests.
 const BYTES_PER_TRIANGLE: f64 = 8_000.0;
+/// Number of bytes of memory per triangle of a mesh on which an edge slides: the triangle and its share of the tree.
+const BYTES_PER_SUPPORT_TRIANGLE: usize = 200;
 
 /// Estimates the triangles of the result and the memory that solving takes. The number of triangles is that of the layers
 /// over the boundaries before form finding ([`minimal_surface::estimate`]).
@@ -148,5 +151,10 @@ const BYTES_PER_TRIANGLE: f64 = 8_000.0;
 pub fn estimate(structure: &Structure, options: &Options) -> Estimate {
     let start = minimal_surface::estimate(&structure.boundaries, &model::start_options(structure, options));
     let triangles = start.triangles * structure.layers.len() as f64;
-    Estimate { triangles, bytes: (triangles * BYTES_PER_TRIANGLE) as u64, ..start }
+    let size = |sliding: &Sliding| match &sliding.on {
+        Support::Mesh { surface, .. } => BYTES_PER_SUPPORT_TRIANGLE * surface.size(),
+        _ => 0,
+    };
+    let supports: usize = structure.sliding.iter().map(size).sum();
+    Estimate { triangles, bytes: (triangles * BYTES_PER_TRIANGLE) as u64 + supports as u64, ..start }
 }

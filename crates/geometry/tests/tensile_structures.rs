@@ -458,7 +458,7 @@ fn the_same_structure_gives_the_same_bits_and_looks_at_the_caller() {
 fn half_catenoid(count: usize, height: f64) -> Structure {
     let mut structure = film(vec![circle(count, 1.0, height), circle(count, 0.9, 0.0)]);
     let on = Support::Plane { point: DVec3::ZERO, normal: DVec3::Z };
-    structure.sliding.push(Sliding { part: SlidingPart::Boundary(1), on });
+    structure.sliding.push(Sliding { part: SlidingPart::Boundary(1), on, contact_angle: None });
     structure
 }
 

@@ -607,6 +607,7 @@ class Guide(TypedDict):
     circle: NotRequired[CircleGuide]
     cylinder: NotRequired[CylinderGuide]
     line: NotRequired[LineGuide]
+    mesh: NotRequired[MeshGuide]
     plane: NotRequired[PlaneGuide]
     sphere: NotRequired[SphereGuide]
 
@@ -892,6 +893,16 @@ class MeshAttributes(TypedDict):
     """Numbers at the vertices."""
     mean_curvature: NotRequired[List[float]]
     """Unsigned mean curvature of each vertex in 1/unit. Only minimal surfaces have it."""
+
+
+class MeshGuide(TypedDict):
+    """A smooth surface along the client's own mesh. Neighbouring triangles are oriented alike."""
+    rounding: float
+    """Length within which the mesh's edges are rounded, because a film cannot slide over a sharp edge. For a mesh of a
+    curved surface two to three times the length of its edges."""
+    triangles: Sequence[Sequence[int]]
+    """Vertex indices of each triangle, counted from 0."""
+    vertices: Polygon
 
 
 class MeshLines(TypedDict):
@@ -1491,6 +1502,10 @@ class SlidingSupport(TypedDict):
     """Part of a boundary, without its two ends."""
     boundary: NotRequired[int]
     """Number of a boundary that slides as a whole."""
+    contact_angle_deg: NotRequired[Optional[float]]
+    """Angle between the film and the surface, on the left of the edge's direction, as seen from the side to which the
+    surface's normal points: a plane's `normal`, outside a sphere or cylinder. Null means 90. A given angle needs an
+    edge on a plane, sphere or cylinder, and a single film with a `tension` and no weight."""
     on: Guide
     point: NotRequired[BoundaryPoint]
 
@@ -1667,7 +1682,8 @@ class TensileStatistics(TypedDict):
     chambers: List[ChamberState]
     """The chambers. The space below a single film with a pressure is one."""
     contact_angle_deg: Optional[AngleRange]
-    """Angle between the film's pull on sliding edges and their surface. Null without such an edge."""
+    """Angle between the film's pull on sliding edges and their surface; of edges with a given angle that on their left.
+    Null without such an edge."""
     converged: bool
     degenerate_triangles: int
     edge_lengths: Spread

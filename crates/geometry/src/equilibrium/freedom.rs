@@ -1,6 +1,9 @@
 //! The ways in which a vertex may move, and the lines and surfaces on which it may slide.
 
+use super::mesh_surface::MeshSurface;
 use crate::DVec3;
+use crate::error::InputError;
+use std::sync::Arc;
 
 /// The directions in which a vertex may move. There is one unknown for each direction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -48,7 +51,7 @@ impl Freedom {
 /// A vertex moves along the support's tangents and is then taken to the nearest point of the support. To second order
 /// it moves by u + ½ II(u, u) with the support's second fundamental form II (a vector along the support's normal), so
 /// the second variation of an energy with gradient g has the further part g · II(u, v).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Support {
     /// A straight line. II = 0.
     Line {
@@ -90,35 +93,53 @@ pub enum Support {
         /// r.
         radius: f64,
     },
+    /// The smooth surface along a mesh ([`Support::mesh`]). II(u, v) = -(u · ∇²f v) ∇f / |∇f|² with the function f whose
+    /// zero the surface is.
+    Mesh {
+        /// The surface, which all copies of the support share.
+        surface: Arc<MeshSurface>,
+        /// The place to which the surface's own coordinates are relative.
+        origin: DVec3,
+    },
 }
 
 impl Support {
+    /// The smooth surface along a mesh, whose edges it rounds within a length of them.
+    ///
+    /// # Errors
+    /// Those of [`MeshSurface::new`].
+    pub fn mesh(vertices: &[DVec3], triangles: &[[u32; 3]], rounding: f64) -> Result<Self, InputError> {
+        let (surface, origin) = MeshSurface::new(vertices, triangles, rounding)?;
+        Ok(Self::Mesh { surface: Arc::new(surface), origin })
+    }
+
     /// Number of tangents: 1 for a curve, 2 for a surface.
     #[must_use]
     pub fn dimension(&self) -> u8 {
         match self {
             Self::Line { .. } | Self::Circle { .. } => 1,
-            Self::Plane { .. } | Self::Sphere { .. } | Self::Cylinder { .. } => 2,
+            Self::Plane { .. } | Self::Sphere { .. } | Self::Cylinder { .. } | Self::Mesh { .. } => 2,
         }
     }
 
     /// The point of the support that is nearest to `x`. If several are (as for the centre of a sphere), one in a fixed
-    /// direction.
+    /// direction. On a mesh it differs from the nearest point by terms of third order in the distance.
     #[must_use]
     pub fn nearest(&self, x: DVec3) -> DVec3 {
-        match *self {
-            Self::Line { point, direction } => point + direction * (x - point).dot(direction),
-            Self::Circle { centre, axis, radius } => {
+        match self {
+            &Self::Line { point, direction } => point + direction * (x - point).dot(direction),
+            &Self::Circle { centre, axis, radius } => {
                 let outward = (x - centre).reject_from_normalized(axis);
                 centre + radius * outward.normalize_or(axis.any_orthonormal_vector())
             }
-            Self::Plane { point, normal } => x - normal * (x - point).dot(normal),
-            Self::Sphere { centre, radius } => centre + radius * (x - centre).normalize_or(DVec3::Z),
-            Self::Cylinder { point, axis, radius } => {
+            &Self::Plane { point, normal } => x - normal * (x - point).dot(normal),
+            &Self::Sphere { centre, radius } => centre + radius * (x - centre).normalize_or(DVec3::Z),
+            &Self::Cylinder { point, axis, radius } => {
                 let along = axis * (x - point).dot(axis);
                 let outward = (x - point - along).normalize_or(axis.any_orthonormal_vector());
                 point + along + radius * outward
             }
+            Self::Mesh { surface, origin } => origin + surface.nearest(x - origin),
         }
     }
 
@@ -126,30 +147,54 @@ impl Support {
     #[must_use]
     pub fn tangents(&self, x: DVec3) -> [DVec3; 2] {
         let across = |normal: DVec3| <[DVec3; 2]>::from(normal.any_orthonormal_pair());
-        match *self {
-            Self::Line { direction, .. } => [direction, DVec3::ZERO],
-            Self::Circle { centre, axis, .. } => [axis.cross(x - centre).normalize_or_zero(), DVec3::ZERO],
-            Self::Plane { normal, .. } => across(normal),
-            Self::Sphere { centre, .. } => across((x - centre).normalize_or(DVec3::Z)),
-            Self::Cylinder { point, axis, .. } => {
-                let outward = (x - point).reject_from_normalized(axis).normalize_or(axis.any_orthonormal_vector());
-                [axis, axis.cross(outward)]
+        match self {
+            &Self::Line { direction, .. } => [direction, DVec3::ZERO],
+            &Self::Circle { centre, axis, .. } => [axis.cross(x - centre).normalize_or_zero(), DVec3::ZERO],
+            Self::Plane { .. } | Self::Sphere { .. } | Self::Mesh { .. } => across(self.normal(x)),
+            &Self::Cylinder { axis, .. } => [axis, axis.cross(self.normal(x))],
+        }
+    }
+
+    /// The unit normal at a point of a surface: of a sphere and a cylinder outward, of a mesh to the side from which its
+    /// triangles run counter-clockwise. Zero for a curve.
+    #[must_use]
+    pub fn normal(&self, x: DVec3) -> DVec3 {
+        match self {
+            Self::Line { .. } | Self::Circle { .. } => DVec3::ZERO,
+            &Self::Plane { normal, .. } => normal,
+            &Self::Sphere { centre, .. } => (x - centre).normalize_or(DVec3::Z),
+            &Self::Cylinder { point, axis, .. } => {
+                (x - point).reject_from_normalized(axis).normalize_or(axis.any_orthonormal_vector())
             }
+            Self::Mesh { surface, origin } => surface.normal(x - origin),
         }
     }
 
     /// II(u, v) for two tangents at `x`.
     #[must_use]
     pub fn second_fundamental_form(&self, x: DVec3, u: DVec3, v: DVec3) -> DVec3 {
-        match *self {
+        match self {
             Self::Line { .. } | Self::Plane { .. } => DVec3::ZERO,
-            Self::Circle { centre, radius, .. } | Self::Sphere { centre, radius } => {
+            &Self::Circle { centre, radius, .. } | &Self::Sphere { centre, radius } => {
                 (x - centre) * (-u.dot(v) / (radius * radius))
             }
-            Self::Cylinder { point, axis, radius } => {
+            &Self::Cylinder { point, axis, radius } => {
                 let across = |vector: DVec3| vector.reject_from_normalized(axis);
                 across(x - point) * (-across(u).dot(across(v)) / (radius * radius))
             }
+            Self::Mesh { surface, origin } => surface.second_fundamental_form(x - origin, u, v),
         }
+    }
+
+    /// The support at another place.
+    #[must_use]
+    pub fn moved(&self, by: DVec3) -> Self {
+        let mut moved = self.clone();
+        match &mut moved {
+            Self::Line { point, .. } | Self::Plane { point, .. } | Self::Cylinder { point, .. } => *point += by,
+            Self::Circle { centre, .. } | Self::Sphere { centre, .. } => *centre += by,
+            Self::Mesh { origin, .. } => *origin += by,
+        }
+        moved
     }
 }

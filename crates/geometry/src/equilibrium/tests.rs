@@ -106,22 +106,30 @@ fn every_freedom_agrees_with_finite_differences_of_the_energy_along_its_motion()
     let edge = vec![[3, 7], [8, 12], [0, 4]];
     body.constraints.push(Constraint::value(Box::new(Length { segments: edge, tension: 1.0 }), 2.0));
     assert_eq!(body.check(), Ok(()));
-    let motion = Motion::new(&body);
+    let state = Motion::new(&body).state(&body.vertices);
+    assert_eq!(state.gradient.len(), 1 + 1 + 2 + 2 + 2 + 1 + 1 + 2 + 3 + 1 + 4);
+    assert!(state.constraints[0].multiplier.abs() > 0.01);
+    assert!(state.constraints.len() == 2 && state.constraints[1].compliance > 0.0);
+    assert_agrees_with_finite_differences(&body, 2e-6);
+}
+
+/// Compares the gradient and the second variation with differences of the Lagrangian along the motion of each unknown.
+fn assert_agrees_with_finite_differences(body: &Body, tolerance: f64) {
+    assert_eq!(body.check(), Ok(()));
+    let motion = Motion::new(body);
     let state = motion.state(&body.vertices);
     let n = state.gradient.len();
-    assert_eq!(n, 1 + 1 + 2 + 2 + 2 + 1 + 1 + 2 + 3 + 1 + 4);
     let mut matrix = motion.matrix();
     motion.second_variation(&body.vertices, &state, 0.0, &mut matrix);
-    // The Lagrangian with the multiplier held.
+    // The Lagrangian with the multipliers held.
     let value = |moves: &[(usize, f64)]| {
         let mut step = vec![0.0; n];
         moves.iter().for_each(|&(k, by)| step[k] += by);
         let vertices = motion.moved(&body.vertices, &state, &step, 1.0);
         let energy: f64 = body.terms.iter().map(|term| term.value(&vertices)).sum();
-        energy - state.constraints[0].multiplier * body.constraints[0].quantity.value(&vertices)
+        let held = body.constraints.iter().zip(&state.constraints);
+        energy - held.map(|(own, state)| state.multiplier * own.quantity.value(&vertices)).sum::<f64>()
     };
-    assert!(state.constraints[0].multiplier.abs() > 0.01);
-    assert!(state.constraints.len() == 2 && state.constraints[1].compliance > 0.0);
     let h = 1e-4;
     for i in 0..n {
         let slope = (value(&[(i, h)]) - value(&[(i, -h)])) / (2.0 * h);
@@ -135,8 +143,41 @@ fn every_freedom_agrees_with_finite_differences_of_the_energy_along_its_motion()
         for (j, expected) in row.iter().enumerate() {
             let at = |a: f64, b: f64| value(&[(i, a), (j, b)]);
             let second = (at(h, h) - at(h, -h) - at(-h, h) + at(-h, -h)) / (4.0 * h * h);
-            assert!((second - expected).abs() < 2e-6, "{i} {j}: {second} {expected}");
+            assert!((second - expected).abs() < tolerance, "{i} {j}: {second} {expected}");
         }
+    }
+}
+
+#[test]
+fn edges_at_given_angles_and_edges_on_meshes_agree_with_finite_differences() {
+    let (vertices, triangles) = bumpy_patch();
+    let complex = Complex::build(triangles, vertices.len()).unwrap();
+    // A bumpy mesh of triangles along the right side of the patch.
+    let at = |k: u32| DVec3::new(2.9 + 0.2 * f64::from(k % 5), f64::from(k / 5) - 1.0, 0.3 * f64::from(k * k % 5));
+    let wall: Vec<DVec3> = (0..30).map(at).collect();
+    let cells = (0..24).filter(|k| k % 5 < 4).flat_map(|k| [[k, k + 1, k + 6], [k, k + 6, k + 5]]);
+    let axis = DVec3::new(0.6, 0.0, 0.8);
+    for on in [
+        Support::Plane { point: DVec3::ZERO, normal: axis },
+        Support::Sphere { centre: DVec3::new(0.0, -1.0, 0.3), radius: 2.5 },
+        Support::Cylinder { point: DVec3::new(0.0, 1.0, -2.0), axis, radius: 1.5 },
+    ] {
+        let mut body = Body::new(vertices.clone(), &complex, &[1.3]);
+        body.supports = vec![on, Support::mesh(&wall, &cells.clone().collect::<Vec<_>>(), 1.1).unwrap()];
+        for (v, freedom) in [
+            (4, Freedom::AcrossOn { support: 0, beside: [0, 8] }),
+            (8, Freedom::AcrossOn { support: 0, beside: [4, 12] }),
+            (7, Freedom::AcrossOn { support: 1, beside: [3, 11] }),
+            (11, Freedom::On(1)),
+        ] {
+            body.freedoms[v] = freedom;
+            let support = &body.supports[freedom.support().unwrap() as usize];
+            body.vertices[v] = support.nearest(body.vertices[v]);
+        }
+        let contact = Contact::new(&[0, 4, 8, 12], false, &body.supports[0], 1.3, 0.8, &vertices).unwrap();
+        body.terms.push(Box::new(contact));
+        // The second derivatives along a mesh may jump within a step.
+        assert_agrees_with_finite_differences(&body, 1e-4);
     }
 }
 
@@ -509,7 +550,7 @@ fn bodies_whose_parts_do_not_fit_are_named() {
     assert_eq!(refused(&|body| body.freedoms[5] = Freedom::Across([0, 77])), BodyDefect::NoSuchVertex(77));
     let plane = Support::Plane { point: DVec3::Z, normal: DVec3::Z };
     let off = |body: &mut Body| {
-        body.supports.push(plane);
+        body.supports.push(plane.clone());
         body.freedoms[2] = Freedom::On(0);
     };
     assert_eq!(refused(&off), BodyDefect::OffSupport(2));

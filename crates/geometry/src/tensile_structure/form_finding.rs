@@ -117,6 +117,9 @@ pub(super) struct Balance {
     /// Per vertex the force that film and cables exert less the loads: at a support the reaction, elsewhere what is not
     /// balanced.
     pub forces: Vec<DVec3>,
+    /// Per vertex the gradient of the energies of given contact angles: what the supports bear along their surface. It
+    /// is part of the reaction, so `forces` are without it.
+    pub contacts: Vec<DVec3>,
     /// Per vertex the load: weights and pressure.
     pub loads: Vec<DVec3>,
     /// Per cable the force of each segment.
@@ -560,6 +563,7 @@ impl Run<'_> {
         }));
         body.terms.push(Box::new(Load { forces: loads.clone() }));
         densities.iter().for_each(|own| body.terms.push(Box::new(own.clone())));
+        self.model.contacts.iter().for_each(|contact| body.terms.push(Box::new(contact.clone())));
         for chamber in &structure.chambers {
             if let Pressure::Constant(pressure) = chamber.holds {
                 body.terms.push(Box::new(Volume { triangles: self.model.walls(chamber.below), pressure }));
@@ -601,6 +605,9 @@ impl Run<'_> {
             }
             forces.iter_mut().zip(&cone).for_each(|(force, cone)| *force += pressure * *cone);
         }
+        let mut contacts = vec![DVec3::ZERO; at.len()];
+        self.model.contacts.iter().for_each(|contact| contact.add_gradient(at, &mut contacts));
+        forces.iter_mut().zip(&contacts).for_each(|(force, contact)| *force -= *contact);
         let mut cable_forces = Vec::with_capacity(densities.len());
         for (own, more) in densities.iter().zip(more) {
             let mut forces = Vec::with_capacity(own.segments.len());
@@ -609,7 +616,7 @@ impl Run<'_> {
         }
         found.pressures = pressures;
         self.model.set_vertices(&body.vertices);
-        found.balance = Some(Balance { forces, loads, cable_forces, reference, stresses });
+        found.balance = Some(Balance { forces, contacts, loads, cable_forces, reference, stresses });
         Ok(())
     }
 

@@ -8,7 +8,7 @@ use super::options::{
 use super::weave::{StressField, pulls_along};
 use crate::energy::cable::{self, CableCondition, Equation, Law};
 use crate::energy::{Load, Term, Volume, Weight};
-use crate::equilibrium::{Body, Constraint, Determined, Freedom, Support};
+use crate::equilibrium::{Body, Constraint, Contact, Determined, Freedom, Support};
 use crate::error::Warning;
 use crate::mesh::complex::Complex;
 use crate::mesh::film::Film;
@@ -51,6 +51,9 @@ pub(super) struct Model {
     /// The surfaces on which vertices slide, and the freedom of each vertex that does.
     pub supports: Vec<Support>,
     pub sliding: Vec<(u32, Freedom)>,
+    /// The energies of the edges that meet their surface at a given angle, and the vertices of these edges.
+    pub contacts: Vec<Contact>,
+    pub at_contacts: BTreeSet<u32>,
     pub cables: Vec<energy::Cable>,
     /// What determines the force of each cable.
     pub forces_by: Vec<ForceBy>,
@@ -169,6 +172,8 @@ impl Model {
             cap_volume: 0.0,
             supports: Vec::new(),
             sliding: Vec::new(),
+            contacts: Vec::new(),
+            at_contacts: BTreeSet::new(),
             cables: Vec::new(),
             forces_by: Vec::new(),
             start_forces: Vec::new(),
@@ -178,7 +183,7 @@ impl Model {
             warnings,
         };
         for sliding in &structure.sliding {
-            model.slide(sliding);
+            model.slide(sliding, structure.pull());
         }
         for _ in 1..structure.layers.len() {
             model.add_layer();
@@ -431,10 +436,11 @@ impl Model {
         }
     }
 
-    fn slide(&mut self, sliding: &Sliding) {
+    /// `tension` is that of the film, for an edge with a given angle.
+    fn slide(&mut self, sliding: &Sliding, tension: f64) {
         let number = self.supports.len() as u32;
-        self.supports.push(moved(sliding.on, -self.centre));
-        let on = self.supports[number as usize];
+        let on = sliding.on.moved(-self.centre);
+        self.supports.push(on.clone());
         let (vertices, closed): (Vec<u32>, bool) = match sliding.part {
             SlidingPart::Point(point) => {
                 let v = self.input_vertex(point);
@@ -454,6 +460,11 @@ impl Model {
             *vertex = on.nearest(*vertex);
             let beside = [vertices[(k + count - 1) % count], vertices[(k + 1) % count]];
             self.sliding.push((v, Freedom::AcrossOn { support: number, beside }));
+        }
+        if let Some(angle) = sliding.contact_angle {
+            let at = &self.layers[0].film.vertices;
+            self.contacts.extend(Contact::new(&vertices, closed, &on, tension, angle, at));
+            self.at_contacts.extend(&vertices);
         }
     }
 
@@ -534,6 +545,9 @@ impl Model {
         body.supports.clone_from(&self.supports);
         for &(v, freedom) in &self.sliding {
             body.freedoms[v as usize] = freedom;
+        }
+        for contact in &self.contacts {
+            body.terms.push(Box::new(contact.clone()));
         }
         if structure.has_heavy_layers() {
             // The stresses of a woven film are what its field says, so its weight only loads it.
@@ -765,17 +779,6 @@ fn split_chords(mesh: &mut Mesh, boundaries: &[Vec<u32>]) {
         }
     }
     mesh.triangles = triangles;
-}
-
-/// A support at another place.
-fn moved(support: Support, by: DVec3) -> Support {
-    match support {
-        Support::Line { point, direction } => Support::Line { point: point + by, direction },
-        Support::Circle { centre, axis, radius } => Support::Circle { centre: centre + by, axis, radius },
-        Support::Plane { point, normal } => Support::Plane { point: point + by, normal },
-        Support::Sphere { centre, radius } => Support::Sphere { centre: centre + by, radius },
-        Support::Cylinder { point, axis, radius } => Support::Cylinder { point: point + by, axis, radius },
-    }
 }
 
 /// The least part of a chord across the vertical that a start uses to estimate the force from its horizontal component.

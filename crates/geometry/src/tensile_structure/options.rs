@@ -120,13 +120,17 @@ pub struct BoundaryPoint {
     pub point: usize,
 }
 
-/// A support without friction: it bears forces at right angles to a surface, or across a line, and none along it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A support without friction: it bears forces at right angles to a surface, or across a line. Along a surface it bears
+/// only what holds a given contact angle.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Sliding {
     /// What slides.
     pub part: SlidingPart,
     /// The line or surface on which it slides. Directions and axes are unit vectors.
     pub on: Support,
+    /// The angle in radians between the film and the surface on the left of the edge's direction, as seen from the side
+    /// to which the surface's normal points ([`Contact`](crate::equilibrium::Contact)). `None` stands for a right angle.
+    pub contact_angle: Option<f64>,
 }
 
 /// The part of a boundary that slides.
@@ -674,6 +678,9 @@ fn check_sliding(
         let detail = "an edge slides on a plane, a sphere or a cylinder; only a point slides on a line or a circle";
         require(errors, sliding.on.dimension() == 2, place().then("on"), detail);
     }
+    if let Some(angle) = sliding.contact_angle {
+        check_contact_angle(structure, sliding, angle, &place().then("contact_angle_deg"), errors);
+    }
     for &segment in &segments {
         if taken[boundary][segment].replace(usize::MAX).is_some() {
             let detail = "runs along a part of the boundary on which a cable or another support runs already";
@@ -689,10 +696,58 @@ fn check_sliding(
         SlidingPart::Point(point) => vec![point.point],
     };
     for point in sliders {
-        if sliding.on.nearest(points[point]).distance(points[point]) > allowed {
+        let place = || Place::field("boundaries").at(boundary).at(point);
+        if let Support::Mesh { surface, origin } = &sliding.on {
+            // The distance of a point with coordinates that are no numbers is none either.
+            let distance = surface.distance(points[point] - origin);
+            if distance.is_nan() || distance > surface.rounding() {
+                let detail = format!(
+                    "lies {distance:.6} away from the mesh of support {k}, on which it slides, more than the mesh's \
+                     rounding ({:.6})",
+                    surface.rounding()
+                );
+                errors.push(InputError::new(place(), detail));
+            } else if surface.triangles_near(points[point] - origin) > MOST_NEAR {
+                let detail = format!(
+                    "reaches more than {MOST_NEAR} triangles from point {point} of boundary {boundary}; make it smaller, \
+                     or the mesh coarser"
+                );
+                errors.push(InputError::new(
+                    Place::field("supports").at(k).then("on").then("mesh").then("rounding"),
+                    detail,
+                ));
+                return;
+            }
+        } else if sliding.on.nearest(points[point]).distance(points[point]) > allowed {
             let detail = format!("does not lie on the surface of support {k}, on which it slides");
-            errors.push(InputError::new(Place::field("boundaries").at(boundary).at(point), detail));
+            errors.push(InputError::new(place(), detail));
         }
+    }
+}
+
+/// Largest number of triangles of a mesh within its rounding of a point that slides on it. All of them are looked at in
+/// every step; with two to three lengths of an edge as the rounding there are about fifty.
+const MOST_NEAR: usize = 2000;
+
+fn check_contact_angle(
+    structure: &Structure,
+    sliding: &Sliding,
+    angle: f64,
+    place: &Place,
+    errors: &mut Vec<InputError>,
+) {
+    let closed_form = matches!(sliding.on, Support::Plane { .. } | Support::Sphere { .. } | Support::Cylinder { .. });
+    let one_tension =
+        matches!(structure.layers[..], [FilmStress { prestress: FilmPrestress::Isotropic(_), weight: 0.0 }]);
+    let is_edge = !matches!(sliding.part, SlidingPart::Point(_));
+    let refusals = [
+        (angle > 0.0 && angle < std::f64::consts::PI, "must be above 0 and below 180 degrees"),
+        (is_edge, "is offered for an edge or a boundary; a point has no angle"),
+        (closed_form, "is offered on a plane, a sphere or a cylinder; an edge meets other supports at a right angle"),
+        (one_tension, "is offered for a single film of one tension in all directions and without weight"),
+    ];
+    if let Some((_, detail)) = refusals.into_iter().find(|(holds, _)| !holds) {
+        errors.push(InputError::new(place.clone(), detail));
     }
 }
 
@@ -817,19 +872,14 @@ fn check_chamber(structure: &Structure, k: usize, errors: &mut Vec<InputError>) 
     }
     // Two layers close the space between them wherever their common edge is.
     if below + 1 == structure.layers.len() {
-        if structure.cables.iter().any(|cable| matches!(cable.course, Course::Boundary { .. })) {
-            let detail = "is not offered for a film whose edge hangs on a cable, because the space below it is not \
-                          closed; leave the cables or the pressure out";
-            errors.push(InputError::new(place(), detail));
-            return;
-        }
-        if !structure.sliding.is_empty() {
-            let detail = "is not offered for a film whose edge slides, because the space below it is not closed";
-            errors.push(InputError::new(place(), detail));
-            return;
-        }
-        if !structure.rings.is_empty() {
-            let detail = "is not offered for a film with a ring that moves, because the space below it is not closed";
+        let hangs = structure.cables.iter().any(|cable| matches!(cable.course, Course::Boundary { .. }));
+        let moving_edges = [
+            (hangs, "a film whose edge hangs on a cable"),
+            (!structure.sliding.is_empty(), "a film whose edge slides"),
+            (!structure.rings.is_empty(), "a film with a ring that moves"),
+        ];
+        if let Some((_, film)) = moving_edges.into_iter().find(|(moves, _)| *moves) {
+            let detail = format!("is not offered for {film}, because the space below it is not closed");
             errors.push(InputError::new(place(), detail));
             return;
         }

@@ -172,7 +172,7 @@ pub struct Statistics {
     /// Sums of the forces; `None` if the forces could not be balanced.
     pub balance: Option<ForceBalance>,
     /// The least and the largest angle between the film's pull on an edge that slides on a surface and that surface, in
-    /// radians; a right angle in equilibrium. `None` without such an edge.
+    /// radians; in equilibrium a right angle, or the given one. `None` without such an edge.
     pub contact_angle: Option<(f64, f64)>,
     /// Stability, if it was found.
     pub stability: Option<Stability>,
@@ -229,6 +229,9 @@ const MOVES: f64 = 0.5;
 /// A woven film whose stresses deviate from the required ones by more than this (root mean square) gets a warning. On
 /// the meshes of the examples the deviation that is the mesh's error alone is below 0.02.
 const DEVIATES: f64 = 0.05;
+/// An edge counts as beyond its mesh if a vertex is further from the mesh than this fraction of its rounding. The
+/// rounding of a right-angled edge takes a vertex 0.14 of it away.
+const BEYOND: f64 = 0.5;
 /// Number of points that a message lists.
 const LISTED: usize = 12;
 
@@ -466,7 +469,7 @@ pub(super) fn finish(
         stop_reason: found.stop_reason,
         iterations: found.iterations,
         balance,
-        contact_angle: found.balance.as_ref().and_then(|balance| contact_angles(balance, &holds, &at)),
+        contact_angle: found.balance.as_ref().and_then(|balance| contact_angles(&model, balance, &holds, &at)),
         stability: found.stability.map(|stability| Stability {
             stable: stability.morse_index == 0,
             morse_index: stability.morse_index,
@@ -548,15 +551,15 @@ fn flattest(triangles: &[[u32; 3]], at: &[DVec3], up: DVec3) -> (f64, DVec3) {
 
 /// What holds a vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Hold {
+enum Hold<'a> {
     Nothing,
     Fixed,
-    Slides(Support),
+    Slides(&'a Support),
     /// Moves with the ring of this number, along its axis alone.
     Guided(usize),
 }
 
-fn holds(model: &Model) -> Vec<Hold> {
+fn holds(model: &Model) -> Vec<Hold<'_>> {
     let fixed = model.fixed().into_iter();
     let mut holds: Vec<Hold> = fixed.map(|fixed| if fixed { Hold::Fixed } else { Hold::Nothing }).collect();
     for chain in &model.chains {
@@ -567,7 +570,7 @@ fn holds(model: &Model) -> Vec<Hold> {
     model.free.iter().for_each(|&v| holds[v as usize] = Hold::Nothing);
     for &(v, freedom) in &model.sliding {
         if let Some(support) = freedom.support() {
-            holds[v as usize] = Hold::Slides(model.supports[support as usize]);
+            holds[v as usize] = Hold::Slides(&model.supports[support as usize]);
         }
     }
     for (number, ring) in model.rings.iter().enumerate() {
@@ -586,7 +589,7 @@ fn unbalanced_of_rings(model: &Model, balance: &Balance) -> Vec<DVec3> {
 }
 
 /// The part of a force along a line or surface.
-fn along(support: Support, at: DVec3, force: DVec3) -> DVec3 {
+fn along(support: &Support, at: DVec3, force: DVec3) -> DVec3 {
     let tangents = support.tangents(at);
     tangents[..usize::from(support.dimension())].iter().map(|t| *t * t.dot(force)).sum()
 }
@@ -595,11 +598,11 @@ fn sums(model: &Model, balance: &Balance, holds: &[Hold], at: &[DVec3]) -> Force
     let of_rings = unbalanced_of_rings(model, balance);
     let loads: DVec3 = balance.loads.iter().sum();
     let (mut reactions, mut magnitudes, mut residual_force) = (DVec3::ZERO, 0.0, 0.0f64);
-    for ((&force, hold), &place) in balance.forces.iter().zip(holds).zip(at) {
+    for (((&force, &contact), hold), &place) in balance.forces.iter().zip(&balance.contacts).zip(holds).zip(at) {
         let unbalanced = match *hold {
             Hold::Nothing => force,
             Hold::Fixed => DVec3::ZERO,
-            Hold::Slides(support) => along(support, place, force),
+            Hold::Slides(support) => along(support, place, force + contact),
             Hold::Guided(ring) => of_rings[ring],
         };
         let reaction = force - unbalanced;
@@ -616,16 +619,26 @@ fn sums(model: &Model, balance: &Balance, holds: &[Hold], at: &[DVec3]) -> Force
     }
 }
 
-/// The angles between the film's pull on a sliding edge and the surface on which it slides, least and largest.
-fn contact_angles(balance: &Balance, holds: &[Hold], at: &[DVec3]) -> Option<(f64, f64)> {
+/// The angles between the film's pull on a sliding edge and the surface on which it slides, least and largest. Where an
+/// angle is given it is that on the left of the edge.
+fn contact_angles(model: &Model, balance: &Balance, holds: &[Hold], at: &[DVec3]) -> Option<(f64, f64)> {
     let mut range = None;
-    for ((&force, hold), &place) in balance.forces.iter().zip(holds).zip(at) {
-        let Hold::Slides(support) = *hold else { continue };
+    for &(v, freedom) in &model.sliding {
+        let (force, place) = (balance.forces[v as usize], at[v as usize]);
+        let Hold::Slides(support) = holds[v as usize] else { continue };
         if support.dimension() != 2 || force == DVec3::ZERO {
             continue;
         }
         let tangential = along(support, place, force);
-        let angle = (force - tangential).length().atan2(tangential.length());
+        let towards = match freedom {
+            // The support's force on the film is against the film's pull.
+            Freedom::AcrossOn { beside: [a, b], .. } if model.at_contacts.contains(&v) => {
+                let left = support.normal(place).cross(at[b as usize] - at[a as usize]);
+                -tangential.dot(left.normalize_or_zero())
+            }
+            _ => tangential.length(),
+        };
+        let angle = (force - tangential).length().atan2(towards);
         let (least, most) = range.unwrap_or((angle, angle));
         range = Some((angle.min(least), angle.max(most)));
     }
@@ -718,6 +731,7 @@ fn warn(
             "the forces within the film could not be balanced, so there are no reactions; try another resolution";
         warnings.push(Warning::new("not_balanced", detail));
     }
+    warnings.extend(beyond_their_mesh(model));
     if let Some(weave) = statistics.stress.and_then(|stress| stress.weave)
         && weave.deviation_rms > DEVIATES
     {
@@ -754,6 +768,24 @@ fn warn(
         }
     }
     warnings
+}
+
+/// A warning for each mesh beyond whose border an edge has slid.
+fn beyond_their_mesh(model: &Model) -> Vec<Warning> {
+    let at = model.vertices();
+    let beyond = |(number, support): (usize, &Support)| {
+        let Support::Mesh { surface, origin } = support else { return None };
+        let own = model.sliding.iter().filter(|(_, freedom)| freedom.support() == Some(number as u32));
+        let farthest = own.map(|(v, _)| surface.distance(at[*v as usize] - *origin)).fold(0.0, f64::max);
+        (farthest > BEYOND * surface.rounding()).then(|| {
+            let detail = format!(
+                "the edge on the mesh of support {number} has slid up to {farthest:.6} beyond the mesh, which goes on flat \
+                 there; make the mesh larger"
+            );
+            Warning::new("beyond_support", detail)
+        })
+    };
+    model.supports.iter().enumerate().filter_map(beyond).collect()
 }
 
 /// The stresses of a woven film that differ from the required ones.
