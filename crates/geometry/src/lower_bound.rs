@@ -16,7 +16,7 @@
 //! # The computation
 //! Every A gives a bound; the largest is the solution of a convex problem, dual to that of the least area. The box is
 //! cut into tetrahedra by bisection (`bisection`), finer where the film lies. A maximises ∮A under |curl A| <= 1
-//! (`barrier`); the multipliers of the constraint are the dual surface, and the mesh is refined where that surface bends
+//! (`conic`); the multipliers of the constraint are the dual surface, and the mesh is refined where that surface bends
 //! inside a tetrahedron. Meshes are nested, so every level starts from the field of the one before. At the end |curl A|
 //! and ∮A are computed with outward rounding (`rigorous`): the bound is a theorem about the given polygons in f64.
 //!
@@ -24,8 +24,8 @@
 //! This crate knows no clock. The budget in seconds is converted to work by fixed rates, so the same request always
 //! gives the same bytes; a deadline of the caller only stops it earlier.
 
-mod barrier;
 mod bisection;
+mod conic;
 mod element;
 mod interval;
 mod rigorous;
@@ -36,8 +36,8 @@ mod tests;
 
 use crate::execution::Interruption;
 use crate::{DVec3, Error, Execution, Mesh, Progress};
-use barrier::Level;
 use bisection::{BisectionMesh, VertexMap};
+use conic::Level;
 use space::Space;
 use system::{Stop, System};
 
@@ -111,10 +111,11 @@ const FIRST_LEAVES: usize = 600;
 const GROWTH: f64 = 2.5;
 /// A mesh that is not finer by this much is not worth a factorisation.
 const LEAST_GROWTH: f64 = 1.4;
-/// Steps on a mesh at most. The method converges in about 20.
-const MOST_STEPS: u32 = 60;
-/// Steps that the budget must allow for on a finer mesh, which starts from the field of the mesh before.
-const STEPS: u32 = 10;
+/// Steps on a mesh at most.
+const MOST_STEPS: u32 = 40;
+/// Steps that the budget must allow for on a finer mesh: as many as its bound needs to come close to its optimum. With fewer
+/// the finer mesh would be no better than the one before.
+const STEPS: u32 = 14;
 /// A mesh is left for a finer one once its own optimum is reached to this fraction of what is missing to the film's area.
 const CONVERGED: f64 = 0.25;
 /// The same where the budget allows no finer mesh.
@@ -124,13 +125,14 @@ const MOST_LEAVES: usize = 60_000;
 const MOST_ENTRIES: usize = 60_000_000;
 /// Fraction of the indicator that the marked leaves of one round of refinement have together.
 const MARKED_SHARE: f64 = 0.4;
-/// Nominal seconds of a factorisation, per (entries of the factor)² / rows, and of its preparation per leaf. Measured
-/// on a core of a shared machine, so that a free core is faster.
-const FACTORISATION_RATE: f64 = 3e-10;
-const PREPARATION_RATE: f64 = 1.5e-5;
+/// Nominal seconds of a factorisation, per (entries of the factor)² / rows, and of its preparation per leaf. The rates are
+/// fitted to the processor time on meshes of 600 to 13,000 leaves, on a core of a shared machine, so that a free core is
+/// faster.
+const FACTORISATION_RATE: f64 = 1.6e-10;
+const PREPARATION_RATE: f64 = 2e-5;
 /// Nominal seconds of a step besides the factorisation, per entry of the factor and per leaf.
-const SOLVE_RATE: f64 = 2e-9;
-const ASSEMBLY_RATE: f64 = 3e-6;
+const SOLVE_RATE: f64 = 4e-9;
+const ASSEMBLY_RATE: f64 = 1e-5;
 
 /// Upper bound of the memory that [`certify`] takes.
 #[must_use]

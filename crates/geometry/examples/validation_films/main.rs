@@ -2,7 +2,8 @@
 //! topologies, triple junctions, lower bounds.
 //!
 //! `cargo run --release -p plateau-geometry --example validation_films -- docs/validation` writes the SVG files there
-//! and prints the tables; with `liu-wang` behind the folder those of Liu and Wang alone.
+//! and prints the tables. A word behind the folder selects a part: `liu-wang`, `lower-bounds` (the gaps for three budgets)
+//! or `proven-range` (the plot of two rings).
 
 mod bento_cavalcanti;
 #[path = "../../tests/boundaries/mod.rs"]
@@ -28,8 +29,11 @@ fn main() {
             std::process::exit(1);
         }
     };
-    if std::env::args().nth(2).as_deref() == Some("liu-wang") {
-        return liu_wang::run_all(&save);
+    match std::env::args().nth(2).as_deref() {
+        Some("liu-wang") => return liu_wang::run_all(&save),
+        Some("lower-bounds") => return lower_bounds::run_all(),
+        Some("proven-range") => return lower_bounds::plot_rings(&folder),
+        _ => {}
     }
     chen_cai_zheng::run_all(&save);
     liu_wang::run_all(&save);
@@ -37,6 +41,7 @@ fn main() {
     spanning::run_all(&save);
     triple_junctions::run_all(&save);
     lower_bounds::run_all();
+    lower_bounds::plot_rings(&folder);
 }
 
 type Save<'a> = &'a dyn Fn(&str, &[Picture]);

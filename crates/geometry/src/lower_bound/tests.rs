@@ -163,3 +163,27 @@ fn interval_results_contain_the_exact_ones() {
     let tiny = Interval::exactly(1.0) + Interval::exactly(1e-30);
     assert!(tiny.low <= 1.0 && tiny.high > 1.0);
 }
+
+#[test]
+fn few_steps_reach_the_optimum_and_the_gap_bounds_what_is_missing() {
+    use super::conic::Level;
+    use super::system::System;
+    let mut mesh = random_mesh(3, &mut 11);
+    mesh.set_constant_curl(DVec3::Z);
+    let space = Space::of(&mesh);
+    let form = space.circulation(&mesh, &[ring()]);
+    let mut system = System::of(&space).unwrap();
+    let mut level = Level::new(&space, &mesh, &form, 4.0);
+    let mut storage = Vec::new();
+    let mut seen = Vec::new();
+    while level.gap() > 1e-6 {
+        assert!(seen.len() < 20, "gaps {seen:?}");
+        level.step(&mut system, &mut storage, &crate::Execution::default()).unwrap();
+        seen.push((level.best.bound, level.gap()));
+    }
+    let (optimum, _) = seen[seen.len() - 1];
+    assert!(optimum > 1.01 * seen[0].0 && seen.is_sorted_by(|a, b| a.0 <= b.0));
+    for (bound, gap) in &seen {
+        assert!(bound + gap >= optimum, "{bound} and {gap} for {optimum}");
+    }
+}
