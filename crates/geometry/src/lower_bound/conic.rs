@@ -17,7 +17,7 @@
 //!
 //! Each step factorises one matrix with the pattern of Cᵀ C and solves with it twice. Six to twelve steps suffice on a
 //! mesh of any size, if they start well inside the cones. Newton's method on z (1 - |v|²) = μ with one multiplier z for
-//! each v, which was here before, needed about twice as many.
+//! each v needed about twice as many.
 
 use super::bisection::BisectionMesh;
 use super::space::Space;
