@@ -21,11 +21,18 @@ use std::collections::BinaryHeap;
 /// A change must raise the smallest angle by at least this much (radians). A larger value ends sooner; without it the
 /// changes could go on by ever smaller gains.
 const LEAST_GAIN: f64 = 0.01;
+/// Relative rounding error of a tangent, by which a triangle must miss a useful angle to be left out before its angle is
+/// known.
+const ROUNDING: f64 = 1e-12;
 /// Cosine of the largest angle between a changed triangle and the mean of the triangles around it. A smaller value
 /// allows sharper folds.
 const LEAST_COSINE: f64 = 0.3;
 /// Largest number of changes for each triangle that is below the goal at first.
 const CHANGES_PER_TRIANGLE: usize = 16;
+/// Largest number of changes that are made for one triangle. A flip may leave a triangle flipped that it should turn over,
+/// and the next flip takes the first one back: on a noisy boundary such a pair used up all changes of the mesh. A larger
+/// value takes longer there.
+const MOST_CHANGES: u8 = 16;
 /// Number of directions in which a vertex is moved on trial.
 const DIRECTIONS: usize = 8;
 /// First length of such a move, as a fraction of the mean edge at the vertex, and how often it is halved.
@@ -68,16 +75,21 @@ pub(crate) fn smallest_angle(film: &Film) -> f64 {
 /// # Errors
 /// The interruptions of `exec`; the film is then as it was before.
 pub(crate) fn widen(film: &mut Film, goal: f64, exec: &Execution) -> Result<Option<Vec<u32>>, Interruption> {
-    let mut widening = Widening { film: film.clone(), goal, thin: BinaryHeap::new() };
-    (0..film.triangles().len() as u32).for_each(|t| widening.consider(t));
+    let mut widening = Widening::new(film.clone(), goal);
     let (most, mut changes) = (CHANGES_PER_TRIANGLE * widening.thin.len(), 0);
     while let Some(Reverse((Angle(angle), t))) = widening.thin.pop() {
+        let state = &mut widening.states[t as usize];
         // A triangle that has changed since it was queued was queued again with its new angle.
-        if widening.film.topology.is_removed(t) || widening.angle(t).total_cmp(&angle).is_ne() {
+        if widening.film.topology.is_removed(t) || state.queued.total_cmp(&angle).is_ne() {
+            continue;
+        }
+        state.queued = f64::NAN;
+        if state.changes == MOST_CHANGES {
             continue;
         }
         exec.look(100)?;
         if let Some(change) = widening.best_change(t) {
+            widening.states[t as usize].changes += 1;
             widening.make(change);
             changes += 1;
             if changes == most {
@@ -114,42 +126,78 @@ fn least_tangent([a, b, c]: [DVec3; 3]) -> f64 {
     double_area / (-u.dot(w)).max(-v.dot(u)).max(-w.dot(v))
 }
 
-/// The smallest angle of some triangles. `None` if one of them leans too far from the direction of all together.
-fn quality(triangles: impl Iterator<Item = [DVec3; 3]>, direction: DVec3) -> Option<f64> {
+/// The smallest angle of some triangles. `None` if one of them leans too far from the direction of all together, or has an
+/// angle whose tangent is below `useful`.
+fn quality(triangles: impl Iterator<Item = [DVec3; 3]>, direction: DVec3, useful: f64) -> Option<f64> {
     let mut smallest = f64::INFINITY;
     for corners in triangles {
+        let tangent = least_tangent(corners);
+        if tangent < useful {
+            return None;
+        }
         let normal = double_area_vector(corners);
         if normal.dot(direction) <= LEAST_COSINE * normal.length() {
             return None;
         }
-        smallest = smallest.min(least_tangent(corners));
+        smallest = smallest.min(tangent);
     }
     // The arc tangent grows with the tangent, so that one is enough for all triangles.
     Some(smallest.atan())
+}
+
+/// A bound for [`quality`]: angles with a smaller tangent are certainly below this angle.
+fn useful_tangent(angle: f64) -> f64 {
+    angle.tan() * (1.0 - ROUNDING)
+}
+
+#[derive(Clone, Copy, Debug)]
+struct State {
+    /// Twice the area vector.
+    area_vector: DVec3,
+    /// The smallest angle (radians); 0 if the triangle is flipped.
+    angle: f64,
+    /// The angle with which the triangle waits in the queue; NaN if it does not wait.
+    queued: f64,
+    /// Number of changes that were made for this triangle.
+    changes: u8,
 }
 
 #[derive(Debug)]
 struct Widening {
     film: Film,
     goal: f64,
+    /// Sines and cosines of the directions in which a vertex is moved on trial.
+    directions: [(f64, f64); DIRECTIONS],
+    /// What is known of each triangle. It is not kept up to date for removed triangles.
+    states: Vec<State>,
     /// The thin triangles by angle, then by number. The thinnest comes first.
     thin: BinaryHeap<Reverse<(Angle, u32)>>,
 }
 
 impl Widening {
+    fn new(film: Film, goal: f64) -> Self {
+        let count = film.triangles().len();
+        let unknown = State { area_vector: DVec3::ZERO, angle: 0.0, queued: f64::NAN, changes: 0 };
+        let direction = |k: usize| (std::f64::consts::TAU * k as f64 / DIRECTIONS as f64).sin_cos();
+        let directions = std::array::from_fn(direction);
+        let mut widening = Self { film, goal, directions, states: vec![unknown; count], thin: BinaryHeap::new() };
+        widening.consider(0..count as u32);
+        widening
+    }
+
     /// The smallest angle of a triangle; 0 if it is flipped: its normal points away from those of its vertices. Only
     /// a triangle that leans away from a neighbour is compared with them.
     fn angle(&self, t: u32) -> f64 {
         let film = &self.film;
-        let area_vector = |t: u32| double_area_vector(film.corners(film.triangles()[t as usize]));
-        let own = area_vector(t);
+        let own = self.states[t as usize].area_vector;
         let leans_away = |h: u32| {
             let twin = film.topology.twin[h as usize];
-            twin != NONE && area_vector(twin / 3).dot(own) < 0.0
+            twin != NONE && self.states[twin as usize / 3].area_vector.dot(own) < 0.0
         };
         let triangle = film.triangles()[t as usize];
         let vertex_normal = |v: u32| {
-            let around: DVec3 = film.topology.outgoing_half_edges(v).map(|h| area_vector(h / 3)).sum();
+            let around: DVec3 =
+                film.topology.outgoing_half_edges(v).map(|h| self.states[h as usize / 3].area_vector).sum();
             around.normalize_or_zero()
         };
         let is_flipped =
@@ -157,10 +205,23 @@ impl Widening {
         if is_flipped { 0.0 } else { least(film.corners(triangle)) }
     }
 
-    fn consider(&mut self, t: u32) {
-        let angle = self.angle(t);
-        if angle < self.goal {
-            self.thin.push(Reverse((Angle(angle), t)));
+    /// Computes the angles of new or changed triangles anew, and queues the thin ones. Whether a triangle is flipped
+    /// depends on the triangles around its vertices, so that all triangles which share a vertex with a changed one must
+    /// be among them.
+    fn consider(&mut self, triangles: impl Iterator<Item = u32> + Clone) {
+        for t in triangles.clone() {
+            let triangle = self.film.triangles()[t as usize];
+            self.states[t as usize].area_vector = double_area_vector(self.film.corners(triangle));
+        }
+        for t in triangles {
+            let angle = self.angle(t);
+            let state = &mut self.states[t as usize];
+            state.angle = angle;
+            // A triangle waits once only, because a look at it takes long and would come to the same result.
+            if angle < self.goal && state.queued != angle {
+                state.queued = angle;
+                self.thin.push(Reverse((Angle(angle), t)));
+            }
         }
     }
 
@@ -192,11 +253,12 @@ impl Widening {
         let twin = topology.twin[h as usize];
         let (c, d) = (topology.opposite(h), topology.opposite(twin));
         let corners = |t: [u32; 3]| self.film.corners(t);
-        let before = [corners([a, b, c]), corners([b, a, d])];
         let after = [corners([d, c, a]), corners([c, d, b])];
-        let direction = before.map(double_area_vector).into_iter().sum::<DVec3>().normalize_or_zero();
-        let reached = quality(after.into_iter(), direction)?;
-        Some((reached - self.angle(h / 3).min(self.angle(twin / 3)), Change::Flip(h)))
+        let [one, other] = [h / 3, twin / 3].map(|t| t as usize);
+        let direction = (self.states[one].area_vector + self.states[other].area_vector).normalize_or_zero();
+        let before = self.states[one].angle.min(self.states[other].angle);
+        let reached = quality(after.into_iter(), direction, useful_tangent(before + LEAST_GAIN))?;
+        Some((reached - before, Change::Flip(h)))
     }
 
     /// The better of the collapses of an edge into its ends or its middle.
@@ -218,10 +280,11 @@ impl Widening {
         let mut before = f64::INFINITY;
         let mut direction = DVec3::ZERO;
         for (t, _) in around() {
-            before = before.min(self.angle(t));
-            direction += double_area_vector(film.corners(film.triangles()[t as usize]));
+            before = before.min(self.states[t as usize].angle);
+            direction += self.states[t as usize].area_vector;
         }
         let direction = direction.normalize_or_zero();
+        let useful = useful_tangent(before + LEAST_GAIN);
         let (p, q) = (film.vertices[stays as usize], film.vertices[leaves as usize]);
         let places = [p, 0.5 * (p + q), q];
         let mut best: Option<(f64, Change)> = None;
@@ -231,7 +294,7 @@ impl Widening {
                 film.triangles()[t as usize].map(corner)
             };
             let left = around().filter(|(_, both)| !both).map(|(t, _)| moved(t));
-            if let Some(reached) = quality(left, direction)
+            if let Some(reached) = quality(left, direction, useful)
                 && best.is_none_or(|(gain, _)| reached - before > gain)
             {
                 best = Some((reached - before, Change::Collapse(stays, leaves, place)));
@@ -247,30 +310,36 @@ impl Widening {
             return None;
         }
         let start = film.vertices[v as usize];
-        let ring: Vec<[DVec3; 2]> = film
+        let mut ring: Vec<(f64, [DVec3; 2])> = film
             .topology
             .outgoing_half_edges(v)
-            .map(|h| [film.topology.to(h), film.topology.opposite(h)].map(|w| film.vertices[w as usize]))
+            .map(|h| {
+                let ends = [film.topology.to(h), film.topology.opposite(h)].map(|w| film.vertices[w as usize]);
+                (self.states[h as usize / 3].angle, ends)
+            })
             .collect();
-        let direction = ring.iter().map(|&[j, k]| double_area_vector([start, j, k])).sum::<DVec3>().normalize_or_zero();
+        let direction =
+            ring.iter().map(|&(_, [j, k])| double_area_vector([start, j, k])).sum::<DVec3>().normalize_or_zero();
         if direction == DVec3::ZERO {
             return None;
         }
-        let reached = |place: DVec3| quality(ring.iter().map(|&[j, k]| [place, j, k]), direction);
-        let triangles = film.topology.outgoing_half_edges(v).map(|h| h / 3);
-        let before = triangles.map(|t| self.angle(t)).fold(f64::INFINITY, f64::min);
-        let size = ring.iter().map(|[j, _]| j.distance(start)).sum::<f64>() / ring.len() as f64;
+        let size = ring.iter().map(|(_, [j, _])| j.distance(start)).sum::<f64>() / ring.len() as f64;
+        // The thinnest triangle comes first, because a move that does not widen it is useless.
+        ring.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+        let before = ring[0].0;
         let across = direction.any_orthonormal_vector();
         let along = direction.cross(across);
         let (mut place, mut best, mut length) = (start, before, FIRST_MOVE * size);
+        let mut useful = useful_tangent(best);
         for _ in 0..HALVINGS {
-            for k in 0..DIRECTIONS {
-                let (sine, cosine) = (std::f64::consts::TAU * k as f64 / DIRECTIONS as f64).sin_cos();
+            for &(sine, cosine) in &self.directions {
                 let tried = place + length * (cosine * across + sine * along);
-                if let Some(angle) = reached(tried)
+                let triangles = ring.iter().map(|&(_, [j, k])| [tried, j, k]);
+                if let Some(angle) = quality(triangles, direction, useful)
                     && angle > best
                 {
                     (place, best) = (tried, angle);
+                    useful = useful_tangent(best);
                 }
             }
             length *= 0.5;
@@ -303,7 +372,7 @@ impl Widening {
             changed.iter().flat_map(|&v| self.film.topology.outgoing_half_edges(v)).map(|h| h / 3).collect();
         around.sort_unstable();
         around.dedup();
-        around.into_iter().for_each(|t| self.consider(t));
+        self.consider(around.into_iter());
     }
 }
 

@@ -38,7 +38,7 @@ impl Source {
 const LEAF: usize = 4;
 /// A cell that at most this number of sources can matter to has a list of them. In the other cells the tree is searched:
 /// beside a boundary of many points thousands may matter to one cell.
-const FEW: usize = 128;
+const FEW: usize = 32;
 /// Relative rounding error of a bound, by which a part of the tree must be worse than the best source so far to be left
 /// out.
 const ROUNDING: f64 = 1e-12;
@@ -132,15 +132,15 @@ struct Smallest {
     point: DVec2,
     grading: f64,
     size: f64,
-    /// The distance of the nearest source that was looked at.
+    /// The distance of the nearest source that was looked at: the nearest one of all, if that can be too near.
     clearance: f64,
 }
 
 impl Walk for Smallest {
     fn enters(&self, size: f64, distance: f64) -> bool {
-        // Nearer sources than the clearance that matters count too, whatever their size.
+        // The nearest source counts too, whatever its size, if it can be too near.
         size + self.grading * distance <= self.size * (1.0 + ROUNDING)
-            || distance <= CLEARANCE * self.size * (1.0 + ROUNDING)
+            || distance < self.clearance && distance <= CLEARANCE * self.size * (1.0 + ROUNDING)
     }
 
     fn offer(&mut self, _number: u32, source: &Source) -> bool {
@@ -155,8 +155,9 @@ impl Walk for Smallest {
 struct Near {
     point: DVec2,
     grading: f64,
-    /// The size at the point.
+    /// The size at the point, and a distance that the nearest source does not exceed.
     size: f64,
+    clearance: f64,
     reach: f64,
     found: Vec<u32>,
 }
@@ -164,7 +165,10 @@ struct Near {
 impl Near {
     fn matters(&self, size: f64, distance: f64) -> bool {
         let largest = self.size + 2.0 * self.grading * self.reach;
-        size + self.grading * distance <= largest || distance - self.reach <= CLEARANCE * largest
+        // The source that is nearest to another point within reach is at most twice the reach farther from this point.
+        let can_be_nearest = distance <= (self.clearance + 2.0 * self.reach) * (1.0 + ROUNDING);
+        size + self.grading * distance <= largest
+            || can_be_nearest && distance - self.reach <= CLEARANCE * largest * (1.0 + ROUNDING)
     }
 }
 
@@ -235,9 +239,17 @@ impl SizeField<'_> {
         (found.size, found.clearance)
     }
 
-    /// The sources that can determine the size, or be too near, anywhere within `reach` of a point.
-    fn narrowed(&self, point: DVec2, reach: f64, size: f64, tree: &Tree, near: &Sources) -> Sources {
-        let mut found = Near { point, grading: self.grading, size, reach, found: Vec::new() };
+    /// The sources that can determine the size, or be too near, anywhere within `reach` of a point, at which the size and
+    /// the clearance are known.
+    fn narrowed(
+        &self,
+        point: DVec2,
+        reach: f64,
+        (size, clearance): (f64, f64),
+        tree: &Tree,
+        near: &Sources,
+    ) -> Sources {
+        let mut found = Near { point, grading: self.grading, size, clearance, reach, found: Vec::new() };
         match near {
             Sources::All => tree.walk(point, &mut found),
             Sources::Few(near) => near.iter().for_each(|&k| {
@@ -294,9 +306,9 @@ impl SizeField<'_> {
             if p.min(q).min(r).cmpgt(high).any() || p.max(q).max(r).cmplt(low).any() {
                 continue;
             }
-            let (size, _) = self.size_and_clearance(centre, &tree, &near);
+            let (size, clearance) = self.size_and_clearance(centre, &tree, &near);
             if depth < DEPTH && side > size * (1.0 + 1e-9) {
-                let near = self.narrowed(centre, reach, size, &tree, &near);
+                let near = self.narrowed(centre, reach, (size, clearance), &tree, &near);
                 let half = |a: [i64; 2], b: [i64; 2]| [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
                 let [a, b, c] = corners;
                 let (ab, bc, ca) = (half(a, b), half(b, c), half(c, a));
@@ -381,6 +393,37 @@ mod tests {
             assert!(nearest > 0.3 * size, "{nearest} {size}");
             let covered = field.sources.iter().map(|source| source.distance(p)).fold(nearest, f64::min);
             assert!(covered < 1.3 * size, "{covered} {size}");
+        }
+    }
+
+    #[test]
+    fn the_tree_and_the_lists_decide_as_all_sources_do() {
+        let mut random = crate::random::SplitMix64::new(7);
+        let mut sources = square_sources(1.0, 300);
+        sources.push(Source::new(DVec2::new(0.3, 0.4), DVec2::new(0.3, 0.4), f64::INFINITY));
+        sources.push(Source::new(DVec2::new(0.6, 0.2), DVec2::new(0.9, 0.2), 0.3));
+        for grading in [0.3, 1.0, 3.0, 20.0] {
+            let field = SizeField { sources: sources.clone(), grading, cap: &|_| 0.2 };
+            let tree = Tree::new(&field.sources);
+            let (mut too_near, mut lists) = (0, 0);
+            for _ in 0..3_000 {
+                let mut any = |low: f64, high: f64| random.between(low, high);
+                let (centre, reach) = (DVec2::new(any(0.0, 1.0), any(0.0, 1.0)), any(0.0, 0.1));
+                let known = field.size_and_clearance(centre, &tree, &Sources::All);
+                let near = field.narrowed(centre, reach, known, &tree, &Sources::All);
+                lists += usize::from(matches!(near, Sources::Few(_)));
+                let point = centre + DVec2::from_angle(any(0.0, 6.3)) * any(0.0, reach);
+                let sizes = field.sources.iter().map(|source| source.size + grading * source.distance(point));
+                let size = sizes.fold(0.2, f64::min);
+                let clearance = field.sources.iter().map(|source| source.distance(point)).fold(f64::INFINITY, f64::min);
+                for from in [&Sources::All, &near] {
+                    let found = field.size_and_clearance(point, &tree, from);
+                    assert_eq!(found.0, size, "{grading} {point}");
+                    assert_eq!(found.1 < CLEARANCE * size, clearance < CLEARANCE * size, "{grading} {point}");
+                }
+                too_near += usize::from(clearance < CLEARANCE * size);
+            }
+            assert!(too_near > 30 && lists > 100, "{grading}: {too_near} {lists}");
         }
     }
 
