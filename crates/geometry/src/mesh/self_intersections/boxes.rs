@@ -52,7 +52,7 @@ impl AxisBox {
 
 /// A box along axes of its own.
 #[derive(Clone, Copy)]
-struct OwnBox {
+pub(super) struct OwnBox {
     axes: [DVec3; 3],
     centre: DVec3,
     half: DVec3,
@@ -143,7 +143,10 @@ pub(super) struct Tree {
     /// Their boxes, if pairs of triangles are visited.
     boxes: Vec<AxisBox>,
     nodes: Vec<AxisBox>,
+    /// The boxes along the nodes' own axes, if pairs of triangles are visited.
     own: Vec<OwnBox>,
+    /// A point of the mesh from which own boxes are computed, so that their rounding is that of the extent.
+    origin: DVec3,
     /// The first leaf's node.
     base: usize,
     /// Triangles in a leaf.
@@ -168,9 +171,9 @@ pub(super) struct Leaves {
 /// What a tree is searched for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Visits {
-    /// Pairs of leaves.
+    /// Pairs of leaves whose boxes along the axes meet.
     Leaves,
-    /// Pairs of triangles too, for which the tree keeps a box of each triangle.
+    /// Pairs of triangles too, for which the tree keeps a box of each triangle, and the own box of each node.
     Pairs,
 }
 
@@ -187,22 +190,22 @@ impl Tree {
             exec.look(chunk.len() as u64)?;
         }
         if order == Order::Spatial {
-            sort_along_curve(&corners, &mut list, &whole, exec)?;
+            list = sorted_along_curve(&corners, list, &whole, exec)?;
         }
         let base = list.len().div_ceil(size).max(1).next_power_of_two();
         let mut tree = Self {
             boxes: Vec::with_capacity(if visits == Visits::Pairs { list.len() } else { 0 }),
             nodes: vec![AxisBox::EMPTY; 2 * base],
-            own: vec![OwnBox::EMPTY; 2 * base],
+            own: vec![OwnBox::EMPTY; if visits == Visits::Pairs { 2 * base } else { 0 }],
+            origin: DVec3::ZERO,
             base,
             leaf_size: size,
             // Coordinates are at most 1: their rounding, and that of extents, moves a box by less than this.
             slack: SLACK,
             order: list,
         };
-        // Own boxes are computed from a point of the mesh, so that the rounding is that of the extent.
-        let origin = if tree.order.is_empty() { DVec3::ZERO } else { 0.5 * (whole.low + whole.high) };
         if !tree.order.is_empty() {
+            tree.origin = 0.5 * (whole.low + whole.high);
             let extent = (whole.high - whole.low).max_element();
             tree.slack = SLACK * extent + 4.0 * f64::EPSILON * whole.low.abs().max(whole.high.abs()).max_element();
         }
@@ -218,9 +221,11 @@ impl Tree {
                     tree.boxes.push(extent);
                 }
                 tree.nodes[node] = tree.nodes[node].with(&extent);
-                here.push(corners.map(|corner| corner - origin));
+                here.push(corners.map(|corner| corner - tree.origin));
             }
-            tree.own[node] = OwnBox::of(&here);
+            if visits == Visits::Pairs {
+                tree.own[node] = OwnBox::of(&here);
+            }
             if (leaf + 1) % (LOOK / size) == 0 {
                 exec.look(LOOK as u64)?;
             }
@@ -228,7 +233,10 @@ impl Tree {
         for node in (1..base).rev() {
             let [left, right] = [2 * node, 2 * node + 1];
             tree.nodes[node] = tree.nodes[left].with(&tree.nodes[right]);
-            tree.own[node] = if tree.is_empty(right) { tree.own[left] } else { tree.own[left].with(&tree.own[right]) };
+            if visits == Visits::Pairs {
+                let alone = tree.is_empty(right);
+                tree.own[node] = if alone { tree.own[left] } else { tree.own[left].with(&tree.own[right]) };
+            }
             if node % LOOK == 0 {
                 exec.look(LOOK as u64)?;
             }
@@ -280,7 +288,11 @@ impl Tree {
             if skip(a, b) {
                 continue;
             }
-            if a != b && (!self.nodes[a].meets(&self.nodes[b]) || self.own[a].is_apart(&self.own[b], self.slack)) {
+            let is_apart = || match self.own.get(a) {
+                Some(own) => own.is_apart(&self.own[b], self.slack),
+                None => false,
+            };
+            if a != b && (!self.nodes[a].meets(&self.nodes[b]) || is_apart()) {
                 continue;
             }
             if a < self.base {
@@ -322,6 +334,23 @@ impl Tree {
             ControlFlow::Continue(())
         };
         self.visit_leaves(most_work, skip, visit, exec)
+    }
+
+    /// The node of the first leaf, which is also the largest number of leaves.
+    pub fn first_leaf(&self) -> usize {
+        self.base
+    }
+
+    /// The box of a leaf along its own axes.
+    pub fn own_box(&self, leaf: usize, corners: impl Fn(u32) -> [DVec3; 3]) -> OwnBox {
+        let here: Vec<[DVec3; 3]> =
+            self.leaf(leaf).iter().map(|&t| corners(t).map(|corner| corner - self.origin)).collect();
+        OwnBox::of(&here)
+    }
+
+    /// Whether two own boxes are certainly apart.
+    pub fn are_apart(&self, one: &OwnBox, other: &OwnBox) -> bool {
+        one.is_apart(other, self.slack)
     }
 
     /// The triangles of a leaf.
@@ -366,22 +395,70 @@ fn place_on_curve([mut x, mut y, mut z]: [u32; 3]) -> u32 {
     spread(x) << 2 | spread(y) << 1 | spread(z)
 }
 
-/// Sorts triangles by the place of their centre on a space-filling curve, stable.
-fn sort_along_curve(
+/// Numbers of triangles in the blocks that are sorted as a whole if they are compact, as those of a mesh whose triangles
+/// were divided into four are.
+const BLOCKS: [usize; 2] = [16, 4];
+/// Blocks are compact if the squares of their extents exceed those of as many equal triangles, which fill a triangle of
+/// their own shape, by less than this factor. A larger value makes larger leaves.
+const COMPACT: f64 = 2.5;
+/// Fewest blocks of a mesh that are sorted instead of its triangles.
+const LEAST_BLOCKS: usize = 64;
+
+/// Triangles by the place of their centre on a space-filling curve. Triangles that follow each other in compact blocks
+/// stay together.
+fn sorted_along_curve(
     corners: impl Fn(u32) -> [DVec3; 3],
-    list: &mut Vec<u32>,
+    list: Vec<u32>,
     whole: &AxisBox,
     exec: &Execution<'_>,
-) -> Result<(), Interruption> {
+) -> Result<Vec<u32>, Interruption> {
+    for size in BLOCKS {
+        if list.len() < LEAST_BLOCKS * size {
+            continue;
+        }
+        let (mut centres, mut of_blocks, mut of_triangles) = (Vec::with_capacity(list.len() / size + 1), 0.0, 0.0);
+        for blocks in list.chunks(LOOK / size * size) {
+            for block in blocks.chunks(size) {
+                let mut extent = AxisBox::EMPTY;
+                for &t in block {
+                    let own = AxisBox::of(&corners(t));
+                    of_triangles += (own.high - own.low).length_squared();
+                    extent = extent.with(&own);
+                }
+                of_blocks += (extent.high - extent.low).length_squared();
+                centres.push(0.5 * (extent.low + extent.high));
+            }
+            exec.look(blocks.len() as u64)?;
+            if of_blocks > 2.0 * COMPACT * of_triangles {
+                break;
+            }
+        }
+        if of_blocks <= COMPACT * of_triangles {
+            let order = along_curve(&centres, whole, exec)?;
+            let block = |k: u32| list[k as usize * size..].iter().take(size).copied();
+            return Ok(order.into_iter().flat_map(block).collect());
+        }
+    }
+    let centre = |&t: &u32| {
+        let [a, b, c] = corners(t);
+        (a + b + c) / 3.0
+    };
+    let centres: Vec<DVec3> = list.iter().map(centre).collect();
+    exec.look(list.len() as u64)?;
+    let order = along_curve(&centres, whole, exec)?;
+    Ok(order.into_iter().map(|k| list[k as usize]).collect())
+}
+
+/// The numbers of points by their places on a space-filling curve, stable.
+fn along_curve(points: &[DVec3], whole: &AxisBox, exec: &Execution<'_>) -> Result<Vec<u32>, Interruption> {
     let cells = f64::from((1 << BITS) - 1);
     let scale = cells / (whole.high - whole.low).max(DVec3::splat(f64::MIN_POSITIVE));
-    let code = |t: u32| {
-        let [a, b, c] = corners(t);
-        let at = ((a + b + c) / 3.0 - whole.low) * scale;
+    let code = |point: DVec3| {
+        let at = (point - whole.low) * scale;
         place_on_curve(at.to_array().map(|coordinate| (coordinate as u32).min((1 << BITS) - 1)))
     };
-    let mut keyed: Vec<(u32, u32)> = list.iter().map(|&t| (code(t), t)).collect();
-    exec.look(list.len() as u64)?;
+    let mut keyed: Vec<(u32, u32)> = points.iter().zip(0..).map(|(&point, k)| (code(point), k)).collect();
+    exec.look(points.len() as u64)?;
     let mut sorted = vec![(0, 0); keyed.len()];
     for pass in 0..3 {
         let digit = |code: u32| (code >> (pass * BITS) & ((1 << BITS) - 1)) as usize;
@@ -390,17 +467,15 @@ fn sort_along_curve(
         for k in 0..1 << BITS {
             start[k + 1] += start[k];
         }
-        for &(code, t) in &keyed {
+        for &(code, k) in &keyed {
             let slot = &mut start[digit(code)];
-            sorted[*slot] = (code, t);
+            sorted[*slot] = (code, k);
             *slot += 1;
         }
         std::mem::swap(&mut keyed, &mut sorted);
-        exec.look(list.len() as u64)?;
+        exec.look(points.len() as u64)?;
     }
-    list.clear();
-    list.extend(keyed.iter().map(|&(_, t)| t));
-    Ok(())
+    Ok(keyed.into_iter().map(|(_, k)| k).collect())
 }
 
 #[cfg(test)]

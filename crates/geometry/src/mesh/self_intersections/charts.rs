@@ -15,7 +15,7 @@
 //! A coarse tree then finds the pairs of leaves that are neither apart nor together in a chart. Only their triangles are
 //! suspects. On smooth films there are none.
 
-use super::boxes::{Leaves, Order, Tree, Visits};
+use super::boxes::{Leaves, Order, OwnBox, Tree, Visits};
 use super::soup::{LOOK, NONE, Soup};
 use crate::{DVec2, DVec3, Execution, Interruption};
 use std::ops::ControlFlow;
@@ -77,7 +77,21 @@ pub(super) fn suspects(
     }
     let same_chart = |a: usize, b: usize| layers.iter().any(|labels| labels[a] != NONE && labels[a] == labels[b]);
     let mut is_suspect = vec![false; soup.triangles.len()];
+    // Few leaves are ever compared, so that a box of their own is made for those alone.
+    let mut own_boxes: Vec<Option<OwnBox>> = vec![None; tree.first_leaf()];
     let visit = |a: usize, b: usize| {
+        if a != b {
+            for leaf in [a, b] {
+                own_boxes[leaf - tree.first_leaf()]
+                    .get_or_insert_with(|| tree.own_box(leaf, |t| soup.corners(soup.triangles[t as usize])));
+            }
+            let own = |leaf: usize| own_boxes[leaf - tree.first_leaf()].as_ref();
+            if let (Some(one), Some(other)) = (own(a), own(b))
+                && tree.are_apart(one, other)
+            {
+                return ControlFlow::Continue(());
+            }
+        }
         for leaf in [a, b] {
             tree.leaf(leaf).iter().for_each(|&t| is_suspect[t as usize] = true);
         }
@@ -274,6 +288,45 @@ impl<'a> Surface<'a> {
         Ok(outside)
     }
 
+    /// Whether the members are a chart as a whole. `None` if they may have several parts, or several cells. A part that
+    /// faces the direction has an area, and so a polygon that runs counter-clockwise: if there is one such polygon, the
+    /// members are one part.
+    fn whole_chart(
+        &self,
+        direction: DVec3,
+        members: &[u32],
+        cells: &[u32],
+        parts: &mut [u32],
+        exec: &Execution<'_>,
+    ) -> Result<Option<bool>, Interruption> {
+        let mut boundary: Vec<u32> = Vec::new();
+        for chunk in members.chunks(LOOK) {
+            for &t in chunk {
+                if cells[t as usize] != 0 {
+                    return Ok(None);
+                }
+                for h in 3 * t..3 * t + 3 {
+                    let twin = self.twins[h as usize];
+                    if twin == NONE || cells[twin as usize / 3] != 0 {
+                        boundary.push(h);
+                    }
+                }
+            }
+            exec.look(chunk.len() as u64)?;
+        }
+        if boundary.len() > members.len() / BOUNDARY_SHARE + FREE_BOUNDARY {
+            return Ok(None);
+        }
+        members.iter().for_each(|&t| parts[t as usize] = 0);
+        boundary.sort_unstable();
+        let boundary = Boundary::new(self, direction, cells, parts, &boundary);
+        if boundary.has_one_outer_polygon(1) == [true] {
+            return Ok(Some(boundary.encloses_once(1, exec)?[0]));
+        }
+        members.iter().for_each(|&t| parts[t as usize] = NONE);
+        Ok(None)
+    }
+
     /// Finds the connected parts of the cells. Returns for each part whether it is a chart. The members face the
     /// direction, and no other triangle has a cell.
     fn charts(
@@ -284,6 +337,9 @@ impl<'a> Surface<'a> {
         exec: &Execution<'_>,
     ) -> Result<Vec<bool>, Interruption> {
         let Scratch { cells, parts, stack, .. } = scratch;
+        if let Some(holds) = self.whole_chart(direction, members, cells, parts, exec)? {
+            return Ok(vec![holds]);
+        }
         let mut boundary: Vec<u32> = Vec::new();
         let (mut count, mut work) = (0, 0);
         for &seed in members {
