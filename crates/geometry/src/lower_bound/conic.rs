@@ -198,7 +198,8 @@ impl<'a> Level<'a> {
         Self { space, form, field, curl, dual, complementarity, infeasibility: 1.0, film_area, stalled: false, best }
     }
 
-    /// How far the circulation is at most below the optimum of this mesh.
+    /// How far the circulation is at most below the optimum of this mesh, once the dual constraint holds. Until then the
+    /// film's area times the residual's remaining fraction is added, which is an estimate.
     pub fn gap(&self) -> f64 {
         self.complementarity + self.infeasibility * self.film_area
     }
