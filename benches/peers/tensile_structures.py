@@ -19,8 +19,8 @@ Two more are small and run once:
 
 Ours is `plateau solve` from the request to the written GLB. Kratos runs its form finding solver (the update reference
 strategy) with the settings of its own test of a four-point sail on a structured mesh of as many triangles: membrane and
-cable elements of its default, isotropic prestress 1, with the sparse LU of its `LinearSolversApplication`, until the norm of its
-residual is at most R (1e-7, that of its test) or it has used S seconds of processor time (900). Its iterations run in
+cable elements of its default, isotropic prestress 1, with the sparse LU of its `LinearSolversApplication`, until the
+norm of its residual is at most R (1e-7, that of its test) or it has used S seconds of processor time (900). Its iterations run in
 steps of ten, after which the time and the residual are looked at; the shape after each is the same to the last bit as
 without steps, because the reference shape is renewed in every iteration. Its time is that of `AnalysisStage.Run`,
 reading the mesh from its file included, without what the looking takes. Ours runs before it and after it, and the mean
