@@ -9,7 +9,7 @@ With the bench's binary ours is the process `--case OBJECTIVE NODES`: start, mes
 degrees, and the largest area that gives it about as many nodes. All are the least of three runs, ours and theirs in turn.
 Prints one JSON line a case; `ratio` is ours over Triangle's per node.
 
-    python3 benches/uniform_mesh_peers.py target/release/plateau --curved [PATCHES]
+    python3 benches/uniform_mesh_peers.py target/release/plateau --curved [PATCHES | FIRST..END]
 
 meshes random wavy patches under both objectives and with MeshLab's isotropic remesher (PyPI `pymeshlab`, `numpy`), which starts
 from a grid of 300 x 300 points on the patch and has the same edge length as its target. Lengths are in units of the edge length,
@@ -133,13 +133,15 @@ def read_obj(path):
     return np.array(points), np.array(triangles)
 
 
-def curved(binary, count):
+def curved(binary, numbers):
     import numpy as np
     import pymeshlab
 
     rng = np.random.default_rng(1)
-    for number in range(count):
+    for number in range(numbers.stop):
         patch, edge_length = random_patch(rng)
+        if number not in numbers:
+            continue
         fine = grid(patch, 300)
         _, exact = figures(*fine, edge_length)
         with tempfile.TemporaryDirectory() as folder:
@@ -170,7 +172,8 @@ def curved(binary, count):
 
 
 if "--curved" in sys.argv:
-    curved(sys.argv[1], int((sys.argv[sys.argv.index("--curved") + 1:] or ["20"])[0]))
+    asked = (sys.argv[sys.argv.index("--curved") + 1:] or ["20"])[0].split("..")
+    curved(sys.argv[1], range(int(asked[0]), int(asked[1])) if len(asked) == 2 else range(int(asked[0])))
     sys.exit()
 
 with tempfile.TemporaryDirectory() as folder:

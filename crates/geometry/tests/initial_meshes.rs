@@ -643,3 +643,19 @@ fn loops_that_share_a_point_are_told_so() {
     let surface = solve(&[square, below], &apart, &Execution::default()).unwrap();
     assert!(surface.warnings.iter().all(|warning| warning.code != "shared_points"));
 }
+
+/// A boundary of 50,000 points took 17 s: its mesh was laid out eleven times, the first ones with ten times the triangles
+/// that were asked for, and each thin triangle was looked at once for every change around it.
+#[test]
+fn a_long_loop_takes_work_in_proportion_to_its_points() {
+    let points = 6_000;
+    let star = curve(points, |angle| {
+        let radius = 1.0 + 0.5 * (7.0 * angle).cos();
+        at(radius * angle.cos(), radius * angle.sin(), 0.0)
+    });
+    let execution = Execution::default();
+    let surface = solve(std::slice::from_ref(&star), &options(2 * points), &execution).unwrap();
+    valid(&[star], &surface);
+    let work = execution.work() as f64 / points as f64;
+    assert!(surface.statistics.converged && work < 1_300.0, "{work}");
+}

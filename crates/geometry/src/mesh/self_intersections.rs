@@ -322,4 +322,39 @@ mod tests {
         assert!((300..2900).contains(&crossing), "{crossing}");
         assert!(suspected + 30_000 < all, "{suspected} of {all}");
     }
+
+    /// A ramp of one and a half turns, seen from above: its boundary is one polygon, which crosses itself.
+    #[test]
+    fn a_part_whose_boundary_crosses_itself_is_no_chart() {
+        let (m, n) = (120u32, 4u32);
+        let exec = Execution::default();
+        for (slope, crosses) in [(0.05, false), (0.0, true)] {
+            let mut vertices = Vec::new();
+            for i in 0..=m {
+                for j in 0..=n {
+                    let angle = 9.4 * f64::from(i) / f64::from(m);
+                    let (y, x) = angle.sin_cos();
+                    let radius = 1.0 + f64::from(j) / f64::from(n);
+                    vertices.push(DVec3::new(radius * x, radius * y, slope * angle + 0.1 * (0.5 * angle - 0.5).sin()));
+                }
+            }
+            let mut triangles = Vec::new();
+            for i in 0..m {
+                for j in 0..n {
+                    let at = |i: u32, j: u32| i * (n + 1) + j;
+                    triangles.extend([
+                        [at(i, j), at(i, j + 1), at(i + 1, j + 1)],
+                        [at(i, j), at(i + 1, j + 1), at(i + 1, j)],
+                    ]);
+                }
+            }
+            let soup = Soup::new(&vertices, &triangles, &exec).unwrap();
+            let list = soup.with_area();
+            let suspects = charts::suspects(&soup, list.clone(), Order::Spatial, 8, &exec).unwrap();
+            let among = |list| intersections_among(&soup, list, Order::Spatial, u64::MAX, &exec).unwrap();
+            let expected = among(list);
+            assert_eq!(expected.pairs > 0, crosses, "{slope}");
+            assert_eq!(among(suspects), expected, "{slope}");
+        }
+    }
 }
