@@ -113,9 +113,11 @@ const GROWTH: f64 = 2.5;
 const LEAST_GROWTH: f64 = 1.4;
 /// Steps on a mesh at most.
 const MOST_STEPS: u32 = 40;
-/// Steps that the budget must allow for on a finer mesh: as many as its bound needs to come close to its optimum. With fewer
-/// the finer mesh would be no better than the one before.
-const STEPS: u32 = 14;
+/// Steps that the budget must allow for on a finer mesh, whose bound would otherwise stay below that of the mesh before:
+/// this number where half a percent is missing to the film's area, and one more for each halving of what is missing.
+const STEPS: f64 = 12.0;
+/// Most of these steps.
+const MOST_STEPS_AHEAD: f64 = 24.0;
 /// A mesh is left for a finer one once its own optimum is reached to this fraction of what is missing to the film's area.
 const CONVERGED: f64 = 0.25;
 /// The same where the budget allows no finer mesh.
@@ -333,15 +335,17 @@ impl Budget<'_> {
         PREPARATION_RATE * leaves + f64::from(steps) * a_step
     }
 
-    /// Leaves of the next mesh, if the rest of the budget allows for a finer one.
-    fn next_leaves(&self, [entries, rows]: [f64; 2], leaves: usize) -> Option<usize> {
+    /// Leaves of the next mesh after one with this bound, if the rest of the budget allows for a finer one.
+    fn next_leaves(&self, [entries, rows]: [f64; 2], leaves: usize, bound: f64) -> Option<usize> {
         let leaves = leaves as f64;
+        let missing = (1.0 - bound / self.film_area).max(f64::MIN_POSITIVE);
+        let steps = (STEPS + (0.005 / missing).log2().ceil()).clamp(STEPS, MOST_STEPS_AHEAD) as u32;
         let affordable = |growth: f64| {
             // Fill grows a little faster than the mesh.
             let system = [entries * growth.powf(1.3), rows * growth];
             leaves * growth <= MOST_LEAVES as f64
                 && system[0] <= MOST_ENTRIES as f64
-                && Self::price(system, leaves * growth, STEPS) <= self.left()
+                && Self::price(system, leaves * growth, steps) <= self.left()
         };
         let mut growth = GROWTH;
         while growth >= LEAST_GROWTH {
@@ -356,7 +360,8 @@ impl Budget<'_> {
     /// Refines the search's mesh and iterates on it.
     fn level(&mut self, search: &mut Search, storage: &mut Vec<f64>, exec: &Execution) -> Result<(), Error> {
         let first = search.system.is_none();
-        if let Some(leaves) = search.system.and_then(|system| self.next_leaves(system, search.mesh.leaf_count())) {
+        let next = |system| self.next_leaves(system, search.mesh.leaf_count(), search.bound);
+        if let Some(leaves) = search.system.and_then(next) {
             search.mesh.refine(leaves, exec)?;
         }
         let Search { loops, mesh, bound, system: size, finished } = search;
@@ -378,7 +383,7 @@ impl Budget<'_> {
         let mut interrupted = Ok(());
         let missing = |bound: f64| (self.film_area - bound).max(0.0);
         for _ in 0..MOST_STEPS {
-            let finer = self.next_leaves(dimensions, mesh.leaf_count()).is_some();
+            let finer = self.next_leaves(dimensions, mesh.leaf_count(), level.best.bound).is_some();
             let enough = if finer { CONVERGED } else { CONVERGED_AT_LAST };
             let converged = level.stalled || level.gap() <= enough * missing(level.best.bound);
             if converged || self.options.gap * level.best.bound >= missing(level.best.bound) || self.left() < a_step {
@@ -403,7 +408,7 @@ impl Budget<'_> {
                 residual: None,
             });
         }
-        *finished = self.next_leaves(dimensions, mesh.leaf_count()).is_none();
+        *finished = self.next_leaves(dimensions, mesh.leaf_count(), level.best.bound).is_none();
         *bound = level.best.bound;
         let currents: Vec<[DVec3; 4]> = (0..mesh.leaf_count()).map(|leaf| level.current(leaf)).collect();
         let field = level.best.field;
