@@ -59,8 +59,8 @@ const GRADING: f64 = 0.3;
 /// [`GRADING_STEP`] at most this many times: up to 26. A larger value accepts more boundaries.
 const STEEPEST_GRADING: u32 = 11;
 const GRADING_STEP: f64 = 1.5;
-/// Triangles between the boundary and the large ones inside, for each boundary edge, times the growth. Measured on circles
-/// and stars of 50,000 points. It only decides which growth is tried first.
+/// Triangles between the boundary and the large ones inside, for each boundary edge, times the growth. Measured on a plane
+/// star of 50,000 points. It only decides which growth is tried first.
 const GRADED_TRIANGLES: f64 = 2.75;
 /// A boundary counts as dense if fewer triangles than this are wanted for each of its points. Then the first growth is
 /// estimated, because a layout with the least growth has ten times as many triangles as wanted. A mesh of so few triangles
