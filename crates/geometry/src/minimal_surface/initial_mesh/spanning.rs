@@ -63,13 +63,11 @@ const GRADING_STEP: f64 = 1.5;
 /// star of 50,000 points. It only decides which growth is tried first.
 const GRADED_TRIANGLES: f64 = 2.75;
 /// A boundary counts as dense if fewer triangles than this are wanted for each of its points. Then the first growth is
-/// estimated, because a layout with the least growth has ten times as many triangles as wanted. A mesh of so few triangles
-/// is not subdivided.
+/// estimated, because a layout with the least growth has ten times as many triangles as wanted, and the boundary's own
+/// triangles are taken into account when the next size is chosen. A mesh of so few triangles is not subdivided.
 const DENSE: f64 = 3.0;
-/// Ratio of the wanted triangles to those that the spacing of the boundary asks for, below which the boundary's own
-/// triangles are taken into account when the next size is chosen.
-const MOSTLY_BOUNDARY: f64 = 2.0;
-/// The ratio of the wanted to the reached number of triangles that is then aimed at: too few are better than too many.
+/// The ratio of the wanted to the reached number of triangles that is aimed at on a dense boundary: too few are better than
+/// too many.
 const AIM: f64 = 1.01;
 /// Smallest number of triangles, roughly, of a mesh that is then subdivided. A larger value gives more even meshes and
 /// takes longer.
@@ -468,7 +466,7 @@ impl Spanning<'_> {
             let square = here.0 - 0.5 * here.1;
             size = match low {
                 None => square,
-                Some(_) if high.0 == largest.ln() && at_largest < MOSTLY_BOUNDARY => {
+                Some(_) if high.0 == largest.ln() && self.is_dense(goal.resolution) => {
                     // The triangles that the spacing of the boundary asks for do not depend on the size.
                     let inside = |shortfall: f64| 1.0 / shortfall - 1.0 / at_largest;
                     let ratio = inside(shortfall) / inside(AIM);
@@ -489,14 +487,21 @@ impl Spanning<'_> {
     /// The number of steps of the growth to begin with. The layouts of a dense boundary take longer the slower the sizes
     /// grow, so that it pays to begin near the growth that is needed.
     fn first_grading_step(&self, resolution: Resolution) -> u32 {
-        let points = self.boundaries.iter().map(Vec::len).sum::<usize>() as f64;
         let Resolution::Triangles(count) = resolution else { return 0 };
-        if count as f64 >= DENSE * points {
+        if !self.is_dense(resolution) {
             return 0;
         }
-        let room = (count as f64 / points - 1.0).max(0.0);
+        let room = (count as f64 / self.points() - 1.0).max(0.0);
         let steps = (GRADED_TRIANGLES / (room * GRADING)).log(GRADING_STEP).floor();
         steps.clamp(0.0, f64::from(STEEPEST_GRADING)) as u32
+    }
+
+    fn points(&self) -> f64 {
+        self.boundaries.iter().map(Vec::len).sum::<usize>() as f64
+    }
+
+    fn is_dense(&self, resolution: Resolution) -> bool {
+        matches!(resolution, Resolution::Triangles(count) if (count as f64) < DENSE * self.points())
     }
 
     fn largest_size(&self) -> f64 {
