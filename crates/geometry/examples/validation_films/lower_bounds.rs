@@ -103,7 +103,7 @@ fn plot(proven: &[[f64; 3]]) -> String {
         let _ = writeln!(svg, r##"<circle cx="{:.1}" cy="{:.1}" r="3" fill="#c55a11"/>"##, x(gap), y(bound));
     }
     for (text, at, colour) in [
-        ("catenoid", [1.2, 7.05], "#2e75b6"),
+        ("catenoid", [1.12, 7.05], "#2e75b6"),
         ("two discs", [0.91, 6.33], "#548235"),
         ("proven bound, and the range up to the better film", [1.03, 5.85], "#c55a11"),
     ] {
