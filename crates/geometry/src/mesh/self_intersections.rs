@@ -20,6 +20,7 @@
 
 mod boxes;
 mod charts;
+mod patches;
 mod predicates;
 mod soup;
 
@@ -33,13 +34,13 @@ use std::ops::ControlFlow;
 
 /// Triangles in a leaf of the tree. Any value from 2 to 8 takes about the same time; a larger one needs less memory.
 const LEAF: usize = 4;
-/// Triangles that are suspects, or not, together. A larger value needs less time for the tree, and has more pairs of
-/// leaves that bend too much for a chart: 16 to 64 take about the same time.
-const COARSE_LEAF: usize = 32;
+/// Triangles of a patch, which are suspects, or not, together. It is the number of triangles that two divisions make of
+/// one.
+const PATCH: usize = 16;
 
-/// Smallest number of triangles for which charts are sought. The leaves of smaller meshes bend too much for a chart, so
-/// that most triangles would be searched pair by pair all the same.
-const LEAST_CHARTED: usize = 8_000;
+/// Smallest number of triangles for which charts are sought. Smaller meshes are searched in the same time without; from
+/// 4,000 triangles on, charts halve it.
+const LEAST_CHARTED: usize = 2_500;
 
 /// Pairs of boxes, for each triangle, after which [`check`] gives up. Meshes that are embedded or cross themselves
 /// along curves take 10 to 60; only sheets that lie on each other in many layers take more.
@@ -140,23 +141,28 @@ pub fn self_intersections(
     most_work: u64,
     exec: &Execution<'_>,
 ) -> Result<SelfIntersections, Interruption> {
-    let soup = Soup::new(vertices, triangles, exec)?;
-    let mut list = soup.with_area();
-    if list.len() >= LEAST_CHARTED {
-        list = charts::suspects(&soup, list, order, COARSE_LEAF, exec)?;
+    if triangles.len() < LEAST_CHARTED {
+        return intersections_among(vertices, triangles, order, most_work, exec);
     }
-    intersections_among(&soup, list, order, most_work, exec)
+    let suspects = charts::suspects(vertices, triangles, order, PATCH, exec)?;
+    let suspects: Vec<[u32; 3]> = suspects.into_iter().map(|t| triangles[t as usize]).collect();
+    intersections_among(vertices, &suspects, order, most_work, exec)
 }
 
-/// Finds the intersections of some triangles with each other.
+/// Finds the intersections of triangles with each other, without charts.
 fn intersections_among(
-    soup: &Soup,
-    list: Vec<u32>,
+    vertices: &[DVec3],
+    triangles: &[[u32; 3]],
     order: Order,
     most_work: u64,
     exec: &Execution<'_>,
 ) -> Result<SelfIntersections, Interruption> {
     let mut found = SelfIntersections { complete: true, ..SelfIntersections::default() };
+    if triangles.is_empty() {
+        return Ok(found);
+    }
+    let soup = &Soup::new(vertices, triangles, exec)?;
+    let list = soup.with_area();
     if list.is_empty() {
         return Ok(found);
     }
@@ -268,6 +274,7 @@ fn largest_star(triangle: &[u32; 3], stars: &[u32]) -> u32 {
 mod tests {
     use super::*;
     use crate::random::SplitMix64;
+    use std::f64::consts::TAU;
 
     /// A net over a curve that may cross itself, with holes, noise, and vertices moved onto others. A coarse grid of
     /// coordinates makes much of it touch.
@@ -301,22 +308,36 @@ mod tests {
         (vertices, triangles)
     }
 
+    /// The intersections of a mesh, which must be those of its suspects; and the number of suspects.
+    fn found_among_suspects(vertices: &[DVec3], triangles: &[[u32; 3]], size: usize) -> (SelfIntersections, usize) {
+        let exec = Execution::default();
+        let suspects = charts::suspects(vertices, triangles, Order::Spatial, size, &exec).unwrap();
+        let suspects: Vec<[u32; 3]> = suspects.into_iter().map(|t| triangles[t as usize]).collect();
+        let among = |list: &[[u32; 3]]| intersections_among(vertices, list, Order::Spatial, u64::MAX, &exec).unwrap();
+        let expected = among(triangles);
+        assert_eq!(among(&suspects), expected, "{size}: {vertices:?} {triangles:?}");
+        (expected, suspects.len())
+    }
+
+    /// The triangles of a grid of m by n cells whose vertices have the given numbers.
+    fn grid(m: u32, n: u32, number: impl Fn(u32, u32) -> u32) -> Vec<[u32; 3]> {
+        let cell = |i: u32, j: u32| {
+            let [a, b, c, d] = [number(i, j), number(i, j + 1), number(i + 1, j + 1), number(i + 1, j)];
+            [[a, b, c], [a, c, d]]
+        };
+        (0..m * n).flat_map(|k| cell(k / n, k % n)).collect()
+    }
+
     #[test]
     fn charts_leave_out_no_triangle_that_intersects_another() {
         let mut random = SplitMix64::new(16);
-        let exec = Execution::default();
         let (mut all, mut suspected, mut crossing) = (0, 0, 0);
         for case in 0..3000 {
             let (vertices, triangles) = net(&mut random);
-            let soup = Soup::new(&vertices, &triangles, &exec).unwrap();
-            let list = soup.with_area();
-            let suspects = charts::suspects(&soup, list.clone(), Order::Spatial, 1 + case % 4, &exec).unwrap();
-            all += list.len();
-            suspected += suspects.len();
-            let among = |list| intersections_among(&soup, list, Order::Spatial, u64::MAX, &exec).unwrap();
-            let expected = among(list);
-            assert_eq!(among(suspects), expected, "case {case}: {vertices:?} {triangles:?}");
-            crossing += usize::from(expected.pairs > 0);
+            let (found, suspects) = found_among_suspects(&vertices, &triangles, [1, 2, 3, 4, 7, 16][case % 6]);
+            all += triangles.len();
+            suspected += suspects;
+            crossing += usize::from(found.pairs > 0);
         }
         // Both kinds of mesh are frequent, and the charts settle a part of them.
         assert!((300..2900).contains(&crossing), "{crossing}");
@@ -326,35 +347,187 @@ mod tests {
     /// A ramp of one and a half turns, seen from above: its boundary is one polygon, which crosses itself.
     #[test]
     fn a_part_whose_boundary_crosses_itself_is_no_chart() {
-        let (m, n) = (120u32, 4u32);
-        let exec = Execution::default();
         for (slope, crosses) in [(0.05, false), (0.0, true)] {
             let mut vertices = Vec::new();
-            for i in 0..=m {
-                for j in 0..=n {
-                    let angle = 9.4 * f64::from(i) / f64::from(m);
+            for i in 0..=120 {
+                for j in 0..=4 {
+                    let angle = 9.4 * f64::from(i) / 120.0;
                     let (y, x) = angle.sin_cos();
-                    let radius = 1.0 + f64::from(j) / f64::from(n);
+                    let radius = 1.0 + f64::from(j) / 4.0;
                     vertices.push(DVec3::new(radius * x, radius * y, slope * angle + 0.1 * (0.5 * angle - 0.5).sin()));
                 }
             }
-            let mut triangles = Vec::new();
-            for i in 0..m {
-                for j in 0..n {
-                    let at = |i: u32, j: u32| i * (n + 1) + j;
-                    triangles.extend([
-                        [at(i, j), at(i, j + 1), at(i + 1, j + 1)],
-                        [at(i, j), at(i + 1, j + 1), at(i + 1, j)],
-                    ]);
+            let (found, _) = found_among_suspects(&vertices, &grid(120, 4, |i, j| 5 * i + j), 8);
+            assert_eq!(found.pairs > 0, crosses, "{slope}");
+        }
+    }
+
+    /// A spiral ramp of a turn and a bit. Its end lies over its start, and the polygon of its boundary crosses itself in
+    /// two vertices that both have. The end is tilted about the line between them, so that it passes through the start.
+    #[test]
+    fn a_part_whose_boundary_crosses_itself_at_vertices_is_no_chart() {
+        let over = 8;
+        let (turn, rows) = (64, 4);
+        let place = |i: u32, j: u32| {
+            let angle = TAU * f64::from(i) / f64::from(turn);
+            let radius = 1.0 + f64::from(j) / f64::from(rows) + 0.5 * angle / TAU;
+            DVec3::new(radius * angle.cos(), radius * angle.sin(), 0.0)
+        };
+        // The start's side crosses the end's inner edge, and the start's outer edge the end's side.
+        let shared = [[0, 2], [over, rows]];
+        let [one, other] = shared.map(|[i, j]| place(i, j));
+        let tilt = (other - one).cross(DVec3::Z).normalize();
+        let mut vertices = Vec::new();
+        for i in 0..=turn + over {
+            for j in 0..=rows {
+                let point = place(i, j);
+                let is_end = i + over >= turn;
+                vertices.push(if is_end { point + DVec3::Z * 0.3 * tilt.dot(point - one) } else { point });
+            }
+        }
+        let number = |i: u32, j: u32| match [i, j] {
+            _ if [i, j] == [turn, 0] => 2,
+            _ if [i, j] == [turn + over, 2] => over * (rows + 1) + rows,
+            _ => i * (rows + 1) + j,
+        };
+        for size in [1, 4, 8] {
+            let (found, _) = found_among_suspects(&vertices, &grid(turn + over, rows, number), size);
+            assert!(found.pairs > 5, "{found:?}");
+        }
+    }
+
+    /// Two sheets that lie on the same side of their common edge, and pass through each other further on.
+    #[test]
+    fn sheets_on_the_same_side_of_an_edge_are_no_chart() {
+        let n = 16;
+        let row = |k: u32| move |i: u32, j: u32| if i == 0 { j } else { (k * n + i) * (n + 1) + j };
+        let mut vertices = Vec::new();
+        for (k, height) in [(0, 0.0), (1, 0.2)] {
+            for i in k..=n {
+                for j in 0..=n {
+                    let [x, y] = [i, j].map(|at| f64::from(at) / f64::from(n));
+                    vertices.push(DVec3::new(-x, y, height * (4.5 * x + 0.1 * y).sin()));
                 }
             }
-            let soup = Soup::new(&vertices, &triangles, &exec).unwrap();
-            let list = soup.with_area();
-            let suspects = charts::suspects(&soup, list.clone(), Order::Spatial, 8, &exec).unwrap();
-            let among = |list| intersections_among(&soup, list, Order::Spatial, u64::MAX, &exec).unwrap();
-            let expected = among(list);
-            assert_eq!(expected.pairs > 0, crosses, "{slope}");
-            assert_eq!(among(suspects), expected, "{slope}");
         }
+        let triangles: Vec<[u32; 3]> =
+            grid(n, n, row(0)).into_iter().zip(grid(n, n, row(1))).flat_map(|(one, other)| [one, other]).collect();
+        for size in [1, 4, 16] {
+            let (found, _) = found_among_suspects(&vertices, &triangles, size);
+            assert!(found.pairs > 5, "{found:?}");
+        }
+    }
+
+    /// A vertex of a plane sheet lies on the wrong side of an edge by less than the rounding of a normal.
+    #[test]
+    fn a_triangle_that_is_folded_by_less_than_rounding_is_in_no_chart() {
+        let n = 12;
+        let mut vertices: Vec<DVec3> =
+            (0..(n + 1) * (n + 1)).map(|v| DVec3::new(f64::from(v / (n + 1)), f64::from(v % (n + 1)), 0.0)).collect();
+        let triangles = grid(n, n, |i, j| i * (n + 1) + j);
+        let middle = (6 * (n + 1) + 6) as usize;
+        vertices[middle] += DVec3::new(-1.0 - 2.0f64.powi(-42), -0.5, 0.0);
+        for size in [1, 4, 16] {
+            let (found, _) = found_among_suspects(&vertices, &triangles, size);
+            assert!(found.pairs > 0, "{found:?}");
+        }
+    }
+
+    /// A piece of a catenoid whose triangles are numbered along its rows, in families of sixteen, and at random.
+    #[test]
+    fn a_smooth_surface_has_no_suspects_in_whatever_order_its_triangles_are() {
+        let (m, n) = (128, 64);
+        let place = |v: u32| {
+            let (angle, height) = (TAU * f64::from(v % m) / f64::from(m), f64::from(v / m) / f64::from(n) - 0.5);
+            DVec3::new(height.cosh() * angle.cos(), height.cosh() * angle.sin(), height)
+        };
+        let vertices: Vec<DVec3> = (0..m * (n + 1)).map(place).collect();
+        let rows = grid(m, n, |i, j| j * m + i % m);
+        // Cells of 4 by 2 have 16 triangles. The families follow each other at random.
+        let mut random = SplitMix64::new(7);
+        let mut shuffled = |count: usize| {
+            let mut order: Vec<usize> = (0..count).collect();
+            (1..count).for_each(|k| order.swap(k, random.below(k + 1)));
+            order
+        };
+        let families: Vec<[u32; 3]> = shuffled(rows.len() / 16)
+            .into_iter()
+            .flat_map(|family| {
+                let (i, j) = (4 * (family / (n as usize / 2)), 2 * (family % (n as usize / 2)));
+                let rows = &rows;
+                (0..4).flat_map(move |k| {
+                    let start = 2 * ((i + k) * n as usize + j);
+                    rows[start..start + 4].iter().copied()
+                })
+            })
+            .collect();
+        let random_order: Vec<[u32; 3]> = shuffled(rows.len()).into_iter().map(|t| rows[t]).collect();
+        for (name, triangles, most_work) in
+            [("rows", rows, 10.0), ("families", families, 10.0), ("at random", random_order, 20.0)]
+        {
+            let exec = Execution::default();
+            let suspects = charts::suspects(&vertices, &triangles, Order::Spatial, PATCH, &exec).unwrap();
+            assert_eq!(suspects.len(), 0, "{name}");
+            let work = exec.work() as f64 / triangles.len() as f64;
+            assert!(work < most_work, "{name}: {work}");
+        }
+    }
+
+    /// A disc with a pleat around its middle, of which one row of cells faces down. The pleat passes through itself.
+    #[test]
+    fn a_patch_faces_a_direction_only_if_all_its_triangles_do() {
+        let profile = [
+            [0.3, 0.0],
+            [0.9, 0.0],
+            [1.44, 0.0],
+            [2.0, 0.0],
+            [1.8, 0.4],
+            [2.1, -0.4],
+            [2.8, -0.4],
+            [3.4, -0.4],
+            [4.0, -0.4],
+        ];
+        let n = profile.len() as u32;
+        let vertices: Vec<DVec3> = (0..32 * n)
+            .map(|v| {
+                let ([radius, z], angle) = (profile[(v % n) as usize], TAU * f64::from(v / n) / 32.0);
+                DVec3::new(radius * angle.cos(), radius * angle.sin(), z)
+            })
+            .collect();
+        for size in [4, 16] {
+            let (found, _) = found_among_suspects(&vertices, &grid(32, n - 1, |i, j| i % 32 * n + j), size);
+            assert!(found.pairs > 5, "{found:?}");
+        }
+    }
+
+    /// Holes that touch each other in vertices: the boundary passes through these twice.
+    #[test]
+    fn holes_that_touch_leave_a_chart() {
+        let n = 24;
+        let at = |v: u32| [v / (n + 1), v % (n + 1)].map(f64::from);
+        let vertices: Vec<DVec3> =
+            (0..(n + 1) * (n + 1)).map(at).map(|[x, y]| DVec3::new(x, y, (0.3 * x).sin() * (0.2 * y).cos())).collect();
+        let mut triangles = grid(n, n, |i, j| i * (n + 1) + j);
+        let is_hole = |[i, j]: [u32; 2]| (5..15).contains(&i) && (i == j || i + j == 24);
+        let mut cell = 0..;
+        triangles.retain(|_| cell.next().is_some_and(|k: u32| !is_hole([k / 2 / n, k / 2 % n])));
+        for size in [1, 4, 16] {
+            assert_eq!(found_among_suspects(&vertices, &triangles, size).1, 0, "{size}");
+        }
+    }
+
+    /// Two parallel sheets, tilted so that the boxes along the axes of their patches meet.
+    #[test]
+    fn patches_that_are_apart_are_no_suspects() {
+        let n = 40;
+        let sheet = |height: f64| {
+            (0..(n + 1) * (n + 1)).map(move |v| {
+                let [x, y] = [v / (n + 1), v % (n + 1)].map(f64::from);
+                DVec3::new(x, y, 0.7 * x + 0.6 * y + height)
+            })
+        };
+        let vertices: Vec<DVec3> = sheet(0.0).chain(sheet(1.0)).collect();
+        let triangles = [0, 1].map(|k| grid(n, n, |i, j| k * (n + 1) * (n + 1) + i * (n + 1) + j)).concat();
+        assert_eq!(found_among_suspects(&vertices, &triangles, PATCH).1, 0);
     }
 }

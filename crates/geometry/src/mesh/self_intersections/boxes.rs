@@ -22,20 +22,31 @@ const LEAST_ACROSS: f64 = 1e-12;
 
 /// A box along the axes.
 #[derive(Clone, Copy)]
-struct AxisBox {
-    low: DVec3,
-    high: DVec3,
+pub(super) struct AxisBox {
+    pub low: DVec3,
+    pub high: DVec3,
 }
 
 impl AxisBox {
-    const EMPTY: Self = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
+    pub const EMPTY: Self = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
 
-    fn of(corners: &[DVec3; 3]) -> Self {
+    pub fn of(corners: &[DVec3; 3]) -> Self {
         let [a, b, c] = *corners;
         Self { low: a.min(b).min(c), high: a.max(b).max(c) }
     }
-    fn with(&self, other: &Self) -> Self {
+    pub fn with(&self, other: &Self) -> Self {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+    pub fn centre(&self) -> DVec3 {
+        0.5 * (self.low + self.high)
+    }
+    /// The square of the diagonal.
+    pub fn size_squared(&self) -> f64 {
+        (self.high - self.low).length_squared()
+    }
+    /// A triangle that has this box.
+    pub fn ends(&self) -> [DVec3; 3] {
+        [self.low, self.high, self.high]
     }
     fn widened(&self, margin: f64) -> Self {
         Self { low: self.low - margin, high: self.high + margin }
@@ -190,7 +201,7 @@ impl Tree {
             exec.look(chunk.len() as u64)?;
         }
         if order == Order::Spatial {
-            list = sorted_along_curve(&corners, list, &whole, exec)?;
+            list = sorted_along_curve(&corners, &list, &whole, exec)?;
         }
         let base = list.len().div_ceil(size).max(1).next_power_of_two();
         let mut tree = Self {
@@ -205,7 +216,7 @@ impl Tree {
             order: list,
         };
         if !tree.order.is_empty() {
-            tree.origin = 0.5 * (whole.low + whole.high);
+            tree.origin = whole.centre();
             let extent = (whole.high - whole.low).max_element();
             tree.slack = SLACK * extent + 4.0 * f64::EPSILON * whole.low.abs().max(whole.high.abs()).max_element();
         }
@@ -336,15 +347,9 @@ impl Tree {
         self.visit_leaves(most_work, skip, visit, exec)
     }
 
-    /// The node of the first leaf, which is also the largest number of leaves.
-    pub fn first_leaf(&self) -> usize {
-        self.base
-    }
-
-    /// The box of a leaf along its own axes.
-    pub fn own_box(&self, leaf: usize, corners: impl Fn(u32) -> [DVec3; 3]) -> OwnBox {
-        let here: Vec<[DVec3; 3]> =
-            self.leaf(leaf).iter().map(|&t| corners(t).map(|corner| corner - self.origin)).collect();
+    /// The box of some triangles along their own axes.
+    pub fn own_box(&self, triangles: impl Iterator<Item = [DVec3; 3]>) -> OwnBox {
+        let here: Vec<[DVec3; 3]> = triangles.map(|corners| corners.map(|corner| corner - self.origin)).collect();
         OwnBox::of(&here)
     }
 
@@ -395,50 +400,13 @@ fn place_on_curve([mut x, mut y, mut z]: [u32; 3]) -> u32 {
     spread(x) << 2 | spread(y) << 1 | spread(z)
 }
 
-/// Numbers of triangles in the blocks that are sorted as a whole if they are compact, as those of a mesh whose triangles
-/// were divided into four are.
-const BLOCKS: [usize; 2] = [16, 4];
-/// Blocks are compact if the squares of their extents exceed those of as many equal triangles, which fill a triangle of
-/// their own shape, by less than this factor. A larger value makes larger leaves.
-const COMPACT: f64 = 2.5;
-/// Fewest blocks of a mesh that are sorted instead of its triangles.
-const LEAST_BLOCKS: usize = 64;
-
-/// Triangles by the place of their centre on a space-filling curve. Triangles that follow each other in compact blocks
-/// stay together.
-fn sorted_along_curve(
+/// Triangles by the place of their centre on a space-filling curve.
+pub(super) fn sorted_along_curve(
     corners: impl Fn(u32) -> [DVec3; 3],
-    list: Vec<u32>,
+    list: &[u32],
     whole: &AxisBox,
     exec: &Execution<'_>,
 ) -> Result<Vec<u32>, Interruption> {
-    for size in BLOCKS {
-        if list.len() < LEAST_BLOCKS * size {
-            continue;
-        }
-        let (mut centres, mut of_blocks, mut of_triangles) = (Vec::with_capacity(list.len() / size + 1), 0.0, 0.0);
-        for blocks in list.chunks(LOOK / size * size) {
-            for block in blocks.chunks(size) {
-                let mut extent = AxisBox::EMPTY;
-                for &t in block {
-                    let own = AxisBox::of(&corners(t));
-                    of_triangles += (own.high - own.low).length_squared();
-                    extent = extent.with(&own);
-                }
-                of_blocks += (extent.high - extent.low).length_squared();
-                centres.push(0.5 * (extent.low + extent.high));
-            }
-            exec.look(blocks.len() as u64)?;
-            if of_blocks > 2.0 * COMPACT * of_triangles {
-                break;
-            }
-        }
-        if of_blocks <= COMPACT * of_triangles {
-            let order = along_curve(&centres, whole, exec)?;
-            let block = |k: u32| list[k as usize * size..].iter().take(size).copied();
-            return Ok(order.into_iter().flat_map(block).collect());
-        }
-    }
     let centre = |&t: &u32| {
         let [a, b, c] = corners(t);
         (a + b + c) / 3.0

@@ -8,36 +8,38 @@
 //! counter-clockwise, with all others clockwise, winds round no point more than once. A common point of two triangles
 //! would then lie on the boundary of the chart from both sides.
 //!
-//! A few directions are chosen so that each normal is near one of them. The triangles within a wide cone around each
+//! Charts are made of patches. A patch faces a direction if the cone of its normals does. Vertices with equal coordinates
+//! count as different ones here. Edges along which such vertices meet are boundaries that touch, so that no chart is found
+//! there, and the exact search decides.
+//!
+//! A few directions are chosen so that each patch is near one of them. The patches within a wide cone around each
 //! direction form charts, which overlap: neighbours are nearly always together in one of them. A part that lies over
 //! itself, as a helicoid of several turns does, is cut across the direction into slabs, twice, half a slab apart.
 //!
-//! A coarse tree then finds the pairs of leaves that are neither apart nor together in a chart. Only their triangles are
+//! A tree then finds the pairs of patches that are neither apart nor together in a chart. Only their triangles are
 //! suspects. On smooth films there are none.
 
 use super::boxes::{Leaves, Order, OwnBox, Tree, Visits};
-use super::soup::{LOOK, NONE, Soup};
+use super::patches::{Patch, Patches};
+use super::soup::{LOOK, NONE};
 use crate::{DVec2, DVec3, Execution, Interruption};
+use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
-/// Cosine of the angle from a direction up to which triangles belong to its charts: 72 degrees. A larger angle makes the
-/// charts overlap more, and the boundaries that are seen from the side touch more often.
-const CHART: f64 = 0.31;
-/// The same angle in degrees.
-const CHART_DEG: f64 = 72.0;
-/// How much the normals of a leaf's triangles may differ (degrees) so that one of the charts has them all, for a mesh of
-/// [`SPREAD_TRIANGLES`], and at least. It falls with the fourth root of the number of triangles, half as fast as the angle
-/// between neighbours, because a surface may bend more in one place than elsewhere. A smaller value needs fewer
-/// directions, and finds no chart for leaves that bend more.
-const SPREAD_DEG: f64 = 32.0;
-const LEAST_SPREAD_DEG: f64 = 10.0;
-const SPREAD_TRIANGLES: f64 = 8_000.0;
-/// Largest number of directions, at most the bits of [`Facing`]. A sphere of 8,000 triangles needs about 14; more are
-/// needed only by noise.
+/// Largest angle between a direction and the normals of its charts: 72 degrees. A larger angle makes the charts overlap
+/// more, and the boundaries that are seen from the side touch more often.
+const CHART: f64 = 0.4 * PI;
+/// How far inside the edge of the cone of one of the directions a patch must lie, as a multiple of the angle that its own
+/// normals differ from their middle, so that the patches beside it are in the same chart. A smaller value needs fewer
+/// directions, and finds no chart for neighbours where the surface bends more than in the patch itself.
+const MARGIN_OF_NEIGHBOURS: f64 = 2.0;
+/// Bounds of this margin: 5 and 32 degrees.
+const NEIGHBOURS: [f64; 2] = [PI / 36.0, PI * 32.0 / 180.0];
+/// Largest number of directions. A sphere of 8,000 triangles needs about 14; more are needed only by noise.
 const DIRECTIONS: usize = 20;
 /// Numbers of slabs into which the parts that lie over themselves are cut, one after the other.
 const SLABS: [f64; 3] = [2.0, 6.0, 18.0];
-/// Triangles that are cut into slabs, counted each time, as a multiple of the mesh's own.
+/// Patches that are cut into slabs, counted each time, as a multiple of the mesh's own.
 const SLAB_WORK: usize = 4;
 /// Largest number of times that the boundary of a chart may pass through one vertex.
 const PASSES: usize = 16;
@@ -46,7 +48,7 @@ const PASSES: usize = 16;
 const BOUNDARY_SHARE: usize = 4;
 /// Number of boundary edges that are checked in any case.
 const FREE_BOUNDARY: usize = 64;
-/// Pairs of boxes for each boundary edge, and for each leaf, after which a search gives up. Smooth films take 10 to 60.
+/// Pairs of boxes for each boundary edge, and for each patch, after which a search gives up. Smooth films take 10 to 60.
 const WORK: u64 = 512;
 /// Distance, in units of the largest coordinate, below which points and edges of a boundary count as touching. Rounding
 /// moves the projected points by less than a tenth of it.
@@ -54,76 +56,79 @@ const MARGIN: f64 = 1e-14;
 /// Smallest area of a boundary polygon, as a fraction of its squared length, whose sign is certain.
 const LEAST_AREA: f64 = 1e-10;
 
-/// The triangles of the list that may intersect another one, or all of them where no charts are found. `leaf_size` is
-/// the number of triangles that are together suspects or not.
+/// The triangles that may intersect another one, or all of them where no charts are found. Those of a patch, at most
+/// `size` triangles, are suspects together.
 pub(super) fn suspects(
-    soup: &Soup,
-    list: Vec<u32>,
+    vertices: &[DVec3],
+    triangles: &[[u32; 3]],
     order: Order,
-    leaf_size: usize,
+    size: usize,
     exec: &Execution<'_>,
 ) -> Result<Vec<u32>, Interruption> {
-    let Some(surface) = Surface::new(soup, &list, exec)? else { return Ok(list) };
-    let leaves = Leaves { triangles: list.clone(), order, size: leaf_size, margin: 0.0, visits: Visits::Leaves };
-    let tree = Tree::new(leaves, |t| soup.corners(soup.triangles[t as usize]), exec)?;
+    let all = || (0..triangles.len() as u32).collect();
+    let patches = Patches::new(vertices, triangles, order, size, exec)?;
+    if patches.bare_edges() > triangles.len() / BOUNDARY_SHARE + FREE_BOUNDARY {
+        return Ok(all());
+    }
+    let count = patches.list.len();
+    let leaves = Leaves { triangles: (0..count as u32).collect(), order, size: 1, margin: 0.0, visits: Visits::Leaves };
+    let tree = Tree::new(leaves, |p| patches.list[p as usize].extent.ends(), exec)?;
     let mut layers: Vec<Vec<u32>> = Vec::new();
-    let directions = directions(soup, &list, exec)?;
-    let facing = facing(soup, &list, &directions, exec)?;
-    let mut scratch = Scratch::new(soup.triangles.len(), SLAB_WORK * list.len());
-    for (k, &direction) in directions.iter().enumerate() {
-        let members = list.iter().zip(&facing).filter(|(_, facing)| *facing >> k & 1 == 1).map(|(&t, _)| t).collect();
-        exec.look(list.len() as u64)?;
-        surface.add_layers(direction, members, &tree, &mut layers, &mut scratch, exec)?;
+    let mut charts =
+        Charts { patches: &patches, cells: vec![NONE; count], parts: vec![NONE; count], slab_work: SLAB_WORK * count };
+    for direction in directions(&patches, exec)? {
+        charts.add_layers(direction, &tree, &mut layers, exec)?;
     }
     let same_chart = |a: usize, b: usize| layers.iter().any(|labels| labels[a] != NONE && labels[a] == labels[b]);
-    let mut is_suspect = vec![false; soup.triangles.len()];
-    // Few leaves are ever compared, so that a box of their own is made for those alone.
-    let mut own_boxes: Vec<Option<OwnBox>> = vec![None; tree.first_leaf()];
+    let mut is_suspect = vec![false; count];
+    // Few patches are ever compared, so that a box of their own is made for those alone.
+    let mut own_boxes: Vec<Option<OwnBox>> = vec![None; count];
     let visit = |a: usize, b: usize| {
+        // The leaves behind the last patch are empty.
+        let [Some(&a), Some(&b)] = [a, b].map(|leaf| tree.leaf(leaf).first()) else { return ControlFlow::Continue(()) };
+        let [a, b] = [a as usize, b as usize];
         if a != b {
-            for leaf in [a, b] {
-                own_boxes[leaf - tree.first_leaf()]
-                    .get_or_insert_with(|| tree.own_box(leaf, |t| soup.corners(soup.triangles[t as usize])));
+            for patch in [a, b] {
+                own_boxes[patch]
+                    .get_or_insert_with(|| tree.own_box(patches.triangles(patch).iter().map(|&t| patches.corners(t))));
             }
-            let own = |leaf: usize| own_boxes[leaf - tree.first_leaf()].as_ref();
-            if let (Some(one), Some(other)) = (own(a), own(b))
+            if let (Some(one), Some(other)) = (&own_boxes[a], &own_boxes[b])
                 && tree.are_apart(one, other)
             {
                 return ControlFlow::Continue(());
             }
         }
-        for leaf in [a, b] {
-            tree.leaf(leaf).iter().for_each(|&t| is_suspect[t as usize] = true);
-        }
+        is_suspect[a] = true;
+        is_suspect[b] = true;
         ControlFlow::Continue(())
     };
-    let most_work = WORK * list.len().div_ceil(leaf_size) as u64 + LOOK as u64;
+    let most_work = WORK * count as u64 + LOOK as u64;
     if !tree.visit_leaves(most_work, same_chart, visit, exec)? {
-        return Ok(list);
+        return Ok(all());
     }
-    Ok(list.into_iter().filter(|&t| is_suspect[t as usize]).collect())
+    let suspected = (0..count).filter(|&patch| is_suspect[patch]);
+    let mut suspects: Vec<u32> = suspected.flat_map(|patch| patches.triangles(patch)).copied().collect();
+    suspects.sort_unstable();
+    Ok(suspects)
 }
 
-/// Directions such that nearly every normal is within a leaf's spread of the charts' edge of one of them.
-fn directions(soup: &Soup, list: &[u32], exec: &Execution<'_>) -> Result<Vec<DVec3>, Interruption> {
-    let spread = SPREAD_DEG * (SPREAD_TRIANGLES / list.len() as f64).sqrt().sqrt();
-    let covered = (CHART_DEG - spread.clamp(LEAST_SPREAD_DEG, SPREAD_DEG)).to_radians().cos();
+/// Directions such that nearly every patch, with those beside it, faces one of them.
+fn directions(patches: &Patches, exec: &Execution<'_>) -> Result<Vec<DVec3>, Interruption> {
     let mut directions: Vec<DVec3> = Vec::new();
     let mut last = 0;
-    for chunk in list.chunks(LOOK) {
-        for &t in chunk {
-            let normal = soup.normals[t as usize];
-            let is_covered = |direction: &DVec3| faces(normal, *direction, covered);
+    for chunk in patches.list.chunks(LOOK) {
+        for patch in chunk {
+            let margin = (MARGIN_OF_NEIGHBOURS * patch.spread).clamp(NEIGHBOURS[0], NEIGHBOURS[1]);
+            let Some(least) = least_cosine(patch, margin) else { continue };
+            let is_covered = |direction: &DVec3| patch.axis.dot(*direction) > least;
             if directions.get(last).is_some_and(is_covered) {
                 continue;
             }
             if let Some(found) = directions.iter().position(is_covered) {
                 last = found;
-            } else if directions.len() < DIRECTIONS
-                && let Some(direction) = normal.try_normalize()
-            {
+            } else if directions.len() < DIRECTIONS {
                 last = directions.len();
-                directions.push(direction);
+                directions.push(patch.axis);
             }
         }
         exec.look(chunk.len() as u64)?;
@@ -131,263 +136,155 @@ fn directions(soup: &Soup, list: &[u32], exec: &Execution<'_>) -> Result<Vec<DVe
     Ok(directions)
 }
 
-/// For a triangle the directions whose charts it may belong to, a bit for each.
-type Facing = u32;
-
-/// The directions that each triangle of the list faces.
-fn facing(soup: &Soup, list: &[u32], directions: &[DVec3], exec: &Execution<'_>) -> Result<Vec<Facing>, Interruption> {
-    let mut facing = Vec::with_capacity(list.len());
-    for chunk in list.chunks(LOOK) {
-        facing.extend(chunk.iter().map(|&t| {
-            let normal = soup.normals[t as usize];
-            let bit = |(k, &direction)| Facing::from(faces(normal, direction, CHART)) << k;
-            directions.iter().enumerate().map(bit).sum::<Facing>()
-        }));
-        exec.look(chunk.len() as u64)?;
-    }
-    Ok(facing)
+/// The cosine between a patch's axis and a direction above which all its normals are within the charts of the direction,
+/// at least a margin inside. `None` if they differ too much.
+fn least_cosine(patch: &Patch, margin: f64) -> Option<f64> {
+    let left = CHART - margin - patch.spread;
+    (left > 0.0).then(|| left.cos())
 }
 
-/// Whether the angle between a normal and a direction is below one with this cosine. False for triangles without a
-/// certain normal, whose squares vanish.
-fn faces(normal: DVec3, direction: DVec3, cosine: f64) -> bool {
-    let along = normal.dot(direction);
-    along > 0.0 && along * along > cosine * cosine * normal.length_squared()
+/// The charts of a surface, one direction after another.
+struct Charts<'a> {
+    patches: &'a Patches<'a>,
+    /// For each patch its cell if it is one of the present members, else [`NONE`].
+    cells: Vec<u32>,
+    /// For each patch the number of its connected part, or [`NONE`].
+    parts: Vec<u32>,
+    /// Patches that may still be cut into slabs.
+    slab_work: usize,
 }
 
-/// The triangles with their neighbours.
-struct Surface<'a> {
-    soup: &'a Soup,
-    /// For each half-edge 3 t + k, from corner k of triangle t to the next one, the half-edge in the opposite direction
-    /// along the same edge; [`NONE`] unless the edge has exactly these two.
-    twins: Vec<u32>,
-}
-
-impl<'a> Surface<'a> {
-    /// `None` if the boundary is too long to look for charts.
-    fn new(soup: &'a Soup, list: &[u32], exec: &Execution<'_>) -> Result<Option<Self>, Interruption> {
-        // The half-edges of each vertex with a lower number, each after the number of the other end.
-        let mut start = vec![0u32; soup.points.len() + 1];
-        let edges = |t: u32| {
-            let [a, b, c] = soup.triangles[t as usize];
-            [[a, b], [b, c], [c, a]]
-        };
-        for chunk in list.chunks(LOOK) {
-            chunk.iter().flat_map(|&t| edges(t)).for_each(|[a, b]| start[a.min(b) as usize + 1] += 1);
-            exec.look(chunk.len() as u64)?;
-        }
-        for v in 0..soup.points.len() {
-            start[v + 1] += start[v];
-        }
-        let mut half_edges = vec![0u64; start[soup.points.len()] as usize];
-        for chunk in list.chunks(LOOK) {
-            for &t in chunk {
-                for (k, [a, b]) in (0..).zip(edges(t)) {
-                    // The slots of a vertex are filled from the end.
-                    let slot = &mut start[a.min(b) as usize + 1];
-                    *slot -= 1;
-                    half_edges[*slot as usize] = u64::from(a.max(b)) << 32 | u64::from(3 * t + k);
-                }
-            }
-            exec.look(chunk.len() as u64)?;
-        }
-        // Entry v + 1 is now where the half-edges of vertex v start.
-        start.remove(0);
-        start.push(half_edges.len() as u32);
-        let mut twins = vec![NONE; 3 * soup.triangles.len()];
-        let mut bare = 0;
-        let mut work = 0;
-        for v in 0..soup.points.len() {
-            let around = &mut half_edges[start[v] as usize..start[v + 1] as usize];
-            around.sort_unstable();
-            for edge in around.chunk_by(|a, b| a >> 32 == b >> 32) {
-                let other_end = (edge[0] >> 32) as u32;
-                let starts_here = |half_edge: u64| {
-                    let h = half_edge as u32 as usize;
-                    soup.triangles[h / 3][(h % 3 + 1) % 3] == other_end
-                };
-                match *edge {
-                    [one, two] if starts_here(one) != starts_here(two) => {
-                        twins[one as u32 as usize] = two as u32;
-                        twins[two as u32 as usize] = one as u32;
-                    }
-                    _ => bare += edge.len(),
-                }
-            }
-            work += 1 + around.len();
-            if work >= LOOK {
-                exec.look(work as u64)?;
-                work = 0;
-            }
-        }
-        let is_short = bare <= list.len() / BOUNDARY_SHARE + FREE_BOUNDARY;
-        Ok(is_short.then_some(Self { soup, twins }))
-    }
-
-    /// Adds the charts of a direction: for each layer the number of the chart that all triangles of a node belong to.
-    /// The members are the triangles that face the direction.
+impl Charts<'_> {
+    /// Adds the charts of a direction: for each layer the number of the chart that all patches of a node belong to.
     fn add_layers(
-        &self,
+        &mut self,
         direction: DVec3,
-        members: Vec<u32>,
         tree: &Tree,
         layers: &mut Vec<Vec<u32>>,
-        scratch: &mut Scratch,
         exec: &Execution<'_>,
     ) -> Result<(), Interruption> {
-        let mut left = members;
-        left.iter().for_each(|&t| scratch.cells[t as usize] = 0);
-        let mut next = self.add_layer(direction, &left, tree, layers, scratch, exec)?;
-        left.iter().for_each(|&t| scratch.cells[t as usize] = NONE);
-        left = next;
+        let list = &self.patches.list;
+        let is_member = |patch: &Patch| least_cosine(patch, 0.0).is_some_and(|least| patch.axis.dot(direction) > least);
+        let mut left: Vec<u32> = (0..).zip(list).filter(|(_, patch)| is_member(patch)).map(|(p, _)| p).collect();
+        exec.look(list.len() as u64)?;
+        let mut next = self.add_layer(direction, &left, |_| 0, tree, layers, exec)?;
         // Parts that lie over themselves.
-        let height = |t: u32| self.soup.corners(self.soup.triangles[t as usize])[0].dot(direction);
+        let height = |p: u32| self.patches.list[p as usize].extent.centre().dot(direction);
         for count in SLABS {
-            if left.is_empty() || scratch.slab_work < left.len() {
+            left = next;
+            if left.is_empty() || self.slab_work < left.len() {
                 break;
             }
-            scratch.slab_work -= left.len();
-            let (low, high) = left.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &t| {
-                let height = height(t);
+            self.slab_work -= left.len();
+            let (low, high) = left.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &p| {
+                let height = height(p);
                 (low.min(height), high.max(height))
             });
             let thickness = ((high - low) / count).max(f64::MIN_POSITIVE);
             next = Vec::new();
             for shift in [0.0, 0.5] {
-                left.iter().for_each(|&t| scratch.cells[t as usize] = ((height(t) - low) / thickness + shift) as u32);
-                next.extend(self.add_layer(direction, &left, tree, layers, scratch, exec)?);
+                let cell = |p: u32| ((height(p) - low) / thickness + shift) as u32;
+                next.extend(self.add_layer(direction, &left, cell, tree, layers, exec)?);
             }
-            left.iter().for_each(|&t| scratch.cells[t as usize] = NONE);
             next.sort_unstable();
             next.dedup();
-            left = next;
         }
         Ok(())
     }
 
-    /// Adds the layer of the charts of the present cells, if there are any. Returns the members that are in none.
+    /// Adds the layer of the charts of some cells, if there are any. Returns the members that are in none.
     fn add_layer(
-        &self,
+        &mut self,
         direction: DVec3,
         members: &[u32],
+        cell: impl Fn(u32) -> u32,
         tree: &Tree,
         layers: &mut Vec<Vec<u32>>,
-        scratch: &mut Scratch,
         exec: &Execution<'_>,
     ) -> Result<Vec<u32>, Interruption> {
-        let holds = self.charts(direction, members, scratch, exec)?;
-        let chart = |t: u32| {
-            let part = scratch.parts[t as usize];
+        members.iter().for_each(|&p| self.cells[p as usize] = cell(p));
+        let holds = self.find(direction, members, exec)?;
+        let chart = |p: u32| {
+            let part = self.parts[p as usize];
             if part != NONE && holds[part as usize] { part } else { NONE }
         };
         if holds.contains(&true) {
             layers.push(tree.labels(chart));
         }
-        let outside = members.iter().copied().filter(|&t| chart(t) == NONE).collect();
-        members.iter().for_each(|&t| scratch.parts[t as usize] = NONE);
+        let outside = members.iter().copied().filter(|&p| chart(p) == NONE).collect();
+        for &p in members {
+            self.cells[p as usize] = NONE;
+            self.parts[p as usize] = NONE;
+        }
+        exec.look(members.len() as u64)?;
         Ok(outside)
     }
 
-    /// Whether the members are a chart as a whole. `None` if they may have several parts, or several cells. A part that
-    /// faces the direction has an area, and so a polygon that runs counter-clockwise: if there is one such polygon, the
-    /// members are one part.
-    fn whole_chart(
-        &self,
-        direction: DVec3,
-        members: &[u32],
-        cells: &[u32],
-        parts: &mut [u32],
-        exec: &Execution<'_>,
-    ) -> Result<Option<bool>, Interruption> {
+    /// Finds parts of the cells, and returns for each whether it is a chart. The members face the direction, and no other
+    /// patch has a cell.
+    fn find(&mut self, direction: DVec3, members: &[u32], exec: &Execution<'_>) -> Result<Vec<bool>, Interruption> {
         let mut boundary: Vec<u32> = Vec::new();
-        for chunk in members.chunks(LOOK) {
-            for &t in chunk {
-                if cells[t as usize] != 0 {
-                    return Ok(None);
-                }
-                for h in 3 * t..3 * t + 3 {
-                    let twin = self.twins[h as usize];
-                    if twin == NONE || cells[twin as usize / 3] != 0 {
-                        boundary.push(h);
-                    }
-                }
+        let (mut work, mut triangles) = (0, 0);
+        for &p in members {
+            let cell = self.cells[p as usize];
+            let range = self.patches.edges_of(p);
+            work += 1 + range.len();
+            triangles += self.patches.triangles(p as usize).len();
+            let bounds = |&e: &usize| {
+                let across = self.patches.across[e];
+                across == NONE || self.cells[across as usize] != cell
+            };
+            boundary.extend(range.filter(bounds).map(|e| e as u32));
+            if work >= LOOK {
+                exec.look(work as u64)?;
+                work = 0;
             }
-            exec.look(chunk.len() as u64)?;
         }
-        if boundary.len() > members.len() / BOUNDARY_SHARE + FREE_BOUNDARY {
-            return Ok(None);
+        if boundary.len() > triangles / BOUNDARY_SHARE + FREE_BOUNDARY {
+            return Ok(Vec::new());
         }
-        members.iter().for_each(|&t| parts[t as usize] = 0);
-        boundary.sort_unstable();
-        let boundary = Boundary::new(self, direction, cells, parts, &boundary);
-        if boundary.has_one_outer_polygon(1) == [true] {
-            return Ok(Some(boundary.encloses_once(1, exec)?[0]));
+        // A part that faces the direction has an area, and so a polygon that runs counter-clockwise: if there is one such
+        // polygon, the members are one part.
+        members.iter().for_each(|&p| self.parts[p as usize] = 0);
+        let whole = Boundary::new(self, direction, &boundary);
+        if whole.has_one_outer_polygon(1) == [true] {
+            return whole.encloses_once(1, exec);
         }
-        members.iter().for_each(|&t| parts[t as usize] = NONE);
-        Ok(None)
+        let count = self.find_parts(members, exec)?;
+        Boundary::new(self, direction, &boundary).encloses_once(count, exec)
     }
 
-    /// Finds the connected parts of the cells. Returns for each part whether it is a chart. The members face the
-    /// direction, and no other triangle has a cell.
-    fn charts(
-        &self,
-        direction: DVec3,
-        members: &[u32],
-        scratch: &mut Scratch,
-        exec: &Execution<'_>,
-    ) -> Result<Vec<bool>, Interruption> {
-        let Scratch { cells, parts, stack, .. } = scratch;
-        if let Some(holds) = self.whole_chart(direction, members, cells, parts, exec)? {
-            return Ok(vec![holds]);
-        }
-        let mut boundary: Vec<u32> = Vec::new();
+    /// Numbers the connected parts of the cells. Returns how many there are.
+    fn find_parts(&mut self, members: &[u32], exec: &Execution<'_>) -> Result<usize, Interruption> {
+        members.iter().for_each(|&p| self.parts[p as usize] = NONE);
         let (mut count, mut work) = (0, 0);
+        let mut stack = Vec::new();
         for &seed in members {
-            if parts[seed as usize] != NONE {
+            if self.parts[seed as usize] != NONE {
                 continue;
             }
-            parts[seed as usize] = count;
+            self.parts[seed as usize] = count;
             stack.push(seed);
-            while let Some(t) = stack.pop() {
-                for h in 3 * t..3 * t + 3 {
-                    let next = self.twins[h as usize];
-                    if next == NONE || cells[next as usize / 3] != cells[t as usize] {
-                        boundary.push(h);
-                    } else if parts[next as usize / 3] == NONE {
-                        parts[next as usize / 3] = count;
-                        stack.push(next / 3);
+            while let Some(p) = stack.pop() {
+                let range = self.patches.edges_of(p);
+                work += 1 + range.len();
+                for &next in &self.patches.across[range] {
+                    if next != NONE
+                        && self.cells[next as usize] == self.cells[p as usize]
+                        && self.parts[next as usize] == NONE
+                    {
+                        self.parts[next as usize] = count;
+                        stack.push(next);
                     }
                 }
-                work += 1;
-                if work == LOOK {
+                if work >= LOOK {
                     exec.look(work as u64)?;
                     work = 0;
                 }
             }
             count += 1;
         }
-        if boundary.len() > members.len() / BOUNDARY_SHARE + FREE_BOUNDARY {
-            return Ok(vec![false; count as usize]);
-        }
-        boundary.sort_unstable();
-        Boundary::new(self, direction, cells, parts, &boundary).encloses_once(count as usize, exec)
-    }
-}
-
-/// Arrays that are used for one direction after another.
-struct Scratch {
-    /// For each triangle of the present members its cell, else [`NONE`].
-    cells: Vec<u32>,
-    /// For each triangle the number of its connected part, or [`NONE`].
-    parts: Vec<u32>,
-    stack: Vec<u32>,
-    /// Triangles that may still be cut into slabs.
-    slab_work: usize,
-}
-
-impl Scratch {
-    fn new(triangles: usize, slab_work: usize) -> Self {
-        Self { cells: vec![NONE; triangles], parts: vec![NONE; triangles], stack: Vec::new(), slab_work }
+        Ok(count as usize)
     }
 }
 
@@ -397,42 +294,46 @@ struct Boundary {
     parts: Vec<u32>,
     ends: Vec<[u32; 2]>,
     points: Vec<[DVec2; 2]>,
-    /// For each edge the one that follows it around the same part.
+    /// For each edge one that starts where it ends and bounds the same part.
     next: Vec<u32>,
 }
 
 impl Boundary {
-    /// `half_edges` are those without a twin in their part, in order.
-    fn new(surface: &Surface, direction: DVec3, cells: &[u32], parts: &[u32], half_edges: &[u32]) -> Self {
-        let soup = surface.soup;
+    /// `edges` are those of patches without one of the same part on the other side.
+    fn new(charts: &Charts, direction: DVec3, edges: &[u32]) -> Self {
+        let patches = charts.patches;
         let across = direction.any_orthonormal_vector();
         let up = direction.cross(across);
+        let ends: Vec<[u32; 2]> = edges.iter().map(|&e| patches.edges[e as usize]).collect();
         // Relative to a point of the boundary, so that the rounding is that of the extent.
-        let corner = |h: u32| soup.triangles[h as usize / 3][h as usize % 3];
-        let origin = half_edges.first().map_or(DVec3::ZERO, |&h| soup.points[corner(h) as usize]);
-        let after = |h: u32| if h % 3 == 2 { h - 2 } else { h + 1 };
+        let origin = ends.first().map_or(DVec3::ZERO, |&[first, _]| patches.point(first));
         let seen = |vertex: u32| {
-            let point = soup.points[vertex as usize] - origin;
+            let point = patches.point(vertex) - origin;
             DVec2::new(point.dot(across), point.dot(up))
         };
-        // Around the end of the edge, from triangle to triangle, to the next edge without a twin in the part.
-        let following = |h: u32| {
-            let mut next = after(h);
-            loop {
-                let twin = surface.twins[next as usize];
-                if twin == NONE || cells[twin as usize / 3] != cells[h as usize / 3] {
-                    return half_edges.binary_search(&next).expect("an edge without a twin in its part") as u32;
-                }
-                next = after(twin);
-            }
+        let parts: Vec<u32> = edges.iter().map(|&e| charts.parts[patches.owners[e as usize] as usize]).collect();
+        let points: Vec<[DVec2; 2]> = ends.iter().map(|ends| ends.map(seen)).collect();
+        let start = |e: u32| (parts[e as usize], ends[e as usize][0]);
+        let mut departures: Vec<u32> = (0..edges.len() as u32).collect();
+        departures.sort_unstable_by_key(|&e| start(e));
+        let following = |e: usize| {
+            let here = (parts[e], ends[e][1]);
+            let from = departures.partition_point(|&other| start(other) < here);
+            let leaving = departures[from..].iter().copied().take_while(|&other| start(other) == here);
+            // The part lies on the left of its edges, so that the edge that bounds the same sector at the vertex is the
+            // first one clockwise from here.
+            let [before, corner] = points[e];
+            let clockwise = |other: u32| {
+                let [u, v] = [before - corner, points[other as usize][1] - corner];
+                let angle = -u.perp_dot(v).atan2(u.dot(v));
+                if angle > 0.0 { angle } else { angle + TAU }
+            };
+            let mut leaving = leaving.map(|other| (other, clockwise(other)));
+            let first = leaving.next().expect("as many edges of a part leave a vertex as arrive there");
+            leaving.fold(first, |first, other| if other.1 < first.1 { other } else { first }).0
         };
-        let ends: Vec<[u32; 2]> = half_edges.iter().map(|&h| [corner(h), corner(after(h))]).collect();
-        Self {
-            parts: half_edges.iter().map(|&h| parts[h as usize / 3]).collect(),
-            points: ends.iter().map(|ends| ends.map(seen)).collect(),
-            next: half_edges.iter().map(|&h| following(h)).collect(),
-            ends,
-        }
+        let next = (0..edges.len()).map(following).collect();
+        Self { parts, ends, points, next }
     }
 
     /// For each part whether its boundary is certain to consist of polygons that do not cross or touch, one of which
@@ -549,4 +450,30 @@ fn turn(u: DVec2, v: DVec2) -> f64 {
     let turn = u.perp_dot(v);
     let is_certain = turn.abs() > MARGIN * (u.abs().element_sum() + v.abs().element_sum());
     if is_certain { turn.signum() } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A square on its corner, and a smaller one in it that has the same corner. The polygon runs round both.
+    #[test]
+    fn passes_through_one_vertex_must_go_round_sectors_of_their_own() {
+        let outer = [[0.0, 0.0], [3.0, -3.0], [6.0, 0.0], [3.0, 3.0]];
+        let twice = [[0.0, 0.0], [2.0, -1.0], [3.0, 0.0], [2.0, 1.0]];
+        let hole = [[0.0, 0.0], [2.0, 1.0], [3.0, 0.0], [2.0, -1.0]];
+        for (inner, expected) in [(twice, false), (hole, true)] {
+            let points: Vec<DVec2> = [outer, inner].concat().into_iter().map(DVec2::from).collect();
+            let after = |k: usize| (k + 1) % points.len();
+            let number = |k: usize| if k == 4 { 0 } else { k as u32 };
+            let boundary = Boundary {
+                parts: vec![0; points.len()],
+                ends: (0..points.len()).map(|k| [number(k), number(after(k))]).collect(),
+                points: (0..points.len()).map(|k| [points[k], points[after(k)]]).collect(),
+                next: (0..points.len()).map(|k| after(k) as u32).collect(),
+            };
+            assert_eq!(boundary.has_one_outer_polygon(1), [true]);
+            assert_eq!(boundary.encloses_once(1, &Execution::default()), Ok(vec![expected]));
+        }
+    }
 }

@@ -47,18 +47,11 @@ impl Soup {
             for triangle in chunk {
                 let triangle = triangle.map(|v| representative[v as usize]);
                 let corners = soup.corners(triangle);
-                let [a, b, c] = corners;
-                let (u, v) = (b - a, c - a);
-                let normal = u.cross(v);
-                // A cross product well above rounding is not zero; the others are decided exactly.
-                let is_clear = normal.length_squared() > 1e-24 * u.length_squared() * v.length_squared();
-                let has_area = is_clear || plane_axes(&corners).is_some();
                 soup.triangles.push(triangle);
-                soup.normals.push(match (has_area, is_clear) {
-                    (false, _) => DVec3::ZERO,
-                    (true, true) => normal,
-                    (true, false) => NO_NORMAL,
-                });
+                soup.normals.push(
+                    clear_normal(&corners)
+                        .unwrap_or_else(|| if plane_axes(&corners).is_some() { NO_NORMAL } else { DVec3::ZERO }),
+                );
             }
             exec.look(chunk.len() as u64)?;
         }
@@ -180,6 +173,14 @@ impl Soup {
     }
 }
 
+/// Twice the area vector of a triangle, if it is certain that the triangle has an area: with a relative error below 1e-3.
+pub(super) fn clear_normal(&[a, b, c]: &[DVec3; 3]) -> Option<DVec3> {
+    let (u, v) = (b - a, c - a);
+    let normal = u.cross(v);
+    // A cross product well above rounding is not zero.
+    (normal.length_squared() > 1e-24 * u.length_squared() * v.length_squared()).then_some(normal)
+}
+
 /// For each point the lowest number of those with the same coordinates.
 fn representatives(points: &[DVec3], exec: &Execution<'_>) -> Result<Vec<u32>, Interruption> {
     // A hash table with open addressing, at most half full.
@@ -212,7 +213,7 @@ fn representatives(points: &[DVec3], exec: &Execution<'_>) -> Result<Vec<u32>, I
 }
 
 /// A power of two above a length, 1 for zero.
-fn power_of_two_above(length: f64) -> f64 {
+pub(super) fn power_of_two_above(length: f64) -> f64 {
     let exponent = (length.to_bits() >> 52) & 0x7ff;
     if length == 0.0 { 1.0 } else { f64::from_bits((exponent + 1).clamp(23, 2023) << 52) }
 }
