@@ -17,8 +17,10 @@
 //! Every A gives a bound; the largest is the solution of a convex problem, dual to that of the least area. The box is
 //! cut into tetrahedra by bisection (`bisection`), finer where the film lies. A maximises ∮A under |curl A| <= 1
 //! (`conic`); the multipliers of the constraint are the dual surface, and the mesh is refined where that surface bends
-//! inside a tetrahedron. Meshes are nested, so every level starts from the field of the one before. At the end |curl A|
-//! and ∮A are computed with outward rounding (`rigorous`): the bound is a theorem about the given polygons in f64.
+//! inside a tetrahedron. Meshes are nested, so every level takes over the best field of the one before, and an iterate
+//! near the central path to start from. The systems are factorised in an order of nested dissection (`dissection`). At
+//! the end |curl A| and ∮A are computed with outward rounding (`rigorous`): the bound is a theorem about the given
+//! polygons in f64.
 //!
 //! # Work instead of time
 //! This crate knows no clock. The budget in seconds is converted to work by fixed rates, so the same request always
@@ -26,6 +28,7 @@
 
 mod bisection;
 mod conic;
+mod dissection;
 mod element;
 mod interval;
 mod rigorous;
@@ -36,8 +39,9 @@ mod tests;
 
 use crate::execution::Interruption;
 use crate::{DVec3, Error, Execution, Mesh, Progress};
-use bisection::{BisectionMesh, VertexMap};
+use bisection::{BEST, BisectionMesh, CENTRAL, VertexMap};
 use conic::Level;
+use glam::DVec4;
 use space::Space;
 use system::{Stop, System};
 
@@ -110,30 +114,31 @@ const FIRST_LEAVES: usize = 600;
 /// Leaves of a mesh in terms of the mesh before, if the budget allows it.
 const GROWTH: f64 = 2.5;
 /// A mesh that is not finer by this much is not worth a factorisation.
-const LEAST_GROWTH: f64 = 1.4;
+const LEAST_GROWTH: f64 = 1.2;
 /// Steps on a mesh at most.
 const MOST_STEPS: u32 = 40;
 /// Steps that the budget must allow for on a finer mesh, whose bound would otherwise stay below that of the mesh before:
 /// this number where half a percent is missing to the film's area, and one more for each halving of what is missing.
-const STEPS: f64 = 12.0;
+const STEPS: f64 = 7.0;
 /// Most of these steps.
 const MOST_STEPS_AHEAD: f64 = 24.0;
 /// A mesh is left for a finer one once its own optimum is reached to this fraction of what is missing to the film's area.
-const CONVERGED: f64 = 0.25;
-/// The same where the budget allows no finer mesh.
-const CONVERGED_AT_LAST: f64 = 0.02;
+/// That suffices to see where the dual surface bends.
+const CONVERGED: f64 = 1.0;
+/// The same where the budget allows no finer mesh. A further step would gain less than the finer mesh that its time affords.
+const CONVERGED_AT_LAST: f64 = 0.15;
 /// Tetrahedra and factor entries of the largest mesh; they limit the memory.
 const MOST_LEAVES: usize = 60_000;
 const MOST_ENTRIES: usize = 60_000_000;
 /// Fraction of the indicator that the marked leaves of one round of refinement have together.
 const MARKED_SHARE: f64 = 0.4;
 /// Nominal seconds of a factorisation, per (entries of the factor)² / rows, and of its preparation per leaf. The rates are
-/// fitted to the processor time on meshes of 600 to 13,000 leaves, on a core of a shared machine, so that a free core is
+/// fitted to the processor time on meshes of 600 to 52,000 leaves, on a core of a busy machine, so that a free core is
 /// faster.
-const FACTORISATION_RATE: f64 = 1.6e-10;
-const PREPARATION_RATE: f64 = 2e-5;
+const FACTORISATION_RATE: f64 = 1.2e-10;
+const PREPARATION_RATE: f64 = 3e-5;
 /// Nominal seconds of a step besides the factorisation, per entry of the factor and per leaf.
-const SOLVE_RATE: f64 = 4e-9;
+const SOLVE_RATE: f64 = 8e-9;
 const ASSEMBLY_RATE: f64 = 1e-5;
 
 /// Upper bound of the memory that [`certify`] takes.
@@ -153,6 +158,8 @@ struct Search {
     bound: f64,
     /// Size of the last system: entries of the factor and rows.
     system: Option<[f64; 2]>,
+    /// Whether the mesh carries an iterate to start from.
+    warm: bool,
     /// Whether no further level is possible.
     finished: bool,
 }
@@ -207,7 +214,7 @@ pub fn certify(
             let loops: Vec<Vec<DVec3>> = loops.iter().enumerate().map(oriented).collect();
             let mut mesh = first.clone();
             mesh.set_constant_curl(vector_area(&loops).normalize_or_zero());
-            Search { loops, mesh, bound: 0.0, system: None, finished: false }
+            Search { loops, mesh, bound: 0.0, system: None, warm: false, finished: false }
         })
         .collect();
     let mut storage = Vec::new();
@@ -364,12 +371,12 @@ impl Budget<'_> {
         if let Some(leaves) = search.system.and_then(next) {
             search.mesh.refine(leaves, exec)?;
         }
-        let Search { loops, mesh, bound, system: size, finished } = search;
+        let Search { loops, mesh, bound, system: size, warm, finished } = search;
         exec.look(mesh.leaf_count() as u64)?;
         let space = Space::of(mesh);
         let form = space.circulation(mesh, loops);
         exec.look(mesh.leaf_count() as u64)?;
-        let mut system = System::of(&space).map_err(Stop::from)?;
+        let mut system = System::of(&space, exec)?;
         let dimensions = [system.factor_entries() as f64, system.rows() as f64];
         let leaves = mesh.leaf_count() as f64;
         if !first && dimensions[0] > 1.5 * MOST_ENTRIES as f64 {
@@ -378,7 +385,7 @@ impl Budget<'_> {
         }
         self.spent += Self::price(dimensions, leaves, 0);
         *size = Some(dimensions);
-        let mut level = Level::new(&space, mesh, &form, self.film_area);
+        let mut level = Level::new(&space, mesh, &form, self.film_area, *warm);
         let a_step = Self::price(dimensions, leaves, 1) - Self::price(dimensions, leaves, 0);
         let mut interrupted = Ok(());
         let missing = |bound: f64| (self.film_area - bound).max(0.0);
@@ -410,22 +417,31 @@ impl Budget<'_> {
         }
         *finished = self.next_leaves(dimensions, mesh.leaf_count(), level.best.bound).is_none();
         *bound = level.best.bound;
-        let currents: Vec<[DVec3; 4]> = (0..mesh.leaf_count()).map(|leaf| level.current(leaf)).collect();
-        let field = level.best.field;
-        let curl = space.curl(&field);
         for (leaf, nodal) in mesh.nodal.iter_mut().enumerate() {
-            (nodal.curl, nodal.current) = (curl[leaf], currents[leaf]);
+            nodal.current = level.current(leaf);
         }
-        for (key, value) in space.edges.iter().zip(&field) {
-            if let Some(edge) = mesh.edges.get_mut(key) {
-                edge.circulation = *value;
-            }
-        }
+        *warm = !level.stalled;
+        let (central, duals) = level.central();
+        mesh.carry(&space, &[level.best.field, central], &duals);
         interrupted.map_err(Error::from)
     }
 }
 
 impl BisectionMesh {
+    /// Keeps the two fields and the dual vectors of the central one.
+    fn carry(&mut self, space: &Space, fields: &[Vec<f64>; 2], duals: &[[DVec4; 4]]) {
+        let curls = fields.each_ref().map(|field| space.curl(field));
+        for (leaf, nodal) in self.nodal.iter_mut().enumerate() {
+            nodal.curl = [BEST, CENTRAL].map(|which| curls[which][leaf]);
+            nodal.dual = duals[leaf];
+        }
+        for (k, key) in space.edges.iter().enumerate() {
+            if let Some(edge) = self.edges.get_mut(key) {
+                edge.circulation = [BEST, CENTRAL].map(|which| fields[which][k]);
+            }
+        }
+    }
+
     /// Bisects the leaves in which the dual surface bends most, until there are about as many as asked for.
     fn refine(&mut self, leaves: usize, exec: &Execution) -> Result<(), Error> {
         while self.leaf_count() < leaves {
@@ -463,7 +479,7 @@ impl Search {
     /// The field scaled to |curl A| <= 1, and its circulation, both with outward rounding.
     fn prove(&self) -> Option<Field> {
         let space = Space::of(&self.mesh);
-        let mut field = space.field(&self.mesh);
+        let mut field = space.field(&self.mesh, BEST);
         let area_lower_bound = scale_to_one(&space, &mut field)
             .then(|| rigorous::circulation(&space, &self.mesh, &field, &self.loops))??
             .max(0.0);
@@ -488,10 +504,10 @@ impl Search {
             let area = (b - a).cross(c - a);
             triangle.iter().for_each(|&v| normals[v as usize] += area);
         }
-        let largest = self.mesh.nodal.iter().flat_map(|nodal| nodal.curl).map(DVec3::length).fold(0.0, f64::max);
+        let largest = self.mesh.nodal.iter().flat_map(|nodal| nodal.curl[BEST]).map(DVec3::length).fold(0.0, f64::max);
         let at = |(point, normal): (&DVec3, DVec3)| {
             let (leaf, weights) = self.mesh.locate(*point);
-            let curls = self.mesh.nodal[leaf as usize].curl;
+            let curls = self.mesh.nodal[leaf as usize].curl[BEST];
             let curl: DVec3 = curls.iter().zip(weights).map(|(&curl, weight)| curl * weight).sum();
             let along = if largest > 0.0 { curl.dot(normal.normalize_or_zero()).abs() / largest } else { 0.0 };
             (1.0 - along).clamp(0.0, 1.0)

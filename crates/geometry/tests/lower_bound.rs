@@ -98,14 +98,18 @@ fn no_film_has_less_area_than_the_bound() {
         let found = bound(&loops, &mesh, 0.3);
         assert!(found.area > 0.0 && found.area <= least, "boundary {seed}: {} above {least}", found.area);
         assert_eq!(found.fields.len(), 1 << (loops.len() - 1));
-        gaps.push(1.0 - found.area / least);
+        gaps.push((1.0 - found.area / least, seed));
     }
     assert!(gaps.len() * 10 >= count as usize * 9, "films of only {} boundaries", gaps.len());
-    gaps.sort_by(f64::total_cmp);
-    let [least, median, largest] = [0, gaps.len() / 2, gaps.len() - 1].map(|k| 100.0 * gaps[k]);
-    println!("films of {} boundaries of {count}: gaps {least:.3}%, median {median:.3}%, {largest:.3}%", gaps.len());
+    gaps.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let [least, median, largest] = [0, gaps.len() / 2, gaps.len() - 1].map(|k| 100.0 * gaps[k].0);
+    let worst: Vec<u64> = gaps.iter().rev().take(5).map(|gap| gap.1).collect();
+    println!(
+        "films of {} boundaries of {count}: gaps {least:.3}%, median {median:.3}%, {largest:.3}%; largest at {worst:?}",
+        gaps.len()
+    );
     // A bound that is always true but says nothing would be useless.
-    assert!(gaps[gaps.len() / 2] < 0.1, "median gap {}", gaps[gaps.len() / 2]);
+    assert!(median < 10.0, "median gap {median}%");
 }
 
 #[test]

@@ -10,6 +10,7 @@
 //! no rounding.
 
 use crate::DVec3;
+use glam::DVec4;
 use std::collections::BTreeMap;
 
 /// A map with keys of vertex numbers.
@@ -25,22 +26,29 @@ pub(super) const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3
 /// The four faces of a tetrahedron; face k lacks position k.
 pub(super) const FACES: [[usize; 3]; 4] = [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]];
 
+/// Numbers of the two fields that the mesh carries: the one with the best bound, and the one from which the next mesh
+/// starts.
+pub(super) const BEST: usize = 0;
+pub(super) const CENTRAL: usize = 1;
+
 /// What an edge of the mesh carries.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     /// The vertex that bisected it.
     pub midpoint: Option<u32>,
-    /// The integral of the field along it, from the smaller vertex number to the larger.
-    pub circulation: f64,
+    /// The integrals of the two fields along it, from the smaller vertex number to the larger.
+    pub circulation: [f64; 2],
 }
 
 /// What a tetrahedron carries at each of its four vertices, in the tetrahedron's order.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Nodal {
-    /// The curl of the field.
-    pub curl: [DVec3; 4],
+    /// The curls of the two fields.
+    pub curl: [[DVec3; 4]; 2],
     /// The multiplier of |curl| <= 1 times its direction: the part of the surface near the vertex, as an area vector.
     pub current: [DVec3; 4],
+    /// The multiplier and its direction when the field was the central one: (u, t).
+    pub dual: [DVec4; 4],
 }
 
 /// A tetrahedron of the forest, bisected or not.
@@ -85,7 +93,7 @@ pub(super) struct Piece {
     pub range: [f64; 2],
 }
 
-/// The mesh with the field on it.
+/// The mesh with the two fields on it.
 #[derive(Clone, Debug)]
 pub(super) struct BisectionMesh {
     origin: DVec3,
@@ -169,7 +177,7 @@ impl BisectionMesh {
                             vertices[k + 1] = number(at);
                         }
                         for [a, b] in EDGES {
-                            let edge = Edge { midpoint: None, circulation: 0.0 };
+                            let edge = Edge { midpoint: None, circulation: [0.0; 2] };
                             self.edges.insert(edge_key(vertices[a], vertices[b]), edge);
                         }
                         let leaf = self.leaves.len() as u32;
@@ -182,14 +190,14 @@ impl BisectionMesh {
         }
     }
 
-    /// Makes the field half the cross product of a vector and the place: its curl is that vector everywhere.
+    /// Makes both fields half the cross product of a vector and the place: its curl is that vector everywhere.
     pub fn set_constant_curl(&mut self, curl: DVec3) {
         let (origin, vertices) = (self.origin, &self.vertices);
         for (&[a, b], edge) in &mut self.edges {
             let [a, b] = [a, b].map(|v| vertices[v as usize] - origin);
-            edge.circulation = 0.5 * curl.dot(a.cross(b));
+            edge.circulation = [0.5 * curl.dot(a.cross(b)); 2];
         }
-        self.nodal.iter_mut().for_each(|nodal| nodal.curl = [curl; 4]);
+        self.nodal.iter_mut().for_each(|nodal| nodal.curl = [[curl; 4]; 2]);
     }
 
     fn add_vertex(&mut self, place: [u32; 3]) -> u32 {
@@ -234,7 +242,7 @@ impl BisectionMesh {
         side.x * side.y * side.z / 6.0 * 0.5f64.powi(i32::from(self.leaf_level(leaf)))
     }
 
-    /// Bisects the given leaves and whatever has to follow for the mesh to conform. The field stays the same function;
+    /// Bisects the given leaves and whatever has to follow for the mesh to conform. The fields stay the same functions;
     /// the multipliers are interpolated.
     pub fn bisect(&mut self, marked: &[u32]) {
         let mut open: Vec<u32> = marked.iter().map(|&leaf| self.leaves[leaf as usize]).collect();
@@ -255,10 +263,10 @@ impl BisectionMesh {
         }
     }
 
-    /// Circulation along an edge of the mesh, from `a` to `b`.
-    pub fn circulation(&self, a: u32, b: u32) -> f64 {
+    /// Circulations of the fields along an edge of the mesh, from `a` to `b`.
+    pub fn circulation(&self, a: u32, b: u32) -> [f64; 2] {
         let value = self.edges[&edge_key(a, b)].circulation;
-        if a < b { value } else { -value }
+        if a < b { value } else { value.map(|value| -value) }
     }
 
     fn split(&mut self, node: u32) {
@@ -271,11 +279,11 @@ impl BisectionMesh {
         let middle = edge.midpoint.unwrap_or_else(|| {
             let (a, b) = (self.lattice[first as usize], self.lattice[last as usize]);
             let middle = self.add_vertex([0, 1, 2].map(|axis| (a[axis] + b[axis]) / 2));
-            let half = 0.5 * edge.circulation;
+            let half = edge.circulation.map(|value| 0.5 * value);
             self.edges.insert(key, Edge { midpoint: Some(middle), ..edge });
             // The new vertex has the larger number.
             self.edges.insert([key[0], middle], Edge { midpoint: None, circulation: half });
-            self.edges.insert([key[1], middle], Edge { midpoint: None, circulation: -half });
+            self.edges.insert([key[1], middle], Edge { midpoint: None, circulation: half.map(|value| -value) });
             middle
         });
         for (position, &vertex) in vertices.iter().enumerate() {
@@ -287,28 +295,38 @@ impl BisectionMesh {
             // varies.
             let [a, b, c] = [first, last, vertex].map(|v| self.vertices[v as usize]);
             let double_area = (b - a).cross(c - a);
-            let variation = double_area.dot(nodal.curl[0] - nodal.curl[k]) / 24.0;
-            let mean = 0.5 * (self.circulation(first, vertex) + self.circulation(last, vertex));
-            let circulation = (mean + variation) * if vertex < middle { -1.0 } else { 1.0 };
+            let sides = [self.circulation(first, vertex), self.circulation(last, vertex)];
+            let circulation = [BEST, CENTRAL].map(|which| {
+                let variation = double_area.dot(nodal.curl[which][0] - nodal.curl[which][k]) / 24.0;
+                let mean = 0.5 * (sides[0][which] + sides[1][which]);
+                (mean + variation) * if vertex < middle { -1.0 } else { 1.0 }
+            });
             self.edges.insert(key, Edge { midpoint: None, circulation });
         }
         let mut children = [(vertices, nodal), (vertices, nodal)];
-        let curl = 0.5 * (nodal.curl[0] + nodal.curl[k]);
+        let curl = nodal.curl.map(|curl| 0.5 * (curl[0] + curl[k]));
+        let dual = 0.5 * (nodal.dual[0] + nodal.dual[k]);
         let current = 0.5 * (nodal.current[0] + nodal.current[k]);
         let (one, other) = children.split_at_mut(1);
         let ((v1, n1), (v2, n2)) = (&mut one[0], &mut other[0]);
-        (v1[k], n1.curl[k], n1.current[k]) = (middle, curl, current);
+        (v1[k], n1.current[k], n1.dual[k]) = (middle, current, dual);
         for position in 0..k {
             v2[position] = vertices[position + 1];
-            n2.curl[position] = nodal.curl[position + 1];
             n2.current[position] = nodal.current[position + 1];
+            n2.dual[position] = nodal.dual[position + 1];
         }
-        (v2[k], n2.curl[k], n2.current[k]) = (middle, curl, current);
+        (v2[k], n2.current[k], n2.dual[k]) = (middle, current, dual);
+        for which in [BEST, CENTRAL] {
+            n1.curl[which][k] = curl[which];
+            n2.curl[which][..k].copy_from_slice(&nodal.curl[which][1..=k]);
+            n2.curl[which][k] = curl[which];
+        }
         let first_child = self.nodes.len() as u32;
         let tag = if tag == 1 { 3 } else { tag - 1 };
         let new_leaf = self.leaves.len() as u32;
         for ((vertices, mut nodal), leaf) in children.into_iter().zip([leaf, new_leaf]) {
             nodal.current.iter_mut().for_each(|current| *current *= 0.5);
+            nodal.dual.iter_mut().for_each(|dual| *dual *= 0.5);
             let child = self.nodes.len() as u32;
             self.nodes.push(Node { vertices, tag, level: level + 1, children: 0, leaf });
             if leaf == new_leaf {

@@ -88,14 +88,14 @@ impl Space {
         gauge
     }
 
-    /// The field that the mesh carries.
-    pub fn field(&self, mesh: &BisectionMesh) -> Vec<f64> {
-        let mut field: Vec<f64> = self.edges.iter().map(|edge| mesh.edges[edge].circulation).collect();
+    /// One of the two fields that the mesh carries.
+    pub fn field(&self, mesh: &BisectionMesh, which: usize) -> Vec<f64> {
+        let mut field: Vec<f64> = self.edges.iter().map(|edge| mesh.edges[edge].circulation[which]).collect();
         field.resize(self.count(), 0.0);
         for (leaf, unknowns) in self.unknowns.iter().enumerate() {
             for (f, face) in self.orientations[leaf].faces.into_iter().enumerate() {
                 let corners = face.map(|position| self.corners[leaf][position]);
-                let curls = face.map(|position| mesh.nodal[leaf].curl[position]);
+                let curls = face.map(|position| mesh.nodal[leaf].curl[which][position]);
                 let [first, second] = element::face_unknowns(corners, curls);
                 field[unknowns[6 + 2 * f] as usize] = first;
                 field[unknowns[7 + 2 * f] as usize] = second;

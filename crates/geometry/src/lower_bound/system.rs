@@ -1,10 +1,11 @@
 //! The symmetric matrix Cᵀ W C of the curl C, with a matrix W for each vertex of a tetrahedron, and its factor.
 
+use super::dissection;
 use super::element::{self, UNKNOWNS};
 use super::space::Space;
 use crate::execution::Interruption;
 use crate::sparse::{LinearError, Symbolic, SymmetricMatrix};
-use crate::{Error, Execution};
+use crate::{DVec3, Error, Execution};
 use glam::DMat3;
 
 /// The pattern of the matrix, its analysis, and where each tetrahedron adds to it.
@@ -13,15 +14,22 @@ pub(super) struct System {
     /// For each unknown its row, or `NONE` for the gauge.
     row: Vec<u32>,
     rows: usize,
-    matrix: SymmetricMatrix,
+    pub(super) matrix: SymmetricMatrix,
+    /// The rows in their order of elimination.
+    #[cfg(test)]
+    pub(super) order: Vec<u32>,
     /// For each leaf where its entries stand in the matrix.
     entries: Vec<[u32; UNKNOWNS * UNKNOWNS]>,
     symbolic: Symbolic,
 }
 
-const NONE: u32 = u32::MAX;
+/// No row.
+pub(super) const NONE: u32 = u32::MAX;
 /// Leaves that are assembled between two looks at the caller's signal: a few milliseconds of work.
 const LEAVES_A_LOOK: usize = 1_000;
+
+/// Rows whose pattern is built between two looks: a few milliseconds of work.
+const ROWS_A_LOOK: u32 = 5_000;
 
 /// Why there is no factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,7 +60,9 @@ impl From<Stop> for Error {
 }
 
 impl System {
-    pub fn of(space: &Space) -> Result<Self, LinearError> {
+    /// # Errors
+    /// The error of the analysis, or an interruption.
+    pub fn of(space: &Space, exec: &Execution) -> Result<Self, Stop> {
         let mut rows = 0u32;
         let mut row = vec![NONE; space.count()];
         for (unknown, row) in row.iter_mut().enumerate() {
@@ -84,6 +94,9 @@ impl System {
         let mut entries = vec![[NONE; UNKNOWNS * UNKNOWNS]; space.unknowns.len()];
         let mut place = vec![NONE; rows as usize];
         for r in 0..rows {
+            if r.is_multiple_of(ROWS_A_LOOK) {
+                exec.look(u64::from(ROWS_A_LOOK) * 30)?;
+            }
             let begin = matrix.columns.len();
             place[r as usize] = begin as u32;
             matrix.columns.push(r);
@@ -103,8 +116,20 @@ impl System {
             matrix.row_start.push(matrix.columns.len() as u32);
         }
         matrix.values = vec![0.0; matrix.columns.len()];
-        let symbolic = Symbolic::analyse(&matrix, None)?;
-        Ok(Self { row, rows: rows as usize, matrix, entries, symbolic })
+        let rows_of: Vec<[u32; UNKNOWNS]> = (0..space.unknowns.len()).map(numbers).collect();
+        let centroids: Vec<DVec3> = space.corners.iter().map(|of| of.iter().sum::<DVec3>() * 0.25).collect();
+        let order = dissection::order(&rows_of, &centroids, rows as usize, exec)?;
+        exec.look(rows.into())?;
+        let symbolic = Symbolic::analyse(&matrix, Some(&order))?;
+        Ok(Self {
+            row,
+            rows: rows as usize,
+            matrix,
+            #[cfg(test)]
+            order,
+            entries,
+            symbolic,
+        })
     }
 
     /// Entries of the factor.

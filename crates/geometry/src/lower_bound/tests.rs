@@ -1,4 +1,4 @@
-use super::bisection::{BisectionMesh, EDGES, VertexMap};
+use super::bisection::{BEST, BisectionMesh, CENTRAL, EDGES, VertexMap};
 use super::element::{Orientation, UNKNOWNS, basis_curls, integrals};
 use super::space::Space;
 use crate::DVec3;
@@ -23,14 +23,16 @@ fn random_mesh(rounds: usize, seed: &mut u64) -> BisectionMesh {
     mesh
 }
 
-/// Puts a random field on the mesh.
+/// Puts two random fields on the mesh.
 fn randomise(mesh: &mut BisectionMesh, seed: &mut u64) {
     let space = Space::of(mesh);
-    let field: Vec<f64> = (0..space.count()).map(|_| noise(seed) - 0.5).collect();
-    let curl = space.curl(&field);
-    mesh.nodal.iter_mut().zip(curl).for_each(|(nodal, curl)| nodal.curl = curl);
-    for (key, value) in space.edges.iter().zip(&field) {
-        mesh.edges.get_mut(key).unwrap().circulation = *value;
+    for which in [BEST, CENTRAL] {
+        let field: Vec<f64> = (0..space.count()).map(|_| noise(seed) - 0.5).collect();
+        let curl = space.curl(&field);
+        mesh.nodal.iter_mut().zip(curl).for_each(|(nodal, curl)| nodal.curl[which] = curl);
+        for (key, value) in space.edges.iter().zip(&field) {
+            mesh.edges.get_mut(key).unwrap().circulation[which] = *value;
+        }
     }
 }
 
@@ -67,24 +69,26 @@ fn bisection_leaves_the_field_as_it_is() {
     let mut seed = 3;
     let mut mesh = random_mesh(1, &mut seed);
     randomise(&mut mesh, &mut seed);
-    let circulation = |mesh: &BisectionMesh| {
+    let circulation = |mesh: &BisectionMesh, which: usize| {
         let space = Space::of(mesh);
         let form = space.circulation(mesh, &[ring()]);
-        space.field(mesh).iter().zip(form).map(|(a, b)| a * b).sum::<f64>()
+        space.field(mesh, which).iter().zip(form).map(|(a, b)| a * b).sum::<f64>()
     };
-    let before = circulation(&mesh);
+    let before = [BEST, CENTRAL].map(|which| circulation(&mesh, which));
     for _ in 0..4 {
         let marked: Vec<u32> = (0..mesh.leaf_count() as u32).filter(|_| noise(&mut seed) < 0.2).collect();
         mesh.bisect(&marked);
     }
     let space = Space::of(&mesh);
-    let curl = space.curl(&space.field(&mesh));
-    let largest = curl.iter().flatten().map(|v| v.length()).fold(0.0, f64::max);
-    for (nodal, curl) in mesh.nodal.iter().zip(&curl) {
-        // What was interpolated is the curl of the values on the new edges and faces.
-        nodal.curl.iter().zip(curl).for_each(|(a, b)| assert!(a.distance(*b) < 1e-9 * largest));
+    for which in [BEST, CENTRAL] {
+        let curl = space.curl(&space.field(&mesh, which));
+        let largest = curl.iter().flatten().map(|v| v.length()).fold(0.0, f64::max);
+        for (nodal, curl) in mesh.nodal.iter().zip(&curl) {
+            // What was interpolated is the curl of the values on the new edges and faces.
+            nodal.curl[which].iter().zip(curl).for_each(|(a, b)| assert!(a.distance(*b) < 1e-9 * largest));
+        }
+        assert!((circulation(&mesh, which) - before[which]).abs() < 1e-9 * before[which].abs().max(1.0));
     }
-    assert!((circulation(&mesh) - before).abs() < 1e-9 * before.abs().max(1.0));
 }
 
 #[test]
@@ -172,8 +176,8 @@ fn few_steps_reach_the_optimum_and_the_gap_bounds_what_is_missing() {
     mesh.set_constant_curl(DVec3::Z);
     let space = Space::of(&mesh);
     let form = space.circulation(&mesh, &[ring()]);
-    let mut system = System::of(&space).unwrap();
-    let mut level = Level::new(&space, &mesh, &form, 4.0);
+    let mut system = System::of(&space, &crate::Execution::default()).unwrap();
+    let mut level = Level::new(&space, &mesh, &form, 4.0, false);
     let mut storage = Vec::new();
     let mut seen = Vec::new();
     while level.gap() > 1e-6 {
@@ -186,4 +190,52 @@ fn few_steps_reach_the_optimum_and_the_gap_bounds_what_is_missing() {
     for (bound, gap) in &seen {
         assert!(bound + gap >= optimum, "{bound} and {gap} for {optimum}");
     }
+}
+
+/// Nested dissection orders every row once, and better than approximate minimum degree.
+#[test]
+fn dissection_leaves_a_small_factor() {
+    use super::system::{NONE, System};
+    let mesh = random_mesh(6, &mut 13);
+    let space = Space::of(&mesh);
+    let system = System::of(&space, &crate::Execution::default()).unwrap();
+    let mut order = system.order.clone();
+    order.sort_unstable();
+    assert!(order.iter().copied().eq(0..system.rows() as u32) && !order.contains(&NONE));
+    let by_degree = crate::sparse::Symbolic::analyse(&system.matrix, None).unwrap().factor_entries();
+    assert!(system.factor_entries() < by_degree * 8 / 10, "{} and {by_degree}", system.factor_entries());
+}
+
+/// The iterate that a mesh hands on to a finer one is nearer to its optimum than the centre is, and leads there.
+#[test]
+fn a_finer_mesh_starts_from_the_iterate_of_the_coarser_one() {
+    use super::conic::Level;
+    use super::system::System;
+    let exec = crate::Execution::default();
+    let mut mesh = random_mesh(2, &mut 17);
+    mesh.set_constant_curl(DVec3::Z);
+    // The gaps before each step, and the last state.
+    let solve = |mesh: &BisectionMesh, warm: bool| {
+        let space = Space::of(mesh);
+        let form = space.circulation(mesh, &[ring()]);
+        let mut system = System::of(&space, &exec).unwrap();
+        let mut level = Level::new(&space, mesh, &form, 4.0, warm);
+        let mut gaps = vec![level.gap()];
+        while level.gap() > 1e-5 {
+            assert!(gaps.len() < 30 && !level.stalled, "{gaps:?}");
+            level.step(&mut system, &mut Vec::new(), &exec).unwrap();
+            gaps.push(level.gap());
+        }
+        let (central, duals) = level.central();
+        (gaps, [level.best.field, central], duals, level.best.bound)
+    };
+    let (_, fields, duals, coarse) = solve(&mesh, false);
+    let space = Space::of(&mesh);
+    mesh.carry(&space, &fields, &duals);
+    let all: Vec<u32> = (0..mesh.leaf_count() as u32).collect();
+    mesh.bisect(&all);
+    let (cold, _, _, from_centre) = solve(&mesh, false);
+    let (warm, _, _, from_iterate) = solve(&mesh, true);
+    assert!(warm[0] < 0.5 * cold[0], "{warm:?} and {cold:?}");
+    assert!((from_iterate - from_centre).abs() < 1e-5 && from_iterate > coarse);
 }
