@@ -64,7 +64,7 @@ pub struct CableNetRequest {
     #[serde(default = "default_tolerance")]
     #[schemars(range(min = 0, max = 1))]
     pub tolerance: f64,
-    /// Maximum number of steps. Null means 200.
+    /// Maximum number of steps. Null means 200, and 200 more if fitting begins a second time.
     #[serde(default)]
     #[schemars(range(min = 1, max = 1_000_000_000))]
     pub max_iterations: Option<u32>,

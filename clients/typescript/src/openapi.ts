@@ -861,7 +861,7 @@ export interface components {
             least_force_density?: number;
             /** @description Loads on vertices. Loads of one vertex are added. */
             loads?: components["schemas"]["NetLoad"][];
-            /** @description Maximum number of steps. Null means 200. */
+            /** @description Maximum number of steps. Null means 200, and 200 more if fitting begins a second time. */
             max_iterations?: number | null;
             /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
             metadata?: {
@@ -921,7 +921,7 @@ export interface components {
             least_force_density?: number;
             /** @description Loads on vertices. Loads of one vertex are added. */
             loads?: components["schemas"]["NetLoad"][];
-            /** @description Maximum number of steps. Null means 200. */
+            /** @description Maximum number of steps. Null means 200, and 200 more if fitting begins a second time. */
             max_iterations?: number | null;
             /** @description Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them. */
             metadata?: {

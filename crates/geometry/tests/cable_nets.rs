@@ -107,6 +107,24 @@ fn the_net_of_jax_fdm_reaches_its_targets() {
 }
 
 #[test]
+fn a_fine_net_is_not_drawn_together_by_the_densities_that_it_begins_with() {
+    // Ten times the force inside: the cables of a side pull with 10 × 19 against the 20 of the rim. Fitting from such
+    // densities ends with lengths that deviate by 40 % in the mean (0.156 is the mean of the squares).
+    let mut net = lifted(20);
+    for edge in net.edges.iter_mut().filter(|edge| edge.length.is_some()) {
+        edge.density = edge.density.map(|q| 10.0 * q);
+    }
+    let options = Options { force_weight: 400.0, length_weight: 1e-4, least_density: 0.1, ..Options::default() };
+    let result = found(&net, &options);
+    println!("{} {} {:?} {}", result.loss, result.iterations, result.stop_reason, result.gradient);
+    assert!(result.loss < 1e-4 * 0.002, "{}", result.loss);
+    for ((edge, length), force) in net.edges.iter().zip(&result.lengths).zip(&result.forces) {
+        assert!(edge.length.is_none_or(|target| (length / target - 1.0).abs() < 0.2), "{length}");
+        assert!(edge.force.is_none_or(|target| (force / target - 1.0).abs() < 0.02), "{force}");
+    }
+}
+
+#[test]
 fn a_target_that_a_net_can_reach_is_reached() {
     // The forces of a net of unequal densities, asked for from equal ones.
     let mut net = lifted(4);
@@ -184,18 +202,19 @@ fn targets_that_are_met_from_the_start_need_no_step() {
 
 #[test]
 fn scales_of_lengths_and_forces_change_nothing() {
+    // By powers of two, so that every product is exact and each step is the same.
     let net = lifted(6);
     let options = Options { least_density: 1e-3, ..Options::default() };
     let reference = found(&net, &options);
     let mut scaled = net.clone();
-    scaled.vertices.iter_mut().for_each(|p| *p *= 1000.0);
+    scaled.vertices.iter_mut().for_each(|p| *p *= 1024.0);
     for edge in &mut scaled.edges {
-        edge.density = edge.density.map(|q| 4.0 * q / 1000.0);
+        edge.density = edge.density.map(|q| 4.0 * q / 1024.0);
         edge.force = edge.force.map(|force| 4.0 * force);
-        edge.length = edge.length.map(|length| 1000.0 * length);
+        edge.length = edge.length.map(|length| 1024.0 * length);
     }
-    let result = found(&scaled, &Options { least_density: 4.0 * 1e-3 / 1000.0, ..options });
-    assert!((result.loss / reference.loss - 1.0).abs() < 1e-3, "{} {}", result.loss, reference.loss);
+    let result = found(&scaled, &Options { least_density: 4.0 * 1e-3 / 1024.0, ..options });
+    assert_eq!((result.loss, result.iterations), (reference.loss, reference.iterations));
 }
 
 #[test]

@@ -284,7 +284,7 @@ class CableNetRequest(TypedDict):
     loads: NotRequired[Sequence[NetLoad]]
     """Loads on vertices. Loads of one vertex are added."""
     max_iterations: NotRequired[Optional[int]]
-    """Maximum number of steps. Null means 200."""
+    """Maximum number of steps. Null means 200, and 200 more if fitting begins a second time."""
     metadata: NotRequired[Optional[Dict[str, Any]]]
     """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     supersede: NotRequired[Optional[str]]
@@ -328,7 +328,7 @@ class CableNetRequestWithKind(TypedDict):
     loads: NotRequired[List[NetLoad]]
     """Loads on vertices. Loads of one vertex are added."""
     max_iterations: NotRequired[Optional[int]]
-    """Maximum number of steps. Null means 200."""
+    """Maximum number of steps. Null means 200, and 200 more if fitting begins a second time."""
     metadata: NotRequired[Optional[Dict[str, Any]]]
     """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     supersede: NotRequired[Optional[str]]
@@ -2300,7 +2300,7 @@ class CableNetOptions(TypedDict, total=False):
     loads: Sequence[NetLoad]
     """Loads on vertices. Loads of one vertex are added."""
     max_iterations: Optional[int]
-    """Maximum number of steps. Null means 200."""
+    """Maximum number of steps. Null means 200, and 200 more if fitting begins a second time."""
     metadata: Optional[Dict[str, Any]]
     """Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them."""
     supersede: Optional[str]

@@ -45,7 +45,7 @@ pub struct Options {
     pub least_density: f64,
     /// Fitting ends when three steps in a row each lower the loss by less than this fraction of it.
     pub tolerance: f64,
-    /// Largest number of steps. `None` stands for 200.
+    /// Largest number of steps. `None` stands for 200, and 200 more if fitting begins a second time.
     pub max_iterations: Option<u32>,
 }
 
