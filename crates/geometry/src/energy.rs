@@ -31,6 +31,11 @@ pub use prestress::{ForceDensity, PlaneStress, Prestress};
 pub use volume::Volume;
 pub use weight::Weight;
 
+/// The matrix a bᵀ.
+pub(crate) fn outer(a: DVec3, b: DVec3) -> DMat3 {
+    DMat3::from_cols(a * b.x, a * b.y, a * b.z)
+}
+
 /// One energy over the vertices of a body.
 ///
 /// The three functions must belong together: the gradient is the derivative of the value, the second derivative that of

@@ -12,8 +12,8 @@
 //! where the film's own tension is σ at the datum. The datum is the mean height of the film and is renewed between
 //! solves. The derivatives of the area are those of [`area`](super::area).
 
-use super::Term;
 use super::area::{Area, Facet};
+use super::{Term, outer};
 use crate::DVec3;
 use crate::mesh::measure::double_area_vector;
 use glam::DMat3;
@@ -32,10 +32,6 @@ pub struct Weight {
 
 fn area(triangle: &[u32; 3], at: &[DVec3]) -> f64 {
     0.5 * double_area_vector(triangle.map(|v| at[v as usize])).length()
-}
-
-fn outer(a: DVec3, b: DVec3) -> DMat3 {
-    DMat3::from_cols(a * b.x, a * b.y, a * b.z)
 }
 
 impl Weight {

@@ -23,8 +23,8 @@
 
 use super::freedom::Support;
 use crate::DVec3;
-use crate::energy::Term;
 use crate::energy::volume::cross_matrix;
+use crate::energy::{Term, outer};
 use glam::DMat3;
 use std::f64::consts::PI;
 
@@ -53,10 +53,6 @@ struct Share {
     gradient: [DVec3; 2],
     /// By a twice, by a and b, by b twice.
     second: [DMat3; 3],
-}
-
-fn outer(a: DVec3, b: DVec3) -> DMat3 {
-    DMat3::from_cols(a * b.x, a * b.y, a * b.z)
 }
 
 /// From the derivatives by the unit vectors u = x / |x| and v = y / |y| to those by x and y.

@@ -13,6 +13,7 @@
 //! edges. Edges and corners are rounded within ρ of them. Source of such means: Shen, O'Brien, Shewchuk, *Interpolating
 //! and approximating implicit surfaces from polygon soup* (2004), with another weight.
 
+use crate::energy::outer;
 use crate::error::{InputError, Place};
 use crate::{DVec3, polyline};
 use glam::DMat3;
@@ -60,10 +61,6 @@ struct Level {
     value: f64,
     gradient: DVec3,
     hessian: DMat3,
-}
-
-fn outer(a: DVec3, b: DVec3) -> DMat3 {
-    DMat3::from_cols(a * b.x, a * b.y, a * b.z)
 }
 
 impl Triangle {
