@@ -11,7 +11,7 @@ use crate::execution::Interruption;
 use crate::{DVec3, Execution};
 
 /// A part has at least this fraction of the set's tetrahedra. Fractions of 0.1 to 0.3 give factors of the same size
-/// within 3%, and 0.4 gives 10% more.
+/// within 6%, and 0.4 gives 10% more.
 const LEAST_PART: f64 = 0.2;
 /// Sets of so many tetrahedra are not cut. The order within them hardly matters.
 const WHOLE: usize = 2;

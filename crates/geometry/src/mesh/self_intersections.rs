@@ -38,8 +38,8 @@ const LEAF: usize = 4;
 /// one.
 const PATCH: usize = 16;
 
-/// Smallest number of triangles for which charts are sought. Smaller meshes are searched in the same time without; from
-/// 4,000 triangles on, charts halve it.
+/// Smallest number of triangles for which charts are sought. Smaller meshes are searched as fast without. At 4,000
+/// triangles charts save 10 to 45% of the time.
 const LEAST_CHARTED: usize = 2_500;
 
 /// Pairs of boxes, for each triangle, after which [`check`] gives up. Meshes that are embedded or cross themselves
