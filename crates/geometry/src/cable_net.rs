@@ -116,7 +116,7 @@ pub fn solve(net: &Net, options: &Options, exec: &Execution) -> Result<CableNet,
         return Err(Error::no_result("no_equilibrium", "the loads and forces are too large for each other"));
     }
     refuse_collapsed(net, &lengths)?;
-    let slack = slack_edges(net, options, &forces, &fitted.densities);
+    let slack = fitting::slack_edges(net, options, &forces, &fitted.densities);
     refuse_slack(options, &slack)?;
     Ok(CableNet {
         load_path: forces.iter().zip(&lengths).map(|(force, length)| force * length).sum(),
@@ -141,10 +141,6 @@ pub fn solve(net: &Net, options: &Options, exec: &Execution) -> Result<CableNet,
 const NAMED_EDGES: usize = 50;
 /// Length below which an edge counts as collapsed, as a fraction of the size of the net as it was given.
 const COLLAPSED: f64 = 1e-9;
-/// Force below which a cable counts as slack, as a fraction of the mean force, and distance of a density from the least
-/// one, as a fraction of it. Fitting never reaches zero: where the targets
-/// leave a cable no force, its density falls until the loss no longer changes by the tolerance.
-const SLACK: f64 = 1e-3;
 
 /// Fails with the edges that meet a condition, if there are any.
 fn refuse(reason: &'static str, detail: &str, edges: &[usize], each: &str) -> Result<(), Error> {
@@ -162,14 +158,6 @@ fn refuse_collapsed(net: &Net, lengths: &[f64]) -> Result<(), Error> {
     let collapsed: Vec<usize> = (0..lengths.len()).filter(|&k| lengths[k] <= least).collect();
     let detail = "the net collapses: nothing holds the ends of some cables apart; add supports or loads";
     refuse("no_equilibrium", detail, &collapsed, "has no length in equilibrium")
-}
-
-/// For each edge whether the targets leave it no force.
-fn slack_edges(net: &Net, options: &Options, forces: &[f64], densities: &[f64]) -> Vec<bool> {
-    let mean = forces.iter().sum::<f64>() / forces.len() as f64;
-    let lowest = options.least_density * (1.0 + SLACK);
-    let slack = |k: usize| !net.edges[k].held && (forces[k] <= SLACK * mean || densities[k] <= lowest);
-    (0..forces.len()).map(slack).collect()
 }
 
 /// Refuses a shape in which cables have no force because the targets would need them to push.

@@ -52,6 +52,10 @@ use crate::sparse::{LinearError, Symbolic};
 use crate::{DVec3, Error, Execution, Interruption, Progress};
 use glam::DMat3;
 
+/// Force below which a cable counts as slack, as a fraction of the mean force, and distance of a density from the least
+/// one, as a fraction of it. Fitting never reaches zero: where the targets
+/// leave a cable no force, its density falls until the loss no longer changes by the tolerance.
+const SLACK: f64 = 1e-3;
 /// Damping at the start, as a multiple of the loss, its factors after a step that was kept and one that was not, and
 /// its range. A smaller start takes steps that are refused.
 const DAMPING: f64 = 1e-2;
@@ -362,6 +366,14 @@ pub(super) fn start(net: &Net, options: &Options) -> Vec<f64> {
     net.edges.iter().map(|edge| if edge.held { found(edge) } else { found(edge).max(options.least_density) }).collect()
 }
 
+/// For each edge whether the targets leave it no force.
+pub(super) fn slack_edges(net: &Net, options: &Options, forces: &[f64], densities: &[f64]) -> Vec<bool> {
+    let mean = forces.iter().sum::<f64>() / forces.len() as f64;
+    let lowest = options.least_density * (1.0 + SLACK);
+    let slack = |k: usize| !net.edges[k].held && (forces[k] <= SLACK * mean || densities[k] <= lowest);
+    (0..forces.len()).map(slack).collect()
+}
+
 fn refused(error: LinearError) -> Error {
     Error::no_result("no_equilibrium", format!("the net's equations have no trustworthy solution: {error:?}"))
 }
@@ -495,7 +507,7 @@ pub(super) fn fit(net: &Net, options: &Options, exec: &Execution) -> Result<Fitt
         let is_slack = |fit: &Fit| {
             let forces: Vec<f64> =
                 net.edges.iter().zip(&fit.densities).map(|(edge, q)| q * length(edge.ends, &fit.at)).collect();
-            options.least_density <= 0.0 && super::slack_edges(net, options, &forces, &fit.densities).contains(&true)
+            options.least_density <= 0.0 && slack_edges(net, options, &forces, &fit.densities).contains(&true)
         };
         let slack = is_slack(&fit);
         if approached && reason != StopReason::Deadline && (slack || loss.is_far(&fit.densities, &fit.at)) {

@@ -6,10 +6,11 @@
 //! times the entries that approximate minimum degree leaves, and takes 0.35 to 0.5 times the work.
 
 use super::element::UNKNOWNS;
-use super::system::NONE;
 use crate::execution::Interruption;
 use crate::{DVec3, Execution};
 
+/// The row of an unknown that has none, because the gauge fixes it.
+pub(super) const NONE: u32 = u32::MAX;
 /// A part has at least this fraction of the set's tetrahedra. Fractions of 0.1 to 0.3 give factors of the same size
 /// within 6%, and 0.4 gives 10% more.
 const LEAST_PART: f64 = 0.2;

@@ -1,6 +1,6 @@
 //! The symmetric matrix Cᵀ W C of the curl C, with a matrix W for each vertex of a tetrahedron, and its factor.
 
-use super::dissection;
+use super::dissection::{self, NONE};
 use super::element::{self, UNKNOWNS};
 use super::space::Space;
 use crate::execution::Interruption;
@@ -23,8 +23,6 @@ pub(super) struct System {
     symbolic: Symbolic,
 }
 
-/// No row.
-pub(super) const NONE: u32 = u32::MAX;
 /// Leaves that are assembled between two looks at the caller's signal: a few milliseconds of work.
 const LEAVES_A_LOOK: usize = 1_000;
 

@@ -195,7 +195,8 @@ fn few_steps_reach_the_optimum_and_the_gap_bounds_what_is_missing() {
 /// Nested dissection orders every row once, and better than approximate minimum degree.
 #[test]
 fn dissection_leaves_a_small_factor() {
-    use super::system::{NONE, System};
+    use super::dissection::NONE;
+    use super::system::System;
     let mesh = random_mesh(6, &mut 13);
     let space = Space::of(&mesh);
     let system = System::of(&space, &crate::Execution::default()).unwrap();
