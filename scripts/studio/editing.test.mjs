@@ -269,3 +269,85 @@ test('survey coordinates are moved without losing a digit of the others', async 
   assert.ok(Math.hypot(boundary[1][0] - far.boundaries[0][1][0], boundary[1][1] - far.boundaries[0][1][1]) < 5, `${boundary[1]}`);
   assert.deepEqual([boundary[0], boundary[2]], [far.boundaries[0][0], far.boundaries[0][2]]);
 });
+
+for (const moment of ['before', 'after']) {
+  test(`the request is selected as soon as its box opens, and typed over ${moment} the event of the opening`, async () => {
+    const { page } = studio;
+    await studio.open('tent');
+    const text = await page.evaluate(async (early) => {
+      const box = document.querySelector('#request-box');
+      const field = document.querySelector('#request');
+      const type = () => document.execCommand('insertText', false, 'typed');
+      const toggled = new Promise((done) => { box.addEventListener('toggle', done, { once: true }); });
+      box.querySelector('summary').click();
+      field.focus();
+      field.select();
+      if (early) type();
+      await toggled;
+      // The page's own listeners of the event have run by the next task.
+      await new Promise((done) => { setTimeout(done); });
+      if (!early) type();
+      return field.value;
+    }, moment === 'before');
+    assert.equal(text, 'typed');
+  });
+}
+
+test('the request box is filled before it opens, by the pointer and by a key, and also without either', async () => {
+  const { page } = studio;
+  await studio.open('tent');
+  const before = await request(page);
+  const shown = async () => JSON.parse(await page.inputValue('#request'));
+  assert.deepEqual(await page.evaluate(() => {
+    document.querySelector('#request-box summary').click();
+    return JSON.parse(document.querySelector('#request').value);
+  }), before, 'filled within the click');
+  await page.click('#request-box summary');
+  await page.selectOption('#options [name="objective"]', 'minimal_dirichlet_energy');
+  await page.focus('#request-box summary');
+  await page.keyboard.press('Enter');
+  assert.deepEqual(await shown(), await request(page), 'opened by a key');
+  assert.notDeepEqual(await shown(), before);
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('Control+z');
+  assert.deepEqual(await request(page), before);
+  // Find-in-page opens the box in this way.
+  await page.evaluate(() => { document.querySelector('#request-box').open = true; });
+  await page.waitForFunction((text) => JSON.stringify(JSON.parse(document.querySelector('#request').value)) === text, JSON.stringify(before));
+});
+
+test('text in the request box stays while the drawing changes, until it is applied or discarded', async () => {
+  const { page } = studio;
+  await studio.open('tent');
+  const shown = async () => JSON.parse(await page.inputValue('#request'));
+  await page.click('#request-box summary');
+  const [, corner] = await points(page);
+  await drag(page, corner, { x: corner.x + 30, y: corner.y + 10 });
+  const dragged = await request(page);
+  assert.deepEqual(await shown(), dragged, 'the box follows the drawing while nothing is typed there');
+  assert.equal(await page.isVisible('#discard-request'), false);
+
+  await page.fill('#request', '{"boundaries": [');
+  await page.click('#apply-request');
+  assert.match(await page.textContent('#request-fault'), /this is not JSON/);
+  const [, moved] = await points(page);
+  await drag(page, moved, { x: moved.x - 20, y: moved.y + 10 });
+  await solved(page);
+  const latest = await request(page);
+  assert.notDeepEqual(latest, dragged);
+  await page.click('#request-box summary');
+  await page.click('#request-box summary');
+  assert.equal(await page.inputValue('#request'), '{"boundaries": [', 'the text is still there');
+  assert.equal(await page.isVisible('#request-fault'), true, 'and what is wrong with it');
+
+  await page.click('#discard-request');
+  assert.deepEqual(await shown(), latest, 'without the text the box shows the drawing as it is now');
+  assert.equal(await page.isVisible('#discard-request'), false);
+  assert.equal(await page.isVisible('#request-fault'), false);
+
+  await apply(page, { boundaries: [[[0, 0, 0], [4, 0, 1], [4, 4, 0], [0, 4, 1]]] });
+  assert.equal(await page.isVisible('#discard-request'), false);
+  await page.locator('#title').click();
+  await page.keyboard.press('Control+z');
+  assert.deepEqual(await shown(), latest, 'after it is applied, the box follows the drawing again');
+});

@@ -97,9 +97,15 @@ export function showDocument(dragging = false): void {
   showStale();
 }
 
+/**
+ * Makes the drawing's request the default text of its box. Once somebody has typed there, the browser shows the typed text
+ * in place of the default until the form is reset, which happens when the text is applied or discarded.
+ */
 export function showRequest(): void {
-  $<HTMLTextAreaElement>('request').value = print(doc().request);
-  $('request-fault').hidden = true;
+  const box = $<HTMLTextAreaElement>('request');
+  const text = print(doc().request);
+  // Even an equal text would move the cursor and take the selection away.
+  if (box.defaultValue !== text) box.defaultValue = text;
 }
 
 const restore = (step: () => boolean): void => {

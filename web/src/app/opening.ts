@@ -126,7 +126,6 @@ export function applyRequest(): void {
     $('request-fault').textContent = text;
     $('request-fault').hidden = false;
   };
-  $('request-fault').hidden = true;
   try {
     const request = parseJson($<HTMLTextAreaElement>('request').value) as Request;
     if (request === null || typeof request !== 'object' || Array.isArray(request)) {
@@ -134,6 +133,7 @@ export function applyRequest(): void {
       return;
     }
     takeRequest(request.kind !== undefined || kindOf(request) ? request : { ...request, kind: doc().kind }, doc().title);
+    $<HTMLFormElement>('request-form').reset();
   } catch (error) {
     fault(error instanceof Error ? error.message : String(error));
   }

@@ -44,7 +44,12 @@ function wireSetup(): void {
   on('solve', 'click', () => (isWhole(doc().kind, doc().request) ? solve() : say(hint())));
   on('cancel', 'click', giveUp);
   on('live', 'change', () => isLive() && isStale() && solve());
-  on('request-box', 'toggle', () => { if ($<HTMLDetailsElement>('request-box').open) showRequest(); });
+  // A click or a key on the summary fills the box before it opens, since the toggle event comes only later. Find-in-page
+  // opens the box without a click.
+  $('request-box').querySelector('summary')!.addEventListener('click', showRequest);
+  on('request-box', 'toggle', showRequest);
+  on('request-form', 'input', () => { $('discard-request').hidden = false; });
+  on('request-form', 'reset', () => { for (const id of ['discard-request', 'request-fault']) $(id).hidden = true; });
   on('apply-request', 'click', applyRequest);
   on('save-request', 'click', () => save(new Blob([print({ kind: doc().kind, ...doc().request })], { type: 'application/json' }), `${doc().kind.replaceAll('_', '-')}.json`));
   for (const button of all('[data-panel]:is(button)')) button.addEventListener('click', () => showPanel(button.dataset.panel!));
