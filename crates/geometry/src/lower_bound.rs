@@ -111,15 +111,21 @@ pub const MOST_SECONDS: f64 = 600.0;
 
 /// Leaves of the first mesh.
 const FIRST_LEAVES: usize = 600;
-/// Leaves of a mesh in terms of the mesh before, if the budget allows it.
+/// Leaves of a mesh in terms of the mesh before, at most.
 const GROWTH: f64 = 2.5;
+/// Growth over several levels that is looked ahead to at most.
+const MOST_GROWTH: f64 = 100.0;
 /// A mesh that is not finer by this much is not worth a factorisation.
-const LEAST_GROWTH: f64 = 1.2;
+const LEAST_GROWTH: f64 = 1.15;
 /// Steps on a mesh at most.
 const MOST_STEPS: u32 = 40;
-/// Steps that the budget must allow for on a finer mesh, whose bound would otherwise stay below that of the mesh before:
-/// this number where half a percent is missing to the film's area, and one more for each halving of what is missing.
-const STEPS: f64 = 7.0;
+/// Steps that the budget must allow for on the finest mesh, whose bound would otherwise stay below that of the mesh before:
+/// this number where half a percent is missing to the film's area, one more for each halving of what is missing, and one
+/// more for each doubling of the leaves beyond [`FEW_LEAVES`], because a large mesh starts farther from its optimum.
+const STEPS: f64 = 6.0;
+const FEW_LEAVES: f64 = 1e4;
+/// Steps that are allowed for on a mesh that is left for a finer one.
+const STEPS_BETWEEN: u32 = 5;
 /// Most of these steps.
 const MOST_STEPS_AHEAD: f64 = 24.0;
 /// A mesh is left for a finer one once its own optimum is reached to this fraction of what is missing to the film's area.
@@ -133,13 +139,12 @@ const MOST_ENTRIES: usize = 60_000_000;
 /// Fraction of the indicator that the marked leaves of one round of refinement have together.
 const MARKED_SHARE: f64 = 0.4;
 /// Nominal seconds of a factorisation, per (entries of the factor)² / rows, and of its preparation per leaf. The rates are
-/// fitted to the processor time on meshes of 600 to 52,000 leaves, on a core of a busy machine, so that a free core is
-/// faster.
-const FACTORISATION_RATE: f64 = 1.2e-10;
-const PREPARATION_RATE: f64 = 3e-5;
+/// fitted to the processor time on meshes of 600 to 60,000 leaves, on one core while the other one was idle.
+const FACTORISATION_RATE: f64 = 1.25e-10;
+const PREPARATION_RATE: f64 = 2e-5;
 /// Nominal seconds of a step besides the factorisation, per entry of the factor and per leaf.
 const SOLVE_RATE: f64 = 8e-9;
-const ASSEMBLY_RATE: f64 = 1e-5;
+const ASSEMBLY_RATE: f64 = 6.5e-6;
 
 /// Upper bound of the memory that [`certify`] takes.
 #[must_use]
@@ -343,23 +348,36 @@ impl Budget<'_> {
     }
 
     /// Leaves of the next mesh after one with this bound, if the rest of the budget allows for a finer one.
+    ///
+    /// The finest mesh that the budget affords is found first, together with the meshes on the way to it, so that nothing of
+    /// the budget is left over that is too little for one more mesh.
     fn next_leaves(&self, [entries, rows]: [f64; 2], leaves: usize, bound: f64) -> Option<usize> {
         let leaves = leaves as f64;
         let missing = (1.0 - bound / self.film_area).max(f64::MIN_POSITIVE);
-        let steps = (STEPS + (0.005 / missing).log2().ceil()).clamp(STEPS, MOST_STEPS_AHEAD) as u32;
-        let affordable = |growth: f64| {
-            // Fill grows a little faster than the mesh.
-            let system = [entries * growth.powf(1.3), rows * growth];
-            leaves * growth <= MOST_LEAVES as f64
-                && system[0] <= MOST_ENTRIES as f64
-                && Self::price(system, leaves * growth, steps) <= self.left()
+        let steps = |leaves: f64| {
+            let more = (0.005 / missing).log2().ceil().max(0.0) + (leaves / FEW_LEAVES).log2().ceil().max(0.0);
+            (STEPS + more).min(MOST_STEPS_AHEAD) as u32
         };
-        let mut growth = GROWTH;
+        let price = |growth: f64, steps: u32| {
+            // Fill grows a little faster than the mesh.
+            Self::price([entries * growth.powf(1.3), rows * growth], leaves * growth, steps)
+        };
+        // The growth is shared out evenly among the fewest levels that do not grow more than they should.
+        let levels = |growth: f64| (growth.ln() / GROWTH.ln()).ceil().max(1.0);
+        let affordable = |growth: f64| {
+            let levels = levels(growth);
+            let between: f64 =
+                (1..levels as u32).map(|k| price(growth.powf(f64::from(k) / levels), STEPS_BETWEEN)).sum();
+            leaves * growth <= MOST_LEAVES as f64
+                && entries * growth.powf(1.3) <= MOST_ENTRIES as f64
+                && between + price(growth, steps(leaves * growth)) <= self.left()
+        };
+        let mut growth = MOST_GROWTH;
         while growth >= LEAST_GROWTH {
             if affordable(growth) {
-                return Some((leaves * growth) as usize);
+                return Some((leaves * growth.powf(1.0 / levels(growth))) as usize);
             }
-            growth *= 0.9;
+            growth *= 0.97;
         }
         None
     }
@@ -444,6 +462,8 @@ impl BisectionMesh {
 
     /// Bisects the leaves in which the dual surface bends most, until there are about as many as asked for.
     fn refine(&mut self, leaves: usize, exec: &Execution) -> Result<(), Error> {
+        // Leaves that a marked leaf adds, because others are bisected with it.
+        let mut added = 2.0;
         while self.leaf_count() < leaves {
             exec.look(self.leaf_count() as u64)?;
             let bend = |leaf: usize| {
@@ -455,7 +475,8 @@ impl BisectionMesh {
             order.retain(|&leaf| self.can_bisect(leaf as usize));
             order.sort_by(|&a, &b| bends[b as usize].total_cmp(&bends[a as usize]).then(a.cmp(&b)));
             let total: f64 = bends.iter().sum();
-            let most = (leaves - self.leaf_count()) / 2 + 1;
+            let before = self.leaf_count();
+            let most = ((leaves - before) as f64 / added) as usize + 1;
             let mut sum = 0.0;
             let marked: Vec<u32> = order
                 .into_iter()
@@ -470,6 +491,7 @@ impl BisectionMesh {
                 break;
             }
             self.bisect(&marked);
+            added = (self.leaf_count() - before) as f64 / marked.len() as f64;
         }
         Ok(())
     }

@@ -17,9 +17,10 @@
 //!
 //! Each step factorises one matrix with the pattern of Cᵀ C and solves with it three or four times: for the predictor,
 //! the corrector, and corrections of its centrality (Gondzio, *Multiple centrality corrections in a primal-dual method
-//! for linear programming*, 1996). Five to ten steps suffice on a mesh of any size, if they start near the central path. A finer mesh starts from an early iterate of the coarser one:
-//! interpolated, that iterate is still near the path, while the last one lies at the cones' boundary. Newton's method on
-//! z (1 - |v|²) = μ with one multiplier z for each v needed about twice as many.
+//! for linear programming*, 1996). Five to ten steps suffice on a mesh of any size, if they start near the central path. A
+//! finer mesh starts from an early iterate of the coarser one, because the last one lies at the cones' boundary. It is
+//! interpolated and centred (`recentre`). Newton's method on z (1 - |v|²) = μ with one multiplier z for each v needed about
+//! twice as many steps.
 
 use super::bisection::{BEST, BisectionMesh, CENTRAL};
 use super::space::Space;
@@ -33,9 +34,10 @@ const LARGEST_PART: f64 = 0.98;
 /// 0.3 and 0.5 needed the same number, 0.8 a fifth more and 0.95 half as many more.
 const START: f64 = 0.5;
 /// The next mesh starts from the first iterate whose gap is at most this fraction of the film's area. On four films
-/// fractions from 0.1 to 1.5 needed the same number of steps within two, and 0.05 sometimes twice as many. On the trefoil 0.15
-/// saves some steps, and on Enneper's surface it costs some.
-const HANDED_ON: f64 = 0.5;
+/// fractions from 0.1 to 0.5 needed the same number of steps within two.
+const HANDED_ON: f64 = 0.1;
+/// The field of that iterate is multiplied by this number, so that no curl starts at the boundary of its cone.
+const PULLED_BACK: f64 = 0.97;
 /// Corrections of a direction at most. Two or three save a quarter to a third of the steps, one saves a tenth.
 const CORRECTIONS: u32 = 2;
 /// A correction is for a step that is longer by this much.
@@ -231,6 +233,18 @@ impl Linearisation<'_> {
     }
 }
 
+/// Chooses the first coordinate t of every dual vector (t, u) so that the norms of (1, v) and (t, u) have the product that
+/// they have on the central path. The dual constraint concerns u only, so that it holds as before.
+///
+/// Interpolation to a finer mesh leaves some vectors almost at the boundary of their cone, and each of these would keep
+/// the first steps short.
+fn recentre(curl: &[[DVec3; 4]], dual: &mut [[Spin; 4]]) {
+    let mean = complementarity(curl, dual) / (4 * curl.len()) as f64;
+    for (x, &v) in dual.iter_mut().flatten().zip(curl.iter().flatten()) {
+        x.first = (x.rest.length_squared() + mean * mean / Spin::new(1.0, v).norm()).sqrt();
+    }
+}
+
 /// The iteration on one mesh.
 #[derive(Debug)]
 pub(super) struct Level<'a> {
@@ -279,8 +293,11 @@ impl<'a> Level<'a> {
         let (dual, infeasibility): (Vec<[Spin; 4]>, f64) = if warm {
             field = space.field(mesh, CENTRAL);
             curl = space.curl(&field);
-            let dual: Vec<_> =
+            let mut dual: Vec<_> =
                 mesh.nodal.iter().map(|nodal| nodal.dual.map(|x| Spin::new(x.w, x.truncate()))).collect();
+            field.iter_mut().for_each(|value| *value *= PULLED_BACK);
+            curl.iter_mut().flatten().for_each(|v| *v *= PULLED_BACK);
+            recentre(&curl, &mut dual);
             // The dual constraint of the coarser mesh holds about as well as the iterate is near its optimum.
             let infeasibility = complementarity(&curl, &dual) / film_area;
             (dual, infeasibility)
