@@ -125,7 +125,7 @@ const MOST_STEPS: u32 = 40;
 const STEPS: f64 = 6.0;
 const FEW_LEAVES: f64 = 1e4;
 /// Steps that are allowed for on a mesh that is left for a finer one.
-const STEPS_BETWEEN: u32 = 5;
+const STEPS_BETWEEN: u32 = 4;
 /// Most of these steps.
 const MOST_STEPS_AHEAD: f64 = 24.0;
 /// A mesh is left for a finer one once its own optimum is reached to this fraction of what is missing to the film's area.
@@ -218,14 +218,15 @@ pub fn certify(
             };
             let loops: Vec<Vec<DVec3>> = loops.iter().enumerate().map(oriented).collect();
             let mut mesh = first.clone();
-            mesh.set_constant_curl(vector_area(&loops).normalize_or_zero());
-            Search { loops, mesh, bound: 0.0, system: None, warm: false, finished: false }
+            let vector_area = vector_area(&loops);
+            mesh.set_constant_curl(vector_area.normalize_or_zero());
+            Search { loops, mesh, bound: vector_area.length(), system: None, warm: false, finished: false }
         })
         .collect();
     let mut storage = Vec::new();
     let mut interrupted = false;
     loop {
-        // The weakest orientation decides; one without a level is the weakest.
+        // The weakest orientation decides.
         let weakest = (0..searches.len()).min_by(|&a, &b| searches[a].bound.total_cmp(&searches[b].bound));
         let Some(weakest) = weakest.filter(|&k| !searches[k].finished && !budget.reached(searches[k].bound)) else {
             break;
