@@ -149,6 +149,7 @@ fn cases() -> Vec<(&'static str, Vec<Vec<DVec3>>)> {
         ("skew quadrilateral", vec![boundaries::skew_quadrilateral(24)]),
         ("wavy loop", curve(96, &|t| [t.cos(), t.sin(), 0.2 * (3.0 * t).sin()])),
         ("Enneper, radius 0.9", curve(96, &enneper)),
+        ("Chen-Cai-Zheng's catenoid patch", vec![boundaries::catenoid()]),
         ("trefoil", curve(120, &trefoil)),
         ("loop that nearly touches itself", curve(120, &nearly_touching)),
     ]
