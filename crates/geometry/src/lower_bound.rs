@@ -160,6 +160,7 @@ pub fn memory_bytes(loops: usize, options: &Options) -> u64 {
 struct Search {
     loops: Vec<Vec<DVec3>>,
     mesh: BisectionMesh,
+    /// Circulation of the best field so far; at first that of a constant curl.
     bound: f64,
     /// Size of the last system: entries of the factor and rows.
     system: Option<[f64; 2]>,

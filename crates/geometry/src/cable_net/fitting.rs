@@ -47,6 +47,7 @@
 
 use super::options::{Net, Options};
 use super::shape::Shape;
+use crate::energy::outer;
 use crate::sparse::pattern::BlockPattern;
 use crate::sparse::{LinearError, Symbolic};
 use crate::{DVec3, Error, Execution, Interruption, Progress};
@@ -255,10 +256,6 @@ fn unit([a, b]: [u32; 2], at: &[DVec3]) -> DVec3 {
     (at[b as usize] - at[a as usize]).normalize_or_zero()
 }
 
-fn outer(u: DVec3) -> DMat3 {
-    DMat3::from_cols(u * u.x, u * u.y, u * u.z)
-}
-
 /// The sparse system of a step.
 struct Step {
     pattern: BlockPattern,
@@ -299,7 +296,7 @@ impl Step {
             let (q, sums, u) = (densities[e], &sums[e], unit(edge.ends, at));
             let own = sums.h_ss + damping;
             let c = scale * loss.slope(e, q) * length(edge.ends, at);
-            let along = outer(u);
+            let along = outer(u, u);
             let xx = along * (sums.h_ll - sums.h_sl * sums.h_sl / own);
             let ll = along * (-c * c / own);
             let xl = along * (c * sums.h_sl / own) - DMat3::IDENTITY * (scale * q);

@@ -240,3 +240,29 @@ fn a_finer_mesh_starts_from_the_iterate_of_the_coarser_one() {
     assert!(warm[0] < 0.5 * cold[0], "{warm:?} and {cold:?}");
     assert!((from_iterate - from_centre).abs() < 1e-5 && from_iterate > coarse);
 }
+
+/// Whatever the budget, the planned meshes use it up, and none grows more than it should.
+#[test]
+fn the_meshes_are_planned_for_the_whole_budget() {
+    use super::{Budget, FEW_LEAVES, GROWTH, Options, STEPS, STEPS_BETWEEN};
+    // Sizes as they are on two rings.
+    let system = |leaves: f64| [240_000.0 * (leaves / 600.0).powf(1.3), 5.4 * leaves];
+    for seconds in [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0, 15.0] {
+        let options = Options { gap: 0.0, seconds };
+        let mut budget = Budget { options: &options, film_area: 1.0, samples: &[], spent: 0.0, iterations: 0 };
+        let mut leaves = 600.0;
+        let mut meshes = 1;
+        budget.spent = Budget::price(system(leaves), leaves, STEPS_BETWEEN);
+        while let Some(next) = budget.next_leaves(system(leaves), leaves as usize, 0.995) {
+            assert!(next as f64 <= leaves * GROWTH && meshes < 10, "{next} leaves after {leaves} in {seconds} s");
+            (leaves, meshes) = (next as f64, meshes + 1);
+            budget.spent += Budget::price(system(leaves), leaves, STEPS_BETWEEN);
+        }
+        // The finest mesh has more steps.
+        let steps = (STEPS + (leaves / FEW_LEAVES).log2().ceil().max(0.0)) as u32;
+        budget.spent +=
+            Budget::price(system(leaves), leaves, steps) - Budget::price(system(leaves), leaves, STEPS_BETWEEN);
+        let used = budget.spent / seconds;
+        assert!((0.8..=1.001).contains(&used), "{used} of {seconds} s for {leaves} leaves");
+    }
+}
