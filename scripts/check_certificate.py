@@ -6,7 +6,9 @@
 For every orientation of the boundary it recomputes, from the tetrahedra and the values on edges and faces,
 
 1. that the tetrahedra fill the box exactly once and that the boundary lies inside it,
-2. that |curl A| <= 1 at the four vertices of every tetrahedron (the curl is linear in between),
+2. that |curl A| <= 1 at the four vertices of every tetrahedron (the curl is linear in between), except for tetrahedra
+   that lie beyond one of the stated half-spaces, each of which holds the whole boundary: surfaces are no larger after
+   their nearest-point projection onto the convex set of the half-spaces' common points,
 3. the circulation of A around the boundary, which must not be below the bound that the certificate states.
 
 The field: A is the sum over edges ij (i < j) of value times w_ij = li grad lj - lj grad li, and over faces ijk (i < j < k)
@@ -81,6 +83,10 @@ class Orientation:
         require(all(i < j for i, j in self.edges) and len(self.edges) == m, "edges are not i < j, once each")
         require(all(i < j < k for i, j, k in self.faces), "faces are not i < j < k")
         require(len(self.faces) == len(part["faces"]), "a face stands twice")
+        self.half_spaces = [tuple(integers(direction)[0]) for direction in part.get("half_spaces", [])]
+        pairs = part.get("unconstrained", [])
+        self.unconstrained = dict(map(tuple, pairs))
+        require(len(self.unconstrained) == len(pairs), "a tetrahedron is unconstrained twice")
 
     def check_mesh(self):
         low, high = self.box
@@ -109,6 +115,15 @@ class Orientation:
                 one, other = (det(a, b, c, self.vertices[v]) for v in apexes)
                 require((one > 0) != (other > 0), "two tetrahedra lie on one side of their face")
 
+    def check_half_spaces(self):
+        """Every unconstrained tetrahedron lies beyond a half-space that holds the boundary."""
+        reach = [max(dot(d, p) for loop in self.loops for p in loop) for d in self.half_spaces]
+        for number, half_space in self.unconstrained.items():
+            require(0 <= number < len(self.tetrahedra) and 0 <= half_space < len(reach), "no such half-space")
+            direction = self.half_spaces[half_space]
+            beyond = all(dot(direction, self.vertices[v]) > reach[half_space] for v in self.tetrahedra[number])
+            require(beyond, f"tetrahedron {number} does not lie beyond half-space {half_space}")
+
     def local(self, t):
         """Signed edge values by positions, and faces as positions in ascending order of number with their values."""
         edges = {}
@@ -124,9 +139,11 @@ class Orientation:
         return edges, faces
 
     def largest_curl_squared(self):
-        """The largest |curl A|^2 over all tetrahedra, as a fraction."""
+        """The largest |curl A|^2 over all constrained tetrahedra, as a fraction."""
         largest = Fraction(0)
-        for t, volume in zip(self.tetrahedra, self.volumes):
+        for number, (t, volume) in enumerate(zip(self.tetrahedra, self.volumes)):
+            if number in self.unconstrained:
+                continue
             edges, faces = self.local(t)
             corners = [self.vertices[v] for v in t]
             for p in range(4):
@@ -225,14 +242,15 @@ def check(certificate):
         seen.add(tuple(sign == signs[0] for sign in signs))
         orientation = Orientation(part)
         orientation.check_mesh()
+        orientation.check_half_spaces()
         curl = orientation.largest_curl_squared()
         require(curl <= 1, f"|curl A| reaches {float(curl) ** 0.5!r}, more than 1")
         circulation = orientation.circulation()
         stated = part["area_lower_bound"]
         require(Fraction(stated) <= circulation, f"the circulation is {float(circulation)!r}, below the stated {stated!r}")
         require(certificate["area_lower_bound"] <= stated, "the bound exceeds that of an orientation")
-        print(f"{len(orientation.tetrahedra)} tetrahedra: |curl A| <= {float(curl) ** 0.5:.15f}, "
-              f"circulation {float(circulation)!r} >= {stated!r}")
+        print(f"{len(orientation.tetrahedra)} tetrahedra, {len(orientation.unconstrained)} of them unconstrained: "
+              f"|curl A| <= {float(curl) ** 0.5:.15f}, circulation {float(circulation)!r} >= {stated!r}")
     if certificate["every_orientation"]:
         require(len(seen) == 2 ** (len(loops) - 1), "an orientation of the loops is missing")
 

@@ -2,12 +2,12 @@
 //! duality.
 //!
 //! # The theorem
-//! Let Γ be closed polygons inside a box, and A a field on the box with |curl A| <= 1. Every oriented surface S with
-//! boundary Γ has an area of at least ∮_Γ A·dl: inside the box by Stokes' theorem, ∮_Γ A = ∫_S curl A·n <= area(S). A
-//! surface that leaves the box does no better, because the nearest-point projection onto a convex set lengthens
-//! nothing: it maps S to a surface in the box with the same boundary and no more area. The topology of S plays no part;
-//! "surface" may be read as integral current. Surfaces without an orientation (a Möbius film) and films with triple
-//! junctions are outside of the theorem.
+//! Let Γ be closed polygons in a convex set H inside a box, and A a field on the box with |curl A| <= 1 in H. Every oriented
+//! surface S with boundary Γ has an area of at least ∮_Γ A·dl: inside H by Stokes' theorem, ∮_Γ A = ∫_S curl A·n <= area(S). A
+//! surface that leaves H does no better, because the nearest-point projection onto a convex set lengthens nothing: it
+//! maps S to a surface in H with the same boundary and no more area. The topology of S plays no part; "surface" may be
+//! read as integral current. Surfaces without an orientation (a Möbius film) and films with triple junctions are outside
+//! of the theorem. H is an intersection of half-spaces (`hull`), and |curl A| <= 1 is imposed in all tetrahedra that meet it.
 //!
 //! A is piecewise polynomial with continuous tangential components (`element`). Mollified, it becomes a smooth field
 //! whose curl is an average of values of norm at most 1, and whose integral along Γ tends to that of A, since only the
@@ -30,6 +30,7 @@ mod bisection;
 mod conic;
 mod dissection;
 mod element;
+mod hull;
 mod interval;
 mod rigorous;
 mod space;
@@ -42,6 +43,7 @@ use crate::{DVec3, Error, Execution, Mesh, Progress};
 use bisection::{BEST, BisectionMesh, CENTRAL, VertexMap};
 use conic::Level;
 use glam::DVec4;
+use hull::Hull;
 use space::Space;
 use system::{Stop, System};
 
@@ -81,6 +83,10 @@ pub struct Field {
     pub faces: Vec<[u32; 3]>,
     /// The coefficients of λk w_ij and λi w_jk of each face.
     pub face_values: Vec<[f64; 2]>,
+    /// Outward directions of half-spaces that hold the boundary: d·x is at most the largest d·p of its points p.
+    pub half_spaces: Vec<DVec3>,
+    /// Tetrahedra that lie beyond one of these half-spaces, with its number. There the curl may have any length.
+    pub unconstrained: Vec<[u32; 2]>,
 }
 
 /// A proven lower bound.
@@ -132,7 +138,7 @@ const MOST_STEPS_AHEAD: f64 = 24.0;
 /// That suffices to see where the dual surface bends.
 const CONVERGED: f64 = 1.0;
 /// The same where the budget allows no finer mesh. A further step would gain less than the finer mesh that its time affords.
-const CONVERGED_AT_LAST: f64 = 0.15;
+const CONVERGED_AT_LAST: f64 = 0.03;
 /// Tetrahedra and factor entries of the largest mesh; they limit the memory.
 const MOST_LEAVES: usize = 60_000;
 const MOST_ENTRIES: usize = 60_000_000;
@@ -162,8 +168,8 @@ struct Search {
     mesh: BisectionMesh,
     /// Circulation of the best field so far; at first that of a constant curl.
     bound: f64,
-    /// Size of the last system: entries of the factor and rows.
-    system: Option<[f64; 2]>,
+    /// Size of the last system: entries of the factor and rows. Then the constrained leaves.
+    system: Option<([f64; 2], usize)>,
     /// Whether the mesh carries an iterate to start from.
     warm: bool,
     /// Whether no further level is possible.
@@ -173,6 +179,7 @@ struct Search {
 /// What all searches share.
 struct Budget<'a> {
     options: &'a Options,
+    hull: &'a Hull,
     film_area: f64,
     samples: &'a [(DVec3, f64)],
     spent: f64,
@@ -207,7 +214,9 @@ pub fn certify(
     if !(film_area.is_finite() && film_area > 0.0 && mesh.volume().is_finite() && mesh.volume() > 0.0) {
         return Ok(None);
     }
-    let mut budget = Budget { options, film_area, samples: &samples, spent: 0.0, iterations: 0 };
+    let normals: Vec<DVec3> = loops.iter().map(|points| vector_area(std::slice::from_ref(points))).collect();
+    let hull = Hull::around(loops, &normals);
+    let mut budget = Budget { options, hull: &hull, film_area, samples: &samples, spent: 0.0, iterations: 0 };
     let first = budget.first_mesh(mesh, exec)?;
     let patterns = if every_orientation { 1u32 << (loops.len() - 1) } else { 1 };
     let own = own_orientation(loops, film);
@@ -244,7 +253,7 @@ pub fn certify(
     drop(storage);
     let mut fields = Vec::with_capacity(searches.len());
     for search in &searches {
-        let Some(field) = search.prove() else { return Ok(None) };
+        let Some(field) = search.prove(&hull) else { return Ok(None) };
         fields.push(field);
     }
     let (weakest, area) = fields
@@ -252,7 +261,7 @@ pub fn certify(
         .enumerate()
         .map(|(k, field)| (k, field.area_lower_bound))
         .fold((0, f64::INFINITY), |least, this| if this.1 < least.1 { this } else { least });
-    let slack = searches[weakest].slack(film);
+    let slack = searches[weakest].slack(film, &hull);
     let Budget { iterations, spent, .. } = budget;
     Ok(Some(LowerBound { area, fields, every_orientation, iterations, seconds: spent, interrupted, slack }))
 }
@@ -349,7 +358,7 @@ impl Budget<'_> {
         PREPARATION_RATE * leaves + f64::from(steps) * a_step
     }
 
-    /// Leaves of the next mesh after one with this bound, if the rest of the budget allows for a finer one.
+    /// Constrained leaves of the next mesh after one with this bound, if the rest of the budget allows for a finer one.
     ///
     /// The finest mesh that the budget affords is found first, together with the meshes on the way to it, so that nothing of
     /// the budget is left over that is too little for one more mesh.
@@ -387,30 +396,32 @@ impl Budget<'_> {
     /// Refines the search's mesh and iterates on it.
     fn level(&mut self, search: &mut Search, storage: &mut Vec<f64>, exec: &Execution) -> Result<(), Error> {
         let first = search.system.is_none();
-        let next = |system| self.next_leaves(system, search.mesh.leaf_count(), search.bound);
-        if let Some(leaves) = search.system.and_then(next) {
-            search.mesh.refine(leaves, exec)?;
+        if let Some((system, leaves)) = search.system
+            && let Some(next) = self.next_leaves(system, leaves, search.bound)
+        {
+            let growth = next as f64 / leaves as f64;
+            search.mesh.refine((search.mesh.leaf_count() as f64 * growth) as usize, exec)?;
         }
         let Search { loops, mesh, bound, system: size, warm, finished } = search;
         exec.look(mesh.leaf_count() as u64)?;
-        let space = Space::of(mesh);
+        let space = Space::within(mesh, self.hull);
         let form = space.circulation(mesh, loops);
         exec.look(mesh.leaf_count() as u64)?;
         let mut system = System::of(&space, exec)?;
         let dimensions = [system.factor_entries() as f64, system.rows() as f64];
-        let leaves = mesh.leaf_count() as f64;
+        let leaves = space.constrained.len();
         if !first && dimensions[0] > 1.5 * MOST_ENTRIES as f64 {
             *finished = true;
             return Ok(());
         }
-        self.spent += Self::price(dimensions, leaves, 0);
-        *size = Some(dimensions);
+        self.spent += Self::price(dimensions, leaves as f64, 0);
+        *size = Some((dimensions, leaves));
         let mut level = Level::new(&space, mesh, &form, self.film_area, *warm);
-        let a_step = Self::price(dimensions, leaves, 1) - Self::price(dimensions, leaves, 0);
+        let a_step = Self::price(dimensions, leaves as f64, 1) - Self::price(dimensions, leaves as f64, 0);
         let mut interrupted = Ok(());
         let missing = |bound: f64| (self.film_area - bound).max(0.0);
         for _ in 0..MOST_STEPS {
-            let finer = self.next_leaves(dimensions, mesh.leaf_count(), level.best.bound).is_some();
+            let finer = self.next_leaves(dimensions, leaves, level.best.bound).is_some();
             let enough = if finer { CONVERGED } else { CONVERGED_AT_LAST };
             let converged = level.stalled || level.gap() <= enough * missing(level.best.bound);
             if converged || self.options.gap * level.best.bound >= missing(level.best.bound) || self.left() < a_step {
@@ -435,25 +446,27 @@ impl Budget<'_> {
                 residual: None,
             });
         }
-        *finished = self.next_leaves(dimensions, mesh.leaf_count(), level.best.bound).is_none();
+        *finished = self.next_leaves(dimensions, leaves, level.best.bound).is_none();
         *bound = level.best.bound;
-        for (leaf, nodal) in mesh.nodal.iter_mut().enumerate() {
-            nodal.current = level.current(leaf);
-        }
         *warm = !level.stalled;
+        let currents: Vec<_> = (0..space.constrained.len()).map(|k| level.current(k)).collect();
         let (central, duals) = level.central();
-        mesh.carry(&space, &[level.best.field, central], &duals);
+        mesh.carry(&space, &[level.best.field, central], &currents, &duals);
         interrupted.map_err(Error::from)
     }
 }
 
 impl BisectionMesh {
-    /// Keeps the two fields and the dual vectors of the central one.
-    fn carry(&mut self, space: &Space, fields: &[Vec<f64>; 2], duals: &[[DVec4; 4]]) {
-        let curls = fields.each_ref().map(|field| space.curl(field));
+    /// Keeps the two fields, and for the constrained leaves the dual surface and the dual vectors of the central field.
+    fn carry(&mut self, space: &Space, fields: &[Vec<f64>; 2], currents: &[[DVec3; 4]], duals: &[[DVec4; 4]]) {
         for (leaf, nodal) in self.nodal.iter_mut().enumerate() {
-            nodal.curl = [BEST, CENTRAL].map(|which| curls[which][leaf]);
-            nodal.dual = duals[leaf];
+            nodal.curl = [BEST, CENTRAL].map(|which| space.curl_in(leaf, &fields[which]));
+            // The dual surface does not reach the others.
+            nodal.current = [DVec3::ZERO; 4];
+        }
+        for ((&leaf, current), dual) in space.constrained.iter().zip(currents).zip(duals) {
+            let nodal = &mut self.nodal[leaf as usize];
+            (nodal.current, nodal.dual) = (*current, *dual);
         }
         for (k, key) in space.edges.iter().enumerate() {
             if let Some(edge) = self.edges.get_mut(key) {
@@ -501,13 +514,14 @@ impl BisectionMesh {
 
 impl Search {
     /// The field scaled to |curl A| <= 1, and its circulation, both with outward rounding.
-    fn prove(&self) -> Option<Field> {
-        let space = Space::of(&self.mesh);
+    fn prove(&self, hull: &Hull) -> Option<Field> {
+        let space = Space::within(&self.mesh, hull);
         let mut field = space.field(&self.mesh, BEST);
         let area_lower_bound = scale_to_one(&space, &mut field)
-            .then(|| rigorous::circulation(&space, &self.mesh, &field, &self.loops))??
+            .then(|| rigorous::circulation(&space, &self.mesh, &field, &self.loops, hull.margin))??
             .max(0.0);
         let (edge_values, faces) = field.split_at(space.edges.len());
+        let (half_spaces, unconstrained) = space.unconstrained(hull);
         Some(Field {
             loops: self.loops.clone(),
             area_lower_bound,
@@ -518,17 +532,21 @@ impl Search {
             face_values: faces.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect(),
             edges: space.edges,
             faces: space.faces,
+            half_spaces,
+            unconstrained,
         })
     }
 
-    fn slack(&self, film: &Mesh) -> Vec<f64> {
+    fn slack(&self, film: &Mesh, hull: &Hull) -> Vec<f64> {
         let mut normals = vec![DVec3::ZERO; film.vertices.len()];
         for &triangle in &film.triangles {
             let [a, b, c] = film.corners(triangle);
             let area = (b - a).cross(c - a);
             triangle.iter().for_each(|&v| normals[v as usize] += area);
         }
-        let largest = self.mesh.nodal.iter().flat_map(|nodal| nodal.curl[BEST]).map(DVec3::length).fold(0.0, f64::max);
+        let constrained = Space::within(&self.mesh, hull).constrained;
+        let curls = constrained.iter().flat_map(|&leaf| self.mesh.nodal[leaf as usize].curl[BEST]);
+        let largest = curls.map(DVec3::length).fold(0.0, f64::max);
         let at = |(point, normal): (&DVec3, DVec3)| {
             let (leaf, weights) = self.mesh.locate(*point);
             let curls = self.mesh.nodal[leaf as usize].curl[BEST];

@@ -198,7 +198,8 @@ fn json(found: &LowerBound, edge_scale: f64, bound_scale: f64) -> String {
         write!(
             out,
             "{}{{\"loops\":[{}],\"area_lower_bound\":{:?},\"box\":{},\"vertices\":{},\"tetrahedra\":{:?},\"edges\":{:?},\
-             \"edge_values\":{edge_values:?},\"faces\":{:?},\"face_values\":{face_values:?}}}",
+             \"edge_values\":{edge_values:?},\"faces\":{:?},\"face_values\":{face_values:?},\"half_spaces\":{},\
+             \"unconstrained\":{:?}}}",
             if k == 0 { "" } else { "," },
             loops.join(","),
             field.area_lower_bound * bound_scale,
@@ -207,6 +208,8 @@ fn json(found: &LowerBound, edge_scale: f64, bound_scale: f64) -> String {
             field.tetrahedra,
             field.edges,
             field.faces,
+            points(&field.half_spaces),
+            field.unconstrained,
         )
         .unwrap();
     }
@@ -235,6 +238,15 @@ fn an_independent_program_confirms_the_certificate_and_refuses_a_false_one() {
     // A bound that was rounded up.
     let (confirmed, message) = check(&json(&found, 1.0, 1.0 + 1e-12), "bound");
     assert!(!confirmed && message.contains("circulation"), "{message}");
+    // A tetrahedron that meets the boundary's hull is said to lie beyond a half-space.
+    let mut unbound = found.clone();
+    let field = &mut unbound.fields[0];
+    let beyond: Vec<u32> = field.unconstrained.iter().map(|pair| pair[0]).collect();
+    assert!(beyond.len() > 10 && beyond.len() < field.tetrahedra.len() / 2, "{} unconstrained", beyond.len());
+    let within = (0..field.tetrahedra.len() as u32).find(|tetrahedron| !beyond.contains(tetrahedron)).unwrap();
+    field.unconstrained.push([within, 0]);
+    let (confirmed, message) = check(&json(&unbound, 1.0, 1.0), "half-space");
+    assert!(!confirmed && message.contains("does not lie beyond"), "{message}");
     // A tetrahedron left out.
     let mut holed = found;
     holed.fields[0].tetrahedra.pop();

@@ -102,6 +102,8 @@ struct Orientation<'a> {
     edge_values: &'a [f64],
     faces: &'a [[u32; 3]],
     face_values: &'a [[f64; 2]],
+    half_spaces: Vec<Point>,
+    unconstrained: &'a [[u32; 2]],
 }
 
 /// The proof, which `scripts/check_certificate.py` reads and confirms.
@@ -126,6 +128,8 @@ impl<'a> CertificateDocument<'a> {
             edge_values: &field.edge_values,
             faces: &field.faces,
             face_values: &field.face_values,
+            half_spaces: field.half_spaces.iter().map(|direction| direction.to_array()).collect(),
+            unconstrained: &field.unconstrained,
         };
         Self {
             area_lower_bound: found.area,

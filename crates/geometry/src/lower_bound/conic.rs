@@ -293,8 +293,8 @@ impl<'a> Level<'a> {
         let (dual, infeasibility): (Vec<[Spin; 4]>, f64) = if warm {
             field = space.field(mesh, CENTRAL);
             curl = space.curl(&field);
-            let mut dual: Vec<_> =
-                mesh.nodal.iter().map(|nodal| nodal.dual.map(|x| Spin::new(x.w, x.truncate()))).collect();
+            let of = |&leaf: &u32| mesh.nodal[leaf as usize].dual.map(|x| Spin::new(x.w, x.truncate()));
+            let mut dual: Vec<_> = space.constrained.iter().map(of).collect();
             field.iter_mut().for_each(|value| *value *= PULLED_BACK);
             curl.iter_mut().flatten().for_each(|v| *v *= PULLED_BACK);
             recentre(&curl, &mut dual);

@@ -1,13 +1,15 @@
 //! The bound as a theorem: upper bounds of |curl A| and a lower bound of ∮A, in interval arithmetic.
 //!
-//! **|curl A|.** The curl is linear on a tetrahedron and |·| is convex, so its values at the four vertices suffice.
+//! **|curl A|.** The curl is linear on a tetrahedron and |·| is convex, so its values at the four vertices suffice. It is
+//! bounded in all tetrahedra that meet the half-spaces' intersection (`hull`).
 //!
 //! **∮A.** A segment of the boundary is followed through the mesh by rounded barycentric coordinates. Coordinates that
 //! do not vanish together stand for an exact point of the tetrahedron, their weighted mean of its vertices, so rounded
 //! coordinates describe *another* polygon exactly: it follows the given one within rounding, and each of its pieces
 //! lies in one tetrahedron, where the integral has a closed form. Where a piece ends and the next one starts, only the
 //! coordinates at vertices that both tetrahedra have are kept, so that both mean the same point. Between the two
-//! polygons lies a strip of triangles, all in the box; as |curl A| <= 1 there, the two circulations differ by at most
+//! polygons lies a strip of triangles. It is much thinner than the margin by which all unconstrained tetrahedra lie beyond a half-space
+//! (else there is no bound), so |curl A| <= 1 there, the two circulations differ by at most
 //! the strip's area, which is bounded too.
 
 use super::bisection::{BisectionMesh, EDGES, Piece};
@@ -21,10 +23,12 @@ fn local(space: &Space, field: &[f64], leaf: usize) -> [f64; UNKNOWNS] {
     space.unknowns[leaf].map(|unknown| field[unknown as usize])
 }
 
-/// An upper bound of |curl A| in the whole box.
+/// An upper bound of |curl A| in the constrained leaves.
 pub(super) fn largest_curl(space: &Space, field: &[f64]) -> f64 {
     let mut largest: f64 = 0.0;
-    for (leaf, corners) in space.corners.iter().enumerate() {
+    for &leaf in &space.constrained {
+        let leaf = leaf as usize;
+        let corners = &space.corners[leaf];
         let values = local(space, field, leaf).map(Interval::exactly);
         let [a, b, c, d] = corners.map(IntervalVector::exactly);
         let volume = (b - a).cross(c - a).dot(d - a);
@@ -79,8 +83,14 @@ struct Link {
 }
 
 /// A lower bound of the circulation of a field with |curl| <= 1 around closed polygons; `None` if the tracing lost its
-/// way.
-pub(super) fn circulation(space: &Space, mesh: &BisectionMesh, field: &[f64], loops: &[Vec<DVec3>]) -> Option<f64> {
+/// way by more than `margin`.
+pub(super) fn circulation(
+    space: &Space,
+    mesh: &BisectionMesh,
+    field: &[f64],
+    loops: &[Vec<DVec3>],
+    margin: f64,
+) -> Option<f64> {
     let mut sum = Interval::ZERO;
     for points in loops {
         let mut links: Vec<Link> = Vec::new();
@@ -93,7 +103,7 @@ pub(super) fn circulation(space: &Space, mesh: &BisectionMesh, field: &[f64], lo
             let Piece { leaf, from, to, .. } = link.piece;
             let leaf = leaf as usize;
             sum = sum + integral(&local(space, field, leaf), from, to, &space.orientations[leaf]);
-            let strip = strip_area(&space.corners[leaf], link);
+            let strip = strip_area(&space.corners[leaf], link, margin)?;
             sum = sum + Interval { low: -strip, high: strip };
         }
     }
@@ -145,8 +155,9 @@ fn integral(values: &[f64; UNKNOWNS], from: [f64; 4], to: [f64; 4], orientation:
     sum
 }
 
-/// An upper bound of the area of two triangles between a piece and the part of the given segment that it stands for.
-fn strip_area(corners: &[DVec3; 4], link: &Link) -> f64 {
+/// An upper bound of the area of two triangles between a piece and the part of the given segment that it stands for; `None` if
+/// the piece may be farther away than `margin`.
+fn strip_area(corners: &[DVec3; 4], link: &Link, margin: f64) -> Option<f64> {
     let origin = IntervalVector::exactly(link.segment[0]);
     let along = IntervalVector::exactly(link.segment[1]) - origin;
     let given = |t: f64| {
@@ -165,7 +176,7 @@ fn strip_area(corners: &[DVec3; 4], link: &Link) -> f64 {
     let (c0, c1) = (given(t0), given(t1));
     let (q0, q1) = (point(link.piece.from), point(link.piece.to));
     let bound = |a: f64, b: f64| Interval::exactly(a) * Interval::exactly(b);
-    let twice = bound((c1 - c0).length_at_most(), (q1 - c1).length_at_most())
-        + bound((q1 - q0).length_at_most(), (q0 - c0).length_at_most());
-    twice.times(0.5).high
+    let (start, end) = ((q0 - c0).length_at_most(), (q1 - c1).length_at_most());
+    let twice = bound((c1 - c0).length_at_most(), end) + bound((q1 - q0).length_at_most(), start);
+    (start.max(end) <= margin).then(|| twice.times(0.5).high)
 }

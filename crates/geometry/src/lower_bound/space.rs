@@ -2,6 +2,7 @@
 
 use super::bisection::{BisectionMesh, EDGES, VertexMap, edge_key};
 use super::element::{self, Orientation, UNKNOWNS};
+use super::hull::Hull;
 use crate::DVec3;
 
 /// Numbers of the unknowns, for one mesh: the edges first, then the faces.
@@ -14,12 +15,15 @@ pub(super) struct Space {
     pub orientations: Vec<Orientation>,
     /// Corners of each leaf.
     pub corners: Vec<[DVec3; 4]>,
-    /// For each unknown whether it is left as it is: the edges of a spanning tree, which settle the gradient that may
-    /// be added to the field without changing its curl.
+    /// For each unknown whether it is left as it is: those that no constrained leaf has, and the edges of a spanning tree,
+    /// which settle the gradient that may be added to the field without changing its curl.
     pub gauge: Vec<bool>,
+    /// The leaves in which |curl A| <= 1 is imposed, in ascending order. Lists of curls have an entry for each of them.
+    pub constrained: Vec<u32>,
 }
 
 impl Space {
+    /// The unknowns of the whole mesh, constrained everywhere.
     pub fn of(mesh: &BisectionMesh) -> Self {
         let leaves = mesh.leaf_count();
         let mut edge_numbers: VertexMap<[u32; 2], u32> = VertexMap::default();
@@ -31,6 +35,7 @@ impl Space {
             orientations: Vec::with_capacity(leaves),
             corners: Vec::with_capacity(leaves),
             gauge: Vec::new(),
+            constrained: (0..leaves as u32).collect(),
         };
         for leaf in 0..leaves {
             let vertices = mesh.leaf_vertices(leaf);
@@ -59,16 +64,75 @@ impl Space {
         for unknowns in &mut space.unknowns {
             unknowns[6..].iter_mut().for_each(|unknown| *unknown += edge_count);
         }
-        space.gauge = space.spanning_tree(mesh.vertices.len());
+        space.gauge = space.fixed_unknowns(mesh.vertices.len());
         space
+    }
+
+    /// The same where only the leaves that meet the hull are constrained.
+    pub fn within(mesh: &BisectionMesh, hull: &Hull) -> Self {
+        let mut space = Self::of(mesh);
+        let meets = |leaf: &u32| hull.separates(&space.corners[*leaf as usize]).is_none();
+        let leaves = space.constrained.iter().copied().filter(meets).collect();
+        space.constrain(leaves, mesh.vertices.len());
+        space
+    }
+
+    /// Constrains the given leaves only.
+    ///
+    /// They have to form a ball: around a hole there would be fields without a curl that are no gradients, and the system
+    /// would be singular. Should their Euler characteristic differ from that of a ball, all leaves stay constrained.
+    pub(super) fn constrain(&mut self, leaves: Vec<u32>, vertex_count: usize) {
+        let all = std::mem::replace(&mut self.constrained, leaves);
+        let used = self.used_unknowns();
+        let (edges, faces) = used.split_at(self.edges.len());
+        let mut vertices = vec![false; vertex_count];
+        for (edge, _) in self.edges.iter().zip(edges).filter(|(_, used)| **used) {
+            edge.iter().for_each(|&v| vertices[v as usize] = true);
+        }
+        let count = |used: &[bool]| used.iter().filter(|used| **used).count();
+        // Each face has two unknowns.
+        let (even, odd) = (count(&vertices) + count(faces) / 2, count(edges) + self.constrained.len());
+        if even != odd + 1 {
+            self.constrained = all;
+        }
+        self.gauge = self.fixed_unknowns(vertex_count);
+    }
+
+    /// The directions of half-spaces beyond which the unconstrained leaves lie, and these leaves with the direction's number.
+    pub fn unconstrained(&self, hull: &Hull) -> (Vec<DVec3>, Vec<[u32; 2]>) {
+        let mut directions: Vec<DVec3> = Vec::new();
+        let mut leaves = Vec::new();
+        let mut constrained = self.constrained.iter().copied().peekable();
+        for (leaf, corners) in self.corners.iter().enumerate() {
+            if constrained.next_if_eq(&(leaf as u32)).is_some() {
+                continue;
+            }
+            let Some(direction) = hull.separates(corners) else { continue };
+            let number = directions.iter().position(|known| *known == direction).unwrap_or_else(|| {
+                directions.push(direction);
+                directions.len() - 1
+            });
+            leaves.push([leaf as u32, number as u32]);
+        }
+        (directions, leaves)
+    }
+
+    /// For each unknown whether a constrained leaf has it.
+    fn used_unknowns(&self) -> Vec<bool> {
+        let mut used = vec![false; self.count()];
+        for &leaf in &self.constrained {
+            self.unknowns[leaf as usize].iter().for_each(|&unknown| used[unknown as usize] = true);
+        }
+        used
     }
 
     pub fn count(&self) -> usize {
         self.edges.len() + 2 * self.faces.len()
     }
 
-    /// Marks the edges of a spanning tree of the vertices, shortest numbers first.
-    fn spanning_tree(&self, vertices: usize) -> Vec<bool> {
+    /// Marks the unknowns that no constrained leaf has, and the edges of a spanning tree of the others' vertices, shortest
+    /// numbers first.
+    fn fixed_unknowns(&self, vertices: usize) -> Vec<bool> {
         let mut parent: Vec<u32> = (0..vertices as u32).collect();
         fn root(parent: &mut [u32], mut v: u32) -> u32 {
             while parent[v as usize] != v {
@@ -77,15 +141,18 @@ impl Space {
             }
             v
         }
-        let mut gauge = vec![false; self.count()];
+        let mut fixed: Vec<bool> = self.used_unknowns().into_iter().map(|used| !used).collect();
         for (e, &[a, b]) in self.edges.iter().enumerate() {
+            if fixed[e] {
+                continue;
+            }
             let (a, b) = (root(&mut parent, a), root(&mut parent, b));
             if a != b {
                 parent[b as usize] = a;
-                gauge[e] = true;
+                fixed[e] = true;
             }
         }
-        gauge
+        fixed
     }
 
     /// One of the two fields that the mesh carries.
@@ -104,23 +171,26 @@ impl Space {
         field
     }
 
-    /// The curl at the four vertices of every leaf.
-    pub fn curl(&self, field: &[f64]) -> Vec<[DVec3; 4]> {
-        let of = |leaf: usize| {
-            let basis = element::basis_curls(self.corners[leaf], &self.orientations[leaf]);
-            let values = self.unknowns[leaf].map(|unknown| field[unknown as usize]);
-            basis.map(|at| at.iter().zip(values).map(|(&curl, value)| curl * value).sum())
-        };
-        (0..self.unknowns.len()).map(of).collect()
+    /// The curl at the four vertices of a leaf.
+    pub fn curl_in(&self, leaf: usize, field: &[f64]) -> [DVec3; 4] {
+        let basis = element::basis_curls(self.corners[leaf], &self.orientations[leaf]);
+        let values = self.unknowns[leaf].map(|unknown| field[unknown as usize]);
+        basis.map(|at| at.iter().zip(values).map(|(&curl, value)| curl * value).sum())
     }
 
-    /// Adds the transposed curl of values at the vertices of every leaf.
+    /// The curl at the four vertices of every constrained leaf.
+    pub fn curl(&self, field: &[f64]) -> Vec<[DVec3; 4]> {
+        self.constrained.iter().map(|&leaf| self.curl_in(leaf as usize, field)).collect()
+    }
+
+    /// Adds the transposed curl of values at the vertices of every constrained leaf.
     pub fn transposed_curl(&self, values: impl Fn(usize, usize) -> DVec3, out: &mut [f64]) {
-        for (leaf, unknowns) in self.unknowns.iter().enumerate() {
+        for (k, &leaf) in self.constrained.iter().enumerate() {
+            let leaf = leaf as usize;
             let basis = element::basis_curls(self.corners[leaf], &self.orientations[leaf]);
             for (p, at) in basis.iter().enumerate() {
-                let value = values(leaf, p);
-                for (&unknown, curl) in unknowns.iter().zip(at) {
+                let value = values(k, p);
+                for (&unknown, curl) in self.unknowns[leaf].iter().zip(at) {
                     out[unknown as usize] += curl.dot(value);
                 }
             }

@@ -18,7 +18,7 @@ pub(super) struct System {
     /// The rows in their order of elimination.
     #[cfg(test)]
     pub(super) order: Vec<u32>,
-    /// For each leaf where its entries stand in the matrix.
+    /// For each constrained leaf where its entries stand in the matrix.
     entries: Vec<[u32; UNKNOWNS * UNKNOWNS]>,
     symbolic: Symbolic,
 }
@@ -69,27 +69,28 @@ impl System {
                 rows += 1;
             }
         }
-        // The leaves around each row.
+        // The constrained leaves around each row.
         let mut start = vec![0u32; rows as usize + 1];
-        let numbers = |leaf: usize| space.unknowns[leaf].map(|unknown| row[unknown as usize]);
-        for leaf in 0..space.unknowns.len() {
-            numbers(leaf).iter().filter(|&&r| r != NONE).for_each(|&r| start[r as usize + 1] += 1);
+        let numbers = |&leaf: &u32| space.unknowns[leaf as usize].map(|unknown| row[unknown as usize]);
+        let rows_of: Vec<[u32; UNKNOWNS]> = space.constrained.iter().map(numbers).collect();
+        for of in &rows_of {
+            of.iter().filter(|&&r| r != NONE).for_each(|&r| start[r as usize + 1] += 1);
         }
         for k in 0..rows as usize {
             start[k + 1] += start[k];
         }
         let mut around = vec![(0u32, 0u8); start[rows as usize] as usize];
         let mut next = start.clone();
-        for leaf in 0..space.unknowns.len() {
-            for (local, &r) in numbers(leaf).iter().enumerate() {
+        for (k, of) in rows_of.iter().enumerate() {
+            for (local, &r) in of.iter().enumerate() {
                 if r != NONE {
-                    around[next[r as usize] as usize] = (leaf as u32, local as u8);
+                    around[next[r as usize] as usize] = (k as u32, local as u8);
                     next[r as usize] += 1;
                 }
             }
         }
         let mut matrix = SymmetricMatrix { row_start: vec![0], ..SymmetricMatrix::default() };
-        let mut entries = vec![[NONE; UNKNOWNS * UNKNOWNS]; space.unknowns.len()];
+        let mut entries = vec![[NONE; UNKNOWNS * UNKNOWNS]; rows_of.len()];
         let mut place = vec![NONE; rows as usize];
         for r in 0..rows {
             if r.is_multiple_of(ROWS_A_LOOK) {
@@ -98,8 +99,8 @@ impl System {
             let begin = matrix.columns.len();
             place[r as usize] = begin as u32;
             matrix.columns.push(r);
-            for &(leaf, local) in &around[start[r as usize] as usize..start[r as usize + 1] as usize] {
-                for (other, &column) in numbers(leaf as usize).iter().enumerate() {
+            for &(k, local) in &around[start[r as usize] as usize..start[r as usize + 1] as usize] {
+                for (other, &column) in rows_of[k as usize].iter().enumerate() {
                     if column == NONE {
                         continue;
                     }
@@ -107,15 +108,15 @@ impl System {
                         place[column as usize] = matrix.columns.len() as u32;
                         matrix.columns.push(column);
                     }
-                    entries[leaf as usize][local as usize * UNKNOWNS + other] = place[column as usize];
+                    entries[k as usize][local as usize * UNKNOWNS + other] = place[column as usize];
                 }
             }
             matrix.columns[begin..].iter().for_each(|&column| place[column as usize] = NONE);
             matrix.row_start.push(matrix.columns.len() as u32);
         }
         matrix.values = vec![0.0; matrix.columns.len()];
-        let rows_of: Vec<[u32; UNKNOWNS]> = (0..space.unknowns.len()).map(numbers).collect();
-        let centroids: Vec<DVec3> = space.corners.iter().map(|of| of.iter().sum::<DVec3>() * 0.25).collect();
+        let centroid = |&leaf: &u32| space.corners[leaf as usize].iter().sum::<DVec3>() * 0.25;
+        let centroids: Vec<DVec3> = space.constrained.iter().map(centroid).collect();
         let order = dissection::order(&rows_of, &centroids, rows as usize, exec)?;
         exec.look(rows.into())?;
         let symbolic = Symbolic::analyse(&matrix, Some(&order))?;
@@ -140,7 +141,7 @@ impl System {
         self.rows
     }
 
-    /// Assembles and factorises the matrix for the weights at the four vertices of each leaf: symmetric positive definite
+    /// Assembles and factorises the matrix for the weights at the four vertices of each constrained leaf: symmetric positive definite
     /// matrices.
     pub fn factorise(
         &mut self,
@@ -150,14 +151,15 @@ impl System {
         exec: &Execution,
     ) -> Result<Factor<'_>, Stop> {
         self.matrix.values.fill(0.0);
-        for leaf in 0..space.unknowns.len() {
-            if leaf.is_multiple_of(LEAVES_A_LOOK) {
+        for (k, &leaf) in space.constrained.iter().enumerate() {
+            if k.is_multiple_of(LEAVES_A_LOOK) {
                 exec.look((LEAVES_A_LOOK * UNKNOWNS * UNKNOWNS) as u64)?;
             }
+            let leaf = leaf as usize;
             let basis = element::basis_curls(space.corners[leaf], &space.orientations[leaf]);
             let mut local = [[0.0; UNKNOWNS]; UNKNOWNS];
             for (p, curls) in basis.iter().enumerate() {
-                let weight = weight(leaf, p);
+                let weight = weight(k, p);
                 for i in 0..UNKNOWNS {
                     let weighted = weight * curls[i];
                     for j in 0..=i {
@@ -165,7 +167,7 @@ impl System {
                     }
                 }
             }
-            let entries = &self.entries[leaf];
+            let entries = &self.entries[k];
             for i in 0..UNKNOWNS {
                 for j in 0..UNKNOWNS {
                     let entry = entries[i * UNKNOWNS + j];

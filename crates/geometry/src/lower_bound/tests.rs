@@ -192,6 +192,67 @@ fn few_steps_reach_the_optimum_and_the_gap_bounds_what_is_missing() {
     }
 }
 
+/// The leaf of every point of the convex hull is constrained, and a good part of the others is not.
+#[test]
+fn leaves_that_meet_the_convex_hull_are_constrained() {
+    use super::hull::Hull;
+    let mut seed = 19;
+    let mesh = random_mesh(6, &mut seed);
+    // Close to the boundary leaves are small.
+    let points = ring();
+    let space = Space::within(&mesh, &Hull::around(std::slice::from_ref(&points), &[]));
+    assert!(space.constrained.len() < mesh.leaf_count() * 9 / 10, "{} constrained", space.constrained.len());
+    for k in 0..20_000 {
+        // Points of triangles between vertices of the ring, and of the ring itself.
+        let mut vertex = || points[(noise(&mut seed) * points.len() as f64) as usize];
+        let (a, b, c) = (vertex(), vertex(), vertex());
+        let (s, t) = (noise(&mut seed), noise(&mut seed));
+        let point = if k % 2 == 0 { a } else { a + (b - a) * s + (c - b) * (s * t) };
+        let (leaf, _) = mesh.locate(point);
+        assert!(space.constrained.binary_search(&leaf).is_ok(), "leaf {leaf} holds {point}");
+    }
+}
+
+/// Leaves that form no ball would make the system singular.
+#[test]
+fn only_a_ball_of_leaves_is_constrained_apart() {
+    let mesh = random_mesh(3, &mut 23);
+    let apart = |leaf: &u32| mesh.leaf_vertices(*leaf as usize).iter().all(|v| !mesh.leaf_vertices(0).contains(v));
+    let other = (0..mesh.leaf_count() as u32).find(apart).unwrap();
+    let constrained = |leaves: Vec<u32>| {
+        let mut space = Space::of(&mesh);
+        space.constrain(leaves, mesh.vertices.len());
+        space.constrained.len()
+    };
+    assert_eq!(constrained(vec![0]), 1);
+    assert_eq!(constrained(vec![0, other]), mesh.leaf_count());
+}
+
+/// Without the constraints beyond the hull the optimum can only be larger.
+#[test]
+fn the_optimum_within_the_hull_is_not_below_that_in_the_box() {
+    use super::conic::Level;
+    use super::hull::Hull;
+    use super::system::System;
+    let mut mesh = random_mesh(3, &mut 11);
+    mesh.set_constant_curl(DVec3::Z);
+    let optimum = |space: Space| {
+        let form = space.circulation(&mesh, &[ring()]);
+        let mut system = System::of(&space, &crate::Execution::default()).unwrap();
+        let mut level = Level::new(&space, &mesh, &form, 4.0, false);
+        let mut steps = 0;
+        while level.gap() > 1e-7 {
+            assert!(steps < 25 && !level.stalled);
+            level.step(&mut system, &mut Vec::new(), &crate::Execution::default()).unwrap();
+            steps += 1;
+        }
+        (level.best.bound, system.rows())
+    };
+    let hull = Hull::around(&[ring()], &[]);
+    let ((in_box, rows), (within, fewer)) = (optimum(Space::of(&mesh)), optimum(Space::within(&mesh, &hull)));
+    assert!(fewer < rows && within > in_box - 1e-6, "{within} with {fewer} rows for {in_box} with {rows}");
+}
+
 /// Nested dissection orders every row once, and better than approximate minimum degree.
 #[test]
 fn dissection_leaves_a_small_factor() {
@@ -232,7 +293,8 @@ fn a_finer_mesh_starts_from_the_iterate_of_the_coarser_one() {
     };
     let (_, fields, duals, coarse) = solve(&mesh, false);
     let space = Space::of(&mesh);
-    mesh.carry(&space, &fields, &duals);
+    let currents = vec![[DVec3::ZERO; 4]; mesh.leaf_count()];
+    mesh.carry(&space, &fields, &currents, &duals);
     let all: Vec<u32> = (0..mesh.leaf_count() as u32).collect();
     mesh.bisect(&all);
     let (cold, _, _, from_centre) = solve(&mesh, false);
@@ -247,9 +309,11 @@ fn the_meshes_are_planned_for_the_whole_budget() {
     use super::{Budget, FEW_LEAVES, GROWTH, Options, STEPS, STEPS_BETWEEN};
     // Sizes as they are on two rings.
     let system = |leaves: f64| [240_000.0 * (leaves / 600.0).powf(1.3), 5.4 * leaves];
+    let hull = super::Hull::around(&[ring()], &[]);
     for seconds in [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0, 15.0] {
         let options = Options { gap: 0.0, seconds };
-        let mut budget = Budget { options: &options, film_area: 1.0, samples: &[], spent: 0.0, iterations: 0 };
+        let mut budget =
+            Budget { options: &options, hull: &hull, film_area: 1.0, samples: &[], spent: 0.0, iterations: 0 };
         let mut leaves = 600.0;
         let mut meshes = 1;
         budget.spent = Budget::price(system(leaves), leaves, STEPS_BETWEEN);

@@ -1,0 +1,57 @@
+//! Half-spaces that hold the boundary, and the tetrahedra that lie beyond one of them.
+//!
+//! The nearest-point projection onto a convex set lengthens nothing. It maps a surface to one in the convex set with no
+//! more area, and leaves the boundary as it is if the boundary lies in the set. So only surfaces in the intersection of the
+//! half-spaces matter, and |curl A| <= 1 is needed in those tetrahedra only that meet it. The others, an eighth to a fifth
+//! of all on most boundaries, cost nothing and bind nothing.
+
+use crate::DVec3;
+use std::f64::consts::PI;
+
+/// Directions that are spread evenly over the sphere, besides the axes and the normals of the loops.
+const DIRECTIONS: usize = 600;
+/// A tetrahedron lies beyond a half-space if it does so by this fraction of the boundary's size. The margin is large for
+/// the roundings (differences of coordinates are rounded once), and small for the tetrahedra.
+const MARGIN: f64 = 1e-6;
+
+/// Half-spaces around closed polygons.
+#[derive(Debug)]
+pub(super) struct Hull {
+    origin: DVec3,
+    /// Distance by which a tetrahedron has to lie beyond a half-space.
+    pub margin: f64,
+    /// Outward directions d of length 1, and the d·(x - origin) that every vertex x of a tetrahedron beyond exceeds.
+    half_spaces: Vec<(DVec3, f64)>,
+}
+
+impl Hull {
+    /// `normals` are further directions in which the hull is probably flat.
+    pub fn around(loops: &[Vec<DVec3>], normals: &[DVec3]) -> Self {
+        let origin = loops[0][0];
+        let size = loops.iter().flatten().fold(0.0, |size: f64, &p| size.max((p - origin).length()));
+        let margin = MARGIN * size;
+        let both = |normal: &DVec3| [normal.normalize_or_zero(), -normal.normalize_or_zero()];
+        let flat = [DVec3::X, DVec3::Y, DVec3::Z];
+        let flat = flat.iter().chain(normals).flat_map(both).filter(|&normal| normal != DVec3::ZERO);
+        // Points of equal area on the sphere, along a spiral with the golden angle.
+        let golden_angle = PI * (3.0 - 5f64.sqrt());
+        let spread = (0..DIRECTIONS).map(|k| {
+            let z = 1.0 - (2 * k + 1) as f64 / DIRECTIONS as f64;
+            let (sine, cosine) = (golden_angle * k as f64).sin_cos();
+            let radius = (1.0 - z * z).sqrt();
+            DVec3::new(radius * cosine, radius * sine, z)
+        });
+        let reach = |direction: DVec3| {
+            let of = |p: &DVec3| direction.dot(*p - origin);
+            (direction, loops.iter().flatten().map(of).fold(f64::NEG_INFINITY, f64::max) + margin)
+        };
+        Self { origin, margin, half_spaces: flat.chain(spread).map(reach).collect() }
+    }
+
+    /// The direction of a half-space beyond which the whole tetrahedron lies.
+    pub fn separates(&self, corners: &[DVec3; 4]) -> Option<DVec3> {
+        let corners = corners.map(|corner| corner - self.origin);
+        let beyond = |&&(direction, reach): &&(DVec3, f64)| corners.iter().all(|x| direction.dot(*x) > reach);
+        self.half_spaces.iter().find(beyond).map(|&(direction, _)| direction)
+    }
+}
