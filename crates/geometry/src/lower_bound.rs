@@ -7,7 +7,8 @@
 //! surface that leaves H does no better, because the nearest-point projection onto a convex set lengthens nothing: it
 //! maps S to a surface in H with the same boundary and no more area. The topology of S plays no part; "surface" may be
 //! read as integral current. Surfaces without an orientation (a Möbius film) and films with triple junctions are outside
-//! of the theorem. H is an intersection of half-spaces (`hull`), and |curl A| <= 1 is imposed in all tetrahedra that meet it.
+//! of the theorem. H is an intersection of half-spaces (`hull`). |curl A| <= 1 is imposed in all tetrahedra but those that lie
+//! beyond one of them, and at a distance.
 //!
 //! A is piecewise polynomial with continuous tangential components (`element`). Mollified, it becomes a smooth field
 //! whose curl is an average of values of norm at most 1, and whose integral along Γ tends to that of A, since only the
@@ -404,7 +405,15 @@ impl Budget<'_> {
         }
         let Search { loops, mesh, bound, system: size, warm, finished } = search;
         exec.look(mesh.leaf_count() as u64)?;
-        let space = Space::within(mesh, self.hull);
+        let mut space = Space::within(mesh, self.hull);
+        if !space.is_a_ball() {
+            // On the first mesh the curl is constant, and bounded everywhere as well.
+            *finished = !first;
+            if *finished {
+                return Ok(());
+            }
+            space = Space::of(mesh);
+        }
         let form = space.circulation(mesh, loops);
         exec.look(mesh.leaf_count() as u64)?;
         let mut system = System::of(&space, exec)?;
@@ -518,7 +527,7 @@ impl Search {
         let space = Space::within(&self.mesh, hull);
         let mut field = space.field(&self.mesh, BEST);
         let area_lower_bound = scale_to_one(&space, &mut field)
-            .then(|| rigorous::circulation(&space, &self.mesh, &field, &self.loops, hull.margin))??
+            .then(|| rigorous::circulation(&space, &self.mesh, &field, &self.loops, 0.5 * hull.margin))??
             .max(0.0);
         let (edge_values, faces) = field.split_at(space.edges.len());
         let (half_spaces, unconstrained) = space.unconstrained(hull);

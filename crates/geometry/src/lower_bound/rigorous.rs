@@ -8,9 +8,9 @@
 //! coordinates describe *another* polygon exactly: it follows the given one within rounding, and each of its pieces
 //! lies in one tetrahedron, where the integral has a closed form. Where a piece ends and the next one starts, only the
 //! coordinates at vertices that both tetrahedra have are kept, so that both mean the same point. Between the two
-//! polygons lies a strip of triangles. It is much thinner than the margin by which all unconstrained tetrahedra lie beyond a half-space
-//! (else there is no bound), so |curl A| <= 1 there, the two circulations differ by at most
-//! the strip's area, which is bounded too.
+//! polygons lies a strip of triangles. It is thinner than the distance of all unconstrained tetrahedra from the polygons (else
+//! there is no bound). As |curl A| <= 1 in the strip, the two circulations differ by at most the strip's area, which is
+//! bounded too.
 
 use super::bisection::{BisectionMesh, EDGES, Piece};
 use super::element::{EVEN, Orientation, UNKNOWNS};

@@ -68,7 +68,7 @@ impl Space {
         space
     }
 
-    /// The same where only the leaves that meet the hull are constrained.
+    /// The same where only the leaves are constrained that do not lie beyond one of the hull's half-spaces.
     pub fn within(mesh: &BisectionMesh, hull: &Hull) -> Self {
         let mut space = Self::of(mesh);
         let meets = |leaf: &u32| hull.separates(&space.corners[*leaf as usize]).is_none();
@@ -77,25 +77,24 @@ impl Space {
         space
     }
 
-    /// Constrains the given leaves only.
-    ///
-    /// They have to form a ball: around a hole there would be fields without a curl that are no gradients, and the system
-    /// would be singular. Should their Euler characteristic differ from that of a ball, all leaves stay constrained.
+    /// Constrains the given leaves only, in ascending order.
     pub(super) fn constrain(&mut self, leaves: Vec<u32>, vertex_count: usize) {
-        let all = std::mem::replace(&mut self.constrained, leaves);
+        self.constrained = leaves;
+        self.gauge = self.fixed_unknowns(vertex_count);
+    }
+
+    /// Whether the constrained leaves have the Euler characteristic of a ball. Around a hole there would be fields without a
+    /// curl that are no gradients, and the system would be singular.
+    pub fn is_a_ball(&self) -> bool {
         let used = self.used_unknowns();
         let (edges, faces) = used.split_at(self.edges.len());
-        let mut vertices = vec![false; vertex_count];
-        for (edge, _) in self.edges.iter().zip(edges).filter(|(_, used)| **used) {
-            edge.iter().for_each(|&v| vertices[v as usize] = true);
-        }
+        let mut vertices: Vec<u32> =
+            self.edges.iter().zip(edges).filter(|(_, used)| **used).flat_map(|(edge, _)| *edge).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
         let count = |used: &[bool]| used.iter().filter(|used| **used).count();
         // Each face has two unknowns.
-        let (even, odd) = (count(&vertices) + count(faces) / 2, count(edges) + self.constrained.len());
-        if even != odd + 1 {
-            self.constrained = all;
-        }
-        self.gauge = self.fixed_unknowns(vertex_count);
+        vertices.len() + count(faces) / 2 == count(edges) + self.constrained.len() + 1
     }
 
     /// The directions of half-spaces beyond which the unconstrained leaves lie, and these leaves with the direction's number.
