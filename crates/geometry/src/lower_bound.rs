@@ -571,7 +571,7 @@ impl Search {
 fn scale_to_one(space: &Space, field: &mut [f64]) -> bool {
     for margin in [1e-14, 1e-13, 1e-11, 1e-8] {
         let largest = rigorous::largest_curl(space, field);
-        if largest <= 1.0 && (largest == 0.0 || largest > 1.0 - 1e-6) {
+        if largest <= 1.0 && (largest == 0.0 || largest > 1.0 - 1e-9) {
             return true;
         }
         if !largest.is_finite() || largest == 0.0 {
