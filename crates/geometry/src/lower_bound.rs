@@ -138,9 +138,9 @@ const MOST_STEPS_AHEAD: f64 = 24.0;
 /// A mesh is left for a finer one once its own optimum is reached to this fraction of what is missing to the film's area.
 /// That suffices to see where the dual surface bends.
 const CONVERGED: f64 = 1.0;
-/// The same where the budget allows no finer mesh. A further step would gain less than the finer mesh that its time affords.
+/// The same where the budget allows no finer mesh, so that steps are all that the rest of it can be used for.
 const CONVERGED_AT_LAST: f64 = 0.03;
-/// Tetrahedra and factor entries of the largest mesh; they limit the memory.
+/// Constrained tetrahedra and factor entries of the largest mesh; they limit the memory.
 const MOST_LEAVES: usize = 60_000;
 const MOST_ENTRIES: usize = 60_000_000;
 /// Fraction of the indicator that the marked leaves of one round of refinement have together.
@@ -530,7 +530,7 @@ impl Search {
             .then(|| rigorous::circulation(&space, &self.mesh, &field, &self.loops, 0.5 * hull.margin))??
             .max(0.0);
         let (edge_values, faces) = field.split_at(space.edges.len());
-        let (half_spaces, unconstrained) = space.unconstrained(hull);
+        let (half_spaces, unconstrained) = hull.beyond(&space.corners);
         Some(Field {
             loops: self.loops.clone(),
             area_lower_bound,

@@ -48,10 +48,27 @@ impl Hull {
         Self { origin, margin, half_spaces: flat.chain(spread).map(reach).collect() }
     }
 
-    /// The direction of a half-space beyond which the whole tetrahedron lies.
-    pub fn separates(&self, corners: &[DVec3; 4]) -> Option<DVec3> {
+    /// The number of a half-space beyond which the whole tetrahedron lies.
+    pub fn separating(&self, corners: &[DVec3; 4]) -> Option<usize> {
         let corners = corners.map(|corner| corner - self.origin);
-        let beyond = |&&(direction, reach): &&(DVec3, f64)| corners.iter().all(|x| direction.dot(*x) > reach);
-        self.half_spaces.iter().find(beyond).map(|&(direction, _)| direction)
+        let beyond = |&(direction, reach): &(DVec3, f64)| corners.iter().all(|x| direction.dot(*x) > reach);
+        self.half_spaces.iter().position(beyond)
+    }
+
+    /// The directions of the half-spaces that have tetrahedra beyond them, and these tetrahedra, each with the direction's
+    /// number.
+    pub fn beyond(&self, tetrahedra: &[[DVec3; 4]]) -> (Vec<DVec3>, Vec<[u32; 2]>) {
+        let (mut directions, mut pairs) = (Vec::new(), Vec::new());
+        let mut numbers = vec![None; self.half_spaces.len()];
+        for (k, corners) in tetrahedra.iter().enumerate() {
+            if let Some(half_space) = self.separating(corners) {
+                let number = *numbers[half_space].get_or_insert_with(|| {
+                    directions.push(self.half_spaces[half_space].0);
+                    directions.len() as u32 - 1
+                });
+                pairs.push([k as u32, number]);
+            }
+        }
+        (directions, pairs)
     }
 }

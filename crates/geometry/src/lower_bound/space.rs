@@ -71,7 +71,7 @@ impl Space {
     /// The same where only the leaves are constrained that do not lie beyond one of the hull's half-spaces.
     pub fn within(mesh: &BisectionMesh, hull: &Hull) -> Self {
         let mut space = Self::of(mesh);
-        let meets = |leaf: &u32| hull.separates(&space.corners[*leaf as usize]).is_none();
+        let meets = |leaf: &u32| hull.separating(&space.corners[*leaf as usize]).is_none();
         let leaves = space.constrained.iter().copied().filter(meets).collect();
         space.constrain(leaves, mesh.vertices.len());
         space
@@ -95,25 +95,6 @@ impl Space {
         let count = |used: &[bool]| used.iter().filter(|used| **used).count();
         // Each face has two unknowns.
         vertices.len() + count(faces) / 2 == count(edges) + self.constrained.len() + 1
-    }
-
-    /// The directions of half-spaces beyond which the unconstrained leaves lie, and these leaves with the direction's number.
-    pub fn unconstrained(&self, hull: &Hull) -> (Vec<DVec3>, Vec<[u32; 2]>) {
-        let mut directions: Vec<DVec3> = Vec::new();
-        let mut leaves = Vec::new();
-        let mut constrained = self.constrained.iter().copied().peekable();
-        for (leaf, corners) in self.corners.iter().enumerate() {
-            if constrained.next_if_eq(&(leaf as u32)).is_some() {
-                continue;
-            }
-            let Some(direction) = hull.separates(corners) else { continue };
-            let number = directions.iter().position(|known| *known == direction).unwrap_or_else(|| {
-                directions.push(direction);
-                directions.len() - 1
-            });
-            leaves.push([leaf as u32, number as u32]);
-        }
-        (directions, leaves)
     }
 
     /// For each unknown whether a constrained leaf has it.

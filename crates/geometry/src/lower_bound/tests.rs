@@ -198,7 +198,6 @@ fn leaves_that_meet_the_convex_hull_are_constrained() {
     use super::hull::Hull;
     let mut seed = 19;
     let mesh = random_mesh(6, &mut seed);
-    // Close to the boundary leaves are small.
     let points = ring();
     let space = Space::within(&mesh, &Hull::around(std::slice::from_ref(&points), &[]));
     assert!(space.constrained.len() < mesh.leaf_count() * 9 / 10, "{} constrained", space.constrained.len());
