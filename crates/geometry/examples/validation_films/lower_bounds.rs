@@ -133,10 +133,12 @@ fn cases() -> Vec<(&'static str, Vec<Vec<DVec3>>)> {
     let curve = |points: usize, at: &dyn Fn(f64) -> [f64; 3]| -> Vec<Vec<DVec3>> {
         vec![(0..points).map(|k| DVec3::from(at(TAU * k as f64 / points as f64))).collect()]
     };
-    // Enneper's surface up to radius 0.9, where it is still the only film.
-    let enneper = |t: f64| {
-        let (u, v) = (0.9 * t.cos(), 0.9 * t.sin());
-        [u - u.powi(3) / 3.0 + u * v * v, v - v.powi(3) / 3.0 + v * u * u, u * u - v * v]
+    // Enneper's surface is stable up to radius 1. The larger the radius, the more its normal turns.
+    let enneper = |radius: f64| {
+        curve(96, &|t| {
+            let (u, v) = (radius * t.cos(), radius * t.sin());
+            [u - u.powi(3) / 3.0 + u * v * v, v - v.powi(3) / 3.0 + v * u * u, u * u - v * v]
+        })
     };
     let trefoil = |t: f64| [t.sin() + 2.0 * (2.0 * t).sin(), t.cos() - 2.0 * (2.0 * t).cos(), -(3.0 * t).sin()];
     // A loop of two lobes whose waists are a twentieth of their length apart.
@@ -148,7 +150,10 @@ fn cases() -> Vec<(&'static str, Vec<Vec<DVec3>>)> {
         ("Scherk", vec![boundaries::scherk()]),
         ("skew quadrilateral", vec![boundaries::skew_quadrilateral(24)]),
         ("wavy loop", curve(96, &|t| [t.cos(), t.sin(), 0.2 * (3.0 * t).sin()])),
-        ("Enneper, radius 0.9", curve(96, &enneper)),
+        ("Enneper, radius 0.5", enneper(0.5)),
+        ("Enneper, radius 0.7", enneper(0.7)),
+        ("Enneper, radius 0.8", enneper(0.8)),
+        ("Enneper, radius 0.9", enneper(0.9)),
         ("Chen-Cai-Zheng's catenoid patch", vec![boundaries::catenoid()]),
         ("trefoil", curve(120, &trefoil)),
         ("loop that nearly touches itself", curve(120, &nearly_touching)),
