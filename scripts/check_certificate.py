@@ -5,7 +5,7 @@
 
 For every orientation of the boundary it recomputes, from the tetrahedra and the values on edges and faces,
 
-1. that the tetrahedra fill the box exactly once and that the boundary lies inside it,
+1. that the tetrahedra fill the box exactly once and that the boundary lies inside it, or inside it and its mirror images,
 2. that |curl A| <= 1 at the four vertices of every tetrahedron (the curl is linear in between), except for tetrahedra
    that lie beyond one of the stated half-spaces, each of which holds the whole boundary: surfaces are no larger after
    their nearest-point projection onto the convex set of the half-spaces' common points,
@@ -14,6 +14,13 @@ For every orientation of the boundary it recomputes, from the tetrahedra and the
 The field: A is the sum over edges ij (i < j) of value times w_ij = li grad lj - lj grad li, and over faces ijk (i < j < k)
 of the first value times lk w_ij and the second times li w_jk, where l are the barycentric coordinates. Only the tangential
 part of A passes continuously from one tetrahedron to the next; Stokes' theorem needs no more.
+
+With planes of symmetry ("mirrors") the box lies on one side of each. On the other side A is sign times its mirror image,
+so that |curl A| has the same values there. With the sign -1 it passes continuously only if it has no tangential part in the plane,
+which is checked. Segments of the boundary are reflected into the box, and their integrals multiplied with the signs.
+
+With a "frame" all coordinates but those of the loops refer to other axes: a point p of the boundary has there the products of the axes
+with p - origin. The axes are perpendicular only up to rounding, and the bound is divided by what that can add to an area.
 
 Exit status: 0 if everything holds, 1 if not.
 """
@@ -51,8 +58,8 @@ def det(a, b, c, d):
 
 
 def integers(numbers):
-    """Floats as integers over one power of two: exact."""
-    ratios = [float(x).as_integer_ratio() for x in numbers]
+    """Floats and their sums and products as integers over one power of two: exact."""
+    ratios = [x.as_integer_ratio() for x in numbers]
     scale = max((d for _, d in ratios), default=1)
     return [n * (scale // d) for n, d in ratios], scale
 
@@ -63,6 +70,13 @@ EVEN = [(0, 1, 2, 3), (0, 2, 3, 1), (0, 3, 1, 2), (1, 2, 0, 3), (1, 3, 2, 0), (2
 class Orientation:
     def __init__(self, part):
         points = [tuple(p) for loop in part["loops"] for p in loop]
+        self.enlargement = 1
+        if part.get("frame"):
+            origin, *axes = [tuple(map(Fraction, p)) for p in [part["frame"]["origin"]] + part["frame"]["axes"]]
+            require(len(axes) == 3, "a frame has three axes")
+            points = [tuple(dot(axis, sub(p, origin)) for axis in axes) for p in points]
+            # The largest eigenvalue of the axes' products bounds the factor by which an area is enlarged.
+            self.enlargement = max(1, max(sum(abs(dot(a, b)) for b in axes) for a in axes))
         corners = [tuple(p) for p in part["box"]]
         flat = [x for p in list(map(tuple, part["vertices"])) + points + corners for x in p]
         flat, self.scale = integers(flat)
@@ -73,7 +87,12 @@ class Orientation:
         for loop in part["loops"]:
             self.loops.append(flat[at : at + len(loop)])
             at += len(loop)
-        self.box = flat[at:]
+        self.box = flat[at : at + 2]
+        self.mirrors = {"xyz".index(mirror["axis"]): mirror["sign"] for mirror in part.get("mirrors", [])}
+        require(all(sign in (1, -1) for sign in self.mirrors.values()), "the sign of a mirror is neither 1 nor -1")
+        for mirror in part.get("mirrors", []):
+            at = part["box"][0]["xyz".index(mirror["axis"])]
+            require(mirror["at"] == at, "the low corner of the box does not lie in a plane of symmetry")
         self.tetrahedra = [tuple(t) for t in part["tetrahedra"]]
         values, self.value_scale = integers(part["edge_values"] + [x for f in part["face_values"] for x in f])
         m = len(part["edges"])
@@ -88,11 +107,21 @@ class Orientation:
         self.unconstrained = dict(map(tuple, pairs))
         require(len(self.unconstrained) == len(pairs), "a tetrahedron is unconstrained twice")
 
+    def reflected(self, p, axis):
+        return tuple(2 * self.box[0][k] - p[k] if k == axis else p[k] for k in range(3))
+
+    def images(self, p):
+        found = [p]
+        for axis in self.mirrors:
+            found += [self.reflected(q, axis) for q in found]
+        return found
+
     def check_mesh(self):
         low, high = self.box
         inside = lambda p: all(low[k] <= p[k] <= high[k] for k in range(3))
         require(all(map(inside, self.vertices)), "a vertex lies outside the box")
-        require(all(inside(p) for loop in self.loops for p in loop), "the boundary leaves the box")
+        within = lambda p: any(map(inside, self.images(p)))
+        require(all(within(p) for loop in self.loops for p in loop), "the boundary leaves the box")
         total, sides = 0, defaultdict(list)
         self.volumes = []
         for t in self.tetrahedra:
@@ -115,9 +144,18 @@ class Orientation:
                 one, other = (det(a, b, c, self.vertices[v]) for v in apexes)
                 require((one > 0) != (other > 0), "two tetrahedra lie on one side of their face")
 
+    def check_mirrors(self):
+        """The field has no tangential part in a plane where it changes its sign."""
+        for axis in (axis for axis, sign in self.mirrors.items() if sign < 0):
+            inside = lambda simplex: all(self.vertices[v][axis] == self.box[0][axis] for v in simplex)
+            zero = all(value == 0 for edge, value in self.edges.items() if inside(edge))
+            zero = zero and all(pair == (0, 0) for face, pair in self.faces.items() if inside(face))
+            require(zero, f"the field has a tangential part in the plane of symmetry across {'xyz'[axis]}")
+
     def check_half_spaces(self):
-        """Every unconstrained tetrahedron lies beyond a half-space that holds the boundary."""
-        reach = [max(dot(d, p) for loop in self.loops for p in loop) for d in self.half_spaces]
+        """Every unconstrained tetrahedron lies beyond a half-space that holds the boundary, and its mirror images do too."""
+        points = [q for loop in self.loops for p in loop for q in self.images(p)]
+        reach = [max(dot(d, p) for p in points) for d in self.half_spaces]
         for number, half_space in self.unconstrained.items():
             require(0 <= number < len(self.tetrahedra) and 0 <= half_space < len(reach), "no such half-space")
             direction = self.half_spaces[half_space]
@@ -184,14 +222,33 @@ class Orientation:
                         grid[x, y, z].append(number)
         total = Fraction(0)
         for loop in self.loops:
-            for start, end in zip(loop, loop[1:] + loop[:1]):
-                near = set()
-                for x in span((start, end), 0):
-                    for y in span((start, end), 1):
-                        for z in span((start, end), 2):
-                            near.update(grid[x, y, z])
-                total += self.along(start, end, sorted(near))
+            for segment in zip(loop, loop[1:] + loop[:1]):
+                for start, end, sign in self.parts(*segment):
+                    near = set()
+                    for x in span((start, end), 0):
+                        for y in span((start, end), 1):
+                            for z in span((start, end), 2):
+                                near.update(grid[x, y, z])
+                    total += sign * self.along(start, end, sorted(near))
         return total / self.value_scale
+
+    def parts(self, start, end):
+        """The parts of a segment between the planes of symmetry, reflected into the box, and what their integrals are
+        multiplied with."""
+        parts = [(start, end, 1)]
+        for axis, sign in self.mirrors.items():
+            at, cut = self.box[0][axis], []
+            for a, b, factor in parts:
+                if (a[axis] - at) * (b[axis] - at) < 0:
+                    t = Fraction(at - a[axis], b[axis] - a[axis])
+                    middle = tuple(at if k == axis else a[k] + (b[k] - a[k]) * t for k in range(3))
+                    cut += [(a, middle, factor), (middle, b, factor)]
+                else:
+                    cut.append((a, b, factor))
+            beyond = lambda part: part[0][axis] < at or part[1][axis] < at
+            turned = lambda part: (self.reflected(part[0], axis), self.reflected(part[1], axis), sign * part[2])
+            parts = [turned(part) if beyond(part) else part for part in cut]
+        return parts
 
     def along(self, start, end, near):
         pieces = []
@@ -242,14 +299,18 @@ def check(certificate):
         seen.add(tuple(sign == signs[0] for sign in signs))
         orientation = Orientation(part)
         orientation.check_mesh()
+        orientation.check_mirrors()
         orientation.check_half_spaces()
         curl = orientation.largest_curl_squared()
         require(curl <= 1, f"|curl A| reaches {float(curl) ** 0.5!r}, more than 1")
         circulation = orientation.circulation()
         stated = part["area_lower_bound"]
-        require(Fraction(stated) <= circulation, f"the circulation is {float(circulation)!r}, below the stated {stated!r}")
+        least_area = circulation / orientation.enlargement
+        require(Fraction(stated) <= least_area, f"the circulation is {float(circulation)!r}, below the stated {stated!r}")
         require(certificate["area_lower_bound"] <= stated, "the bound exceeds that of an orientation")
-        print(f"{len(orientation.tetrahedra)} tetrahedra, {len(orientation.unconstrained)} of them unconstrained: "
+        frame = ", in a frame of their own" if orientation.enlargement != 1 else ""
+        mirrors = "".join(f", reflected at {'xyz'[axis]}" for axis in sorted(orientation.mirrors))
+        print(f"{len(orientation.tetrahedra)} tetrahedra{frame}{mirrors}, {len(orientation.unconstrained)} of them unconstrained: "
               f"|curl A| <= {float(curl) ** 0.5:.15f}, circulation {float(circulation)!r} >= {stated!r}")
     if certificate["every_orientation"]:
         require(len(seen) == 2 ** (len(loops) - 1), "an orientation of the loops is missing")

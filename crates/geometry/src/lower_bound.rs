@@ -15,7 +15,8 @@
 //! tangential component can matter where Γ runs inside a face or an edge. So Stokes' theorem applies.
 //!
 //! # The computation
-//! Every A gives a bound; the largest is the solution of a convex problem, dual to that of the least area. The box is
+//! Every A gives a bound; the largest is the solution of a convex problem, dual to that of the least area. Where the boundary
+//! has planes of symmetry, A need only be known on one side of each, and the box ends there (`symmetry`). The box is
 //! cut into tetrahedra by bisection (`bisection`), finer where the film lies. A maximises ∮A under |curl A| <= 1
 //! (`conic`); the multipliers of the constraint are the dual surface, and the mesh is refined where that surface bends
 //! inside a tetrahedron. Meshes are nested, so every level takes over the best field of the one before, and an iterate
@@ -35,6 +36,7 @@ mod hull;
 mod interval;
 mod rigorous;
 mod space;
+mod symmetry;
 mod system;
 #[cfg(test)]
 mod tests;
@@ -46,6 +48,8 @@ use conic::Level;
 use glam::DVec4;
 use hull::Hull;
 use space::Space;
+pub use symmetry::Frame;
+use symmetry::Mirrors;
 use system::{Stop, System};
 
 /// What is asked for.
@@ -63,6 +67,17 @@ impl Default for Options {
     }
 }
 
+/// A plane of symmetry of a field, perpendicular to an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mirror {
+    /// 0, 1 or 2.
+    pub axis: usize,
+    /// The coordinate of the plane.
+    pub at: f64,
+    /// The field on the other side is this number times the pull-back of the field: 1 or -1.
+    pub sign: i8,
+}
+
 /// The field that proves a bound for one orientation of the boundary.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
@@ -70,8 +85,12 @@ pub struct Field {
     pub loops: Vec<Vec<DVec3>>,
     /// Every oriented surface with this oriented boundary has at least this area.
     pub area_lower_bound: f64,
-    /// Opposite corners of the box.
+    /// The axes to which the following coordinates refer, if not to those of the loops.
+    pub frame: Option<Frame>,
+    /// Opposite corners of the box. The low one lies in the planes of symmetry.
     pub corners: [DVec3; 2],
+    /// Planes at which the box and the field are reflected. The boundary lies in the box and its mirror images.
+    pub mirrors: Vec<Mirror>,
     /// Corners of the tetrahedra.
     pub vertices: Vec<DVec3>,
     /// Vertices of each tetrahedron; the tetrahedra fill the box.
@@ -84,7 +103,8 @@ pub struct Field {
     pub faces: Vec<[u32; 3]>,
     /// The coefficients of λk w_ij and λi w_jk of each face.
     pub face_values: Vec<[f64; 2]>,
-    /// Outward directions of half-spaces that hold the boundary: d·x is at most the largest d·p of its points p.
+    /// Outward directions of half-spaces that hold the boundary and its mirror images: d·x is at most the largest d·p of
+    /// their points p.
     pub half_spaces: Vec<DVec3>,
     /// Tetrahedra that lie beyond one of these half-spaces, with its number. There the curl may have any length.
     pub unconstrained: Vec<[u32; 2]>,
@@ -166,6 +186,8 @@ pub fn memory_bytes(loops: usize, options: &Options) -> u64 {
 #[derive(Debug)]
 struct Search {
     loops: Vec<Vec<DVec3>>,
+    /// The loops in the mesh's frame.
+    placed: Vec<Vec<DVec3>>,
     mesh: BisectionMesh,
     /// Circulation of the best field so far; at first that of a constant curl.
     bound: f64,
@@ -201,39 +223,55 @@ pub fn certify(
     options: &Options,
     exec: &Execution,
 ) -> Result<Option<LowerBound>, Error> {
+    let every_orientation = loops.len() <= MOST_LOOPS;
+    let frame = Frame::of(loops, exec)?;
+    let place = |p: DVec3| symmetry::place(frame.as_ref(), p);
     let samples: Vec<(DVec3, f64)> = film
         .triangles
         .iter()
         .map(|&triangle| {
             let [a, b, c] = film.corners(triangle);
-            ((a + b + c) / 3.0, 0.5 * (b - a).cross(c - a).length())
+            (place((a + b + c) / 3.0), 0.5 * (b - a).cross(c - a).length())
         })
         .collect();
     let film_area: f64 = samples.iter().map(|(_, area)| area).sum();
-    let every_orientation = loops.len() <= MOST_LOOPS;
-    let Ok(mesh) = BisectionMesh::around(loops.iter().flatten().copied()) else { return Ok(None) };
-    if !(film_area.is_finite() && film_area > 0.0 && mesh.volume().is_finite() && mesh.volume() > 0.0) {
+    if !(film_area.is_finite() && film_area > 0.0) {
         return Ok(None);
     }
-    let normals: Vec<DVec3> = loops.iter().map(|points| vector_area(std::slice::from_ref(points))).collect();
-    let hull = Hull::around(loops, &normals);
-    let mut budget = Budget { options, hull: &hull, film_area, samples: &samples, spent: 0.0, iterations: 0 };
-    let first = budget.first_mesh(mesh, exec)?;
     let patterns = if every_orientation { 1u32 << (loops.len() - 1) } else { 1 };
     let own = own_orientation(loops, film);
-    let mut searches: Vec<Search> = (0..patterns)
+    let oriented: Vec<Oriented> = (0..patterns)
         .map(|pattern| {
             // The first pattern is the film's own orientation.
             let oriented = |(k, points): (usize, &Vec<DVec3>)| {
                 if own[k] == (pattern >> k & 1 == 1) { points.iter().rev().copied().collect() } else { points.clone() }
             };
-            let loops: Vec<Vec<DVec3>> = loops.iter().enumerate().map(oriented).collect();
-            let mut mesh = first.clone();
-            let vector_area = vector_area(&loops);
-            mesh.set_constant_curl(vector_area.normalize_or_zero());
-            Search { loops, mesh, bound: vector_area.length(), system: None, warm: false, finished: false }
+            Oriented::of(loops.iter().enumerate().map(oriented).collect(), &place)
         })
         .collect();
+    let placed = symmetry::with_images(&oriented[0].placed, oriented.iter().map(|of| &of.mirrors));
+    let normals: Vec<DVec3> = placed.iter().map(|points| vector_area(std::slice::from_ref(points))).collect();
+    let hull = Hull::around(&placed, &normals);
+    let mut budget = Budget { options, hull: &hull, film_area, samples: &samples, spent: 0.0, iterations: 0 };
+    // Orientations with the same symmetries start from the same mesh.
+    let mut first: Vec<BisectionMesh> = Vec::new();
+    let mut searches: Vec<Search> = Vec::with_capacity(oriented.len());
+    for of in oriented {
+        let known = first.iter().find(|mesh| *mesh.mirrors() == of.mirrors).cloned();
+        let mesh = match known {
+            Some(mesh) => mesh,
+            None => {
+                let points = of.placed.iter().flatten().copied();
+                let Ok(mesh) = BisectionMesh::around(points, of.mirrors) else { return Ok(None) };
+                if !(mesh.volume().is_finite() && mesh.volume() > 0.0) {
+                    return Ok(None);
+                }
+                first.push(budget.first_mesh(mesh, exec)?);
+                first[first.len() - 1].clone()
+            }
+        };
+        searches.push(of.search(mesh));
+    }
     let mut storage = Vec::new();
     let mut interrupted = false;
     loop {
@@ -254,7 +292,7 @@ pub fn certify(
     drop(storage);
     let mut fields = Vec::with_capacity(searches.len());
     for search in &searches {
-        let Some(field) = search.prove(&hull) else { return Ok(None) };
+        let Some(field) = search.prove(&hull, frame.as_ref()) else { return Ok(None) };
         fields.push(field);
     }
     let (weakest, area) = fields
@@ -262,9 +300,34 @@ pub fn certify(
         .enumerate()
         .map(|(k, field)| (k, field.area_lower_bound))
         .fold((0, f64::INFINITY), |least, this| if this.1 < least.1 { this } else { least });
-    let slack = searches[weakest].slack(film, &hull);
+    let slack = searches[weakest].slack(film, &hull, frame.as_ref());
     let Budget { iterations, spent, .. } = budget;
     Ok(Some(LowerBound { area, fields, every_orientation, iterations, seconds: spent, interrupted, slack }))
+}
+
+/// The loops in one orientation.
+struct Oriented {
+    loops: Vec<Vec<DVec3>>,
+    /// In the mesh's frame.
+    placed: Vec<Vec<DVec3>>,
+    mirrors: Mirrors,
+}
+
+impl Oriented {
+    fn of(loops: Vec<Vec<DVec3>>, place: &impl Fn(DVec3) -> DVec3) -> Self {
+        let placed: Vec<Vec<DVec3>> = loops.iter().map(|points| points.iter().map(|&p| place(p)).collect()).collect();
+        let mirrors = Mirrors::of(&placed);
+        Self { loops, placed, mirrors }
+    }
+
+    /// The search starts from a constant curl.
+    fn search(self, mut mesh: BisectionMesh) -> Search {
+        let Self { loops, placed, .. } = self;
+        let vector_area = vector_area(&placed);
+        mesh.set_constant_curl(vector_area.normalize_or_zero());
+        let bound = vector_area.length();
+        Search { loops, placed, mesh, bound, system: None, warm: false, finished: false }
+    }
 }
 
 /// The integral of the unit normal over any surface that the loops bound. Its length is the bound that a field of
@@ -403,7 +466,7 @@ impl Budget<'_> {
             let growth = next as f64 / leaves as f64;
             search.mesh.refine((search.mesh.leaf_count() as f64 * growth) as usize, exec)?;
         }
-        let Search { loops, mesh, bound, system: size, warm, finished } = search;
+        let Search { placed, mesh, bound, system: size, warm, finished, .. } = search;
         exec.look(mesh.leaf_count() as u64)?;
         let mut space = Space::within(mesh, self.hull);
         if !space.is_a_ball() {
@@ -414,7 +477,7 @@ impl Budget<'_> {
             }
             space = Space::of(mesh);
         }
-        let form = space.circulation(mesh, loops);
+        let form = space.circulation(mesh, placed);
         exec.look(mesh.leaf_count() as u64)?;
         let mut system = System::of(&space, exec)?;
         let dimensions = [system.factor_entries() as f64, system.rows() as f64];
@@ -523,18 +586,22 @@ impl BisectionMesh {
 
 impl Search {
     /// The field scaled to |curl A| <= 1, and its circulation, both with outward rounding.
-    fn prove(&self, hull: &Hull) -> Option<Field> {
+    fn prove(&self, hull: &Hull, frame: Option<&Frame>) -> Option<Field> {
         let space = Space::within(&self.mesh, hull);
         let mut field = space.field(&self.mesh, BEST);
-        let area_lower_bound = scale_to_one(&space, &mut field)
-            .then(|| rigorous::circulation(&space, &self.mesh, &field, &self.loops, 0.5 * hull.margin))??
-            .max(0.0);
+        if !scale_to_one(&space, &mut field) {
+            return None;
+        }
+        let margin = 0.5 * hull.margin;
+        let area_lower_bound = rigorous::least_area(&space, &self.mesh, &field, &self.loops, frame, margin)?.max(0.0);
         let (edge_values, faces) = field.split_at(space.edges.len());
         let (half_spaces, unconstrained) = hull.beyond(&space.corners);
         Some(Field {
             loops: self.loops.clone(),
             area_lower_bound,
+            frame: frame.copied(),
             corners: self.mesh.corners(),
+            mirrors: self.mesh.mirrors().planes(self.mesh.corners()[0]),
             vertices: self.mesh.vertices.clone(),
             tetrahedra: (0..self.mesh.leaf_count()).map(|leaf| self.mesh.leaf_vertices(leaf)).collect(),
             edge_values: edge_values.to_vec(),
@@ -546,7 +613,7 @@ impl Search {
         })
     }
 
-    fn slack(&self, film: &Mesh, hull: &Hull) -> Vec<f64> {
+    fn slack(&self, film: &Mesh, hull: &Hull, frame: Option<&Frame>) -> Vec<f64> {
         let mut normals = vec![DVec3::ZERO; film.vertices.len()];
         for &triangle in &film.triangles {
             let [a, b, c] = film.corners(triangle);
@@ -557,10 +624,13 @@ impl Search {
         let curls = constrained.iter().flat_map(|&leaf| self.mesh.nodal[leaf as usize].curl[BEST]);
         let largest = curls.map(DVec3::length).fold(0.0, f64::max);
         let at = |(point, normal): (&DVec3, DVec3)| {
-            let (leaf, weights) = self.mesh.locate(*point);
+            let point = symmetry::place(frame, *point);
+            let normal = frame.map_or(normal, |frame| frame.turn(normal));
+            let (leaf, weights) = self.mesh.locate(point);
             let curls = self.mesh.nodal[leaf as usize].curl[BEST];
             let curl: DVec3 = curls.iter().zip(weights).map(|(&curl, weight)| curl * weight).sum();
-            let along = if largest > 0.0 { curl.dot(normal.normalize_or_zero()).abs() / largest } else { 0.0 };
+            let normal = normal.normalize_or_zero() * self.mesh.flips(point);
+            let along = if largest > 0.0 { curl.dot(normal).abs() / largest } else { 0.0 };
             (1.0 - along).clamp(0.0, 1.0)
         };
         film.vertices.iter().zip(normals).map(at).collect()

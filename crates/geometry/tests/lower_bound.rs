@@ -3,7 +3,7 @@
 
 mod boundaries;
 
-use plateau_geometry::lower_bound::{self, LowerBound, Options as Budget};
+use plateau_geometry::lower_bound::{self, LowerBound, Mirror, Options as Budget};
 use plateau_geometry::minimal_surface::{
     self, FreeTopology, Method, Newton, Options, PinkallPolthier, Resolution, TopologyRule, VertexRelaxation,
 };
@@ -25,14 +25,15 @@ fn bound(loops: &[Vec<DVec3>], film: &Mesh, seconds: f64) -> LowerBound {
 
 #[test]
 fn plane_polygons_have_their_own_area_as_bound() {
-    for (k, corners) in [4, 5, 9].into_iter().enumerate() {
+    // The last polygon is regular, so that the film lies in one plane of symmetry and crosses two others.
+    for (k, (corners, wave)) in [(4, 0.4), (5, 0.4), (9, 0.4), (6, 0.0)].into_iter().enumerate() {
         // A star-shaped polygon in a tilted plane.
         let (u, v) = (DVec3::new(0.8, 0.1, 0.3).normalize(), DVec3::new(-0.2, 0.9, 0.1));
         let v = (v - u * u.dot(v)).normalize();
         let points: Vec<DVec3> = (0..corners)
             .map(|i| {
                 let angle = TAU * i as f64 / corners as f64;
-                let radius = 1.0 + 0.4 * (3.0 * angle + k as f64).sin();
+                let radius = 1.0 + wave * (3.0 * angle + k as f64).sin();
                 (u * angle.cos() + v * angle.sin()) * radius + DVec3::new(5.0, -3.0, 2.0)
             })
             .collect();
@@ -43,10 +44,13 @@ fn plane_polygons_have_their_own_area_as_bound() {
         assert!(found.area <= exact && found.area <= area * (1.0 + 1e-12));
         assert!(found.area >= 0.999 * exact, "{corners} corners: {} of {exact}", found.area);
         assert!(found.slack.iter().all(|&slack| slack < 0.01));
+        // Among them are a kite, a star without a symmetry besides that of its plane, and a regular polygon.
+        assert_eq!(found.fields[0].mirrors.len(), [2, 1, 1, 3][k]);
     }
 }
 
-/// Closed curves of a few random waves; every third boundary has two of them.
+/// Closed curves of a few random waves; every third boundary has two of them, and every second one has one or two planes of
+/// symmetry, across the axes or in another direction.
 fn random_boundary(seed: u64) -> Vec<Vec<DVec3>> {
     let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
     let mut noise = move || {
@@ -59,20 +63,42 @@ fn random_boundary(seed: u64) -> Vec<Vec<DVec3>> {
     (0..loops)
         .map(|k| {
             let waves: Vec<[f64; 6]> = (0..3).map(|_| std::array::from_fn(|_| 0.35 * noise())).collect();
-            let offset = DVec3::new(0.2 * noise(), 0.2 * noise(), 0.9 * f64::from(k));
+            let mut offset = DVec3::new(0.2 * noise(), 0.2 * noise(), 0.9 * f64::from(k));
+            let planes = if seed.is_multiple_of(2) { 1 + seed / 2 % 2 } else { 0 };
+            if planes > 0 {
+                offset.y = 0.0;
+            }
+            if planes > 1 {
+                offset.x = 0.0;
+            }
             (0..36)
                 .map(|i| {
                     let t = TAU * f64::from(i) / 36.0;
                     let mut point = DVec3::new(t.cos(), t.sin(), 0.0) + offset;
                     for (n, w) in waves.iter().enumerate() {
                         let (sin, cos) = (t * (n + 1) as f64).sin_cos();
-                        point += DVec3::new(w[0], w[1], w[2]) * cos + DVec3::new(w[3], w[4], w[5]) * sin;
+                        let odd = n % 2 == 0;
+                        let [even, sine] = match planes {
+                            0 => [DVec3::new(w[0], w[1], w[2]), DVec3::new(w[3], w[4], w[5])],
+                            1 => [DVec3::new(w[0], 0.0, w[2]), DVec3::new(0.0, w[4], 0.0)],
+                            // Halves of a wave change x or y, whole waves z.
+                            _ if odd => [DVec3::new(w[0], 0.0, 0.0), DVec3::new(0.0, w[4], 0.0)],
+                            _ => [DVec3::new(0.0, 0.0, w[2]), DVec3::ZERO],
+                        };
+                        point += even * cos + sine * sin;
                     }
-                    point
+                    if seed.is_multiple_of(4) { turned(point) } else { point }
                 })
                 .collect()
         })
         .collect()
+}
+
+/// A point after a rotation and a displacement.
+fn turned(p: DVec3) -> DVec3 {
+    let x = DVec3::new(0.6, -0.3, 0.5).normalize();
+    let y = x.cross(DVec3::new(0.1, 0.9, 0.2)).normalize();
+    x * p.x + y * p.y + x.cross(y) * p.z + DVec3::new(30.0, -50.0, 12.0)
 }
 
 #[test]
@@ -98,6 +124,9 @@ fn no_film_has_less_area_than_the_bound() {
         let found = bound(&loops, &mesh, 0.3);
         assert!(found.area > 0.0 && found.area <= least, "boundary {seed}: {} above {least}", found.area);
         assert_eq!(found.fields.len(), 1 << (loops.len() - 1));
+        let planes = if seed.is_multiple_of(2) { 1 + (seed / 2 % 2) as usize } else { 0 };
+        let field = &found.fields[0];
+        assert_eq!((field.mirrors.len(), field.frame.is_some()), (planes, seed.is_multiple_of(4)), "boundary {seed}");
         gaps.push((1.0 - found.area / least, seed));
     }
     assert!(gaps.len() * 10 >= count as usize * 9, "films of only {} boundaries", gaps.len());
@@ -195,15 +224,23 @@ fn json(found: &LowerBound, edge_scale: f64, bound_scale: f64) -> String {
         let edge_values: Vec<f64> = field.edge_values.iter().map(|value| value * edge_scale).collect();
         let face_values: Vec<[f64; 2]> =
             field.face_values.iter().map(|of| of.map(|value| value * edge_scale)).collect();
+        let mirror = |of: &Mirror| {
+            format!("{{\"axis\":\"{}\",\"at\":{:?},\"sign\":{}}}", ["x", "y", "z"][of.axis], of.at, of.sign)
+        };
+        let frame = field.frame.map_or("null".into(), |frame| {
+            format!("{{\"origin\":{:?},\"axes\":{}}}", frame.origin.to_array(), points(&frame.axes))
+        });
+        let mirrors: Vec<String> = field.mirrors.iter().map(mirror).collect();
         write!(
             out,
-            "{}{{\"loops\":[{}],\"area_lower_bound\":{:?},\"box\":{},\"vertices\":{},\"tetrahedra\":{:?},\"edges\":{:?},\
+            "{}{{\"loops\":[{}],\"area_lower_bound\":{:?},\"frame\":{frame},\"box\":{},\"mirrors\":[{}],\"vertices\":{},\"tetrahedra\":{:?},\"edges\":{:?},\
              \"edge_values\":{edge_values:?},\"faces\":{:?},\"face_values\":{face_values:?},\"half_spaces\":{},\
              \"unconstrained\":{:?}}}",
             if k == 0 { "" } else { "," },
             loops.join(","),
             field.area_lower_bound * bound_scale,
             points(&field.corners),
+            mirrors.join(","),
             points(&field.vertices),
             field.tetrahedra,
             field.edges,
@@ -223,6 +260,38 @@ fn check(certificate: &str, name: &str) -> (bool, String) {
     let output = Command::new("python3").arg(script).arg(&path).output().expect("python3 runs");
     std::fs::remove_file(&path).unwrap();
     (output.status.success(), String::from_utf8_lossy(&output.stderr).into_owned())
+}
+
+/// The same budget affords more where the boundary is symmetrical, whatever the direction of its planes.
+#[test]
+fn planes_of_symmetry_sharpen_the_bound() {
+    let saddle = |bend: f64| -> Vec<DVec3> {
+        (0..48)
+            .map(|k| (TAU * f64::from(k) / 48.0).sin_cos())
+            .map(|(sine, cosine)| DVec3::new(cosine + bend * sine, sine, 0.8 * (cosine * cosine - sine * sine)))
+            .collect()
+    };
+    let gap = |points: Vec<DVec3>, mirrors: &[i8], turned: bool| {
+        let loops = [points];
+        let (mesh, area) = film(&loops, Method::default()).unwrap();
+        let found = bound(&loops, &mesh, 0.3);
+        let mut signs: Vec<i8> = found.fields[0].mirrors.iter().map(|mirror| mirror.sign).collect();
+        signs.sort_unstable();
+        assert_eq!((&signs[..], found.fields[0].frame.is_some()), (mirrors, turned));
+        let (confirmed, message) = check(&json(&found, 1.0, 1.0), &format!("saddle-{}-{turned}", mirrors.len()));
+        assert!(confirmed, "{message}");
+        // The slack is small on both sides of the planes, so that the mean over the vertices is small.
+        let slack = found.slack.iter().sum::<f64>() / found.slack.len() as f64;
+        assert!(slack < 0.05, "{slack}");
+        area / found.area - 1.0
+    };
+    let without = gap(saddle(1e-3), &[], false);
+    let across_the_axes = gap(saddle(0.0), &[-1, -1], false);
+    let in_any_direction = gap(saddle(0.0).into_iter().map(turned).collect(), &[-1, -1], true);
+    assert!(
+        across_the_axes < 0.6 * without && in_any_direction < 0.6 * without,
+        "{across_the_axes}, {in_any_direction}, {without}"
+    );
 }
 
 #[test]
@@ -247,6 +316,30 @@ fn an_independent_program_confirms_the_certificate_and_refuses_a_false_one() {
     field.unconstrained.push([within, 0]);
     let (confirmed, message) = check(&json(&unbound, 1.0, 1.0), "half-space");
     assert!(!confirmed && message.contains("does not lie beyond"), "{message}");
+    // The field of two rings is reflected at three planes. One reflection is said to keep the sign, or to lie elsewhere, or the field
+    // has a tangential component in its plane.
+    assert_eq!(found.fields[0].mirrors.iter().map(|mirror| mirror.sign).collect::<Vec<_>>(), [-1, -1, -1]);
+    let mut turned = found.clone();
+    turned.fields[0].mirrors[1].sign = 1;
+    let (confirmed, message) = check(&json(&turned, 1.0, 1.0), "sign");
+    assert!(!confirmed && message.contains("circulation"), "{message}");
+    let mut displaced = found.clone();
+    displaced.fields[0].mirrors[2].at += 1e-9;
+    let (confirmed, message) = check(&json(&displaced, 1.0, 1.0), "plane");
+    assert!(!confirmed && message.contains("plane of symmetry"), "{message}");
+    let mut tangential = found.clone();
+    let field = &mut tangential.fields[0];
+    let in_the_plane = |[a, b]: &[u32; 2]| [a, b].iter().all(|&&v| field.vertices[v as usize].x == field.corners[0].x);
+    let edge = field.edges.iter().position(in_the_plane).unwrap();
+    field.edge_values[edge] = 1e-300;
+    let (confirmed, message) = check(&json(&tangential, 1.0, 1.0), "tangential");
+    assert!(!confirmed && message.contains("tangential part"), "{message}");
+    // A frame that shrinks the boundary.
+    let mut shrunk = found.clone();
+    let axes = [DVec3::X * (1.0 - 1e-6), DVec3::Y, DVec3::Z];
+    shrunk.fields[0].frame = Some(lower_bound::Frame { origin: DVec3::ZERO, axes });
+    let (confirmed, message) = check(&json(&shrunk, 1.0, 1.0), "frame");
+    assert!(!confirmed && message.contains("circulation"), "{message}");
     // A tetrahedron left out.
     let mut holed = found;
     holed.fields[0].tetrahedra.pop();

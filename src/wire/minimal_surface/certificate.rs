@@ -2,7 +2,7 @@
 
 use super::MinimalStatistics;
 use crate::wire::common::Point;
-use plateau_geometry::lower_bound::{Field, LowerBound};
+use plateau_geometry::lower_bound::{self, Field, LowerBound};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -90,12 +90,29 @@ impl MinimalStatistics {
     }
 }
 
+/// The axes of a field.
+#[derive(Clone, Debug, Serialize)]
+struct Frame {
+    origin: Point,
+    axes: [Point; 3],
+}
+
+/// A plane of symmetry of a field.
+#[derive(Clone, Debug, Serialize)]
+struct Mirror {
+    axis: char,
+    at: f64,
+    sign: i8,
+}
+
 /// The field for one orientation of the loops.
 #[derive(Clone, Debug, Serialize)]
 struct Orientation<'a> {
     loops: Vec<Vec<Point>>,
     area_lower_bound: f64,
+    frame: Option<Frame>,
     r#box: [Point; 2],
+    mirrors: Vec<Mirror>,
     vertices: Vec<Point>,
     tetrahedra: &'a [[u32; 4]],
     edges: &'a [[u32; 2]],
@@ -118,10 +135,15 @@ impl<'a> CertificateDocument<'a> {
     /// Returns the document of a lower bound.
     #[must_use]
     pub fn of(found: &'a LowerBound) -> Self {
+        let frame =
+            |of: lower_bound::Frame| Frame { origin: of.origin.to_array(), axes: of.axes.map(|axis| axis.to_array()) };
+        let mirror = |of: &lower_bound::Mirror| Mirror { axis: ['x', 'y', 'z'][of.axis], at: of.at, sign: of.sign };
         let orientation = |field: &'a Field| Orientation {
             loops: field.loops.iter().map(|points| points.iter().map(|p| p.to_array()).collect()).collect(),
             area_lower_bound: field.area_lower_bound,
+            frame: field.frame.map(frame),
             r#box: field.corners.map(|corner| corner.to_array()),
+            mirrors: field.mirrors.iter().map(mirror).collect(),
             vertices: field.vertices.iter().map(|vertex| vertex.to_array()).collect(),
             tetrahedra: &field.tetrahedra,
             edges: &field.edges,

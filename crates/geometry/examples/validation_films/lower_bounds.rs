@@ -140,6 +140,11 @@ fn cases() -> Vec<(&'static str, Vec<Vec<DVec3>>)> {
             [u - u.powi(3) / 3.0 + u * v * v, v - v.powi(3) / 3.0 + v * u * u, u * u - v * v]
         })
     };
+    // A shear takes every plane of symmetry away and changes little else.
+    let sheared = |loops: Vec<Vec<DVec3>>| -> Vec<Vec<DVec3>> {
+        let shear = |p: DVec3| p + DVec3::new(0.01 * p.y + 0.004 * p.z, 0.003 * p.z, 0.0);
+        loops.iter().map(|points| points.iter().copied().map(shear).collect()).collect()
+    };
     let trefoil = |t: f64| [t.sin() + 2.0 * (2.0 * t).sin(), t.cos() - 2.0 * (2.0 * t).cos(), -(3.0 * t).sin()];
     // A loop of two lobes whose waists are a twentieth of their length apart.
     let nearly_touching = |t: f64| [1.5 * t.cos(), (0.05 + 0.6 * t.cos() * t.cos()) * t.sin(), 0.2 * (2.0 * t).sin()];
@@ -155,6 +160,9 @@ fn cases() -> Vec<(&'static str, Vec<Vec<DVec3>>)> {
         ("Enneper, radius 0.8", enneper(0.8)),
         ("Enneper, radius 0.9", enneper(0.9)),
         ("Chen-Cai-Zheng's catenoid patch", vec![boundaries::catenoid()]),
+        ("Enneper, radius 0.7, sheared", sheared(enneper(0.7))),
+        ("Enneper, radius 0.9, sheared", sheared(enneper(0.9))),
+        ("catenoid patch, sheared", sheared(vec![boundaries::catenoid()])),
         ("trefoil", curve(120, &trefoil)),
         ("loop that nearly touches itself", curve(120, &nearly_touching)),
     ]

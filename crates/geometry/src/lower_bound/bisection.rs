@@ -7,8 +7,12 @@
 //! bisected with it, after as many further bisections as that takes, so that the mesh always conforms.
 //!
 //! Vertices lie on a lattice whose points are exact in f64: coordinates, differences of neighbours and midpoints carry
-//! no rounding.
+//! no rounding, nor do reflections at a plane of symmetry.
+//!
+//! Where the boundary has planes of symmetry (`symmetry`), the box lies on one side of each of them, and the mesh stands for its
+//! mirror images too.
 
+use super::symmetry::Mirrors;
 use crate::DVec3;
 use glam::DVec4;
 use std::collections::BTreeMap;
@@ -91,12 +95,16 @@ pub(super) struct Piece {
     pub to: [f64; 4],
     /// Parameters on the segment, 0 to 1.
     pub range: [f64; 2],
+    /// The piece lies in the leaf's mirror image: -1 along the axes that were reflected, else 1.
+    pub flips: DVec3,
 }
 
 /// The mesh with the two fields on it.
 #[derive(Clone, Debug)]
 pub(super) struct BisectionMesh {
+    /// The low corner of the box, through which the planes of symmetry pass.
     origin: DVec3,
+    mirrors: Mirrors,
     /// Length of a lattice step along each axis.
     step: DVec3,
     /// Lattice steps of a cell.
@@ -113,15 +121,19 @@ pub(super) struct BisectionMesh {
 }
 
 impl BisectionMesh {
-    /// The smallest grid of about cubic cells around the points, with a zero field.
-    pub fn around(points: impl Iterator<Item = DVec3> + Clone) -> Result<Self, TooFarAway> {
+    /// The smallest grid of about cubic cells around the points, or around the part of them beyond the planes of symmetry,
+    /// with a zero field.
+    pub fn around(points: impl Iterator<Item = DVec3> + Clone, mirrors: Mirrors) -> Result<Self, TooFarAway> {
+        let mirrored = mirrors.axes();
         let low = points.clone().fold(DVec3::INFINITY, DVec3::min);
         let high = points.clone().fold(DVec3::NEG_INFINITY, DVec3::max);
+        let low = DVec3::select(mirrored, low + 0.5 * (high - low), low);
         let longest = (high - low).max_element();
         if !(longest.is_finite() && longest > 0.0) {
             return Err(TooFarAway);
         }
-        let low = low - DVec3::from_array(MARGINS[0]) * longest;
+        let plane = low;
+        let low = DVec3::select(mirrored, low, low - DVec3::from_array(MARGINS[0]) * longest);
         let high = high + DVec3::from_array(MARGINS[1]) * longest;
         let sides = high - low;
         let longest = sides.max_element();
@@ -137,9 +149,11 @@ impl BisectionMesh {
         let cell = 1u32 << bits;
         let step = (side / (unit * f64::from(cell))).ceil() * unit;
         let origin = ((0.5 * (low + high) - 0.5 * step * f64::from(cell) * counts) / unit).floor() * unit;
+        let origin = DVec3::select(mirrored, (plane / unit).round() * unit, origin);
         let cells = counts.to_array().map(|count| count as u32);
         let mut mesh = Self {
             origin,
+            mirrors,
             step,
             cell,
             cells,
@@ -190,8 +204,10 @@ impl BisectionMesh {
         }
     }
 
-    /// Makes both fields half the cross product of a vector and the place: its curl is that vector everywhere.
+    /// Makes both fields half the cross product of a vector and the place: its curl is that vector everywhere. With planes of
+    /// symmetry it is the vector's part that is symmetrical.
     pub fn set_constant_curl(&mut self, curl: DVec3) {
+        let curl = self.mirrors.symmetrical(curl);
         let (origin, vertices) = (self.origin, &self.vertices);
         for (&[a, b], edge) in &mut self.edges {
             let [a, b] = [a, b].map(|v| vertices[v as usize] - origin);
@@ -216,6 +232,34 @@ impl BisectionMesh {
         let [low, high] = self.corners();
         let sides = high - low;
         sides.x * sides.y * sides.z
+    }
+
+    pub fn mirrors(&self) -> &Mirrors {
+        &self.mirrors
+    }
+
+    /// The planes of symmetry on which a vertex lies, a bit for each axis.
+    pub fn planes_at(&self, vertex: u32) -> u8 {
+        let mirrored = self.mirrors.axes();
+        (0..3)
+            .filter(|&axis| mirrored.test(axis) && self.lattice[vertex as usize][axis] == 0)
+            .map(|axis| 1 << axis)
+            .sum()
+    }
+
+    /// For each axis -1 if a point lies on the other side of its plane of symmetry, else 1.
+    pub fn flips(&self, point: DVec3) -> DVec3 {
+        DVec3::select(self.mirrors.axes() & point.cmplt(self.origin), DVec3::NEG_ONE, DVec3::ONE)
+    }
+
+    /// The planes at which one of two mirror images is reflected and the other is not, a bit for each axis.
+    pub fn planes_between(flips: DVec3, others: DVec3) -> u8 {
+        flips.cmpne(others).bitmask() as u8
+    }
+
+    /// The mirror image of a point; exact for vertices.
+    pub fn reflect(&self, point: DVec3, flips: DVec3) -> DVec3 {
+        DVec3::select(flips.cmplt(DVec3::ZERO), 2.0 * self.origin - point, point)
     }
 
     pub fn leaf_count(&self) -> usize {
@@ -340,10 +384,10 @@ impl BisectionMesh {
         self.nodes[node as usize].children = first_child;
     }
 
-    /// The leaf that holds a point of the box, and the point's barycentric coordinates there; the nearest one for a
-    /// point outside.
+    /// The leaf that holds a point of the box or its mirror image, and the image's barycentric coordinates there; the nearest
+    /// one for a point outside.
     pub fn locate(&self, point: DVec3) -> (u32, [f64; 4]) {
-        let local = (point - self.origin) / (self.step * f64::from(self.cell));
+        let local = (self.reflect(point, self.flips(point)) - self.origin) / (self.step * f64::from(self.cell));
         let mut cell = [0u32; 3];
         let mut inside = [0.0; 3];
         for axis in 0..3 {
@@ -377,10 +421,34 @@ impl BisectionMesh {
         (number, [1.0 - a, a - b, b - c, c])
     }
 
-    /// The pieces of a segment in the leaves that it runs through, in order.
+    /// The pieces of a segment in the leaves that it runs through, or in their mirror images, in order.
     pub fn trace(&self, from: DVec3, to: DVec3) -> Vec<Piece> {
         let scale = self.step * f64::from(self.cell);
         let (from, to) = ((from - self.origin) / scale, (to - self.origin) / scale);
+        // Where the segment passes through the planes of symmetry.
+        let crossing = |axis: usize| from[axis] / (from[axis] - to[axis]);
+        let crosses = |axis: &usize| self.mirrors.axes().test(*axis) && from[*axis] * to[*axis] < 0.0;
+        let mut cuts: Vec<f64> = (0..3).filter(crosses).map(crossing).chain([0.0, 1.0]).collect();
+        cuts.sort_by(f64::total_cmp);
+        cuts.dedup();
+        let mut pieces = Vec::new();
+        for part in cuts.windows(2) {
+            let [start, end] = [part[0], part[1]].map(|t| from.lerp(to, t));
+            let flips =
+                DVec3::select(self.mirrors.axes() & (start + end).cmplt(DVec3::ZERO), DVec3::NEG_ONE, DVec3::ONE);
+            let first = pieces.len();
+            self.trace_part(start * flips, end * flips, &mut pieces);
+            for piece in &mut pieces[first..] {
+                piece.flips = flips;
+                // Exact at both ends.
+                piece.range = piece.range.map(|t| part[0] * (1.0 - t) + part[1] * t);
+            }
+        }
+        pieces
+    }
+
+    /// The same for a part on this side of the planes of symmetry, given in cells from the origin.
+    fn trace_part(&self, from: DVec3, to: DVec3, pieces: &mut Vec<Piece>) {
         // Where the segment changes the cell or the order of its coordinates within a cell.
         let mut cuts = vec![0.0, 1.0];
         let mut cut = |a: f64, b: f64| {
@@ -401,7 +469,6 @@ impl BisectionMesh {
         cuts.retain(|t| (0.0..=1.0).contains(t));
         cuts.sort_by(f64::total_cmp);
         cuts.dedup();
-        let mut pieces = Vec::new();
         for range in cuts.windows(2) {
             let ends = [from.lerp(to, range[0]), from.lerp(to, range[1])];
             let middle = 0.5 * (ends[0] + ends[1]);
@@ -417,15 +484,14 @@ impl BisectionMesh {
                 let [a, b, c] = path.map(|axis| (end[axis] - f64::from(cell[axis])).clamp(0.0, 1.0));
                 [1.0 - a, (a - b).max(0.0), (b - c).max(0.0), c]
             });
-            self.descend(root, from, to, [range[0], range[1]], &mut pieces);
+            self.descend(root, from, to, [range[0], range[1]], pieces);
         }
-        pieces
     }
 
     fn descend(&self, node: u32, from: [f64; 4], to: [f64; 4], range: [f64; 2], pieces: &mut Vec<Piece>) {
         let Node { tag, children, leaf, .. } = self.nodes[node as usize];
         if children == 0 {
-            pieces.push(Piece { leaf, from, to, range });
+            pieces.push(Piece { leaf, from, to, range, flips: DVec3::ONE });
             return;
         }
         let k = tag as usize;

@@ -10,12 +10,14 @@
 //! coordinates at vertices that both tetrahedra have are kept, so that both mean the same point. Between the two
 //! polygons lies a strip of triangles. It is thinner than the distance of all unconstrained tetrahedra from the polygons (else
 //! there is no bound). As |curl A| <= 1 in the strip, the two circulations differ by at most the strip's area, which is
-//! bounded too.
+//! bounded too. In a frame of its own the given polygon is known up to intervals, and the bound is divided by what the axes,
+//! which are perpendicular only up to rounding, can add to an area.
 
 use super::bisection::{BisectionMesh, EDGES, Piece};
 use super::element::{EVEN, Orientation, UNKNOWNS};
 use super::interval::{Interval, IntervalVector};
 use super::space::Space;
+use super::symmetry::{self, Frame};
 use crate::DVec3;
 
 /// The unknowns of the leaf in order.
@@ -78,36 +80,43 @@ fn curl_numerators(
 #[derive(Clone, Copy, Debug)]
 struct Link {
     piece: Piece,
-    /// The given segment.
-    segment: [DVec3; 2],
+    /// The given segment, in the mesh's frame.
+    segment: [IntervalVector; 2],
 }
 
-/// A lower bound of the circulation of a field with |curl| <= 1 around closed polygons; `None` if the tracing lost its
-/// way by more than `margin`.
-pub(super) fn circulation(
+/// A lower bound of the area of all surfaces bounded by closed polygons: the circulation of a field with |curl| <= 1; `None` if
+/// the tracing lost its way by more than `margin`. The field may be given in a frame of its own.
+pub(super) fn least_area(
     space: &Space,
     mesh: &BisectionMesh,
     field: &[f64],
     loops: &[Vec<DVec3>],
+    frame: Option<&Frame>,
     margin: f64,
 ) -> Option<f64> {
+    let rounded = |point| symmetry::place(frame, point);
+    let exact = |point| frame.map_or_else(|| IntervalVector::exactly(point), |frame| frame.place_rigorously(point));
     let mut sum = Interval::ZERO;
     for points in loops {
         let mut links: Vec<Link> = Vec::new();
         for (k, &from) in points.iter().enumerate() {
             let to = points[(k + 1) % points.len()];
-            links.extend(mesh.trace(from, to).into_iter().map(|piece| Link { piece, segment: [from, to] }));
+            let segment = [from, to].map(exact);
+            let pieces = mesh.trace(rounded(from), rounded(to));
+            links.extend(pieces.into_iter().map(|piece| Link { piece, segment }));
         }
         close(mesh, &mut links)?;
         for link in &links {
-            let Piece { leaf, from, to, .. } = link.piece;
+            let Piece { leaf, from, to, flips, .. } = link.piece;
             let leaf = leaf as usize;
-            sum = sum + integral(&local(space, field, leaf), from, to, &space.orientations[leaf]);
-            let strip = strip_area(&space.corners[leaf], link, margin)?;
+            let along = integral(&local(space, field, leaf), from, to, &space.orientations[leaf]);
+            sum = sum + along.times(mesh.mirrors().sign(flips));
+            let strip = strip_area(&space.corners[leaf].map(|corner| mesh.reflect(corner, flips)), link, margin)?;
             sum = sum + Interval { low: -strip, high: strip };
         }
     }
-    sum.low.is_finite().then_some(sum.low)
+    let area = frame.map_or(sum, |frame| Interval::exactly(sum.low.max(0.0)) / frame.enlargement());
+    area.low.is_finite().then_some(area.low)
 }
 
 /// Makes the end of every piece and the start of the next one the same point.
@@ -117,7 +126,12 @@ fn close(mesh: &BisectionMesh, links: &mut [Link]) -> Option<()> {
         let (here, there) = (links[k].piece, links[next].piece);
         let (own, other) = (mesh.leaf_vertices(here.leaf as usize), mesh.leaf_vertices(there.leaf as usize));
         let (mut to, mut from) = ([0.0; 4], [0.0; 4]);
+        // A vertex of both leaves is one of their mirror images too if it lies in the planes between them.
+        let between = BisectionMesh::planes_between(here.flips, there.flips);
         for (i, vertex) in own.iter().enumerate() {
+            if mesh.planes_at(*vertex) & between != between {
+                continue;
+            }
             if let Some(j) = other.iter().position(|v| v == vertex) {
                 (to[i], from[j]) = (here.to[i], here.to[i]);
             }
@@ -158,11 +172,11 @@ fn integral(values: &[f64; UNKNOWNS], from: [f64; 4], to: [f64; 4], orientation:
 /// An upper bound of the area of two triangles between a piece and the part of the given segment that it stands for; `None` if
 /// the piece may be farther away than `margin`.
 fn strip_area(corners: &[DVec3; 4], link: &Link, margin: f64) -> Option<f64> {
-    let origin = IntervalVector::exactly(link.segment[0]);
-    let along = IntervalVector::exactly(link.segment[1]) - origin;
+    let [origin, end] = link.segment;
+    let along = end - origin;
     let given = |t: f64| {
         // The ends are the given points themselves.
-        if t == 1.0 { IntervalVector::exactly(link.segment[1]) } else { origin + along.scaled(Interval::exactly(t)) }
+        if t == 1.0 { end } else { origin + along.scaled(Interval::exactly(t)) }
     };
     let point = |at: [f64; 4]| {
         let sum = sum_of(at);

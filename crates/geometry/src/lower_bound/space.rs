@@ -15,9 +15,15 @@ pub(super) struct Space {
     pub orientations: Vec<Orientation>,
     /// Corners of each leaf.
     pub corners: Vec<[DVec3; 4]>,
-    /// For each unknown whether it is left as it is: those that no constrained leaf has, and the edges of a spanning tree,
-    /// which settle the gradient that may be added to the field without changing its curl.
+    /// For each unknown whether it is left as it is: those that no constrained leaf has, those that vanish, and the edges of
+    /// a spanning tree, which settle the gradient that may be added to the field without changing its curl.
     pub gauge: Vec<bool>,
+    /// For each vertex the planes of symmetry on which it lies, a bit for each axis.
+    planes: Vec<u8>,
+    /// The planes in which the field has no tangential component, because it changes its sign there.
+    odd_planes: u8,
+    /// Mirror images of the mesh, itself included.
+    images: usize,
     /// The leaves in which |curl A| <= 1 is imposed, in ascending order. Lists of curls have an entry for each of them.
     pub constrained: Vec<u32>,
 }
@@ -35,6 +41,9 @@ impl Space {
             orientations: Vec::with_capacity(leaves),
             corners: Vec::with_capacity(leaves),
             gauge: Vec::new(),
+            planes: (0..mesh.vertices.len() as u32).map(|vertex| mesh.planes_at(vertex)).collect(),
+            odd_planes: mesh.mirrors().odd(),
+            images: mesh.mirrors().images(),
             constrained: (0..leaves as u32).collect(),
         };
         for leaf in 0..leaves {
@@ -64,7 +73,7 @@ impl Space {
         for unknowns in &mut space.unknowns {
             unknowns[6..].iter_mut().for_each(|unknown| *unknown += edge_count);
         }
-        space.gauge = space.fixed_unknowns(mesh.vertices.len());
+        space.gauge = space.fixed_unknowns();
         space
     }
 
@@ -73,17 +82,27 @@ impl Space {
         let mut space = Self::of(mesh);
         let meets = |leaf: &u32| hull.separating(&space.corners[*leaf as usize]).is_none();
         let leaves = space.constrained.iter().copied().filter(meets).collect();
-        space.constrain(leaves, mesh.vertices.len());
+        space.constrain(leaves);
         space
     }
 
     /// Constrains the given leaves only, in ascending order.
-    pub(super) fn constrain(&mut self, leaves: Vec<u32>, vertex_count: usize) {
+    pub(super) fn constrain(&mut self, leaves: Vec<u32>) {
         self.constrained = leaves;
-        self.gauge = self.fixed_unknowns(vertex_count);
+        self.gauge = self.fixed_unknowns();
     }
 
-    /// Whether the constrained leaves have the Euler characteristic of a ball. Around a hole there would be fields without a
+    /// The planes of symmetry in which an edge or a face lies.
+    fn planes_of(&self, vertices: &[u32]) -> u8 {
+        vertices.iter().fold(u8::MAX, |planes, &vertex| planes & self.planes[vertex as usize])
+    }
+
+    /// Whether the field's tangential component vanishes on an edge or a face.
+    fn vanishes(&self, vertices: &[u32]) -> bool {
+        self.planes_of(vertices) & self.odd_planes != 0
+    }
+
+    /// Whether the constrained leaves and their mirror images have the Euler characteristic of a ball. Around a hole there would be fields without a
     /// curl that are no gradients, and the system would be singular.
     pub fn is_a_ball(&self) -> bool {
         let used = self.used_unknowns();
@@ -92,9 +111,14 @@ impl Space {
             self.edges.iter().zip(edges).filter(|(_, used)| **used).flat_map(|(edge, _)| *edge).collect();
         vertices.sort_unstable();
         vertices.dedup();
-        let count = |used: &[bool]| used.iter().filter(|used| **used).count();
+        // What lies in a plane of symmetry is its own image there.
+        let images = |of: &[u32]| self.images >> self.planes_of(of).count_ones();
+        let vertices: usize = vertices.iter().map(|&vertex| images(&[vertex])).sum();
+        let edges: usize = self.edges.iter().zip(edges).filter(|(_, used)| **used).map(|(edge, _)| images(edge)).sum();
         // Each face has two unknowns.
-        vertices.len() + count(faces) / 2 == count(edges) + self.constrained.len() + 1
+        let faces = self.faces.iter().zip(faces.chunks_exact(2));
+        let faces: usize = faces.filter(|(_, used)| used[0]).map(|(face, _)| images(face)).sum();
+        vertices + faces == edges + self.images * self.constrained.len() + 1
     }
 
     /// For each unknown whether a constrained leaf has it.
@@ -110,10 +134,10 @@ impl Space {
         self.edges.len() + 2 * self.faces.len()
     }
 
-    /// Marks the unknowns that no constrained leaf has, and the edges of a spanning tree of the others' vertices, shortest
-    /// numbers first.
-    fn fixed_unknowns(&self, vertices: usize) -> Vec<bool> {
-        let mut parent: Vec<u32> = (0..vertices as u32).collect();
+    /// Marks the unknowns that no constrained leaf has, those that vanish, and the edges of a spanning tree of the others'
+    /// vertices, shortest numbers first.
+    fn fixed_unknowns(&self) -> Vec<bool> {
+        let mut parent: Vec<u32> = (0..self.planes.len() as u32).collect();
         fn root(parent: &mut [u32], mut v: u32) -> u32 {
             while parent[v as usize] != v {
                 parent[v as usize] = parent[parent[v as usize] as usize];
@@ -122,14 +146,20 @@ impl Space {
             v
         }
         let mut fixed: Vec<bool> = self.used_unknowns().into_iter().map(|used| !used).collect();
-        for (e, &[a, b]) in self.edges.iter().enumerate() {
-            if fixed[e] {
-                continue;
-            }
-            let (a, b) = (root(&mut parent, a), root(&mut parent, b));
-            if a != b {
+        // The edges on which the field vanishes come first: a gradient that may be added is constant along them.
+        for vanishing in [true, false] {
+            for (e, edge @ &[a, b]) in self.edges.iter().enumerate() {
+                if fixed[e] || self.vanishes(edge) != vanishing {
+                    continue;
+                }
+                let (a, b) = (root(&mut parent, a), root(&mut parent, b));
+                fixed[e] = vanishing || a != b;
                 parent[b as usize] = a;
-                fixed[e] = true;
+            }
+        }
+        for (face, fixed) in self.faces.iter().zip(fixed[self.edges.len()..].chunks_exact_mut(2)) {
+            if self.vanishes(face) {
+                fixed.fill(true);
             }
         }
         fixed
@@ -146,6 +176,18 @@ impl Space {
                 let [first, second] = element::face_unknowns(corners, curls);
                 field[unknowns[6 + 2 * f] as usize] = first;
                 field[unknowns[7 + 2 * f] as usize] = second;
+            }
+        }
+        // These are zero up to rounding already.
+        let (on_edges, on_faces) = field.split_at_mut(self.edges.len());
+        for (edge, value) in self.edges.iter().zip(on_edges) {
+            if self.vanishes(edge) {
+                *value = 0.0;
+            }
+        }
+        for (face, values) in self.faces.iter().zip(on_faces.chunks_exact_mut(2)) {
+            if self.vanishes(face) {
+                values.fill(0.0);
             }
         }
         field
@@ -186,8 +228,9 @@ impl Space {
                 for piece in mesh.trace(from, to) {
                     let leaf = piece.leaf as usize;
                     let values = element::integrals(piece.from, piece.to, &self.orientations[leaf]);
+                    let sign = mesh.mirrors().sign(piece.flips);
                     for (&unknown, value) in self.unknowns[leaf].iter().zip(values) {
-                        form[unknown as usize] += value;
+                        form[unknown as usize] += sign * value;
                     }
                 }
             }

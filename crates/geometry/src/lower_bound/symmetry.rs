@@ -1,0 +1,296 @@
+//! Planes of symmetry of a boundary that are perpendicular to each other.
+//!
+//! A reflection σ at such a plane maps the boundary Γ to itself, in the same direction (s = 1) or in the other one (s = -1). The
+//! field s σ*A has the circulation of A and curls of the same lengths, and so has the mean of both, or shorter ones: the
+//! largest circulation is reached by a field that is its own image. This field is known on both sides of the plane if it
+//! is known on one of them. Where s = -1, its tangential component vanishes in the plane.
+//!
+//! A mesh on one side of every plane has a half, a quarter or an eighth of the tetrahedra, so that the same budget affords
+//! finer ones. The proof does not need the symmetry: any field is good, and its circulation is that around the given boundary.
+//!
+//! The planes are perpendicular to the axes of the mesh. Where the boundary has more of them in other directions, the mesh has
+//! axes of its own (`Frame`). Other symmetries, like half turns, are not used.
+
+use super::Mirror;
+use super::interval::{Interval, IntervalVector};
+use crate::execution::Interruption;
+use crate::{DVec3, Execution};
+use glam::BVec3;
+
+/// A vertex is the mirror image of another one if they differ by this fraction of the boundary's size at most. The bound of a
+/// boundary that is symmetrical only to this fraction is lower by about this fraction.
+const TOLERANCE: f64 = 1e-7;
+/// Planes in all directions are looked for in boundaries of this number of points at most, because the time can rise with its
+/// square.
+const MOST_POINTS: usize = 5_000;
+
+/// For each axis what the reflection at the plane through the middle of the boundary does to it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Mirrors {
+    /// 1 if the boundary keeps its direction, -1 if it changes, 0 if the boundary is not symmetrical.
+    signs: [i8; 3],
+}
+
+impl Mirrors {
+    /// The symmetries of oriented closed polygons.
+    pub fn of(loops: &[Vec<DVec3>]) -> Self {
+        let (twice_middle, tolerance) = (twice_middle(loops), tolerance(loops));
+        let sign = |axis: usize| {
+            let plane = Plane { normal: DVec3::AXES[axis], twice_offset: twice_middle[axis] };
+            let signs = plane.directions(loops, tolerance)?;
+            signs.iter().all(|sign| *sign == signs[0]).then_some(signs[0])
+        };
+        Self { signs: std::array::from_fn(|axis| sign(axis).unwrap_or(0)) }
+    }
+
+    /// The axes that have a plane of symmetry.
+    pub fn axes(&self) -> BVec3 {
+        BVec3::from_array(self.signs.map(|sign| sign != 0))
+    }
+
+    /// The axes on whose planes the field changes its sign, a bit for each.
+    pub fn odd(&self) -> u8 {
+        (0..3).filter(|&axis| self.signs[axis] < 0).map(|axis| 1 << axis).sum()
+    }
+
+    /// Number of mirror images of a place, itself included.
+    pub fn images(&self) -> usize {
+        1 << self.axes().bitmask().count_ones()
+    }
+
+    /// What an integral of the field along a curve is multiplied with for the curve's mirror image; `flips` is -1 along the
+    /// axes that are reflected.
+    pub fn sign(&self, flips: DVec3) -> f64 {
+        (0..3).filter(|&axis| flips[axis] < 0.0).map(|axis| f64::from(self.signs[axis])).product()
+    }
+
+    /// The part of a constant curl that a symmetrical field can have.
+    pub fn symmetrical(&self, curl: DVec3) -> DVec3 {
+        (0..3).fold(curl, |curl, axis| {
+            let along = BVec3::from_array(std::array::from_fn(|k| k == axis));
+            match self.signs[axis] {
+                -1 => DVec3::select(along, DVec3::ZERO, curl),
+                1 => DVec3::select(along, curl, DVec3::ZERO),
+                _ => curl,
+            }
+        })
+    }
+
+    /// The planes through a point.
+    pub fn planes(&self, point: DVec3) -> Vec<Mirror> {
+        let mirror = |axis: usize| Mirror { axis, at: point[axis], sign: self.signs[axis] };
+        (0..3).filter(|&axis| self.signs[axis] != 0).map(mirror).collect()
+    }
+}
+
+/// Polygons and their mirror images at all planes of symmetry that occur.
+pub(super) fn with_images<'a>(loops: &[Vec<DVec3>], mirrors: impl Iterator<Item = &'a Mirrors>) -> Vec<Vec<DVec3>> {
+    let axes = mirrors.fold(BVec3::FALSE, |axes, mirrors| axes | mirrors.axes());
+    let twice_middle = twice_middle(loops);
+    let mut images = loops.to_vec();
+    for axis in (0..3).filter(|&axis| axes.test(axis)) {
+        let plane = Plane { normal: DVec3::AXES[axis], twice_offset: twice_middle[axis] };
+        images.extend(images.iter().map(|points| plane.reflected(points)).collect::<Vec<_>>());
+    }
+    images
+}
+
+/// The sum of the least and the largest coordinates.
+fn twice_middle(loops: &[Vec<DVec3>]) -> DVec3 {
+    let points = || loops.iter().flatten().copied();
+    points().fold(DVec3::INFINITY, DVec3::min) + points().fold(DVec3::NEG_INFINITY, DVec3::max)
+}
+
+fn tolerance(loops: &[Vec<DVec3>]) -> f64 {
+    let size = loops.iter().flatten().fold(0.0, |size: f64, p| size.max(p.distance(loops[0][0])));
+    TOLERANCE * size
+}
+
+/// A plane: half of `twice_offset` is the product of its points with the normal of length 1.
+#[derive(Clone, Copy, Debug)]
+struct Plane {
+    normal: DVec3,
+    twice_offset: f64,
+}
+
+impl Plane {
+    fn reflected(&self, points: &[DVec3]) -> Vec<DVec3> {
+        let image = |&p: &DVec3| p - self.normal * (2.0 * self.normal.dot(p) - self.twice_offset);
+        points.iter().map(image).collect()
+    }
+
+    /// For each closed polygon whether its mirror image has the direction of the polygon on which it lies, 1 or -1; `None` if
+    /// there is an image that lies on none.
+    fn directions(&self, loops: &[Vec<DVec3>], tolerance: f64) -> Option<Vec<i8>> {
+        let on = |image: &[DVec3]| loops.iter().find_map(|other| direction(image, other, tolerance));
+        loops.iter().map(|points| on(&self.reflected(points))).collect()
+    }
+}
+
+/// A rotation to other axes: x becomes the products of the axes with x - origin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// The point that becomes zero.
+    pub origin: DVec3,
+    /// Three directions, perpendicular to each other and of length 1 up to rounding.
+    pub axes: [DVec3; 3],
+}
+
+/// A point in a frame, or as it is.
+pub(super) fn place(frame: Option<&Frame>, point: DVec3) -> DVec3 {
+    frame.map_or(point, |frame| frame.turn(point - frame.origin))
+}
+
+impl Frame {
+    /// Axes along which the boundary has more planes of symmetry than along the given ones, if there are any.
+    ///
+    /// # Errors
+    /// An interruption by the caller.
+    pub(super) fn of(loops: &[Vec<DVec3>], exec: &Execution) -> Result<Option<Self>, Interruption> {
+        let start = loops[0][0];
+        let points = || loops.iter().flatten().copied();
+        let count = points().count();
+        let have = Mirrors::of(loops).axes().bitmask().count_ones() as usize;
+        if count > MOST_POINTS || have == 3 {
+            return Ok(None);
+        }
+        // Reflections leave the mean of all points where it is.
+        let middle = start + points().map(|p| p - start).sum::<DVec3>() / count as f64;
+        let farthest = |from: &dyn Fn(DVec3) -> f64| {
+            points().fold(start, |best, p| if from(p - middle) > from(best - middle) { p } else { best })
+        };
+        let first = farthest(&|p| p.length_squared());
+        let second = farthest(&|p| p.cross(first - middle).length_squared());
+        // A plane of symmetry lies between the first point and its image, or between the second point and its image, or holds both.
+        let tolerance = tolerance(loops);
+        let between = |p: DVec3| {
+            points().filter_map(move |q| {
+                let normal = (q - p).try_normalize().filter(|_| q.distance(p) > tolerance)?;
+                (normal.dot(0.5 * (p - middle) + 0.5 * (q - middle)).abs() <= tolerance).then_some(normal)
+            })
+        };
+        let both = (first - middle).cross(second - middle).try_normalize();
+        let mut normals: Vec<DVec3> = Vec::new();
+        for normal in between(first).chain(between(second)).chain(both) {
+            exec.look(4 * count as u64)?;
+            let plane = Plane { normal, twice_offset: 2.0 * normal.dot(middle) };
+            if normals.iter().all(|other| other.dot(normal).abs() <= TOLERANCE)
+                && plane.directions(loops, tolerance).is_some()
+            {
+                normals.push(normal);
+            }
+            if normals.len() == 3 {
+                break;
+            }
+        }
+        if normals.len() <= have {
+            return Ok(None);
+        }
+        let x = normals[0];
+        // With one plane only, the second axis points to the point that is farthest from the first one.
+        let y = normals.get(1).copied().unwrap_or_else(|| farthest(&|p| p.cross(x).length_squared()) - middle);
+        let y = (y - x * x.dot(y)).try_normalize();
+        Ok(y.map(|y| Self { origin: middle, axes: [x, y, x.cross(y)] }))
+    }
+
+    /// A vector's components along the axes.
+    pub(super) fn turn(&self, vector: DVec3) -> DVec3 {
+        DVec3::from_array(self.axes.map(|axis| axis.dot(vector)))
+    }
+
+    /// Intervals around the coordinates of a point.
+    pub(super) fn place_rigorously(&self, point: DVec3) -> IntervalVector {
+        let from_origin = IntervalVector::exactly(point) - IntervalVector::exactly(self.origin);
+        IntervalVector(self.axes.map(|axis| IntervalVector::exactly(axis).dot(from_origin)))
+    }
+
+    /// An upper bound of the factor by which the rotation enlarges an area. Without rounding it would be 1.
+    pub(super) fn enlargement(&self) -> Interval {
+        // The largest eigenvalue of RᵀR, and so of R Rᵀ, is at most the largest sum of a row's magnitudes.
+        let sum = |a: &DVec3| {
+            self.axes.iter().fold(Interval::ZERO, |sum, b| {
+                let product = IntervalVector::exactly(*a).dot(IntervalVector::exactly(*b));
+                sum + Interval::exactly(product.low.abs().max(product.high.abs()))
+            })
+        };
+        let most = self.axes.iter().map(|axis| sum(axis).high).fold(1.0, f64::max);
+        Interval { low: 1.0, high: most }
+    }
+}
+
+/// 1 if both closed polygons have the same vertices in the same direction, -1 if they have them in opposite directions.
+fn direction(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Option<i8> {
+    let count = b.len();
+    if a.len() != count {
+        return None;
+    }
+    let same = |start: usize, sign: i8| {
+        (0..count).all(|k| {
+            let at = if sign > 0 { start + k } else { start + count - k } % count;
+            a[k].distance(b[at]) <= tolerance
+        })
+    };
+    let starts = (0..count).filter(|&start| a[0].distance(b[start]) <= tolerance);
+    starts.flat_map(|start| [(start, 1), (start, -1)]).find(|&(start, sign)| same(start, sign)).map(|(_, sign)| sign)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    fn circle(points: usize, at: impl Fn(f64, f64) -> DVec3) -> Vec<DVec3> {
+        (0..points).map(|k| (TAU * k as f64 / points as f64).sin_cos()).map(|(sine, cosine)| at(cosine, sine)).collect()
+    }
+
+    #[test]
+    fn reflections_of_oriented_boundaries_are_found() {
+        let offset = DVec3::new(300.0, -20.0, 7.0);
+        let ring = |z: f64| circle(24, |x, y| offset + DVec3::new(x, y, z));
+        let reversed = |points: Vec<DVec3>| points.into_iter().rev().collect::<Vec<_>>();
+        let signs = |loops: &[Vec<DVec3>]| Mirrors::of(loops).signs;
+        assert_eq!(signs(&[ring(0.0)]), [-1, -1, 1]);
+        assert_eq!(signs(&[ring(0.0), ring(1.0)]), [-1, -1, 1]);
+        assert_eq!(signs(&[ring(0.0), reversed(ring(1.0))]), [-1, -1, -1]);
+        // The middle ring keeps its direction, and the others change theirs.
+        assert_eq!(signs(&[ring(0.0), ring(0.5), reversed(ring(1.0))]), [-1, -1, 0]);
+        // No reflection, but half turns.
+        assert_eq!(signs(&[circle(24, |x, y| DVec3::new(x, y, x * y))]), [0, 0, 0]);
+        assert_eq!(signs(&[circle(24, |x, y| DVec3::new(x, y, x * x))]), [-1, -1, 0]);
+        assert_eq!(signs(&[circle(24, |x, y| DVec3::new(x + 1e-6 * y, y, x * x))]), [0, 0, 0]);
+        // A regular polygon of 23 sides has one axis.
+        assert_eq!(signs(&[circle(23, |x, y| DVec3::new(x, y, x * x))]), [0, -1, 0]);
+    }
+
+    #[test]
+    fn planes_of_symmetry_in_any_direction_become_planes_across_the_axes() {
+        let x = DVec3::new(0.6, -0.3, 0.5).normalize();
+        let y = x.cross(DVec3::new(0.1, 0.9, 0.2)).normalize();
+        let turned = |p: DVec3| x * p.x + y * p.y + x.cross(y) * p.z + DVec3::new(3e4, -5e4, 120.0);
+        let frame = |loops: &[Vec<DVec3>]| Frame::of(loops, &Execution::default()).unwrap();
+        let planes = |shape: &dyn Fn(f64, f64) -> DVec3, points: usize| {
+            let loops = [circle(points, |x, y| turned(shape(x, y)))];
+            assert_eq!(Mirrors::of(&loops), Mirrors::default());
+            let found = frame(&loops)?;
+            assert!(found.enlargement().high < 1.0 + 1e-14);
+            let placed = loops.map(|points| points.iter().map(|&p| place(Some(&found), p)).collect::<Vec<_>>());
+            for (found_at, given) in placed[0].iter().zip(circle(points, shape)) {
+                let middle = place(Some(&found), turned(DVec3::ZERO));
+                assert!((found_at.distance(middle) - given.length()).abs() < 1e-10);
+            }
+            let mut signs = Mirrors::of(&placed).signs;
+            signs.sort_unstable();
+            Some(signs)
+        };
+        assert_eq!(planes(&|x, y| DVec3::new(x, 2.0 * y, 0.0), 40), Some([-1, -1, 1]));
+        assert_eq!(planes(&|x, y| DVec3::new(x, y, x * x), 40), Some([-1, -1, 0]));
+        assert_eq!(planes(&|x, y| DVec3::new(x, y, x * x), 23), Some([-1, 0, 0]));
+        // The first and the second point lie in the only plane of symmetry.
+        assert_eq!(planes(&|x, y| DVec3::new(5.0 * x, y, 2.0 * x * x), 12), Some([-1, -1, 0]));
+        assert_eq!(planes(&|x, y| DVec3::new(5.0 * x, y, x * x + x), 12), Some([-1, 0, 0]));
+        assert_eq!(planes(&|x, y| DVec3::new(x, y, x * y * (2.0 + x)), 40), None);
+        // Nothing is gained where the given axes have as many planes.
+        assert_eq!(frame(&[circle(24, |x, y| DVec3::new(x, y, x * x))]), None);
+        assert!(frame(&[circle(24, |x, y| DVec3::new(x, y, x * y))]).is_some());
+    }
+}
