@@ -379,27 +379,29 @@ fn a_finer_mesh_starts_from_the_iterate_of_the_coarser_one() {
 /// Whatever the budget, the planned meshes use it up, and none grows more than it should.
 #[test]
 fn the_meshes_are_planned_for_the_whole_budget() {
-    use super::{Budget, FEW_LEAVES, GROWTH, Options, STEPS, STEPS_BETWEEN};
-    // Sizes as they are on two rings.
-    let system = |leaves: f64| [240_000.0 * (leaves / 600.0).powf(1.3), 5.4 * leaves];
+    use super::{Budget, FEW_LEAVES, FILL_POWERS, GROWTH, Options, STEPS, STEPS_BETWEEN, Size};
     let hull = super::Hull::around(&[ring()], &[]);
-    for seconds in [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0, 15.0] {
+    for (seconds, fill_power) in
+        [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0, 15.0].map(|s| FILL_POWERS.map(|power| (s, power))).concat()
+    {
         let options = Options { gap: 0.0, seconds };
         let mut budget =
             Budget { options: &options, hull: &hull, film_area: 1.0, samples: &[], spent: 0.0, iterations: 0 };
-        let mut leaves = 600.0;
+        // As on two rings.
+        let mut size = Size { entries: 240_000.0, rows: 3_240.0, leaves: 600.0, fill_power };
         let mut meshes = 1;
-        budget.spent = Budget::price(system(leaves), leaves, STEPS_BETWEEN);
-        while let Some(next) = budget.next_leaves(system(leaves), leaves as usize, 0.995) {
-            assert!(next as f64 <= leaves * GROWTH && meshes < 10, "{next} leaves after {leaves} in {seconds} s");
-            (leaves, meshes) = (next as f64, meshes + 1);
-            budget.spent += Budget::price(system(leaves), leaves, STEPS_BETWEEN);
+        budget.spent = size.price(STEPS_BETWEEN);
+        while let Some(next) = budget.next_leaves(size, 0.995) {
+            let Size { leaves, .. } = size;
+            assert!(next <= leaves * GROWTH && meshes < 10, "{next} leaves after {leaves} in {seconds} s");
+            size = size.grown(next / leaves);
+            meshes += 1;
+            budget.spent += size.price(STEPS_BETWEEN);
         }
         // The finest mesh has more steps.
-        let steps = (STEPS + (leaves / FEW_LEAVES).log2().ceil().max(0.0)) as u32;
-        budget.spent +=
-            Budget::price(system(leaves), leaves, steps) - Budget::price(system(leaves), leaves, STEPS_BETWEEN);
+        let steps = (STEPS + (size.leaves / FEW_LEAVES).log2().ceil().max(0.0)) as u32;
+        budget.spent += size.price(steps) - size.price(STEPS_BETWEEN);
         let used = budget.spent / seconds;
-        assert!((0.8..=1.001).contains(&used), "{used} of {seconds} s for {leaves} leaves");
+        assert!((0.8..=1.001).contains(&used), "{used} of {seconds} s for {size:?}");
     }
 }
