@@ -275,16 +275,17 @@ pub fn certify(
     }
     let patterns = if every_orientation { 1u32 << (loops.len() - 1) } else { 1 };
     let own = own_orientation(loops, film);
+    let middle = place(symmetry::middle(loops));
     let oriented: Vec<Oriented> = (0..patterns)
         .map(|pattern| {
             // The first pattern is the film's own orientation.
             let oriented = |(k, points): (usize, &Vec<DVec3>)| {
                 if own[k] == (pattern >> k & 1 == 1) { points.iter().rev().copied().collect() } else { points.clone() }
             };
-            Oriented::of(loops.iter().enumerate().map(oriented).collect(), &place)
+            Oriented::of(loops.iter().enumerate().map(oriented).collect(), &place, middle)
         })
         .collect();
-    let placed = symmetry::with_images(&oriented[0].placed, oriented.iter().map(|of| &of.mirrors));
+    let placed = symmetry::with_images(&oriented[0].placed, middle, oriented.iter().map(|of| &of.mirrors));
     let normals: Vec<DVec3> = placed.iter().map(|points| vector_area(std::slice::from_ref(points))).collect();
     let hull = Hull::around(&placed, &normals);
     let mut budget = Budget { options, hull: &hull, film_area, samples: &samples, spent: 0.0, iterations: 0 };
@@ -349,9 +350,9 @@ struct Oriented {
 }
 
 impl Oriented {
-    fn of(loops: Vec<Vec<DVec3>>, place: &impl Fn(DVec3) -> DVec3) -> Self {
+    fn of(loops: Vec<Vec<DVec3>>, place: &impl Fn(DVec3) -> DVec3, middle: DVec3) -> Self {
         let placed: Vec<Vec<DVec3>> = loops.iter().map(|points| points.iter().map(|&p| place(p)).collect()).collect();
-        let mirrors = Mirrors::of(&placed);
+        let mirrors = Mirrors::of(&placed, middle);
         Self { loops, placed, mirrors }
     }
 

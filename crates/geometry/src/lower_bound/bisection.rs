@@ -127,7 +127,8 @@ impl BisectionMesh {
         let mirrored = mirrors.axes();
         let low = points.clone().fold(DVec3::INFINITY, DVec3::min);
         let high = points.clone().fold(DVec3::NEG_INFINITY, DVec3::max);
-        let low = DVec3::select(mirrored, low + 0.5 * (high - low), low);
+        let high = DVec3::select(mirrored, high.max(mirrors.middle + (mirrors.middle - low)), high);
+        let low = DVec3::select(mirrored, mirrors.middle, low);
         let longest = (high - low).max_element();
         if !(longest.is_finite() && longest > 0.0) {
             return Err(TooFarAway);

@@ -17,30 +17,35 @@ use crate::execution::Interruption;
 use crate::{DVec3, Execution};
 use glam::BVec3;
 
-/// A vertex is the mirror image of another one if they differ by this fraction of the boundary's size at most. The bound of a
-/// boundary that is symmetrical only to this fraction is lower by about this fraction.
-const TOLERANCE: f64 = 1e-7;
+/// A vertex is the mirror image of another one if they differ by this fraction of the boundary's size at most, as they do after
+/// coordinates of a few metres were rounded to millimetres. The symmetrical field is then one of half the boundary and half its image, whose films
+/// cross each other: their areas are equal, so that the bound is lower by a term of second order only.
+const TOLERANCE: f64 = 5e-4;
+/// Largest cosine between the normals of two planes that are taken for perpendicular. Normals are less accurate than points, and the
+/// axes are made perpendicular afterwards.
+const PERPENDICULAR: f64 = 1e-3;
 /// Planes in all directions are looked for in boundaries of this number of points at most, because the time can rise with its
 /// square.
 const MOST_POINTS: usize = 5_000;
 
 /// For each axis what the reflection at the plane through the middle of the boundary does to it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Mirrors {
+    /// The mean of all vertices, through which every plane of symmetry passes.
+    pub middle: DVec3,
     /// 1 if the boundary keeps its direction, -1 if it changes, 0 if the boundary is not symmetrical.
     signs: [i8; 3],
 }
 
 impl Mirrors {
-    /// The symmetries of oriented closed polygons.
-    pub fn of(loops: &[Vec<DVec3>]) -> Self {
-        let (twice_middle, tolerance) = (twice_middle(loops), tolerance(loops));
+    /// The symmetries of oriented closed polygons whose mean of all vertices is `middle`.
+    pub fn of(loops: &[Vec<DVec3>], middle: DVec3) -> Self {
+        let tolerance = tolerance(loops);
         let sign = |axis: usize| {
-            let plane = Plane { normal: DVec3::AXES[axis], twice_offset: twice_middle[axis] };
-            let signs = plane.directions(loops, tolerance)?;
-            signs.iter().all(|sign| *sign == signs[0]).then_some(signs[0])
+            let images = Plane { normal: DVec3::AXES[axis], middle }.images(loops, tolerance)?;
+            images.iter().all(|image| image.sign == images[0].sign).then_some(images[0].sign)
         };
-        Self { signs: std::array::from_fn(|axis| sign(axis).unwrap_or(0)) }
+        Self { middle, signs: std::array::from_fn(|axis| sign(axis).unwrap_or(0)) }
     }
 
     /// The axes that have a plane of symmetry.
@@ -84,21 +89,25 @@ impl Mirrors {
 }
 
 /// Polygons and their mirror images at all planes of symmetry that occur.
-pub(super) fn with_images<'a>(loops: &[Vec<DVec3>], mirrors: impl Iterator<Item = &'a Mirrors>) -> Vec<Vec<DVec3>> {
+pub(super) fn with_images<'a>(
+    loops: &[Vec<DVec3>],
+    middle: DVec3,
+    mirrors: impl Iterator<Item = &'a Mirrors>,
+) -> Vec<Vec<DVec3>> {
     let axes = mirrors.fold(BVec3::FALSE, |axes, mirrors| axes | mirrors.axes());
-    let twice_middle = twice_middle(loops);
     let mut images = loops.to_vec();
     for axis in (0..3).filter(|&axis| axes.test(axis)) {
-        let plane = Plane { normal: DVec3::AXES[axis], twice_offset: twice_middle[axis] };
+        let plane = Plane { normal: DVec3::AXES[axis], middle };
         images.extend(images.iter().map(|points| plane.reflected(points)).collect::<Vec<_>>());
     }
     images
 }
 
-/// The sum of the least and the largest coordinates.
-fn twice_middle(loops: &[Vec<DVec3>]) -> DVec3 {
-    let points = || loops.iter().flatten().copied();
-    points().fold(DVec3::INFINITY, DVec3::min) + points().fold(DVec3::NEG_INFINITY, DVec3::max)
+/// The mean of all vertices: reflections of a symmetrical boundary leave it where it is.
+pub(super) fn middle(loops: &[Vec<DVec3>]) -> DVec3 {
+    let start = loops[0][0];
+    let (sum, count) = loops.iter().flatten().fold((DVec3::ZERO, 0.0), |(sum, n), &p| (sum + (p - start), n + 1.0));
+    start + sum / count
 }
 
 fn tolerance(loops: &[Vec<DVec3>]) -> f64 {
@@ -106,25 +115,70 @@ fn tolerance(loops: &[Vec<DVec3>]) -> f64 {
     TOLERANCE * size
 }
 
-/// A plane: half of `twice_offset` is the product of its points with the normal of length 1.
+/// A plane through a point.
 #[derive(Clone, Copy, Debug)]
 struct Plane {
+    /// Of length 1.
     normal: DVec3,
-    twice_offset: f64,
+    middle: DVec3,
+}
+
+/// Where the mirror image of a closed polygon lies: on another one or on itself.
+#[derive(Clone, Copy, Debug)]
+struct Image {
+    on: usize,
+    /// The vertex on which the image of the first one lies.
+    start: usize,
+    /// 1 if the image has the direction of the polygon on which it lies, else -1.
+    sign: i8,
+}
+
+impl Image {
+    /// The vertex on which the image of vertex k lies, of so many vertices.
+    fn vertex(&self, k: usize, count: usize) -> usize {
+        if self.sign > 0 { (self.start + k) % count } else { (self.start + count - k) % count }
+    }
 }
 
 impl Plane {
     fn reflected(&self, points: &[DVec3]) -> Vec<DVec3> {
-        let image = |&p: &DVec3| p - self.normal * (2.0 * self.normal.dot(p) - self.twice_offset);
-        points.iter().map(image).collect()
+        points.iter().map(|&p| p - self.normal * (2.0 * self.normal.dot(p - self.middle))).collect()
     }
 
-    /// For each closed polygon whether its mirror image has the direction of the polygon on which it lies, 1 or -1; `None` if
-    /// there is an image that lies on none.
-    fn directions(&self, loops: &[Vec<DVec3>], tolerance: f64) -> Option<Vec<i8>> {
-        let on = |image: &[DVec3]| loops.iter().find_map(|other| direction(image, other, tolerance));
-        loops.iter().map(|points| on(&self.reflected(points))).collect()
+    /// The image of each closed polygon; `None` if there is an image that lies on none of them.
+    fn images(&self, loops: &[Vec<DVec3>], tolerance: f64) -> Option<Vec<Image>> {
+        let image = |points: &Vec<DVec3>| {
+            let reflected = self.reflected(points);
+            (0..loops.len()).find_map(|on| image_on(&reflected, &loops[on], on, tolerance))
+        };
+        loops.iter().map(image).collect()
     }
+
+    /// The plane whose normal is the mean direction from vertices to their images.
+    fn improved(self, loops: &[Vec<DVec3>], images: &[Image], tolerance: f64) -> Self {
+        let (mut sum, mut all) = (DVec3::ZERO, 0.0);
+        for (points, image) in loops.iter().zip(images) {
+            for (k, &point) in points.iter().enumerate() {
+                let way = loops[image.on][image.vertex(k, points.len())] - point;
+                sum += way * way.dot(self.normal).signum();
+                all += 1.0;
+            }
+        }
+        // Vertices in the plane are their own images and say nothing about the normal.
+        if sum.length() > all * tolerance { Self { normal: sum.normalize(), ..self } } else { self }
+    }
+}
+
+/// How the mirror image of a closed polygon lies on another polygon, if it does.
+fn image_on(image: &[DVec3], points: &[DVec3], on: usize, tolerance: f64) -> Option<Image> {
+    let count = points.len();
+    if image.len() != count {
+        return None;
+    }
+    let starts = (0..count).filter(|&start| image[0].distance(points[start]) <= tolerance);
+    let candidates = starts.flat_map(|start| [1, -1].map(|sign| Image { on, start, sign }));
+    let lies_on = |of: &Image| (0..count).all(|k| image[k].distance(points[of.vertex(k, count)]) <= tolerance);
+    candidates.into_iter().find(|candidate| lies_on(candidate))
 }
 
 /// A rotation to other axes: x becomes the products of the axes with x - origin.
@@ -147,17 +201,15 @@ impl Frame {
     /// # Errors
     /// An interruption by the caller.
     pub(super) fn of(loops: &[Vec<DVec3>], exec: &Execution) -> Result<Option<Self>, Interruption> {
-        let start = loops[0][0];
+        let middle = middle(loops);
         let points = || loops.iter().flatten().copied();
         let count = points().count();
-        let have = Mirrors::of(loops).axes().bitmask().count_ones() as usize;
+        let have = Mirrors::of(loops, middle).axes().bitmask().count_ones() as usize;
         if count > MOST_POINTS || have == 3 {
             return Ok(None);
         }
-        // Reflections leave the mean of all points where it is.
-        let middle = start + points().map(|p| p - start).sum::<DVec3>() / count as f64;
         let farthest = |from: &dyn Fn(DVec3) -> f64| {
-            points().fold(start, |best, p| if from(p - middle) > from(best - middle) { p } else { best })
+            points().fold(middle, |best, p| if from(p - middle) > from(best - middle) { p } else { best })
         };
         let first = farthest(&|p| p.length_squared());
         let second = farthest(&|p| p.cross(first - middle).length_squared());
@@ -173,11 +225,11 @@ impl Frame {
         let mut normals: Vec<DVec3> = Vec::new();
         for normal in between(first).chain(between(second)).chain(both) {
             exec.look(4 * count as u64)?;
-            let plane = Plane { normal, twice_offset: 2.0 * normal.dot(middle) };
-            if normals.iter().all(|other| other.dot(normal).abs() <= TOLERANCE)
-                && plane.directions(loops, tolerance).is_some()
+            let plane = Plane { normal, middle };
+            if normals.iter().all(|other| other.dot(normal).abs() <= PERPENDICULAR)
+                && let Some(images) = plane.images(loops, tolerance)
             {
-                normals.push(normal);
+                normals.push(plane.improved(loops, &images, tolerance).normal);
             }
             if normals.len() == 3 {
                 break;
@@ -218,22 +270,6 @@ impl Frame {
     }
 }
 
-/// 1 if both closed polygons have the same vertices in the same direction, -1 if they have them in opposite directions.
-fn direction(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Option<i8> {
-    let count = b.len();
-    if a.len() != count {
-        return None;
-    }
-    let same = |start: usize, sign: i8| {
-        (0..count).all(|k| {
-            let at = if sign > 0 { start + k } else { start + count - k } % count;
-            a[k].distance(b[at]) <= tolerance
-        })
-    };
-    let starts = (0..count).filter(|&start| a[0].distance(b[start]) <= tolerance);
-    starts.flat_map(|start| [(start, 1), (start, -1)]).find(|&(start, sign)| same(start, sign)).map(|(_, sign)| sign)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -248,7 +284,7 @@ mod tests {
         let offset = DVec3::new(300.0, -20.0, 7.0);
         let ring = |z: f64| circle(24, |x, y| offset + DVec3::new(x, y, z));
         let reversed = |points: Vec<DVec3>| points.into_iter().rev().collect::<Vec<_>>();
-        let signs = |loops: &[Vec<DVec3>]| Mirrors::of(loops).signs;
+        let signs = |loops: &[Vec<DVec3>]| Mirrors::of(loops, middle(loops)).signs;
         assert_eq!(signs(&[ring(0.0)]), [-1, -1, 1]);
         assert_eq!(signs(&[ring(0.0), ring(1.0)]), [-1, -1, 1]);
         assert_eq!(signs(&[ring(0.0), reversed(ring(1.0))]), [-1, -1, -1]);
@@ -257,7 +293,10 @@ mod tests {
         // No reflection, but half turns.
         assert_eq!(signs(&[circle(24, |x, y| DVec3::new(x, y, x * y))]), [0, 0, 0]);
         assert_eq!(signs(&[circle(24, |x, y| DVec3::new(x, y, x * x))]), [-1, -1, 0]);
-        assert_eq!(signs(&[circle(24, |x, y| DVec3::new(x + 1e-6 * y, y, x * x))]), [0, 0, 0]);
+        assert_eq!(signs(&[circle(24, |x, y| DVec3::new(x + 0.01 * y, y, x * x))]), [0, 0, 0]);
+        // Coordinates that are rounded.
+        let rounded = |p: DVec3| (p * 1e3).round() * 1e-3;
+        assert_eq!(signs(&[circle(24, |x, y| offset + rounded(DVec3::new(x, y, x * x)))]), [-1, -1, 0]);
         // A regular polygon of 23 sides has one axis.
         assert_eq!(signs(&[circle(23, |x, y| DVec3::new(x, y, x * x))]), [0, -1, 0]);
     }
@@ -270,15 +309,15 @@ mod tests {
         let frame = |loops: &[Vec<DVec3>]| Frame::of(loops, &Execution::default()).unwrap();
         let planes = |shape: &dyn Fn(f64, f64) -> DVec3, points: usize| {
             let loops = [circle(points, |x, y| turned(shape(x, y)))];
-            assert_eq!(Mirrors::of(&loops), Mirrors::default());
+            assert_eq!(Mirrors::of(&loops, middle(&loops)).images(), 1);
             let found = frame(&loops)?;
             assert!(found.enlargement().high < 1.0 + 1e-14);
             let placed = loops.map(|points| points.iter().map(|&p| place(Some(&found), p)).collect::<Vec<_>>());
             for (found_at, given) in placed[0].iter().zip(circle(points, shape)) {
-                let middle = place(Some(&found), turned(DVec3::ZERO));
-                assert!((found_at.distance(middle) - given.length()).abs() < 1e-10);
+                let centre = place(Some(&found), turned(DVec3::ZERO));
+                assert!((found_at.distance(centre) - given.length()).abs() < 1e-10);
             }
-            let mut signs = Mirrors::of(&placed).signs;
+            let mut signs = Mirrors::of(&placed, DVec3::ZERO).signs;
             signs.sort_unstable();
             Some(signs)
         };
@@ -289,6 +328,10 @@ mod tests {
         assert_eq!(planes(&|x, y| DVec3::new(5.0 * x, y, 2.0 * x * x), 12), Some([-1, -1, 0]));
         assert_eq!(planes(&|x, y| DVec3::new(5.0 * x, y, x * x + x), 12), Some([-1, 0, 0]));
         assert_eq!(planes(&|x, y| DVec3::new(x, y, x * y * (2.0 + x)), 40), None);
+        let rounded: Vec<DVec3> = circle(96, |x, y| (2e3 * turned(DVec3::new(x, y, x * x))).round());
+        let found = frame(std::slice::from_ref(&rounded)).unwrap();
+        let placed: Vec<DVec3> = rounded.iter().map(|&p| place(Some(&found), p)).collect();
+        assert_eq!(Mirrors::of(&[placed], DVec3::ZERO).images(), 4);
         // Nothing is gained where the given axes have as many planes.
         assert_eq!(frame(&[circle(24, |x, y| DVec3::new(x, y, x * x))]), None);
         assert!(frame(&[circle(24, |x, y| DVec3::new(x, y, x * y))]).is_some());

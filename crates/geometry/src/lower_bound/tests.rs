@@ -165,7 +165,7 @@ fn symmetrical_mesh(rounds: usize, seed: &mut u64) -> (Vec<Vec<DVec3>>, Bisectio
         (0..40).map(ellipse).map(|t| DVec3::new(1.3 * t.cos(), t.sin(), z + 0.2 * z * t.cos().powi(2))).collect()
     };
     let loops = vec![ellipse(-0.3), ellipse(0.3)];
-    let mirrors = Mirrors::of(&loops);
+    let mirrors = Mirrors::of(&loops, DVec3::ZERO);
     assert_eq!((mirrors.images(), mirrors.odd()), (8, 0b011));
     let mut mesh = BisectionMesh::around(loops.iter().flatten().copied(), mirrors).unwrap();
     for _ in 0..rounds {
