@@ -285,29 +285,30 @@ pub fn certify(
             Oriented::of(loops.iter().enumerate().map(oriented).collect(), &place, middle)
         })
         .collect();
-    let placed = symmetry::with_images(&oriented[0].placed, middle, oriented.iter().map(|of| &of.mirrors));
-    let normals: Vec<DVec3> = placed.iter().map(|points| vector_area(std::slice::from_ref(points))).collect();
-    let hull = Hull::around(&placed, &normals);
-    let mut budget = Budget { options, hull: &hull, film_area, samples: &samples, spent: 0.0, iterations: 0 };
     // Orientations with the same symmetries start from the same mesh.
-    let mut first: Vec<BisectionMesh> = Vec::new();
-    let mut searches: Vec<Search> = Vec::with_capacity(oriented.len());
-    for of in oriented {
-        let known = first.iter().find(|mesh| *mesh.mirrors() == of.mirrors).cloned();
-        let mesh = match known {
-            Some(mesh) => mesh,
-            None => {
-                let points = of.placed.iter().flatten().copied();
-                let Ok(mesh) = BisectionMesh::around(points, of.mirrors) else { return Ok(None) };
-                if !(mesh.volume().is_finite() && mesh.volume() > 0.0) {
-                    return Ok(None);
-                }
-                first.push(budget.first_mesh(mesh, exec)?);
-                first[first.len() - 1].clone()
+    let mut meshes: Vec<BisectionMesh> = Vec::new();
+    let mut mesh_of: Vec<usize> = Vec::with_capacity(oriented.len());
+    for of in &oriented {
+        let known = meshes.iter().position(|mesh| *mesh.mirrors() == of.mirrors);
+        mesh_of.push(known.unwrap_or(meshes.len()));
+        if known.is_none() {
+            let points = of.placed.iter().flatten().copied();
+            let Ok(mesh) = BisectionMesh::around(points, of.mirrors) else { return Ok(None) };
+            if !(mesh.volume().is_finite() && mesh.volume() > 0.0) {
+                return Ok(None);
             }
-        };
-        searches.push(of.search(mesh));
+            meshes.push(mesh);
+        }
     }
+    let images: Vec<Vec<DVec3>> = meshes.iter().flat_map(|mesh| mesh.images(&oriented[0].placed)).collect();
+    let normals: Vec<DVec3> = images.iter().map(|points| vector_area(std::slice::from_ref(points))).collect();
+    let hull = Hull::around(&images, &normals);
+    let mut budget = Budget { options, hull: &hull, film_area, samples: &samples, spent: 0.0, iterations: 0 };
+    for mesh in &mut meshes {
+        budget.first_mesh(mesh, exec)?;
+    }
+    let mut searches: Vec<Search> =
+        oriented.into_iter().zip(mesh_of).map(|(of, k)| of.search(meshes[k].clone())).collect();
     let mut storage = Vec::new();
     let mut interrupted = false;
     loop {
@@ -435,10 +436,10 @@ impl Budget<'_> {
     }
 
     /// Bisects the largest leaves that hold a part of the film until there are enough.
-    fn first_mesh(&self, mut mesh: BisectionMesh, exec: &Execution) -> Result<BisectionMesh, Error> {
+    fn first_mesh(&self, mesh: &mut BisectionMesh, exec: &Execution) -> Result<(), Error> {
         while mesh.leaf_count() < FIRST_LEAVES {
             exec.look(self.samples.len() as u64)?;
-            let area = self.film_in_leaves(&mesh);
+            let area = self.film_in_leaves(mesh);
             let held = |leaf: &usize| area[*leaf] > 0.0 && mesh.can_bisect(*leaf);
             let Some(least) = (0..mesh.leaf_count()).filter(held).map(|leaf| mesh.leaf_level(leaf)).min() else {
                 break;
@@ -449,7 +450,7 @@ impl Budget<'_> {
                 .collect();
             mesh.bisect(&marked);
         }
-        Ok(mesh)
+        Ok(())
     }
 
     /// Constrained leaves of the next mesh after one with this bound, if the rest of the budget allows for a finer one.

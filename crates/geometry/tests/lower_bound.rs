@@ -295,6 +295,20 @@ fn planes_of_symmetry_sharpen_the_bound() {
     );
 }
 
+/// Far from the origin coordinates are coarse, and so is the place of a plane of symmetry.
+#[test]
+fn symmetrical_boundaries_far_from_the_origin_are_proven() {
+    let shift = DVec3::new(1e9, -2e9, 3e8);
+    let loops: Vec<Vec<DVec3>> =
+        boundaries::rings(8, 0.5).into_iter().map(|points| points.into_iter().map(|p| p + shift).collect()).collect();
+    let (mesh, area) = film(&loops, Method::default()).unwrap();
+    let found = bound(&loops, &mesh, 0.1);
+    assert_eq!(found.fields.iter().map(|field| field.mirrors.len()).collect::<Vec<_>>(), [3, 3]);
+    assert!(found.area < area * (1.0 + 1e-6) && found.area > 0.95 * area, "{} of {area}", found.area);
+    let (confirmed, message) = check(&json(&found, 1.0, 1.0), "far");
+    assert!(confirmed, "{message}");
+}
+
 #[test]
 fn an_independent_program_confirms_the_certificate_and_refuses_a_false_one() {
     let loops = boundaries::rings(6, 0.5);

@@ -121,12 +121,13 @@ pub(super) struct BisectionMesh {
 }
 
 impl BisectionMesh {
-    /// The smallest grid of about cubic cells around the points, or around the part of them beyond the planes of symmetry,
-    /// with a zero field.
+    /// The smallest grid of about cubic cells around the points, or around their mirror images on one side of the planes of
+    /// symmetry, with a zero field.
     pub fn around(points: impl Iterator<Item = DVec3> + Clone, mirrors: Mirrors) -> Result<Self, TooFarAway> {
         let mirrored = mirrors.axes();
         let low = points.clone().fold(DVec3::INFINITY, DVec3::min);
         let high = points.clone().fold(DVec3::NEG_INFINITY, DVec3::max);
+        // Where there is a plane, the points below it are replaced by their mirror images.
         let high = DVec3::select(mirrored, high.max(mirrors.middle + (mirrors.middle - low)), high);
         let low = DVec3::select(mirrored, mirrors.middle, low);
         let longest = (high - low).max_element();
@@ -261,6 +262,16 @@ impl BisectionMesh {
     /// The mirror image of a point; exact for vertices.
     pub fn reflect(&self, point: DVec3, flips: DVec3) -> DVec3 {
         DVec3::select(flips.cmplt(DVec3::ZERO), 2.0 * self.origin - point, point)
+    }
+
+    /// All mirror images of polygons, themselves included.
+    pub fn images(&self, loops: &[Vec<DVec3>]) -> Vec<Vec<DVec3>> {
+        let image = |points: &Vec<DVec3>, flips: DVec3| points.iter().map(|&p| self.reflect(p, flips)).collect();
+        self.mirrors
+            .flips()
+            .into_iter()
+            .flat_map(|flips| loops.iter().map(move |points| image(points, flips)))
+            .collect()
     }
 
     pub fn leaf_count(&self) -> usize {

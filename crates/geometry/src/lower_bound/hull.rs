@@ -25,7 +25,8 @@ pub(super) struct Hull {
 }
 
 impl Hull {
-    /// `normals` are further directions in which the hull is probably flat.
+    /// `normals` are further directions in which the hull is probably flat. With planes of symmetry the polygons' mirror images
+    /// are among the polygons: a tetrahedron beyond one of the half-spaces then has mirror images beyond its mirror image.
     pub fn around(loops: &[Vec<DVec3>], normals: &[DVec3]) -> Self {
         let origin = loops[0][0];
         let size = loops.iter().flatten().fold(0.0, |size: f64, &p| size.max((p - origin).length()));

@@ -102,8 +102,8 @@ impl Space {
         self.planes_of(vertices) & self.odd_planes != 0
     }
 
-    /// Whether the constrained leaves and their mirror images have the Euler characteristic of a ball. Around a hole there would be fields without a
-    /// curl that are no gradients, and the system would be singular.
+    /// Whether the constrained leaves and their mirror images have the Euler characteristic of a ball. Around a hole there
+    /// would be fields without a curl that are no gradients, and the system would be singular.
     pub fn is_a_ball(&self) -> bool {
         let used = self.used_unknowns();
         let (edges, faces) = used.split_at(self.edges.len());

@@ -18,11 +18,11 @@ use crate::{DVec3, Execution};
 use glam::BVec3;
 
 /// A vertex is the mirror image of another one if they differ by this fraction of the boundary's size at most, as they do after
-/// coordinates of a few metres were rounded to millimetres. The symmetrical field is then one of half the boundary and half its image, whose films
-/// cross each other: their areas are equal, so that the bound is lower by a term of second order only.
+/// coordinates of a few metres were rounded to millimetres. A symmetrical field bounds the area of half a film and half its mirror
+/// image together. Where the symmetry holds only roughly, that is the film's own area up to a term of second order.
 const TOLERANCE: f64 = 5e-4;
-/// Largest cosine between the normals of two planes that are taken for perpendicular. Normals are less accurate than points, and the
-/// axes are made perpendicular afterwards.
+/// Largest cosine between the normals of two planes that are taken for perpendicular. Normals are less accurate than points,
+/// and the axes are made perpendicular afterwards.
 const PERPENDICULAR: f64 = 1e-3;
 /// Planes in all directions are looked for in boundaries of this number of points at most, because the time can rise with its
 /// square.
@@ -81,26 +81,20 @@ impl Mirrors {
         })
     }
 
+    /// For each mirror image of a place -1 along the axes that are reflected, else 1.
+    pub fn flips(&self) -> Vec<DVec3> {
+        let mut flips = vec![DVec3::ONE];
+        for axis in (0..3).filter(|&axis| self.signs[axis] != 0) {
+            flips.extend(flips.iter().map(|&flip| flip - 2.0 * flip * DVec3::AXES[axis]).collect::<Vec<_>>());
+        }
+        flips
+    }
+
     /// The planes through a point.
     pub fn planes(&self, point: DVec3) -> Vec<Mirror> {
         let mirror = |axis: usize| Mirror { axis, at: point[axis], sign: self.signs[axis] };
         (0..3).filter(|&axis| self.signs[axis] != 0).map(mirror).collect()
     }
-}
-
-/// Polygons and their mirror images at all planes of symmetry that occur.
-pub(super) fn with_images<'a>(
-    loops: &[Vec<DVec3>],
-    middle: DVec3,
-    mirrors: impl Iterator<Item = &'a Mirrors>,
-) -> Vec<Vec<DVec3>> {
-    let axes = mirrors.fold(BVec3::FALSE, |axes, mirrors| axes | mirrors.axes());
-    let mut images = loops.to_vec();
-    for axis in (0..3).filter(|&axis| axes.test(axis)) {
-        let plane = Plane { normal: DVec3::AXES[axis], middle };
-        images.extend(images.iter().map(|points| plane.reflected(points)).collect::<Vec<_>>());
-    }
-    images
 }
 
 /// The mean of all vertices: reflections of a symmetrical boundary leave it where it is.
@@ -213,7 +207,8 @@ impl Frame {
         };
         let first = farthest(&|p| p.length_squared());
         let second = farthest(&|p| p.cross(first - middle).length_squared());
-        // A plane of symmetry lies between the first point and its image, or between the second point and its image, or holds both.
+        // A plane of symmetry lies between the first point and its image, or between the second point and its image, or holds
+        // both points.
         let tolerance = tolerance(loops);
         let between = |p: DVec3| {
             points().filter_map(move |q| {
