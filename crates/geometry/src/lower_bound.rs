@@ -48,8 +48,8 @@ use conic::Level;
 use glam::DVec4;
 use hull::Hull;
 use space::Space;
-pub use symmetry::Frame;
 use symmetry::Mirrors;
+pub use symmetry::{Frame, Mirror};
 use system::{Stop, System};
 
 /// What is asked for.
@@ -65,17 +65,6 @@ impl Default for Options {
     fn default() -> Self {
         Self { gap: 0.005, seconds: 2.0 }
     }
-}
-
-/// A plane of symmetry of a field, perpendicular to an axis.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mirror {
-    /// 0, 1 or 2.
-    pub axis: usize,
-    /// The coordinate of the plane.
-    pub at: f64,
-    /// The field on the other side is this number times the pull-back of the field: 1 or -1.
-    pub sign: i8,
 }
 
 /// The field that proves a bound for one orientation of the boundary.

@@ -11,7 +11,6 @@
 //! The planes are perpendicular to the axes of the mesh. Where the boundary has more of them in other directions, the mesh has
 //! axes of its own (`Frame`). Other symmetries, like half turns, are not used.
 
-use super::Mirror;
 use super::interval::{Interval, IntervalVector};
 use crate::execution::Interruption;
 use crate::{DVec3, Execution};
@@ -27,6 +26,17 @@ const PERPENDICULAR: f64 = 1e-3;
 /// Planes in all directions are looked for in boundaries of this number of points at most, because the time can rise with its
 /// square.
 const MOST_POINTS: usize = 5_000;
+
+/// A plane of symmetry of a field, perpendicular to an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mirror {
+    /// 0, 1 or 2.
+    pub axis: usize,
+    /// The coordinate of the plane.
+    pub at: f64,
+    /// The field on the other side is this number times the pull-back of the field: 1 or -1.
+    pub sign: i8,
+}
 
 /// For each axis what the reflection at the plane through the middle of the boundary does to it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
