@@ -70,8 +70,8 @@ EVEN = [(0, 1, 2, 3), (0, 2, 3, 1), (0, 3, 1, 2), (1, 2, 0, 3), (1, 3, 2, 0), (2
 class Orientation:
     def __init__(self, part):
         points = [tuple(p) for loop in part["loops"] for p in loop]
-        self.enlargement = 1
-        if part.get("frame"):
+        self.enlargement, self.framed = 1, bool(part.get("frame"))
+        if self.framed:
             origin, *axes = [tuple(map(Fraction, p)) for p in [part["frame"]["origin"]] + part["frame"]["axes"]]
             require(len(axes) == 3, "a frame has three axes")
             points = [tuple(dot(axis, sub(p, origin)) for axis in axes) for p in points]
@@ -308,7 +308,7 @@ def check(certificate):
         least_area = circulation / orientation.enlargement
         require(Fraction(stated) <= least_area, f"the circulation is {float(circulation)!r}, below the stated {stated!r}")
         require(certificate["area_lower_bound"] <= stated, "the bound exceeds that of an orientation")
-        frame = ", in a frame of their own" if orientation.enlargement != 1 else ""
+        frame = ", in a frame of their own" if orientation.framed else ""
         mirrors = "".join(f", reflected at {'xyz'[axis]}" for axis in sorted(orientation.mirrors))
         print(f"{len(orientation.tetrahedra)} tetrahedra{frame}{mirrors}, {len(orientation.unconstrained)} of them unconstrained: "
               f"|curl A| <= {float(curl) ** 0.5:.15f}, circulation {float(circulation)!r} >= {stated!r}")

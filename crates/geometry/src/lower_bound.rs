@@ -291,7 +291,7 @@ pub fn certify(
     }
     let images: Vec<Vec<DVec3>> = meshes.iter().flat_map(|mesh| mesh.images(&oriented[0].placed)).collect();
     let normals: Vec<DVec3> = images.iter().map(|points| vector_area(std::slice::from_ref(points))).collect();
-    let hull = Hull::around(&images, &normals);
+    let hull = Hull::around(&images, &normals, exec)?;
     let mut budget = Budget { options, hull: &hull, film_area, samples: &samples, spent: 0.0, iterations: 0 };
     for mesh in &mut meshes {
         budget.first_mesh(mesh, exec)?;

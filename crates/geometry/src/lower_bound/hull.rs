@@ -5,7 +5,8 @@
 //! half-spaces matter, and |curl A| <= 1 is needed in those tetrahedra only that meet it. The others are 5 to 30% of all.
 //! They cost nothing, and the curl may have any length there.
 
-use crate::DVec3;
+use crate::execution::Interruption;
+use crate::{DVec3, Execution};
 use std::f64::consts::PI;
 
 /// Directions that are spread evenly over the sphere, besides the axes and the normals of the loops.
@@ -13,6 +14,9 @@ const DIRECTIONS: usize = 600;
 /// A tetrahedron lies beyond a half-space if it does so by this fraction of the boundary's size. The margin is large for
 /// the roundings (differences of coordinates are rounded once), and small for the tetrahedra.
 const MARGIN: f64 = 1e-6;
+
+/// Products of a direction with a point between two looks at the caller's signal: about a millisecond of work.
+const PRODUCTS_A_LOOK: usize = 400_000;
 
 /// Half-spaces around closed polygons.
 #[derive(Debug)]
@@ -27,7 +31,10 @@ pub(super) struct Hull {
 impl Hull {
     /// `normals` are further directions in which the hull is probably flat. With planes of symmetry the polygons' mirror images
     /// are among the polygons: a tetrahedron beyond one of the half-spaces then has mirror images beyond its mirror image.
-    pub fn around(loops: &[Vec<DVec3>], normals: &[DVec3]) -> Self {
+    ///
+    /// # Errors
+    /// An interruption by the caller.
+    pub fn around(loops: &[Vec<DVec3>], normals: &[DVec3], exec: &Execution) -> Result<Self, Interruption> {
         let origin = loops[0][0];
         let size = loops.iter().flatten().fold(0.0, |size: f64, &p| size.max((p - origin).length()));
         let margin = MARGIN * size;
@@ -42,11 +49,18 @@ impl Hull {
             let radius = (1.0 - z * z).sqrt();
             DVec3::new(radius * cosine, radius * sine, z)
         });
-        let reach = |direction: DVec3| {
+        let reach = |&direction: &DVec3| {
             let of = |p: &DVec3| direction.dot(*p - origin);
             (direction, loops.iter().flatten().map(of).fold(f64::NEG_INFINITY, f64::max) + margin)
         };
-        Self { origin, margin, half_spaces: flat.chain(spread).map(reach).collect() }
+        let directions: Vec<DVec3> = flat.chain(spread).collect();
+        let count = loops.iter().map(Vec::len).sum::<usize>();
+        let mut half_spaces = Vec::with_capacity(directions.len());
+        for some in directions.chunks((PRODUCTS_A_LOOK / count).max(1)) {
+            exec.look((some.len() * count) as u64)?;
+            half_spaces.extend(some.iter().map(reach));
+        }
+        Ok(Self { origin, margin, half_spaces })
     }
 
     /// The number of a half-space beyond which the whole tetrahedron lies.

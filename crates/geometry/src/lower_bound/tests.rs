@@ -274,7 +274,8 @@ fn leaves_that_meet_the_convex_hull_are_constrained() {
     let mut seed = 19;
     let mesh = random_mesh(6, &mut seed);
     let points = ring();
-    let space = Space::within(&mesh, &Hull::around(std::slice::from_ref(&points), &[]));
+    let space =
+        Space::within(&mesh, &Hull::around(std::slice::from_ref(&points), &[], &crate::Execution::default()).unwrap());
     assert!(space.constrained.len() < mesh.leaf_count() * 9 / 10, "{} constrained", space.constrained.len());
     for k in 0..20_000 {
         // Points of triangles between vertices of the ring, and of the ring itself.
@@ -321,7 +322,7 @@ fn the_optimum_within_the_hull_is_not_below_that_in_the_box() {
         }
         (level.best.bound, system.rows())
     };
-    let hull = Hull::around(&[ring()], &[]);
+    let hull = Hull::around(&[ring()], &[], &crate::Execution::default()).unwrap();
     let ((in_box, rows), (within, fewer)) = (optimum(Space::of(&mesh)), optimum(Space::within(&mesh, &hull)));
     assert!(fewer < rows && within > in_box - 1e-6, "{within} with {fewer} rows for {in_box} with {rows}");
 }
@@ -380,7 +381,7 @@ fn a_finer_mesh_starts_from_the_iterate_of_the_coarser_one() {
 #[test]
 fn the_meshes_are_planned_for_the_whole_budget() {
     use super::{Budget, FEW_LEAVES, FILL_POWERS, GROWTH, Options, STEPS, STEPS_BETWEEN, Size};
-    let hull = super::Hull::around(&[ring()], &[]);
+    let hull = super::Hull::around(&[ring()], &[], &crate::Execution::default()).unwrap();
     for (seconds, fill_power) in
         [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0, 15.0].map(|s| FILL_POWERS.map(|power| (s, power))).concat()
     {
