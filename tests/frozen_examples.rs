@@ -1,26 +1,35 @@
 //! Checks that every example of `api/examples` gives the mesh and the statistics in `tests/frozen_examples.txt`.
 //!
-//! The committed file has one line for each example: a hash of the mesh (bits of all coordinates, triangles) and the
-//! statistics below with all their digits. If a change is meant to change a line, write the file again with
+//! The committed file has one row for each example: a hash of the mesh (bits of all coordinates, triangles) and the
+//! statistics below with all their digits. Its first line names the instructions of the processor that it was written
+//! on, because a fused multiply-add rounds only once. On other machines the solves are skipped with a printed reason.
+//! Its second line has the revision of the solvers and a digest of the rows, so that rows never change within one
+//! revision. If a change is meant to change a row, raise `SOLVER_REVISION` in `src/jobs.rs` by one, then write the file
+//! again with
 //!
 //! ```text
 //! UPDATE_FROZEN=1 cargo test --test frozen_examples
 //! ```
 //!
-//! and say in the commit message which figures changed and by how much. The test prints these changes.
+//! and say in the commit message which figures changed and by how much. The test prints these changes. After a
+//! conflict in a rebase do the same from the other side's file: `git checkout --ours tests/frozen_examples.txt` takes
+//! the file of the branch that is rebased upon.
 //!
-//! Results depend on the instructions of the processor, because a fused multiply-add rounds only once. The file's first
-//! line names them. On other machines the test is skipped with a printed reason. A new C library may change the last
-//! digits of sines and cosines, and thereby whole lines. In that case write the file again in a separate commit.
+//! A new C library may change the last digits of sines and cosines, and thereby whole rows. In that case write the file
+//! again in a separate commit.
 
 use plateau::config::LimitsConfig;
 use plateau::jobs::progress::Signal;
 use plateau::jobs::solve::{Solved, solve};
+use plateau::jobs::{SOLVER_REVISION, result_version};
 use plateau::wire::Request;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+
+const FILE: &str = "tests/frozen_examples.txt";
+const UPDATE: &str = "UPDATE_FROZEN=1 cargo test --test frozen_examples";
 
 /// Statistics (JSON Pointers) that a line has if the example's kind has them.
 const STATISTICS: [&str; 40] = [
@@ -138,19 +147,86 @@ fn differences(before: &str, now: &str) -> Vec<String> {
         .collect()
 }
 
+fn digest(rows: &[&str]) -> String {
+    let mut hash = Sha256::new();
+    rows.iter().for_each(|row| hash.update(format!("{row}\n")));
+    hash.finalize().iter().take(12).map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// The committed file.
+struct Frozen<'a> {
+    /// The machine features that the rows were written with.
+    platform: &'a str,
+    /// The revision of the solvers that gave the rows.
+    revision: u32,
+    rows: Vec<&'a str>,
+}
+
+impl<'a> Frozen<'a> {
+    /// Fails if the file is damaged or its rows were changed without its digest.
+    fn read(text: &'a str) -> Result<Self, String> {
+        let mut lines = text.lines();
+        let platform = lines.next().unwrap_or_default();
+        let second = lines.next().unwrap_or_default();
+        let rows: Vec<&str> = lines.collect();
+        let revision = second.strip_prefix("# revision ").and_then(|rest| rest.split_once(" of the solvers, rows "));
+        match revision.and_then(|(revision, given)| Some((revision.parse().ok()?, given == digest(&rows)))) {
+            Some((revision, true)) => Ok(Self { platform, revision, rows }),
+            _ => Err(format!(
+                "tests/frozen_examples.txt was edited or merged by hand: {second:?} does not fit its rows. Take the \
+                 committed file of the main branch, and write it again with {UPDATE}"
+            )),
+        }
+    }
+
+    /// Returns the text of the file with the rows of this revision. Fails if the rows changed, but the revision did
+    /// not.
+    fn written(&self, platform: &str, revision: u32, rows: &[&str]) -> Result<String, String> {
+        if revision < self.revision || (revision == self.revision && rows != self.rows) {
+            return Err(format!(
+                "the results changed, so kept results must not be reused: raise SOLVER_REVISION in src/jobs.rs to {}, \
+                 then run {UPDATE}",
+                self.revision + 1
+            ));
+        }
+        let header = format!("{platform}\n# revision {revision} of the solvers, rows {}\n", digest(rows));
+        Ok(rows.iter().fold(header, |text, row| text + row + "\n"))
+    }
+}
+
+fn committed() -> String {
+    std::fs::read_to_string(root().join(FILE)).expect("the committed file")
+}
+
+#[test]
+fn the_rows_change_only_with_the_revision_of_the_solvers() {
+    if std::env::var_os("UPDATE_FROZEN").is_some() {
+        return;
+    }
+    let text = committed();
+    let frozen = Frozen::read(&text).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(
+        frozen.revision, SOLVER_REVISION,
+        "{FILE} is of another revision than SOLVER_REVISION in src/jobs.rs; write it again with {UPDATE}"
+    );
+}
+
+#[test]
+fn results_of_another_revision_are_not_reused() {
+    assert!(result_version().contains(&format!(" solvers {SOLVER_REVISION} ")), "{}", result_version());
+}
+
 #[test]
 fn every_example_gives_the_committed_mesh_and_statistics() {
-    let golden = root().join("tests/frozen_examples.txt");
-    let committed = std::fs::read_to_string(&golden).unwrap_or_default();
+    let text = committed();
+    let frozen = Frozen::read(&text).unwrap_or_else(|error| panic!("{error}"));
     let update = std::env::var_os("UPDATE_FROZEN").is_some();
-    let mut lines = committed.lines();
-    let written_on = lines.next().unwrap_or_default();
-    if written_on != platform() && !update {
-        println!("SKIPPED: frozen examples: written on \"{written_on}\", this machine is \"{}\"", platform());
+    if frozen.platform != platform() && !update {
+        println!("SKIPPED: frozen examples: written on {:?}, this machine is {:?}", frozen.platform, platform());
         return;
     }
     let before: BTreeMap<&str, &str> =
-        lines.filter_map(|line| line.split_once(' ').map(|(name, _)| (name, line))).collect();
+        frozen.rows.iter().filter_map(|row| row.split_once(' ').map(|(name, _)| (name, *row))).collect();
     let mut files: Vec<PathBuf> = std::fs::read_dir(root().join("api/examples"))
         .expect("the folder of examples")
         .map(|entry| entry.expect("an entry").path())
@@ -173,18 +249,38 @@ fn every_example_gives_the_committed_mesh_and_statistics() {
         }
     }
     moved.extend(before.keys().filter(|name| !now.contains_key(**name)).map(|name| format!("{name}: example is gone")));
+    let moved = moved.join("\n");
     if update {
-        let text: String =
-            std::iter::once(platform()).chain(now.into_values()).map(|line| format!("{line}\n")).collect();
-        std::fs::write(&golden, text).expect("the file can be written");
-        println!("{}", moved.join("\n"));
+        println!("{moved}");
+        let rows: Vec<&str> = now.values().map(String::as_str).collect();
+        let text = frozen.written(&platform(), SOLVER_REVISION, &rows).unwrap_or_else(|error| panic!("{error}"));
+        std::fs::write(root().join(FILE), text).expect("the file can be written");
         return;
     }
     assert!(
         moved.is_empty(),
-        "results changed; if that is intended, run UPDATE_FROZEN=1 cargo test --test frozen_examples and give the changes in the commit message:\n{}",
-        moved.join("\n")
+        "results changed; if that is intended, raise SOLVER_REVISION in src/jobs.rs, run {UPDATE} and give the \
+         changes in the commit message:\n{moved}"
     );
+}
+
+#[test]
+fn rows_are_not_written_again_within_one_revision() {
+    let text =
+        format!("# machine\n# revision 3 of the solvers, rows {}\nrings area=2.0\n", digest(&["rings area=2.0"]));
+    let frozen = Frozen::read(&text).unwrap();
+    let changed = ["rings area=2.5"];
+    assert!(
+        frozen.written("# machine", 3, &changed).unwrap_err().contains("raise SOLVER_REVISION in src/jobs.rs to 4")
+    );
+    assert!(frozen.written("# machine", 2, &frozen.rows).is_err());
+    assert_eq!(frozen.written("# machine", 3, &frozen.rows).unwrap(), text);
+    let written = frozen.written("# machine", 4, &changed).unwrap();
+    let again = Frozen::read(&written).unwrap();
+    assert_eq!((again.revision, &again.rows[..]), (4, &changed[..]));
+    assert!(Frozen::read(&text.replace("2.0", "2.5")).is_err(), "edited rows");
+    assert!(Frozen::read(&text.replace("revision 3", "revision")).is_err(), "no revision");
+    assert!(Frozen::read("").is_err(), "an empty file");
 }
 
 #[test]
