@@ -1,11 +1,11 @@
-// Builds the studio: API types from api/openapi.json, the bundle and the list of licences into dist/. With `--check` it
-// leaves the committed files alone and fails if one differs from what it would write.
+// Builds the studio: the bundle and the list of licences into dist/. With `--check` it leaves the committed files alone and
+// fails if one differs from what it would write. The service's TypeScript client is bundled from its sources
+// (`paths` of tsconfig.json), so that it need not be built or installed first.
 
 import { build } from 'esbuild';
-import openapiTS, { astToString } from 'openapi-typescript';
 import { readFile, readdir, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { fileURLToPath } from 'node:url';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const checking = process.argv.includes('--check');
@@ -20,12 +20,8 @@ async function put(path, content) {
   else await writeFile(join(here, path), bytes);
 }
 
-const types = astToString(await openapiTS(pathToFileURL(join(here, '../api/openapi.json'))));
-// Not committed: a change of the API document changes the types that the sources are checked with, and not the bundle.
-await writeFile(join(here, 'src/api/openapi.d.ts'), `// Generated from api/openapi.json by build.mjs.\n\n${types}`);
-
 const bundled = await build({
-  absWorkingDir: here, entryPoints: { studio: 'src/main.ts' }, outdir: 'dist', write: false, metafile: true,
+  absWorkingDir: here, tsconfig: 'tsconfig.json', entryPoints: { studio: 'src/main.ts' }, outdir: 'dist', write: false, metafile: true,
   bundle: true, minify: true, format: 'esm', target: 'es2022', charset: 'utf8', legalComments: 'none',
   external: ['*.woff2', '*.webp'],
 });

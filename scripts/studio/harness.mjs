@@ -71,6 +71,8 @@ export function useStudio({ viewport = { width: 1280, height: 720 }, colorScheme
 
   studio.newPage = async (context = studio.context) => {
     const page = await context.newPage();
+    // A service without TLS on another machine is no secure context, where browsers have no such function.
+    await page.addInitScript(() => { delete Crypto.prototype.randomUUID; });
     page.setDefaultTimeout(PATIENCE_MS);
     page.on('pageerror', (error) => studio.faults.push(error.message));
     // Chromium logs every answer of 400 and above as an error; those are part of what is tested.
@@ -109,6 +111,11 @@ export async function apply(page, value) {
   await page.fill('#request', typeof value === 'string' ? value : JSON.stringify(value));
   await page.click('#apply-request');
 }
+
+/** A request that takes minutes, of an example's. */
+export const endless = (example) => ({
+  ...example, solver: 'vertex_relaxation', resolution: { triangles: 60_000 }, boundary_sampling: 'refine', area_tolerance: 0, fairing_tolerance: 0, max_iterations: 100_000,
+});
 
 /** Brings one of the two panels to the front where there is room for one only. */
 export async function showPanel(page, name) {

@@ -6,7 +6,7 @@ import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { apply, covered, onStage, points, request, showPanel, solved, startServer, useStudio } from './harness.mjs';
+import { apply, covered, endless, onStage, points, request, showPanel, solved, startServer, useStudio } from './harness.mjs';
 
 const studio = useStudio();
 
@@ -82,11 +82,6 @@ test('after an edit the figures and downloads are out of date until it is solved
   await solved(page);
   await showPanel(page, 'results');
   assert.equal(await page.isDisabled('#downloads button >> nth=0'), false);
-});
-
-/** A request that takes minutes, and its example. */
-const endless = (example) => ({
-  ...example, solver: 'vertex_relaxation', resolution: { triangles: 60_000 }, boundary_sampling: 'refine', area_tolerance: 0, fairing_tolerance: 0, max_iterations: 100_000,
 });
 
 test('a long job shows charts, time and stage, is found again after a reload, and cancelled', async () => {

@@ -101,5 +101,11 @@ async fn a_silent_stream_is_kept_open_by_comments() {
         text.push_str(std::str::from_utf8(&stream.next().await.unwrap().unwrap()).unwrap());
     }
     drop(stream);
+
+    // A stream without a new event says at once when to reconnect: a client that hears nothing knows that no stream passes.
+    let seen = parse(&text).last().unwrap().id.clone();
+    let events = app.request(Method::GET, job["links"]["events"].as_str().unwrap()).header("last-event-id", seen);
+    let first = events.send().await.unwrap().bytes_stream().next().await.unwrap().unwrap();
+    assert_eq!(std::str::from_utf8(&first).unwrap(), "retry: 2000\n\n");
     problem(app.get("/v1/jobs/01J00000000000000000000000/events").await, 404).await;
 }

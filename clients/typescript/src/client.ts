@@ -1,13 +1,14 @@
 /** The client. */
 import { type CurveLike, curves, points, toJson } from './curves.js';
 import { ConnectionFailed, JobCancelled, JobFailed, problemOf } from './errors.js';
-import { readEvents } from './events.js';
+import { type FollowControl, Follower, hasEnded } from './follow.js';
 import { Mesh, readLines } from './mesh.js';
 import type {
   CableNetOptions, CableNetStatistics, JobInfo, JobSummary, Kind, Limits, MeshFormat, MinimalStatistics, MinimalSurfaceOptions, ObjectiveList, PatternFormat,
-  Progress, Request, RuledStatistics, RuledSurfaceOptions, StatisticsOf, Status, TensileFilm, TensileStatistics,
+  Request, RuledStatistics, RuledSurfaceOptions, StatisticsOf, Status, TensileFilm, TensileStatistics,
   TensileStructureOptions, UniformMeshOptions, UniformStatistics,
 } from './types.js';
+import { abortable, pause } from './waiting.js';
 
 export interface PlateauOptions {
   /** The server with its public base path. Default: PLATEAU_URL of Node's environment, then http://127.0.0.1:8080. */
@@ -19,11 +20,18 @@ export interface PlateauOptions {
   fetch?: typeof fetch;
 }
 
-export interface SolveControl {
-  /** Called with each step of the solver. */
-  onProgress?: (progress: Progress) => void;
+export interface SolveControl extends FollowControl {
   /** Aborting stops the wait and cancels the job on the server. */
-  signal?: AbortSignal;
+  signal?: AbortSignal | undefined;
+}
+
+export interface SubmitOptions {
+  /** Submissions with the same key make one job. Default: a key of its own. */
+  idempotencyKey?: string;
+  /** Seconds that the answer waits for the job's end; the server may grant less. Default: 0. */
+  waitS?: number;
+  /** Aborting before the answer is there cancels the job on the server. */
+  signal?: AbortSignal | undefined;
 }
 
 interface Sending {
@@ -41,17 +49,10 @@ const PATHS: Record<Kind, string> = {
   cable_net: 'v1/cable-nets',
 };
 
-/** Seconds that one request waits for a job's end; the server may grant less. */
-const LONG_POLL_S = 20;
 /** Seconds that the answer to a submission waits for the end, so that a small request takes one round trip. */
 const SHORT_WAIT_S = 1;
-/** An event stream that says nothing for so long is opened again. The server sends a comment every 15 s. */
-const SILENCE_MS = 45_000;
-const RECONNECT_MS = 1000;
 /** How often a request that got no answer is sent. Submissions carry an Idempotency-Key, so none is done twice. */
 const ATTEMPTS = 4;
-
-const hasEnded = (status: Status) => status === 'succeeded' || status === 'failed' || status === 'cancelled';
 
 /** A mesh whose files and curves can still be fetched from the server. */
 export class Result<Statistics> extends Mesh<Statistics> {
@@ -94,7 +95,7 @@ export class Job<Statistics = unknown> {
   }
 
   /** Waits for the end and gets the mesh. Aborting the signal stops the wait; the job goes on. */
-  async wait(control: SolveControl = {}): Promise<Result<Statistics>> {
+  async wait(control: FollowControl = {}): Promise<Result<Statistics>> {
     this.info = await this.#client.waitFor(this.info, control);
     return this.#client.resultOf<Statistics>(this.info);
   }
@@ -106,7 +107,7 @@ export class Job<Statistics = unknown> {
 
   /** Removes the job and its mesh from the server. */
   async delete(): Promise<void> {
-    await this.#client.send(`v1/jobs/${this.id}`, { method: 'DELETE' });
+    await this.#client.delete(this.id);
   }
 }
 
@@ -177,27 +178,34 @@ export class Plateau {
     return this.solve({ kind: 'cable_net', ...net, ...options }, control);
   }
 
-  /** Solves a request with its `kind` in it, such as those of `GET /v1/examples`. */
+  /**
+   * Solves a request with its `kind` in it, such as those of `GET /v1/examples`. If the connection is lost for good, the job
+   * goes on: the error names it.
+   */
   async solve<R extends Request>(request: R, control: SolveControl = {}): Promise<Result<StatisticsOf<R>>> {
     const { signal, onProgress } = control;
-    signal?.throwIfAborted();
-    const key = crypto.randomUUID();
-    const posted = this.#post(request, key, onProgress ? 0 : SHORT_WAIT_S);
-    let job: JobInfo | undefined;
+    const { info } = await this.submit(request, { waitS: onProgress ? 0 : SHORT_WAIT_S, signal });
+    let job: JobInfo;
     try {
-      job = await abortable(posted, signal);
-      job = await this.waitFor(job, control);
+      job = await this.waitFor(info, control);
     } catch (error) {
-      if (job) await this.cancel(job.id).catch(() => undefined);
-      else if (signal?.aborted) void this.#giveUp(posted, key);
+      if (!(error instanceof ConnectionFailed)) await this.cancel(info.id).catch(() => undefined);
       throw error;
     }
     return this.resultOf<StatisticsOf<R>>(job, signal);
   }
 
-  /** Submits a request and returns the job at once. */
-  async submit<R extends Request>(request: R, idempotencyKey?: string): Promise<Job<StatisticsOf<R>>> {
-    return new Job(this, await this.#post(request, idempotencyKey ?? crypto.randomUUID(), 0));
+  /** Submits a request and returns the job once it is accepted. */
+  async submit<R extends Request>(request: R, options: SubmitOptions = {}): Promise<Job<StatisticsOf<R>>> {
+    const { idempotencyKey = randomKey(), waitS = 0, signal } = options;
+    signal?.throwIfAborted();
+    const posted = this.#post(request, idempotencyKey, waitS);
+    try {
+      return new Job(this, await abortable(posted, signal));
+    } catch (error) {
+      if (signal?.aborted) void this.#giveUp(posted, idempotencyKey);
+      throw error;
+    }
   }
 
   /** For dragging: of the requests that are solved through it only the newest counts. */
@@ -225,6 +233,11 @@ export class Plateau {
     return (await this.send(`v1/jobs/${id}/cancel`, { method: 'POST' })).json() as Promise<JobInfo>;
   }
 
+  /** Removes a job and its mesh; cancels it if needed. */
+  async delete(id: string): Promise<void> {
+    await this.send(`v1/jobs/${id}`, { method: 'DELETE' });
+  }
+
   async download(id: string, format: MeshFormat | PatternFormat = 'glb', signal?: AbortSignal): Promise<ArrayBuffer> {
     const part = format === 'svg' || format === 'dxf' ? 'pattern' : 'mesh';
     return (await this.send(`v1/jobs/${id}/${part}?format=${format}`, { signal })).arrayBuffer();
@@ -244,16 +257,9 @@ export class Plateau {
     return { kind: found.kind, ...found.request } as Request;
   }
 
-  /** Waits until a job has ended, however it ended. */
-  async waitFor(job: JobInfo, control: SolveControl): Promise<JobInfo> {
-    const { signal, onProgress } = control;
-    if (onProgress && hasEnded(job.status)) onProgress(job.progress);
-    else if (onProgress) job = await this.#listen(job, onProgress, signal);
-    while (!hasEnded(job.status)) {
-      const response = await this.send(`v1/jobs/${job.id}`, { headers: { Prefer: `wait=${LONG_POLL_S}` }, signal });
-      job = (await response.json()) as JobInfo;
-    }
-    return job;
+  /** Waits until a job has ended, however it ended. Connections that break are made again. */
+  waitFor(job: JobInfo, control: FollowControl = {}): Promise<JobInfo> {
+    return new Follower(job, (path, headers, signal) => this.#fetchOnce(path, { headers, signal }), control).end();
   }
 
   /** The mesh of a job that has ended; throws how it ended if there is none. */
@@ -314,50 +320,6 @@ export class Plateau {
       // The submission was refused, or the server cannot be reached: nothing runs that could be cancelled from here.
     }
   }
-
-  /** Follows the events of a job. Reconnects where the stream breaks. */
-  async #listen(job: JobInfo, onProgress: (progress: Progress) => void, signal?: AbortSignal): Promise<JobInfo> {
-    let lastId = '';
-    for (let broken = 0; !hasEnded(job.status); ) {
-      const silence = new AbortController();
-      let timer = setTimeout(() => silence.abort(), SILENCE_MS);
-      const onAbort = () => silence.abort(signal?.reason);
-      signal?.addEventListener('abort', onAbort);
-      let ownFault: { error: unknown } | undefined;
-      try {
-        const headers: Record<string, string> = { Accept: 'text/event-stream' };
-        if (lastId) headers['Last-Event-ID'] = lastId;
-        const response = await this.send(`v1/jobs/${job.id}/events`, { headers, signal: silence.signal });
-        if (response.status === 200 && response.body) {
-          for await (const event of readEvents(response.body)) {
-            clearTimeout(timer);
-            timer = setTimeout(() => silence.abort(), SILENCE_MS);
-            broken = 0;
-            lastId = event.id;
-            const said = JSON.parse(event.data) as JobInfo;
-            if (event.event === 'status') job = said;
-            try {
-              onProgress(said.progress);
-            } catch (error) {
-              ownFault = { error };
-              throw error;
-            }
-            if (hasEnded(job.status)) return job;
-          }
-        }
-        job = await this.getJson<JobInfo>(`v1/jobs/${job.id}`);
-      } catch (error) {
-        signal?.throwIfAborted();
-        const isLost = error instanceof TypeError || silence.signal.aborted;
-        if (ownFault || !isLost || ++broken >= ATTEMPTS) throw error;
-        await pause(RECONNECT_MS, signal);
-      } finally {
-        clearTimeout(timer);
-        signal?.removeEventListener('abort', onAbort);
-      }
-    }
-    return job;
-  }
 }
 
 /**
@@ -366,7 +328,7 @@ export class Plateau {
  */
 export class Live {
   readonly #client: Plateau;
-  readonly #series = crypto.randomUUID();
+  readonly #series = randomKey();
   #newest = new AbortController();
   /** Requests are sent one after the other, because the server counts the last to arrive as the newest. */
   #sent: Promise<unknown> = Promise.resolve();
@@ -394,7 +356,7 @@ export class Live {
     } catch (error) {
       if (own.signal.aborted) return null;
       // Nobody waits for this job any more: the request was refused, or its caller's function failed.
-      await this.#cancel();
+      if (!(error instanceof ConnectionFailed)) await this.#cancel();
       throw error;
     }
   }
@@ -419,18 +381,7 @@ export class Live {
   }
 }
 
-/** A promise that is left alone when the signal aborts; what it stands for goes on. */
-function abortable<T>(promise: Promise<T>, signal?: AbortSignal): Promise<T> {
-  if (!signal) return promise;
-  return new Promise((resolve, reject) => {
-    const onAbort = () => reject(signal.reason as Error);
-    signal.addEventListener('abort', onAbort, { once: true });
-    promise.then(resolve, reject).finally(() => signal.removeEventListener('abort', onAbort));
-  });
-}
-
-function pause(milliseconds: number, signal?: AbortSignal): Promise<void> {
-  let timer: ReturnType<typeof setTimeout> | undefined;
-  const elapsed = new Promise<void>((resolve) => (timer = setTimeout(resolve, milliseconds)));
-  return abortable(elapsed, signal).finally(() => clearTimeout(timer));
+/** A key that nobody else has. Pages without TLS have no `crypto.randomUUID`. */
+function randomKey(): string {
+  return Array.from(crypto.getRandomValues(new Uint8Array(16)), (byte) => byte.toString(16).padStart(2, '0')).join('');
 }

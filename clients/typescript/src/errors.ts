@@ -70,8 +70,15 @@ export class JobCancelled extends PlateauError {
   }
 }
 
-/** The server cannot be reached. */
-export class ConnectionFailed extends PlateauError {}
+/** The server cannot be reached. If it was lost while a job ran, `job` is what it last said of the job, which goes on. */
+export class ConnectionFailed extends PlateauError {
+  readonly job: JobInfo | undefined;
+
+  constructor(message: string, { job, ...options }: ErrorOptions & { job?: JobInfo } = {}) {
+    super(message, options);
+    this.job = job;
+  }
+}
 
 const BY_STATUS: Record<number, typeof ProblemError> = {
   400: InvalidRequest, 413: InvalidRequest, 415: InvalidRequest, 422: InvalidRequest,

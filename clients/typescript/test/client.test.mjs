@@ -203,28 +203,6 @@ test('an answer that is lost is asked for again and nothing is solved twice', as
   assert.deepEqual(jobs.map((job) => job.id), [film.id]);
 });
 
-test('a stream that breaks goes on where it was', async () => {
-  const { seen, client: make } = lossy((number, response, request) => {
-    const streams = seen.filter((one) => one.url.endsWith('/events'));
-    if (!request.url.endsWith('/events') || streams.length > 1) return response;
-    const reader = response.body.getReader();
-    let chunks = 0;
-    const cut = new ReadableStream({
-      async pull(controller) {
-        if (chunks++ > 0) controller.error(new TypeError('terminated'));
-        else controller.enqueue((await reader.read()).value);
-      },
-    });
-    return new Response(cut, { headers: response.headers });
-  });
-  const phases = [];
-  await make().solve(large(0.006), { onProgress: (progress) => phases.push(progress.phase) });
-  const streams = seen.filter((one) => one.url.endsWith('/events'));
-  assert.ok(streams.length >= 2);
-  assert.match(streams[1].headers['Last-Event-ID'], /^\d+\.\d+$/);
-  assert.equal(phases.at(-1), 'finished');
-});
-
 test('a busy server is asked again for as long as the patience lasts', async () => {
   const busy = () => lossy((number, response) => {
     if (number > 2) return response;

@@ -13,7 +13,7 @@ use axum::extract::{Path, RawQuery, State};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, header};
 use axum::response::sse::{Event, KeepAlive, Sse};
 use axum::response::{IntoResponse, Response};
-use futures_util::stream::{self, Stream};
+use futures_util::stream::{self, Stream, StreamExt};
 use serde_json::{Value, json};
 use std::convert::Infallible;
 use std::time::{Duration, SystemTime};
@@ -45,14 +45,14 @@ pub async fn events(
     Ok(response)
 }
 
-/// Converts events to server-sent events. The first one carries the reconnection time.
+/// Converts events to server-sent events. The reconnection time goes before them, so that every stream says something at
+/// once. A client that hears nothing knows that a proxy holds the stream back.
 fn written(events: Events) -> impl Stream<Item = Result<Event, Infallible>> {
-    stream::unfold((events, true), |(mut events, first)| async move {
+    let opening = stream::once(async { Ok(Event::default().retry(RETRY)) });
+    opening.chain(stream::unfold(events, |mut events| async move {
         let event = events.next().await?;
-        let written = Event::default().id(event.id).event(event.name).data(event.data);
-        let written = if first { written.retry(RETRY) } else { written };
-        Some((Ok(written), (events, false)))
-    })
+        Some((Ok(Event::default().id(event.id).event(event.name).data(event.data)), events))
+    }))
 }
 
 pub fn events_entry() -> Value {

@@ -1,18 +1,18 @@
 // What the page begins with: a link's content, what was being worked on, an example that the address names, or a canopy.
 
-import * as api from '../api/client';
-import type { ExampleSummary, Job, Kind, Objective } from '../api/client';
+import { type ExampleSummary, type JobInfo, type Kind, NotFound, Unauthorized } from 'plateau-client';
+import { plateau } from '../api';
 import { $, el } from '../dom';
 import { isWhole, KINDS } from '../model/request';
 import { type OpenApi, schemaOf } from '../panels/form';
 import { gallery } from '../panels/gallery';
-import { whileBusy } from './busy';
+import { ask, whileBusy } from './busy';
 import { load, showForm, startBlank } from './document';
 import { showDock } from './drawing';
 import { keep, type Kept, kept, placeWorld } from './keeping';
 import { say } from './notes';
 import { type Example, fetchExample, linked, openExample, switchKind } from './opening';
-import { showProblem } from './problems';
+import { hideProblem, showProblem } from './problems';
 import { doc, embedded, history, server, session } from './session';
 import { adopt, solve } from './solving';
 
@@ -32,13 +32,14 @@ const named = (): string | null => new URLSearchParams(location.search).get('exa
 
 /** The first film needs nothing but its request: it is solved while the server's documents are still being read. */
 export const arrive = (): Promise<void> => whileBusy(async () => {
-  $('problem').hidden = true;
+  const turn = ask();
+  hideProblem(turn);
   try {
     await Promise.all([begin(), learn()]);
   } catch (error) {
-    showProblem(error);
+    showProblem(error, turn);
     say('Not ready.');
-    if (error instanceof api.Problem && error.status === 401) $<HTMLDialogElement>('settings').showModal();
+    if (error instanceof Unauthorized) $<HTMLDialogElement>('settings').showModal();
   }
 });
 
@@ -50,7 +51,7 @@ async function begin(): Promise<void> {
   }
   // A name that the server does not know leads to the first film.
   const example = named() === null ? null : await fetchExample(named()!).catch((error: unknown) => {
-    if (error instanceof api.Problem && error.status === 404) return null;
+    if (error instanceof NotFound) return null;
     throw error;
   });
   const { kind, title, request: { kind: _, ...request } } = example ?? HERO;
@@ -64,7 +65,7 @@ async function begin(): Promise<void> {
 /** What the server offers: kinds, options, objectives and examples. */
 async function learn(): Promise<void> {
   const [openapi, { objectives }, { examples }] = await Promise.all([
-    api.getJson<OpenApi>('/openapi.json'), api.getJson<{ objectives: Objective[] }>('/v1/objectives'), api.getJson<{ examples: ExampleSummary[] }>('/v1/examples'),
+    plateau.getJson<OpenApi>('openapi.json'), plateau.objectives(), plateau.getJson<{ examples: ExampleSummary[] }>('v1/examples'),
   ]);
   Object.assign(server, { openapi, objectives, examples });
   showKinds();
@@ -83,7 +84,7 @@ async function resume({ kind, request, draft, title, camera, colour, job: id }: 
   session.colour = colour ?? 'plain';
   load();
   if (camera) placeWorld(camera);
-  const job = id ? await api.getJson<Job>(`/v1/jobs/${id}`).catch(() => null) : null;
+  const job = id ? await plateau.getJson<JobInfo>(`v1/jobs/${id}`).catch(() => null) : null;
   if (job && job.status !== 'cancelled' && job.status !== 'failed') await adopt(job);
   else if (isWhole(kind, request) && doc().draft === null) await solve();
 }

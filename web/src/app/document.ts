@@ -1,7 +1,7 @@
 // Changes of the document: a point, an option, undo, or another document in its place; and what follows from each.
 
+import type { Kind } from 'plateau-client';
 import { $ } from '../dom';
-import type { Kind } from '../api/client';
 import { Frame, originFor } from '../model/frame';
 import { blank, isWhole, KINDS, linesOf, print, type Request, unitOf } from '../model/request';
 import { build, schemaOf } from '../panels/form';

@@ -1,6 +1,6 @@
 // What survives a reload: the document with its camera, and the jobs of this browser with their drawings.
 
-import type { Job, Kind } from '../api/client';
+import type { JobInfo, Kind } from 'plateau-client';
 import { Frame } from '../model/frame';
 import { KINDS, type Request, type Vec3 } from '../model/request';
 import type { Pose } from '../stage/stage';
@@ -32,7 +32,9 @@ export function keep(): void {
 export function keepNow(): void {
   if (embedded || !session.ready) return;
   const { kind, request, draft, title } = doc();
-  const job = session.pendingJob ?? (isStale() ? null : session.shown?.job.id ?? null);
+  const { pending, shown } = session;
+  const isPending = pending?.kind === kind && pending.request === JSON.stringify(request);
+  const job = isPending ? pending.id : isStale() ? null : shown?.job.id ?? null;
   const kept: Kept = { kind, request, draft, title, camera: worldPose(), colour: session.colour, job };
   const text = JSON.stringify(kept);
   try {
@@ -84,7 +86,7 @@ export function recentJobs(): RecentJob[] {
   }
 }
 
-export function rememberJob(job: Job, { request, title }: Run): void {
+export function rememberJob(job: JobInfo, { request, title }: Run): void {
   if (embedded || request.length > MOST_CHARACTERS) return;
   const list = [{ id: job.id, title, kind: job.kind, request }, ...recentJobs().filter((each) => each.id !== job.id)].slice(0, MOST_RECENT);
   try {

@@ -3,12 +3,19 @@
 import { $ } from '../dom';
 import { Compare } from '../panels/compare';
 import { Flat } from '../panels/flat';
+import { ask } from './busy';
 import { showDock } from './drawing';
 import { showProblem } from './problems';
 import { doc, host, look, type Mode, server, session, stage } from './session';
 
 const flat = new Flat();
-export const compare = new Compare(stage, look, showProblem);
+export const compare = new Compare(stage, look);
+
+/** Shows what goes wrong with something that is asked for now. */
+function failing(): (error: unknown) => void {
+  const turn = ask();
+  return (error) => showProblem(error, turn);
+}
 
 export function setMode(next: Mode): void {
   if (next === session.mode && next !== 'compare') return;
@@ -20,9 +27,9 @@ export function setMode(next: Mode): void {
   if (next !== 'flat') flat.hide();
   if (next === 'compare') {
     const names = server.objectives.filter((each) => each.kind === 'ruled_surface').map((each) => each.name);
-    void compare.open(doc().request, host.frame, names);
+    void compare.open(doc().request, host.frame, names, failing());
   }
-  if (next === 'flat' && session.shown) flat.show(session.shown.job).catch(showProblem);
+  if (next === 'flat' && session.shown) flat.show(session.shown.job).catch(failing());
   showDock();
   stage.invalidate();
 }
@@ -38,6 +45,6 @@ export function offerModes(strip: boolean, pattern: boolean): void {
   $('modes').hidden = !strip;
   document.querySelector<HTMLButtonElement>('[data-mode="flat"]')!.hidden = !pattern;
   if (session.mode !== 'flat' || !session.shown) return;
-  if (pattern) flat.show(session.shown.job).catch(showProblem);
+  if (pattern) flat.show(session.shown.job).catch(failing());
   else setMode('model');
 }

@@ -1,8 +1,8 @@
 // Other documents: examples, files, links, recent jobs, and the drawing of another kind. What is fetched first keeps the page
 // busy from the press on.
 
-import * as api from '../api/client';
-import type { Job, Kind } from '../api/client';
+import type { JobInfo, Kind } from 'plateau-client';
+import { plateau } from '../api';
 import { $, el } from '../dom';
 import { FileFault, type Polyline } from '../files/lines';
 import { type Opened, parseJson } from '../files/open';
@@ -25,7 +25,7 @@ import { adopt } from './solving';
 
 export interface Example { kind: Kind; title: string; request: Request }
 
-export const fetchExample = (name: string): Promise<Example> => api.getJson<Example>(`/v1/examples/${encodeURIComponent(name)}`);
+export const fetchExample = (name: string): Promise<Example> => plateau.getJson<Example>(`v1/examples/${encodeURIComponent(name)}`);
 
 export const openExample = (name: string): Promise<void> => opening(() => fetchExample(name), (example) => {
   const { kind: _, ...request } = example.request;
@@ -59,7 +59,7 @@ export function switchKind(kind: Kind): void {
 export const take = (read: () => Promise<Opened>, name: string): Promise<void> => opening(read, (opened) => {
   if ('lines' in opened) takeLines(opened.lines, opened.format, opened.metres, name);
   else takeRequest(opened.request, name);
-}, (error) => showProblem({ title: name ? `${name} cannot be opened` : 'This cannot be opened', detail: error instanceof Error ? error.message : String(error) }));
+}, (error, turn) => showProblem({ title: name ? `${name} cannot be opened` : 'This cannot be opened', detail: error instanceof Error ? error.message : String(error) }, turn));
 
 /** A file's polylines become the drawing; options stay. */
 function takeLines(lines: Polyline[], format: string, metres: boolean, name: string): void {
@@ -175,7 +175,7 @@ export async function showRecent(): Promise<void> {
   box.replaceChildren(el('p', { className: 'quiet' }, 'Asking the server…'));
   $<HTMLDialogElement>('recent').showModal();
   try {
-    const { jobs } = await api.getJson<{ jobs: Job[] }>('/v1/jobs?limit=30');
+    const { jobs } = await plateau.getJson<{ jobs: JobInfo[] }>('v1/jobs?limit=30');
     const known = new Map(recentJobs().map((each) => [each.id, each]));
     const rows = jobs.map((job) => {
       const mine = known.get(job.id);
@@ -194,9 +194,9 @@ export async function showRecent(): Promise<void> {
 }
 
 /** With its drawing, where this browser knows it; else the mesh alone. */
-const openJob = (listed: Job, mine: RecentJob | undefined): Promise<void> => opening(async () => {
-  const job = await api.getJson<Job>(listed.links.self);
-  const mesh = mine || job.status !== 'succeeded' ? null : await parseMesh(await api.getBytes(`${job.links.mesh}?format=glb`));
+const openJob = (listed: JobInfo, mine: RecentJob | undefined): Promise<void> => opening(async () => {
+  const job = await plateau.getJson<JobInfo>(`v1/jobs/${listed.id}`);
+  const mesh = mine || job.status !== 'succeeded' ? null : await parseMesh(await plateau.download(job.id, 'glb'));
   return { job, mesh };
 }, ({ job, mesh }) => {
   if (mine) {
@@ -207,7 +207,7 @@ const openJob = (listed: Job, mine: RecentJob | undefined): Promise<void> => ope
   else say('This job has no result yet, and this browser does not know its drawing.');
 }, showProblem);
 
-function viewMesh(job: Job, mesh: ResultMesh): void {
+function viewMesh(job: JobInfo, mesh: ResultMesh): void {
   session.viewing = true;
   forget();
   const { unit, up } = mesh.extras as { unit?: string; up?: string };

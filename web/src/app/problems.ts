@@ -1,16 +1,30 @@
-// What went wrong: said once, counted from 1, and marked in the drawing.
+// What went wrong: said once, counted from 1, and marked in the drawing. The late answer to something that was asked for earlier
+// neither hides nor replaces a newer one.
 
-import type { FieldError } from '../api/client';
+import { ConnectionFailed, type FieldError } from 'plateau-client';
 import { $, el } from '../dom';
 import { findings } from '../model/checks';
 import { place } from '../model/request';
 import { capital, fieldSentence, sentence } from '../text';
+import { ask } from './busy';
 import { redraw } from './drawing';
 import { host, session, tools } from './session';
 
-interface Fault { title?: string; detail?: string; message?: string; errors?: FieldError[] | null; omitted?: boolean }
+interface Fault { title?: string; detail?: string; message?: string; errors?: readonly FieldError[] | null; errorsOmitted?: boolean }
 
-export function hideProblem(): void {
+/** The newest of what was asked for that was answered. */
+let answered = 0;
+
+/** Whether an answer is not a late one. */
+function counts(turn: number): boolean {
+  if (turn < answered) return false;
+  answered = turn;
+  return true;
+}
+
+/** Hides the problem of something earlier. `turn` is the number of what is answered without one. */
+export function hideProblem(turn = ask()): void {
+  if (!counts(turn)) return;
   $('problem').hidden = true;
   if (session.serverFaulty.size === 0) return;
   session.serverFaulty = new Set();
@@ -18,8 +32,9 @@ export function hideProblem(): void {
 }
 
 /** A problem document, a failed job's error, or a defect of this page: what is wrong, and where. */
-export function showProblem(fault: unknown): void {
-  const { title, detail, message, errors, omitted } = fault as Fault;
+export function showProblem(fault: unknown, turn = ask()): void {
+  if (!counts(turn)) return;
+  const { title, detail, message, errors, errorsOmitted } = fault instanceof ConnectionFailed ? unreached(fault) : fault as Fault;
   const list = errors ?? [];
   const faulty = new Set<string>();
   const items = list.map((error) => {
@@ -35,7 +50,7 @@ export function showProblem(fault: unknown): void {
       items.push(item('', text, { line, point: points[0]! }, null));
     }
   }
-  if (omitted) items.push(el('li', {}, 'and more'));
+  if (errorsOmitted) items.push(el('li', {}, 'and more'));
   // The detail of a refused request repeats its errors.
   const summary = detail ?? message ?? '';
   const repeats = list.length > 0 && (/^see errors/.test(summary) || list.some((error) => summary.includes(error.detail)));
@@ -46,6 +61,10 @@ export function showProblem(fault: unknown): void {
   session.serverFaulty = faulty;
   redraw();
 }
+
+const unreached = ({ job }: ConnectionFailed): Fault => (job
+  ? { title: 'The connection was lost', detail: 'The job goes on at the server. Reload the page to come back to it.' }
+  : { title: 'The server cannot be reached', detail: 'Is it still running? Nothing was lost; try again.' });
 
 /** One fault; a press leads to its point or its control. */
 function item(where: string, what: string, found: { line?: number; point?: number }, control: HTMLElement | null): HTMLElement {

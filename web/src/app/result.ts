@@ -1,7 +1,7 @@
 // A finished job: its surface on the stage, its figures, warnings and downloads beside it, and whether it is still true.
 
-import * as api from '../api/client';
-import type { Job } from '../api/client';
+import type { HistoryRow, JobInfo, MeshFormat, PatternFormat } from 'plateau-client';
+import { plateau } from '../api';
 import { $, el, save } from '../dom';
 import { metresOf, type Request, unitOf } from '../model/request';
 import { charts } from '../panels/chart';
@@ -10,6 +10,7 @@ import { keyFigures, samplesOf, statistics, warnings } from '../panels/report';
 import { hasSurface, type ResultMesh } from '../stage/mesh';
 import { firstOf, offered, quantity } from '../stage/quantities';
 import { count, duration } from '../text';
+import { ask } from './busy';
 import { offerModes, setMode } from './modes';
 import { label, say } from './notes';
 import { showProblem } from './problems';
@@ -32,7 +33,7 @@ export function forget(): void {
 }
 
 /** Shows a result; `solved` is the request that it belongs to. */
-export function show(job: Job, mesh: ResultMesh, solved: string, whileDragging = false): void {
+export function show(job: JobInfo, mesh: ResultMesh, solved: string, whileDragging = false): void {
   const first = session.shown === null || session.shown.job.kind !== job.kind;
   const request = JSON.parse(solved) as Request;
   session.shown = { job, mesh, solved, request, dragging: whileDragging };
@@ -56,12 +57,12 @@ export function show(job: Job, mesh: ResultMesh, solved: string, whileDragging =
   $('figures').replaceChildren(...keyFigures(job, unitOf(request)));
   $('warnings').replaceChildren(...warnings(job.warnings));
   $('statistics').replaceChildren(...statistics(values));
-  $('charts').replaceChildren(...charts(samplesOf(values.history as api.HistoryRow[] | undefined), 'Area', toleranceOf(request)));
+  $('charts').replaceChildren(...charts(samplesOf(values.history as HistoryRow[] | undefined), 'Area', toleranceOf(request)));
   // STL has only triangles.
-  offer($('downloads'), ['glb', 'gltf', 'obj', 'ply', ...(hasSurface(mesh) ? ['stl'] : [])], job, job.links.mesh!);
+  offer($('downloads'), ['glb', 'gltf', 'obj', 'ply', ...(hasSurface(mesh) ? ['stl' as const] : [])], job);
   const pattern = Boolean(job.links.pattern && values.flat_pattern);
   $('pattern-box').hidden = !pattern;
-  if (pattern) offer($('pattern-downloads'), ['svg', 'dxf'], job, job.links.pattern!);
+  if (pattern) offer($('pattern-downloads'), ['svg', 'dxf'], job);
   offerModes(job.kind === 'ruled_surface', pattern);
   sayHowItWent(job, mesh);
   showStale();
@@ -70,7 +71,7 @@ export function show(job: Job, mesh: ResultMesh, solved: string, whileDragging =
 /** The residual that a request is solved to, where its kind has one. */
 export const toleranceOf = (request: Request): number | null => (typeof request.tolerance === 'number' ? request.tolerance : doc().kind === 'minimal_surface' ? 1e-6 : null);
 
-function sayHowItWent(job: Job, mesh: ResultMesh): void {
+function sayHowItWent(job: JobInfo, mesh: ResultMesh): void {
   const time = (Date.parse(job.finished_at ?? '') - Date.parse(job.started_at ?? '')) / 1000;
   // The server keeps results: the same request again takes no time.
   const how = time > 0 ? `Solved in ${duration(time)}` : 'Solved';
@@ -80,14 +81,15 @@ function sayHowItWent(job: Job, mesh: ResultMesh): void {
   say(`${how}: ${size}.${converged === false ? ' Not converged.' : ''}`);
 }
 
-function offer(box: HTMLElement, formats: string[], job: Job, link: string): void {
+function offer(box: HTMLElement, formats: (MeshFormat | PatternFormat)[], job: JobInfo): void {
   box.replaceChildren(...formats.map((format) => el('button', {
     type: 'button',
     onclick: async () => {
+      const turn = ask();
       try {
-        save(await api.getBlob(`${link}?format=${format}`), `${job.kind.replaceAll('_', '-')}-${job.id}.${format}`);
+        save(new Blob([await plateau.download(job.id, format)]), `${job.kind.replaceAll('_', '-')}-${job.id}.${format}`);
       } catch (error) {
-        showProblem(error);
+        showProblem(error, turn);
       }
     },
   }, format.toUpperCase())));

@@ -1,7 +1,7 @@
 // What the whole page shares: the document, the stage that it is drawn on, and what is shown of a result. Nothing here acts:
 // the modules beside it read and change it, and each of them knows only those that main.ts names before it.
 
-import type { ExampleSummary, Job, Kind, Objective } from '../api/client';
+import type { ExampleSummary, JobInfo, Kind, Objective } from 'plateau-client';
 import { $ } from '../dom';
 import { Frame } from '../model/frame';
 import { type Document, History } from '../model/history';
@@ -31,9 +31,9 @@ export const THEMES: Record<string, { sketch: SketchLook; look: Look; grid: [str
 };
 
 /** A result on the stage, and the request that it belongs to, also as the text that was solved. */
-export interface Shown { job: Job; mesh: ResultMesh; solved: string; request: Request; dragging: boolean }
-/** A job under way, and the document as it was when it began. */
-export interface Run { job: Job | null; since: number; cancelled: boolean; dragging: boolean; request: string; kind: Kind; title: string | null; generation: number }
+export interface Shown { job: JobInfo; mesh: ResultMesh; solved: string; request: Request; dragging: boolean }
+/** A job under way, and the document as it was when it began. `stop` ends the wait for it. */
+export interface Run { job: JobInfo | null; since: number; stop: AbortController; dragging: boolean; request: string; kind: Kind; title: string | null; generation: number }
 
 /** What the server offers. */
 export const server = { openapi: {} as OpenApi, objectives: [] as Objective[], examples: [] as ExampleSummary[] };
@@ -47,8 +47,8 @@ export const session = {
   /** A job is shown of which only the mesh is known here: the drawing is put aside. */
   viewing: false,
   run: null as Run | null,
-  /** A job that has not ended, to be found again after a reload. */
-  pendingJob: null as string | null,
+  /** A job that has not ended and the document that it solves, to be found again after a reload. */
+  pending: null as { id: string; kind: Kind; request: string } | null,
   /** How long the last job took, in seconds. */
   lastDuration: 0,
   /** The quantity that the surface is coloured by: its name, and its values. */

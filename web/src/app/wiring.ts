@@ -1,6 +1,6 @@
 // Which control does what.
 
-import * as api from '../api/client';
+import { setKey } from '../api';
 import { $, save } from '../dom';
 import { ACCEPT, openFile, openText } from '../files/open';
 import { type Cable, cablesOf } from '../model/cables';
@@ -205,10 +205,10 @@ function wireDialogs(): void {
   const stored = sessionStorage.getItem(KEY);
   if (stored) {
     field.value = stored;
-    api.setKey(stored);
+    setKey(stored);
   }
   field.addEventListener('change', () => {
-    api.setKey(field.value);
+    setKey(field.value);
     if (field.value) sessionStorage.setItem(KEY, field.value);
     else sessionStorage.removeItem(KEY);
     $<HTMLDialogElement>('settings').close();

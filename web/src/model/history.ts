@@ -1,7 +1,7 @@
 // The document that is edited, with full undo and redo. Every change is one step, and a step holds the document as it was: the
 // kind, the request, and the line that is being drawn.
 
-import type { Kind } from '../api/client';
+import type { Kind } from 'plateau-client';
 import type { Request, Vec3 } from './request';
 
 export interface Document { kind: Kind; request: Request; draft: Vec3[] | null; title: string | null }

@@ -1,6 +1,6 @@
 // Requests as plain JSON: where their polylines are, and what a JSON Pointer into one means to a person.
 
-import type { Kind } from '../api/client';
+import type { Kind } from 'plateau-client';
 
 export type Vec3 = [number, number, number];
 export type Request = Record<string, unknown>;

@@ -1,9 +1,10 @@
 // Every objective of a strip as a tile with its own picture; all pictures share the camera.
 
-import * as api from '../api/client';
+import { JobFailed, type Request as ApiRequest } from 'plateau-client';
+import { plateau } from '../api';
 import { $, el } from '../dom';
 import type { Frame } from '../model/frame';
-import { KINDS, type Request, unitOf } from '../model/request';
+import { type Request, unitOf } from '../model/request';
 import { parseMesh } from '../stage/mesh';
 import type { Stage } from '../stage/stage';
 import { type Look, Surface } from '../stage/surface';
@@ -19,20 +20,24 @@ const FACTS: { name: string; label: string; unit: string; better: 'less' | 'more
   { name: 'largest_fold_deg', label: 'Fold', unit: '°', better: 'less' },
 ];
 
+/** Objectives that are solved at a time. Browsers open six connections to a server, and each running job has one. */
+const AT_ONCE = 4;
+
 interface Tile { name: string; box: HTMLElement; facts: HTMLElement; picture: HTMLElement; surface: Surface; statistics: Record<string, unknown> | null }
 
 export class Compare {
   private tiles: Tile[] = [];
-  private turn = 0;
+  /** Ends what is under way for the tiles that are shown. */
+  private stop = new AbortController();
 
   /** Called with the objective that was chosen. */
   use: (objective: string) => void = () => {};
 
-  constructor(private readonly stage: Stage, private readonly look: Look, private readonly fail: (error: unknown) => void) {}
+  constructor(private readonly stage: Stage, private readonly look: Look) {}
 
-  async open(request: Request, frame: Frame, objectives: string[]): Promise<void> {
+  async open(request: Request, frame: Frame, objectives: string[], fail: (error: unknown) => void): Promise<void> {
     this.close();
-    const turn = this.turn;
+    const { signal } = this.stop = new AbortController();
     const normals = Array.isArray(request.normals);
     const names = objectives.filter((name) => normals || name !== 'minimal_normal_variation');
     this.tiles = names.map((name) => {
@@ -49,21 +54,30 @@ export class Compare {
     $('tiles').onscroll = () => this.stage.invalidate();
     this.stage.tiles = this.tiles.map(({ picture, surface }) => ({ element: picture, group: surface.group }));
     this.stage.invalidate();
-    await Promise.all(this.tiles.map((tile) => this.solve(tile, request, frame, turn).catch((error: unknown) => {
-      if (turn !== this.turn) return;
-      tile.facts.replaceChildren(el('p', { className: 'wait' }, 'This objective found no strip.'));
-      this.fail(error);
-    })));
+    const waiting = [...this.tiles];
+    await Promise.all(Array.from({ length: AT_ONCE }, async () => {
+      for (let tile = waiting.shift(); tile && !signal.aborted; tile = waiting.shift()) await this.fill(tile, request, frame, signal, fail);
+    }));
   }
 
-  private async solve(tile: Tile, request: Request, frame: Frame, turn: number): Promise<void> {
+  private async fill(tile: Tile, request: Request, frame: Frame, signal: AbortSignal, fail: (error: unknown) => void): Promise<void> {
+    try {
+      await this.solve(tile, request, frame, signal);
+    } catch (error) {
+      if (signal.aborted) return;
+      tile.facts.replaceChildren(el('p', { className: 'wait' }, 'This objective found no strip.'));
+      fail(error);
+    }
+  }
+
+  private async solve(tile: Tile, request: Request, frame: Frame, signal: AbortSignal): Promise<void> {
     const { secondary_objective: secondary, ...rest } = request;
     const asked = { ...rest, objective: tile.name, all_objectives: false, ...(tile.name === 'maximal_convexity' && secondary ? { secondary_objective: secondary } : {}) };
-    let job = await api.submit(KINDS.ruled_surface.path, asked);
-    if (!api.hasEnded(job)) job = await api.follow(job, () => {});
-    if (job.status !== 'succeeded') throw new api.Problem(job.error ?? {});
-    const mesh = await parseMesh(await api.getBytes(`${job.links.mesh}?format=glb`));
-    if (turn !== this.turn) return;
+    const { info } = await plateau.submit({ ...asked, kind: 'ruled_surface' } as unknown as ApiRequest, { waitS: 1 });
+    const job = await plateau.waitFor(info, { signal });
+    if (job.status !== 'succeeded') throw new JobFailed(job);
+    const mesh = await parseMesh(await plateau.download(job.id, 'glb', signal));
+    if (signal.aborted) return;
     tile.surface.show(mesh, 'ruled_surface', frame);
     tile.statistics = job.statistics as Record<string, unknown>;
     this.report(request);
@@ -94,7 +108,7 @@ export class Compare {
   }
 
   close(): void {
-    this.turn += 1;
+    this.stop.abort();
     this.tiles.forEach(({ surface, picture }) => { surface.show(null, '', null as never); picture.remove(); });
     this.tiles = [];
     this.stage.tiles = null;

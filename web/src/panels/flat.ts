@@ -1,10 +1,13 @@
 // The flat pattern over the whole stage: drag to move, wheel to zoom about the pointer.
 
-import * as api from '../api/client';
+import type { JobInfo } from 'plateau-client';
+import { plateau } from '../api';
 import { $ } from '../dom';
 
 export class Flat {
   private url = '';
+  /** Counts the patterns that were asked for: a late one does not replace a newer one. */
+  private asked = 0;
   private x = 0;
   private y = 0;
   private scale = 1;
@@ -40,10 +43,13 @@ export class Flat {
     new ResizeObserver(() => { if (!this.box.hidden) this.fit(); }).observe(this.box);
   }
 
-  async show(job: api.Job): Promise<void> {
-    const blob = await api.getBlob(`${job.links.pattern}?format=svg`);
+  async show(job: JobInfo): Promise<void> {
+    this.asked += 1;
+    const own = this.asked;
+    const bytes = await plateau.download(job.id, 'svg');
+    if (own !== this.asked) return;
     URL.revokeObjectURL(this.url);
-    this.url = URL.createObjectURL(blob);
+    this.url = URL.createObjectURL(new Blob([bytes], { type: 'image/svg+xml' }));
     this.box.hidden = false;
     this.image.src = this.url;
     await this.image.decode();
@@ -51,6 +57,7 @@ export class Flat {
   }
 
   hide(): void {
+    this.asked += 1;
     this.box.hidden = true;
   }
 

@@ -1,6 +1,6 @@
 // The examples by purpose, with a picture each.
 
-import type { ExampleSummary } from '../api/client';
+import type { ExampleSummary } from 'plateau-client';
 import { el } from '../dom';
 import sprite from '../thumbnails.json';
 

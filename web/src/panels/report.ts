@@ -1,6 +1,6 @@
 // A finished job's statistics, warnings and history.
 
-import type { HistoryRow, Job } from '../api/client';
+import type { HistoryRow, JobInfo } from 'plateau-client';
 import { el } from '../dom';
 import { humanise, number, sentence } from '../text';
 import type { Sample } from './chart';
@@ -26,7 +26,7 @@ const KEY: Record<string, [string, string, string][]> = {
 
 const at = (values: Values, path: string): unknown => path.split('.').reduce<unknown>((value, step) => (value as Values | null | undefined)?.[step], values);
 
-export function keyFigures(job: Job, unit: string): HTMLElement[] {
+export function keyFigures(job: JobInfo, unit: string): HTMLElement[] {
   const values = job.statistics as Values;
   return (KEY[job.kind] ?? []).filter(([path]) => at(values, path) !== undefined && at(values, path) !== null).map(([path, label, of]) => {
     const value = at(values, path);
@@ -91,7 +91,7 @@ function flatten(item: Values, prefix = ''): Values {
 }
 
 /** Each warning once, in words that count from 1. */
-export const warnings = (list: Job['warnings']): HTMLElement[] =>
+export const warnings = (list: JobInfo['warnings']): HTMLElement[] =>
   (list ?? []).map(({ code, detail }) => el('p', { className: 'warning' }, el('strong', {}, humanise(code)), ` ${sentence(detail)}`));
 
 export const samplesOf = (rows: HistoryRow[] | undefined | null): Sample[] =>

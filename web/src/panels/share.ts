@@ -1,6 +1,7 @@
 // Keeping and handing on: autosave, a link that holds request and camera, and the request as a program.
 
-import { absolute, hasKey, type Kind } from '../api/client';
+import type { Kind } from 'plateau-client';
+import { absolute, hasKey, page } from '../api';
 import { KINDS, type Request } from '../model/request';
 import type { Pose } from '../stage/stage';
 
@@ -22,11 +23,10 @@ export async function unpack(text: string): Promise<unknown> {
   return JSON.parse(new TextDecoder().decode(await through(bytes, new DecompressionStream('deflate-raw'))));
 }
 
-const page = (): string => new URL('.', document.baseURI).href.replace(/studio\/$/, '');
-export const linkOf = async (shared: Shared): Promise<string> => `${page()}#s=${await pack(shared)}`;
+export const linkOf = async (shared: Shared): Promise<string> => `${page}#s=${await pack(shared)}`;
 
 export async function embedOf(shared: Shared): Promise<string> {
-  return `<iframe src="${page()}studio/embed.html#s=${await pack(shared)}" width="800" height="500" title="Plateau" loading="lazy"></iframe>`;
+  return `<iframe src="${page}studio/embed.html#s=${await pack(shared)}" width="800" height="500" title="Plateau" loading="lazy"></iframe>`;
 }
 
 const slashed = (text: string): string => text.replaceAll("'", String.raw`'\''`);
