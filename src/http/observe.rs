@@ -6,7 +6,7 @@ use crate::http::problem::{self, Failure};
 use crate::telemetry::metric;
 use axum::body::Body;
 use axum::extract::{MatchedPath, Request, State};
-use axum::http::{HeaderName, HeaderValue, Response};
+use axum::http::{HeaderName, HeaderValue, Method, Response};
 use axum::middleware::Next;
 use axum::response::IntoResponse;
 use futures_util::FutureExt;
@@ -42,12 +42,26 @@ fn trace(request: &Request) -> Option<(&str, &str)> {
     (known && valid).then_some((trace, span))
 }
 
+/// Returns the label of a method in metrics. A client may send any word as a method, and any path. Methods that no route
+/// has share one label, as unknown paths do, so that the number of time series is bounded.
+fn method_label(method: &Method) -> &'static str {
+    match *method {
+        Method::GET => "GET",
+        Method::HEAD => "HEAD",
+        Method::POST => "POST",
+        Method::DELETE => "DELETE",
+        Method::OPTIONS => "OPTIONS",
+        _ => "other",
+    }
+}
+
 /// Logs, counts and completes a request. `base` is the base path of this server.
 pub async fn observe(State(base): State<Arc<str>>, request: Request, next: Next) -> Response<Body> {
     let started = Instant::now();
     let id = request_id(&request);
     let path = request.uri().path().to_owned();
     let method = request.method().as_str().to_owned();
+    let label = method_label(request.method());
     let route = request.extensions().get::<MatchedPath>().map_or("unmatched", MatchedPath::as_str).to_owned();
     let empty = tracing::field::Empty;
     let span = tracing::info_span!(
@@ -69,12 +83,9 @@ pub async fn observe(State(base): State<Arc<str>>, request: Request, next: Next)
     let status = response.status().as_u16();
     let elapsed = started.elapsed();
     span.in_scope(|| tracing::info!(status, elapsed_ms = elapsed.as_secs_f64() * 1e3, "answered"));
-    // A client may send any word as a method. Only methods of known routes become labels, so that the number of time
-    // series is bounded.
-    let method = if route == "unmatched" { "any".to_owned() } else { method };
-    metrics::counter!(metric::HTTP_REQUESTS, "method" => method.clone(), "route" => route.clone(), "status" => status.to_string())
+    metrics::counter!(metric::HTTP_REQUESTS, "method" => label, "route" => route.clone(), "status" => status.to_string())
         .increment(1);
-    metrics::histogram!(metric::HTTP_SECONDS, "method" => method, "route" => route).record(elapsed.as_secs_f64());
+    metrics::histogram!(metric::HTTP_SECONDS, "method" => label, "route" => route).record(elapsed.as_secs_f64());
     response
 }
 

@@ -3,6 +3,7 @@
 use crate::app::{MINIMAL, TestApp, endless_film, small_film};
 use reqwest::Method;
 use serde_json::Value;
+use std::collections::BTreeSet;
 
 #[tokio::test]
 async fn a_started_server_is_live_and_ready() {
@@ -27,7 +28,7 @@ async fn metrics_count_jobs_requests_and_the_queue() {
         "plateau_queue_length 0",
         "plateau_jobs_running 0",
         "plateau_build_info{version=\"0.1.0\"} 1",
-        "plateau_http_requests_total{method=\"any\",route=\"unmatched\",status=\"404\"} 1",
+        "plateau_http_requests_total{method=\"GET\",route=\"unmatched\",status=\"404\"} 1",
         "plateau_http_requests_total{method=\"POST\",route=\"/v1/minimal-surfaces\",status=\"200\"} 1",
     ] {
         assert!(text.lines().any(|found| found == line), "{line} is not in\n{text}");
@@ -44,6 +45,41 @@ async fn metrics_count_jobs_requests_and_the_queue() {
         let value = text.lines().find_map(|line| line.strip_prefix(name)?.trim().parse::<f64>().ok());
         assert!(value.is_some_and(|value| value > 0.0), "{name} is not in\n{text}");
     }
+}
+
+/// Returns the time series of requests, without their values.
+async fn request_series(app: &TestApp) -> BTreeSet<String> {
+    let text = app.get("/metrics").await.text().await.unwrap();
+    let lines = text.lines().filter(|line| line.starts_with("plateau_http_request"));
+    lines.map(|line| line.rsplit_once(' ').expect("a value").0.to_owned()).collect()
+}
+
+#[tokio::test]
+async fn invented_methods_and_unknown_paths_add_one_label_value_each() {
+    let app = TestApp::start().await;
+    let ask = async |method: &str, path: &str| {
+        let method = Method::from_bytes(method.as_bytes()).unwrap();
+        assert!(app.request(method, path).send().await.unwrap().status().is_client_error());
+    };
+    for method in ["PUT", "INVENTED"] {
+        ask(method, "/v1/jobs").await;
+        ask(method, "/nowhere").await;
+    }
+    let first = request_series(&app).await;
+    let other = |route: &str| {
+        let labels = format!("plateau_http_requests_total{{method=\"other\",route=\"{route}\",");
+        first.iter().filter(|series| series.starts_with(&labels)).count()
+    };
+    assert_eq!((other("/v1/jobs"), other("unmatched")), (1, 1), "{first:#?}");
+    for number in 0..50 {
+        ask(&format!("INVENTED{number}"), "/v1/jobs").await;
+        ask(&format!("INVENTED{number}"), &format!("/nowhere/{number}")).await;
+    }
+    // The first call of the function has itself been counted since.
+    let counted_since = |series: &&String| !series.contains("route=\"/metrics\"");
+    let later = request_series(&app).await;
+    let new: Vec<_> = later.difference(&first).filter(counted_since).collect();
+    assert!(new.is_empty(), "{} new series, such as {:?}", new.len(), new.first());
 }
 
 #[tokio::test]
