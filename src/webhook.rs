@@ -351,6 +351,29 @@ mod tests {
         assert!(lenient.check("https://[::ffff:10.0.0.1]/").is_err());
     }
 
+    #[test]
+    fn a_host_name_outside_ascii_becomes_its_ascii_form() {
+        let strict = sender(&[]);
+        for (url, host) in [
+            ("https://b\u{fc}cher.example:8443/\u{e4}?a=b", "xn--bcher-kva.example"),
+            ("https://B\u{dc}CHER.example/", "xn--bcher-kva.example"),
+            ("https://xn--bcher-kva.example/", "xn--bcher-kva.example"),
+        ] {
+            let target = strict.target(url).unwrap_or_else(|reason| panic!("{url} {reason}"));
+            assert_eq!(target.host, Host::<String>::Domain(host.into()), "{url}");
+            assert!(target.authority.starts_with(host) && target.path.is_ascii(), "{target:?}");
+        }
+        // Full-width digits and dots are other notations of the ordinary ones.
+        for (bad, why) in [
+            ("https://\u{ff11}\u{ff12}\u{ff17}.0.0.1/", "public"),
+            ("https://127\u{3002}0\u{3002}0\u{3002}1/", "public"),
+            // This is the punycode of a character that host names cannot have.
+            ("https://xn--a.example/", "not a URL"),
+        ] {
+            assert_eq!(strict.check(bad).map_err(|reason| reason.contains(why)), Err(true), "{bad}");
+        }
+    }
+
     #[tokio::test]
     async fn a_host_name_is_refused_if_it_resolves_to_a_private_address() {
         let message = Message { id: "m", owner: None, body: b"{}" };

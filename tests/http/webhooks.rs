@@ -263,6 +263,17 @@ async fn a_name_that_resolves_to_a_private_address_gets_no_message() {
 }
 
 #[tokio::test]
+async fn a_callback_may_go_to_a_host_name_outside_ascii() {
+    let receiver = Receiver::start(&["200 OK"]).await;
+    let app = receiver.app(&[("PLATEAU_WORKERS", "0"), ("PLATEAU_WEBHOOKS__ALLOWED_NETWORKS", "10.0.0.0/8")]).await;
+    assert_eq!(app.post(MINIMAL, &film("https://b\u{fc}cher.example/hook")).await.status(), 202);
+    // Full-width digits are other notations of the ordinary ones.
+    let refused = problem(app.post(MINIMAL, &film("https://\u{ff11}\u{ff12}\u{ff17}.0.0.1/")).await, 422).await;
+    assert_eq!(pointers(&refused), ["/callback_url"]);
+    assert!(refused["detail"].as_str().unwrap().contains("not public"), "{refused:#}");
+}
+
+#[tokio::test]
 async fn webhooks_are_off_without_a_secret_file() {
     let app = TestApp::start().await;
     assert_eq!(app.get_json("/v1/limits").await["webhooks"], false);
