@@ -3,8 +3,9 @@
 use crate::auth::tickets::Tickets;
 use crate::auth::{self, Keys};
 use crate::config::Config;
+use crate::http::budget::Budget;
 use crate::http::state::App;
-use crate::http::{body, mcp, openapi, router, serve};
+use crate::http::{mcp, openapi, router, serve};
 use crate::jobs::{self, Jobs, callbacks};
 use crate::store::{Store, StoreError, StoreOptions, redacted};
 use crate::telemetry;
@@ -12,7 +13,6 @@ use crate::webhook::Sender;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::net::TcpListener;
-use tokio::sync::Semaphore;
 
 /// Role of this process.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -108,10 +108,12 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
             Role::Serve | Role::Worker => println!("listening on http://{address}"),
         }
         tracing::info!(%address, workers = count, "open http://{address}/ in a browser");
-        let bodies = Arc::new(Semaphore::new(body::permits(config.http.bodies_in_flight_bytes)));
+        let (http, limits) = (&config.http, &config.limits);
+        let bodies = Budget::new(http.bodies_in_flight_bytes, http.bodies_share_percent, limits.body_bytes);
         let document = openapi::served_at(&config.http.public_base_path).into();
         let tickets = Arc::new(tickets(&store).await?);
-        let app = App { config: config.clone(), jobs: jobs.clone(), metrics, bodies, keys, tickets, document };
+        let (own_config, own_jobs, bodies) = (config.clone(), jobs.clone(), Arc::new(bodies));
+        let app = App { config: own_config, jobs: own_jobs, metrics, bodies, keys, tickets, document };
         let tools = (role == Role::Mcp).then(|| tokio::spawn(mcp::serve_stdio(app.clone(), address)));
         let until_input_ends = async {
             if let Some(tools) = tools {

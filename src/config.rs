@@ -38,6 +38,12 @@ pub struct HttpConfig {
     pub header_timeout_ms: u64,
     /// Time that a client has to send a request's body. After it the answer is 408.
     pub body_timeout_ms: u64,
+    /// Lowest rate at which a request's body may arrive, in bytes per second. A slower body is answered with 408. 0 means
+    /// no lowest rate.
+    pub body_rate_bytes_per_s: u64,
+    /// Period over which the rate of a body is measured. Each period until the body is complete must bring its share of
+    /// bytes, so this is also the pause that a client may make.
+    pub body_rate_grace_ms: u64,
     /// Interval at which a comment is sent on every event stream, so that proxies keep the stream open.
     pub event_keep_alive_ms: u64,
     /// Time between the moment when readiness goes off and the moment when the listener closes, so that a load balancer
@@ -49,8 +55,12 @@ pub struct HttpConfig {
     /// Number of connections that may be open at once. A further connection replaces the one that has been idle for
     /// longest. If no connection is idle, the new one waits.
     pub connections: usize,
-    /// Number of bytes that the request bodies of all clients together may take while they are read.
+    /// Number of bytes that the request bodies of all clients together may take while they are read. The first 16 KiB of
+    /// each body are not counted, so that small bodies never wait.
     pub bodies_in_flight_bytes: usize,
+    /// Share of `bodies_in_flight_bytes` that the bodies of one key may take, in percent. On a server without keys it is
+    /// the share of one client's address, or of the proxy that all clients come through.
+    pub bodies_share_percent: u32,
     /// Host names other than localhost that a server on a loopback address answers to, such as a proxy's upstream name.
     pub hosts: Vec<String>,
     /// Origins whose pages may use this server from a browser (`https://site.example`), or `*` for every origin.
@@ -83,11 +93,14 @@ impl Default for HttpConfig {
             wait_max_s: 60,
             header_timeout_ms: 10_000,
             body_timeout_ms: 30_000,
+            body_rate_bytes_per_s: 1024,
+            body_rate_grace_ms: 5000,
             event_keep_alive_ms: 15_000,
             shutdown_notice_ms: 1000,
             shutdown_grace_ms: 10_000,
             connections: 4096,
             bodies_in_flight_bytes: 256 << 20,
+            bodies_share_percent: 50,
             hosts: Vec::new(),
             cors_origins: Vec::new(),
             public_base_path: String::new(),
@@ -377,6 +390,7 @@ impl Config {
             ("jobs.attempts_max", u64::from(self.jobs.attempts_max)),
             ("http.header_timeout_ms", self.http.header_timeout_ms),
             ("http.body_timeout_ms", self.http.body_timeout_ms),
+            ("http.body_rate_grace_ms", self.http.body_rate_grace_ms),
             ("http.event_keep_alive_ms", self.http.event_keep_alive_ms),
             ("http.connections", self.http.connections as u64),
             ("limits.body_bytes", self.limits.body_bytes as u64),
@@ -392,8 +406,12 @@ impl Config {
         if let Some((name, _)) = at_least_one.iter().find(|(_, value)| *value == 0) {
             return Err(format!("{name} must be at least 1"));
         }
-        if !(1..=100).contains(&self.auth.queue_share_percent) {
-            return Err("auth.queue_share_percent must be from 1 to 100".into());
+        let percentages = [
+            ("auth.queue_share_percent", self.auth.queue_share_percent),
+            ("http.bodies_share_percent", self.http.bodies_share_percent),
+        ];
+        if let Some((name, _)) = percentages.iter().find(|(_, value)| !(1..=100).contains(value)) {
+            return Err(format!("{name} must be from 1 to 100"));
         }
         if self.jobs.lease_ms < 1000 {
             return Err("jobs.lease_ms must be at least 1000: a claim is renewed three times in it".into());

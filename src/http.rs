@@ -4,6 +4,7 @@
 pub mod access;
 pub mod assets;
 pub mod body;
+pub mod budget;
 pub mod compress;
 pub mod entry;
 pub mod mcp;

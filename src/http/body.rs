@@ -1,28 +1,27 @@
-//! Reads a request's body, with checks of its media type, its size, the time it takes and the shared memory budget.
+//! Reads a request's body, with checks of its media type, its size, its rate and the shared memory budget.
 
+use crate::http::access::Caller;
+use crate::http::budget::Share;
 use crate::http::problem::Failure;
 use crate::http::state::App;
 use axum::body::Body;
-use axum::http::{HeaderMap, Request, header};
+use axum::extract::ConnectInfo;
+use axum::http::{Extensions, HeaderMap, HeaderValue, Request, header};
 use bytes::Bytes;
-use http_body_util::{BodyExt, LengthLimitError, Limited};
+use http_body_util::BodyExt;
+use std::net::SocketAddr;
 use std::time::Duration;
-use tokio::sync::OwnedSemaphorePermit;
+use tokio::time::{Instant, timeout, timeout_at};
 
-/// Number of bytes for each permit of the budget for bodies.
-const PERMIT_BYTES: usize = 1024;
-
-/// Returns the number of permits for a budget of `bytes` bytes.
-#[must_use]
-pub fn permits(bytes: usize) -> usize {
-    bytes.div_ceil(PERMIT_BYTES)
-}
+/// Number of bytes of each body that are not counted in the budget, so that small bodies never wait. The limit of
+/// connections bounds their sum.
+const UNCOUNTED_BYTES: usize = 16 << 10;
 
 /// A request's body. It holds its share of the budget until it is dropped.
 #[derive(Debug)]
 pub struct Received {
     pub bytes: Bytes,
-    _share: OwnedSemaphorePermit,
+    _share: Share,
 }
 
 /// Lets [`Bytes::from_owner`] keep the share until the bytes are no longer used.
@@ -39,29 +38,76 @@ impl AsRef<[u8]> for Received {
 /// and 503 if the bodies of other requests use up the budget.
 pub async fn read_json(app: &App, request: Request<Body>) -> Result<Received, Failure> {
     let (parts, body) = request.into_parts();
-    check_media_type(&parts.headers)?;
-    let limit = app.config.limits.body_bytes;
+    let read = async {
+        check_media_type(&parts.headers)?;
+        read(app, &parts.headers, owner(&parts.extensions), body).await
+    };
+    // The body may not have been read to its end. The connection is closed, so that the rest is not parsed as another
+    // request.
+    read.await.map_err(|failure| failure.with_header(header::CONNECTION, HeaderValue::from_static("close")))
+}
+
+/// Returns the owner of a request's body: the name of its key or, on a server without keys, the client's address.
+fn owner(extensions: &Extensions) -> String {
+    let key = extensions.get().and_then(Caller::owner).map(str::to_owned);
+    let address = || extensions.get().map(|ConnectInfo::<SocketAddr>(peer)| peer.ip().to_string());
+    key.or_else(address).unwrap_or_default()
+}
+
+async fn read(app: &App, headers: &HeaderMap, owner: String, mut body: Body) -> Result<Received, Failure> {
+    let (http, limit) = (&app.config.http, app.config.limits.body_bytes);
     let too_large = || Failure::too_large(format!("a body may have at most {limit} bytes; see GET /v1/limits"));
-    let declared =
-        parts.headers.get(header::CONTENT_LENGTH).and_then(|value| value.to_str().ok()?.parse::<usize>().ok());
+    let declared = headers.get(header::CONTENT_LENGTH).and_then(|value| value.to_str().ok()?.parse::<usize>().ok());
     if declared.is_some_and(|length| length > limit) {
         return Err(too_large());
     }
-    let wait = Duration::from_millis(app.config.http.body_timeout_ms);
-    let wanted = permits(declared.unwrap_or(limit)).max(1);
-    let wanted = u32::try_from(wanted).unwrap_or(u32::MAX);
-    let share = tokio::time::timeout(wait, app.bodies.clone().acquire_many_owned(wanted)).await;
-    let Ok(Ok(share)) = share else {
-        return Err(Failure::unavailable("the bodies of other requests use up this server's budget; try again"));
-    };
-    let collected = tokio::time::timeout(wait, Limited::new(body, limit).collect()).await;
-    let bytes = match collected {
-        Err(_) => return Err(Failure::body_timeout(format!("the body did not arrive within {} ms", wait.as_millis()))),
-        Ok(Err(error)) if error.is::<LengthLimitError>() => return Err(too_large()),
-        Ok(Err(_)) => return Err(Failure::malformed("the body ended before it was complete")),
-        Ok(Ok(collected)) => collected.to_bytes(),
-    };
-    Ok(Received { bytes, _share: share })
+    let most = declared.unwrap_or(limit);
+    let wait = Duration::from_millis(http.body_timeout_ms);
+    let period = Duration::from_millis(http.body_rate_grace_ms);
+    let period_bytes = http.body_rate_bytes_per_s.saturating_mul(http.body_rate_grace_ms) / 1000;
+    let mut share = app.bodies.share(owner);
+    let mut bytes = Vec::with_capacity(most.min(UNCOUNTED_BYTES));
+    let mut deadline = Instant::now() + wait;
+    let (mut period_end, mut arrived) = (Instant::now() + period, 0);
+    loop {
+        // Bytes that have arrived are taken even after these times, so a slow server ends no body.
+        let frame = match timeout_at(deadline.min(period_end), body.frame()).await {
+            Ok(None) => break,
+            Ok(Some(frame)) => frame.map_err(|_| Failure::malformed("the body ended before it was complete"))?,
+            Err(_) if Instant::now() >= deadline => {
+                return Err(Failure::body_timeout(format!("the body did not arrive within {} ms", wait.as_millis())));
+            }
+            Err(_) if arrived < period_bytes => {
+                let rate = http.body_rate_bytes_per_s;
+                return Err(Failure::body_timeout(format!("the body arrived at less than {rate} bytes a second")));
+            }
+            Err(_) => {
+                (period_end, arrived) = (Instant::now() + period, 0);
+                continue;
+            }
+        };
+        let Ok(data) = frame.into_data() else { continue };
+        let length = bytes.len() + data.len();
+        if length > limit {
+            return Err(too_large());
+        }
+        arrived += data.len() as u64;
+        if length > bytes.capacity() {
+            let capacity = length.max((2 * bytes.capacity()).min(most));
+            let asked = Instant::now();
+            if timeout(wait, share.grow_to(capacity.saturating_sub(UNCOUNTED_BYTES))).await.is_err() {
+                return Err(Failure::unavailable(
+                    "the bodies of other requests use up this server's budget; try again",
+                ));
+            }
+            bytes.reserve_exact(capacity - bytes.len());
+            // The client's time does not run while the body waits for room.
+            deadline += asked.elapsed();
+            period_end += asked.elapsed();
+        }
+        bytes.extend_from_slice(&data);
+    }
+    Ok(Received { bytes: bytes.into(), _share: share })
 }
 
 fn check_media_type(headers: &HeaderMap) -> Result<(), Failure> {

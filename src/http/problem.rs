@@ -70,11 +70,6 @@ impl Failure {
             StatusCode::TOO_MANY_REQUESTS | StatusCode::SERVICE_UNAVAILABLE => {
                 vec![(header::RETRY_AFTER, HeaderValue::from_static("2"))]
             }
-            // The body may not have been read to its end. The connection is closed, so that the rest is not parsed as
-            // another request.
-            StatusCode::PAYLOAD_TOO_LARGE | StatusCode::UNSUPPORTED_MEDIA_TYPE | StatusCode::REQUEST_TIMEOUT => {
-                vec![(header::CONNECTION, HeaderValue::from_static("close"))]
-            }
             _ => Vec::new(),
         };
         Self { status, kind, title, detail, errors: Vec::new(), errors_omitted: false, headers }

@@ -7,6 +7,7 @@
 use crate::config::HttpConfig;
 use axum::Router;
 use axum::body::{Body, Bytes};
+use axum::extract::ConnectInfo;
 use axum::http::{Request, Response};
 use hyper::body::{Body as HttpBody, Frame, Incoming, SizeHint};
 use hyper::server::conn::http1;
@@ -15,6 +16,7 @@ use hyper_util::rt::{TokioIo, TokioTimer};
 use std::collections::HashMap;
 use std::convert::Infallible;
 use std::future::Future;
+use std::net::SocketAddr;
 use std::pin::Pin;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -45,11 +47,11 @@ pub async fn serve(listener: TcpListener, router: Router, config: &HttpConfig, s
 async fn accept(listener: &TcpListener, connections: &Connections) {
     loop {
         match listener.accept().await {
-            Ok((stream, _)) => {
+            Ok((stream, peer)) => {
                 // This disables Nagle's algorithm, so that small answers are not delayed.
                 let _ = stream.set_nodelay(true);
                 let permit = connections.permit().await;
-                connections.start(stream, permit);
+                connections.start(stream, peer, permit);
             }
             Err(error) => {
                 // The most likely cause is a lack of file descriptors, so other connections must close first.
@@ -161,8 +163,8 @@ impl Connections {
         }
     }
 
-    /// Serves a connection in its own task.
-    fn start(&self, stream: TcpStream, permit: OwnedSemaphorePermit) {
+    /// Serves a connection of this peer in its own task.
+    fn start(&self, stream: TcpStream, peer: SocketAddr, permit: OwnedSemaphorePermit) {
         let open = self.open.clone();
         let number = open.tick();
         let activity = Arc::new(Activity {
@@ -174,7 +176,8 @@ impl Connections {
         let router = self.router.clone();
         let service = {
             let (open, activity) = (open.clone(), activity.clone());
-            service_fn(move |request: Request<Incoming>| {
+            service_fn(move |mut request: Request<Incoming>| {
+                request.extensions_mut().insert(ConnectInfo(peer));
                 activity.fresh.store(false, Ordering::Relaxed);
                 activity.idle_since.store(BUSY, Ordering::Relaxed);
                 let busy = Busy { open: open.clone(), activity: activity.clone() };

@@ -3,10 +3,10 @@
 use crate::auth::Keys;
 use crate::auth::tickets::Tickets;
 use crate::config::Config;
+use crate::http::budget::Budget;
 use crate::jobs::Jobs;
 use metrics_exporter_prometheus::PrometheusHandle;
 use std::sync::Arc;
-use tokio::sync::Semaphore;
 
 /// State that every handler may use. Clones share it.
 #[derive(Clone, Debug)]
@@ -15,7 +15,7 @@ pub struct App {
     pub jobs: Jobs,
     pub metrics: PrometheusHandle,
     /// Budget for request bodies that are being read.
-    pub bodies: Arc<Semaphore>,
+    pub bodies: Arc<Budget>,
     pub keys: Arc<Keys>,
     pub tickets: Arc<Tickets>,
     /// API document as a server below this base path serves it.

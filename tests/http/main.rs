@@ -32,6 +32,7 @@ mod restart;
 mod ruled_surfaces;
 mod series;
 mod shutdown;
+mod slow_uploads;
 mod studio;
 mod tensile_structures;
 mod uniform_meshes;
