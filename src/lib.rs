@@ -15,6 +15,8 @@ pub mod opennurbs;
 pub mod status;
 pub mod store;
 mod telemetry;
+#[cfg(feature = "test-hooks")]
+mod test_hooks;
 pub mod units;
 mod webhook;
 pub mod wire;

@@ -926,6 +926,7 @@ async fn a_full_disk_recovers_once_jobs_expire() {
             if store.check().await.is_ok() {
                 break;
             }
+            // Pause between two looks, in which the writer copies its log.
             tokio::time::sleep(Duration::from_millis(50)).await;
         }
         store.check().await.unwrap();

@@ -110,7 +110,7 @@ impl Attempt {
     /// Solves the request on this thread. The caller must have reserved the memory for it.
     pub(super) fn solve(&self, request: &Request) -> Option<Outcome> {
         let _entered = self.span.enter();
-        outcome(guarded(|| solve(request, &self.line)))
+        outcome(guarded(|| solve(&self.id, request, &self.line)))
     }
 
     fn spawn_solver(&self, claimed: Claimed) -> Solver {
@@ -273,11 +273,24 @@ fn read_and_solve(jobs: &Jobs, claimed: &Claimed, line: &Line) -> Ended {
             Signal::Cancel | Signal::Continue => Unsolved::Cancelled,
         });
     };
-    solve(&request, line)
+    solve(&claimed.id, &request, line)
 }
 
-fn solve(request: &Request, line: &Line) -> Ended {
-    match solve::solve(request, &|| line.signal(), &|progress| line.report(progress)) {
+#[cfg_attr(not(feature = "test-hooks"), expect(unused_variables, reason = "only the hooks need the identifier"))]
+fn solve(id: &str, request: &Request, line: &Line) -> Ended {
+    let report = |progress| line.report(progress);
+    #[cfg(feature = "test-hooks")]
+    let holds = crate::test_hooks::Holds::claimed(id, request.kind().name(), || line.signal() == Signal::Continue);
+    #[cfg(feature = "test-hooks")]
+    let report = |progress: crate::wire::job::Progress| {
+        let fraction = progress.fraction;
+        report(progress);
+        holds.progress(fraction, || line.is_taken());
+    };
+    let solved = solve::solve(request, &|| line.signal(), &report);
+    #[cfg(feature = "test-hooks")]
+    holds.solved();
+    match solved {
         Ok(solved) => Ended::Solved(Box::new(solved)),
         Err(unsolved) => Ended::Unsolved(unsolved),
     }

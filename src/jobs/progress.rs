@@ -51,6 +51,13 @@ impl Line {
         *self.latest.lock().unwrap_or_else(PoisonError::into_inner) = Some(progress);
     }
 
+    /// Whether the latest progress has been taken.
+    #[cfg(feature = "test-hooks")]
+    #[must_use]
+    pub fn is_taken(&self) -> bool {
+        self.latest.lock().unwrap_or_else(PoisonError::into_inner).is_none()
+    }
+
     /// Returns the latest progress if there was any since the last call.
     #[must_use]
     pub fn take(&self) -> Option<Progress> {

@@ -129,6 +129,10 @@ fn solve_here(jobs: &Jobs, job: &NewJob, request: &Request, submitted_at: Instan
     if !request.quick || jobs.is_shutting_down() {
         return None;
     }
+    #[cfg(feature = "test-hooks")]
+    if crate::test_hooks::holds(&job.kind) {
+        return None;
+    }
     let _slot = jobs.slots().try_acquire_owned().ok()?;
     let _share = jobs.memory().share(request.memory_bytes, || false)?;
     let started_at = Instant::now();

@@ -1,5 +1,6 @@
 //! Processes of the real program on one database.
 
+use crate::hold::{self, Hold};
 use reqwest::{Client, Response, StatusCode};
 use serde_json::{Value, json};
 use std::process::Stdio;
@@ -22,6 +23,8 @@ pub struct Cluster {
     _folder: TempDir,
     data: String,
     settings: Vec<(&'static str, String)>,
+    /// Holds the jobs of all processes at a stage.
+    pub hold: Hold,
 }
 
 impl Cluster {
@@ -29,7 +32,8 @@ impl Cluster {
     pub fn new(database: Option<String>) -> Self {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let data = folder.path().join("data").display().to_string();
-        Self { database: database.unwrap_or_default(), _folder: folder, data, settings: Vec::new() }
+        let hold = Hold::new(&folder.path().join("hold"));
+        Self { database: database.unwrap_or_default(), _folder: folder, data, settings: Vec::new(), hold }
     }
 
     /// Adds a setting for every process started from now on.
@@ -43,6 +47,7 @@ impl Cluster {
         command.env_clear().kill_on_drop(true).args([role, "--listen", "127.0.0.1:0", "--data", &self.data]);
         command.args(["--database", &self.database, "--workers", &workers.to_string()]);
         command.env("PLATEAU_LOG__LEVEL", std::env::var("PLATEAU_TEST_LOG").unwrap_or("error".into()));
+        command.env(hold::VARIABLE, &self.hold.folder);
         command.envs(self.settings.iter().map(|(name, value)| (name, value)));
         command
     }
@@ -139,7 +144,5 @@ pub fn strip(n: usize, variant: usize) -> Value {
             .map(|t| [10.0 * t, y + (9.0 * t + phase).sin(), (7.0 * t).cos() + variant as f64 * 0.01])
             .collect()
     };
-    // The minimal area of a large strip is found almost at once. The minimal bending energy needs every cell.
-    let objective = if n < 1000 { "minimal_area" } else { "minimal_bending_energy" };
-    json!({ "directrices": [rail(0.0, 0.0), rail(4.0, 1.0)], "objective": objective, "cache": "bypass" })
+    json!({ "directrices": [rail(0.0, 0.0), rail(4.0, 1.0)], "objective": "minimal_area", "cache": "bypass" })
 }

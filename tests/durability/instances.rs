@@ -62,19 +62,15 @@ async fn any_instance_shows_and_cancels_the_jobs_of_any_worker() {
     let client = cluster::client();
 
     // No worker runs yet, so the job waits.
-    let long = a.post(&client, &cluster::strip(15_000, 0)).await;
+    cluster.hold.at("first_progress");
+    let long = a.post(&client, &cluster::film(100, 0)).await;
     let id = long["id"].as_str().unwrap();
     assert_eq!(long["status"], "queued");
     let mut events = Events::open(&b, &client, id).await;
     events.until_status("queued").await;
     let _workers = [cluster.worker(1), cluster.worker(1)];
     events.until_status("running").await;
-    loop {
-        let (name, data) = events.next().await.expect("a running job reports");
-        if name == "progress" && data["progress"]["fraction"].as_f64().unwrap() > 0.0 {
-            break;
-        }
-    }
+    while events.next().await.expect("a running job reports").0 != "progress" {}
     let asked = Instant::now();
     let response = client.post(format!("{}/v1/jobs/{id}/cancel", a.url)).send().await.unwrap();
     assert_eq!(response.json::<Value>().await.unwrap()["status"], "cancelled");
@@ -83,6 +79,7 @@ async fn any_instance_shows_and_cancels_the_jobs_of_any_worker() {
     assert_eq!(events.next().await.map(|(name, _)| name), None, "the final event must be the last");
     assert_eq!(b.get_json(&client, &format!("/v1/jobs/{id}")).await["status"], "cancelled");
 
+    cluster.hold.release("first_progress");
     // The workers take other jobs again, and every instance serves the results of any worker.
     let short = b.post(&client, &cluster::strip(30, 1)).await;
     let id = short["id"].as_str().unwrap();
@@ -99,13 +96,15 @@ async fn a_terminated_server_hands_back_its_jobs_and_the_next_server_finishes_th
     let cluster = Cluster::new(None).set("PLATEAU_HTTP__SHUTDOWN_GRACE_MS", 200).set("PLATEAU_JOBS__ATTEMPTS_MAX", 1);
     let mut first = cluster.serve(1).await;
     let client = cluster::client();
-    let running = first.post(&client, &cluster::strip(12_000, 0)).await;
+    cluster.hold.at("half");
+    let running = first.post(&client, &cluster::film(100, 0)).await;
     let queued = first.post(&client, &cluster::strip(20, 1)).await;
     let id = running["id"].as_str().unwrap();
-    Events::open(&first, &client, id).await.until_status("running").await;
+    cluster.hold.reached("half", id).await;
     first.terminate().await;
     assert!(first.ended().await.success());
 
+    cluster.hold.release("half");
     let second = cluster.serve(1).await;
     for job in [&running, &queued] {
         // The jobs were handed back, because a single lost lease would have failed them.

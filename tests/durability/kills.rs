@@ -19,17 +19,9 @@ fn kills() -> usize {
     if std::env::var_os("PLATEAU_LONG").is_some() { 100 } else { 10 }
 }
 
-/// Returns a request whose solution takes between a millisecond and a good part of a second, so that kills find jobs in
-/// every state. All requests are quick to post.
+/// Returns a small request: a strip or a film. The holds decide in which states a kill finds them.
 fn shape(number: usize) -> Value {
-    match number % 6 {
-        0 => cluster::strip(20, number),
-        1 => cluster::film(300, number),
-        2 => cluster::film(10_000, number),
-        3 => cluster::strip(40, number),
-        4 => cluster::film(2_000, number),
-        _ => cluster::film(100, number),
-    }
+    if number.is_multiple_of(2) { cluster::strip(20, number) } else { cluster::film(100, number) }
 }
 
 /// Returns the meshes of all shapes from an undisturbed server.
@@ -85,6 +77,7 @@ impl Load {
     async fn some_are_accepted(&self) {
         let seen = self.accepted.load(Ordering::Relaxed);
         while self.accepted.load(Ordering::Relaxed) < seen + 4 {
+            // Pause between two looks.
             tokio::time::sleep(Duration::from_millis(2)).await;
         }
     }
@@ -139,11 +132,24 @@ async fn post_until_told(
     accepted
 }
 
-/// Pseudo-random pauses before kills. The sequence is fixed, but the state that a kill finds depends on the machine.
+/// Moments for kills. Half of them find jobs that are held at a stage, at each stage in turn. The others are
+/// pseudo-random, so that kills also fall between the stages and into writes.
 struct Moments(u64);
 
 impl Moments {
-    async fn next(&mut self) {
+    /// Waits for the moment of a kill. `workers` is the number of jobs that can be held at once.
+    async fn next(&mut self, cluster: &Cluster, number: usize, workers: usize) {
+        let stages = ["claimed", "first_progress", "half", "storing"];
+        if number.is_multiple_of(2) {
+            let stage = stages[number / 2 % stages.len()];
+            cluster.hold.at(stage);
+            cluster.hold.reached_by(stage, workers).await;
+        } else {
+            self.pause().await;
+        }
+    }
+
+    async fn pause(&mut self) {
         self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         tokio::time::sleep(Duration::from_millis(50 + (self.0 >> 33) % 450)).await;
     }
@@ -200,10 +206,11 @@ async fn server_killed(database: Option<String>, what: &str) {
     let mut server = cluster.serve(2).await;
     let load = Load::start(&server.url);
     let mut moments = Moments(7);
-    for _ in 0..kills() {
+    for number in 0..kills() {
         load.some_are_accepted().await;
-        moments.next().await;
+        moments.next(&cluster, number, 2).await;
         server.kill().await;
+        cluster.hold.release_all();
         server = cluster.serve(2).await;
         load.moved_to(&server.url);
     }
@@ -230,11 +237,12 @@ async fn workers_killed_while_the_server_lives_lose_nothing() {
     let mut workers = [cluster.worker(1), cluster.worker(1)];
     let load = Load::start(&server.url);
     let mut moments = Moments(11);
-    for count in 0..kills() {
+    for number in 0..kills() {
         load.some_are_accepted().await;
-        moments.next().await;
-        let worker = &mut workers[count % 2];
+        moments.next(&cluster, number, 2).await;
+        let worker = &mut workers[number / 2 % 2];
         worker.kill().await;
+        cluster.hold.release_all();
         *worker = cluster.worker(1);
     }
     let accepted = load.finish().await;
@@ -249,19 +257,21 @@ async fn postgresql_stopped_and_started_again_loses_nothing() {
     let mut worker = cluster.worker(1);
     let load = Load::start(&server.url);
     let mut moments = Moments(13);
-    for count in 0..kills() {
+    for number in 0..kills() {
         load.some_are_accepted().await;
-        moments.next().await;
+        moments.next(&cluster, number, 2).await;
         postgres.stop();
         // While the database is stopped, a process may be killed too.
-        match count % 3 {
+        match number % 3 {
             1 => worker.kill().await,
             2 => server.kill().await,
             _ => {}
         }
-        moments.next().await;
+        cluster.hold.release_all();
+        // The database stays away for a while, so that processes that live try again.
+        moments.pause().await;
         postgres.start_again();
-        match count % 3 {
+        match number % 3 {
             1 => worker = cluster.worker(1),
             2 => server = cluster.serve(1).await,
             _ => {}

@@ -1,6 +1,7 @@
 //! Access to the server: keys, ownership, shares of the queue, foreign origins and foreign hosts.
 
 use crate::app::{self, MINIMAL, RULED, TestApp, small_film};
+use crate::hold::until;
 use reqwest::{Method, RequestBuilder, StatusCode};
 use serde_json::Value;
 use tempfile::TempDir;
@@ -138,24 +139,47 @@ async fn a_key_that_floods_the_queue_neither_fills_it_nor_starves_others() {
     let settings = [("PLATEAU_WORKERS", "1"), ("PLATEAU_JOBS__QUEUE_LENGTH", "20")];
     let guarded = Guarded::start(&settings).await;
     let (alice, bob) = (&guarded.alice, &guarded.bob);
+    guarded.app.hold.at("claimed.minimal_surface");
     let mut accepted = 0;
     let refused = loop {
-        // These films are quick to post and slow to solve.
-        let mut film = small_film(0.1 + f64::from(accepted) * 0.001);
-        film["resolution"]["triangles"] = 30_000.into();
+        let film = small_film(0.1 + f64::from(accepted) * 0.001);
         let response = guarded.request(alice, Method::POST, MINIMAL).json(&film).send().await.unwrap();
         if response.status() != StatusCode::ACCEPTED {
             break response;
         }
         accepted += 1;
+        if accepted == 1 {
+            // The worker takes the first job out of the queue.
+            guarded.app.hold.reached_by("claimed", 1).await;
+        }
     };
     assert_eq!(refused.status(), StatusCode::TOO_MANY_REQUESTS);
     assert!(refused.headers().contains_key("retry-after"));
-    assert!((10..20).contains(&accepted), "half of the queue plus the jobs that ran meanwhile, not {accepted}");
-    guarded.solve(bob, RULED, &app::example("wavy-strip")).await;
-    let list = guarded.request(alice, Method::GET, "/v1/jobs?status=queued&limit=200").send().await.unwrap();
-    let waiting = list.json::<Value>().await.unwrap()["jobs"].as_array().unwrap().len();
-    assert!(waiting > 5, "bob's job was among the next few: {waiting} of alice's still wait");
+    assert_eq!(accepted, 1 + 10, "one job that runs, and half of the queue");
+    let posted = guarded.request(bob, Method::POST, RULED).json(&app::example("wavy-strip")).send().await.unwrap();
+    let mut strip: Value = posted.json().await.unwrap();
+    guarded.app.hold.release("claimed.minimal_surface");
+    while strip["status"] != "succeeded" {
+        let this = strip["links"]["self"].as_str().unwrap().to_owned();
+        strip = guarded
+            .request(bob, Method::GET, &this)
+            .header("prefer", "wait=60")
+            .send()
+            .await
+            .unwrap()
+            .json()
+            .await
+            .unwrap();
+    }
+    let list = async |status: &str| {
+        let path = format!("/v1/jobs?status={status}&limit=200");
+        let page = guarded.request(alice, Method::GET, &path).send().await.unwrap().json::<Value>().await.unwrap();
+        page["jobs"].as_array().unwrap().clone()
+    };
+    until("all jobs of alice end", async || list("succeeded").await.len() == accepted as usize).await;
+    let begun = strip["started_at"].as_str().unwrap();
+    let later = list("succeeded").await.iter().filter(|job| job["started_at"].as_str().unwrap() > begun).count();
+    assert!(later > 5, "bob's job must be among the next few, but only {later} of alice's began later");
 }
 
 #[tokio::test]
@@ -274,15 +298,12 @@ async fn changes_of_the_keys_file_take_effect() {
     assert_eq!(guarded.status(&carol, Method::GET, "/v1/jobs").await, StatusCode::UNAUTHORIZED);
     std::fs::write(guarded.secrets.path().join("keys"), format!("{line}\n")).unwrap();
     // The server checks the file once a second.
-    while guarded.status(&carol, Method::GET, "/v1/jobs").await != StatusCode::OK {
-        tokio::time::sleep(std::time::Duration::from_millis(50)).await;
-    }
+    let status = async || guarded.status(&carol, Method::GET, "/v1/jobs").await;
+    until("carol's key is known", async || status().await == StatusCode::OK).await;
     assert_eq!(guarded.status(&guarded.alice, Method::GET, "/v1/jobs").await, StatusCode::UNAUTHORIZED);
     // Without any key in the file, every request is refused.
     std::fs::write(guarded.secrets.path().join("keys"), "").unwrap();
-    while guarded.status(&carol, Method::GET, "/v1/jobs").await != StatusCode::UNAUTHORIZED {
-        tokio::time::sleep(std::time::Duration::from_millis(50)).await;
-    }
+    until("no key is known", async || status().await == StatusCode::UNAUTHORIZED).await;
     assert_eq!(guarded.app.get("/v1/jobs").await.status(), StatusCode::UNAUTHORIZED);
 }
 

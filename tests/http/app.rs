@@ -1,5 +1,6 @@
 //! The only way in which tests start a server.
 
+use crate::hold::{self, Hold};
 use reqwest::{Method, RequestBuilder, Response, StatusCode};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -12,6 +13,8 @@ pub struct TestApp {
     pub url: String,
     pub folder: TempDir,
     pub client: reqwest::Client,
+    /// Holds the jobs of this server at a stage.
+    pub hold: Hold,
     child: Child,
 }
 
@@ -47,11 +50,13 @@ impl TestApp {
     }
 
     pub async fn start_in(folder: TempDir, environment: &[(&str, &str)]) -> Self {
+        let hold = Hold::new(&folder.path().join("hold"));
         let mut child = binary()
             .args(["--listen", "127.0.0.1:0", "--data"])
             .arg(folder.path().join("data"))
             .env("PLATEAU_LOG__LEVEL", "warn")
             .env("PLATEAU_HTTP__SHUTDOWN_NOTICE_MS", "0")
+            .env(hold::VARIABLE, &hold.folder)
             .envs(environment.iter().copied())
             .stdout(Stdio::piped())
             .spawn()
@@ -59,7 +64,7 @@ impl TestApp {
         let stdout = child.stdout.take().expect("standard output is piped");
         let line = BufReader::new(stdout).lines().next_line().await.expect("a first line").expect("a first line");
         let url = line.strip_prefix("listening on ").expect("the first line says where").to_owned();
-        Self { url, folder, client: client(), child }
+        Self { url, folder, client: client(), hold, child }
     }
 
     pub fn request(&self, method: Method, path: &str) -> RequestBuilder {
@@ -100,6 +105,14 @@ impl TestApp {
             job = waiting.await.expect("an answer").json().await.expect("JSON");
         }
         job
+    }
+
+    /// Waits until the server has counted this number of submitted films. From then on it notices if the client of the
+    /// last one goes away.
+    pub async fn submitted(&self, count: usize) {
+        let line = format!("plateau_submissions_total{{kind=\"minimal_surface\",outcome=\"created\"}} {count}");
+        let counted = async || self.get("/metrics").await.text().await.expect("text").lines().any(|one| one == line);
+        hold::until(&line, counted).await;
     }
 
     /// Returns the resident memory of the server in bytes.
@@ -171,7 +184,7 @@ pub fn small_film(height: f64) -> Value {
     json!({ "boundaries": [[[0, 0, 0], [1, 0, height], [1, 1, 0], [0, 1, height]]], "resolution": { "triangles": 100 } })
 }
 
-/// Returns a strip with a grid of `n` × `n` cells, which takes a solver seconds.
+/// Returns a strip with a grid of `n` × `n` cells.
 pub fn large_strip(n: usize) -> Value {
     let rail = |y: f64, phase: f64| -> Vec<[f64; 3]> {
         (0..n).map(|k| k as f64 / n as f64).map(|t| [10.0 * t, y + (9.0 * t + phase).sin(), (7.0 * t).cos()]).collect()
@@ -179,7 +192,8 @@ pub fn large_strip(n: usize) -> Value {
     json!({ "directrices": [rail(0.0, 0.0), rail(4.0, 1.0)], "objective": "minimal_bending_energy" })
 }
 
-/// Returns a film whose solver would run for hours.
+/// Returns a film whose solver has no end: it asks for a change of the area that no step of rounded numbers has. It is for
+/// tests of the solver's own looks at the signal. The others hold a job with [`TestApp::hold`].
 pub fn endless_film(height: f64) -> Value {
     let mut film = small_film(height);
     film["solver"] = "vertex_relaxation".into();

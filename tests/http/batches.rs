@@ -1,6 +1,6 @@
 //! Batches: many requests at once, with one status and one file.
 
-use crate::app::{TestApp, example, large_strip, pointers, problem, root, small_film};
+use crate::app::{TestApp, example, pointers, problem, root, small_film};
 use reqwest::{Method, StatusCode};
 use serde_json::{Value, json};
 use std::process::Command;
@@ -150,8 +150,8 @@ async fn all_requests_of_a_batch_are_accepted_or_none() {
 #[tokio::test]
 async fn cancelling_a_batch_cancels_all_its_jobs() {
     let app = TestApp::start_with(&[("PLATEAU_WORKERS", "1")]).await;
-    let mut strip = large_strip(30_000);
-    strip["kind"] = "ruled_surface".into();
+    app.hold.at("claimed.ruled_surface");
+    let strip = example("two-rails");
     let batch: Value =
         app.post(BATCHES, &json!({ "requests": [strip, film(0.1), film(0.2)] })).await.json().await.unwrap();
     let link = |name: &str| batch["links"][name].as_str().unwrap().to_owned();

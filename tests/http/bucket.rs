@@ -1,6 +1,7 @@
 //! Large results in an S3-compatible bucket.
 
 use crate::app::{MINIMAL, TestApp, small_film};
+use crate::hold::until;
 use axum::Router;
 use axum::body::Bytes;
 use axum::extract::{Request, State};
@@ -9,7 +10,6 @@ use axum::response::{IntoResponse, Response};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
-use std::time::Duration;
 
 /// A small S3 server with PUT, GET and DELETE by path. It accepts requests that are signed with the name of the right
 /// key.
@@ -83,9 +83,7 @@ async fn start(url: &str) -> TestApp {
 
 /// Waits until the server's readiness is `ready`.
 async fn until_ready(app: &TestApp, ready: bool) {
-    while (app.get("/health/ready").await.status() == 200) != ready {
-        tokio::time::sleep(Duration::from_millis(20)).await;
-    }
+    until("the readiness changes", async || (app.get("/health/ready").await.status() == 200) == ready).await;
 }
 
 #[tokio::test]

@@ -1,6 +1,6 @@
 //! Server-sent events: status changes, progress, one final status, and replay after a reconnect.
 
-use crate::app::{MINIMAL, RULED, TestApp, large_strip, problem, small_film};
+use crate::app::{MINIMAL, TestApp, problem, small_film};
 use futures_util::StreamExt;
 use reqwest::Method;
 use serde_json::Value;
@@ -32,13 +32,22 @@ fn number(id: &str) -> (u64, u64) {
 #[tokio::test]
 async fn the_events_of_a_job_run_from_queued_to_its_end() {
     let app = TestApp::start_with(&[("PLATEAU_JOBS__PROGRESS_INTERVAL_MS", "20")]).await;
-    let job: Value = app.post(RULED, &large_strip(5000)).await.json().await.unwrap();
+    app.hold.at("first_progress");
+    let job: Value = app.post(MINIMAL, &small_film(0.6)).await.json().await.unwrap();
     let events = job["links"]["events"].as_str().unwrap();
     let response = app.get(events).await;
     assert_eq!(response.headers()["content-type"], "text/event-stream");
     assert_eq!(response.headers()["cache-control"], "no-cache");
     assert_eq!(response.headers()["x-accel-buffering"], "no");
-    let text = response.text().await.unwrap();
+    let mut stream = response.bytes_stream();
+    let mut text = String::new();
+    while let Some(chunk) = stream.next().await {
+        let seen = text.contains("event: progress");
+        text.push_str(std::str::from_utf8(&chunk.unwrap()).unwrap());
+        if !seen && text.contains("event: progress") {
+            app.hold.release("first_progress");
+        }
+    }
     assert!(text.contains("retry: "));
     let list = parse(&text);
     let last = list.last().unwrap();
@@ -81,7 +90,8 @@ async fn the_events_of_a_finished_job_are_sent_at_once() {
 #[tokio::test]
 async fn a_cancelled_job_ends_its_streams() {
     let app = TestApp::start_with(&[("PLATEAU_WORKERS", "1")]).await;
-    let job: Value = app.post(RULED, &large_strip(30_000)).await.json().await.unwrap();
+    app.hold.at("claimed");
+    let job: Value = app.post(MINIMAL, &small_film(0.1)).await.json().await.unwrap();
     let mut stream = app.get(job["links"]["events"].as_str().unwrap()).await.bytes_stream();
     let mut text = String::from_utf8(stream.next().await.unwrap().unwrap().to_vec()).unwrap();
     app.request(Method::POST, job["links"]["cancel"].as_str().unwrap()).send().await.unwrap();

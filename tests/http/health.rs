@@ -1,6 +1,6 @@
 //! Health checks, metrics and request identifiers.
 
-use crate::app::{MINIMAL, TestApp, endless_film, small_film};
+use crate::app::{MINIMAL, TestApp, small_film};
 use reqwest::Method;
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -94,13 +94,15 @@ async fn a_request_id_is_returned_and_an_invalid_one_is_replaced() {
 #[tokio::test]
 async fn cancelled_jobs_are_counted_once_whether_they_ran_or_waited() {
     let app = TestApp::start_with(&[("PLATEAU_WORKERS", "1")]).await;
-    let running: Value = app.post(MINIMAL, &endless_film(0.1)).await.json().await.unwrap();
-    while app.get_json(running["links"]["self"].as_str().unwrap()).await["status"] != "running" {}
+    app.hold.at("claimed");
+    let running: Value = app.post(MINIMAL, &small_film(0.1)).await.json().await.unwrap();
+    app.hold.reached("claimed", running["id"].as_str().unwrap()).await;
     let queued: Value = app.post(MINIMAL, &small_film(0.2)).await.json().await.unwrap();
     // The queued job is cancelled first: the worker would otherwise take it as soon as the running one has stopped.
     for job in [&queued, &running, &running] {
         app.request(Method::POST, job["links"]["cancel"].as_str().unwrap()).send().await.unwrap();
     }
+    app.hold.release("claimed");
     // After this job has ended, the worker has finished with the first one.
     app.solve(MINIMAL, &small_film(0.3)).await;
     let text = app.get("/metrics").await.text().await.unwrap();

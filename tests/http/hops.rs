@@ -1,13 +1,13 @@
 //! `/hops`: descriptions of the components, and messages as Hops sends them.
 
 use crate::access::new_key;
-use crate::app::{MINIMAL, TestApp, endless_film, small_film};
+use crate::app::{MINIMAL, TestApp, small_film};
+use crate::hold::until;
 use plateau::opennurbs::curve::Curve;
 use plateau::opennurbs::{Mesh, Object, envelope, write};
 use plateau_geometry::DVec3;
 use reqwest::{Method, Response, StatusCode};
 use serde_json::{Value, json};
-use std::time::Duration;
 
 /// Returns the tree of an input with these values.
 fn input(name: &str, items: &[(&str, String)]) -> Value {
@@ -471,9 +471,8 @@ async fn answers_to_other_messages_have_the_form_of_hops_too() {
 #[tokio::test]
 async fn a_long_job_is_started_and_polled() {
     let app = TestApp::start().await;
-    let mut options = endless_film(0.5);
-    options.as_object_mut().unwrap().remove("boundaries");
-    let values = [curves("Boundaries", &[square(0.5)]), text("Options", &options.to_string())];
+    app.hold.at("first_progress");
+    let values = [curves("Boundaries", &[square(0.5)]), number("Triangles", 100)];
     let started = app.run("minimal-surface-start", &values).await;
     let id = output(&started, "Job")[0].as_str().unwrap().to_owned();
     let poll = [text("Job", &id)];
@@ -487,6 +486,7 @@ async fn a_long_job_is_started_and_polled() {
     let errors = app.refused("minimal-surface-poll", app.hops("minimal-surface-poll", &poll).await, 409).await;
     assert!(errors[0].contains("cancelled"), "{errors:?}");
 
+    app.hold.release("first_progress");
     let job = app.solve(MINIMAL, &small_film(0.25)).await;
     let poll = [text("Job", job["id"].as_str().unwrap()), number("Refresh", 3)];
     let done = app.run("minimal-surface-poll", &poll).await;
@@ -506,30 +506,24 @@ async fn newest(app: &TestApp) -> String {
 #[tokio::test]
 async fn a_job_that_takes_too_long_or_is_abandoned_is_cancelled() {
     let app = TestApp::start_with(&[("PLATEAU_HTTP__HOPS_WAIT_S", "1")]).await;
-    let values = |height: f64| {
-        let mut options = endless_film(0.5);
-        options.as_object_mut().unwrap().remove("boundaries");
-        [curves("Boundaries", &[square(height)]), text("Options", &options.to_string())]
-    };
+    app.hold.at("claimed");
+    let values = |height: f64| [curves("Boundaries", &[square(height)]), number("Triangles", 100)];
     let errors = app.refused("minimal-surface", app.hops("minimal-surface", &values(0.5)).await, 503).await;
     assert!(errors[0].contains("/hops/minimal-surface-start"), "{errors:?}");
     wait_for_cancel(&app).await;
 
     let patient = TestApp::start().await;
+    patient.hold.at("claimed");
     let message = message("minimal-surface", &values(0.6));
-    let request = patient.request(Method::POST, "/solve").json(&message).timeout(Duration::from_secs(2));
-    assert!(request.send().await.unwrap_err().is_timeout());
+    tokio::select! {
+        answer = patient.request(Method::POST, "/solve").json(&message).send() => panic!("a held job: {answer:?}"),
+        () = patient.submitted(1) => {}
+    }
     wait_for_cancel(&patient).await;
 }
 
 async fn wait_for_cancel(app: &TestApp) {
-    for _ in 0..200 {
-        if newest(app).await == "cancelled" {
-            return;
-        }
-        tokio::time::sleep(Duration::from_millis(50)).await;
-    }
-    panic!("the job is {}", newest(app).await);
+    until("the job is cancelled", async || newest(app).await == "cancelled").await;
 }
 
 #[tokio::test]

@@ -75,9 +75,8 @@ async fn an_id_may_be_written_in_lower_case() {
 async fn a_failed_job_links_to_an_explanation_and_to_no_mesh() {
     let settings = [("PLATEAU_JOBS__DEADLINE_MS", "1"), ("PLATEAU_HTTP__PUBLIC_BASE_PATH", "/plateau")];
     let app = TestApp::start_with(&settings).await;
-    let mut film = small_film(0.1);
-    film["resolution"]["triangles"] = 200_000.into();
-    let job: Value = app.post(MINIMAL, &film).await.json().await.unwrap();
+    app.hold.at("claimed");
+    let job: Value = app.post(MINIMAL, &small_film(0.1)).await.json().await.unwrap();
     assert!(job["links"]["mesh"].is_string());
     let job = app.ended(job).await;
     assert_eq!(

@@ -18,6 +18,9 @@ mod events;
 mod examples;
 mod films;
 mod health;
+#[path = "../hold/mod.rs"]
+mod hold;
+mod hooks;
 mod hops;
 mod idempotency;
 mod initial_meshes;

@@ -2,6 +2,7 @@
 
 use crate::access::new_key;
 use crate::app::{TestApp, binary, example, problem, small_film};
+use crate::hold::{self, Hold, until};
 use base64::Engine as _;
 use reqwest::{Method, Response, StatusCode};
 use serde_json::{Value, json};
@@ -112,8 +113,8 @@ async fn a_started_job_can_be_got_with_its_picture_and_linked() {
         assert_eq!(mesh.headers()["content-type"], link["media_type"].as_str().unwrap());
     }
     // A wait of 0 s asks for the state only.
-    let strip = json!({ "request": { "kind": "ruled_surface", "directrices": crate::app::large_strip(1500)["directrices"] }, "wait_s": 0 });
-    let running = succeed(&app, "solve", &strip).await;
+    app.hold.at("claimed");
+    let running = succeed(&app, "solve", &json!({ "request": example("two-rails"), "wait_s": 0 })).await;
     let state = running["structuredContent"]["status"].as_str().unwrap();
     assert!(["queued", "running"].contains(&state), "{state}");
     assert_eq!(running["content"].as_array().unwrap().len(), 1, "there is no picture yet");
@@ -211,15 +212,18 @@ struct Session {
     child: tokio::process::Child,
     input: tokio::process::ChildStdin,
     output: tokio::io::Lines<BufReader<tokio::process::ChildStdout>>,
+    hold: Hold,
     folder: tempfile::TempDir,
 }
 
 impl Session {
     async fn open() -> Self {
         let folder = tempfile::tempdir().unwrap();
+        let hold = Hold::new(&folder.path().join("hold"));
         let mut child = binary()
             .args(["mcp", "--data"])
             .arg(folder.path().join("data"))
+            .env(hold::VARIABLE, &hold.folder)
             .env("PLATEAU_LOG__LEVEL", "warn")
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
@@ -227,7 +231,7 @@ impl Session {
             .spawn()
             .unwrap();
         let output = BufReader::new(child.stdout.take().unwrap()).lines();
-        let mut session = Self { input: child.stdin.take().unwrap(), output, child, folder };
+        let mut session = Self { input: child.stdin.take().unwrap(), output, child, hold, folder };
         let client = json!({ "name": "test", "version": "1" });
         let initialize = json!({ "protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": client });
         let opened = session.ask(&message("initialize", initialize)).await;
@@ -262,7 +266,7 @@ async fn a_session_on_standard_input_solves_and_ends_in_order_with_its_input() {
     let refused = session.ask(&call("solve", &json!({ "request": { "kind": "minimal_surface" } }))).await;
     assert!(refused["result"]["content"][0]["text"].as_str().unwrap().contains("/request/boundaries: is required"));
 
-    let Session { mut child, input, mut output, folder: _folder } = session;
+    let Session { mut child, input, mut output, folder: _folder, .. } = session;
     drop(input);
     assert!(child.wait().await.unwrap().success());
     assert_eq!(output.next_line().await.unwrap(), None, "nothing else may be on standard output");
@@ -282,23 +286,20 @@ async fn a_session_ends_at_sigterm_although_its_input_is_open() {
 #[tokio::test]
 async fn a_cancelled_call_cancels_its_job() {
     let mut session = Session::open().await;
-    let mut request = crate::app::endless_film(0.5);
-    request["kind"] = "minimal_surface".into();
-    session.send(&call("solve", &json!({ "request": request }))).await;
-    let params = json!({ "requestId": 1, "reason": "the user pressed Esc" });
-    tokio::time::sleep(std::time::Duration::from_millis(500)).await;
-    session.send(&json!({ "jsonrpc": "2.0", "method": "notifications/cancelled", "params": params })).await;
+    session.hold.at("claimed");
+    session.send(&call("solve", &json!({ "request": example("two-rails") }))).await;
     let log = session.child.stderr.take().unwrap();
     let address = BufReader::new(log).lines().next_line().await.unwrap().unwrap();
     let url = format!("{}/v1/jobs", address.strip_prefix("listening on ").unwrap());
-    for _ in 0..100 {
-        let list: Value = crate::app::client().get(&url).send().await.unwrap().json().await.unwrap();
-        if list["jobs"][0]["status"] == "cancelled" {
-            return;
-        }
-        tokio::time::sleep(std::time::Duration::from_millis(100)).await;
-    }
-    panic!("the job was not cancelled");
+    let client = crate::app::client();
+    let status_is = async |status: &str| {
+        let list: Value = client.get(&url).send().await.unwrap().json().await.unwrap();
+        list["jobs"][0]["status"] == status
+    };
+    until("the job runs", async || status_is("running").await).await;
+    let params = json!({ "requestId": 1, "reason": "the user pressed Esc" });
+    session.send(&json!({ "jsonrpc": "2.0", "method": "notifications/cancelled", "params": params })).await;
+    until("the job is cancelled", async || status_is("cancelled").await).await;
 }
 
 #[tokio::test]

@@ -1,6 +1,6 @@
 //! `Prefer: wait` on POST and GET.
 
-use crate::app::{MINIMAL, RULED, TestApp, endless_film, large_strip, problem, small_film};
+use crate::app::{MINIMAL, TestApp, problem, small_film};
 use reqwest::Method;
 use serde_json::{Value, json};
 
@@ -26,7 +26,8 @@ async fn a_request_without_a_wait_is_answered_with_202() {
 #[tokio::test]
 async fn a_wait_that_ends_before_the_job_is_answered_with_202() {
     let app = TestApp::start().await;
-    let request = app.request(Method::POST, RULED).header("prefer", "wait=0").json(&large_strip(2000));
+    app.hold.at("claimed");
+    let request = app.request(Method::POST, MINIMAL).header("prefer", "wait=0").json(&small_film(0.1));
     let response = request.send().await.unwrap();
     assert_eq!(
         (response.status().as_u16(), response.headers()["preference-applied"].to_str().unwrap()),
@@ -78,14 +79,18 @@ async fn a_wait_that_accepts_a_mesh_gets_the_mesh_itself() {
         (&film, Some("wait=60"), "*/*", 200),
         (&film, Some("wait=60"), "application/json, model/gltf-binary", 200),
         (&film, None, "model/gltf-binary", 202),
-        (&endless_film(0.32), Some("wait=1"), "model/gltf-binary", 202),
+        (&small_film(0.32), Some("wait=1"), "model/gltf-binary", 202),
     ] {
+        if wait == Some("wait=1") {
+            app.hold.at("claimed");
+        }
         let response = post(request, wait, accept).await;
         assert_eq!(
             (response.status().as_u16(), &response.headers()["content-type"]),
             (status, &"application/json".parse().unwrap())
         );
     }
+    app.hold.release("claimed");
     // Two of four points coincide in the plane, which only the solver finds out.
     let mut tangled = small_film(0.33);
     tangled["boundaries"] = json!([[[0, 0, 0], [1, 1, 0], [1, 0, 0], [0, 1, 0]]]);

@@ -2,10 +2,10 @@
 //! million cells is solved, followed and cancelled.
 
 use crate::app::{RULED, TestApp, large_strip, pointers, problem};
+use crate::hold::until;
 use futures_util::StreamExt;
 use reqwest::Method;
 use serde_json::{Value, json};
-use std::time::Instant;
 
 fn strip() -> Value {
     json!({ "directrices": [
@@ -172,8 +172,22 @@ async fn wrong_values_get_an_error_with_their_pointer() {
 async fn a_strip_of_a_hundred_million_cells_is_solved_followed_and_cancelled() {
     let app = TestApp::start_with(&[("PLATEAU_JOBS__PROGRESS_INTERVAL_MS", "10"), ("PLATEAU_WORKERS", "1")]).await;
     let body = with(large_strip(10_000), json!({ "objective": "minimal_bending_energy" }));
+    let stages = ["first_progress", "half"];
+    stages.iter().for_each(|stage| app.hold.at(stage));
     let job: Value = app.post(RULED, &body).await.json().await.unwrap();
-    let text = app.get(job["links"]["events"].as_str().unwrap()).await.text().await.unwrap();
+    let mut stream = app.get(job["links"]["events"].as_str().unwrap()).await.bytes_stream();
+    let mut text = String::new();
+    for (number, stage) in stages.into_iter().enumerate() {
+        app.hold.reached(stage, job["id"].as_str().unwrap()).await;
+        // A held job has one more progress to show.
+        while text.matches("event: progress").count() <= number {
+            text.push_str(std::str::from_utf8(&stream.next().await.expect("more events").unwrap()).unwrap());
+        }
+        app.hold.release(stage);
+    }
+    while let Some(chunk) = stream.next().await {
+        text.push_str(std::str::from_utf8(&chunk.unwrap()).unwrap());
+    }
     let data: Vec<Value> = text
         .lines()
         .filter_map(|line| line.strip_prefix("data: "))
@@ -184,32 +198,15 @@ async fn a_strip_of_a_hundred_million_cells_is_solved_followed_and_cancelled() {
     assert_eq!(last["statistics"]["vertices"], 20_000);
     let fractions: Vec<f64> = data.iter().filter_map(|event| event["progress"]["fraction"].as_f64()).collect();
     let on_the_way = fractions.iter().filter(|&&fraction| fraction > 0.0 && fraction < 1.0).count();
-    assert!(on_the_way >= 3 && fractions.is_sorted(), "{fractions:?}");
+    assert!(on_the_way >= 1 && fractions.is_sorted(), "{fractions:?}");
 
-    // The second job is cancelled as soon as it reports progress.
+    // The second job is cancelled after its first progress, with the rest of its work before it.
+    app.hold.at("first_progress");
     let body = with(large_strip(10_000), json!({ "objective": "minimal_mean_curvature_variation" }));
-    let begun = Instant::now();
     let job: Value = app.post(RULED, &body).await.json().await.unwrap();
-    let mut events = app.get(job["links"]["events"].as_str().unwrap()).await.bytes_stream();
-    let mut seen = String::new();
-    let reached = |seen: &str| -> Option<f64> {
-        let data = seen.split_once("event: progress")?.1.split_once("data: ")?.1.split_once('\n')?.0;
-        serde_json::from_str::<Value>(data).ok()?["progress"]["fraction"].as_f64()
-    };
-    let fraction = loop {
-        if let Some(fraction) = reached(&seen) {
-            break fraction;
-        }
-        seen.push_str(&String::from_utf8_lossy(&events.next().await.expect("more events").unwrap()));
-    };
-    // The time for the rest of the work is estimated from the progress so far, so that the test holds on a busy
-    // machine.
-    let left = begun.elapsed().div_f64(fraction.max(0.01)).mul_f64(1.0 - fraction);
-    let asked = Instant::now();
+    app.hold.reached("first_progress", job["id"].as_str().unwrap()).await;
     let answer = app.request(Method::POST, job["links"]["cancel"].as_str().unwrap()).send().await.unwrap();
     assert_eq!(answer.json::<Value>().await.unwrap()["status"], "cancelled");
-    while !app.get("/metrics").await.text().await.unwrap().contains("plateau_jobs_running 0") {
-        assert!(asked.elapsed() < left / 2, "the solver goes on: {:?} of {left:?}", asked.elapsed());
-    }
-    println!("cancelled and idle after {:?}", asked.elapsed());
+    let idle = async || app.get("/metrics").await.text().await.unwrap().contains("plateau_jobs_running 0");
+    until("the solver has stopped", idle).await;
 }

@@ -1,9 +1,9 @@
 //! Labels and metadata of jobs, series of which only the newest job counts, and jobs that end with their connection.
 
-use crate::app::{MINIMAL, TestApp, endless_film, pointers, problem, small_film};
+use crate::app::{MINIMAL, TestApp, pointers, problem, small_film};
+use crate::hold::until;
 use reqwest::Method;
 use serde_json::{Value, json};
-use std::time::Duration;
 
 async fn submitted(app: &TestApp, request: &Value) -> Value {
     let response = app.post(MINIMAL, request).await;
@@ -50,11 +50,13 @@ async fn a_job_and_the_list_show_its_label_and_metadata() {
 async fn a_newer_request_of_a_series_cancels_the_older_ones() {
     let app = TestApp::start_with(&[("PLATEAU_WORKERS", "1")]).await;
     let of = |series: &str, height: f64| {
-        let mut film = endless_film(height);
+        let mut film = small_film(height);
         film["supersede"] = series.into();
         film
     };
+    app.hold.at("claimed");
     let running = submitted(&app, &of("drag-1", 0.1)).await;
+    app.hold.reached("claimed", running["id"].as_str().unwrap()).await;
     let queued = submitted(&app, &of("drag-1", 0.2)).await;
     let other = submitted(&app, &of("drag-2", 0.3)).await;
     let mut last = small_film(0.4);
@@ -66,6 +68,7 @@ async fn a_newer_request_of_a_series_cancels_the_older_ones() {
     assert_ne!(job(&app, &other["id"]).await["status"], "cancelled");
     let cancel = format!("{}/cancel", other["links"]["self"].as_str().unwrap());
     app.request(Method::POST, &cancel).send().await.unwrap();
+    app.hold.release("claimed");
     assert_eq!(app.ended(last).await["status"], "succeeded");
     // A request that is solved at once supersedes too, and a batch has no series.
     let mut film = small_film(0.5);
@@ -80,28 +83,34 @@ async fn a_newer_request_of_a_series_cancels_the_older_ones() {
 
 #[tokio::test]
 async fn a_job_is_cancelled_with_its_connection_if_the_client_asked_for_that() {
-    let app = TestApp::start().await;
-    for asked in [true, false] {
-        let mut film = endless_film(if asked { 0.6 } else { 0.7 });
+    let app = TestApp::start_with(&[("PLATEAU_WORKERS", "1")]).await;
+    app.hold.at("claimed");
+    // The job that has to stay comes first, so that a wrong cancel would be seen once the other job is cancelled.
+    let mut kept = Value::Null;
+    for (count, asked) in [(1, false), (2, true)] {
+        let mut film = small_film(if asked { 0.6 } else { 0.7 });
         film["cancel_on_disconnect"] = asked.into();
         let waiting = app.request(Method::POST, MINIMAL).header("prefer", "wait=60").json(&film);
-        let gone = tokio::time::timeout(Duration::from_millis(1500), waiting.send()).await;
-        assert!(gone.is_err(), "the film should take hours");
-        let mut listed = Value::Null;
-        for _ in 0..100 {
-            listed = app.get_json("/v1/jobs?limit=1").await["jobs"][0].clone();
-            if !asked || listed["status"] == "cancelled" {
-                break;
-            }
-            tokio::time::sleep(Duration::from_millis(50)).await;
+        tokio::select! {
+            answer = waiting.send() => panic!("a held job was answered: {answer:?}"),
+            () = app.submitted(count) => {}
         }
-        assert_eq!(listed["status"] == "cancelled", asked, "{listed}");
+        let newest = app.get_json("/v1/jobs?limit=1").await["jobs"][0].clone();
+        if asked {
+            let cancelled = async || job(&app, &newest["id"]).await["status"] == "cancelled";
+            until("the job is cancelled", cancelled).await;
+        } else {
+            kept = newest;
+        }
     }
+    app.hold.reached("claimed", kept["id"].as_str().unwrap()).await;
+    assert_eq!(job(&app, &kept["id"]).await["status"], "running");
+    app.request(Method::DELETE, kept["links"]["self"].as_str().unwrap()).send().await.unwrap();
     let mut film = small_film(0.8);
     film["cancel_on_disconnect"] = true.into();
     assert_eq!(pointers(&problem(app.post(MINIMAL, &film).await, 422).await), ["/cancel_on_disconnect"]);
     // The job outlives a wait that ends before it.
-    let mut film = endless_film(0.9);
+    let mut film = small_film(0.9);
     film["cancel_on_disconnect"] = true.into();
     let response = app.request(Method::POST, MINIMAL).header("prefer", "wait=1").json(&film).send().await.unwrap();
     assert_eq!(response.status(), 202);

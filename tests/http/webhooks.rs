@@ -1,6 +1,6 @@
 //! Callback URLs: messages are sent over TLS, signed and retried, and never go to private addresses.
 
-use crate::app::{self, MINIMAL, RULED, TestApp, large_strip, pointers, problem, small_film};
+use crate::app::{self, MINIMAL, RULED, TestApp, pointers, problem, small_film};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
 use hmac::{Hmac, KeyInit, Mac};
@@ -191,7 +191,8 @@ async fn messages_about_a_cancelled_job_and_a_batch_are_signed_with_the_secret_o
     let secret = secret_of(&receiver, &["alice"]).await;
     assert_ne!(secret, secret_of(&receiver, &["bob"]).await);
 
-    let mut strip = large_strip(30_000);
+    app.hold.at("claimed.ruled_surface");
+    let mut strip = app::example("two-rails");
     strip["callback_url"] = receiver.url.as_str().into();
     let post = |path: &str, body: &Value| app.request(Method::POST, path).bearer_auth(&key).json(body).send();
     let job: Value = post(RULED, &strip).await.unwrap().json().await.unwrap();

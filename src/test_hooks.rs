@@ -1,0 +1,98 @@
+//! Hooks for tests, compiled only with the cargo feature `test-hooks`. A release build with the feature does not compile.
+//! Every hook is set by environment variables that begin with `PLATEAU_TEST_`. CONTRIBUTING.md says how a test uses them.
+
+use std::cell::Cell;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+#[cfg(not(debug_assertions))]
+compile_error!("the feature test-hooks is for tests only, so it cannot be built with --release");
+
+/// Variable that names a folder. While it has a file `STAGE` or `STAGE.KIND`, a job that reaches the stage is held there.
+const HOLD_DIR: &str = "PLATEAU_TEST_HOLD_DIR";
+/// Variable that gives a number of milliseconds by which every solve is delayed.
+const DELAY_MS: &str = "PLATEAU_TEST_DELAY_MS";
+
+/// Stages at which a job can be held, in the order in which it reaches them: before its solver starts, after the
+/// solver's first report of progress, after its first report of a half or more, and after its end, before the outcome is
+/// stored. A job whose solver reports no progress reaches all of them at its end.
+const STAGES: [&str; 4] = ["claimed", "first_progress", "half", "storing"];
+/// Name of the file that lets a solver wait after each report of progress until it has been taken to be stored. Otherwise
+/// only the latest report of each interval is stored.
+const EACH_PROGRESS: &str = "each_progress";
+/// Pause between two looks at a hold.
+const PAUSE: Duration = Duration::from_millis(5);
+
+/// A job that can be held at each stage.
+pub(crate) struct Holds<'a, F> {
+    id: &'a str,
+    kind: &'a str,
+    /// Whether the job goes on. A job that was cancelled, or whose deadline has passed, is not held any longer.
+    wanted: F,
+    /// Number of stages that the job has passed.
+    passed: Cell<usize>,
+}
+
+impl<'a, F: Fn() -> bool> Holds<'a, F> {
+    /// Holds a job before its solver starts, and then delays it.
+    pub(crate) fn claimed(id: &'a str, kind: &'a str, wanted: F) -> Self {
+        let holds = Self { id, kind, wanted, passed: Cell::new(0) };
+        holds.pass(1);
+        let delay = std::env::var(DELAY_MS).ok().and_then(|text| text.parse().ok()).map(Duration::from_millis);
+        if let Some(until) = delay.map(|delay| Instant::now() + delay) {
+            while (holds.wanted)() && Instant::now() < until {
+                std::thread::sleep(PAUSE.min(until.saturating_duration_since(Instant::now())));
+            }
+        }
+        holds
+    }
+
+    /// Holds a job after its solver has reported this fraction. `is_taken` says whether the report has been taken.
+    pub(crate) fn progress(&self, fraction: f64, is_taken: impl Fn() -> bool) {
+        while (self.wanted)() && is_held(EACH_PROGRESS, self.kind) && !is_taken() {
+            std::thread::sleep(PAUSE);
+        }
+        self.pass(if fraction < 0.5 { 2 } else { 3 });
+    }
+
+    /// Holds a job after its solver has ended.
+    pub(crate) fn solved(&self) {
+        self.pass(STAGES.len());
+    }
+
+    fn pass(&self, count: usize) {
+        while self.passed.get() < count {
+            self.hold(STAGES[self.passed.get()]);
+            self.passed.set(self.passed.get() + 1);
+        }
+    }
+
+    /// Waits while the file of the stage exists. Meanwhile the folder has the file `held.STAGE.ID`.
+    fn hold(&self, stage: &str) {
+        let held = || (self.wanted)() && is_held(stage, self.kind);
+        if !held() {
+            return;
+        }
+        let Some(mark) = folder().map(|folder| folder.join(format!("held.{stage}.{}", self.id))) else { return };
+        // A test that has ended removes its folder.
+        let _ = std::fs::write(&mark, []);
+        while held() {
+            std::thread::sleep(PAUSE);
+        }
+        let _ = std::fs::remove_file(&mark);
+    }
+}
+
+/// Whether a job of this kind that is submitted now would be held. Such a job does not take the short way, which would
+/// block a thread that serves requests.
+pub(crate) fn holds(kind: &str) -> bool {
+    STAGES.iter().chain([&EACH_PROGRESS]).any(|stage| is_held(stage, kind))
+}
+
+fn is_held(stage: &str, kind: &str) -> bool {
+    folder().is_some_and(|folder| folder.join(stage).exists() || folder.join(format!("{stage}.{kind}")).exists())
+}
+
+fn folder() -> Option<PathBuf> {
+    std::env::var_os(HOLD_DIR).map(PathBuf::from)
+}
