@@ -1,26 +1,62 @@
-"""A real server for every test run: PLATEAU_BIN, or the debug build of the checkout."""
+"""A real server for every test run: PLATEAU_BIN, or the debug build of the checkout with the feature `test-hooks`."""
 
 from __future__ import annotations
 
+import contextlib
 import os
 import subprocess
+import time
 from pathlib import Path
-from typing import Iterator
+from typing import Callable, Iterator
 
 import pytest
 
 CHECKOUT = Path(__file__).resolve().parents[3]
 
 
+def soon(condition: Callable[[], bool]) -> bool:
+    """Looks again and again until the condition holds. The bound is longer than any step takes on any machine."""
+    end = time.monotonic() + 120
+    while not condition() and time.monotonic() < end:
+        time.sleep(0.01)  # between two looks
+    return condition()
+
+
+class Hold:
+    """Holds the server's jobs at a stage, so that no test depends on how long a film takes (src/test_hooks.rs)."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        folder.mkdir()
+
+    @contextlib.contextmanager
+    def at(self, stage: str) -> Iterator[None]:
+        """Holds every job that reaches the stage, until the end of the block or `release`."""
+        (self.folder / stage).touch()
+        try:
+            yield
+        finally:
+            self.release(stage)
+
+    def release(self, stage: str) -> None:
+        (self.folder / stage).unlink(missing_ok=True)
+
+    def holds_one(self) -> bool:
+        """Whether a job is held now."""
+        return any(self.folder.glob("held.*"))
+
+
 class Server:
     def __init__(self, data: Path, *arguments: str) -> None:
         binary = os.environ.get("PLATEAU_BIN") or str(CHECKOUT / "target" / "debug" / "plateau")
         self.log = (data / "log").open("w+")
+        self.hold = Hold(data / "hold")
         self.process = subprocess.Popen(
             [binary, "--listen", "127.0.0.1:0", "--data", str(data / "store"), *arguments],
             stdout=subprocess.PIPE,
             stderr=self.log,
             text=True,
+            env={**os.environ, "PLATEAU_TEST_HOLD_DIR": str(self.hold.folder)},
         )
         assert self.process.stdout is not None
         line = self.process.stdout.readline()

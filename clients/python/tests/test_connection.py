@@ -58,7 +58,7 @@ class Broken(httpx.SyncByteStream):
         self.response.close()
 
 
-def test_a_stream_that_breaks_goes_on_where_it_was(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_stream_that_breaks_goes_on_where_it_was(server: Server, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(flows, "RECONNECT_S", 0.05)
     listened: List[str] = []
 
@@ -67,13 +67,15 @@ def test_a_stream_that_breaks_goes_on_where_it_was(monkeypatch: pytest.MonkeyPat
             return response
         listened.append(request.headers.get("last-event-id", ""))
         if len(listened) > 1:
+            server.hold.release("claimed")
             return response
         return httpx.Response(200, headers=response.headers, stream=Broken(response))
 
     seen: List[str] = []
     client = Plateau(transport=Lossy(cut_first))
-    request = {"kind": "minimal_surface", "boundaries": [TENT], "resolution": {"triangles": 150_000}, "cache": "bypass"}
-    client.solve(request, on_progress=lambda progress: seen.append(progress["phase"]))
+    request = {"kind": "minimal_surface", "boundaries": [TENT], "cache": "bypass"}
+    with server.hold.at("claimed"):
+        client.solve(request, on_progress=lambda progress: seen.append(progress["phase"]))
     assert len(listened) >= 2 and listened[0] == "" and "." in listened[1]
     assert seen[-1] == "finished"
 

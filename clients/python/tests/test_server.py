@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import asyncio
-import time
 from pathlib import Path
 from typing import Any, Dict, List
 
 import numpy as np
 import pytest
+from conftest import Server, soon
 
 from plateau_client import (
     AsyncPlateau,
@@ -25,26 +25,14 @@ TENT = [(0.0, 0.0, 0.0), (8.0, 0.0, 3.0), (8.0, 8.0, 0.0), (0.0, 8.0, 3.0)]
 SURVEY = np.array([2_600_123.123456789, 1_200_456.987654321, 431.25])
 
 
-def large(shift: float = 0.0, triangles: int = 150_000) -> Dict[str, Any]:
-    """A request that takes a second or more, never the same twice with different shifts."""
+def film(shift: float = 0.0) -> Dict[str, Any]:
+    """A small request, never the same twice with different shifts. A hold makes it take as long as a test needs."""
     ring = np.array(TENT) + [0.0, 0.0, shift]
-    return requests.minimal_surface([ring], resolution={"triangles": triangles}, cache="bypass")
-
-
-def slow(shift: float) -> Dict[str, Any]:
-    """A request that takes much longer than any test waits, because a wait ends up to a second late."""
-    return large(shift, triangles=900_000)
+    return requests.minimal_surface([ring], resolution={"triangles": 200}, cache="bypass")
 
 
 def statuses(client: Plateau, **filters: Any) -> List[str]:
     return [job["status"] for job in client.jobs(**filters)]
-
-
-def soon(condition: Any) -> bool:
-    end = time.monotonic() + 10
-    while not condition() and time.monotonic() < end:
-        time.sleep(0.05)
-    return bool(condition())
 
 
 def test_every_kind_is_solved_and_saved(tmp_path: Path) -> None:
@@ -92,55 +80,71 @@ def test_every_example_is_solved_as_it_is_served() -> None:
         assert len(mesh.triangles) == mesh.statistics["triangles"]
 
 
-def test_progress_rises_and_the_bar_is_drawn(capfd: pytest.CaptureFixture[str]) -> None:
+def test_progress_rises_and_the_bar_is_drawn(server: Server, capfd: pytest.CaptureFixture[str]) -> None:
     seen: List[float] = []
-    Plateau().solve(large(0.001), on_progress=lambda progress: seen.append(progress["fraction"]), bar=True)
-    assert len(seen) >= 4 and seen == sorted(seen) and seen[-1] == 1.0
+
+    def follow(progress: Any) -> None:
+        seen.append(progress["fraction"])
+        if seen[-1] >= 0.5:
+            server.hold.release("half")
+
+    with server.hold.at("half"):
+        Plateau().solve(film(0.001), on_progress=follow, bar=True)
+    assert any(0.5 <= fraction < 1.0 for fraction in seen)
+    assert seen[0] < 0.5 and seen == sorted(seen) and seen[-1] == 1.0
     drawn = capfd.readouterr().err
     assert "100 % finished" in drawn and drawn.endswith("\n")
 
 
-def test_a_job_is_cancelled_by_whoever_has_its_handle() -> None:
+def test_a_job_is_cancelled_by_whoever_has_its_handle(server: Server) -> None:
     client = Plateau()
-    job = client.submit(slow(0.002))
-    assert job.status in ("queued", "running")
-    assert job.cancel()["status"] == "cancelled"
-    with pytest.raises(JobCancelled):
-        job.wait()
-    job.delete()
-    with pytest.raises(NotFound):
-        job.refresh()
+    with server.hold.at("claimed"):
+        job = client.submit(film(0.002))
+        assert job.status in ("queued", "running")
+        assert job.cancel()["status"] == "cancelled"
+        with pytest.raises(JobCancelled):
+            job.wait()
+        job.delete()
+        with pytest.raises(NotFound):
+            job.refresh()
 
 
-def test_who_stops_waiting_cancels_the_job() -> None:
+def test_who_stops_waiting_cancels_the_job(server: Server) -> None:
     client = Plateau()
 
     def interrupt(progress: Any) -> None:
         raise KeyboardInterrupt
 
-    with pytest.raises(KeyboardInterrupt):
-        client.solve(slow(0.003), on_progress=interrupt)
-    with pytest.raises(TimedOut):
-        client.solve(slow(0.004), timeout=0.5)
-
     async def task() -> None:
         async with AsyncPlateau() as other:
-            running = asyncio.ensure_future(other.solve(slow(0.005)))
-            await asyncio.sleep(0.3)
+            running = asyncio.ensure_future(other.solve(film(0.005)))
+            while not server.hold.holds_one():
+                await asyncio.sleep(0.01)  # between two looks
             running.cancel()
             with pytest.raises(asyncio.CancelledError):
                 await running
 
-    asyncio.run(task())
-    assert soon(lambda: not statuses(client, status="running") and not statuses(client, status="queued"))
+    def nothing_runs() -> bool:
+        busy = statuses(client, status="running") + statuses(client, status="queued")
+        return not busy and not server.hold.holds_one()
+
+    with server.hold.at("claimed"):
+        with pytest.raises(KeyboardInterrupt):
+            client.solve(film(0.003), on_progress=interrupt)
+        with pytest.raises(TimedOut):
+            client.solve(film(0.004), timeout=0.5)
+        assert soon(nothing_runs)
+        asyncio.run(task())
+        assert soon(nothing_runs)
 
 
-def test_a_wait_that_times_out_leaves_the_job_running() -> None:
-    job = Plateau().submit(slow(0.006))
-    with pytest.raises(TimedOut):
-        job.wait(timeout=0.2)
-    assert job.refresh()["status"] in ("queued", "running")
-    job.cancel()
+def test_a_wait_that_times_out_leaves_the_job_running(server: Server) -> None:
+    with server.hold.at("claimed"):
+        job = Plateau().submit(film(0.006))
+        with pytest.raises(TimedOut):
+            job.wait(timeout=0.2)
+        assert job.refresh()["status"] in ("queued", "running")
+        job.cancel()
 
 
 def test_errors_lead_to_the_values() -> None:
@@ -170,26 +174,24 @@ def test_a_job_that_fails_says_why() -> None:
     assert failed.value.detail
 
 
-def test_only_the_newest_of_a_drag_is_delivered() -> None:
-    async def drag() -> float:
+def test_only_the_newest_of_a_drag_is_delivered(server: Server) -> None:
+    async def drag() -> None:
         async with AsyncPlateau() as client:
             live = client.live()
             tasks = []
-            for step in range(20):  # ten requests a second
-                tasks.append(asyncio.ensure_future(live.solve(large(0.01 + step / 1000))))
-                await asyncio.sleep(0.1)
-            started = time.monotonic()
+            with server.hold.at("claimed"):
+                for step in range(20):
+                    followed = asyncio.Event()
+                    request = film(0.01 + step / 1000)
+                    tasks.append(asyncio.ensure_future(live.solve(request, on_progress=lambda _, e=followed: e.set())))
+                    # The first ten follow each other once the server has the one before, the others at once.
+                    if step < 10:
+                        await followed.wait()
             meshes = await asyncio.gather(*tasks)
             assert all(mesh is None for mesh in meshes[:-1])
             newest = meshes[-1]
             assert newest is not None and newest.vertices[:4, 2].min() == pytest.approx(0.029)
-            return time.monotonic() - started
 
-    seconds = asyncio.run(drag())
+    asyncio.run(drag())
     client = Plateau()
-    one = time.monotonic()
-    client.solve(large(0.5))
-    one = time.monotonic() - one
-    print(f"last request to last film {seconds:.2f} s, one film alone {one:.2f} s")
-    assert seconds < 3 * one + 5
-    assert statuses(client, status="running") == []
+    assert soon(lambda: statuses(client, status="running") == [])
