@@ -65,7 +65,7 @@ async function live() {
   const started = await page.evaluate(() => performance.now());
   for (let step = 1; step <= 240; step += 1) {
     await page.mouse.move(x - 60 * Math.sin(step / 20), y - 30 * Math.sin(step / 13));
-    await page.waitForTimeout(16);
+    await page.waitForTimeout(16); // the pace of a hand: a move in each frame
   }
   const released = await page.evaluate(() => performance.now());
   await page.mouse.up();

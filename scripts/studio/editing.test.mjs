@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { apply, covered, drag, onStage, points, request, solved, useStudio } from './harness.mjs';
+import { apply, atRest, covered, drag, onStage, points, request, solved, useStudio } from './harness.mjs';
 
 const studio = useStudio();
 
@@ -97,7 +97,7 @@ test('a lift shows its height, also from above', async () => {
   const { page } = studio;
   await studio.open('tent');
   await page.click('[data-view="top"]');
-  await page.waitForTimeout(300);
+  await atRest(page);
   const before = (await request(page)).boundaries[0][0];
   await page.mouse.click(...await onStage(page, (await points(page))[0]));
   // The arrow of the selected point lifts it.

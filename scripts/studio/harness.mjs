@@ -9,6 +9,7 @@ import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { after, afterEach, before, beforeEach } from 'node:test';
 import { chromium } from 'playwright-core';
+import { Hold } from '../../clients/typescript/test/hold.mjs';
 
 // WebGL in software: the tests need no graphics card.
 const FLAGS = [
@@ -18,10 +19,11 @@ const FLAGS = [
 /** Nothing here is measured; a machine that is busy with other tests is given time. */
 const PATIENCE_MS = 120_000;
 
-/** A server of its own on a free port: { url, stop }. */
+/** A server of its own on a free port: { url, hold, stop }. */
 export async function startServer(environment = {}) {
   const folder = await mkdtemp(join(tmpdir(), 'plateau-studio-'));
-  const options = { stdio: ['ignore', 'pipe', 'ignore'], env: { ...process.env, ...environment } };
+  const hold = new Hold(join(folder, 'hold'));
+  const options = { stdio: ['ignore', 'pipe', 'ignore'], env: { ...process.env, ...hold.environment, ...environment } };
   const server = spawn(process.env.PLATEAU_BIN, ['serve', '--listen', '127.0.0.1:0', '--data', folder], options);
   const stop = async () => {
     server.kill();
@@ -30,7 +32,7 @@ export async function startServer(environment = {}) {
   for await (const line of createInterface({ input: server.stdout })) {
     const [, address] = /^listening on (\S+)/.exec(line) ?? [];
     assert.ok(address, 'the server said where it listens');
-    return { url: address, stop };
+    return { url: address, hold, stop };
   }
   await stop();
   throw new Error('the server did not start');
@@ -40,15 +42,17 @@ export const launch = () => chromium.launch({ executablePath: process.env.CHROMI
 
 /**
  * A studio for the tests of one file: `url`, and for each test a fresh `page` whose console, errors and requests are watched.
- * Every test fails if the page logged an error, broke its policy or asked another host for anything.
+ * Every test fails if the page logged an error, broke its policy or asked another host for anything. `hold` holds the jobs of the
+ * server at a stage; it is null if PLATEAU_URL names a server that runs already.
  */
 export function useStudio({ viewport = { width: 1280, height: 720 }, colorScheme = 'light' } = {}) {
-  const studio = { url: '', page: null, context: null, browser: null, faults: [], requests: [], allowed: [] };
+  const studio = { url: '', hold: null, page: null, context: null, browser: null, faults: [], requests: [], allowed: [] };
   let own = null;
 
   before(async () => {
     own = process.env.PLATEAU_URL ? null : await startServer();
     studio.url = own?.url ?? process.env.PLATEAU_URL;
+    studio.hold = own?.hold ?? null;
     studio.browser = await launch();
   });
   after(async () => {
@@ -94,6 +98,16 @@ export const solved = (page) => page.waitForFunction(() => {
   const shown = window.studio?.shown();
   return shown && !shown.stale && document.body.getAttribute('aria-busy') === 'false' && document.querySelector('#status').textContent.startsWith('Solved');
 }, null, { timeout: PATIENCE_MS });
+
+/** Waits until the camera rests and everything is drawn. */
+export const atRest = (page) => page.waitForFunction(() => window.studio.isAtRest(), null, { timeout: PATIENCE_MS });
+
+/** Turns the wheel and waits until the page has heard of it. */
+export async function wheel(page, deltaY) {
+  await page.evaluate(() => { window.wheeled = new Promise((done) => { addEventListener('wheel', done, { once: true }); }).then(() => true); });
+  await page.mouse.wheel(0, deltaY);
+  await page.evaluate(() => window.wheeled);
+}
 
 export const request = (page) => page.evaluate(() => window.studio.request());
 export const points = (page) => page.evaluate(() => window.studio.points());

@@ -9,7 +9,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { covered, drag, request, solved, useStudio } from './harness.mjs';
+import { atRest, covered, drag, request, solved, useStudio, wheel } from './harness.mjs';
 
 const studio = useStudio();
 const { transformSync } = createRequire(fileURLToPath(new URL('../../web/package.json', import.meta.url)))('esbuild');
@@ -30,8 +30,8 @@ test('a link restores the request and the camera in another browser', async () =
   await drag(page, { x: 60, y: 420 }, { x: 210, y: 370 });
   const box = await page.locator('#view').boundingBox();
   await page.mouse.move(box.x + 300, box.y + 300);
-  await page.mouse.wheel(0, -240);
-  await page.waitForTimeout(800);
+  await wheel(page, -240);
+  await atRest(page);
   const corner = (await request(page)).boundaries[0].filter((_, i) => i % 30 === 0);
   const places = (of) => of.evaluate((list) => list.map((point) => window.studio.project(point)), corner);
   const before = await places(page);
@@ -41,7 +41,7 @@ test('a link restores the request and the camera in another browser', async () =
   const other = await studio.newPage(context);
   await other.goto(link);
   await solved(other);
-  await other.waitForTimeout(300);
+  await atRest(other);
   assert.deepEqual(await request(other), await request(page));
   assert.equal(await other.inputValue('#quantity'), 'mean_curvature');
   const after = await places(other);

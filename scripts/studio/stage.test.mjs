@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { apply, covered, drag, onStage, pixels, points, request, showPanel, solved, useStudio } from './harness.mjs';
+import { apply, atRest, covered, drag, onStage, pixels, points, request, showPanel, solved, useStudio, wheel } from './harness.mjs';
 
 const studio = useStudio();
 const disc = (n, radius = 5) => Array.from({ length: n }, (_, i) => [radius * Math.cos((2 * Math.PI * i) / n), radius * Math.sin((2 * Math.PI * i) / n), 0]);
@@ -15,12 +15,12 @@ test('the point under the cursor stays there while zooming', async () => {
     const place = () => page.evaluate((each) => window.studio.project(each), point);
     const before = await place();
     await page.mouse.move(...await onStage(page, before));
-    for (let i = 0; i < 5; i += 1) await page.mouse.wheel(0, -120);
-    await page.waitForTimeout(400);
+    for (let i = 0; i < 5; i += 1) await wheel(page, -120);
+    await atRest(page);
     const after = await place();
     assert.ok(Math.hypot(after.x - before.x, after.y - before.y) < 5, `${JSON.stringify(before)} ${JSON.stringify(after)}`);
-    for (let i = 0; i < 5; i += 1) await page.mouse.wheel(0, 120);
-    await page.waitForTimeout(400);
+    for (let i = 0; i < 5; i += 1) await wheel(page, 120);
+    await atRest(page);
     const back = await place();
     assert.ok(Math.hypot(back.x - before.x, back.y - before.y) < 5);
   }
@@ -32,12 +32,12 @@ test('wheel and right-drag work over a point', async () => {
   const [from, second] = await points(page);
   const before = await request(page);
   await page.mouse.move(...await onStage(page, from));
-  await page.mouse.wheel(0, -120);
-  await page.waitForTimeout(200);
+  await wheel(page, -120);
+  await atRest(page);
   const [grip, next] = await points(page);
   assert.ok(Math.hypot(next.x - grip.x, next.y - grip.y) > 1.05 * Math.hypot(second.x - from.x, second.y - from.y), 'zoomed');
   await drag(page, grip, { x: grip.x + 60, y: grip.y + 20 }, { button: 'right' });
-  await page.waitForTimeout(300);
+  await atRest(page);
   const [moved] = await points(page);
   assert.ok(Math.abs(moved.x - grip.x - 60) < 8 && Math.abs(moved.y - grip.y - 20) < 8, `${JSON.stringify(grip)} ${JSON.stringify(moved)}`);
   assert.deepEqual(await request(page), before, 'nothing was edited');
@@ -91,7 +91,7 @@ test('a flat disc is one colour, and its mean curvature reads as zero', async ()
   };
   await oneColour('aslant');
   await page.click('[data-view="top"]');
-  await page.waitForTimeout(200);
+  await atRest(page);
   await oneColour('from above');
   await page.mouse.click(...await onStage(page, await page.evaluate(() => window.studio.project([0.3, 0.2, 0]))));
   assert.match(await page.textContent('#label'), /≈ 0/);
@@ -141,7 +141,7 @@ test('points behind the surface are hidden and cannot be gripped', async () => {
   await apply(page, { boundaries: [[[0, 0, 6], [10, 0, 6], [10, 10, 6], [0, 10, 6]], [[4, 4, 0], [6, 4, 0], [6, 6, 0], [4, 6, 0]]], topology: 'best', resolution: { triangles: 800 } });
   await solved(page);
   await page.click('[data-view="top"]');
-  await page.waitForTimeout(300);
+  await atRest(page);
   const seen = (await points(page)).at(-1);
   const hidden = await page.evaluate(({ x, y }) => window.studio.covers(x, y), seen);
   await page.mouse.move(...await onStage(page, seen));

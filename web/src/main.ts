@@ -45,6 +45,6 @@ Object.assign(window, {
     shown: () => (session.shown ? { job: session.shown.job.id, solved: session.shown.solved, stale: isStale() } : null),
     faulty: () => [...host.faulty], selection: () => tools.selection, points: () => sketch.places.map((place) => stage.project(place)),
     project: (point: Vec3) => stage.project(host.frame.toScene(point)), covers: (x: number, y: number) => surface.pick(stage, x, y) !== null,
-    fit: () => stage.fit(false), draw: () => stage.draw(), openExample,
+    fit: () => stage.fit(false), draw: () => stage.draw(), isAtRest: () => stage.isAtRest, openExample,
   },
 });

@@ -190,6 +190,8 @@ export class Stage {
     this.invalidate();
   }
 
+  /** Whether nothing moves and everything is drawn. */
+  get isAtRest(): boolean { return !this.running; }
   get radius(): number { return this.sphere.radius; }
   get centre(): Vector3 { return this.sphere.center; }
 
