@@ -96,7 +96,7 @@ async def watch(host, port, pid):
 
     watchers = [asyncio.create_task(watcher()) for _ in range(WATCHERS)]
     while progress < WATCHERS:
-        await asyncio.sleep(0.01)
+        await asyncio.sleep(0.01)  # between two looks
     during = resident_mib(pid)
     asked = time.perf_counter()
     status, cancelled = await post(reader, writer, job["links"]["cancel"], b"")

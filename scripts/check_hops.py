@@ -215,7 +215,7 @@ def check_components():
         if status == 200:
             break
         assert status == 202, answer
-        time.sleep(0.1)
+        time.sleep(0.1)  # between two looks
     assert decode(answer["values"][0]["InnerTree"]["{0}"][0]) == "succeeded" and abs(decode(answer["values"][3]["InnerTree"]["{0}"][0]) - 100) < 1e-6
     print("components: strip, flat pattern, uniform mesh, sail, dome, start and poll")
 
@@ -246,12 +246,12 @@ def check_peer():
         file.write(PEER)
     process = subprocess.Popen([sys.executable, program, str(port)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
-        for _ in range(300):
+        for _ in range(1200):
             try:
                 call(peer + "/pointat")
                 break
             except urllib.error.URLError:
-                time.sleep(0.1)
+                time.sleep(0.1)  # between two looks
         # The peer itself works with the requests of its own tests.
         _, _, product = call(peer + "/solve", message("binmult", number("A", 3.0), number("B", 4.0)))
         assert decode(product["values"][0]["InnerTree"]["0"][0]) == 12.0

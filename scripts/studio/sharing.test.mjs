@@ -103,7 +103,7 @@ for (const [form, [program, file]] of Object.entries(STARTERS)) {
     const folder = await mkdtemp(join(tmpdir(), 'plateau-copied-'));
     try {
       await writeFile(join(folder, file), form === 'TypeScript' ? transformSync(text, { loader: 'ts', format: 'esm' }).code : text);
-      const { status, stderr } = spawnSync(program, [file], { cwd: folder, encoding: 'utf8', timeout: 60_000 });
+      const { status, stderr } = spawnSync(program, [file], { cwd: folder, encoding: 'utf8', timeout: 300_000 });
       assert.equal(status, 0, stderr);
       const bytes = await readFile(join(folder, 'surface.glb'));
       assert.equal(bytes.subarray(0, 4).toString('latin1'), 'glTF');

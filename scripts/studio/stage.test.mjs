@@ -56,7 +56,7 @@ test('whatever the size of the window, all points are seen', async () => {
       const { clientWidth, clientHeight } = document.querySelector('#view');
       const inside = window.studio.points().every(({ x, y }) => x >= 0 && y >= 0 && x <= clientWidth && y <= clientHeight);
       return innerWidth === wide && innerHeight === high && inside;
-    }, [width, height], { timeout: 30_000 });
+    }, [width, height]);
   }
 });
 
