@@ -88,7 +88,7 @@ export class Stage {
     this.last = now;
     const moved = this.controls.update(elapsed);
     if (moved || this.dirty) this.draw();
-    if (moved || this.dirty || this.controls.active) requestAnimationFrame((next) => this.tick(next));
+    if (moved || this.dirty) requestAnimationFrame((next) => this.tick(next));
     else this.running = false;
   }
 
