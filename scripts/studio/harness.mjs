@@ -43,7 +43,7 @@ export const launch = () => chromium.launch({ executablePath: process.env.CHROMI
 /**
  * A studio for the tests of one file: `url`, and for each test a fresh `page` whose console, errors and requests are watched.
  * Every test fails if the page logged an error, broke its policy or asked another host for anything. `hold` holds the jobs of the
- * server at a stage; it is null if PLATEAU_URL names a server that runs already.
+ * server at a stage, at the latest until the end of the test; it is null if PLATEAU_URL names a server that runs already.
  */
 export function useStudio({ viewport = { width: 1280, height: 720 }, colorScheme = 'light' } = {}) {
   const studio = { url: '', hold: null, page: null, context: null, browser: null, faults: [], requests: [], allowed: [] };
@@ -69,6 +69,7 @@ export function useStudio({ viewport = { width: 1280, height: 720 }, colorScheme
   afterEach(async () => {
     const foreign = studio.requests.filter((address) => !/^(blob|data):/.test(address) && !studio.allowed.some((url) => address.startsWith(url)));
     await studio.context.close();
+    await studio.hold?.releaseAll();
     assert.deepEqual(studio.faults, [], 'no error in the page');
     assert.deepEqual(foreign, [], 'nothing is fetched from another host');
   });
@@ -125,11 +126,6 @@ export async function apply(page, value) {
   await page.fill('#request', typeof value === 'string' ? value : JSON.stringify(value));
   await page.click('#apply-request');
 }
-
-/** A request that takes minutes, of an example's. */
-export const endless = (example) => ({
-  ...example, solver: 'vertex_relaxation', resolution: { triangles: 60_000 }, boundary_sampling: 'refine', area_tolerance: 0, fairing_tolerance: 0, max_iterations: 100_000,
-});
 
 /** Brings one of the two panels to the front where there is room for one only. */
 export async function showPanel(page, name) {

@@ -6,7 +6,7 @@ import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { apply, covered, endless, onStage, points, request, showPanel, solved, startServer, useStudio } from './harness.mjs';
+import { apply, covered, onStage, points, request, showPanel, solved, startServer, useStudio } from './harness.mjs';
 
 const studio = useStudio();
 
@@ -104,7 +104,6 @@ test('a long job shows charts, time and stage, is found again after a reload, an
   await page.waitForFunction(() => document.querySelector('#status').textContent === 'Cancelled.');
   assert.equal((await (await fetch(`${studio.url}/v1/jobs/${id}`)).json()).status, 'cancelled');
   assert.equal(await page.isVisible('#cancel'), false);
-  for (const stage of ['each_progress', 'half']) await hold.release(stage);
 });
 
 test('a recent job opens with its drawing', async () => {

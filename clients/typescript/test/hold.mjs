@@ -40,6 +40,12 @@ export class Hold {
     return rm(join(this.#folder, stage), { force: true });
   }
 
+  /** Removes every hold. */
+  async releaseAll() {
+    const names = (await readdir(this.#folder)).filter((name) => !name.startsWith('held.'));
+    await Promise.all(names.map((name) => this.release(name)));
+  }
+
   /** Whether a job is held now. */
   async holdsOne() {
     return (await readdir(this.#folder)).some((name) => name.startsWith('held.'));
