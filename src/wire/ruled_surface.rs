@@ -48,7 +48,8 @@ pub struct RuledSurfaceRequest {
     /// `as_given` reverses none.
     #[serde(default)]
     pub direction: Direction,
-    /// Treatment of the ends of a closed stack: open, or closed by flat caps.
+    /// Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by at
+    /// most a thousandth of its size is projected onto it for the cap, with the warning `projected`.
     #[serde(default)]
     pub caps: Caps,
     /// Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires

@@ -81,7 +81,9 @@ pub enum UniformMeshKind {
 #[serde(deny_unknown_fields)]
 #[schemars(extend("minProperties" = 1, "maxProperties" = 2))]
 pub struct Domain {
-    /// A planar polygon in space that does not repeat its first point.
+    /// A planar polygon in space that does not repeat its first point. If its points or those of its holes are off the
+    /// plane by more than rounding, but by at most a thousandth of its size, they are projected onto it, with the warning
+    /// `projected`.
     #[serde(default)]
     #[schemars(with = "Vec<Point>", length(min = 3))]
     pub polygon: Option<Vec<Point>>,

@@ -157,10 +157,14 @@ async fn wrong_values_get_an_error_with_their_pointer() {
     }
     let huge = with(strip(), json!({ "sampling": { "by": "parameter", "samples": 10_000_000 } }));
     assert_eq!(pointers(&problem(app.post(RULED, &huge).await, 413).await), ["/sampling/samples"]);
-    // Errors that only the solver can find are errors of the job.
     let mut bent = ring(12, 0.0);
     bent[3][2] = 0.5;
-    let body = json!({ "directrices": [bent, ring(9, 1.0)], "closed": true, "caps": "flat" });
+    let capped = json!({ "directrices": [bent, ring(9, 1.0)], "closed": true, "caps": "flat" });
+    assert_eq!(pointers(&problem(app.post(RULED, &capped).await, 422).await), ["/directrices/0/3"]);
+    // Errors that only the solver can find are errors of the job.
+    let mut crossed = ring(12, 0.0);
+    crossed.swap(3, 7);
+    let body = json!({ "directrices": [crossed, ring(9, 1.0)], "closed": true, "caps": "flat" });
     let job: Value = app.post_waiting(RULED, &body).await.json().await.unwrap();
     assert_eq!(
         (job["status"].as_str(), job["error"]["errors"][0]["pointer"].as_str()),

@@ -147,4 +147,13 @@ impl Warning {
         };
         Self::new("merged_points", place + &merged)
     }
+
+    /// The warning that points were projected onto their plane, from which they were up to `distance` away.
+    pub(crate) fn projected(what: &str, distance: f64) -> Self {
+        let detail = format!(
+            "{what} is not quite plane and was projected onto its plane: points were moved by up to {distance:.6e}, in the \
+             unit of the coordinates"
+        );
+        Self::new("projected", detail)
+    }
 }

@@ -391,11 +391,55 @@ fn capped_stacks_are_closed_bodies_that_point_outwards() {
     bent[3].z += 0.1;
     let mut crossed = ring(40, 0.0, 0.0, false);
     crossed.swap(3, 17);
-    for contour in [bent, crossed] {
+    for (contour, place, detail) in
+        [(bent, "/directrices/0/3", "this point is 9.23"), (crossed, "/directrices/0", "do not cross")]
+    {
         let stack = [contour, ring(31, 1.0, 0.5, false)];
         let options = Options { closed: true, caps: Caps::Flat, ..Options::default() };
         let error = solve(&stack, &options, &Execution::default()).unwrap_err();
-        assert!(matches!(&error, Error::Input(errors) if errors[0].place.to_string() == "/directrices/0"), "{error}");
+        let Error::Input(errors) = &error else { panic!("{error}") };
+        assert_eq!(errors[0].place.to_string(), place, "{error}");
+        assert!(errors[0].detail.contains(detail), "{error}");
+    }
+}
+
+/// End contours in sloping planes whose coordinates were rounded, to a micrometre and to a millimetre.
+#[test]
+fn rounded_end_contours_are_projected_before_they_are_capped() {
+    let ring = |count: usize, tilt: f64, height: f64, digit: f64| -> Vec<DVec3> {
+        let point = |k: usize| {
+            let angle = std::f64::consts::TAU * k as f64 / count as f64;
+            let point = DVec3::new(500.0 * angle.cos(), 300.0 * angle.sin(), 0.0);
+            let turned = glam::DQuat::from_rotation_y(tilt) * point + DVec3::new(0.0, 0.0, height);
+            (turned / digit).round() * digit
+        };
+        (0..count).map(point).collect()
+    };
+    for digit in [1e-3, 1.0] {
+        let middle = ring(30, 0.3, 300.0, digit);
+        let stack = [ring(40, 0.1, 0.0, digit), middle.clone(), ring(51, 0.4, 600.0, digit)];
+        let options = Options { closed: true, caps: Caps::Flat, ..Options::default() };
+        let surface = solved(&stack, &options);
+        let projected = |surface: &RuledSurface| -> Vec<String> {
+            let of = surface.warnings.iter().filter(|warning| warning.code == "projected");
+            of.map(|warning| warning.detail.clone()).collect()
+        };
+        let warnings = projected(&surface);
+        assert_eq!(warnings.len(), 2, "{warnings:?}");
+        assert!(warnings[0].starts_with("directrix 0 ") && warnings[1].starts_with("directrix 2 "), "{warnings:?}");
+        assert_eq!(surface.mesh.check().expect("a manifold").euler_characteristic(), 2);
+        let vertices = &surface.mesh.vertices;
+        let moved = stack[0].iter().zip(vertices).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+        assert!(moved > 0.1 * digit && moved < 2.0 * digit, "{moved}");
+        let stated = warnings[0].split("by up to ").nth(1).and_then(|rest| rest.split(',').next());
+        let stated: f64 = stated.and_then(|number| number.parse().ok()).expect("a distance");
+        assert!((stated - moved).abs() < 1e-6 * moved + 1e-12, "{moved} {warnings:?}");
+        assert_eq!(vertices[40..70], middle, "a contour without a cap stays");
+        // What was projected is plane, and is capped as it is.
+        let again = [vertices[..40].to_vec(), middle, vertices[70..].to_vec()];
+        let again = solved(&again, &options);
+        assert_eq!(projected(&again), Vec::<String>::new());
+        assert_eq!(again.mesh, surface.mesh);
     }
 }
 

@@ -409,17 +409,106 @@ fn bad_input_is_named() {
 #[test]
 fn a_point_off_the_plane_is_named_with_its_distance() {
     let mut outer = flat(&[[0.0, 0.0], [4.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]]);
-    outer[1].z = 1e-7;
+    outer[1].z = 1e-9;
     let planar = Domain::Polygon { outer: outer.clone(), holes: Vec::new() };
     let result = run(&planar, 1.0, Objective::MostEqualEdges).unwrap();
     assert_eq!(result.mesh.vertices[1], outer[1]);
+    assert_eq!(result.warnings, []);
     outer[1].z = 0.5;
     let Err(Error::Input(errors)) = run(&Domain::Polygon { outer, holes: Vec::new() }, 1.0, Objective::FewestNodes)
     else {
         panic!("not refused")
     };
     assert_eq!(errors[0].place.to_string(), "/domain/polygon/1");
+    // The plane passes through the mean of the five points.
+    assert!(errors[0].detail.contains("this point is 3.9"), "{}", errors[0].detail);
     assert!(errors[0].detail.contains("off the plane"), "{}", errors[0].detail);
+}
+
+/// A roof of a city model, stored to a millimetre.
+#[test]
+fn a_roof_stored_to_a_millimetre_is_projected() {
+    let roof = [
+        [90446.49900000001, 435858.32, 4.829],
+        [90448.85900000001, 435858.169, 4.829],
+        [90451.04400000001, 435858.032, 4.829],
+        [90451.17300000001, 435860.074, 6.569],
+        [90446.615, 435860.363, 6.569],
+        [90446.55900000001, 435859.64, 5.953],
+    ];
+    let domain = Domain::Polygon { outer: roof.map(DVec3::from).to_vec(), holes: Vec::new() };
+    let result = run(&domain, 0.35, Objective::FewestNodes).unwrap();
+    assert_eq!(result.warnings.len(), 1, "{:?}", result.warnings);
+    let distance = projected_by(&result).expect("the warning");
+    assert!((4e-4..6e-4).contains(&distance), "{distance}");
+}
+
+/// The distance that the warning `projected` states.
+fn projected_by(result: &UniformMesh) -> Option<f64> {
+    let warning = result.warnings.iter().find(|warning| warning.code == "projected")?;
+    let distance = warning.detail.split("by up to ").nth(1)?.split(',').next()?;
+    Some(distance.parse().expect("a number"))
+}
+
+/// Sloped outlines with a hole, whose coordinates were rounded to a millimetre, in metres and in millimetres, near zero and
+/// at survey coordinates: they are projected by as much as the warning says, and then they are plane.
+#[test]
+fn sloped_outlines_that_were_rounded_to_a_millimetre_are_projected_and_level_ones_are_not() {
+    let mut random = SplitMix64::new(42);
+    for case in 0..48 {
+        let offset = [0.0, 1e6, 1e7][case % 3];
+        let unit = [1.0, 1000.0][case / 3 % 2];
+        let level = case % 8 == 7;
+        let offset = DVec3::new(offset + 33.3, 0.4 * offset, if level { 12.0 } else { 0.3 * offset });
+        let turn = if level {
+            glam::DQuat::IDENTITY
+        } else {
+            let axis = DVec3::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0), 0.3).normalize();
+            glam::DQuat::from_axis_angle(axis, random.between(0.1, 1.4))
+        };
+        let rounded = |points: &[DVec2]| -> Vec<DVec3> {
+            let place = |p: &DVec2| (offset + turn * p.extend(0.0)) * 1000.0;
+            points.iter().map(|p| place(p).round() * (unit / 1000.0)).collect()
+        };
+        let outline: Vec<DVec2> = points(&star(case as u64, 5 + case % 17));
+        let mut opening: Vec<DVec2> = (0..5).map(|k| 0.5 * DVec2::from_angle(f64::from(k) * TAU / 5.0)).collect();
+        if case % 2 == 0 {
+            opening.reverse();
+        }
+        let outer = rounded(&outline);
+        let holes = vec![rounded(&opening)];
+        let given: Vec<DVec3> = outer.iter().chain(&holes[0]).copied().collect();
+        let largest = given.iter().fold(0.0f64, |m, p| m.max(p.abs().max_element()));
+        let ulp = largest.next_up() - largest;
+        let objective = Objective::ALL[case % 2];
+        let result = run(&Domain::Polygon { outer, holes }, unit, objective).unwrap();
+        let vertices = &result.mesh.vertices;
+        let moved = given.iter().zip(vertices).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+        match projected_by(&result) {
+            None => assert!(level && moved == 0.0, "case {case}: {moved}"),
+            Some(distance) => {
+                assert!(!level && (distance - moved).abs() <= 1e-6 * moved + 8.0 * ulp, "{case}: {distance} {moved}");
+                assert!(distance < 2e-3 * unit, "{case}: {distance}");
+            }
+        }
+        // The mesh is plane and has the outline's area, up to the rounding of the corners.
+        let doubled: DVec3 =
+            result.mesh.triangles.iter().map(|&t| measure::double_area_vector(result.mesh.corners(t))).sum();
+        let normal = doubled.normalize();
+        let height = |p: &DVec3| (*p - vertices[0]).dot(normal).abs();
+        let off = vertices.iter().map(height).fold(0.0, f64::max);
+        assert!(off <= 8.0 * ulp + 1e-9 * unit, "case {case}: {off}");
+        let perimeter: f64 = (0..outline.len()).map(|k| outline[k].distance(outline[(k + 1) % outline.len()])).sum();
+        let exact = area(&outline) - area(&opening).abs();
+        let measured = doubled.length() / 2.0 / (unit * unit);
+        assert!((measured - exact).abs() < 1e-3 * (perimeter + 4.0), "{case}: {measured} of {exact}");
+        // The projected outline is plane: it is meshed without a warning, with the same bits.
+        let (outer, hole) = vertices[..given.len()].split_at(outline.len());
+        let again = Domain::Polygon { outer: outer.to_vec(), holes: vec![hole.to_vec()] };
+        let again = run(&again, unit, objective).unwrap();
+        assert_eq!(projected_by(&again), None, "case {case}");
+        assert_eq!(again.mesh.vertices[..given.len()], vertices[..given.len()], "case {case}");
+    }
 }
 
 #[test]

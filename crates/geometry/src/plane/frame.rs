@@ -57,6 +57,11 @@ impl Frame {
         self.origin + p.x * self.x + p.y * self.y
     }
 
+    /// The nearest point of the plane.
+    pub fn foot(&self, point: DVec3) -> DVec3 {
+        point - (point - self.origin).dot(self.normal) * self.normal
+    }
+
     /// Distance of a point from the plane.
     pub fn height(&self, point: DVec3) -> f64 {
         (point - self.origin).dot(self.normal).abs()

@@ -6,9 +6,10 @@ use crate::DVec3;
 /// The region or surface to mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Domain {
-    /// A planar polygon in space with holes, in either direction, none repeating its first point. Its points may lie up
-    /// to 1e-6 of its size off their plane; they stay exactly where they are given. The mesh faces the side from which
-    /// `outer` runs counter-clockwise.
+    /// A planar polygon in space with holes, in either direction, none repeating its first point. Its points stay exactly
+    /// where they are given. If they are off the plane of `outer` by more than rounding, but by at most a thousandth of
+    /// its size (twice the largest distance of its points from their mean), they are projected onto it, with the warning
+    /// `projected`. The mesh faces the side from which `outer` runs counter-clockwise.
     Polygon {
         /// The outer boundary.
         outer: Vec<DVec3>,

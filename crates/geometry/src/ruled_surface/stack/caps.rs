@@ -1,20 +1,44 @@
 //! Flat caps: constrained Delaunay triangulations of planar end contours, which add no vertices.
 
-use crate::error::{Error, Place};
+use crate::error::{Error, InputError, Place};
 use crate::execution::{Execution, Interruption};
+use crate::plane::flatness::Flatness;
 use crate::plane::frame::Frame;
 use crate::plane::triangulation::{Border, Constraint, triangles_inside};
+use crate::polyline::merge_near_neighbours;
 use crate::{DVec2, DVec3, Mesh};
 
-/// Largest distance of a point of a planar contour from its plane, as a fraction of the contour's size; rounding of the
-/// input comes on top. A larger value closes ends that are visibly bent.
-const PLANARITY: f64 = 1e-9;
-
-/// Closes the two ends of a closed stack. A directrix of one point closes its end already. Leaves the mesh oriented
-/// outwards.
+/// Projects the points of an end contour onto its plane. Returns `None` if they lie in it already, up to rounding, else the
+/// points and the largest distance by which one was moved. `place` is the place of the contour.
 ///
 /// # Errors
-/// [`Error::Input`] at `directrices`, k if an end contour is not planar or crosses itself.
+/// [`InputError`] if the contour has no area, or at the farthest point if it is not planar.
+pub(crate) fn project(points: &[DVec3], place: Place) -> Result<Option<(Vec<DVec3>, f64)>, InputError> {
+    let merged = merge_near_neighbours(points, true);
+    if merged.points.len() < 3 {
+        // An apex, or an error that is reported with the number of points.
+        return Ok(None);
+    }
+    let Some(plane) = Frame::of_loop(&merged.points) else {
+        return Err(InputError::new(place, WITHOUT_AREA));
+    };
+    match Flatness::of(merged.points.iter().copied(), &merged.points, &plane) {
+        Flatness::Plane => Ok(None),
+        Flatness::Near(distance) => Ok(Some((points.iter().map(|&point| plane.foot(point)).collect(), distance))),
+        Flatness::Bent(departure) => {
+            let place = place.at(merged.source[departure.point]);
+            Err(InputError::new(place, departure.detail("flat caps need planar end contours")))
+        }
+    }
+}
+
+const WITHOUT_AREA: &str = "flat caps need an end contour with an area";
+
+/// Closes the two ends of a closed stack, whose end contours are plane. A directrix of one point closes its end already.
+/// Leaves the mesh oriented outwards.
+///
+/// # Errors
+/// [`Error::Input`] at `directrices`, k if an end contour crosses itself.
 pub(crate) fn close(mesh: &mut Mesh, directrices: &[Vec<u32>], execution: &Execution<'_>) -> Result<(), Error> {
     let last = directrices.len() - 1;
     for k in [0, last] {
@@ -53,18 +77,13 @@ fn cap(
 ) -> Result<Result<Vec<[u32; 3]>, &'static str>, Interruption> {
     let origin = vertices[contour[0] as usize];
     let points: Vec<DVec3> = contour.iter().map(|&v| vertices[v as usize] - origin).collect();
-    let largest = contour.iter().fold(0.0f64, |m, &v| m.max(vertices[v as usize].abs().max_element()));
     let size = points.iter().fold(0.0f64, |m, p| m.max(p.length()));
     // Twice the area vector; scaled so that no size overflows.
     let next = |k: usize| points[(k + 1) % points.len()] / size;
     let area: DVec3 = (0..points.len()).map(|k| (points[k] / size).cross(next(k))).sum();
     let Some(normal) = area.try_normalize() else {
-        return Ok(Err("flat caps need an end contour with an area"));
+        return Ok(Err(WITHOUT_AREA));
     };
-    let tolerance = PLANARITY * size + 4.0 * (largest.next_up() - largest);
-    if points.iter().any(|p| p.dot(normal).abs() > tolerance) {
-        return Ok(Err("flat caps need planar end contours"));
-    }
     let frame = Frame::with_normal(normal);
     let flat: Vec<DVec2> = points.iter().map(|&p| frame.coordinates(p) / size).collect();
     let n = flat.len() as u32;

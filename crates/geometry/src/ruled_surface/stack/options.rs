@@ -66,6 +66,8 @@ pub enum Caps {
     #[default]
     /// The ends stay open.
     None,
-    /// Constrained Delaunay triangulations of the planar end contours: a closed body, oriented outwards.
+    /// Constrained Delaunay triangulations of the planar end contours: a closed body, oriented outwards. A contour that is
+    /// off its plane by at most a thousandth of its size is projected onto it before anything is solved, with the warning
+    /// `projected`.
     Flat,
 }

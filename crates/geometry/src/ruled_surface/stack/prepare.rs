@@ -1,5 +1,6 @@
 //! Checks the input of a stack, cleans and samples its directrices.
 
+use super::caps;
 use super::options::{Caps, Options};
 use super::sampling::{self, Sampling};
 use crate::error::{Error, InputError, Place, Warning};
@@ -7,6 +8,7 @@ use crate::execution::{Execution, Interruption};
 use crate::ruled_surface::graph::rails::{Given, Rails};
 use crate::ruled_surface::strip::check::{MOST_ERRORS, TOO_FEW_CLOSED, goal_errors, shape_errors, value_errors};
 use crate::{DVec3, polyline};
+use std::borrow::Cow;
 
 /// Largest number of samples of one directrix.
 const MOST_SAMPLES: usize = 1 << 24;
@@ -92,9 +94,20 @@ pub(crate) fn prepare(
     let mut prepared = Prepared { closed: options.closed, directrices: Vec::new(), warnings: Vec::new() };
     let mut offset = 0;
     for (k, points) in directrices.iter().enumerate() {
+        let mut points = Cow::Borrowed(points);
+        if options.caps == Caps::Flat && (k == 0 || k + 1 == directrices.len()) {
+            match caps::project(&points, Place::field("directrices").at(k)) {
+                Ok(None) => {}
+                Ok(Some((projected, distance))) => {
+                    prepared.warnings.push(Warning::projected(&format!("directrix {k}"), distance));
+                    points = Cow::Owned(projected);
+                }
+                Err(error) => errors.push(error),
+            }
+        }
         let along = |values: &Option<Vec<Vec<DVec3>>>| values.as_ref().map(|values| values[k].clone());
         let (directrix, dropped) = clean(
-            points,
+            &points,
             along(&options.tangents),
             along(&options.normals),
             (options.closed, sampling),

@@ -1,9 +1,11 @@
-//! A planar polygon in space, with holes: checked, brought into its plane in units of ℓ, its long sides split.
+//! A planar polygon in space, with holes: checked, projected if its points are rounded, brought into its plane in units
+//! of ℓ, its long sides split.
 
 use super::mesh::Outline;
 use super::sides::{Division, Sides, is_sharp, pieces};
 use crate::error::{Error, InputError, Place, Warning};
 use crate::execution::{Execution, Signal};
+use crate::plane::flatness::Flatness;
 use crate::plane::frame::Frame;
 use crate::plane::polygon::doubled_area;
 use crate::polyline::contact::{Contact, Segments, first_contact};
@@ -11,8 +13,9 @@ use crate::polyline::{LARGEST_COORDINATE, Merged, mean, merge_near_neighbours};
 use crate::{DVec2, DVec3};
 use std::cell::Cell;
 
-/// How far a point may lie off the plane, as a fraction of the polygon's size.
-pub(in crate::uniform_mesh) const PLANARITY: f64 = 1e-6;
+/// Distance below which points lie on one line and sides meet, as a fraction of the polygon's size, where the cause of a
+/// vanishing area is looked for.
+const TOUCHING: f64 = 1e-6;
 
 /// A polygon ready to be meshed.
 #[derive(Clone, Debug)]
@@ -21,7 +24,7 @@ pub(in crate::uniform_mesh) struct Polygon {
     /// ℓ.
     unit: f64,
     pub outline: Outline,
-    /// The outline's nodes in space; the corners first, exactly as given.
+    /// The outline's nodes in space. The corners come first, exactly as given unless they were projected.
     pub positions: Vec<DVec3>,
     pub input_vertices: Vec<Option<u32>>,
     pub warnings: Vec<Warning>,
@@ -50,40 +53,31 @@ impl Polygon {
     /// Points that are not finite, fewer than three distinct points in a loop, no area, points off the plane.
     pub fn new(outer: &[DVec3], holes: &[Vec<DVec3>], edge_length: f64) -> Result<Self, Error> {
         let rings: Vec<&[DVec3]> = std::iter::once(outer).chain(holes.iter().map(Vec::as_slice)).collect();
-        let mut errors = Vec::new();
         for (ring, points) in rings.iter().enumerate() {
             finite(ring, points)?;
         }
-        let merged: Vec<_> = rings.iter().map(|points| merge_near_neighbours(points, true)).collect();
-        for (ring, merged) in merged.iter().enumerate() {
-            if merged.points.len() < 3 {
-                errors.push(InputError::new(ring_place(ring), "needs at least three distinct points"));
+        let mut merged = merge(&rings)?;
+        let frame = Frame::of_loop(&merged[0].points).ok_or_else(|| without_area(&merged[0]))?;
+        let all = || merged.iter().flat_map(|m| &m.points).copied();
+        let mut warnings = Vec::new();
+        match Flatness::of(all(), &merged[0].points, &frame) {
+            Flatness::Plane => {}
+            Flatness::Near(distance) => {
+                warnings.push(Warning::projected("the polygon", distance));
+                let onto_plane = |points: &&[DVec3]| points.iter().map(|&point| frame.foot(point)).collect();
+                let projected: Vec<Vec<DVec3>> = rings.iter().map(onto_plane).collect();
+                merged = merge(&projected)?;
+            }
+            Flatness::Bent(departure) => {
+                let sources = merged.iter().enumerate().flat_map(|(ring, m)| m.source.iter().map(move |&k| (ring, k)));
+                let place = sources.map(|(ring, k)| place(ring, k)).nth(departure.point);
+                let detail = departure.detail("the polygon is not planar");
+                return Err(Error::input(place.unwrap_or_else(|| ring_place(0)), detail));
             }
         }
-        if !errors.is_empty() {
-            return Err(Error::Input(errors));
-        }
         let dropped: usize = merged.iter().map(|m| m.dropped()).sum();
-        let mut warnings = Vec::new();
         if dropped > 0 {
             warnings.push(Warning::new("merged_points", format!("{dropped} repeated points were merged")));
-        }
-        let frame = Frame::of_loop(&merged[0].points).ok_or_else(|| without_area(&merged[0]))?;
-        let size = merged[0].points.iter().map(|p| p.distance(frame.origin)).fold(0.0, f64::max);
-        let tolerance = PLANARITY * size;
-        let off = merged
-            .iter()
-            .enumerate()
-            .flat_map(|(ring, m)| m.points.iter().zip(&m.source).map(move |(p, &k)| (ring, k, p)))
-            .map(|(ring, k, p)| (frame.height(*p), ring, k))
-            // Points that are equally far off up to rounding are named in the order of the input.
-            .fold((0.0, 0, 0), |worst, here| if here.0 > worst.0 * (1.0 + 1e-9) { here } else { worst });
-        if off.0 > tolerance {
-            let detail = format!(
-                "the polygon is not planar: this point is {:.6e} off the plane through it all (allowed: {:.1e} of its size, {:.6e})",
-                off.0, PLANARITY, tolerance
-            );
-            return Err(Error::input(place(off.1, off.2), detail));
         }
 
         let mut polygon = Self {
@@ -178,6 +172,15 @@ impl Polygon {
     }
 }
 
+/// The loops without repeated points.
+fn merge(rings: &[impl AsRef<[DVec3]>]) -> Result<Vec<Merged>, Error> {
+    let merged: Vec<_> = rings.iter().map(|points| merge_near_neighbours(points.as_ref(), true)).collect();
+    let short = merged.iter().enumerate().filter(|(_, merged)| merged.points.len() < 3);
+    let errors: Vec<_> =
+        short.map(|(ring, _)| InputError::new(ring_place(ring), "needs at least three distinct points")).collect();
+    if errors.is_empty() { Ok(merged) } else { Err(Error::Input(errors)) }
+}
+
 /// Number of looks that the search for a crossing may take, which is a quarter of a million pairs of boxes and about 0.1 s.
 /// Zigzags whose boxes all overlap would take time as the square of their number of points, and [`Polygon::new`] also
 /// checks requests before they are queued.
@@ -191,7 +194,7 @@ fn without_area(outer: &Merged) -> Error {
     let size = points.iter().map(|p| p.distance(points[0])).fold(0.0, f64::max);
     let farthest = points.iter().copied().max_by(|a, b| a.distance(points[0]).total_cmp(&b.distance(points[0])));
     let along = farthest.map_or(DVec3::X, |p| (p - points[0]) / size);
-    if points.iter().all(|p| (*p - points[0]).cross(along).length() <= PLANARITY * size) {
+    if points.iter().all(|p| (*p - points[0]).cross(along).length() <= TOUCHING * size) {
         return Error::input(ring_place(0), "encloses no area: all points lie on one line");
     }
     let segments = Segments::new(points, true);
@@ -203,7 +206,7 @@ fn without_area(outer: &Merged) -> Error {
         if looks.get() > MOST_LOOKS { Signal::Cancel } else { Signal::Continue }
     };
     let limited = Execution::new(&signal, &|_| {});
-    match first_contact(&segments, &segments, PLANARITY * size, are_apart, &limited) {
+    match first_contact(&segments, &segments, TOUCHING * size, are_apart, &limited) {
         Ok(Some(contact)) => {
             let [first, second] = [contact.first, contact.second].map(|k| outer.source[k]);
             let detail =
