@@ -3,11 +3,23 @@
 use crate::app::{MINIMAL, TestApp, pointers, problem, root};
 use serde_json::{Value, json};
 use std::io::Write;
-use std::process::{Command, Stdio};
+use std::process::{Command, Output, Stdio};
 
 fn request() -> Value {
     let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 1.0], [1.0, 1.0, 0.0], [0.0, 1.0, 1.0]];
     json!({ "boundaries": [corners], "resolution": { "triangles": 400 }, "certify": { "gap": 0.02, "seconds": 0.2 } })
+}
+
+/// Runs the independent program on a proof.
+fn check(proof: &[u8]) -> Output {
+    let mut script = Command::new("python3")
+        .arg(root().join("scripts/check_certificate.py"))
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("python3 runs");
+    script.stdin.take().unwrap().write_all(proof).unwrap();
+    script.wait_with_output().unwrap()
 }
 
 #[tokio::test]
@@ -31,14 +43,7 @@ async fn a_certificate_is_stated_and_an_independent_program_confirms_it() {
     let signs: Vec<i64> =
         field["mirrors"].as_array().unwrap().iter().map(|mirror| mirror["sign"].as_i64().unwrap()).collect();
     assert_eq!(signs, [-1, -1]);
-    let mut script = Command::new("python3")
-        .arg(root().join("scripts/check_certificate.py"))
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("python3 runs");
-    script.stdin.take().unwrap().write_all(&proof).unwrap();
-    let output = script.wait_with_output().unwrap();
+    let output = check(&proof);
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stdout));
     let ply = app.get(&format!("{}?format=ply", job["links"]["mesh"].as_str().unwrap())).await.bytes().await.unwrap();
     assert!(String::from_utf8_lossy(&ply[..400]).contains("property double lower_bound_slack"));
@@ -60,6 +65,50 @@ async fn every_compared_topology_says_how_far_it_is_from_the_minimum() {
         let (area, gap) = (topology["area"].as_f64().unwrap(), topology["gap"].as_f64().unwrap());
         assert!((gap - (area / bound - 1.0)).abs() < 1e-12 && gap > 0.0);
     }
+}
+
+/// Eight rings in pairs, of which two are given clockwise. The film of eight discs that run round them counter-clockwise
+/// has the area 24, while four annuli, which run along one ring of each pair in the other direction, have less than 5.
+#[tokio::test]
+async fn with_more_than_six_loops_the_certificate_says_which_directions_it_covers() {
+    let app = TestApp::start().await;
+    let ring = |k: usize| -> Vec<[f64; 3]> {
+        let (x, z) = (3.0 * (k / 2) as f64, 0.2 * (k % 2) as f64);
+        let angles = (0..12).map(|i| std::f64::consts::TAU * f64::from(i) / 12.0);
+        angles.map(|angle| [x + angle.cos(), angle.sin(), z]).collect()
+    };
+    let is_clockwise = |k: usize| k == 2 || k == 5;
+    let mut boundaries: Vec<_> = (0..8).map(ring).collect();
+    let mut vertices = boundaries.concat();
+    vertices.extend((0..8).map(|k| [3.0 * (k / 2) as f64, 0.0, 0.2 * (k % 2) as f64]));
+    let fan = |k: usize| (0..12).map(move |i| [12 * k + i, 12 * k + (i + 1) % 12, 96 + k]);
+    let triangles: Vec<[usize; 3]> = (0..8).flat_map(fan).collect();
+    boundaries.iter_mut().enumerate().filter(|(k, _)| is_clockwise(*k)).for_each(|(_, points)| points.reverse());
+    let request = json!({ "boundaries": boundaries, "initial_mesh": { "vertices": vertices, "triangles": triangles },
+        "boundary_sampling": "keep", "certify": { "gap": 0, "seconds": 0.2 } });
+    let job = app.solve(MINIMAL, &request).await;
+    let (statistics, certificate) = (&job["statistics"], &job["statistics"]["certificate"]);
+    let bound = certificate["area_lower_bound"].as_f64().unwrap();
+    assert_eq!((statistics["components"].as_u64(), certificate["every_orientation"].as_bool()), (Some(8), Some(false)));
+    assert!(bound > 20.0, "{bound}");
+    let statement = certificate["statement"].as_str().unwrap();
+    for part in ["in the directions of this film (", ", or all reversed)", "may have less area", "not proven"] {
+        assert!(statement.contains(part), "{statement}");
+    }
+    assert!(!statement.contains("above the global minimum"), "{statement}");
+    assert!(certificate["scope"].as_str().unwrap().contains("in the directions of the film ("));
+    assert_eq!(certificate["reversed_loops"], json!([2, 5]));
+    let proof = app.get(job["links"]["certificate"].as_str().unwrap()).await.bytes().await.unwrap();
+    let output = check(&proof);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stdout));
+    let printed = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(printed.contains("in the directions of the document: 1 of 128 orientations"), "{printed}");
+    // Two loops: every direction is covered, and the statement says so.
+    let few = json!({ "boundaries": boundaries[..2], "topology": "free", "resolution": { "triangles": 400 },
+        "certify": { "seconds": 0.2 } });
+    let certificate = app.solve(MINIMAL, &few).await["statistics"]["certificate"].clone();
+    assert_eq!((&certificate["every_orientation"], &certificate["reversed_loops"]), (&json!(true), &Value::Null));
+    assert!(certificate["statement"].as_str().unwrap().contains("above the global minimum"), "{certificate}");
 }
 
 #[tokio::test]

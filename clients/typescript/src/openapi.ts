@@ -997,21 +997,36 @@ export interface components {
         Cache: "reuse" | "bypass";
         /** @enum {string} */
         Caps: "none" | "flat";
-        /** @description A proven lower bound of the area of all oriented surfaces with this boundary. */
+        /**
+         * @description A proven lower bound of the area of all oriented surfaces with this boundary. With more than six boundaries it covers
+         *     only the surfaces that run along them in the directions of the film.
+         */
         Certificate: {
             /**
              * Format: double
-             * @description No oriented surface of any topology with this boundary has a smaller area.
+             * @description No oriented surface of any topology with this boundary has a smaller area, if it runs along the boundaries in
+             *     directions that `every_orientation` and `reversed_loops` name.
              */
             area_lower_bound: number;
             /**
+             * @description Whether the bound covers every direction in which a surface can run along each boundary. If false, it covers the
+             *     directions of the film only, and surfaces in other directions may have less area.
+             */
+            every_orientation: boolean;
+            /**
              * Format: double
-             * @description The film's area is at most this fraction above the least area. Null if the bound is 0.
+             * @description The film's area is at most this fraction above the least area of these surfaces. Null if the bound is 0.
              */
             gap: number | null;
             iterations: number;
             /** @description Number of orientations of the loops for which a field was found. */
             orientations: number;
+            /**
+             * @description If `every_orientation` is false: numbers of the boundaries that the film runs along against the direction of the
+             *     request, if it runs along boundary 0 in that direction. The bound covers these directions, and all of them
+             *     reversed together. Null otherwise.
+             */
+            reversed_loops: number[] | null;
             /** @description The surfaces for which the bound holds. */
             scope: string;
             /**
@@ -1157,7 +1172,11 @@ export interface components {
             /** @description Holes of the polygon. Default: `[]`. */
             holes?: components["schemas"]["Polygon"][];
             nurbs?: components["schemas"]["Nurbs"];
-            /** @description A planar polygon in space that does not repeat its first point. */
+            /**
+             * @description A planar polygon in space that does not repeat its first point. If its points or those of its holes are off the
+             *     plane by more than rounding, but by at most a thousandth of its size, they are projected onto it, with the warning
+             *     `projected`.
+             */
             polygon?: components["schemas"]["Point"][];
         };
         /** @description The supports along the fixed parts of a boundary together. */
@@ -1811,7 +1830,8 @@ export interface components {
             cancel_on_disconnect?: boolean;
             /**
              * @description Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
-             *     bound is to be and how long the search may take. Only for `minimal_area`.
+             *     bound is to be and how long the search may take. Only for `minimal_area`. With more than six boundaries the bound
+             *     covers only the surfaces that run along them in the directions of the film.
              */
             certify?: components["schemas"]["Certify"];
             constraints?: components["schemas"]["Constraints"];
@@ -1895,7 +1915,8 @@ export interface components {
             cancel_on_disconnect?: boolean;
             /**
              * @description Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
-             *     bound is to be and how long the search may take. Only for `minimal_area`.
+             *     bound is to be and how long the search may take. Only for `minimal_area`. With more than six boundaries the bound
+             *     covers only the surfaces that run along them in the directions of the film.
              */
             certify?: components["schemas"]["Certify"];
             constraints?: components["schemas"]["Constraints"];
@@ -2333,7 +2354,10 @@ export interface components {
             callback_url?: string | null;
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
             cancel_on_disconnect?: boolean;
-            /** @description Treatment of the ends of a closed stack: open, or closed by flat caps. */
+            /**
+             * @description Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by at
+             *     most a thousandth of its size is projected onto it for the cap, with the warning `projected`.
+             */
             caps?: components["schemas"]["Caps"];
             /** @description Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`. */
             closed?: boolean;
@@ -2397,7 +2421,10 @@ export interface components {
             callback_url?: string | null;
             /** @description Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`. */
             cancel_on_disconnect?: boolean;
-            /** @description Treatment of the ends of a closed stack: open, or closed by flat caps. */
+            /**
+             * @description Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by at
+             *     most a thousandth of its size is projected onto it for the cap, with the warning `projected`.
+             */
             caps?: components["schemas"]["Caps"];
             /** @description Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`. */
             closed?: boolean;
@@ -2550,7 +2577,7 @@ export interface components {
             /**
              * Format: double
              * @description With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this boundary.
-             *     Null if nothing is proven.
+             *     Null if nothing is proven, and with more than six boundaries.
              */
             gap: number | null;
             stability: components["schemas"]["Stability"] | null;

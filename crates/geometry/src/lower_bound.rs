@@ -102,13 +102,16 @@ pub struct Field {
 /// A proven lower bound.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LowerBound {
-    /// No oriented surface of any topology with this boundary has a smaller area.
+    /// No oriented surface of any topology with this boundary has a smaller area, if it runs along the loops in one of the
+    /// orientations of `fields`.
     pub area: f64,
     /// One field for each orientation of the loops that differs by more than a reversal of all; the bound is the least
     /// of theirs.
     pub fields: Vec<Field>,
     /// Whether `fields` has all of these orientations, or (beyond [`MOST_LOOPS`]) the film's own alone.
     pub every_orientation: bool,
+    /// The loops that the film runs along against their direction, if it runs along loop 0 in its direction.
+    pub reversed_loops: Vec<usize>,
     /// Steps of Newton's method of all searches together.
     pub iterations: u32,
     /// Nominal seconds that the work amounts to.
@@ -236,8 +239,9 @@ struct Budget<'a> {
 /// Proves a lower bound of the area of every oriented surface bounded by the loops; `film` is a surface that they
 /// bound, and shows where the bound has to be sharp.
 ///
-/// With several loops the bound is the least over all their orientations. `None` if the coordinates are so large for
-/// the loops' size that f64 has no digits left for the mesh, or if the film has no area.
+/// With several loops the bound is the least over all their orientations; beyond [`MOST_LOOPS`] it covers the film's own
+/// orientation alone. `None` if the coordinates are so large for the loops' size that f64 has no digits left for the
+/// mesh, or if the film has no area.
 ///
 /// # Errors
 /// [`Error::Interrupted`] on a cancel. A deadline ends the search with what is proven so far.
@@ -328,7 +332,9 @@ pub fn certify(
         .fold((0, f64::INFINITY), |least, this| if this.1 < least.1 { this } else { least });
     let slack = searches[weakest].slack(film, &hull, frame.as_ref());
     let Budget { iterations, spent, .. } = budget;
-    Ok(Some(LowerBound { area, fields, every_orientation, iterations, seconds: spent, interrupted, slack }))
+    let reversed_loops = (0..loops.len()).filter(|&k| own[k] != own[0]).collect();
+    let seconds = spent;
+    Ok(Some(LowerBound { area, fields, every_orientation, reversed_loops, iterations, seconds, interrupted, slack }))
 }
 
 /// The loops in one orientation.

@@ -421,7 +421,7 @@ fn a_point_off_the_plane_is_named_with_its_distance() {
     };
     assert_eq!(errors[0].place.to_string(), "/domain/polygon/1");
     // The plane passes through the mean of the five points.
-    assert!(errors[0].detail.contains("this point is 3.9"), "{}", errors[0].detail);
+    assert!(errors[0].detail.contains("this point is 2.99"), "{}", errors[0].detail);
     assert!(errors[0].detail.contains("off the plane"), "{}", errors[0].detail);
 }
 

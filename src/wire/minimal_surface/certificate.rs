@@ -9,13 +9,22 @@ use serde::Serialize;
 /// Above this gap the statement adds that the film is not proven to be the global minimum.
 const LARGE_GAP: f64 = 0.05;
 
-/// A proven lower bound of the area of all oriented surfaces with this boundary.
+/// A proven lower bound of the area of all oriented surfaces with this boundary. With more than six boundaries it covers
+/// only the surfaces that run along them in the directions of the film.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Certificate {
-    /// No oriented surface of any topology with this boundary has a smaller area.
+    /// No oriented surface of any topology with this boundary has a smaller area, if it runs along the boundaries in
+    /// directions that `every_orientation` and `reversed_loops` name.
     pub area_lower_bound: f64,
-    /// The film's area is at most this fraction above the least area. Null if the bound is 0.
+    /// The film's area is at most this fraction above the least area of these surfaces. Null if the bound is 0.
     pub gap: Option<f64>,
+    /// Whether the bound covers every direction in which a surface can run along each boundary. If false, it covers the
+    /// directions of the film only, and surfaces in other directions may have less area.
+    pub every_orientation: bool,
+    /// If `every_orientation` is false: numbers of the boundaries that the film runs along against the direction of the
+    /// request, if it runs along boundary 0 in that direction. The bound covers these directions, and all of them
+    /// reversed together. Null otherwise.
+    pub reversed_loops: Option<Vec<usize>>,
     /// The surfaces for which the bound holds.
     pub scope: String,
     /// Number of nominal seconds to which the work of the search amounts. No clock is read, so that the result is the same
@@ -34,40 +43,60 @@ fn gap(area: f64, bound: f64) -> Option<f64> {
     Some(area / bound - 1.0).filter(|gap| bound > 0.0 && gap.is_finite()).map(|gap| gap.max(0.0))
 }
 
+/// Returns the directions in words.
+fn directions(reversed: &[usize]) -> String {
+    let numbers: Vec<String> = reversed.iter().map(ToString::to_string).collect();
+    match numbers.len() {
+        0 => "all as in the request, or all reversed".into(),
+        1 => format!("number {} against the request and the others as in it, or all reversed", numbers[0]),
+        _ => format!("numbers {} against the request and the others as in it, or all reversed", numbers.join(", ")),
+    }
+}
+
+/// Returns the result in words. The film is at most `percent` above the least area of the surfaces that are covered.
+fn statement(found: &LowerBound, percent: f64, is_large: bool) -> String {
+    let bound = found.area;
+    let unproven = " It is not proven that this film is the global minimum.";
+    if !found.every_orientation {
+        return format!(
+            "No oriented surface of any topology with this boundary that runs along its loops in the directions of this \
+             film ({}) has an area below {bound}; this film is at most {percent}% above the least area of these surfaces. \
+             Surfaces that run along the loops in other directions may have less area.{unproven}",
+            directions(&found.reversed_loops)
+        );
+    }
+    let proven = format!(
+        "No oriented surface of any topology with this boundary has an area below {bound}; this film is at most {percent}% \
+         above the global minimum."
+    );
+    if is_large { proven + unproven } else { proven }
+}
+
 impl Certificate {
     /// Returns the certificate of a film with this area.
     #[must_use]
     pub fn of(found: &LowerBound, area: f64) -> Self {
-        let orientation = if found.every_orientation {
-            "in whichever direction each loop is traversed"
+        let directions = if found.every_orientation {
+            "in whichever direction each loop is traversed".into()
         } else {
-            "with the loops in the directions of the film"
+            format!("with the loops in the directions of the film ({})", directions(&found.reversed_loops))
         };
         let scope = format!(
-            "oriented surfaces (integral currents) of any topology bounded by exactly these polygons, {orientation}. Films \
+            "oriented surfaces (integral currents) of any topology bounded by exactly these polygons, {directions}. Films \
              without an orientation (Möbius bands) and films with triple junctions are not included."
         );
         let bound = found.area;
         let gap = gap(area, bound);
         let statement = match gap {
-            Some(gap) => {
-                // The percentage is rounded up, so that the statement stays true.
-                let percent = (gap * 1e5).ceil() / 1e3;
-                let proven = format!(
-                    "No oriented surface of any topology with this boundary has an area below {bound}; this film is at most \
-                     {percent}% above the global minimum."
-                );
-                if gap > LARGE_GAP {
-                    proven + " It is not proven that this film is the global minimum."
-                } else {
-                    proven
-                }
-            }
+            // The percentage is rounded up, so that the statement stays true.
+            Some(gap) => statement(found, (gap * 1e5).ceil() / 1e3, gap > LARGE_GAP),
             None => "No lower bound above 0 was found, so nothing is proven.".into(),
         };
         Self {
             area_lower_bound: bound,
             gap,
+            every_orientation: found.every_orientation,
+            reversed_loops: (!found.every_orientation).then(|| found.reversed_loops.clone()),
             scope,
             seconds: found.seconds,
             iterations: found.iterations,
@@ -79,10 +108,14 @@ impl Certificate {
 }
 
 impl MinimalStatistics {
-    /// Adds the bound, and how far each compared topology is from the least area at most.
+    /// Adds the bound, and how far each compared topology is from the least area at most. Another topology may run along
+    /// the loops in other directions than the film, so that it is compared only with a bound for every orientation.
     #[must_use]
     pub fn certified(mut self, found: &LowerBound) -> Self {
         self.certificate = Some(Certificate::of(found, self.area));
+        if !found.every_orientation {
+            return self;
+        }
         for topology in self.spanning.iter_mut().flat_map(|spanning| &mut spanning.topologies) {
             topology.gap = topology.area.and_then(|area| gap(area, found.area));
         }

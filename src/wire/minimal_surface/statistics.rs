@@ -101,7 +101,7 @@ pub struct SpanningTopology {
     /// Whether this topology was returned.
     pub chosen: bool,
     /// With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this boundary.
-    /// Null if nothing is proven.
+    /// Null if nothing is proven, and with more than six boundaries.
     pub gap: Option<f64>,
 }
 

@@ -377,14 +377,23 @@ class CableNetStatistics(TypedDict):
 
 
 class Certificate(TypedDict):
-    """A proven lower bound of the area of all oriented surfaces with this boundary."""
+    """A proven lower bound of the area of all oriented surfaces with this boundary. With more than six boundaries it covers
+    only the surfaces that run along them in the directions of the film."""
     area_lower_bound: float
-    """No oriented surface of any topology with this boundary has a smaller area."""
+    """No oriented surface of any topology with this boundary has a smaller area, if it runs along the boundaries in
+    directions that `every_orientation` and `reversed_loops` name."""
+    every_orientation: bool
+    """Whether the bound covers every direction in which a surface can run along each boundary. If false, it covers the
+    directions of the film only, and surfaces in other directions may have less area."""
     gap: Optional[float]
-    """The film's area is at most this fraction above the least area. Null if the bound is 0."""
+    """The film's area is at most this fraction above the least area of these surfaces. Null if the bound is 0."""
     iterations: int
     orientations: int
     """Number of orientations of the loops for which a field was found."""
+    reversed_loops: Optional[List[int]]
+    """If `every_orientation` is false: numbers of the boundaries that the film runs along against the direction of the
+    request, if it runs along boundary 0 in that direction. The bound covers these directions, and all of them
+    reversed together. Null otherwise."""
     scope: str
     """The surfaces for which the bound holds."""
     seconds: float
@@ -486,7 +495,9 @@ class Domain(TypedDict):
     """Holes of the polygon. Default: `[]`."""
     nurbs: NotRequired[Nurbs]
     polygon: NotRequired[Sequence[Point]]
-    """A planar polygon in space that does not repeat its first point."""
+    """A planar polygon in space that does not repeat its first point. If its points or those of its holes are off the
+    plane by more than rounding, but by at most a thousandth of its size, they are projected onto it, with the warning
+    `projected`."""
 
 
 class EdgeReaction(TypedDict):
@@ -1017,7 +1028,8 @@ class MinimalSurfaceRequest(TypedDict):
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     certify: NotRequired[Certify]
     """Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
-    bound is to be and how long the search may take. Only for `minimal_area`."""
+    bound is to be and how long the search may take. Only for `minimal_area`. With more than six boundaries the bound
+    covers only the surfaces that run along them in the directions of the film."""
     constraints: NotRequired[Constraints]
     degenerate_angle_deg: NotRequired[float]
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
@@ -1078,7 +1090,8 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     certify: NotRequired[Certify]
     """Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
-    bound is to be and how long the search may take. Only for `minimal_area`."""
+    bound is to be and how long the search may take. Only for `minimal_area`. With more than six boundaries the bound
+    covers only the surfaces that run along them in the directions of the film."""
     constraints: NotRequired[Constraints]
     degenerate_angle_deg: NotRequired[float]
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
@@ -1387,7 +1400,8 @@ class RuledSurfaceRequest(TypedDict):
     cancel_on_disconnect: NotRequired[bool]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     caps: NotRequired[Caps]
-    """Treatment of the ends of a closed stack: open, or closed by flat caps."""
+    """Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by at
+    most a thousandth of its size is projected onto it for the cap, with the warning `projected`."""
     closed: NotRequired[bool]
     """Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`."""
     convexity_tolerance_deg: NotRequired[float]
@@ -1437,7 +1451,8 @@ class RuledSurfaceRequestWithKind(TypedDict):
     cancel_on_disconnect: NotRequired[bool]
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     caps: NotRequired[Caps]
-    """Treatment of the ends of a closed stack: open, or closed by flat caps."""
+    """Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by at
+    most a thousandth of its size is projected onto it for the cap, with the warning `projected`."""
     closed: NotRequired[bool]
     """Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`."""
     convexity_tolerance_deg: NotRequired[float]
@@ -1533,7 +1548,7 @@ class SpanningTopology(TypedDict):
     comes after all others."""
     gap: Optional[float]
     """With `certify`: the area is at most this fraction above the least area of all oriented surfaces with this boundary.
-    Null if nothing is proven."""
+    Null if nothing is proven, and with more than six boundaries."""
     stability: Optional[Stability]
 
 
@@ -2098,7 +2113,8 @@ class RuledSurfaceOptions(TypedDict, total=False):
     cancel_on_disconnect: bool
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     caps: Caps
-    """Treatment of the ends of a closed stack: open, or closed by flat caps."""
+    """Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by at
+    most a thousandth of its size is projected onto it for the cap, with the warning `projected`."""
     closed: bool
     """Whether the directrices are closed polygons (which do not repeat their first point). Default: `false`."""
     convexity_tolerance_deg: float
@@ -2149,7 +2165,8 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     """Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`. Default: `false`."""
     certify: Certify
     """Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
-    bound is to be and how long the search may take. Only for `minimal_area`."""
+    bound is to be and how long the search may take. Only for `minimal_area`. With more than six boundaries the bound
+    covers only the surfaces that run along them in the directions of the film."""
     constraints: Constraints
     degenerate_angle_deg: float
     """Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
