@@ -27,6 +27,7 @@ mod jobs;
 mod migrations;
 mod pool;
 mod postgres;
+mod queue;
 mod results;
 mod retention;
 mod secrets;
@@ -349,7 +350,7 @@ impl Store {
     /// Fails with `QueueFull` if the queue has no room for another job of this owner.
     pub async fn check_room(&self, owner: Option<&str>) -> Result<()> {
         let (options, owner) = (Arc::clone(&self.inner.options), owner.map(str::to_owned));
-        self.read(move |tx| jobs::check_room(tx, owner.as_deref(), &options)).await
+        self.read(move |tx| queue::check_room(tx, owner.as_deref(), &options)).await
     }
 
     /// Stores a job. Fails with `QueueFull` if the queue or the owner's share of it is full. A job that reuses a kept
@@ -404,7 +405,7 @@ impl Store {
 
     /// Returns the number of jobs that wait.
     pub async fn queue_length(&self) -> Result<i64> {
-        self.read(jobs::queue_length).await
+        self.read(queue::length).await
     }
 }
 

@@ -1,16 +1,11 @@
 //! Rows of jobs: submission, reading, cancelling and deleting.
-//!
-//! Fairness is start-time fair queueing (Goyal, Vin & Cheng 1996) with equal cost for every job. The job with the
-//! lowest `turn` is claimed first, and among equal turns the older job. A new job's turn is the larger of two numbers:
-//! the turn that is served next, and the last waiting turn of its owner plus one. An owner who queues a thousand jobs
-//! gets a thousand turns in a row, so the single job of another owner is served right after the job that is served
-//! next. With one owner this is first come, first served.
 
 use std::fmt;
 use std::str::FromStr;
 
 use sha2::{Digest, Sha256};
 
+use super::queue;
 use super::results::{self, Prepared};
 use super::tx::{Row, Tx, Value};
 use super::{Result, StoreError, StoreOptions, milliseconds};
@@ -351,7 +346,7 @@ pub(super) fn submit(
     } else if let Some((solved, result)) = solved {
         (ended_as(solved, result, job, now_ms, expires_at_ms), solved.sharing(job))
     } else {
-        turn = next_turn(tx, job, options)?;
+        turn = queue::next_turn(tx, job.owner.as_deref(), options)?;
         (JobRow::queued(job, now_ms), if job.reuse { Sharing::Undecided } else { Sharing::Refused })
     };
     match solved {
@@ -513,40 +508,6 @@ fn insert(
     )
 }
 
-/// SQL for the number of waiting jobs in total and of the owner `$1`. Counting stops at the limits `$2` and `$3`.
-const WAITING: &str = "(SELECT count(*) FROM (SELECT 1 FROM jobs WHERE status = 'queued' LIMIT $2) AS a) AS waiting, \
-     (SELECT count(*) FROM (SELECT 1 FROM jobs WHERE status = 'queued' AND owner = $1 LIMIT $3) AS b) AS own";
-
-fn refuse_if_full(row: &Row, options: &StoreOptions) -> Result<()> {
-    if row.get::<i64>("waiting")? >= limit(options.queue_limit) {
-        return Err(StoreError::QueueFull { own: false });
-    }
-    if row.get::<i64>("own")? >= limit(options.owner_queue_limit) {
-        return Err(StoreError::QueueFull { own: true });
-    }
-    Ok(())
-}
-
-/// Fails with `QueueFull` if the queue has no room for another job of this owner.
-pub(super) fn check_room(tx: &mut Tx<'_>, owner: Option<&str>, options: &StoreOptions) -> Result<()> {
-    let limits = (limit(options.queue_limit), limit(options.owner_queue_limit));
-    let values = [owner.unwrap_or_default().into(), limits.0.into(), limits.1.into()];
-    refuse_if_full(&tx.one(&format!("SELECT {WAITING}"), &values)?, options)
-}
-
-/// Returns the first free turn for the job's owner.
-fn next_turn(tx: &mut Tx<'_>, job: &NewJob, options: &StoreOptions) -> Result<i64> {
-    let text = format!(
-        "SELECT {WAITING}, (SELECT min(turn) FROM jobs WHERE status = 'queued') AS served_next, \
-         (SELECT max(turn) FROM jobs WHERE status = 'queued' AND owner = $1) AS last_own"
-    );
-    let limits = (limit(options.queue_limit), limit(options.owner_queue_limit));
-    let row = tx.one(&text, &[owner_column(job), limits.0.into(), limits.1.into()])?;
-    refuse_if_full(&row, options)?;
-    let served_next = row.get::<Option<i64>>("served_next")?.unwrap_or(1);
-    Ok(served_next.max(row.get::<Option<i64>>("last_own")?.map_or(1, |last| last + 1)))
-}
-
 pub(super) fn get(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<Lookup> {
     let text = format!("SELECT {COLUMNS} FROM jobs WHERE id = $1 AND ($2 = '' OR owner = $2)");
     let key = [id.into(), owner.unwrap_or_default().into()];
@@ -647,11 +608,6 @@ pub(super) fn delete(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<b
 /// Deletes the job's request, which is needed only until the job ends.
 pub(super) fn drop_request(tx: &mut Tx<'_>, id: &str) -> Result<()> {
     tx.execute("DELETE FROM requests WHERE job_id = $1", &[id.into()]).map(|_| ())
-}
-
-/// Returns the number of jobs that wait.
-pub(super) fn queue_length(tx: &mut Tx<'_>) -> Result<i64> {
-    tx.one("SELECT count(*) AS queued FROM jobs WHERE status = 'queued'", &[])?.get("queued")
 }
 
 #[cfg(test)]

@@ -1,0 +1,145 @@
+//! Checks that every file that a document names exists: README files, everything in `docs` and the comments of
+//! migrations. The changelog is left out, because it may name what is gone.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// Files of other projects that documents name.
+const ELSEWHERE: [&str; 3] = ["cablenet.md", "src/hops/RemoteDefinition.cs", "HopsComponent.cs"];
+
+/// Endings by which a word is recognised as the name of a file.
+const ENDINGS: [&str; 17] = [
+    "rs", "md", "py", "sql", "mjs", "ts", "toml", "jsonl", "txt", "json", "css", "html", "yml", "yaml", "sh", "cs",
+    "png",
+];
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Returns the files and folders of the project, relative to its root, without those that git ignores by name.
+fn tree() -> BTreeSet<String> {
+    let ignored = ["target", "node_modules", "__pycache__"];
+    let mut paths = BTreeSet::new();
+    let mut folders = vec![root()];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+            if name.starts_with('.') || ignored.contains(&name.as_str()) {
+                continue;
+            }
+            let relative = path.strip_prefix(root()).expect("below the root").to_string_lossy().into_owned();
+            paths.insert(relative);
+            if path.is_dir() {
+                folders.push(path);
+            }
+        }
+    }
+    paths
+}
+
+fn is_document(path: &str) -> bool {
+    (path.ends_with(".md") && path != "CHANGELOG.md") || (path.starts_with("migrations/") && path.ends_with(".sql"))
+}
+
+/// Returns the alternatives of a word such as `src/{energy,equilibrium}`.
+fn expanded(word: &str) -> Vec<String> {
+    match word.split_once('{').and_then(|(before, rest)| Some((before, rest.split_once('}')?))) {
+        Some((before, (inside, after))) if inside.contains(',') => {
+            inside.split(',').flat_map(|one| expanded(&format!("{before}{one}{after}"))).collect()
+        }
+        _ => vec![word.to_owned()],
+    }
+}
+
+/// Returns the words of a text that name a file by its ending, or anything in one of the project's folders.
+fn named(text: &str, folders: &BTreeSet<&str>) -> BTreeSet<String> {
+    let between = |c: char| c.is_whitespace() || "`()[]\"'<>;|=".contains(c);
+    let words = text.split(between).map(|word| word.split('#').next().unwrap_or_default());
+    let words = words.map(|word| word.trim_end_matches(['.', ',', ':', '/']));
+    // URLs, paths of the service, options, variables and hidden files are not files of the project.
+    let words = words.filter(|word| {
+        !word.contains("://") && (word.starts_with("../") || !word.starts_with(['/', '-', '$', '.', '@']))
+    });
+    let is_path = |word: &String| {
+        let name = word.rsplit('/').next().unwrap_or_default();
+        let is_file = name.rsplit_once('.').is_some_and(|(stem, ending)| !stem.is_empty() && ENDINGS.contains(&ending));
+        let is_below = word.split_once('/').is_some_and(|(first, _)| folders.contains(first));
+        let is_plain = word.chars().all(|c| c.is_alphanumeric() || "./*_-+".contains(c));
+        is_plain && (is_file || is_below)
+    };
+    words.flat_map(expanded).filter(is_path).collect()
+}
+
+/// Whether a path has a pattern's parts, in which `*` stands for any characters of one part.
+fn fits(path: &[&str], pattern: &[&str]) -> bool {
+    let part = |(name, pattern): (&&str, &&str)| match pattern.split_once('*') {
+        None => name == pattern,
+        Some((before, after)) => {
+            name.len() >= before.len() + after.len() && name.starts_with(before) && name.ends_with(after)
+        }
+    };
+    path.len() == pattern.len() && path.iter().zip(pattern).all(part)
+}
+
+/// Whether a document's word names a path: relative to the document or as the end of any path of the project.
+fn exists(word: &str, document: &str, tree: &BTreeSet<String>) -> bool {
+    let mut parts: Vec<&str> = Path::new(document)
+        .parent()
+        .map_or(Vec::new(), |folder| folder.iter().map(|part| part.to_str().expect("a name in UTF-8")).collect());
+    for part in word.split('/') {
+        match part {
+            ".." => drop(parts.pop()),
+            _ => parts.push(part),
+        }
+    }
+    let pattern: Vec<&str> = word.split('/').collect();
+    tree.iter().any(|path| {
+        let path: Vec<&str> = path.split('/').collect();
+        let end = path.len().checked_sub(pattern.len()).map_or(&path[..0], |start| &path[start..]);
+        fits(&path, &parts) || fits(end, &pattern)
+    })
+}
+
+/// Returns the words of all documents that name nothing.
+fn missing(documents: &[(String, String)], tree: &BTreeSet<String>) -> Vec<String> {
+    let folders: BTreeSet<&str> = tree.iter().filter_map(|path| Some(path.split_once('/')?.0)).collect();
+    let of = |(document, text): &(String, String)| -> Vec<String> {
+        let words = named(text, &folders).into_iter();
+        words
+            .filter(|word| !ELSEWHERE.contains(&word.as_str()) && !exists(word, document, tree))
+            .map(|word| format!("{document} names {word}"))
+            .collect()
+    };
+    documents.iter().flat_map(of).collect()
+}
+
+#[test]
+fn every_path_that_a_document_names_exists() {
+    let tree = tree();
+    let read = |path: &String| (path.clone(), std::fs::read_to_string(root().join(path)).expect("a document"));
+    let documents: Vec<(String, String)> = tree.iter().filter(|path| is_document(path)).map(read).collect();
+    assert!(documents.len() > 20, "{} documents", documents.len());
+    let missing = missing(&documents, &tree);
+    assert!(missing.is_empty(), "there is no such file:\n{}", missing.join("\n"));
+    for other in ELSEWHERE {
+        assert!(documents.iter().any(|(_, text)| text.contains(other)), "no document names {other} any more");
+    }
+}
+
+#[test]
+fn a_path_that_does_not_exist_is_found_in_any_form() {
+    let tree: BTreeSet<String> =
+        ["docs", "docs/a.md", "src", "src/store", "src/store/jobs.rs", "src/http", "api", "api/one-thing.json"]
+            .map(str::to_owned)
+            .into();
+    let found = |text: &str| missing(&[("docs/a.md".into(), text.into())], &tree);
+    let right = "See `src/store/jobs.rs`, `store/jobs.rs`, jobs.rs. [this](../src/store/jobs.rs#L3), `src/{store,http}/`, \
+                 `api/one-*.json`, https://example.org/b.md, `/v1/jobs.json`, `.hidden/c.md`, 3.5 or and/or.";
+    assert_eq!(found(right), Vec::<String>::new());
+    for wrong in ["src/store/queue.rs", "queue.rs", "../src/none.rs", "src/none", "api/two-*.json", "ore/jobs.rs"] {
+        assert_eq!(found(&format!("-- The order: see `{wrong}`.")), [format!("docs/a.md names {wrong}")]);
+    }
+    assert_eq!(found("`src/{store,none}`"), ["docs/a.md names src/none"]);
+}
