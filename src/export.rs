@@ -16,6 +16,7 @@
 //! This module knows no job and no HTTP. It depends only on the geometry crate.
 
 pub mod archive;
+pub mod colors;
 pub mod dxf;
 pub mod gltf;
 pub mod json;
@@ -29,6 +30,7 @@ pub mod svg;
 pub mod zip;
 
 pub use archive::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Polyline, SegmentValues};
+pub use colors::{Colors, Quantity};
 pub use pattern::{Fold, Pattern, Piece};
 
 use plateau_geometry::DVec3;
@@ -57,18 +59,20 @@ pub enum Origin {
 }
 
 /// Choices beside the format.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Choices {
     pub origin: Origin,
     /// Whether lines along the mesh are written too. STL never has them, and PLY only those of a mesh without triangles.
     pub lines: bool,
     /// Whether a PLY file is text.
     pub ascii: bool,
+    /// Colours of a GLB, glTF or PLY file. `None` makes a neutral mesh.
+    pub colors: Option<Colors>,
 }
 
 impl Default for Choices {
     fn default() -> Self {
-        Self { origin: Origin::Automatic, lines: true, ascii: false }
+        Self { origin: Origin::Automatic, lines: true, ascii: false, colors: None }
     }
 }
 
@@ -122,6 +126,12 @@ impl MeshFormat {
         !matches!(self, Self::Ply | Self::Stl)
     }
 
+    /// Returns true if files of this format can have colours.
+    #[must_use]
+    pub fn has_colors(self) -> bool {
+        matches!(self, Self::Glb | Self::Gltf | Self::Ply)
+    }
+
     /// Writes the mesh in this format with the default choices.
     ///
     /// # Errors
@@ -133,14 +143,14 @@ impl MeshFormat {
     /// Writes the mesh in this format. Time and memory are linear in the mesh's size.
     ///
     /// # Errors
-    /// Returns [`Error`] if the format cannot hold this mesh: a coordinate exceeds f32, or the file exceeds the
-    /// format's 4 GiB.
+    /// Returns [`Error`] if the format cannot hold this mesh (a coordinate exceeds f32, or the file exceeds the format's
+    /// 4 GiB), or if the mesh does not have what it is to be coloured by.
     pub fn encode_with(self, archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
         match self {
             Self::Glb => gltf::to_glb(archive, choices),
             Self::Gltf => gltf::to_gltf_json(archive, choices),
             Self::Obj => Ok(obj::to_obj(archive, choices)),
-            Self::Ply => Ok(ply::to_ply(archive, choices)),
+            Self::Ply => ply::to_ply(archive, choices),
             Self::Stl => stl::to_stl(archive, choices),
             Self::Json => json::to_json(archive, choices),
         }
@@ -204,7 +214,14 @@ pub enum Error {
         "a {format} file has only triangles, and this result has only lines; GLB, glTF, OBJ, PLY and JSON have them"
     )]
     NoTriangles { format: &'static str },
+    /// The file has no values of the quantity that it is to be coloured by.
+    #[error("this file has no {asked} to be coloured by; it has {}", listed(offered))]
+    NoQuantity { asked: &'static str, offered: Vec<&'static str> },
     /// The file would exceed the format's 32-bit lengths.
     #[error("this is more than the 4 GiB that a {format} file can hold")]
     TooLarge { format: &'static str },
+}
+
+fn listed(names: &[&str]) -> String {
+    if names.is_empty() { "none of the quantities".into() } else { names.join(", ") }
 }

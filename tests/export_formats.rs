@@ -5,8 +5,8 @@ mod sample;
 
 use plateau::export::archive::Certificate;
 use plateau::export::{
-    Archive, Choices, Contents, Error, LineSet, Lines, MeanCurvature, MeshFormat, Origin, PatternFormat, dxf, picture,
-    svg,
+    Archive, Choices, Colors, Contents, Error, LineSet, Lines, MeanCurvature, MeshFormat, Origin, PatternFormat,
+    Quantity, SegmentValues, dxf, picture, svg,
 };
 use plateau::units::{Unit, UpAxis};
 use plateau::wire::mesh::{LineValues, Mesh as JsonMesh, MeshLines};
@@ -25,7 +25,11 @@ fn word(bytes: &[u8], at: usize) -> u32 {
 
 impl Glb {
     fn of(archive: &Archive) -> Self {
-        let bytes = MeshFormat::Glb.encode(archive).unwrap();
+        Self::with(archive, Choices::default())
+    }
+
+    fn with(archive: &Archive, choices: Choices) -> Self {
+        let bytes = MeshFormat::Glb.encode_with(archive, choices).unwrap();
         assert_eq!((&bytes[..4], word(&bytes, 4), word(&bytes, 8) as usize), (&b"glTF"[..], 2, bytes.len()));
         let text = word(&bytes, 12) as usize;
         assert_eq!((&bytes[16..20], text % 4), (&b"JSON"[..], 0));
@@ -169,27 +173,143 @@ fn glb_normals_have_unit_length_at_folds_slivers_and_loose_points() {
 }
 
 #[test]
+fn a_mesh_is_neutral_unless_colours_are_asked_for() {
+    let mut contents = sample::full().contents().clone();
+    contents.certificate = Some(Certificate { slack: vec![0.5; 5], proof: "{}".into() });
+    let glb = Glb::of(&archive(contents.clone()));
+    for mesh in glb.document["meshes"].as_array().unwrap() {
+        for primitive in mesh["primitives"].as_array().unwrap() {
+            assert!(primitive["attributes"].get("COLOR_0").is_none(), "{primitive}");
+        }
+    }
+    assert!(glb.document["asset"]["extras"].get("color_range").is_none());
+    let attributes = &glb.primitive(0)["attributes"];
+    assert!(attributes["_MEAN_CURVATURE"].is_u64() && attributes["_LOWER_BOUND_SLACK"].is_u64());
+    let material = &glb.document["materials"][0];
+    let surface = &material["pbrMetallicRoughness"];
+    assert_eq!((&material["doubleSided"], &surface["metallicFactor"]), (&json!(true), &json!(0.0)));
+    let base: [f64; 4] = serde_json::from_value(surface["baseColorFactor"].clone()).unwrap();
+    assert!(base.iter().all(|&channel| channel > 0.5), "{base:?}");
+    let ply = with(MeshFormat::Ply, &contents, Choices { ascii: true, ..Choices::default() });
+    assert!(!String::from_utf8(ply).unwrap().contains("red"));
+}
+
+fn colors(quantity: Quantity, range: Option<f64>) -> Choices {
+    Choices { colors: Some(Colors { quantity, range }), ..Choices::default() }
+}
+
+const BLUE: [u8; 4] = [0, 0, 255, 255];
+const CYAN: [u8; 4] = [0, 255, 255, 255];
+const GREEN: [u8; 4] = [0, 255, 0, 255];
+const YELLOW: [u8; 4] = [255, 255, 0, 255];
+const RED: [u8; 4] = [255, 0, 0, 255];
+
+/// Returns the colours at the vertices of a primitive.
+fn colors_of(glb: &Glb, mesh: usize) -> Vec<[u8; 4]> {
+    let items = glb.items(&glb.primitive(mesh)["attributes"]["COLOR_0"], 4);
+    items.into_iter().map(|item| item.try_into().unwrap()).collect()
+}
+
+#[test]
 fn glb_colours_run_from_blue_to_red_over_the_stated_range() {
     let mut contents = sample::roof(1.0, DVec3::ZERO);
     contents.unit = Unit::Millimetre;
     contents.mean_curvature = Some(MeanCurvature { values: vec![0.0, 0.5, 1.0, 1.5, 2.0], least_range: 1e-6 });
-    let glb = Glb::of(&archive(contents.clone()));
-    let attributes = &glb.primitive(0)["attributes"];
-    let range = &glb.document["asset"]["extras"]["color_range"];
-    assert_eq!((&range["min"], &range["max"], &range["unit"]), (&json!(0.0), &json!(2000.0), &json!("1/m")));
-    assert_eq!(glb.floats(&attributes["_MEAN_CURVATURE"]), [0.0, 500.0, 1000.0, 1500.0, 2000.0]);
-    let colors = glb.items(&attributes["COLOR_0"], 4);
-    let expected: [[u8; 4]; 5] =
-        [[0, 0, 255, 255], [0, 255, 255, 255], [0, 255, 0, 255], [255, 255, 0, 255], [255, 0, 0, 255]];
-    assert_eq!(colors, expected.each_ref().map(|color| &color[..]));
+    let archive = archive(contents);
+    let of_range = |range| Glb::with(&archive, colors(Quantity::MeanCurvature, range));
+    let glb = of_range(None);
+    let stated = |glb: &Glb| glb.document["asset"]["extras"]["color_range"].clone();
+    let scale = stated(&glb);
+    assert_eq!((&scale["quantity"], &scale["unit"]), (&json!("mean_curvature"), &json!("1/mm")));
+    assert_eq!((&scale["min"], &scale["max"]), (&json!(0.0), &json!(2.0)));
+    assert_eq!(scale["stops"].as_array().unwrap().len(), 5);
+    assert_eq!(scale, glb.document["scenes"][0]["extras"]["color_range"]);
+    assert_eq!(glb.floats(&glb.primitive(0)["attributes"]["_MEAN_CURVATURE"]), [0.0, 500.0, 1000.0, 1500.0, 2000.0]);
+    assert_eq!(colors_of(&glb, 0), [BLUE, CYAN, GREEN, YELLOW, RED]);
+    assert_eq!(glb.document["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"], json!([1.0, 1.0, 1.0, 1.0]));
 
-    // Rounding errors far below the tolerance stay blue, and zero curvature causes no division by zero.
-    for (values, least_range) in [(vec![1e-12; 5], 1.0), (vec![0.0; 5], 0.0)] {
+    // Values beyond the range are red.
+    let glb = of_range(Some(1.0));
+    assert_eq!(stated(&glb)["max"], json!(1.0));
+    assert_eq!(colors_of(&glb, 0), [BLUE, GREEN, RED, RED, RED]);
+    assert_eq!(colors_of(&of_range(Some(4.0)), 0)[4], GREEN);
+}
+
+#[test]
+fn the_default_scale_of_the_curvature_ends_at_its_95th_percentile_but_not_below_the_least_range() {
+    let mut contents = sample::roof(1.0, DVec3::ZERO);
+    let apex = contents.mesh.vertices[4];
+    contents.mesh.vertices.resize(100, apex);
+    let values: Vec<f64> = (1..=100).rev().map(f64::from).collect();
+    let mut found = |values, least_range| {
         contents.mean_curvature = Some(MeanCurvature { values, least_range });
-        let glb = Glb::of(&archive(contents.clone()));
-        let colors = glb.items(&glb.primitive(0)["attributes"]["COLOR_0"], 4);
-        assert!(colors.iter().all(|color| color == &[0, 0, 255, 255]), "{colors:?}");
+        let glb = Glb::with(&archive(contents.clone()), colors(Quantity::MeanCurvature, None));
+        (glb.document["asset"]["extras"]["color_range"]["max"].as_f64().unwrap(), colors_of(&glb, 0))
+    };
+    let (max, all) = found(values.clone(), 1.0);
+    assert_eq!((max, all.iter().filter(|&&color| color == RED).count()), (95.0, 6));
+    assert_eq!(found(values, 200.0).0, 200.0);
+    // Values far below the least range stay blue, and zero curvature causes no division by zero.
+    for (values, least_range) in [(vec![1e-12; 100], 1.0), (vec![0.0; 100], 0.0)] {
+        let (max, all) = found(values, least_range);
+        assert!(max == least_range && all.iter().all(|&color| color == BLUE), "{all:?}");
     }
+}
+
+#[test]
+fn lines_and_slack_have_colours_too() {
+    let mut contents = sample::full().contents().clone();
+    contents.certificate = Some(Certificate { slack: vec![0.0, 0.25, 0.5, 0.75, 1.0], proof: "{}".into() });
+    let full = archive(contents.clone());
+    let slack = Glb::with(&full, colors(Quantity::LowerBoundSlack, None));
+    assert_eq!(colors_of(&slack, 0), [BLUE, CYAN, GREEN, YELLOW, RED]);
+
+    // The members of the sample have the lengths 2.5 and 0.125. Each line has its colour at both ends.
+    let length = Glb::with(&full, colors(Quantity::Length, Some(0.25)));
+    assert_eq!(colors_of(&length, 3), [RED, RED, GREEN, GREEN]);
+    assert!(length.primitive(0)["attributes"].get("COLOR_0").is_none());
+    let scale = &length.document["asset"]["extras"]["color_range"];
+    assert_eq!((&scale["quantity"], &scale["unit"]), (&json!("length"), &json!("cm")));
+    let largest = Glb::with(&full, colors(Quantity::Length, None));
+    assert_eq!(largest.document["asset"]["extras"]["color_range"]["max"], json!(2.5));
+
+    // Values below zero are blue, and the arrows of reactions keep their own colour.
+    let forces = |values: Vec<f64>| Some(SegmentValues { name: "force".into(), unit: "kN".into(), values });
+    let set = |name: &str, lines| LineSet { name: name.into(), group: String::new(), lines };
+    let arrow = [[0.0; 3], [0.0, 0.0, 1.0]];
+    contents.line_sets = vec![
+        set("cables", Lines::Segments { pairs: vec![[0, 4], [1, 4]], values: forces(vec![4.0, -1.0]) }),
+        set("masts", Lines::Segments { pairs: vec![[2, 4]], values: forces(vec![2.0]) }),
+        set("reactions", Lines::Arrows { ends: vec![arrow], values: forces(vec![100.0]) }),
+    ];
+    let force = Glb::with(&archive(contents), colors(Quantity::Force, None));
+    assert_eq!(colors_of(&force, 1), [RED, RED, BLUE, BLUE]);
+    assert_eq!(colors_of(&force, 2), [GREEN, GREEN]);
+    assert!(force.primitive(3)["attributes"].get("COLOR_0").is_none());
+    assert_eq!(force.document["asset"]["extras"]["color_range"]["unit"], "kN");
+}
+
+#[test]
+fn a_quantity_that_the_file_does_not_have_is_an_error_that_names_those_it_has() {
+    let refused = |format: MeshFormat, archive: &Archive, choices| match format.encode_with(archive, choices) {
+        Err(error @ Error::NoQuantity { .. }) => error.to_string(),
+        other => panic!("{other:?}"),
+    };
+    let (full, bare) = (sample::full(), archive(sample::roof(1.0, DVec3::ZERO)));
+    let force = colors(Quantity::Force, None);
+    assert_eq!(
+        refused(MeshFormat::Glb, &full, force),
+        "this file has no force to be coloured by; it has mean_curvature, length"
+    );
+    assert_eq!(
+        refused(MeshFormat::Gltf, &bare, force),
+        "this file has no force to be coloured by; it has none of the quantities"
+    );
+    // A file without its lines, and a PLY file, which has colours at its vertices, lack the quantities of lines.
+    let length = colors(Quantity::Length, None);
+    let only = "this file has no length to be coloured by; it has mean_curvature";
+    assert_eq!(refused(MeshFormat::Glb, &full, Choices { lines: false, ..length }), only);
+    assert_eq!(refused(MeshFormat::Ply, &full, length), only);
 }
 
 #[test]
@@ -336,21 +456,29 @@ fn ply_reads_back_to_the_same_bits() {
 }
 
 #[test]
-fn ply_has_the_mean_curvature() {
-    let bytes = MeshFormat::Ply.encode(&sample::full()).unwrap();
-    let end = bytes.windows(11).position(|w| w == b"end_header\n").unwrap() + 11;
-    assert!(std::str::from_utf8(&bytes[..end]).unwrap().contains(
-        "\nproperty double z\nproperty double mean_curvature\nproperty float quality\n\
-             property uchar red\nproperty uchar green\nproperty uchar blue\nelement face"
-    ));
-    assert_eq!(bytes.len(), end + 5 * 39 + 4 * 13);
-    let last = &bytes[end + 4 * 39..end + 5 * 39];
+fn ply_has_the_mean_curvature_and_the_colours_of_gltf() {
+    let full = sample::full();
+    let split = |choices| {
+        let bytes = MeshFormat::Ply.encode_with(&full, choices).unwrap();
+        let end = bytes.windows(11).position(|w| w == b"end_header\n").unwrap() + 11;
+        (String::from_utf8(bytes[..end].to_vec()).unwrap(), bytes[end..].to_vec())
+    };
+    let (header, body) = split(Choices::default());
+    assert!(
+        header.contains("\nproperty double z\nproperty double mean_curvature\nproperty float quality\nelement face")
+    );
+    assert_eq!(body.len(), 5 * 36 + 4 * 13);
+    let last = &body[4 * 36..5 * 36];
     assert_eq!(f64::from_le_bytes(last[24..32].try_into().unwrap()), 0.02);
     assert_eq!(f32::from_le_bytes(last[32..36].try_into().unwrap()), 0.02);
-    // The same colour as in glTF.
-    let glb = Glb::of(&sample::full());
-    let colors = glb.items(&glb.primitive(0)["attributes"]["COLOR_0"], 4);
-    assert_eq!(last[36..], colors[4][..3]);
+
+    let choices = colors(Quantity::MeanCurvature, Some(0.03));
+    let (header, body) = split(choices);
+    assert!(header.contains("quality\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement face"));
+    assert_eq!(body.len(), 5 * 39 + 4 * 13);
+    let of_glb = colors_of(&Glb::with(&full, choices), 0);
+    assert_ne!(of_glb[4], RED);
+    assert_eq!(body[4 * 39 + 36..5 * 39], of_glb[4][..3]);
 }
 
 #[test]
@@ -369,8 +497,8 @@ fn the_slack_of_a_lower_bound_is_in_glb_and_ply() {
     assert_eq!(values, slack);
     let bytes = with(MeshFormat::Ply, &contents, Choices::default());
     let end = bytes.windows(11).position(|w| w == b"end_header\n").unwrap() + 11;
-    assert_eq!(bytes.len(), end + 5 * 47 + 4 * 13);
-    assert_eq!(f64::from_le_bytes(bytes[end + 47 + 39..end + 94].try_into().unwrap()), 0.25);
+    assert_eq!(bytes.len(), end + 5 * 44 + 4 * 13);
+    assert_eq!(f64::from_le_bytes(bytes[end + 44 + 36..end + 88].try_into().unwrap()), 0.25);
 }
 
 fn with(format: MeshFormat, contents: &Contents, choices: Choices) -> Vec<u8> {
@@ -499,7 +627,7 @@ fn lines_can_be_left_out() {
 fn scene_and_surface_have_extras_too() {
     let glb = Glb::of(&sample::full());
     let (asset, scene) = (&glb.document["asset"]["extras"], &glb.document["scenes"][0]["extras"]);
-    for name in ["origin", "unit", "up", "title", "statistics", "color_range"] {
+    for name in ["origin", "unit", "up", "title", "statistics"] {
         assert_eq!(asset[name], scene[name], "{name}");
     }
     let surface = &glb.document["nodes"][0]["extras"];
@@ -623,6 +751,10 @@ fn the_khronos_validator_finds_neither_errors_nor_warnings() {
             let bytes = format.encode(&archive).unwrap();
             std::fs::write(folder.join(format!("{name}.{}", format.name())), bytes).unwrap();
         }
+    }
+    for quantity in [Quantity::MeanCurvature, Quantity::Length] {
+        let bytes = MeshFormat::Glb.encode_with(&sample::full(), colors(quantity, None)).unwrap();
+        std::fs::write(folder.join(format!("{}.glb", quantity.name())), bytes).unwrap();
     }
     let scripts = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scripts");
     if !scripts.join("node_modules/gltf-validator").exists() {

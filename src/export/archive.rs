@@ -28,17 +28,9 @@ pub const CABLES: &str = "cables";
 pub struct MeanCurvature {
     /// One value per vertex in 1/unit, finite and not negative.
     pub values: Vec<f64>,
-    /// Lower bound, in 1/unit, of the upper end of the colour range, so that rounding errors do not look like
-    /// curvature. The solver sets it to tolerance / R.
+    /// Lower bound, in 1/unit, of the end of a colour scale that follows from the values, so that the errors of the mesh
+    /// do not look like curvature.
     pub least_range: f64,
-}
-
-impl MeanCurvature {
-    /// Returns the upper end of the colour range in 1/unit.
-    #[must_use]
-    pub fn range(&self) -> f64 {
-        self.values.iter().copied().fold(self.least_range, f64::max)
-    }
 }
 
 /// Proof of a lower bound of the area.

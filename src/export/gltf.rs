@@ -12,8 +12,9 @@
 //! - Where three sheets meet, each sheet has its own vertices with their own normals, after all vertices of the mesh.
 //! - `_LOWER_BOUND_SLACK` is 1 - |curl A · n| of the field that proves the lower bound of the area. It is 0 where the
 //!   bound is tight.
-//! - `_MEAN_CURVATURE` is in 1/m (clamped to f32). `COLOR_0` runs from blue through green to red over
-//!   `asset.extras.color_range`, interpolated linearly between its stops.
+//! - `_MEAN_CURVATURE` is in 1/m (clamped to f32).
+//! - A mesh is neutral unless colours are asked for. `COLOR_0` then runs from blue at 0 through green to red, interpolated
+//!   linearly between the stops of `asset.extras.color_range`, whose `max` is in the unit of the job's statistics.
 //!
 //! The document is built from JSON values, because the types of the crate gltf-json keep a node's translation in f32.
 
@@ -22,7 +23,8 @@ use plateau_geometry::mesh::measure;
 use plateau_geometry::{DVec3, Mesh};
 use serde_json::{Value, json};
 
-use super::archive::{Archive, Contents, LineSet, Lines, MeanCurvature, Polyline, SegmentValues};
+use super::archive::{Archive, Contents, LineSet, Lines, Polyline, SegmentValues};
+use super::colors::{STOPS, Scale};
 use super::{Choices, Error, Origin, sheets};
 use crate::units::UpAxis;
 
@@ -39,21 +41,23 @@ const TRIANGLES: u32 = 4;
 /// Smallest supported size of a mesh. Below it, f32 cannot distinguish a ten-millionth of the mesh from zero.
 const MIN_EXTENT_METRES: f64 = 1e-30;
 
-/// Colours in equal steps from low to high, in linear RGB.
-const COLOR_STOPS: [[f64; 3]; 5] =
-    [[0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
+/// Linear RGB of a surface without colours, a light blue.
+const NEUTRAL: [f64; 4] = [0.55, 0.68, 0.8, 1.0];
+/// Factor of the colours at the vertices.
+const WHITE: [f64; 4] = [1.0; 4];
 
 /// Writes binary glTF: one file that includes the buffer.
 ///
 /// # Errors
-/// Returns [`Error::OutOfRange`] if f32 cannot hold the positions, and [`Error::TooLarge`] from 4 GiB.
+/// Returns [`Error::OutOfRange`] if f32 cannot hold the positions, [`Error::TooLarge`] from 4 GiB, and [`Error::NoQuantity`]
+/// if the mesh does not have what it is to be coloured by.
 pub fn to_glb(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
     let (document, buffer) = document(archive, choices)?;
     binary(document, &buffer)
 }
 
 /// Writes binary glTF with several meshes in one scene, each at its own coordinates. Each mesh is a named node whose
-/// children are its surface and lines. The node's `extras` are the `asset.extras` of a single file.
+/// children are its surface and lines, without colours. The node's `extras` are the `asset.extras` of a single file.
 ///
 /// # Errors
 /// Returns the errors of [`to_glb`].
@@ -62,9 +66,9 @@ pub fn to_glb_scene(title: &str, parts: &[(String, Archive)]) -> Result<Vec<u8>,
     let mut roots = Vec::with_capacity(parts.len());
     for (name, archive) in parts {
         let frame = Frame::new(archive.contents(), Origin::Given)?;
-        let children = scene.add(archive.contents(), &frame, Choices::default());
+        let children = scene.add(archive.contents(), &frame, &archive.contents().line_sets, None);
         roots.push(scene.nodes.len());
-        let extras = asset_extras(archive.contents(), &frame);
+        let extras = asset_extras(archive.contents(), &frame, None);
         scene.nodes.push(json!({ "name": name, "children": children, "extras": extras }));
     }
     let generator = parts.first().map_or("", |(_, archive)| archive.contents().generator.as_str());
@@ -220,9 +224,11 @@ impl Buffer {
 fn document(archive: &Archive, choices: Choices) -> Result<(Value, Vec<u8>), Error> {
     let contents = archive.contents();
     let frame = Frame::new(contents, choices.origin)?;
+    let line_sets = choices.line_sets(contents);
+    let scale = choices.colors.map(|colors| Scale::new(colors, contents, line_sets)).transpose()?;
     let mut scene = Scene::default();
-    let nodes = scene.add(contents, &frame, choices);
-    let extras = asset_extras(contents, &frame);
+    let nodes = scene.add(contents, &frame, line_sets, scale.as_ref());
+    let extras = asset_extras(contents, &frame, scale.as_ref());
     // The scene has everything but the list of the input's vertices, which may be as long as the mesh.
     let mut figures = extras.clone();
     if let Some(figures) = figures.as_object_mut() {
@@ -242,8 +248,8 @@ struct Scene {
 }
 
 impl Scene {
-    /// Adds a surface and its line sets, and returns their nodes.
-    fn add(&mut self, contents: &Contents, frame: &Frame, choices: Choices) -> Vec<usize> {
+    /// Adds a surface and line sets, and returns their nodes.
+    fn add(&mut self, contents: &Contents, frame: &Frame, line_sets: &[LineSet], scale: Option<&Scale>) -> Vec<usize> {
         let Self { nodes, meshes, materials, buffer } = self;
         let first_node = nodes.len();
         let split = sheets::split_by_sheet(&contents.mesh);
@@ -264,13 +270,19 @@ impl Scene {
             let per_metre = |value: f64| (value / frame.metres).min(f64::from(f32::MAX)) as f32;
             let values = with_split_vertices(&curvature.values);
             attributes["_MEAN_CURVATURE"] = buffer.scalars(values.iter().map(|&value| per_metre(value))).into();
-            let range = curvature.range();
-            attributes["COLOR_0"] = buffer.colors(values.iter().map(|&value| color(value, range))).into();
         }
         if let Some(certificate) = &contents.certificate {
             let slack = with_split_vertices(&certificate.slack);
             attributes["_LOWER_BOUND_SLACK"] = buffer.scalars(slack.iter().map(|&value| value as f32)).into();
         }
+        let base_color = match scale.and_then(|scale| Some((scale, scale.quantity.at_vertices(contents)?))) {
+            Some((scale, values)) => {
+                let values = with_split_vertices(values);
+                attributes["COLOR_0"] = buffer.colors(values.iter().map(|&value| scale.color(value))).into();
+                WHITE
+            }
+            None => NEUTRAL,
+        };
         let name = if mesh.triangles.is_empty() { "vertices" } else { "surface" };
         let mut primitive = json!({ "material": materials.len(), "mode": POINTS });
         if !mesh.triangles.is_empty() {
@@ -279,7 +291,6 @@ impl Scene {
         }
         primitive["attributes"] = attributes;
 
-        let base_color = if contents.mean_curvature.is_some() { [1.0, 1.0, 1.0, 1.0] } else { [0.55, 0.68, 0.8, 1.0] };
         let translation = frame.translation().to_array();
         // Plain values only: Assimp 5.2 ends when it copies a node whose extras have a list or an object.
         let [x, y, z] = frame.origin.to_array();
@@ -290,8 +301,10 @@ impl Scene {
         nodes.push(json!({ "name": name, "mesh": meshes.len(), "translation": translation, "extras": place }));
         meshes.push(json!({ "name": name, "primitives": [primitive] }));
         materials.push(material(name, base_color, true));
-        for set in choices.line_sets(contents) {
-            let primitives = line_primitives(set, materials.len(), shared, &positions, frame, buffer);
+        for set in line_sets {
+            let scale = scale.filter(|scale| scale.quantity.along(set).is_some());
+            let shared = Shared { accessor: shared, positions: &positions };
+            let primitives = line_primitives(set, materials.len(), shared, frame, scale, buffer);
             if primitives.is_empty() {
                 continue;
             }
@@ -304,7 +317,7 @@ impl Scene {
             }
             nodes.push(node);
             meshes.push(json!({ "name": name, "primitives": primitives }));
-            materials.push(material(&name, line_color(set), false));
+            materials.push(material(&name, if scale.is_some() { WHITE } else { line_color(set) }, false));
         }
         (first_node..nodes.len()).collect()
     }
@@ -321,39 +334,39 @@ impl Scene {
     }
 }
 
-fn asset_extras(contents: &Contents, frame: &Frame) -> Value {
+fn asset_extras(contents: &Contents, frame: &Frame, scale: Option<&Scale>) -> Value {
     let statistics: Value = serde_json::from_str(&contents.statistics).expect("an archive's statistics are JSON");
     let mut extras = json!({
         "title": contents.title,
         "origin": frame.origin.to_array(), "unit": contents.unit.symbol(), "up": contents.up.symbol(),
         "statistics": statistics, "input_vertices": contents.input_vertices,
     });
-    if let Some(curvature) = &contents.mean_curvature {
-        extras["color_range"] = color_range(curvature, frame.metres);
+    if let Some(Scale { quantity, max, unit }) = scale {
+        extras["color_range"] =
+            json!({ "quantity": quantity.name(), "unit": unit, "min": 0.0, "max": max, "stops": STOPS });
     }
     extras
-}
-
-fn color_range(curvature: &MeanCurvature, metres: f64) -> Value {
-    json!({ "attribute": "_MEAN_CURVATURE", "unit": "1/m", "min": 0.0, "max": finite(curvature.range() / metres), "stops": COLOR_STOPS })
-}
-
-/// Clamps infinity to the largest f64, because JSON has no infinity.
-fn finite(value: f64) -> f64 {
-    value.min(f64::MAX)
 }
 
 fn attribute_name(name: &str) -> String {
     format!("_{}", name.to_ascii_uppercase())
 }
 
-/// Returns the primitives of a line set, or none for an empty set. The caller adds the material.
+/// Positions that the surface and the lines along it share.
+#[derive(Clone, Copy)]
+struct Shared<'a> {
+    accessor: usize,
+    positions: &'a [[f32; 3]],
+}
+
+/// Returns the primitives of a line set, or none for an empty set. The caller adds the material. `scale` is the scale of the
+/// set's own values.
 fn line_primitives(
     set: &LineSet,
     material: usize,
-    shared: usize,
-    positions: &[[f32; 3]],
+    shared: Shared<'_>,
     frame: &Frame,
+    scale: Option<&Scale>,
     buffer: &mut Buffer,
 ) -> Vec<Value> {
     match &set.lines {
@@ -361,32 +374,45 @@ fn line_primitives(
             .iter()
             .map(|line| {
                 let indices = buffer.indices(along(line));
-                json!({ "attributes": { "POSITION": shared }, "indices": indices, "material": material, "mode": LINE_STRIP })
+                let attributes = json!({ "POSITION": shared.accessor });
+                json!({ "attributes": attributes, "indices": indices, "material": material, "mode": LINE_STRIP })
             })
             .collect(),
         Lines::Segments { pairs, .. } if pairs.is_empty() => Vec::new(),
         Lines::Segments { pairs, values: None } => {
             let indices = buffer.indices(pairs.iter().flatten().copied());
-            vec![json!({ "attributes": { "POSITION": shared }, "indices": indices, "material": material, "mode": LINES })]
+            let attributes = json!({ "POSITION": shared.accessor });
+            vec![json!({ "attributes": attributes, "indices": indices, "material": material, "mode": LINES })]
         }
         Lines::Segments { pairs, values: Some(values) } => {
-            let ends: Vec<[f32; 3]> = pairs.iter().flatten().map(|&vertex| positions[vertex as usize]).collect();
-            own_lines(&ends, Some(values), material, buffer)
+            let ends: Vec<[f32; 3]> = pairs.iter().flatten().map(|&vertex| shared.positions[vertex as usize]).collect();
+            own_lines(&ends, Some(values), material, scale, buffer)
         }
         Lines::Arrows { ends, .. } if ends.is_empty() => Vec::new(),
         Lines::Arrows { ends, values } => {
-            let ends: Vec<[f32; 3]> = ends.iter().flatten().map(|&end| frame.position(DVec3::from_array(end))).collect();
-            own_lines(&ends, values.as_ref(), material, buffer)
+            let ends: Vec<[f32; 3]> =
+                ends.iter().flatten().map(|&end| frame.position(DVec3::from_array(end))).collect();
+            own_lines(&ends, values.as_ref(), material, scale, buffer)
         }
     }
 }
 
 /// Returns the primitive of lines with their own positions, two for each line, and a value at both ends of each.
-fn own_lines(ends: &[[f32; 3]], values: Option<&SegmentValues>, material: usize, buffer: &mut Buffer) -> Vec<Value> {
+fn own_lines(
+    ends: &[[f32; 3]],
+    values: Option<&SegmentValues>,
+    material: usize,
+    scale: Option<&Scale>,
+    buffer: &mut Buffer,
+) -> Vec<Value> {
     let mut attributes = json!({ "POSITION": buffer.positions(ends) });
     if let Some(values) = values {
         let at_ends: Vec<f32> = values.values.iter().flat_map(|&value| [clamped(value); 2]).collect();
         attributes[attribute_name(&values.name)] = buffer.scalars(at_ends.into_iter()).into();
+        if let Some(scale) = scale {
+            let at_ends: Vec<[u8; 4]> = values.values.iter().flat_map(|&value| [scale.color(value); 2]).collect();
+            attributes["COLOR_0"] = buffer.colors(at_ends.into_iter()).into();
+        }
     }
     vec![json!({ "attributes": attributes, "material": material, "mode": LINES })]
 }
@@ -413,19 +439,6 @@ fn line_color(set: &LineSet) -> [f64; 4] {
         "bridges" => [0.2, 0.22, 0.25, 1.0],
         _ => [0.35, 0.12, 0.02, 1.0],
     }
-}
-
-/// Returns the colour of a value, from blue at 0 to red at `range`. If the range is empty, the colour is blue.
-pub(super) fn color(value: f64, range: f64) -> [u8; 4] {
-    let steps = (COLOR_STOPS.len() - 1) as f64;
-    let position = if range > 0.0 { (value / range).clamp(0.0, 1.0) * steps } else { 0.0 };
-    let low = (position.floor() as usize).min(COLOR_STOPS.len() - 2);
-    let fraction = position - low as f64;
-    let channel = |c: usize| {
-        let value = COLOR_STOPS[low][c] + fraction * (COLOR_STOPS[low + 1][c] - COLOR_STOPS[low][c]);
-        (255.0 * value).round() as u8
-    };
-    [channel(0), channel(1), channel(2), 255]
 }
 
 /// Returns unit vertex normals in glTF's axes. Within the sizes that [`Frame`] accepts, no square overflows or becomes

@@ -1,22 +1,27 @@
 //! PLY in the client's axes and unit, binary little-endian or text. Coordinates are `double` with every digit. If the mean
-//! curvature (1/unit) is known, it is `mean_curvature`. It is also `quality`, which MeshLab shows, and the colours of glTF.
-//! If a lower bound of the area is known, `lower_bound_slack` says where it is not tight. A mesh without triangles, such as
+//! curvature (1/unit) is known, it is `mean_curvature`. It is also `quality`, which MeshLab shows. If colours are asked for,
+//! they are those of glTF. If a lower bound of the area is known, `lower_bound_slack` says where it is not tight. A mesh without triangles, such as
 //! a cable net, has `edge` elements with their values, such as `force`.
 
 use std::io::Write as _;
 
 use super::archive::{Archive, Lines, SegmentValues};
-use super::gltf::color;
+use super::colors::Scale;
 use super::obj::one_line;
-use super::{Choices, Origin};
+use super::{Choices, Error, Origin};
 
 /// Writes the vertices and triangles in archive order.
-#[must_use]
-pub fn to_ply(archive: &Archive, choices: Choices) -> Vec<u8> {
+///
+/// # Errors
+/// Returns [`Error::NoQuantity`] if the vertices do not have what they are to be coloured by.
+pub fn to_ply(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
     let contents = archive.contents();
     let (vertices, triangles) = (&contents.mesh.vertices, &contents.mesh.triangles);
-    let curvature = contents.mean_curvature.as_ref().map(|curvature| (curvature.values.as_slice(), curvature.range()));
+    let curvature = contents.mean_curvature.as_ref().map(|curvature| curvature.values.as_slice());
     let slack = contents.certificate.as_ref().map(|certificate| certificate.slack.as_slice());
+    // Only vertices have colours.
+    let scale = choices.colors.map(|colors| Scale::new(colors, contents, &[])).transpose()?;
+    let colored = scale.as_ref().and_then(|scale| Some((scale, scale.quantity.at_vertices(contents)?)));
     let shift = choices.shift(contents);
     let encoding = if choices.ascii { "ascii" } else { "binary_little_endian" };
     let mut header = format!(
@@ -34,6 +39,8 @@ pub fn to_ply(archive: &Archive, choices: Choices) -> Vec<u8> {
     ));
     if curvature.is_some() {
         header.push_str("property double mean_curvature\nproperty float quality\n");
+    }
+    if colored.is_some() {
         header.push_str("property uchar red\nproperty uchar green\nproperty uchar blue\n");
     }
     if slack.is_some() {
@@ -50,7 +57,8 @@ pub fn to_ply(archive: &Archive, choices: Choices) -> Vec<u8> {
     header.push_str("end_header\n");
 
     let mut out = header.into_bytes();
-    let a_vertex = 24 + 15 * usize::from(curvature.is_some()) + 8 * usize::from(slack.is_some());
+    let with = |bytes: usize, present: bool| if present { bytes } else { 0 };
+    let a_vertex = 24 + with(12, curvature.is_some()) + with(3, colored.is_some()) + with(8, slack.is_some());
     out.reserve(a_vertex * vertices.len() + 13 * triangles.len());
     // Writing to a Vec cannot fail, so `put` handles no errors.
     macro_rules! put {
@@ -58,33 +66,24 @@ pub fn to_ply(archive: &Archive, choices: Choices) -> Vec<u8> {
     }
     for (index, vertex) in vertices.iter().enumerate() {
         let vertex = *vertex - shift;
-        // `{:?}` gives the shortest text that reads back as the same number.
-        let known = curvature.map(|(values, range)| (values[index], color(values[index], range)));
-        match (choices.ascii, known) {
-            (true, None) => put!("{:?} {:?} {:?}", vertex.x, vertex.y, vertex.z),
-            (true, Some((value, [red, green, blue, _]))) => put!(
-                "{:?} {:?} {:?} {value:?} {:?} {red} {green} {blue}",
-                vertex.x,
-                vertex.y,
-                vertex.z,
-                value.min(f64::from(f32::MAX)) as f32
-            ),
-            (false, known) => {
-                vertex.to_array().iter().for_each(|x| out.extend_from_slice(&x.to_le_bytes()));
-                if let Some((value, [red, green, blue, _])) = known {
-                    out.extend_from_slice(&value.to_le_bytes());
-                    out.extend_from_slice(&(value.min(f64::from(f32::MAX)) as f32).to_le_bytes());
-                    out.extend_from_slice(&[red, green, blue]);
-                }
-            }
-        }
-        match (choices.ascii, slack) {
-            (true, Some(slack)) => put!(" {:?}", slack[index]),
-            (false, Some(slack)) => out.extend_from_slice(&slack[index].to_le_bytes()),
-            (_, None) => {}
-        }
+        let known = curvature.map(|values| (values[index], values[index].min(f64::from(f32::MAX)) as f32));
+        let color = colored.map(|(scale, values)| scale.color(values[index]));
+        let slack = slack.map(|values| values[index]);
         if choices.ascii {
+            // `{:?}` gives the shortest text that reads back as the same number.
+            put!("{:?} {:?} {:?}", vertex.x, vertex.y, vertex.z);
+            known.iter().for_each(|(value, quality)| put!(" {value:?} {quality:?}"));
+            color.iter().for_each(|[red, green, blue, _]| put!(" {red} {green} {blue}"));
+            slack.iter().for_each(|slack| put!(" {slack:?}"));
             out.push(b'\n');
+        } else {
+            vertex.to_array().iter().for_each(|x| out.extend_from_slice(&x.to_le_bytes()));
+            if let Some((value, quality)) = known {
+                out.extend_from_slice(&value.to_le_bytes());
+                out.extend_from_slice(&quality.to_le_bytes());
+            }
+            color.iter().for_each(|[rgb @ .., _]| out.extend_from_slice(rgb));
+            slack.iter().for_each(|slack| out.extend_from_slice(&slack.to_le_bytes()));
         }
     }
     for [a, b, c] in triangles {
@@ -107,7 +106,7 @@ pub fn to_ply(archive: &Archive, choices: Choices) -> Vec<u8> {
             value.iter().for_each(|value| out.extend_from_slice(&value.to_le_bytes()));
         }
     }
-    out
+    Ok(out)
 }
 
 /// All segments of a mesh's line sets, and their values if every segment has one of the same name.

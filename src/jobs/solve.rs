@@ -160,6 +160,10 @@ fn archive(contents: Contents) -> Result<Archive, Error> {
     Archive::new(contents).map_err(|defect| Error::no_result("invalid_mesh", defect.to_string()))
 }
 
+/// Lower bound of the end of the default colour scale of the mean curvature, times the boundary's radius. 95% of the
+/// vertices of a converged film of usual resolution are below it, so that its discretisation is no rainbow.
+const LEAST_RANGE: f64 = 0.01;
+
 fn minimal(
     request: &Request,
     boundaries: &[Vec<DVec3>],
@@ -208,7 +212,7 @@ fn minimal(
         mesh: surface.mesh,
         mean_curvature: Some(MeanCurvature {
             values: surface.mean_curvature,
-            least_range: if radius > 0.0 { options.tolerance / radius } else { 0.0 },
+            least_range: if radius > 0.0 { LEAST_RANGE / radius } else { 0.0 },
         }),
         line_sets,
         input_vertices: surface.input_vertices,

@@ -47,6 +47,8 @@ async fn a_certificate_is_stated_and_an_independent_program_confirms_it() {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stdout));
     let ply = app.get(&format!("{}?format=ply", job["links"]["mesh"].as_str().unwrap())).await.bytes().await.unwrap();
     assert!(String::from_utf8_lossy(&ply[..400]).contains("property double lower_bound_slack"));
+    let colored = app.get(&format!("{}?colors=lower_bound_slack", job["links"]["mesh"].as_str().unwrap())).await;
+    assert_eq!(colored.status(), 200);
 }
 
 #[tokio::test]
@@ -118,7 +120,8 @@ async fn without_certify_there_is_none_and_other_objectives_cannot_have_one() {
     plain["certify"] = json!(false);
     let job = app.solve(MINIMAL, &plain).await;
     assert_eq!(job["statistics"]["certificate"], Value::Null);
-    problem(app.get(job["links"]["certificate"].as_str().unwrap()).await, 404).await;
+    assert!(job["links"].get("certificate").is_none(), "{}", job["links"]);
+    problem(app.get(&format!("{}/certificate", job["links"]["self"].as_str().unwrap())).await, 404).await;
     let mut curvature = request();
     curvature["objective"] = json!("minimal_mean_curvature");
     let refused = problem(app.post(MINIMAL, &curvature).await, 422).await;

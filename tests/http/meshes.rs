@@ -1,7 +1,8 @@
 //! Formats, entity tags and ranges of the mesh, and the flat pattern.
 
-use crate::app::{MINIMAL, RULED, TestApp, example, problem, small_film};
+use crate::app::{MINIMAL, RULED, TestApp, UNIFORM, example, problem, small_film};
 use reqwest::{Method, Response};
+use serde_json::{Value, json};
 
 async fn get_with(app: &TestApp, path: &str, headers: &[(&'static str, &str)]) -> Response {
     let request =
@@ -66,6 +67,84 @@ async fn a_known_entity_tag_gives_304_and_ranges_join_to_the_whole() {
 }
 
 #[tokio::test]
+async fn a_mesh_is_coloured_by_what_is_asked_for() {
+    let app = TestApp::start().await;
+    let job = app.solve(MINIMAL, &small_film(0.26)).await;
+    let mesh = job["links"]["mesh"].as_str().unwrap();
+    let tag = async |query: &str| {
+        let response = app.get(&format!("{mesh}?{query}")).await;
+        assert_eq!(response.status(), 200, "{query}");
+        response.headers()["etag"].to_str().unwrap().to_owned()
+    };
+    let document = async |query: &str| -> Value { app.get_json(&format!("{mesh}?format=gltf{query}")).await };
+    let color = |gltf: &Value| gltf["meshes"][0]["primitives"][0]["attributes"].get("COLOR_0").cloned();
+    let plain = document("").await;
+    assert_eq!(color(&plain), None);
+    assert!(plain["meshes"][0]["primitives"][0]["attributes"]["_MEAN_CURVATURE"].is_u64());
+    let colored = document("&colors=mean_curvature&range=0.125").await;
+    assert!(color(&colored).is_some());
+    let scale = |gltf: &Value| gltf["asset"]["extras"]["color_range"]["max"].as_f64();
+    assert_eq!((scale(&plain), scale(&colored)), (None, Some(0.125)));
+    // The boundary's corners are 0.72 from their mean, so the default scale ends at 0.01 / 0.72 or above.
+    assert!(scale(&document("&colors=mean_curvature").await).unwrap() > 0.0138);
+    // Each colouring is a file of its own, and equal ones are one file.
+    let queries = ["", "colors=mean_curvature", "colors=mean_curvature&range=0.5", "colors=mean_curvature&range=0.25"];
+    let mut tags = Vec::new();
+    for query in queries {
+        tags.push(tag(query).await);
+    }
+    for (a, b) in [(0, 1), (0, 2), (1, 2), (2, 3)] {
+        assert_ne!(tags[a], tags[b], "{} and {}", queries[a], queries[b]);
+    }
+    assert_eq!(tag("range=5e-1&colors=mean_curvature").await, tags[2]);
+    assert_eq!(tag("").await, tags[0]);
+
+    let lattice = app.solve(UNIFORM, &example("floor-equal-members")).await;
+    let path = format!("{}?format=gltf&colors=length", lattice["links"]["mesh"].as_str().unwrap());
+    let gltf: Value = app.get_json(&path).await;
+    assert_eq!(color(&gltf), None);
+    assert!(gltf["meshes"][1]["primitives"][0]["attributes"]["COLOR_0"].is_u64());
+}
+
+#[tokio::test]
+async fn colours_that_a_mesh_cannot_have_are_refused() {
+    let app = TestApp::start().await;
+    let film = app.solve(MINIMAL, &small_film(0.27)).await;
+    let strip = app.solve(RULED, &example("wavy-strip")).await;
+    let (film, strip) = (&film["links"]["mesh"], &strip["links"]["mesh"]);
+    for (mesh, query, status, detail) in [
+        (film, "colors=heat", 400, "colors must be one of: mean_curvature, lower_bound_slack, length, force"),
+        (film, "colors=", 400, "colors must be one of: mean_curvature, lower_bound_slack, length, force"),
+        (film, "colors=mean_curvature&colors=force", 400, "colors is given twice"),
+        (film, "colors=mean_curvature&range=0", 400, "range must be a number above 0"),
+        (film, "colors=mean_curvature&range=-1", 400, "range must be a number above 0"),
+        (film, "colors=mean_curvature&range=inf", 400, "range must be a number above 0"),
+        (film, "colors=mean_curvature&range=NaN", 400, "range must be a number above 0"),
+        (film, "colors=mean_curvature&range=1e999", 400, "range must be a number above 0"),
+        (film, "colors=mean_curvature&range=0,1", 400, "range must be a number above 0"),
+        (film, "range=1", 422, "range is only allowed with colors, whose scale it ends"),
+        (film, "format=obj&colors=mean_curvature", 422, "colors is only allowed with glb, gltf, ply, not with obj"),
+        (film, "format=json&colors=mean_curvature", 422, "colors is only allowed with glb, gltf, ply, not with json"),
+        (film, "colors=force", 422, "this file has no force to be coloured by; it has mean_curvature"),
+        (
+            film,
+            "colors=lower_bound_slack",
+            422,
+            "this file has no lower_bound_slack to be coloured by; it has mean_curvature",
+        ),
+        (
+            strip,
+            "colors=mean_curvature",
+            422,
+            "this file has no mean_curvature to be coloured by; it has none of the quantities",
+        ),
+    ] {
+        let problem = problem(app.get(&format!("{}?{query}", mesh.as_str().unwrap())).await, status).await;
+        assert_eq!(problem["detail"], json!(detail), "{query}");
+    }
+}
+
+#[tokio::test]
 async fn only_an_open_strip_has_a_flat_pattern() {
     let app = TestApp::start().await;
     let job = app.solve(RULED, &example("wavy-strip")).await;
@@ -82,7 +161,8 @@ async fn only_an_open_strip_has_a_flat_pattern() {
     problem(app.get(&format!("{}/pattern", film["links"]["self"].as_str().unwrap())).await, 404).await;
     let closed = app.solve(RULED, &example("contour-stack")).await;
     assert!(closed["statistics"]["flat_pattern"].is_null());
-    problem(app.get(closed["links"]["pattern"].as_str().unwrap()).await, 404).await;
+    assert!(closed["links"].get("pattern").is_none(), "{}", closed["links"]);
+    problem(app.get(&format!("{}/pattern", closed["links"]["self"].as_str().unwrap())).await, 404).await;
 }
 
 #[tokio::test]
@@ -98,7 +178,7 @@ async fn units_and_axes_are_the_clients_in_obj_and_metres_y_up_in_gltf() {
     let mesh = job["links"]["mesh"].as_str().unwrap();
     let obj = app.get(&format!("{mesh}?format=obj")).await.text().await.unwrap();
     assert!(obj.lines().any(|line| line == "v 10000001.0 0.0 0.24"), "{obj}");
-    let gltf: serde_json::Value = app.get(&format!("{mesh}?format=gltf")).await.json().await.unwrap();
+    let gltf: Value = app.get(&format!("{mesh}?format=gltf")).await.json().await.unwrap();
     let (units, up) = (&gltf["asset"]["extras"]["unit"], &gltf["asset"]["extras"]["up"]);
     assert_eq!((units.as_str(), up.as_str()), (Some("mm"), Some("z")));
     let x = gltf["nodes"][0]["translation"][0].as_f64().unwrap();

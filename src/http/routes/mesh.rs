@@ -1,6 +1,6 @@
 //! `/v1/jobs/{id}/mesh`, `/pattern` and `/certificate`: files made from the stored mesh, with entity tags and ranges.
 
-use crate::export::{Archive, Choices, MeshFormat, Origin, PatternFormat};
+use crate::export::{Archive, Choices, Colors, MeshFormat, Origin, PatternFormat, Quantity};
 use crate::http::access::Caller;
 use crate::http::entry::{BYTES, id_parameter, query_parameter, reference, representation};
 use crate::http::negotiate::{Part, accepted, none_match_hits, part};
@@ -23,11 +23,13 @@ pub async fn mesh(
     headers: HeaderMap,
 ) -> Result<Response, Failure> {
     let id = &checked(&id)?;
-    let [format, origin, lines, encoding] = parameters(query.as_deref(), ["format", "origin", "lines", "encoding"])?;
+    let names = ["format", "origin", "lines", "encoding", "colors", "range"];
+    let [format, origin, lines, encoding, quantity, range] = parameters(query.as_deref(), names)?;
     let formats = MeshFormat::ALL.map(|format| (format.name(), format.media_type()));
     let (chosen, media_type) = choose(format, &headers, &formats)?;
     let format = MeshFormat::ALL[chosen];
     let choices = choices(format, origin.as_deref(), lines.as_deref(), encoding.as_deref())?;
+    let choices = Choices { colors: colors(format, quantity.as_deref(), range.as_deref())?, ..choices };
     let file = mesh_file(&app, &caller, id, format, choices).await?;
     Ok(answer(&headers, &file, media_type, &format!("{id}.{}", format.name())))
 }
@@ -83,7 +85,33 @@ fn choices(
         Some(_) => return Err(Failure::bad_query("encoding must be one of: binary, ascii")),
     };
     // A format without lines makes the same file whatever is asked of them.
-    Ok(Choices { origin, lines: lines || !format.has_lines(), ascii })
+    Ok(Choices { origin, lines: lines || !format.has_lines(), ascii, colors: None })
+}
+
+/// Reads what the mesh is to be coloured by. Whether the mesh has this quantity is known when the file is made.
+fn colors(format: MeshFormat, quantity: Option<&str>, range: Option<&str>) -> Result<Option<Colors>, Failure> {
+    let range = match range {
+        None => None,
+        Some(text) => {
+            let number = text.parse().ok().filter(|&number: &f64| number.is_finite() && number > 0.0);
+            Some(number.ok_or_else(|| Failure::bad_query("range must be a number above 0"))?)
+        }
+    };
+    let Some(name) = quantity else {
+        return match range {
+            None => Ok(None),
+            Some(_) => Err(Failure::unwritable("range is only allowed with colors, whose scale it ends")),
+        };
+    };
+    let quantity = Quantity::from_name(name).ok_or_else(|| {
+        Failure::bad_query(format!("colors must be one of: {}", Quantity::ALL.map(Quantity::name).join(", ")))
+    })?;
+    if !format.has_colors() {
+        let with: Vec<&str> = MeshFormat::ALL.iter().filter(|format| format.has_colors()).map(|f| f.name()).collect();
+        let detail = format!("colors is only allowed with {}, not with {}", with.join(", "), format.name());
+        return Err(Failure::unwritable(detail));
+    }
+    Ok(Some(Colors { quantity, range }))
 }
 
 pub fn mesh_entry() -> Value {
@@ -108,8 +136,22 @@ pub fn mesh_entry() -> Value {
         "Whether a PLY file is binary or text. The default is `binary`. Other formats have no choice.",
         json!({ "type": "string", "enum": ["binary", "ascii"] }),
     );
+    let colors = query_parameter(
+        "colors",
+        "Quantity that a GLB, glTF or PLY file is coloured by, from blue at 0 to red. Without it, the mesh is neutral. Minimal \
+            surfaces have `mean_curvature`, and `lower_bound_slack` if they have a certificate. In GLB and glTF, the members of \
+            uniform meshes have `length`, and cables have `force`.",
+        json!({ "type": "string", "enum": Quantity::ALL.map(Quantity::name) }),
+    );
+    let range = query_parameter(
+        "range",
+        "Value that `colors` shows in red, in the unit of the job's statistics. The default is the 95th percentile of the mean \
+            curvature but at least 0.01 of the boundary's own, 1/R; 1 for the slack; and the largest length or force. GLB and glTF \
+            state the scale in `extras.color_range`.",
+        json!({ "type": "number", "exclusiveMinimum": 0 }),
+    );
     json!({ "operationId": "getMesh", "tags": ["jobs"], "summary": "The mesh as GLB, glTF, OBJ, PLY, STL or JSON",
-        "parameters": [id_parameter("job"), format, origin, lines, encoding], "responses": responses })
+        "parameters": [id_parameter("job"), format, origin, lines, encoding, colors, range], "responses": responses })
 }
 
 /// Problems that any file made from a job's mesh may have.
