@@ -10,7 +10,6 @@
 pub mod answer;
 pub mod component;
 pub mod recipe;
-pub mod schema;
 pub mod values;
 
 /// Reason why a message of Hops is not a request of a component. Each line names an input.

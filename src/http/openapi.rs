@@ -1,11 +1,11 @@
-//! The OpenAPI 3.1 document. Its paths come from the [`router`], which lists each handler with its entry, and its
-//! schemas from the Rust types ([`wire::components`](crate::wire::components)).
+//! The OpenAPI 3.1 document of the API: `/v1`, the health checks and the metrics. Its paths come from the [`router`], which
+//! lists each handler of the API with its entry, and its schemas from the Rust types ([`wire::components`](crate::wire::components)).
 //!
 //! `api/openapi.json` is the committed copy of this document. `plateau openapi` prints it, and a test compares both.
 
-use crate::hops;
 use crate::http::access::is_public;
 use crate::http::entry::problem;
+use crate::http::resource::Resource;
 use crate::http::router;
 use crate::wire::components::components;
 use serde_json::{Map, Value, json};
@@ -48,9 +48,7 @@ fn document() -> Value {
             { "name": "solve", "description": "Requests that create jobs" },
             { "name": "jobs", "description": "Jobs and their meshes" },
             { "name": "batches", "description": "Many requests at once" },
-            { "name": "hops", "description": "Components for Hops in Grasshopper" },
             { "name": "catalogue", "description": "What this server offers" },
-            { "name": "pages", "description": "Pages for browsers" },
             { "name": "operation", "description": "Health checks and metrics for operators" },
         ],
         // The empty alternative stands for a server without keys.
@@ -60,7 +58,7 @@ fn document() -> Value {
             "securitySchemes": {
                 "key": { "type": "http", "scheme": "bearer", "description": "API key of this server, created with `plateau key new`." },
             },
-            "schemas": schemas(),
+            "schemas": components(),
             "responses": problems(),
             "headers": {
                 "RequestId": { "description": "Identifier of this request in the server's logs.", "schema": { "type": "string" } },
@@ -73,26 +71,14 @@ fn document() -> Value {
     })
 }
 
-/// Returns the component schemas: those of the wire types, and those of the messages of Hops.
-fn schemas() -> Map<String, Value> {
-    let mut schemas = components().clone();
-    schemas.extend(hops::schema::components());
-    schemas
-}
-
 /// Returns every path with its operations. Each operation gets the errors of the checks before its handler: first the
 /// host, then foreign pages that want to change something, then the key.
 fn paths() -> Value {
     let response = |name: &str| json!({ "$ref": format!("#/components/responses/{name}") });
     let mut paths = Map::new();
-    for resource in router::resources(true) {
-        let (path, mut item) = resource.documented();
+    for (path, mut item) in router::resources(true).into_iter().filter_map(Resource::documented) {
         for (method, operation) in item.as_object_mut().into_iter().flatten() {
             let responses = &mut operation["responses"];
-            if hops::is_solve(path) {
-                // Every answer to Hops has its own form, which the entry describes.
-                continue;
-            }
             responses["421"] = response("Misdirected");
             if method != "get" {
                 responses["403"] = response("ForeignPage");

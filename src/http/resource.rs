@@ -1,5 +1,5 @@
-//! A path of the server with its handlers and their entries in the API document, so that neither can exist without the
-//! other.
+//! A path of the server with its handlers. Those of the API have their entries in the API document beside them, so that
+//! neither can exist without the other.
 
 use crate::http::state::App;
 use axum::Router;
@@ -7,11 +7,13 @@ use axum::handler::Handler;
 use axum::routing::{MethodRouter, delete, get, post};
 use serde_json::{Map, Value};
 
-/// A path, its handlers, and their entries in the API document.
+/// A path, its handlers, and their entries in the API document if they belong to the API.
 #[derive(Debug)]
 pub struct Resource {
     path: &'static str,
     handlers: MethodRouter<App>,
+    /// Methods in lower case.
+    methods: Vec<&'static str>,
     /// The path's item in the API document.
     item: Map<String, Value>,
 }
@@ -20,28 +22,52 @@ impl Resource {
     /// Creates a resource at a path in the syntax of axum and OpenAPI: `/v1/jobs/{id}`.
     #[must_use]
     pub fn at(path: &'static str) -> Self {
-        Self { path, handlers: MethodRouter::new(), item: Map::new() }
+        Self { path, handlers: MethodRouter::new(), methods: Vec::new(), item: Map::new() }
     }
 
     #[must_use]
     pub fn get<H: Handler<T, App>, T: 'static>(self, handler: H, entry: Value) -> Self {
-        self.with("get", get(handler), entry)
+        self.with("get", get(handler), Some(entry))
     }
 
     #[must_use]
     pub fn post<H: Handler<T, App>, T: 'static>(self, handler: H, entry: Value) -> Self {
-        self.with("post", post(handler), entry)
+        self.with("post", post(handler), Some(entry))
     }
 
     #[must_use]
     pub fn delete<H: Handler<T, App>, T: 'static>(self, handler: H, entry: Value) -> Self {
-        self.with("delete", delete(handler), entry)
+        self.with("delete", delete(handler), Some(entry))
     }
 
-    fn with(mut self, method: &str, handler: MethodRouter<App>, entry: Value) -> Self {
+    /// Adds a page or file, or what another protocol gets, which is no part of the API.
+    #[must_use]
+    pub fn get_beside_api<H: Handler<T, App>, T: 'static>(self, handler: H) -> Self {
+        self.with("get", get(handler), None)
+    }
+
+    /// Adds the handler of another protocol's messages, which is no part of the API.
+    #[must_use]
+    pub fn post_beside_api<H: Handler<T, App>, T: 'static>(self, handler: H) -> Self {
+        self.with("post", post(handler), None)
+    }
+
+    fn with(mut self, method: &'static str, handler: MethodRouter<App>, entry: Option<Value>) -> Self {
         self.handlers = self.handlers.merge(handler);
-        self.item.insert(method.into(), entry);
+        self.methods.push(method);
+        self.item.extend(entry.map(|entry| (method.into(), entry)));
         self
+    }
+
+    #[must_use]
+    pub fn path(&self) -> &'static str {
+        self.path
+    }
+
+    /// Returns the methods in lower case.
+    #[must_use]
+    pub fn methods(&self) -> &[&'static str] {
+        &self.methods
     }
 
     /// Adds the handlers to a router.
@@ -49,9 +75,9 @@ impl Resource {
         router.route(self.path, self.handlers)
     }
 
-    /// Returns the path and its item in the API document.
+    /// Returns the path and its item in the API document. Returns `None` for a path that is no part of the API.
     #[must_use]
-    pub fn documented(self) -> (&'static str, Value) {
-        (self.path, Value::Object(self.item))
+    pub fn documented(self) -> Option<(&'static str, Value)> {
+        (!self.item.is_empty()).then_some((self.path, Value::Object(self.item)))
     }
 }

@@ -19,7 +19,8 @@ use std::time::Duration;
 use tower::util::MapRequest;
 use tower_http::cors::{AllowOrigin, Any, CorsLayer};
 
-/// Returns every path with its handlers and their entries in the API document. `with_metrics` adds `/metrics`.
+/// Returns every path with its handlers, and the entries in the API document of those that belong to the API: `/v1`, the
+/// health checks and the metrics. `with_metrics` adds `/metrics`.
 #[must_use]
 pub fn resources(with_metrics: bool) -> Vec<Resource> {
     let mut resources = vec![
@@ -47,20 +48,20 @@ pub fn resources(with_metrics: bool) -> Vec<Resource> {
         Resource::at("/v1/limits").get(catalogue::limits, catalogue::limits_entry()),
         Resource::at("/v1/examples").get(catalogue::examples, catalogue::examples_entry()),
         Resource::at("/v1/examples/{name}").get(catalogue::example, catalogue::example_entry()),
-        Resource::at("/mcp").post(mcp::post, mcp::post_entry()),
-        Resource::at("/hops").get(hops::list, hops::list_entry()),
-        Resource::at("/hops/{name}").get(hops::describe, hops::describe_entry()),
-        Resource::at("/hops/solve").post(hops::solve, hops::solve_entry("postHopsSolve")),
-        Resource::at("/solve").post(hops::solve, hops::solve_entry("postSolve")),
-        Resource::at("/openapi.json").get(catalogue::openapi, catalogue::openapi_entry()),
-        Resource::at("/problems/{name}").get(catalogue::problem_kind, catalogue::problem_kind_entry()),
-        Resource::at("/docs").get(docs::redirect, docs::redirect_entry()),
-        Resource::at("/docs/").get(docs::page, docs::page_entry()),
-        Resource::at("/docs/{file}").get(docs::file, docs::file_entry()),
         Resource::at("/health/live").get(health::live, health::live_entry()),
         Resource::at("/health/ready").get(health::ready, health::ready_entry()),
-        Resource::at("/").get(studio::page, studio::page_entry()),
-        Resource::at("/studio/{file}").get(studio::file, studio::file_entry()),
+        Resource::at("/mcp").post_beside_api(mcp::post),
+        Resource::at("/hops").get_beside_api(hops::list),
+        Resource::at("/hops/{name}").get_beside_api(hops::describe),
+        Resource::at("/hops/solve").post_beside_api(hops::solve),
+        Resource::at("/solve").post_beside_api(hops::solve),
+        Resource::at("/openapi.json").get_beside_api(catalogue::openapi),
+        Resource::at("/problems/{name}").get_beside_api(catalogue::problem_kind),
+        Resource::at("/docs").get_beside_api(docs::redirect),
+        Resource::at("/docs/").get_beside_api(docs::page),
+        Resource::at("/docs/{file}").get_beside_api(docs::file),
+        Resource::at("/").get_beside_api(studio::page),
+        Resource::at("/studio/{file}").get_beside_api(studio::file),
     ];
     if with_metrics {
         resources.push(Resource::at("/metrics").get(health::metrics, health::metrics_entry()));
@@ -96,9 +97,9 @@ pub fn router(app: App) -> Router {
 
 /// Returns the text for a method that the resource at this path does not have.
 fn supported_methods(path: &str) -> String {
-    let documented = resources(true).into_iter().map(Resource::documented);
-    let item = documented.filter(|(known, _)| *known == path).find_map(|(_, item)| item.as_object().cloned());
-    let mut methods: Vec<String> = item.iter().flat_map(|item| item.keys()).map(|name| name.to_uppercase()).collect();
+    let resource = resources(true).into_iter().find(|resource| resource.path() == path);
+    let mut methods: Vec<String> =
+        resource.iter().flat_map(Resource::methods).map(|name| name.to_uppercase()).collect();
     // Whatever can be fetched also answers with its headers alone.
     if methods.iter().any(|method| method == "GET") {
         methods.push("HEAD".into());
@@ -115,8 +116,7 @@ fn no_resource(path: &str) -> String {
     let asked = path.trim_matches('/').to_ascii_lowercase();
     // A long path is no typing error, and comparing it would take time.
     let compared = asked.len() <= 100 && !asked.is_empty();
-    static PATHS: LazyLock<Vec<&str>> =
-        LazyLock::new(|| resources(true).into_iter().map(|resource| resource.documented().0).collect());
+    static PATHS: LazyLock<Vec<&str>> = LazyLock::new(|| resources(true).iter().map(Resource::path).collect());
     let nearest = PATHS
         .iter()
         .filter(|_| compared)
@@ -130,7 +130,7 @@ fn no_resource(path: &str) -> String {
         .filter(|&(steps, known)| 3 * steps <= known.len());
     match nearest {
         Some((_, known)) => format!("no resource at this path; {known} is the most similar one"),
-        None => "no resource at this path; GET /docs lists all of them".into(),
+        None => "no resource at this path; GET /docs lists those of the API".into(),
     }
 }
 
@@ -241,6 +241,16 @@ mod tests {
         }
         for path in ["/", "/favicon.ico", "/wp-login.php", &format!("/v1/{}", "jobs".repeat(1000))] {
             assert!(no_resource(path).contains("GET /docs"), "{path}: {}", no_resource(path));
+        }
+    }
+
+    /// The pages, their files, and what Hops and other protocols get are no part of the API.
+    #[test]
+    fn the_api_document_has_exactly_the_api() {
+        for resource in resources(true) {
+            let path = resource.path();
+            let of_api = path.starts_with("/v1/") || path.starts_with("/health/") || path == "/metrics";
+            assert_eq!(resource.documented().is_some(), of_api, "{path}");
         }
     }
 

@@ -5,9 +5,9 @@ use crate::status::Status;
 use crate::store::{BatchRow, JobRow};
 use crate::wire::Kind;
 use crate::wire::batch::{Batch, BatchCounts, BatchJob, BatchLinks};
-use crate::wire::job::{Job, JobError, JobSummary, JobWarning, Links, Progress};
+use crate::wire::job::{Files, Job, JobError, JobSummary, JobWarning, Links, Progress};
 use serde::Deserialize;
-use serde::de::DeserializeOwned;
+use serde::de::{DeserializeOwned, IgnoredAny};
 use serde_json::value::RawValue;
 use std::time::{Duration, SystemTime};
 
@@ -25,12 +25,15 @@ pub(super) fn job(base: &str, row: &JobRow) -> Result<Job, JobsError> {
     if let Some(error) = &mut error {
         error.kind.insert_str(0, base);
     }
-    let progress = match (status, figures) {
-        (Status::Succeeded, Some(figures)) => figures.progress(),
-        _ => progress.unwrap_or_else(|| Progress { phase: status.name().into(), ..Progress::default() }),
+    let (progress, files) = match (status, figures) {
+        (Status::Succeeded, Some(figures)) => (figures.progress(), figures.files()),
+        _ => {
+            let waiting = || Progress { phase: status.name().into(), ..Progress::default() };
+            (progress.unwrap_or_else(waiting), Files::default())
+        }
     };
     Ok(Job {
-        links: Links::of(base, &row.id, kind, status),
+        links: Links::of(base, &row.id, status, files),
         id: row.id.clone(),
         kind,
         status,
@@ -48,15 +51,21 @@ pub(super) fn job(base: &str, row: &JobRow) -> Result<Job, JobsError> {
     })
 }
 
-/// Figures from the statistics of any kind that also appear in the final progress.
+/// Figures from the statistics of any kind that also appear in the final progress or tell which files the job has.
 #[derive(Debug, Deserialize)]
 struct Figures {
     iterations: Option<u64>,
     objective_value: Option<f64>,
     residual: Option<f64>,
+    flat_pattern: Option<IgnoredAny>,
+    certificate: Option<IgnoredAny>,
 }
 
 impl Figures {
+    fn files(&self) -> Files {
+        Files { pattern: self.flat_pattern.is_some(), certificate: self.certificate.is_some() }
+    }
+
     /// Returns the progress of a finished job.
     fn progress(&self) -> Progress {
         Progress {
@@ -107,7 +116,7 @@ pub(super) fn batch(base: &str, row: &BatchRow) -> Result<Batch, JobsError> {
             id: job.id.clone(),
             kind,
             status: job.status,
-            links: Links::of(base, &job.id, kind, job.status),
+            links: Links::of(base, &job.id, job.status, Files::default()),
         })
     });
     let counts = counts(row);
@@ -119,7 +128,7 @@ pub(super) fn batch(base: &str, row: &BatchRow) -> Result<Batch, JobsError> {
         finished_at: finished_at_ms.filter(|_| counts.status().is_final()).map(timestamp),
         counts,
         jobs: jobs.collect::<Result<_, JobsError>>()?,
-        links: BatchLinks::of(base, &row.id),
+        links: BatchLinks::of(base, &row.id, &counts),
     })
 }
 

@@ -92,7 +92,8 @@ fn within(index: usize, errors: Vec<FieldError>) -> impl Iterator<Item = FieldEr
     errors.into_iter().map(move |error| FieldError::new(format!("/requests/{index}{}", error.pointer), error.detail))
 }
 
-/// Short form of a job of a batch. Its `self` link leads to the full job.
+/// Short form of a job of a batch. Its `self` link leads to the full job, which also links to its flat pattern and its
+/// certificate.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct BatchJob {
     /// Index of the job's request in the batch, counted from 0.
@@ -118,17 +119,19 @@ pub struct BatchCounts {
 pub struct BatchLinks {
     #[serde(rename = "self")]
     pub this: String,
-    /// All meshes in one file.
-    pub meshes: String,
+    /// Address of all meshes in one file. Absent if the batch has ended without a mesh.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub meshes: Option<String>,
     pub cancel: String,
 }
 
 impl BatchLinks {
     /// Returns the links of a batch. `base` is the path that a proxy puts before the paths of this server.
     #[must_use]
-    pub fn of(base: &str, id: &str) -> Self {
+    pub fn of(base: &str, id: &str, counts: &BatchCounts) -> Self {
         let this = format!("{base}/v1/batches/{id}");
-        Self { meshes: format!("{this}/meshes"), cancel: format!("{this}/cancel"), this }
+        let may_have_mesh = counts.succeeded > 0 || !counts.status().is_final();
+        Self { meshes: may_have_mesh.then(|| format!("{this}/meshes")), cancel: format!("{this}/cancel"), this }
     }
 }
 

@@ -86,26 +86,35 @@ pub struct Links {
     /// Address of the mesh. Absent from failed and cancelled jobs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mesh: Option<String>,
-    /// Address of the flat pattern. Only ruled surfaces have it, and it is absent from failed and cancelled jobs.
+    /// Address of the flat pattern. Present once the job has succeeded and has one: only open ruled surfaces do.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pattern: Option<String>,
-    /// Address of the proof of the area's lower bound. Only minimal surfaces have it, and only if the request has `certify`.
+    /// Address of the proof of the area's lower bound. Present once the job has succeeded and has one: only minimal surfaces
+    /// do, if their request has `certify`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub certificate: Option<String>,
     pub events: String,
     pub cancel: String,
 }
 
+/// Files that a job has beside its mesh.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Files {
+    pub pattern: bool,
+    pub certificate: bool,
+}
+
 impl Links {
-    /// Returns the links of a job on a server below the base path `base`, which is empty or has the form `/plateau`.
+    /// Returns the links of a job on a server below the base path `base`, which is empty or has the form `/plateau`. The mesh
+    /// is linked before it exists, because every job that succeeds has one.
     #[must_use]
-    pub fn of(base: &str, id: &str, kind: Kind, status: Status) -> Self {
+    pub fn of(base: &str, id: &str, status: Status, files: Files) -> Self {
         let this = format!("{base}/v1/jobs/{id}");
         let may_have_mesh = !matches!(status, Status::Failed | Status::Cancelled);
         Self {
             mesh: may_have_mesh.then(|| format!("{this}/mesh")),
-            pattern: (may_have_mesh && kind == Kind::RuledSurface).then(|| format!("{this}/pattern")),
-            certificate: (may_have_mesh && kind == Kind::MinimalSurface).then(|| format!("{this}/certificate")),
+            pattern: files.pattern.then(|| format!("{this}/pattern")),
+            certificate: files.certificate.then(|| format!("{this}/certificate")),
             events: format!("{this}/events"),
             cancel: format!("{this}/cancel"),
             this,

@@ -158,6 +158,7 @@ async fn cancelling_a_batch_cancels_all_its_jobs() {
     problem(app.get(&link("meshes")).await, 409).await;
     let cancelled: Value = app.request(Method::POST, &link("cancel")).send().await.unwrap().json().await.unwrap();
     assert_eq!((cancelled["status"].as_str(), cancelled["counts"]["cancelled"].as_u64()), (Some("cancelled"), Some(3)));
+    assert!(cancelled["links"].get("meshes").is_none(), "{}", cancelled["links"]);
     problem(app.get(&link("meshes")).await, 409).await;
     // The worker takes other jobs at once.
     app.solve("/v1/minimal-surfaces", &small_film(0.9)).await;

@@ -1,6 +1,6 @@
 //! Lists of jobs, identifiers, and the links and errors of failed jobs.
 
-use crate::app::{MINIMAL, RULED, TestApp, example, problem, small_film};
+use crate::app::{MINIMAL, RULED, TestApp, UNIFORM, example, problem, small_film};
 use reqwest::Method;
 use serde_json::{Value, json};
 
@@ -71,13 +71,42 @@ async fn an_id_may_be_written_in_lower_case() {
     assert_eq!(app.request(Method::DELETE, &lower).send().await.unwrap().status(), 204);
 }
 
+fn names(links: &Value) -> Vec<&str> {
+    links.as_object().unwrap().keys().map(String::as_str).collect()
+}
+
+/// A job names the addresses under which something is, or will be once it has succeeded.
+#[tokio::test]
+async fn every_link_of_a_succeeded_job_leads_to_something() {
+    let app = TestApp::start().await;
+    let mut certified = small_film(0.1);
+    certified["certify"] = json!({ "seconds": 0.1 });
+    for (path, request, files) in [
+        (MINIMAL, small_film(0.1), &["mesh"][..]),
+        (MINIMAL, certified, &["certificate", "mesh"]),
+        (RULED, example("wavy-strip"), &["mesh", "pattern"]),
+        (RULED, example("contour-stack"), &["mesh"]),
+        (UNIFORM, example("floor-fewest-nodes"), &["mesh"]),
+    ] {
+        let job = app.solve(path, &request).await;
+        let links: Vec<&str> =
+            names(&job["links"]).into_iter().filter(|name| !["cancel", "events", "self"].contains(name)).collect();
+        assert_eq!(links, files, "{path}");
+        for name in files {
+            assert_eq!(app.get(job["links"][*name].as_str().unwrap()).await.status(), 200, "{path}: {name}");
+        }
+        let listed = app.get_json("/v1/jobs?limit=1").await["jobs"][0].clone();
+        assert_eq!(listed["links"], job["links"]);
+    }
+}
+
 #[tokio::test]
 async fn a_failed_job_links_to_an_explanation_and_to_no_mesh() {
     let settings = [("PLATEAU_JOBS__DEADLINE_MS", "1"), ("PLATEAU_HTTP__PUBLIC_BASE_PATH", "/plateau")];
     let app = TestApp::start_with(&settings).await;
     app.hold.at("claimed");
     let job: Value = app.post(MINIMAL, &small_film(0.1)).await.json().await.unwrap();
-    assert!(job["links"]["mesh"].is_string());
+    assert_eq!(names(&job["links"]), ["cancel", "events", "mesh", "self"]);
     let job = app.ended(job).await;
     assert_eq!(
         (job["status"].as_str(), job["error"]["type"].as_str()),
@@ -85,7 +114,7 @@ async fn a_failed_job_links_to_an_explanation_and_to_no_mesh() {
     );
     let text = app.get(job["error"]["type"].as_str().unwrap()).await.text().await.unwrap();
     assert_eq!(text, "failed job: The deadline passed\n");
-    assert!(job["links"].get("mesh").is_none() && job["links"]["self"].is_string());
+    assert_eq!(names(&job["links"]), ["cancel", "events", "self"]);
     let missing: Value = app.get("/plateau/nothing").await.json().await.unwrap();
     assert_eq!(missing["type"], "/plateau/problems/not-found");
     assert_eq!(app.get(missing["type"].as_str().unwrap()).await.status(), 200);

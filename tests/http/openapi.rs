@@ -75,9 +75,45 @@ async fn the_server_accepts_exactly_the_documented_methods() {
             }
         }
     }
-    for path in ["/problems/{name}", "/docs/", "/docs/{file}", "/studio/{file}"] {
+}
+
+/// The pages, their files, and what other protocols get leave nothing in the document, but they answer.
+#[tokio::test]
+async fn the_document_describes_the_api_alone() {
+    let app = TestApp::start().await;
+    let document = app.get_json("/openapi.json").await;
+    for path in document["paths"].as_object().unwrap().keys() {
+        let of_api = path.starts_with("/v1/") || path.starts_with("/health/") || path == "/metrics";
+        assert!(of_api, "{path} is no part of the API");
+    }
+    for path in ["/v1/jobs/{id}/mesh", "/health/live", "/health/ready", "/metrics"] {
         assert!(document["paths"].get(path).is_some(), "{path} is not documented");
     }
+    for path in ["/", "/docs/", "/docs/start.js", "/studio/studio.js", "/problems/not-found", "/hops", "/openapi.json"]
+    {
+        assert_eq!(app.get(path).await.status(), 200, "{path}");
+    }
+    let message = app.request(Method::POST, "/solve").json(&serde_json::json!({})).send().await.unwrap();
+    let answer: Value = message.json().await.unwrap();
+    assert!(answer["errors"].is_array() && answer["values"].is_array(), "{answer}");
+    let patched = app.request(Method::PATCH, "/solve").send().await.unwrap();
+    let problem: Value = patched.json().await.unwrap();
+    assert_eq!(problem["detail"], "this path supports POST");
+    // A tag without an operation, or an operation without a tag of the list, is a group that a generator leaves empty.
+    let mut used: Vec<&str> = document["paths"]
+        .as_object()
+        .unwrap()
+        .values()
+        .flat_map(|item| item.as_object().unwrap().values())
+        .flat_map(|operation| operation["tags"].as_array().unwrap())
+        .map(|tag| tag.as_str().unwrap())
+        .collect();
+    used.sort_unstable();
+    used.dedup();
+    let mut listed: Vec<&str> =
+        document["tags"].as_array().unwrap().iter().map(|tag| tag["name"].as_str().unwrap()).collect();
+    listed.sort_unstable();
+    assert_eq!(used, listed);
 }
 
 /// Calls `check` with every object of a document and the path to it.

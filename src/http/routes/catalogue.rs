@@ -70,10 +70,6 @@ pub async fn openapi(State(app): State<App>) -> Response {
     ([(header::CONTENT_TYPE, "application/json")], app.document.to_string()).into_response()
 }
 
-pub fn openapi_entry() -> Value {
-    plain_get("catalogue", "getOpenApi", "This document", "application/json", &json!({ "type": "object" }))
-}
-
 /// Describes the `type` of a problem document or of a failed job's error.
 pub async fn problem_kind(Path(name): Path<String>) -> Result<String, Failure> {
     let mut text = String::new();
@@ -85,17 +81,4 @@ pub async fn problem_kind(Path(name): Path<String>) -> Result<String, Failure> {
         let _ = writeln!(text, "failed job: {title}");
     }
     if text.is_empty() { Err(Failure::not_found("no such kind of problem")) } else { Ok(text) }
-}
-
-pub fn problem_kind_entry() -> Value {
-    let mut names: Vec<&str> = Failure::KINDS.iter().map(|&(_, kind, _)| kind).collect();
-    names.extend(FAILURES.iter().map(|&(kind, _)| kind));
-    names.sort_unstable();
-    names.dedup();
-    let summary = "Meaning of the `type` of a problem document or of a failed job's error";
-    let ok = json!({ "description": "A status code or `failed job`, and the title",
-        "content": { "text/plain": { "schema": { "type": "string" } } } });
-    json!({ "operationId": "getProblem", "tags": ["catalogue"], "summary": summary,
-        "parameters": [name_parameter("name", "Last part of the type.", &names)],
-        "responses": with_problems(json!({ "200": ok }), &[("404", "NotFound")]) })
 }

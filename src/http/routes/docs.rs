@@ -1,12 +1,10 @@
 //! `GET /docs/`: Swagger UI with this server's API document, embedded in the program so that it works offline.
 
 use crate::http::assets::{self, Asset};
-use crate::http::entry::{file_content, name_parameter, plain_get, with_problems};
 use crate::http::problem::Failure;
 use axum::extract::Path;
 use axum::http::HeaderMap;
 use axum::response::{Redirect, Response};
-use serde_json::{Value, json};
 
 /// Content-Security-Policy of the page, which loads only its own files and connects only to this server. Swagger UI's
 /// style sheet has its icons in `data:` URLs.
@@ -34,32 +32,12 @@ pub async fn redirect() -> Redirect {
     Redirect::to("docs/")
 }
 
-pub fn redirect_entry() -> Value {
-    json!({ "operationId": "findDocs", "tags": ["pages"], "summary": "Redirects to `/docs/`",
-        "responses": with_problems(json!({ "303": { "description": "The page is at `/docs/`" } }), &[]) })
-}
-
 pub async fn page(headers: HeaderMap) -> Result<Response, Failure> {
     answer("index.html", &headers)
 }
 
-pub fn page_entry() -> Value {
-    let summary = "A page to read and try the API, which works offline";
-    plain_get("pages", "getDocs", summary, "text/html; charset=utf-8", &json!({ "type": "string" }))
-}
-
 pub async fn file(Path(name): Path<String>, headers: HeaderMap) -> Result<Response, Failure> {
     answer(&name, &headers)
-}
-
-pub fn file_entry() -> Value {
-    let names: Vec<&str> = ASSETS.iter().map(|asset| asset.name).collect();
-    let content = file_content(ASSETS.iter().map(|asset| asset.media_type));
-    let file = json!({ "description": "The file", "content": content });
-    let responses = json!({ "200": file, "304": { "description": "`If-None-Match` names the current entity tag" } });
-    json!({ "operationId": "getDocsFile", "tags": ["pages"], "summary": "A file of the API page",
-        "parameters": [name_parameter("file", "Name of the file.", &names)],
-        "responses": with_problems(responses, &[("404", "NotFound")]) })
 }
 
 fn answer(name: &str, headers: &HeaderMap) -> Result<Response, Failure> {

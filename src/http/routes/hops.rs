@@ -9,7 +9,6 @@ use crate::hops::recipe::{Draft, draft};
 use crate::hops::{Refusal, values};
 use crate::http::access::Caller;
 use crate::http::body;
-use crate::http::entry::{json_response, reference, with_problems};
 use crate::http::parameters::checked;
 use crate::http::problem::Failure;
 use crate::http::state::App;
@@ -23,7 +22,7 @@ use axum::body::Body;
 use axum::extract::{Path, State};
 use axum::http::{HeaderValue, Request, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::time::Duration;
 
 pub async fn list(State(app): State<App>) -> Result<Json<Vec<Value>>, Failure> {
@@ -195,52 +194,4 @@ fn failed(error: &JobError) -> Failure {
 fn respond(status: StatusCode, answer: &Answer<'_>) -> Response {
     let json = HeaderValue::from_static("application/json");
     (status, [(header::CONTENT_TYPE, json)], answer.to_json()).into_response()
-}
-
-pub fn list_entry() -> Value {
-    let schema = json!({ "type": "array", "items": reference("HopsComponent") });
-    let ok = json!({ "description": "Descriptions of all components", "content": { "application/json": { "schema": schema } } });
-    json!({
-        "operationId": "listHopsComponents", "tags": ["hops"], "summary": "The components for Hops in Grasshopper",
-        "responses": with_problems(json!({ "200": ok }), &[("404", "NotFound")]),
-    })
-}
-
-pub fn describe_entry() -> Value {
-    let ok = json_response("Inputs and outputs of the component", "HopsComponent");
-    json!({
-        "operationId": "getHopsComponent", "tags": ["hops"], "summary": "A component for Hops in Grasshopper",
-        "parameters": [{ "name": "name", "in": "path", "required": true, "description": "Name of the component.",
-            "schema": { "type": "string" } }],
-        "responses": with_problems(json!({ "200": ok }), &[("404", "NotFound")]),
-    })
-}
-
-pub fn solve_entry(operation: &str) -> Value {
-    let response = |description: &str| json_response(description, "HopsAnswer");
-    let responses = json!({
-        "200": response("The outputs"),
-        "202": response("The outputs of a job that has not ended"),
-        "400": response("The body is not a message of Hops"),
-        "401": response("The header `RhinoComputeKey` has no valid key of this server"),
-        "403": response("A page of another origin sent the message"),
-        "404": response("No such component or job, or Hops is off on this server"),
-        "408": response("The body did not arrive in time"),
-        "409": response("The job has no mesh"),
-        "410": response("The job has expired"),
-        "413": response("The request is larger than this server accepts"),
-        "415": response("The body is not plain application/json"),
-        "421": response("The request is for a host that this server does not answer to"),
-        "422": response("`errors` names each input that cannot be used, or says why there is no result"),
-        "429": response("The queue is full, or this key has made too many requests"),
-        "500": response("The inputs are not those of the component (`Bad inputs`), or a defect of the server"),
-        "503": response("The job takes longer than Hops waits, or the server cannot accept it now"),
-    });
-    json!({
-        "operationId": operation, "tags": ["hops"], "summary": "Runs a component for Hops in Grasshopper",
-        "description": "Hops posts beside the address of the component, and its later versions at the root of the host. \
-            Keys may also be sent in the header `RhinoComputeKey`.",
-        "requestBody": { "required": true, "content": { "application/json": { "schema": reference("HopsMessage") } } },
-        "responses": responses,
-    })
 }

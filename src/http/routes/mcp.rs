@@ -6,7 +6,6 @@
 
 use crate::http::access::Caller;
 use crate::http::body;
-use crate::http::entry::with_problems;
 use crate::http::mcp::Tools;
 use crate::http::problem::Failure;
 use crate::http::state::App;
@@ -18,7 +17,6 @@ use axum::response::Response;
 use http_body_util::{BodyExt, Full};
 use rmcp::transport::streamable_http_server::session::never::NeverSessionManager;
 use rmcp::transport::{StreamableHttpServerConfig, StreamableHttpService};
-use serde_json::{Value, json};
 use std::sync::Arc;
 
 const X_FORWARDED_PROTO: HeaderName = HeaderName::from_static("x-forwarded-proto");
@@ -62,28 +60,4 @@ fn tools_of(app: &App, caller: &Caller, uri: &Uri, headers: &HeaderMap) -> Tools
     let secure = text(&X_FORWARDED_PROTO).is_some_and(|scheme| scheme.eq_ignore_ascii_case("https"));
     let host = uri.authority().map(|authority| authority.as_str()).or_else(|| text(&header::HOST));
     Tools::of_request(app.clone(), caller.owner(), if secure { "https" } else { "http" }, host)
-}
-
-pub fn post_entry() -> Value {
-    let message = json!({ "type": "object", "required": ["jsonrpc"], "properties": { "jsonrpc": { "type": "string", "enum": ["2.0"] } } });
-    let content = json!({ "application/json": { "schema": message } });
-    let responses = json!({
-        "200": { "description": "The answer to a request of the protocol", "content": content },
-        "202": { "description": "A notification was received" },
-    });
-    let problems = [
-        ("400", "BadRequest"),
-        ("404", "NotFound"),
-        ("406", "NotAcceptable"),
-        ("408", "RequestTimeout"),
-        ("413", "TooLarge"),
-        ("415", "UnsupportedMediaType"),
-        ("503", "Unavailable"),
-    ];
-    json!({
-        "operationId": "postMcp", "tags": ["solve"],
-        "summary": "A message of the Model Context Protocol, for tools of language models; 404 unless `http.mcp` is set",
-        "requestBody": { "required": true, "content": content },
-        "responses": with_problems(responses, &problems),
-    })
 }

@@ -146,8 +146,8 @@ pub fn mesh_entry() -> Value {
     let range = query_parameter(
         "range",
         "Value that `colors` shows in red, in the unit of the job's statistics. The default is the 95th percentile of the mean \
-            curvature but at least 0.01 of the boundary's own, 1/R; 1 for the slack; and the largest length or force. GLB and glTF \
-            state the scale in `extras.color_range`.",
+            curvature but at least 0.01/R, where R is the radius of the boundary; 1 for the slack; and the largest length or force. \
+            GLB and glTF state the scale in `extras.color_range`.",
         json!({ "type": "number", "exclusiveMinimum": 0 }),
     );
     json!({ "operationId": "getMesh", "tags": ["jobs"], "summary": "The mesh as GLB, glTF, OBJ, PLY, STL or JSON",

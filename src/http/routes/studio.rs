@@ -5,13 +5,11 @@
 //! loaded from another host. The files name each other and the API relative to the page, so a proxy may put the service
 //! below a path.
 
-use crate::http::entry::{file_content, name_parameter, plain_get, with_problems};
 use crate::http::negotiate::{entity_tag, none_match_hits};
 use crate::http::problem::Failure;
 use axum::extract::Path;
 use axum::http::{HeaderMap, HeaderName, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use serde_json::{Value, json};
 
 const HTML: &str = "text/html; charset=utf-8";
 
@@ -44,23 +42,8 @@ pub async fn page(headers: HeaderMap) -> Result<Response, Failure> {
     asset("index.html", &headers)
 }
 
-pub fn page_entry() -> Value {
-    let summary = "The studio, a page to draw, solve and inspect surfaces";
-    plain_get("pages", "getStudio", summary, HTML, &json!({ "type": "string" }))
-}
-
 pub async fn file(Path(name): Path<String>, headers: HeaderMap) -> Result<Response, Failure> {
     asset(&name, &headers)
-}
-
-pub fn file_entry() -> Value {
-    let names: Vec<&str> = ASSETS.iter().map(|(name, ..)| *name).collect();
-    let content = file_content(ASSETS.iter().map(|(_, media_type, _)| *media_type));
-    let file = json!({ "description": "The file", "content": content });
-    let responses = json!({ "200": file, "304": { "description": "`If-None-Match` names the current entity tag" } });
-    json!({ "operationId": "getStudioFile", "tags": ["pages"], "summary": "A file of the studio",
-        "parameters": [name_parameter("file", "Name of the file.", &names)],
-        "responses": with_problems(responses, &[("404", "NotFound")]) })
 }
 
 fn asset(name: &str, headers: &HeaderMap) -> Result<Response, Failure> {

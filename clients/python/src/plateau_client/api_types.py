@@ -156,7 +156,8 @@ class BatchCounts(TypedDict):
 
 
 class BatchJob(TypedDict):
-    """Short form of a job of a batch. Its `self` link leads to the full job."""
+    """Short form of a job of a batch. Its `self` link leads to the full job, which also links to its flat pattern and its
+    certificate."""
     id: str
     index: int
     """Index of the job's request in the batch, counted from 0."""
@@ -168,8 +169,8 @@ class BatchJob(TypedDict):
 class BatchLinks(TypedDict):
     """Addresses that belong to a batch."""
     cancel: str
-    meshes: str
-    """All meshes in one file."""
+    meshes: NotRequired[Optional[str]]
+    """Address of all meshes in one file. Absent if the batch has ended without a mesh."""
     self: str
 
 
@@ -631,80 +632,6 @@ class HistoryRow(TypedDict):
     residual: float
 
 
-class HopsAnswer(TypedDict):
-    """The values of a component's outputs."""
-    errors: List[str]
-    """Lines that name an input."""
-    values: List[HopsTree]
-    warnings: List[str]
-    """Warnings of the job."""
-
-
-class HopsComponent(TypedDict):
-    """A component of Hops."""
-    Category: NotRequired[str]
-    """Category."""
-    Description: NotRequired[str]
-    """Tooltip."""
-    Icon: NotRequired[str]
-    """PNG in base64."""
-    Inputs: List[HopsParameter]
-    Name: str
-    """Name."""
-    Nickname: NotRequired[str]
-    """Short name."""
-    Outputs: List[HopsParameter]
-    Subcategory: NotRequired[str]
-    """Part of the category."""
-    Uri: str
-    """Path of the component."""
-
-
-class HopsItem(TypedDict):
-    """A value of an input or output."""
-    data: str
-    """The value as JSON text. Curves and meshes are openNURBS objects."""
-    type: NotRequired[str]
-    """.NET type of the value."""
-
-
-class HopsMessage(TypedDict):
-    """The values of a component's inputs. Hops sends further fields, which are not used."""
-    absolutetolerance: NotRequired[float]
-    """Distance up to which the ends of a curve count as equal."""
-    pointer: str
-    """Name of the component, or its path or address."""
-    values: List[HopsTree]
-
-
-class HopsParameter(TypedDict):
-    """An input or output of a component of Hops."""
-    AtLeast: int
-    """Smallest number of values."""
-    AtMost: int
-    """Largest number of values."""
-    Default: NotRequired[Any]
-    """Value of an input that is left alone: a number, a boolean or a text."""
-    Description: NotRequired[str]
-    """Tooltip."""
-    Name: str
-    """Name in messages."""
-    Nickname: NotRequired[str]
-    """Short name."""
-    ParamType: str
-    """Name of the parameter's type in Grasshopper."""
-    ResultType: NotRequired[str]
-    """.NET type of the values."""
-
-
-class HopsTree(TypedDict):
-    """The values of an input or output."""
-    InnerTree: Dict[str, List[HopsItem]]
-    """Values by branch, such as `{0}`."""
-    ParamName: str
-    """Name of the input or output."""
-
-
 class JobError(TypedDict):
     """Reason for a failure: what was wrong with the geometry, and what to try."""
     detail: str
@@ -849,12 +776,13 @@ class Links(TypedDict):
     """Addresses that belong to a job."""
     cancel: str
     certificate: NotRequired[Optional[str]]
-    """Address of the proof of the area's lower bound. Only minimal surfaces have it, and only if the request has `certify`."""
+    """Address of the proof of the area's lower bound. Present once the job has succeeded and has one: only minimal surfaces
+    do, if their request has `certify`."""
     events: str
     mesh: NotRequired[Optional[str]]
     """Address of the mesh. Absent from failed and cancelled jobs."""
     pattern: NotRequired[Optional[str]]
-    """Address of the flat pattern. Only ruled surfaces have it, and it is absent from failed and cancelled jobs."""
+    """Address of the flat pattern. Present once the job has succeeded and has one: only open ruled surfaces do."""
     self: str
 
 
