@@ -286,9 +286,7 @@ fn solve_file(config: &Config, request: &PathBuf, output: &PathBuf) -> ExitCode 
 fn rejection_text(rejection: &Rejection) -> String {
     match rejection {
         Rejection::Malformed(detail) => format!("the request is not well-formed JSON: {detail}"),
-        Rejection::Invalid(errors) | Rejection::InvalidInPart(errors) | Rejection::TooLarge(errors) => {
-            lines("the request is invalid:", errors)
-        }
+        Rejection::Invalid(errors) | Rejection::TooLarge(errors) => lines("the request is invalid:", errors),
     }
 }
 

@@ -2,16 +2,18 @@
 //! geometry's types.
 //!
 //! The schemas derived from the Rust types are published in the API document ([`components`]), and bodies are validated
-//! against the same schemas before serde reads them ([`schema`]). Every error has a JSON Pointer. Long lists of points are read before that, and
-//! the schema sees only their first points ([`body`]). After the schema come checks that a schema cannot express, such
-//! as too few distinct points or two directrices of a single point each. The last checks are the geometry's own.
-//! Besides `jobs/solve.rs`, only this module knows both wire names and geometry types.
+//! against the same schemas before serde reads them ([`schema`]). Every error has a JSON Pointer, and a text that says what
+//! the value must be ([`explain`]). Long lists of points are read before that, and the schema sees only their first
+//! points ([`body`]). After the schema come checks that a schema cannot express, such as too few distinct points or two
+//! directrices of a single point each. The last checks are the geometry's own. Besides `jobs/solve.rs`, only this module
+//! knows both wire names and geometry types.
 
 pub mod batch;
 pub mod body;
 pub mod cable_net;
 pub mod common;
 pub mod components;
+pub mod explain;
 pub mod job;
 pub mod json;
 pub mod mesh;
@@ -19,9 +21,10 @@ pub mod minimal_surface;
 pub mod objectives;
 pub mod ruled_surface;
 pub mod schema;
-mod shapes;
 pub mod tensile_structure;
 pub mod uniform_mesh;
+#[cfg(test)]
+mod wrong_values;
 
 use crate::config::LimitsConfig;
 use crate::units::{ForceUnit, Unit, UpAxis};
@@ -78,8 +81,6 @@ pub enum Rejection {
     Malformed(String),
     /// The body is JSON but not a valid request.
     Invalid(Vec<FieldError>),
-    /// The body is not a valid request. It is so large that only a part of its errors was looked for.
-    InvalidInPart(Vec<FieldError>),
     /// The request is valid but exceeds a limit of this server.
     TooLarge(Vec<FieldError>),
 }
@@ -97,7 +98,7 @@ impl Rejection {
     /// Shortens each pointer to the first member that the body lacks, if it leads through one. The default of that
     /// member is then the wrong value.
     fn placed_in(mut self, body: &Value) -> Self {
-        if let Self::Invalid(errors) | Self::InvalidInPart(errors) | Self::TooLarge(errors) = &mut self {
+        if let Self::Invalid(errors) | Self::TooLarge(errors) = &mut self {
             for error in errors {
                 let ends = error.pointer.match_indices('/').map(|(at, _)| at).skip(1).chain([error.pointer.len()]);
                 let lacking = ends.into_iter().find(|&end| body.pointer(&error.pointer[..end]).is_none());
@@ -323,11 +324,8 @@ impl Request {
     /// Returns the errors of [`Request::read`]. A missing or unknown `kind` is an error at `/kind`.
     pub fn read_with_kind(body: &[u8], limits: &LimitsConfig) -> Result<Self, Rejection> {
         let value = json::parse(body)?;
-        let kind = value.get("kind").and_then(Value::as_str).and_then(Kind::from_name).ok_or_else(|| {
-            let names = Kind::ALL.map(Kind::name).join(", ");
-            Rejection::Invalid(vec![FieldError::new("/kind", format!("must be one of: {names}"))])
-        })?;
-        Self::from_value(kind, &value, limits)
+        schema::validate_with_kind(&value)?;
+        Self::from_valid(&value, limits)
     }
 
     /// Reads a request of a known kind from a JSON value.
@@ -338,9 +336,21 @@ impl Request {
         Self::of(kind, value, &[], limits)
     }
 
+    /// Reads a request that names its kind and was validated against the schema.
+    fn from_valid(value: &Value, limits: &LimitsConfig) -> Result<Self, Rejection> {
+        // The schema requires a known kind.
+        let kind = value["kind"].as_str().and_then(Kind::from_name);
+        let kind = kind.ok_or_else(|| Rejection::Invalid(vec![FieldError::new("/kind", "is required")]))?;
+        Self::of_valid(kind, value, &[], limits)
+    }
+
     /// Reads a request from a body's outline and the point lists that were read separately.
     fn of(kind: Kind, outline: &Value, lists: &[PointList], limits: &LimitsConfig) -> Result<Self, Rejection> {
         schema::validate(kind, outline)?;
+        Self::of_valid(kind, outline, lists, limits)
+    }
+
+    fn of_valid(kind: Kind, outline: &Value, lists: &[PointList], limits: &LimitsConfig) -> Result<Self, Rejection> {
         let request = match kind {
             Kind::RuledSurface => Self::validated::<RuledSurfaceRequest>(outline, lists, limits),
             Kind::MinimalSurface => Self::validated::<MinimalSurfaceRequest>(outline, lists, limits),

@@ -179,7 +179,7 @@ fn outcome(body: &[u8], limits: &LimitsConfig) -> Result<&'static str, String> {
     let request = match Request::read_with_kind(body, limits) {
         Ok(request) => request,
         Err(Rejection::Malformed(detail)) => return Err(format!("called malformed: {detail}")),
-        Err(Rejection::Invalid(errors) | Rejection::InvalidInPart(errors) | Rejection::TooLarge(errors)) => {
+        Err(Rejection::Invalid(errors) | Rejection::TooLarge(errors)) => {
             let document: Value = serde_json::from_slice(body).unwrap();
             for error in &errors {
                 // A missing field is named below its parent.

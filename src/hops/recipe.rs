@@ -146,7 +146,7 @@ impl Maker<'_> {
         if matches!(mode, "force" | "length" | "force_density") {
             self.set("cables", "Cable Value", json!([{ "name": "net", mode: self.values.number("Cable Value") }]));
         } else {
-            self.errors.push("Cable Mode: must be one of: force, length, force_density".into());
+            self.errors.push("Cable Mode: must be one of force, length, force_density".into());
         }
         let load = self.values.number("Load");
         if load != 0.0 {

@@ -245,7 +245,7 @@ fn named_example(name: &str) -> Result<&'static objectives::Example, Failure> {
     let examples = objectives::examples();
     examples.iter().find(|example| example.name == name).ok_or_else(|| {
         let names: Vec<&str> = examples.iter().map(|example| example.name).collect();
-        let detail = format!("must be one of: {}", names.join(", "));
+        let detail = format!("must be one of {}", names.join(", "));
         Rejection::Invalid(vec![FieldError::new("/example", detail)]).into()
     })
 }

@@ -17,7 +17,6 @@ pub struct Failure {
     title: &'static str,
     detail: String,
     errors: Vec<FieldError>,
-    errors_omitted: bool,
     headers: Vec<(HeaderName, HeaderValue)>,
 }
 
@@ -72,7 +71,7 @@ impl Failure {
             }
             _ => Vec::new(),
         };
-        Self { status, kind, title, detail, errors: Vec::new(), errors_omitted: false, headers }
+        Self { status, kind, title, detail, errors: Vec::new(), headers }
     }
 
     /// Returns the failure for a status that a library has chosen. Its text becomes the detail.
@@ -157,10 +156,6 @@ impl From<Rejection> for Failure {
         match rejection {
             Rejection::Malformed(detail) => Self::malformed(detail),
             Rejection::Invalid(errors) => Self::invalid(summary(&errors)).with_errors(errors),
-            Rejection::InvalidInPart(errors) => {
-                let detail = format!("the first {} invalid values of very many are listed", errors.len());
-                Self { errors_omitted: true, ..Self::invalid(detail).with_errors(errors) }
-            }
             Rejection::TooLarge(errors) => Self::too_large(summary(&errors)).with_errors(errors),
         }
     }
@@ -205,7 +200,7 @@ pub struct Unaddressed(Problem);
 
 impl IntoResponse for Failure {
     fn into_response(mut self) -> Response<Body> {
-        let errors_omitted = self.errors_omitted || self.errors.len() > MAX_ERRORS;
+        let errors_omitted = self.errors.len() > MAX_ERRORS;
         self.errors.truncate(MAX_ERRORS);
         let problem = Problem {
             kind: format!("/problems/{}", self.kind),

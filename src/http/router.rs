@@ -7,6 +7,7 @@ use crate::http::state::App;
 use crate::http::{access, compress, observe};
 use crate::jobs::Jobs;
 use crate::wire::Kind;
+use crate::wire::explain::edit_distance;
 use axum::Router;
 use axum::extract::{MatchedPath, Request};
 use axum::http::{HeaderName, HeaderValue, Method, Uri, header};
@@ -143,17 +144,7 @@ fn distance(path: &str, known: &str) -> usize {
         .enumerate()
         .map(|(index, part)| if part.starts_with('{') { parts.get(index).copied().unwrap_or(part) } else { part })
         .collect();
-    let (from, to): (Vec<char>, Vec<char>) = (path.chars().collect(), filled.join("/").chars().collect());
-    let mut row: Vec<usize> = (0..=to.len()).collect();
-    for (i, a) in from.iter().enumerate() {
-        let mut diagonal = std::mem::replace(&mut row[0], i + 1);
-        for (j, b) in to.iter().enumerate() {
-            let replaced = diagonal + usize::from(a != b);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(diagonal + 1).min(row[j] + 1);
-        }
-    }
-    row[to.len()]
+    edit_distance(path, &filled.join("/"))
 }
 
 /// Mounts the routes below the public base path too, for proxies that pass paths on unchanged.

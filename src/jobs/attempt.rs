@@ -326,9 +326,7 @@ fn outcome(ended: Ended) -> Option<Outcome> {
         Ended::Rejected(rejection) => {
             let (detail, errors) = match rejection {
                 Rejection::Malformed(detail) => (detail, Vec::new()),
-                Rejection::Invalid(errors) | Rejection::InvalidInPart(errors) | Rejection::TooLarge(errors) => {
-                    (solve::causes(&errors), errors)
-                }
+                Rejection::Invalid(errors) | Rejection::TooLarge(errors) => (solve::causes(&errors), errors),
             };
             JobError::new("refused", detail, errors)
         }

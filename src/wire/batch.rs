@@ -2,7 +2,7 @@
 
 use super::components::{self, REQUEST_WITH_KIND};
 use super::job::Links;
-use super::{FieldError, Kind, MAX_ERRORS, Rejection, Request, json, schema};
+use super::{FieldError, Kind, MAX_ERRORS, Rejection, Request, common, json, schema};
 use crate::config::LimitsConfig;
 use crate::status::Status;
 use schemars::JsonSchema;
@@ -50,24 +50,18 @@ impl BatchRequest {
     pub fn read(body: &[u8], limits: &LimitsConfig) -> Result<Self, Rejection> {
         super::refuse_too_many_values(body, limits)?;
         let mut value = json::parse(body)?;
-        schema::validate_outline(&value)?;
+        let count = value["requests"].as_array().map_or(0, Vec::len);
+        common::check_count("/requests", count, limits.batch_requests, "requests")?;
+        schema::validate_batch(&value)?;
         let items = value["requests"].as_array_mut().map(std::mem::take).unwrap_or_default();
-        if items.len() > limits.batch_requests {
-            let detail = format!("a batch may have at most {} requests; see GET /v1/limits", limits.batch_requests);
-            return Err(Rejection::TooLarge(vec![FieldError::new("/requests", detail)]));
-        }
         let (mut requests, mut invalid, mut too_large) = (Vec::with_capacity(items.len()), Vec::new(), Vec::new());
         for (index, item) in items.into_iter().enumerate() {
-            // The outline was validated, so each request has a known kind.
-            let Some(kind) = item["kind"].as_str().and_then(Kind::from_name) else { continue };
-            match Request::from_value(kind, &item, limits) {
+            match Request::from_valid(&item, limits) {
                 Ok(request) => requests.push((request, item)),
                 Err(Rejection::Malformed(detail)) => {
                     invalid.push(FieldError::new(format!("/requests/{index}"), detail))
                 }
-                Err(Rejection::Invalid(errors) | Rejection::InvalidInPart(errors)) => {
-                    invalid.extend(within(index, errors));
-                }
+                Err(Rejection::Invalid(errors)) => invalid.extend(within(index, errors)),
                 Err(Rejection::TooLarge(errors)) => too_large.extend(within(index, errors)),
             }
             if invalid.len() > MAX_ERRORS {
@@ -225,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn the_outline_is_checked_first() {
+    fn a_batch_that_is_no_list_of_requests_is_refused() {
         for (body, pointer) in [
             (json!([]), ""),
             (json!({}), "/requests"),

@@ -104,7 +104,7 @@ fn definitions(settings: SchemaSettings, add: impl FnOnce(&mut SchemaGenerator))
 }
 
 /// Calls `change` for a schema and every schema inside it, the inner ones first.
-pub(super) fn for_each_schema(schema: &mut Value, change: &mut impl FnMut(&mut Value)) {
+fn for_each_schema(schema: &mut Value, change: &mut impl FnMut(&mut Value)) {
     if let Some(keywords) = schema.as_object_mut() {
         for (keyword, value) in keywords.iter_mut() {
             match (keyword.as_str(), value) {

@@ -623,7 +623,10 @@ impl KindRequest for TensileStructureRequest {
         for (k, cable) in self.cables.iter().enumerate() {
             let courses = [cable.along.is_some(), cable.across.is_some(), cable.points.is_some()];
             if courses.into_iter().filter(|given| *given).count() != 1 {
-                errors.push(FieldError::new(format!("/cables/{k}"), "needs exactly one of: along, across, points"));
+                errors.push(FieldError::new(
+                    format!("/cables/{k}"),
+                    "must have exactly one of the members along, across, points",
+                ));
             }
         }
         let mut sliding = Vec::with_capacity(self.supports.len());
@@ -636,7 +639,7 @@ impl KindRequest for TensileStructureRequest {
                 (None, Some(boundary), None) => geometry::SlidingPart::Boundary(boundary as usize),
                 (None, None, Some(point)) => geometry::SlidingPart::Point(point.to_geometry()),
                 _ => {
-                    let detail = "needs exactly one of: along, boundary, point";
+                    let detail = "must have exactly one of the members along, boundary, point";
                     errors.push(FieldError::new(format!("/supports/{k}"), detail));
                     continue;
                 }
@@ -721,7 +724,7 @@ impl TensileStructureRequest {
                 (Some(pressure), None) => geometry::Pressure::Constant(pressure),
                 (None, Some(volume)) => geometry::Pressure::Volume(volume),
                 _ => {
-                    let detail = "needs exactly one of: pressure, volume";
+                    let detail = "must have exactly one of the members pressure, volume";
                     errors.push(FieldError::new(format!("/chambers/{k}"), detail));
                     continue;
                 }

@@ -186,7 +186,7 @@ impl Domain {
         let names = given.map(|(name, _)| name).join(", ");
         let invalid = |pointer: &str, detail: String| Err(Rejection::Invalid(vec![FieldError::new(pointer, detail)]));
         if given.iter().filter(|(_, given)| *given).count() != 1 {
-            return invalid("/domain", format!("needs exactly one of: {names}"));
+            return invalid("/domain", format!("must have exactly one of the members {names}"));
         }
         if self.polygon.is_none() && !self.holes.is_empty() {
             return invalid("/domain/holes", "is only allowed with a polygon".into());

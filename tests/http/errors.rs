@@ -75,14 +75,33 @@ async fn an_error_says_what_was_expected() {
     let app = TestApp::start().await;
     let square = json!([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]);
     for (body, pointer, text) in [
-        (json!({ "boundaries": [square], "units": "MM" }), "/units", r#"one of "mm", "cm", "m", "in", "ft""#),
-        (json!({ "boundaries": [[[0, 0], [1, 0, 0], [0, 1, 0]]] }), "/boundaries/0/0", "has two coordinates"),
+        (json!({ "boundaries": [square], "units": "MM" }), "/units", "must be one of mm, cm, m, in, ft"),
+        (
+            json!({ "boundaries": [[[0, 0], [1, 0, 0], [0, 1, 0]]] }),
+            "/boundaries/0/0",
+            "must have three coordinates [x, y, z]; in the plane, z is 0",
+        ),
         (
             json!({ "boundaries": [[{ "x": 0, "y": 0, "z": 0 }, [1, 0, 0], [0, 1, 0]]] }),
             "/boundaries/0/0",
-            "is an object",
+            "must be a point or vector [x, y, z], such as [0, 0, 1.5]",
         ),
         (json!({ "boundaries": square }), "/boundaries", "lacks a level of brackets"),
+        (
+            json!({ "boundaries": [square], "initial_mesh": { "vertices": ["x", [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2]] } }),
+            "/initial_mesh/vertices/0",
+            "must be a point or vector [x, y, z]",
+        ),
+        (
+            json!({ "boundaries": [square], "processes": [[7]] }),
+            "/processes/0/0",
+            "must be one of laplacian_fairing, area_minimising, edge_swapping",
+        ),
+        (
+            json!({ "boundaries": [square], "resolutoin": 5 }),
+            "/resolutoin",
+            "is not a member of this object; did you mean resolution?",
+        ),
     ] {
         let refused = problem(app.post(MINIMAL, &body).await, 422).await;
         assert_eq!(pointers(&refused), [pointer]);

@@ -57,15 +57,3 @@ export function sentence(text: string): string {
 }
 
 const singular = (noun: string): string => ({ vertices: 'vertex', boundaries: 'boundary', directrices: 'directrix' })[noun] ?? noun.slice(0, -1);
-
-const MESSAGES: [RegExp, string][] = [
-  [/^it is not of type "number"$/, 'must be a number'],
-  [/^it is not of types? .*"(number|integer)".*$/, 'must be a number'],
-  [/^it is not of type "array"$/, 'must be a list such as [x, y, z]'],
-];
-
-/** The detail of one field's error. */
-export function fieldSentence(detail: string): string {
-  const known = MESSAGES.find(([pattern]) => pattern.test(detail));
-  return known ? known[1] : sentence(detail);
-}

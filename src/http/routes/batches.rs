@@ -134,7 +134,7 @@ pub async fn meshes(
         None => MeshFormat::Glb,
         Some(name) => MeshFormat::from_name(&name).ok_or_else(|| {
             let names = MeshFormat::ALL.map(MeshFormat::name).join(", ");
-            Failure::bad_query(format!("mesh_format must be one of: {names}"))
+            Failure::bad_query(format!("mesh_format must be one of {names}"))
         })?,
     };
     let meshes = app.jobs.batch_meshes(id, caller.owner()).await?;

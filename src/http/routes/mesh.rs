@@ -63,7 +63,7 @@ fn choices(
         None => Origin::Automatic,
         Some(text) => {
             let found = ORIGINS.iter().find(|(name, _)| *name == text);
-            found.map(|(_, origin)| *origin).ok_or_else(|| Failure::bad_query("origin must be one of: given, local"))?
+            found.map(|(_, origin)| *origin).ok_or_else(|| Failure::bad_query("origin must be one of given, local"))?
         }
     };
     let lines = match lines {
@@ -82,7 +82,7 @@ fn choices(
         }
         Some("ascii") => true,
         Some("binary") => false,
-        Some(_) => return Err(Failure::bad_query("encoding must be one of: binary, ascii")),
+        Some(_) => return Err(Failure::bad_query("encoding must be one of binary, ascii")),
     };
     // A format without lines makes the same file whatever is asked of them.
     Ok(Choices { origin, lines: lines || !format.has_lines(), ascii, colors: None })
@@ -234,7 +234,7 @@ pub fn choose(
     };
     let chosen = formats.iter().position(|(known, _)| *known == name).ok_or_else(|| {
         let names: Vec<&str> = formats.iter().map(|(name, _)| *name).collect();
-        Failure::bad_query(format!("format must be one of: {}", names.join(", ")))
+        Failure::bad_query(format!("format must be one of {}", names.join(", ")))
     })?;
     let media_type = formats[chosen].1;
     let as_bytes = accepted(headers, &[media_type, BYTES]) == Some(1);

@@ -5,7 +5,7 @@ import { ConnectionFailed, type FieldError } from 'plateau-client';
 import { $, el } from '../dom';
 import { findings } from '../model/checks';
 import { place } from '../model/request';
-import { capital, fieldSentence, sentence } from '../text';
+import { capital, sentence } from '../text';
 import { ask } from './busy';
 import { redraw } from './drawing';
 import { host, session, tools } from './session';
@@ -41,7 +41,7 @@ export function showProblem(fault: unknown, turn = ask()): void {
     const found = place(host.lines, error.pointer);
     if (found.line !== undefined && found.point !== undefined && found.point >= 0) faulty.add(`${found.line}/${found.point}`);
     const control = found.line === undefined ? $<HTMLFormElement>('options').querySelector<HTMLElement>(`[name="${CSS.escape(found.field ?? '')}"], [name^="${CSS.escape(found.field ?? '')}."]`) : null;
-    return item(capital(found.text), fieldSentence(error.detail), found, control);
+    return item(capital(found.text), sentence(error.detail), found, control);
   });
   // The service may name a line and not the points: the studio sees which.
   if (!list.some((error) => place(host.lines, error.pointer).point !== undefined)) {

@@ -1,0 +1,368 @@
+//! Puts a wrong value at every place of the examples and of bodies made from the schemas, and checks that the first error
+//! points to that place in plain words. The schemas are read here as JSON, apart from the code that explains them, and the
+//! crate jsonschema says independently which bodies are valid.
+
+use super::components::{BATCH, components, request_component};
+use super::{FieldError, Kind, Rejection, objectives, schema};
+use serde_json::{Value, json};
+use std::collections::BTreeSet;
+
+/// A member name and a string that no schema allows. No error may contain them, except for the pointer to the member.
+const UNKNOWN: &str = "zq";
+
+/// Every form that an error's text may have. `*` stands for names, numbers and examples. The text may end with
+/// ` or null`.
+const FORMS: [&str; 27] = [
+    "must be true or false",
+    "must be true, false or an object",
+    "must be a number",
+    "must be an integer",
+    "must be a string",
+    "must be a list",
+    "must be an object",
+    "must be an object with the member *",
+    "must be an object with the members *",
+    "must be an object with exactly one of the members *",
+    "must be an object with at least one of the members *",
+    "must be a point or vector [x, y, z], such as *",
+    "must be a list of points [x, y, z], such as *",
+    "must be a list of polylines, which are lists of points [x, y, z], such as *",
+    "must be one of *",
+    "must be at least *",
+    "must be at most *",
+    "must be more than *",
+    "must be less than *",
+    "must have at least *",
+    "must have at most *",
+    "must have exactly *",
+    "must have three coordinates [x, y, z]*",
+    "is required",
+    "is not a member of this object",
+    "is not a member of this object; did you mean *",
+    "is not a member of this object, whose members are *",
+];
+
+fn has_form(text: &str, form: &str) -> bool {
+    let text = text.strip_suffix(" or null").unwrap_or(text);
+    match form.split_once('*') {
+        None => text == form,
+        Some((start, end)) => text.strip_prefix(start).is_some_and(|rest| rest.ends_with(end)),
+    }
+}
+
+/// Returns whether a text names a single allowed value, as the schema of `kind` has it.
+fn names_a_kind(text: &str) -> bool {
+    Kind::ALL.iter().any(|kind| has_form(text, &format!("must be {}", kind.name())))
+}
+
+fn resolved(schema: &'static Value) -> &'static Value {
+    match schema["$ref"].as_str().and_then(|reference| reference.rsplit('/').next()) {
+        Some(name) => resolved(&components()[name]),
+        None => schema,
+    }
+}
+
+/// Returns the schemas of which a value satisfies one.
+fn branches(schema: &'static Value) -> Vec<&'static Value> {
+    let schema = resolved(schema);
+    match schema.get("anyOf").or(schema.get("oneOf")).and_then(Value::as_array) {
+        Some(parts) => parts.iter().flat_map(branches).collect(),
+        None => vec![schema],
+    }
+}
+
+/// Returns the types of JSON that a schema without branches allows.
+fn types(branch: &Value) -> Vec<&str> {
+    match &branch["type"] {
+        Value::String(one) => vec![one],
+        Value::Array(list) => list.iter().filter_map(Value::as_str).collect(),
+        _ => vec!["null", "boolean", "number", "string", "array", "object"],
+    }
+}
+
+fn is_of_type(value: &Value, name: &str) -> bool {
+    match value {
+        Value::Null => name == "null",
+        Value::Bool(_) => name == "boolean",
+        Value::Number(number) => name == "number" || name == "integer" && !number.is_f64(),
+        Value::String(_) => name == "string",
+        Value::Array(_) => name == "array",
+        Value::Object(_) => name == "object",
+    }
+}
+
+fn allows_type(branch: &Value, value: &Value) -> bool {
+    types(branch).iter().any(|name| is_of_type(value, name))
+}
+
+/// Returns the branch that a valid value satisfies.
+fn branch_of(schema: &'static Value, value: &Value) -> &'static Value {
+    let all = branches(schema);
+    let fits = |branch: &&'static Value| {
+        let kinds = branch["properties"]["kind"]["enum"].as_array();
+        allows_type(branch, value) && kinds.is_none_or(|kinds| kinds.contains(&value["kind"]))
+    };
+    all.iter().copied().find(fits).unwrap_or_else(|| panic!("no branch for {value}"))
+}
+
+fn size(branch: &Value, keyword: &str) -> Option<usize> {
+    branch[keyword].as_u64().map(|size| size as usize)
+}
+
+/// Returns values that satisfy a schema: at least one for each branch of it and of the schemas in it.
+fn samples(schema: &'static Value) -> Vec<Value> {
+    branches(schema)
+        .into_iter()
+        .flat_map(|branch| types(branch).into_iter().flat_map(|name| of_type(branch, name)))
+        .collect()
+}
+
+fn of_type(branch: &'static Value, name: &str) -> Vec<Value> {
+    if let Some(values) = branch["enum"].as_array() {
+        return vec![values[0].clone()];
+    }
+    match name {
+        "null" => vec![Value::Null],
+        "boolean" => vec![true.into()],
+        "number" | "integer" => {
+            let fits = |number: &f64| {
+                branch["minimum"].as_f64().is_none_or(|least| *number >= least)
+                    && branch["maximum"].as_f64().is_none_or(|most| *number <= most)
+            };
+            let number = [1.0, 2.0, 3.0].into_iter().find(fits).expect("a number of 1, 2 and 3 fits every schema");
+            vec![json!(number as u64)]
+        }
+        "string" => vec!["x".into()],
+        "array" => {
+            let count = size(branch, "minItems").unwrap_or(0).max(1);
+            let items = branch.get("items").map_or_else(|| vec![json!(1)], samples);
+            items.into_iter().map(|item| Value::Array(vec![item; count])).collect()
+        }
+        _ => objects(branch),
+    }
+}
+
+fn objects(branch: &'static Value) -> Vec<Value> {
+    let Some(properties) = branch["properties"].as_object() else { return vec![json!({ "any": 1 })] };
+    let of_each =
+        || properties.iter().flat_map(|(name, schema)| samples(schema).into_iter().map(move |value| (name, value)));
+    if size(branch, "maxProperties").is_some_and(|most| most < properties.len()) {
+        return of_each().map(|(name, value)| json!({ name: value })).collect();
+    }
+    let base: Value = properties.iter().map(|(name, schema)| (name.clone(), samples(schema).swap_remove(0))).collect();
+    let varied = of_each().map(|(name, value)| {
+        let mut object = base.clone();
+        object[name] = value;
+        object
+    });
+    std::iter::once(base.clone()).chain(varied).collect()
+}
+
+/// A change that makes a value invalid: the new value, and the pointer from it to the error.
+type Wrong = (Value, String);
+
+/// Returns a value of each type of JSON.
+fn probes() -> [Value; 7] {
+    [json!(null), json!(true), json!(7), json!(2.5), json!(UNKNOWN), json!([]), json!({})]
+}
+
+/// Returns changes of a valid value that make it invalid.
+fn wrong_values(schema: &'static Value, value: &Value) -> Vec<Wrong> {
+    let mut wrong: Vec<Wrong> = Vec::new();
+    let mut here = |value: Value| wrong.push((value, String::new()));
+    let all = branches(schema);
+    for probe in probes() {
+        match all.iter().filter(|branch| allows_type(branch, &probe)).count() {
+            0 => here(probe),
+            1 => {}
+            _ => assert!(resolved(schema).get("discriminator").is_some(), "the type does not choose a branch: {all:?}"),
+        }
+    }
+    if all.iter().any(|branch| branch.get("enum").is_some()) {
+        here(UNKNOWN.into());
+    }
+    let branch = branch_of(schema, value);
+    match value {
+        Value::Number(_) => {
+            let bound = |keyword: &str| branch[keyword].as_f64();
+            bound("minimum").into_iter().for_each(|least| here(json!(least - least.abs().max(1.0))));
+            bound("maximum").into_iter().for_each(|most| here(json!(most + most.abs().max(1.0))));
+            bound("exclusiveMinimum").into_iter().for_each(|least| here(json!(least)));
+            bound("exclusiveMaximum").into_iter().for_each(|most| here(json!(most)));
+        }
+        Value::String(_) => {
+            size(branch, "minLength").into_iter().for_each(|_| here("".into()));
+            size(branch, "maxLength").into_iter().for_each(|most| here(UNKNOWN.repeat(most).into()));
+        }
+        Value::Array(list) => {
+            if let Some(least) = size(branch, "minItems").filter(|&least| least > 0) {
+                here(json!([]));
+                here(list[..least - 1].into());
+            }
+            if let (Some(most), Some(last)) = (size(branch, "maxItems").filter(|&most| most <= 200), list.last()) {
+                here(vec![last.clone(); most + 1].into());
+            }
+        }
+        Value::Object(members) => {
+            let required = branch["required"].as_array().map_or(&[][..], Vec::as_slice);
+            if size(branch, "minProperties").is_some_and(|least| least > 0) && required.is_empty() {
+                here(json!({}));
+            }
+            if let (Some(most), Some(properties)) = (size(branch, "maxProperties"), branch["properties"].as_object()) {
+                let more = properties.iter().take(most + 1);
+                here(more.map(|(name, schema)| (name.clone(), samples(schema).swap_remove(0))).collect());
+            }
+            if branch["additionalProperties"] == false {
+                let mut more = members.clone();
+                more.insert(UNKNOWN.into(), Value::Null);
+                wrong.push((more.into(), format!("/{UNKNOWN}")));
+            }
+            for name in required.iter().filter_map(Value::as_str) {
+                let mut fewer = members.clone();
+                fewer.remove(name);
+                wrong.push((fewer.into(), format!("/{name}")));
+            }
+        }
+        Value::Null | Value::Bool(_) => {}
+    }
+    wrong
+}
+
+/// Calls `visit` with the pointer, the schema and the value at every place of a valid value. Of the elements of an array
+/// it visits the first and the last.
+fn walk(schema: &'static Value, value: &Value, pointer: &str, visit: &mut impl FnMut(&str, &'static Value, &Value)) {
+    visit(pointer, schema, value);
+    let branch = branch_of(schema, value);
+    match value {
+        Value::Array(list) => {
+            let ends: BTreeSet<usize> =
+                [0, list.len().wrapping_sub(1)].into_iter().filter(|&k| k < list.len()).collect();
+            for k in ends {
+                walk(&branch["items"], &list[k], &format!("{pointer}/{k}"), visit);
+            }
+        }
+        Value::Object(members) => {
+            for (name, member) in members.iter().filter(|(name, _)| branch["properties"].get(name.as_str()).is_some()) {
+                walk(&branch["properties"][name.as_str()], member, &format!("{pointer}/{name}"), visit);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Returns a value with at most four elements in each array.
+fn shortened(value: &Value) -> Value {
+    match value {
+        Value::Array(list) => list.iter().take(4).map(shortened).collect(),
+        Value::Object(members) => members.iter().map(|(name, member)| (name.clone(), shortened(member))).collect(),
+        other => other.clone(),
+    }
+}
+
+/// Makes the validator of the crate jsonschema for a schema of the API document.
+fn reference_validator(component: &str) -> jsonschema::Validator {
+    let reference = format!("#/components/schemas/{component}");
+    jsonschema::validator_for(&json!({ "$ref": reference, "components": { "schemas": components() } })).unwrap()
+}
+
+/// Checks every wrong value at every place of valid bodies. Returns the places and the number of wrong values.
+fn check(
+    component: &str,
+    bodies: &[Value],
+    validate: impl Fn(&Value) -> Result<(), Rejection>,
+    defects: &mut Vec<String>,
+) -> (BTreeSet<String>, usize) {
+    let root = &components()[component];
+    let reference = reference_validator(component);
+    let (mut seen, mut places, mut tried) = (BTreeSet::new(), BTreeSet::new(), 0);
+    for body in bodies {
+        assert!(validate(body).is_ok() && reference.is_valid(body), "{component}: {body}");
+        walk(root, body, "", &mut |pointer, schema, value| {
+            let branch: *const Value = branch_of(schema, value);
+            if !seen.insert((pointer.to_owned(), branch)) {
+                return;
+            }
+            places.insert(pointer.to_owned());
+            let with = |value: &Value| {
+                let mut changed = body.clone();
+                *changed.pointer_mut(pointer).expect("a place of the body") = value.clone();
+                changed
+            };
+            for probe in probes() {
+                let changed = with(&probe);
+                if validate(&changed).is_ok() != reference.is_valid(&changed) {
+                    defects.push(format!("{component} {pointer}: jsonschema differs for {probe}"));
+                }
+            }
+            for (wrong, below) in wrong_values(schema, value) {
+                tried += 1;
+                let changed = with(&wrong);
+                let expected = format!("{pointer}{below}");
+                let found = match validate(&changed) {
+                    Err(Rejection::Invalid(errors)) => errors,
+                    other => {
+                        defects.push(format!("{component} {expected}: {other:?} for {wrong}"));
+                        continue;
+                    }
+                };
+                let FieldError { pointer: place, detail } = &found[0];
+                let plain = FORMS.iter().any(|form| has_form(detail, form)) || names_a_kind(detail);
+                if *place != expected || !plain || detail.contains(UNKNOWN) {
+                    defects.push(format!("{component} {expected}: {place} {detail}"));
+                }
+            }
+        });
+    }
+    (places, tried)
+}
+
+#[test]
+fn the_error_for_each_wrong_value_points_to_it_in_plain_words() {
+    let mut defects = Vec::new();
+    let mut tried = 0;
+    for kind in Kind::ALL {
+        let component = request_component(kind);
+        let examples = objectives::examples().iter().filter(|example| example.kind == kind);
+        let mut bodies: Vec<Value> = examples.map(|example| shortened(&example.request)).collect();
+        bodies.extend(samples(&components()[component]));
+        let (places, count) = check(component, &bodies, |body| schema::validate(kind, body), &mut defects);
+        tried += count;
+        let expected: &[&str] = match kind {
+            Kind::RuledSurface => &["/objective/weights/minimal_twist", "/sampling/tolerance", "/normals/0/0/2"],
+            Kind::MinimalSurface => &[
+                "/initial_mesh/vertices/0/0",
+                "/initial_mesh/triangles/0/0",
+                "/resolution/interior_vertices",
+                "/processes/0/0",
+                "/certify/seconds",
+                "/constraints/points/0",
+                "/constraints/polylines/0/1/0",
+            ],
+            Kind::UniformMesh => &["/domain/polygon/0", "/domain/nurbs/weights/0/0", "/domain/boundaries/0/2/0"],
+            Kind::TensileStructure => &[
+                "/cables/0/along/from",
+                "/cables/0/across/1",
+                "/cables/0/points/0",
+                "/supports/0/on/mesh/triangles/0",
+                "/supports/0/contact_angle_deg",
+                "/film/direction/radial",
+            ],
+            Kind::CableNet => {
+                &["/edges/0/1", "/supports/0", "/cables/0/edges/0", "/loads/0/vertices/0", "/units/force"]
+            }
+        };
+        let missed = expected.iter().filter(|place| !places.contains(**place));
+        defects.extend(missed.map(|place| format!("{component} {place}: is not reached")));
+    }
+    let batches = Kind::ALL.map(|kind| {
+        let example =
+            objectives::examples().iter().find(|example| example.kind == kind).expect("an example of each kind");
+        json!({ "requests": [shortened(&example.request)], "callback_url": "https://example.org" })
+    });
+    let (places, count) = check(BATCH, &batches, schema::validate_batch, &mut defects);
+    tried += count;
+    assert!(places.contains("/requests/0/boundaries/0/0/2") && places.contains("/requests/0/supports/0"), "{places:?}");
+    println!("{tried} wrong values");
+    assert!(tried > 3_000, "{tried}");
+    assert!(defects.is_empty(), "{} of {tried}:\n{}", defects.len(), defects.join("\n"));
+}
