@@ -175,7 +175,10 @@ async fn open_store(config: &Config) -> Result<Store, StartError> {
             Err(StoreError::Url(message)) => {
                 return Err(StartError::Configuration(format!("store.database or store.results: {message}")));
             }
-            Err(error) if embedded || Instant::now() > given_up => {
+            Err(error @ StoreError::Refused(_)) => {
+                return Err(StartError::Configuration(format!("store.database: {error}")));
+            }
+            Err(error) if embedded || !error.may_pass() || Instant::now() > given_up => {
                 return Err(StartError::Failed(format!("store: {error}")));
             }
             Err(error) => {

@@ -120,8 +120,9 @@ impl Default for HttpConfig {
 pub struct StoreConfig {
     /// Folder of the embedded store. The server creates it if it does not exist.
     pub data: PathBuf,
-    /// URL of the database: `sqlite://PATH` or `postgres://USER@HOST/DATABASE`. If empty, the server uses SQLite in the
-    /// data folder.
+    /// URL of the database: `sqlite://PATH` or `postgres://USER@HOST/DATABASE`. Its parameters `sslmode` (`disable`,
+    /// `prefer`, `require`, `verify-ca` or `verify-full`) and `sslrootcert` say how connections to PostgreSQL are
+    /// encrypted. If the URL is empty, the server uses SQLite in the data folder.
     pub database: String,
     /// Storage of results larger than `inline_bytes`: a folder, or `s3://BUCKET/PREFIX` (region, endpoint and
     /// credentials come from `AWS_…`; needs a program built with the cargo feature `s3`, as the container is). If

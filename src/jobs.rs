@@ -84,7 +84,10 @@ impl From<StoreError> for JobsError {
     fn from(error: StoreError) -> Self {
         match error {
             StoreError::QueueFull { own } => Self::QueueFull { own },
-            StoreError::NoSpace(text) | StoreError::Unavailable(text) | StoreError::Contended(text) => {
+            StoreError::NoSpace(text)
+            | StoreError::Unavailable(text)
+            | StoreError::Refused(text)
+            | StoreError::Contended(text) => {
                 tracing::warn!(error = %text, "the store is unavailable");
                 Self::Unavailable("the store cannot be reached or is full; try again".into())
             }

@@ -32,6 +32,7 @@ mod results;
 mod retention;
 mod secrets;
 mod sqlite;
+mod tls;
 mod tx;
 mod watch;
 
@@ -126,6 +127,10 @@ pub enum StoreError {
     /// The database cannot be reached or did not answer in time. Trying again later may help.
     #[error("the database is unavailable: {0}")]
     Unavailable(String),
+    /// The database does not let this program in with the settings that it has: a wrong password, an unknown database, or
+    /// no agreement on encryption.
+    #[error("the database refuses the connection: {0}")]
+    Refused(String),
     /// The transaction lost against concurrent transactions in every try.
     #[error("the database is contended: {0}")]
     Contended(String),
@@ -136,6 +141,17 @@ pub enum StoreError {
     /// A defect: the engine refused a statement, or a row cannot be read.
     #[error("database error: {0}")]
     Internal(String),
+}
+
+impl StoreError {
+    /// Returns true if the same operation may succeed later although nobody changes anything.
+    #[must_use]
+    pub fn may_pass(&self) -> bool {
+        match self {
+            Self::QueueFull { .. } | Self::NoSpace(_) | Self::Unavailable(_) | Self::Contended(_) => true,
+            Self::Refused(_) | Self::Url(_) | Self::Migration(_) | Self::Internal(_) => false,
+        }
+    }
 }
 
 impl From<std::io::Error> for StoreError {

@@ -8,7 +8,7 @@ use std::str::FromStr;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::time::Duration;
 
-use postgres::config::Host;
+use postgres::config::{Host, SslMode};
 use postgres::error::SqlState;
 use postgres::fallible_iterator::FallibleIterator;
 use postgres::types::private::BytesMut;
@@ -20,6 +20,7 @@ pub(super) use postgres::types::FromSql as FromPostgres;
 
 use super::migrations::migrate;
 use super::pool::Pool;
+use super::tls::{Connector, Disagreement, Parameters};
 use super::tx::{AfterCommit, Tx, Value};
 use super::{Result, StoreError, StoreOptions};
 
@@ -35,20 +36,20 @@ const LISTEN_STEP: Duration = Duration::from_millis(250);
 
 #[derive(Debug)]
 pub(super) struct Database {
-    config: Config,
+    server: Server,
     sessions: Pool<Session>,
 }
 
 impl Database {
     /// Connects to `postgres://USER@HOST/DATABASE` and migrates its tables.
     pub(super) async fn open(url: &str, options: &StoreOptions) -> Result<Self> {
-        let config = config(url)?;
+        let server = Server::at(url)?;
         let threads = options.connections.max(1) as usize;
-        let session_config = config.clone();
-        let open = move || Ok(Session::new(session_config.clone()));
+        let session_server = server.clone();
+        let open = move || Ok(Session::new(session_server.clone()));
         let sessions = Pool::start("postgres", threads, Some(PATIENCE), open)?;
         sessions.run(|session| session.transact(&migrate)).await?;
-        Ok(Self { config, sessions })
+        Ok(Self { server, sessions })
     }
 
     /// Runs `work` in a transaction, and again if the transaction conflicts with another one.
@@ -85,9 +86,9 @@ impl Database {
     /// Starts a thread that listens for changes of all instances until the sender of `stopped` is dropped. It calls
     /// `heard` with every payload, and with `None` whenever notifications may have been lost.
     pub(super) fn listen(&self, stopped: Receiver<()>, heard: impl Fn(Option<&str>) + Send + 'static) -> Result<()> {
-        let config = self.config.clone();
+        let server = self.server.clone();
         let run = move || loop {
-            if let Err(error) = listen_once(&config, &stopped, &heard) {
+            if let Err(error) = listen_once(&server, &stopped, &heard) {
                 tracing::warn!(%error, "cannot listen for changes; polling for them meanwhile");
             }
             if stopped.recv_timeout(RECONNECT_DELAY) == Err(RecvTimeoutError::Disconnected) {
@@ -104,8 +105,8 @@ impl Database {
 }
 
 /// Listens until the connection breaks or the store is closed.
-fn listen_once(config: &Config, stopped: &Receiver<()>, heard: &impl Fn(Option<&str>)) -> Result<()> {
-    let mut client = config.connect(NoTls)?;
+fn listen_once(server: &Server, stopped: &Receiver<()>, heard: &impl Fn(Option<&str>)) -> Result<()> {
+    let mut client = server.connect()?;
     client.batch_execute(&format!("LISTEN {CHANNEL}"))?;
     // Notifications sent before this connection was opened are lost.
     heard(None);
@@ -121,9 +122,58 @@ fn listen_once(config: &Config, stopped: &Receiver<()>, heard: &impl Fn(Option<&
     Ok(())
 }
 
+/// Server with all that is needed to connect to it.
+#[derive(Clone, Debug)]
+struct Server {
+    config: Config,
+    /// Encrypts the connections, unless they are plain in any case.
+    encryption: Option<Connector>,
+}
+
+impl Server {
+    fn at(url: &str) -> Result<Self> {
+        let (url, tls) = Parameters::split(url);
+        let mut config = config(&url)?;
+        // Connections by a socket in the file system are plain, as libpq's are.
+        if config.get_hosts().iter().all(|host| matches!(host, Host::Unix(_))) {
+            config.ssl_mode(SslMode::Disable);
+            return Ok(Self { config, encryption: None });
+        }
+        let (mode, encryption) = tls.connector().map_err(StoreError::Url)?;
+        config.ssl_mode(mode);
+        Ok(Self { config, encryption })
+    }
+
+    fn connect(&self) -> Result<Client> {
+        let Some(encryption) = &self.encryption else { return self.config.connect(NoTls).map_err(refusal) };
+        match self.config.connect(encryption.clone()) {
+            // The server offers TLS, but it does not work, or the server lets this user in only without it. `prefer`
+            // then means a plain connection, as it does to libpq.
+            Err(error) if self.config.get_ssl_mode() == SslMode::Prefer && needs_plain(&error) => {
+                self.config.clone().ssl_mode(SslMode::Disable).connect(NoTls)
+            }
+            connected => connected,
+        }
+        .map_err(refusal)
+    }
+}
+
+fn needs_plain(error: &postgres::Error) -> bool {
+    error.code() == Some(&SqlState::INVALID_AUTHORIZATION_SPECIFICATION)
+        || error.source().is_some_and(|source| source.is::<Disagreement>())
+}
+
+/// Returns the error of an attempt to connect. Unless the server may be reachable later, it is a refusal.
+fn refusal(error: postgres::Error) -> StoreError {
+    match StoreError::from(error) {
+        StoreError::Internal(text) => StoreError::Refused(text),
+        other => other,
+    }
+}
+
 /// One connection, which is opened at the first use and again after it broke.
 pub(super) struct Session {
-    config: Config,
+    server: Server,
     client: Option<Client>,
     /// Prepared statements of this connection, by their text.
     statements: HashMap<String, Statement>,
@@ -136,8 +186,8 @@ impl std::fmt::Debug for Session {
 }
 
 impl Session {
-    fn new(config: Config) -> Self {
-        Self { config, client: None, statements: HashMap::new() }
+    fn new(server: Server) -> Self {
+        Self { server, client: None, statements: HashMap::new() }
     }
 
     fn client(&mut self) -> Result<&mut Client> {
@@ -145,7 +195,7 @@ impl Session {
             Some(client) => Ok(client),
             none => {
                 self.statements.clear();
-                Ok(none.insert(self.config.connect(NoTls)?))
+                Ok(none.insert(self.server.connect()?))
             }
         }
     }

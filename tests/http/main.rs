@@ -13,6 +13,7 @@ mod certificates;
 mod command_line;
 mod compression;
 mod connections;
+mod database;
 mod errors;
 mod events;
 mod examples;
@@ -30,6 +31,8 @@ mod load;
 mod mcp;
 mod meshes;
 mod openapi;
+#[path = "../postgres/mod.rs"]
+mod postgres;
 mod prefer;
 mod restart;
 mod ruled_surfaces;

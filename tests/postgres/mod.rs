@@ -1,4 +1,5 @@
-//! A PostgreSQL server for tests: a fresh cluster in a temporary folder, reachable only by its socket.
+//! A PostgreSQL server for tests: a fresh cluster in a temporary folder, reachable only by its socket unless a test
+//! starts it with other arguments.
 //!
 //! The programs come from `PLATEAU_POSTGRES_BIN` (a folder, which `scripts/test` sets if it had to fetch them), from
 //! Debian's `/usr/lib/postgresql`, or from the PATH. If none has them, there is no server and the caller skips its
@@ -29,6 +30,11 @@ pub struct Postgres {
 impl Postgres {
     /// Starts a server. If that is impossible, says why on standard error and returns `None`.
     pub fn start() -> Option<Self> {
+        Self::start_with(|_| String::new())
+    }
+
+    /// Starts a server with further arguments, which `arguments` returns. It may put files into the server's folder.
+    pub fn start_with(arguments: impl FnOnce(&Path) -> String) -> Option<Self> {
         let Some(binaries) = binaries() else {
             eprintln!(
                 "SKIPPED on PostgreSQL: no `initdb` in PLATEAU_POSTGRES_BIN, /usr/lib/postgresql/*/bin or the PATH"
@@ -36,10 +42,11 @@ impl Postgres {
             return None;
         };
         let folder = tempfile::Builder::new().prefix("plateau-postgres-").tempdir().expect("a temporary folder").keep();
+        let arguments = arguments(&folder);
         // PostgreSQL refuses to run as root, so root gives the folder to another user.
         let user = is_root().then(|| {
             let user = if id_of("postgres").is_some() { "postgres" } else { "nobody" };
-            let lent = Command::new("chown").arg(user).arg(&folder).status().expect("chown runs").success();
+            let lent = Command::new("chown").arg("-R").arg(user).arg(&folder).status().expect("chown runs").success();
             assert!(lent, "the folder can be given to {user}");
             user
         });
@@ -48,7 +55,7 @@ impl Postgres {
             "cd {folder} || exit 1
             start() {{
                 {as_user}{bin}/postgres -D {folder}/data -k {folder} -c listen_addresses= -c fsync=off \
-                    -c max_connections=200 >>{folder}/log 2>&1 </dev/null & pid=$!
+                    -c max_connections=200 {arguments} >>{folder}/log 2>&1 </dev/null & pid=$!
                 until {bin}/pg_isready -q -h {folder} || ! kill -0 $pid 2>/dev/null; do sleep 0.05; done
                 echo started
             }}
@@ -104,15 +111,24 @@ impl Postgres {
     /// Creates an empty database and returns its URL.
     pub async fn database(&self) -> String {
         let name = format!("test{}", self.databases.fetch_add(1, Ordering::Relaxed));
-        let (folder, create) = (self.folder.clone(), format!("CREATE DATABASE {name}"));
+        self.execute(&format!("CREATE DATABASE {name}")).await;
+        self.url(&name)
+    }
+
+    /// Runs statements as the superuser, and returns the first column of their rows.
+    pub async fn execute(&self, statements: &str) -> Vec<String> {
+        let (folder, statements) = (self.folder.clone(), statements.to_owned());
         let run = move || {
             let mut config = postgres::Config::new();
             let mut client = config.user("postgres").dbname("postgres").host_path(folder).connect(postgres::NoTls)?;
-            client.batch_execute(&create)
+            client.simple_query(&statements)
         };
-        let created = tokio::task::spawn_blocking(run).await.expect("nothing panics");
-        created.expect("a database can be created");
-        self.url(&name)
+        let answered = tokio::task::spawn_blocking(run).await.expect("nothing panics").expect("valid statements");
+        let column = |message: &postgres::SimpleQueryMessage| match message {
+            postgres::SimpleQueryMessage::Row(row) => row.get(0).map(str::to_owned),
+            _ => None,
+        };
+        answered.iter().filter_map(column).collect()
     }
 
     fn url(&self, database: &str) -> String {
