@@ -44,8 +44,12 @@ pub struct RuledSurfaceRequest {
     #[serde(default = "default_convexity_tolerance_deg")]
     #[schemars(range(min = 0, max = 45))]
     pub convexity_tolerance_deg: f64,
-    /// `auto` reverses a directrix if that improves the objective, and the statistics list the reversed directrices.
-    /// `as_given` reverses none.
+    /// `auto` reverses a directrix that runs against the one before it. Closed contours then have area vectors that
+    /// agree. Of the two ways to join open directrices, a way whose strip of least area folds by more than 90° loses to
+    /// one whose strip does not; after that the smaller sum of the squared distances between the ends decides, and the
+    /// objective if the sums differ by less than 1%. The statistics list the reversed directrices (`reversed`) and what
+    /// decided (`direction_decided_by`). `as_given` reverses none, and the warning `opposite_directions` says where
+    /// `auto` would.
     #[serde(default)]
     pub direction: Direction,
     /// Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by at
@@ -412,6 +416,9 @@ pub struct RuledStatistics {
     pub self_intersections_skipped: Option<&'static str>,
     /// For each directrix, whether `direction: auto` reversed it.
     pub reversed: Vec<bool>,
+    /// For each directrix, what decided its direction under `direction: auto`: `area_vectors` of closed contours,
+    /// `folds`, `ends` or `objective`. Null for the first directrix, beside an apex, and with `as_given`.
+    pub direction_decided_by: Vec<Option<&'static str>>,
     /// Statistics of each objective's optimum (Wang-Tang's Table 1). Null without `all_objectives`.
     pub comparison: Option<Vec<Comparison>>,
 }
@@ -465,6 +472,11 @@ impl RuledStatistics {
             self_intersections: surface.self_intersections.pairs,
             self_intersections_skipped: surface.self_intersections.skipped.map(Skipped::name),
             reversed: surface.reversed.clone(),
+            direction_decided_by: surface
+                .direction_decided_by
+                .iter()
+                .map(|criterion| criterion.map(geometry::DirectionCriterion::name))
+                .collect(),
             comparison: surface.comparison.as_ref().map(|rows| {
                 let row = |row: &geometry::Comparison| Comparison {
                     objective: row.objective.name(),

@@ -33,6 +33,7 @@ mod meshes;
 mod openapi;
 #[path = "../postgres/mod.rs"]
 mod postgres;
+mod pairs;
 mod prefer;
 mod restart;
 mod ruled_surfaces;

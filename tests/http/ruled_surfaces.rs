@@ -3,6 +3,7 @@
 
 use crate::app::{RULED, TestApp, large_strip, pointers, problem};
 use crate::hold::until;
+use crate::pairs::some_pairs;
 use futures_util::StreamExt;
 use reqwest::Method;
 use serde_json::{Value, json};
@@ -84,7 +85,10 @@ async fn direction_sampling_caps_and_an_apex_have_their_effect() {
     assert!(warned["warnings"].as_array().unwrap().iter().any(|w| w["code"] == "opposite_directions"), "{warned:#}");
     let auto = app.solve(RULED, &with(reversed, json!({ "direction": "auto" }))).await;
     assert_eq!(auto["statistics"]["reversed"], json!([false, true]));
+    assert_eq!(auto["statistics"]["direction_decided_by"], json!([null, "folds"]));
     let straight = app.solve(RULED, &strip()).await;
+    assert_eq!(straight["statistics"]["direction_decided_by"], json!([null, null]));
+    assert_eq!(straight["warnings"], json!([]));
     assert!((number(&auto["statistics"], "area") / number(&straight["statistics"], "area") - 1.0).abs() < 1e-12);
     assert!(straight["statistics"]["flat_pattern"]["edge_length_error_max"].as_f64().unwrap() < 1e-12);
 
@@ -104,6 +108,22 @@ async fn direction_sampling_caps_and_an_apex_have_their_effect() {
         statistics["strips"].as_array().unwrap().iter().map(|s| s["triangles"].as_u64().unwrap()).collect();
     assert_eq!(triangles, [29, 17]);
     assert!(statistics["flat_pattern"].is_null());
+}
+
+/// The pairs of the geometry's own test: no rail of known direction is reversed, and none is reported as given.
+#[tokio::test]
+async fn directions_are_those_that_a_person_sees() {
+    let app = TestApp::start().await;
+    for (rails, runs_against, closed) in some_pairs() {
+        let body = json!({ "directrices": rails, "closed": closed });
+        let as_given = app.solve(RULED, &body).await;
+        let warns = as_given["warnings"].as_array().unwrap().iter().any(|w| w["code"] == "opposite_directions");
+        assert_eq!(warns, runs_against, "{body}");
+        let auto = app.solve(RULED, &with(body.clone(), json!({ "direction": "auto" }))).await;
+        assert_eq!(auto["statistics"]["reversed"], json!([false, runs_against]), "{body}");
+        let decided_by = auto["statistics"]["direction_decided_by"][1].as_str().unwrap();
+        assert!(if closed { decided_by == "area_vectors" } else { ["folds", "ends"].contains(&decided_by) }, "{body}");
+    }
 }
 
 #[tokio::test]

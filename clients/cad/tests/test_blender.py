@@ -13,6 +13,8 @@ import plateau_blender  # noqa: E402
 
 SURVEY = (2_600_123.25, 1_200_456.5, 431.25)
 """Exact in f32, as every place of a Blender object is."""
+PAIRS = 500
+"""Number of pairs of rails of known direction."""
 
 
 def fresh_scene(metres_per_unit):
@@ -84,6 +86,52 @@ def test_a_smooth_curve_is_taken_as_blender_draws_it():
     thing = add_curve([(1, 0, 0), (1, 1, 1), (-1, 1, 0), (-1, -1, 1), (1, -1, 0)], (5, 6, 7), cyclic=True, kind="NURBS")
     made, statistics = solved(triangles=500)
     assert statistics["converged"] and made.location == thing.location
+
+
+def random_rails(random, kind):
+    """Points of two rails that lie side by side and run the same way, by the control points that Blender gets."""
+    width, height = random.uniform(0.3, 2.5, 2), random.uniform(-2, 2, 2)
+    length, radius, angle = random.uniform(1, 20), random.uniform(3, 10), random.uniform(0.2, 1.5 * np.pi)
+    bends = random.uniform(-1, 1, (6, 2))
+
+    def place(t):
+        """A point of the guide and the direction to its left."""
+        if kind == "line":
+            return np.array([length * t, 0, 0]), np.array([0, 1, 0])
+        if kind == "arc":
+            outwards = np.array([np.cos(angle * t), np.sin(angle * t), 0])
+            return radius * outwards, -outwards
+        bend = [np.interp(t, np.linspace(0, 1, 6), bends[:, axis]) for axis in (0, 1)]
+        return np.array([15 * t, *bend]), np.array([0, 1, 0])
+
+    rails = []
+    for side in (0, 1):
+        count = int(random.integers(2 if kind == "line" else 8, 40))
+        start, end = (0, 1) if side == 0 else (random.uniform(0, 0.15), random.uniform(0.85, 1))
+        points = []
+        for u in np.linspace(0, 1, count):
+            point, left = place(start + u * (end - start))
+            up = np.array([0, 0, height[0] + u * (height[1] - height[0])])
+            points.append(tuple(point + side * ((width[0] + u * (width[1] - width[0])) * left + up)))
+        rails.append(points)
+    return rails
+
+
+def test_rails_are_joined_in_the_direction_that_a_person_sees():
+    random = np.random.default_rng(5)
+    kinds = ("line", "arc", "spline")
+    objectives = ("minimal_area", "minimal_twist", "maximal_convexity", "minimal_bending_energy")
+    for k in range(PAIRS):
+        kind = kinds[k % 3]
+        first, second = random_rails(random, kind)
+        for runs_against in (False, True):
+            fresh_scene(1.0)
+            add_curve(first, (0, 0, 0), cyclic=False)
+            # The control points of a spline are smoothed by Blender.
+            add_curve(second[::-1] if runs_against else second, (0, 0, 0), cyclic=False,
+                      kind="NURBS" if kind == "spline" else "POLY")
+            _, statistics = solved(surface="AUTO", objective=objectives[k % 4])
+            assert statistics["reversed"] == [False, runs_against], (k, kind, runs_against)
 
 
 def test_what_cannot_be_solved_is_said():

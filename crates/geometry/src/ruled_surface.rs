@@ -52,6 +52,7 @@ mod strip;
 pub use graph::rails::Given;
 pub use pattern::flat_strip::FlatStrip;
 pub use pattern::{FlatPattern, strips_of};
+pub use stack::direction::DirectionCriterion;
 pub use stack::options::{Caps, DEFAULT_CONVEXITY_TOLERANCE, Direction, Options};
 pub use stack::sampling::Sampling;
 pub use stack::surface::{Comparison, RuledSurface};

@@ -118,29 +118,6 @@ proptest! {
             prop_assert_eq!(surface.statistics.convex_bridges, surface.statistics.bridges);
         }
     }
-
-    #[test]
-    fn auto_finds_the_better_direction_of_every_rail(seed in any::<u64>(), closed in any::<bool>()) {
-        let mut random = Random::new(seed);
-        let mut stack: Vec<Vec<DVec3>> = Vec::new();
-        for _ in 0..2 {
-            let case = random_case(&mut random, Style::Sensible, closed, 12);
-            stack.extend([case.p, case.q]);
-        }
-        let area = |stack: &[Vec<DVec3>], direction| solved(stack, &Options { closed, direction, ..Options::default() });
-        // Every combination of directions, the first rail's fixed.
-        let best = (0..8).map(|reversed| {
-            let mut turned = stack.clone();
-            (1..4).filter(|k| reversed >> (k - 1) & 1 == 1).for_each(|k| turned[k].reverse());
-            area(&turned, Direction::AsGiven).statistics.area
-        });
-        let auto = area(&stack, Direction::Auto);
-        prop_assert!(close(auto.statistics.area, best.fold(f64::INFINITY, f64::min), 1e-9));
-        // Vertices stay in the order of the input, whatever was reversed.
-        let input: Vec<DVec3> = stack.concat();
-        prop_assert_eq!(&auto.mesh.vertices, &input);
-        prop_assert!(!auto.reversed[0]);
-    }
 }
 
 #[test]

@@ -47,6 +47,7 @@ pub(crate) fn assemble(
         directrices: prepared.directrices.iter().map(of).collect(),
         input_vertices: prepared.directrices.iter().map(input).collect(),
         reversed: prepared.directrices.iter().map(|d| d.reversed).collect(),
+        direction_decided_by: prepared.directrices.iter().map(|d| d.direction_decided_by).collect(),
         statistics: Statistics::default(),
         strips: Vec::new(),
         comparison: None,

@@ -45,9 +45,9 @@ pub(crate) fn estimate(lengths: &[usize], options: &Options) -> Estimate {
         for goal in &goals {
             add(goal, directions);
         }
-        // What the warnings compare with.
+        // What the directions and the warnings compare with.
         if goal.objective != Objective::MinimalArea {
-            add(&Goal::single(Objective::MinimalArea), 1);
+            add(&Goal::single(Objective::MinimalArea), directions);
         }
         let limit = if options.closed { CLOSED_BENDING_CHECKED_UP_TO } else { BENDING_CHECKED_UP_TO };
         if m * n <= limit as u64 {

@@ -56,7 +56,8 @@ pub enum Direction {
     #[default]
     /// Each directrix runs as given.
     AsGiven,
-    /// Each directrix but the first is reversed where that gives the better optimum.
+    /// Each directrix but the first is reversed where it runs against the one before it
+    /// ([`DirectionCriterion`](crate::ruled_surface::DirectionCriterion)).
     Auto,
 }
 

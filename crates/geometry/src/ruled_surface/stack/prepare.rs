@@ -1,6 +1,7 @@
 //! Checks the input of a stack, cleans and samples its directrices.
 
 use super::caps;
+use super::direction::DirectionCriterion;
 use super::options::{Caps, Options};
 use super::sampling::{self, Sampling};
 use crate::error::{Error, InputError, Place, Warning};
@@ -24,6 +25,7 @@ pub(crate) struct Directrix {
     /// For each input point the index into `points` as they were before any reversal.
     pub(crate) vertex_of: Vec<usize>,
     pub(crate) reversed: bool,
+    pub(crate) direction_decided_by: Option<DirectionCriterion>,
 }
 
 impl Directrix {
@@ -199,5 +201,7 @@ fn clean(
         normals = normals.map(|n| pick(samples.interpolate(&n), &again.source));
         points = again.points;
     }
-    Ok((Directrix { points, tangents, normals, offset, vertex_of, reversed: false }, dropped))
+    let directrix =
+        Directrix { points, tangents, normals, offset, vertex_of, reversed: false, direction_decided_by: None };
+    Ok((directrix, dropped))
 }

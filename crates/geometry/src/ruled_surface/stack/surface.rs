@@ -1,5 +1,6 @@
 //! What a solve gives back.
 
+use super::direction::DirectionCriterion;
 use crate::Mesh;
 use crate::error::Warning;
 use crate::mesh::self_intersections::SelfIntersectionCheck;
@@ -20,6 +21,9 @@ pub struct RuledSurface {
     pub input_vertices: Vec<Vec<u32>>,
     /// Which directrices [`Direction::Auto`](crate::ruled_surface::Direction::Auto) reversed.
     pub reversed: Vec<bool>,
+    /// For each directrix what decided its direction. `None` for the first one, for one beside an apex, and if the
+    /// directions are as given.
+    pub direction_decided_by: Vec<Option<DirectionCriterion>>,
     /// Figures of the whole stack, caps not counted.
     pub statistics: Statistics,
     /// Figures of each strip.

@@ -1,14 +1,14 @@
 //! What a caller should know about a result that is optimal all the same.
 
+use super::direction::{DirectionCriterion, evident_direction};
 use crate::DVec3;
 use crate::error::{Error, Warning};
 use crate::mesh::measure::is_degenerate;
-use crate::ruled_surface::graph::convexity::ConvexityTest;
 use crate::ruled_surface::graph::lanes::Widest;
 use crate::ruled_surface::graph::pulse::Pulse;
-use crate::ruled_surface::graph::rails::{Given, Rails};
+use crate::ruled_surface::graph::rails::Rails;
 use crate::ruled_surface::strip::objective::{Goal, Objective};
-use crate::ruled_surface::strip::search::{least, least_bending_within, solve_all};
+use crate::ruled_surface::strip::search::{least, least_bending_within};
 use crate::ruled_surface::strip::statistics::Statistics;
 
 /// Area, as a multiple of the least area, above which a strip is reported. A larger value reports fewer strips.
@@ -20,13 +20,10 @@ const BENT: f64 = 50.0;
 pub(crate) const BENDING_CHECKED_UP_TO: usize = 1 << 18;
 /// The same for closed strips, which take a few dozen searches.
 pub(crate) const CLOSED_BENDING_CHECKED_UP_TO: usize = 1 << 14;
-/// Area of the reversed strip, as a multiple of the area as given, below which the directions are reported as opposite.
-const OPPOSITE: f64 = 0.9;
-/// Areas count as equal up to this factor, where only one of the two directions folds back.
-const EQUAL: f64 = 1.0 + 1e-9;
 /// An open strip whose directrices share both ends has two triangles without area; more are reported.
 const EMPTY_AT_ENDS: usize = 2;
-/// Number of points to which directrices are thinned for this. A larger value takes more time, as its square.
+/// Number of points to which directrices are thinned to compare their directions. A larger value takes more time, as its
+/// square.
 const THINNED: usize = 48;
 /// Warnings about strip `k` of a stack, solved as `path` with these figures. `as_given`: nobody chose its directions.
 pub(crate) fn of_strip(
@@ -39,7 +36,7 @@ pub(crate) fn of_strip(
     pulse: &mut Pulse<'_, '_>,
 ) -> Result<Vec<Warning>, Error> {
     let mut warnings = Vec::new();
-    if statistics.largest_fold > std::f64::consts::FRAC_PI_2 {
+    if statistics.folds_back() {
         let degrees = statistics.largest_fold.to_degrees();
         warnings.push(Warning::new(
             "folds",
@@ -64,31 +61,16 @@ pub(crate) fn of_strip(
     if strip.has_apex() {
         return Ok(warnings);
     }
-    if as_given {
-        let mut area_and_fold = |reversed: bool| -> Result<(f64, f64), Error> {
-            let goal = Goal::single(Objective::MinimalArea);
-            let thinned = [thinned(strip, reversed)];
-            let solved = solve_all(&thinned, goal, ConvexityTest::Within(0.0), lanes, pulse, &mut Vec::new())?;
-            Ok((solved.statistics[0].area, solved.statistics[0].largest_fold))
+    if as_given && let Some((true, criterion)) = evident_direction(&thinned_ways(strip), lanes, pulse)? {
+        let reason = match criterion {
+            DirectionCriterion::AreaVectors => "they run round in opposite senses",
+            DirectionCriterion::Folds => "the strip folds back, and does not if one of them is reversed",
+            DirectionCriterion::Ends | DirectionCriterion::Objective => {
+                "if one of them is reversed, their ends are nearer to each other"
+            }
         };
-        let (area, fold) = area_and_fold(false)?;
-        let (reversed, reversed_fold) = area_and_fold(true)?;
-        let right_angle = std::f64::consts::FRAC_PI_2;
-        if reversed <= EQUAL * area && fold > right_angle && reversed_fold <= right_angle && reversed >= OPPOSITE * area
-        {
-            let next = k + 1;
-            let detail = format!(
-                "directrices {k} and {next} run in opposite directions: reversing one gives a strip of no more area that does not fold back"
-            );
-            warnings.push(Warning::new("opposite_directions", detail));
-        }
-        if reversed < OPPOSITE * area {
-            let (saved, next) = (100.0 * (1.0 - reversed / area), k + 1);
-            let detail = format!(
-                "directrices {k} and {next} run in opposite directions: reversing one makes the minimal area about {saved:.0}% smaller"
-            );
-            warnings.push(Warning::new("opposite_directions", detail));
-        }
+        let detail = format!("directrices {k} and {} run in opposite directions: {reason}", k + 1);
+        warnings.push(Warning::new("opposite_directions", detail));
     }
     if goal.objective != Objective::MinimalArea {
         let factor = statistics.area / least(strip, Objective::MinimalArea, lanes, pulse)?;
@@ -118,18 +100,15 @@ pub(crate) fn of_strip(
     Ok(warnings)
 }
 
-/// A strip of the same shape with at most [`THINNED`] points a side, its second directrix run through backwards if
-/// asked.
-fn thinned(strip: &Rails, reversed: bool) -> Rails {
+/// The two ways to run through the directrices of a strip, thinned to at most [`THINNED`] points a side.
+fn thinned_ways(strip: &Rails) -> [Rails; 2] {
     let thin = |points: &[DVec3]| -> Vec<DVec3> {
         let count = points.len().min(THINNED);
         (0..count).map(|k| points[k * (points.len() - 1) / (count - 1)]).collect()
     };
-    let (p, mut q) = (thin(&strip.p.points), thin(&strip.q.points));
-    if reversed {
-        q.reverse();
-    }
-    Rails::new(Given::from(p.as_slice()), Given::from(q.as_slice()), strip.closed)
+    let (p, q) = (thin(&strip.p.points), thin(&strip.q.points));
+    let back: Vec<DVec3> = q.iter().rev().copied().collect();
+    [q, back].map(|q| Rails::new(p.as_slice().into(), q.as_slice().into(), strip.closed))
 }
 
 fn repeats_a_bridge(path: &[[u32; 2]]) -> bool {

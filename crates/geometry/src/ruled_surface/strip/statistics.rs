@@ -8,6 +8,10 @@ use crate::ruled_surface::graph::lanes::{Lanes, MOST_LANES, Task, Vector, Widest
 use crate::ruled_surface::graph::rails::Rails;
 use crate::ruled_surface::graph::weight::{self, Wing};
 
+/// A fold, in radians, is larger than another one, or than a right angle, if it exceeds it by this much. It is larger
+/// than the rounding of a rotated strip, so that a fold of exactly 90° does not fold back.
+pub(crate) const SMALLER_FOLD: f64 = 1e-6;
+
 /// The figures of one strip or of a whole stack. Lengths in the caller's unit, angles in radians.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Statistics {
@@ -44,6 +48,11 @@ pub struct Statistics {
 }
 
 impl Statistics {
+    /// Whether neighbouring triangles fold by more than 90°.
+    #[must_use]
+    pub(crate) fn folds_back(&self) -> bool {
+        self.largest_fold > std::f64::consts::FRAC_PI_2 + SMALLER_FOLD
+    }
     /// The figures of several strips together: sums, extremes.
     #[must_use]
     pub fn total(strips: &[Self]) -> Self {
