@@ -16,6 +16,7 @@ import tempfile
 import time
 import urllib.error
 import urllib.request
+from random import Random
 
 import rhino3dm as rhino
 
@@ -220,6 +221,59 @@ def check_components():
     print("components: strip, flat pattern, uniform mesh, sail, dome, start and poll")
 
 
+def rails(random):
+    """Two rails of lines, arcs or NURBS curves that lie side by side and run the same way, and the second one reversed."""
+    width, height = [random.uniform(0.3, 2.5) for _ in range(2)], [random.uniform(-2, 2) for _ in range(2)]
+    kind, size, angle = random.choice(["line", "arc", "spline"]), random.uniform(3, 10), random.uniform(0.3, 4.5)
+    bends = [(random.uniform(-1, 1), random.uniform(-1, 1)) for _ in range(6)]
+
+    def curve(side, backwards):
+        def at(t):
+            across, up = side * (width[0] + t * (width[1] - width[0])), side * (height[0] + t * (height[1] - height[0]))
+            if kind == "arc":
+                # The heights of an arc's points are those of a plane, so that it stays an arc.
+                x, y = math.cos(angle * t), math.sin(angle * t)
+                return Point((size - side * width[0]) * x, (size - side * width[0]) * y, side * (height[0] + 0.1 * height[1] * x))
+            bend = bends[round(5 * t)] if kind == "spline" else (0, 0)
+            return Point(2 * size * t, across + bend[0], up + bend[1])
+
+        def along(count):
+            return [at((count - 1 - k if backwards else k) / (count - 1)) for k in range(count)]
+
+        if kind == "line":
+            return rhino.LineCurve(*along(2))
+        if kind == "arc":
+            joined = rhino.PolyCurve()
+            joined.Append(rhino.Arc(*along(3)))
+            return joined
+        return rhino.NurbsCurve.Create(False, 3, along(6))
+
+    return curve(0, False), curve(1, False), curve(1, True)
+
+
+def check_directions(pairs=100):
+    """No rail of known direction is reversed, and every one that runs against its neighbour is."""
+    random = Random(7)
+    for k in range(pairs):
+        first, second, backwards = rails(random)
+        for other, runs_against in [(second, "false"), (backwards, "true")]:
+            outputs = solve("ruled-strip", curves("Rails", [first, other]))
+            assert f"reversed: false, {runs_against}" in outputs["Statistics"], (k, runs_against, outputs["Statistics"])
+    print(f"directions: {pairs} pairs of rails, each also with one rail reversed")
+
+
+def check_units():
+    """The document of these messages is in millimetres."""
+    square = polyline([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 0)])
+    outputs = solve("minimal-surface", curves("Boundaries", [square]), integer("Triangles", 50))
+    mesh = call(f"{URL}/v1/jobs/{outputs['Job'][0]}/mesh?format=gltf")[2]
+    assert mesh["asset"]["extras"]["unit"] == "mm", mesh["asset"]
+    miles = {**message("minimal-surface", curves("Boundaries", [square])), "modelunits": "Miles"}
+    status, _, answer = call(URL + "/hops/solve", miles)
+    assert status == 422 and "Miles" in answer["errors"][0], answer
+    print("units: those of the document; miles are refused")
+
+
 def check_icon():
     status, _, described = call(URL + "/hops/minimal-surface")
     assert status == 200 and base64.b64decode(described["Icon"]).startswith(b"\x89PNG")
@@ -303,4 +357,6 @@ if __name__ == "__main__":
     check_curves()
     check_precision()
     check_components()
+    check_directions()
+    check_units()
     check_peer()

@@ -19,7 +19,9 @@ URL = os.environ.get("PLATEAU_URL", "http://127.0.0.1:8080")
 API_KEY = os.environ.get("PLATEAU_API_KEY", "")
 
 SAMPLES = 96
-"""Number of points on a smooth curve; polylines keep their own points."""
+"""Number of points on the curved pieces of a curve together."""
+LEAST_SAMPLES = 8
+"""Number of points on a curved piece that is short beside the others."""
 ENDED = ("succeeded", "failed", "cancelled")
 PATHS = {"ruled_surface": "/v1/ruled-surfaces", "minimal_surface": "/v1/minimal-surfaces"}
 UNITS = {"Millimeters": "mm", "Centimeters": "cm", "Meters": "m", "Inches": "in", "Feet": "ft"}
@@ -78,13 +80,39 @@ def solve(request):
 
 
 def points_of(curve):
-    """The points of a curve, the first of a closed one not repeated."""
+    """The points of a curve, the first of a closed one not repeated.
+
+    A curve is split at its kinks. Straight pieces keep their ends, and curved ones are divided into equal lengths.
+    """
     found, polyline = curve.TryGetPolyline()
     if found:
-        points = [[point.X, point.Y, point.Z] for point in polyline]
-        return points[:-1] if curve.IsClosed else points
-    parameters = curve.DivideByCount(SAMPLES, True)
-    return [[point.X, point.Y, point.Z] for point in map(curve.PointAt, parameters)]
+        points = list(polyline)
+    else:
+        pieces = smooth_pieces(curve)
+        lengths = [0.0 if piece.IsLinear() else piece.GetLength() for piece in pieces]
+        points = [pieces[0].PointAtStart]
+        for piece, length in zip(pieces, lengths):
+            if length > 0.0:
+                count = max(LEAST_SAMPLES, round(SAMPLES * length / sum(lengths)))
+                # The parameters of a closed piece leave out its end.
+                points += [piece.PointAt(at) for at in piece.DivideByCount(count, True)[1:count]]
+            points.append(piece.PointAtEnd)
+    points = [[point.X, point.Y, point.Z] for point in points]
+    return points[:-1] if curve.IsClosed else points
+
+
+def smooth_pieces(curve):
+    """The pieces of a curve between its kinks."""
+    start, end = curve.Domain.T0, curve.Domain.T1
+    cuts = [start]
+    while True:
+        found, at = curve.GetNextDiscontinuity(Rhino.Geometry.Continuity.G1_continuous, cuts[-1], end)
+        if not found or not cuts[-1] < at < end:
+            break
+        cuts.append(at)
+    if len(cuts) == 1:
+        return [curve]
+    return [curve.Trim(a, b) for a, b in zip(cuts, cuts[1:] + [end])]
 
 
 def make_request(curves, unit):

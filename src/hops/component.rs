@@ -362,7 +362,13 @@ fn inputs(recipe: Recipe) -> Vec<Input> {
                 0,
                 "Number of points along each rail, at equal distances. 0 takes the points that the tolerance gives.",
             ),
-            optional("Align", "A", Type::Boolean, true, "Whether rails may be reversed if that is better."),
+            optional(
+                "Align",
+                "A",
+                Type::Boolean,
+                true,
+                "Whether a rail that runs against the one before it is reversed.",
+            ),
         ],
         Recipe::UniformMesh => vec![
             required(

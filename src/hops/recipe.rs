@@ -5,6 +5,7 @@ use super::component::Recipe;
 use super::values::{Values, nth};
 use crate::opennurbs::Mesh;
 use crate::opennurbs::curve::Curve;
+use crate::units::Unit;
 use crate::wire::common::Point;
 use crate::wire::{FieldError, Kind};
 use serde_json::{Map, Value, json};
@@ -38,6 +39,7 @@ pub fn draft(recipe: Recipe, values: &Values, max_points: usize) -> Result<Draft
     };
     maker.make(recipe);
     maker.add_options();
+    maker.add_document_unit();
     if maker.errors.is_empty() { Ok(maker.draft) } else { Err(Refusal::Invalid(maker.errors)) }
 }
 
@@ -388,6 +390,38 @@ impl Maker<'_> {
                     self.draft.request.insert(field, value);
                 }
             }
+        }
+    }
+
+    /// Sets the unit of length to that of the document, unless Options name one.
+    fn add_document_unit(&mut self) {
+        let has_forces = matches!(self.draft.kind, Kind::TensileStructure | Kind::CableNet);
+        let units = self.draft.request.get("units");
+        if units.is_some_and(|units| !has_forces || !units.is_object() || units.get("length").is_some()) {
+            return;
+        }
+        let unit = match self.values.document_unit.as_str() {
+            // The client names no unit, or the document has none.
+            "" | "None" | "Unset" => return,
+            "Millimeters" => Unit::Millimetre,
+            "Centimeters" => Unit::Centimetre,
+            "Meters" => Unit::Metre,
+            "Inches" => Unit::Inch,
+            "Feet" => Unit::Foot,
+            other => {
+                let example = if has_forces { r#"{"units": {"length": "m"}}"# } else { r#"{"units": "m"}"# };
+                self.errors.push(format!(
+                    "the document's unit is {other}, and must be Millimeters, Centimeters, Meters, Inches or Feet, \
+                     unless Options name the unit of the numbers, such as {example}"
+                ));
+                return;
+            }
+        };
+        let request = &mut self.draft.request;
+        if has_forces {
+            request.entry("units").or_insert_with(|| json!({}))["length"] = unit.symbol().into();
+        } else {
+            request.insert("units".into(), unit.symbol().into());
         }
     }
 }

@@ -20,6 +20,9 @@ struct Message {
     /// Tolerance of the document. Older versions of Hops send 0.
     #[serde(default)]
     absolutetolerance: Option<f64>,
+    /// Unit of the document by the name of Rhino's `UnitSystem`. Older versions of Hops send none.
+    #[serde(default)]
+    modelunits: Option<String>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -86,6 +89,8 @@ pub struct Values {
     given: BTreeMap<&'static str, Given>,
     /// Distance up to which the ends of a curve count as equal. 0 if the client names none.
     pub document_tolerance: f64,
+    /// Name of the document's unit. Empty if the client names none.
+    pub document_unit: String,
 }
 
 /// A message that names a component.
@@ -94,6 +99,7 @@ pub struct Named {
     pub component: &'static Component,
     values: Vec<Tree>,
     document_tolerance: f64,
+    document_unit: String,
 }
 
 /// Reads a message up to the component that it names.
@@ -106,7 +112,8 @@ pub fn message(body: &[u8]) -> Result<Named, Refusal> {
     let component = find(&message.pointer.unwrap_or_default())
         .ok_or_else(|| Refusal::Unknown("the pointer names no component of this server; see GET /hops".into()))?;
     let document_tolerance = message.absolutetolerance.filter(|tolerance| *tolerance > 0.0).unwrap_or(0.0);
-    Ok(Named { component, values: message.values, document_tolerance })
+    let document_unit = shortened(&message.modelunits.unwrap_or_default());
+    Ok(Named { component, values: message.values, document_tolerance, document_unit })
 }
 
 /// Reads the values of a component's inputs. Curves and meshes may have at most `max_points` points.
@@ -114,7 +121,7 @@ pub fn message(body: &[u8]) -> Result<Named, Refusal> {
 /// # Errors
 /// Returns [`Refusal::Outdated`] or [`Refusal::Invalid`], with a line for each input that cannot be used.
 pub fn read(message: &Named, max_points: usize) -> Result<Values, Refusal> {
-    let Named { component, values, document_tolerance } = message;
+    let Named { component, values, document_tolerance, document_unit } = message;
     let mut sent: BTreeMap<&str, &[Item]> = BTreeMap::new();
     let mut outdated = Vec::new();
     for tree in values {
@@ -137,8 +144,10 @@ pub fn read(message: &Named, max_points: usize) -> Result<Values, Refusal> {
             Err(more) => errors.extend(more),
         }
     }
-    let document_tolerance = *document_tolerance;
-    if errors.is_empty() { Ok(Values { given, document_tolerance }) } else { Err(Refusal::Invalid(errors)) }
+    if !errors.is_empty() {
+        return Err(Refusal::Invalid(errors));
+    }
+    Ok(Values { given, document_tolerance: *document_tolerance, document_unit: document_unit.clone() })
 }
 
 /// Returns a name that a client has sent, at most 50 characters of it.

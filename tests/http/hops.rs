@@ -3,6 +3,7 @@
 use crate::access::new_key;
 use crate::app::{MINIMAL, TestApp, small_film};
 use crate::hold::until;
+use crate::pairs::some_pairs;
 use plateau::opennurbs::curve::Curve;
 use plateau::opennurbs::{Mesh, Object, envelope, write};
 use plateau_geometry::DVec3;
@@ -432,6 +433,79 @@ async fn errors_name_the_input_and_every_output_is_there() {
     let values = [good, points("Anchors", &[[1e6, 2e6, 9.0], [0.0; 3]]), number("Cable Value", 1)];
     let errors = app.refused("tensile-structure", app.hops("tensile-structure", &values).await, 422).await;
     assert!(errors[0].starts_with("Anchors[0]: is ") && errors[1].starts_with("Anchors[1]: is "), "{errors:?}");
+}
+
+/// Returns the units of a component's job, as its mesh tells them.
+async fn units(app: &TestApp, answer: &Value) -> String {
+    let id = output(answer, "Job")[0].as_str().unwrap().to_owned();
+    let mesh = app.get_json(&format!("/v1/jobs/{id}/mesh?format=gltf")).await;
+    mesh["asset"]["extras"]["unit"].as_str().unwrap().to_owned()
+}
+
+#[tokio::test]
+async fn a_job_has_the_unit_of_the_document_unless_options_name_one() {
+    let app = TestApp::start().await;
+    let film = [curves("Boundaries", &[square(0.5)]), number("Triangles", 50)];
+    let corners = &square(0.5)[..4];
+    let sail = [film.to_vec(), vec![points("Anchors", corners), number("Cable Value", 12.0)]].concat();
+    let rails = [curves("Rails", &[square(0.0)[..2].to_vec(), square(0.0)[2..4].to_vec()])];
+    let run = async |pointer: &str, values: &[Value], unit: Value| {
+        let mut message = message(pointer, values);
+        match unit {
+            Value::Null => drop(message.as_object_mut().unwrap().remove("modelunits")),
+            unit => message["modelunits"] = unit,
+        }
+        app.post("/hops/solve", &message).await
+    };
+    for (name, unit) in [
+        (json!("Millimeters"), "mm"),
+        (json!("Centimeters"), "cm"),
+        (json!("Meters"), "m"),
+        (json!("Inches"), "in"),
+        (json!("Feet"), "ft"),
+        (json!("None"), "m"),
+        (json!(""), "m"),
+        (Value::Null, "m"),
+    ] {
+        for (component, values) in
+            [("minimal-surface", &film[..]), ("tensile-structure", &sail[..]), ("ruled-strip", &rails[..])]
+        {
+            let response = run(component, values, name.clone()).await;
+            assert_eq!(response.status(), StatusCode::OK, "{component} {name}");
+            assert_eq!(units(&app, &response.json().await.unwrap()).await, unit, "{component} {name}");
+        }
+    }
+    // Options win. Units of forces alone leave the document's unit of length.
+    for (component, values, options, unit) in [
+        ("minimal-surface", &film[..], r#"{"units": "ft"}"#, "ft"),
+        ("tensile-structure", &sail[..], r#"{"units": {"length": "in", "force": "lbf"}}"#, "in"),
+        ("tensile-structure", &sail[..], r#"{"units": {"force": "N"}}"#, "mm"),
+    ] {
+        let values = [values, &[text("Options", options)]].concat();
+        let response = run(component, &values, json!("Millimeters")).await;
+        assert_eq!(units(&app, &response.json().await.unwrap()).await, unit, "{options}");
+    }
+    let miles = run("minimal-surface", &film, json!("Miles")).await;
+    let errors = app.refused("minimal-surface", miles, 422).await;
+    assert!(errors[0].starts_with("the document's unit is Miles, and must be Millimeters"), "{errors:?}");
+    let named = [&film[..], &[text("Options", r#"{"units": "m"}"#)]].concat();
+    let response = run("minimal-surface", &named, json!("Miles")).await;
+    assert_eq!(units(&app, &response.json().await.unwrap()).await, "m");
+}
+
+/// The pairs of the geometry's own test, through Hops: no rail of known direction is reversed.
+#[tokio::test]
+async fn rails_are_aligned_as_a_person_sees_them() {
+    let app = TestApp::start().await;
+    for (rails, runs_against, closed) in some_pairs() {
+        // A closed curve repeats its first point.
+        let repeat = |rail: &Vec<[f64; 3]>| rail.iter().chain(closed.then_some(&rail[0])).copied().collect();
+        let rails: Vec<Vec<[f64; 3]>> = rails.iter().map(repeat).collect();
+        let answer = app.run("ruled-strip", &[curves("Rails", &rails)]).await;
+        let line = format!("reversed: false, {runs_against}");
+        let lines = output(&answer, "Statistics");
+        assert!(lines.contains(&line.as_str().into()), "{line} {lines:?} {rails:?}");
+    }
 }
 
 /// Hops asks for the description again if the status is 500 and the first error is `Bad inputs`.

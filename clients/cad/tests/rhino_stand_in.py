@@ -4,6 +4,7 @@ It gives `plateau_rhino.py` the few names of RhinoCommon, rhinoscriptsyntax and 
 the signatures of McNeel's documentation, and does their work by rhino3dm, McNeel's own openNURBS.
 """
 
+import math
 import sys
 import types
 
@@ -15,19 +16,53 @@ class Curve:
 
     def __init__(self, inner):
         self.inner = inner
-        self.IsClosed = inner.IsClosed
-        self.PointAt = inner.PointAt
+        self.IsClosed, self.IsLinear, self.Domain = inner.IsClosed, inner.IsLinear, inner.Domain
+        self.PointAt, self.PointAtStart, self.PointAtEnd = inner.PointAt, inner.PointAtStart, inner.PointAtEnd
 
     def TryGetPolyline(self):
         """Python.NET gives `out` parameters as a tuple."""
         polyline = self.inner.TryGetPolyline() if self.inner.IsPolyline() else None
         return (False, None) if polyline is None else (True, [polyline[index] for index in range(polyline.Count)])
 
+    def GetLength(self):
+        start, end = self.inner.Domain.T0, self.inner.Domain.T1
+        points = [self.PointAt(start + (end - start) * i / 1000) for i in range(1001)]
+        return sum(a.DistanceTo(b) for a, b in zip(points, points[1:]))
+
+    def Trim(self, start, end):
+        return Curve(self.inner.Trim(start, end))
+
+    def GetNextDiscontinuity(self, continuity, start, end):
+        """Python.NET gives `out` parameters as a tuple. The end of an open curve is a discontinuity too."""
+        assert continuity == "G1"
+        for at in sorted(set(joints(self.inner))):
+            if start < at < end:
+                step = 1e-9 * (end - start)
+                before, after = self.inner.TangentAt(at - step), self.inner.TangentAt(at + step)
+                if before.X * after.X + before.Y * after.Y + before.Z * after.Z < math.cos(math.radians(1)):
+                    return True, at
+        return (False, 0.0) if self.IsClosed else (True, end)
+
     def DivideByCount(self, count, include_ends):
         """Equal parameter steps instead of equal lengths; as in Rhino, a closed curve has no second end."""
         assert include_ends
         start, end = self.inner.Domain.T0, self.inner.Domain.T1
         return [start + (end - start) * i / count for i in range(count if self.IsClosed else count + 1)]
+
+
+def joints(curve):
+    """Parameters at which a curve of rhino3dm may have a kink."""
+    if isinstance(curve, rhino3dm.PolyCurve):
+        for index in range(curve.SegmentCount):
+            own, segment = curve.SegmentDomain(index), curve.SegmentCurve(index)
+            yield own.T0
+            scale = (own.T1 - own.T0) / (segment.Domain.T1 - segment.Domain.T0)
+            yield from (own.T0 + scale * (at - segment.Domain.T0) for at in joints(segment))
+    elif isinstance(curve, rhino3dm.NurbsCurve):
+        knots = [curve.Knots[index] for index in range(len(curve.Knots))]
+        yield from (knot for knot in knots if knots.count(knot) >= curve.Degree)
+    elif isinstance(curve, rhino3dm.PolylineCurve):
+        yield from range(1, curve.PointCount)
 
 
 class Vertices:
@@ -68,8 +103,9 @@ def install():
     """Puts the stand-in's modules in the place of Rhino's and returns the document."""
     document = Document()
     app = types.SimpleNamespace(WriteLine=document.said.append, SetCommandPrompt=lambda text: None)
+    continuity = types.SimpleNamespace(G1_continuous="G1")
     names = {
-        "Rhino": {"RhinoApp": app, "Geometry": types.SimpleNamespace(Mesh=Mesh)},
+        "Rhino": {"RhinoApp": app, "Geometry": types.SimpleNamespace(Mesh=Mesh, Continuity=continuity)},
         "rhinoscriptsyntax": {
             "GetObjects": lambda prompt, filter, preselect: list(range(len(document.picked))),
             "coercecurve": lambda index: Curve(document.picked[index]),

@@ -3,6 +3,7 @@
 import importlib.machinery
 import importlib.util
 import json
+import math
 import sys
 from pathlib import Path
 
@@ -51,6 +52,34 @@ def test_circles_and_loose_edges_become_a_film():
     corners = [FreeCAD.Vector(*p) for p in ((0, 0, 0), (8000, 0, 3000), (8000, 8000, 0), (0, 8000, 3000))]
     edges = [Part.makeLine(a, b) for a, b in zip(corners, corners[1:] + corners[:1])]
     assert json.loads(macro.span(document, edges).PlateauStatistics)["boundary_loops"] == 1
+
+
+def test_corners_are_kept_beside_curved_edges():
+    """A sail of 8 m with one curved edge, whose corners were cut by 141 mm. Its edges are drawn in both directions."""
+    document = FreeCAD.newDocument()
+    corners = [FreeCAD.Vector(*point) for point in ((0, 0, 0), (8000, 0, 0), (8000, 8000, 0), (0, 8000, 0))]
+    a, b, c, d = corners
+    arc = Part.Arc(d, FreeCAD.Vector(1000, 4000, 0), a).toShape()
+    segment = 8500**2 * math.asin(4 / 8.5) - 7500 * 4000
+    for edges in ([Part.makeLine(a, b), Part.makeLine(b, c), Part.makeLine(c, d), arc],
+                  [Part.makeLine(b, a), Part.makeLine(b, c), Part.makeLine(d, c), arc]):
+        # FreeCAD joins edges in order in the one case, and turns them round in the other.
+        for shapes in (edges, [Part.Wire(edges)]):
+            made = macro.span(document, shapes)
+            for corner in corners:
+                assert nearest(made, corner) < 1e-3, (corner, nearest(made, corner))
+            assert abs(json.loads(made.PlateauStatistics)["area"] - (64e6 - segment)) < 1e4
+
+
+def test_an_edge_keeps_its_kinks_and_a_circle_its_points():
+    poles = [FreeCAD.Vector(*point) for point in ((0, 0, 0), (1, 1, 0), (2, 0, 0), (3, 1, 0), (4, 0, 0))]
+    spline = Part.BSplineCurve()
+    spline.buildFromPolesMultsKnots(poles, [3, 2, 3], [0, 1, 2], False, 2)
+    for shape in (spline.toShape(), spline.toShape().reversed()):
+        points = macro.points_of(Part.Wire([shape]))
+        assert len(points) == 97 and [2.0, 0.0, 0.0] in points
+    circle = macro.points_of(Part.Wire(Part.makeCircle(1000)))
+    assert len(circle) == len(set(map(tuple, circle))) == macro.SAMPLES
 
 
 def test_what_cannot_be_solved_is_said():

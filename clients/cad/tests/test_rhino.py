@@ -1,6 +1,7 @@
 """The Rhino script against rhino3dm and a stand-in for Rhino (rhino_stand_in.py)."""
 
 import json
+import math
 import os
 import sys
 import urllib.request
@@ -61,6 +62,46 @@ def test_two_rings_become_a_film():
 def test_a_closed_polyline_is_not_given_twice_at_its_end():
     fresh(polyline([(0, 0, 0), (8, 0, 3), (8, 8, 0), (0, 8, 3), (0, 0, 0)]))
     assert plateau_rhino.main() == 1 and document.said == []
+
+
+def arc(a, b, c):
+    return rhino3dm.Arc(*(rhino3dm.Point3d(*point) for point in (a, b, c)))
+
+
+def test_corners_are_kept_beside_curved_edges():
+    """A sail of 8 m with one curved edge, whose corners were cut by 141 mm."""
+    corners = [(0, 0, 0), (8, 0, 0), (8, 8, 0), (0, 8, 0)]
+    lines = [rhino3dm.Line(rhino3dm.Point3d(*a), rhino3dm.Point3d(*b)) for a, b in zip(corners, corners[1:])]
+    sail = rhino3dm.PolyCurve()
+    for edge in [*lines, arc((0, 8, 0), (1, 4, 0), (0, 0, 0))]:
+        sail.Append(edge)
+    # The same as one NURBS curve, whose kinks are knots of full multiplicity.
+    for curve in (sail, sail.ToNurbsCurve()):
+        assert curve.IsClosed
+        fresh(curve)
+        assert plateau_rhino.main() == 1, document.said
+        (mesh,) = document.meshes
+        found = [mesh.Vertices.Point3dAt(index) for index in range(len(mesh.Vertices))]
+        for corner in corners:
+            nearest = min(point.DistanceTo(rhino3dm.Point3d(*corner)) for point in found)
+            assert nearest < 1e-9, (corner, nearest)
+        segment = 8.5**2 * math.asin(4 / 8.5) - 7.5 * 4
+        assert abs(statistics()["statistics"]["area"] - (64 - segment)) < 1e-2
+    # An open curve keeps its ends and its kink.
+    rail = rhino3dm.PolyCurve()
+    rail.Append(arc((0, 0, 0), (2, 1, 0), (4, 0, 0)))
+    rail.Append(arc((4, 0, 0), (6, 1, 0), (8, 0, 0)))
+    points = plateau_rhino.points_of(rhino_stand_in.Curve(rail))
+    assert len(points) == 97
+    for at, end in ((0, (0, 0, 0)), (48, (4, 0, 0)), (96, (8, 0, 0))):
+        assert math.dist(points[at], end) < 1e-9, points[at]
+
+
+def test_a_smooth_closed_curve_is_divided_as_a_whole():
+    circle = rhino3dm.Circle(rhino3dm.Point3d(0, 0, 0), 1.0)
+    for curve in (circle.ToNurbsCurve(), rhino3dm.ArcCurve.CreateFromCircle(circle)):
+        points = plateau_rhino.points_of(rhino_stand_in.Curve(curve))
+        assert len(points) == len(set(map(tuple, points))) == plateau_rhino.SAMPLES
 
 
 def test_what_cannot_be_solved_is_said():
