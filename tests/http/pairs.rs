@@ -1,6 +1,7 @@
 //! Pairs of rails with a known direction, from the tests of the geometry crate.
 
 #[path = "../../crates/geometry/tests/ruled/pairs.rs"]
+#[allow(dead_code, reason = "the names of the pairs are for the geometry's own test")]
 mod of_geometry;
 
 use of_geometry::{Pair, closed_pair, open_pair};

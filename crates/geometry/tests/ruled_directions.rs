@@ -1,24 +1,14 @@
 //! Which rails `Direction::Auto` reverses, and when the warning `opposite_directions` is given.
 
-#[path = "ruled/pairs.rs"]
-mod pairs;
+mod ruled;
 
-use pairs::{Pair, closed_pair, open_pair};
 use plateau_geometry::random::SplitMix64;
 use plateau_geometry::ruled_surface::{
-    Direction, DirectionCriterion, Objective, Options, RuledSurface, Secondary, Weights, solve,
+    Direction, DirectionCriterion, Objective, Options, RuledSurface, Weights, solve,
 };
 use plateau_geometry::{DVec3, Execution};
-
-const OBJECTIVES: [(Objective, Option<Secondary>); 7] = [
-    (Objective::MinimalArea, None),
-    (Objective::MinimalTwist, None),
-    (Objective::MaximalConvexity, None),
-    (Objective::MinimalBendingEnergy, None),
-    (Objective::MinimalMeanCurvatureVariation, None),
-    (Objective::MaximalConvexity, Some(Secondary::BendingEnergy)),
-    (Objective::MaximalConvexity, Some(Secondary::MeanCurvatureVariation)),
-];
+use ruled::GOALS;
+use ruled::pairs::{Pair, closed_pair, open_pair};
 
 fn auto(closed: bool) -> Options {
     Options { closed, direction: Direction::Auto, ..Options::default() }
@@ -53,7 +43,7 @@ fn of_500_pairs_with_a_known_direction_none_is_reversed_wrongly() {
             ([back(&p), q.clone()], true),
             ([q.clone(), p.clone()], false),
         ];
-        let (objective, secondary) = OBJECTIVES[k % OBJECTIVES.len()];
+        let (objective, secondary) = GOALS[k % GOALS.len()];
         for (number, (rails, runs_against)) in ways.iter().enumerate() {
             let case = format!("pair {k}, {name}, way {number}, {objective:?} {secondary:?}");
             let by_area = solved(rails, &auto(closed));
@@ -79,7 +69,7 @@ fn rails_side_by_side_are_not_folded_into_a_bow_tie() {
             rail(count, DVec3::ZERO, DVec3::X * 10.0),
             rail(count + count / 3, DVec3::Y * 3.0, DVec3::new(10.0, 3.0, 2.0)),
         ];
-        for (objective, secondary) in OBJECTIVES {
+        for (objective, secondary) in GOALS {
             let surface = solved(&rails, &Options { objective, secondary, ..auto(false) });
             assert_eq!(surface.reversed, [false, false]);
             assert_eq!(surface.direction_decided_by, [None, Some(DirectionCriterion::Folds)]);
@@ -137,7 +127,7 @@ fn a_direction_does_not_depend_on_place_size_order_or_start() {
         }
         assert_eq!(decided(&q, &p), plain, "{k}");
         assert_eq!(decided(&back(&p), &back(&q)), plain, "{k}");
-        // One reversed rail is turned back, except that without a better way both stay as given.
+        // A reversed rail is turned back. Only where the objective finds both ways equal does each stay as given.
         let other = decided(&p, &back(&q));
         assert_eq!(other.1, plain.1, "{k}");
         assert!(other.0 != plain.0 || (!plain.0 && plain.1 == Some(DirectionCriterion::Objective)), "{k}");
@@ -161,7 +151,7 @@ fn the_objective_decides_where_nothing_else_does() {
     let mut q = rail(DVec3::new(0.0, -5.0, 3.0), DVec3::new(0.0, 5.0, 3.0));
     q[2] += bent(0.9);
     let ways = [[p.clone(), q.clone()], [p.clone(), back(&q)]];
-    for (objective, secondary) in OBJECTIVES {
+    for (objective, secondary) in GOALS {
         let options = Options { objective, secondary, ..Options::default() };
         let best = ways.iter().map(|way| solved(way, &options).statistics.objective_value);
         let best =

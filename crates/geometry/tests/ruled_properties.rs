@@ -9,18 +9,8 @@ use plateau_geometry::ruled_surface::{
 use plateau_geometry::{DVec3, Error, Execution, Interruption, Signal};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use ruled::{Random, STYLES, Style, random_case};
+use ruled::{GOALS, Random, STYLES, Style, random_case};
 use std::cell::Cell;
-
-const GOALS: [(Objective, Option<Secondary>); 7] = [
-    (Objective::MinimalArea, None),
-    (Objective::MinimalTwist, None),
-    (Objective::MaximalConvexity, None),
-    (Objective::MinimalBendingEnergy, None),
-    (Objective::MinimalMeanCurvatureVariation, None),
-    (Objective::MaximalConvexity, Some(Secondary::BendingEnergy)),
-    (Objective::MaximalConvexity, Some(Secondary::MeanCurvatureVariation)),
-];
 
 fn solved(directrices: &[Vec<DVec3>], options: &Options) -> RuledSurface {
     solve(directrices, options, &Execution::default()).expect("a strip that can be solved")

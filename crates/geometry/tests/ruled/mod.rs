@@ -2,8 +2,22 @@
 //! (angles, arc tangents, normalised sums), without a formula in common with the solver.
 #![allow(dead_code, reason = "each test file uses its part")]
 
+pub mod pairs;
+
 use plateau_geometry::DVec3;
 use plateau_geometry::random::SplitMix64;
+use plateau_geometry::ruled_surface::{Objective, Secondary};
+
+/// Every named objective that needs no normals, with both couplings.
+pub const GOALS: [(Objective, Option<Secondary>); 7] = [
+    (Objective::MinimalArea, None),
+    (Objective::MinimalTwist, None),
+    (Objective::MaximalConvexity, None),
+    (Objective::MinimalBendingEnergy, None),
+    (Objective::MinimalMeanCurvatureVariation, None),
+    (Objective::MaximalConvexity, Some(Secondary::BendingEnergy)),
+    (Objective::MaximalConvexity, Some(Secondary::MeanCurvatureVariation)),
+];
 
 /// Random numbers, vectors and directions.
 pub struct Random(SplitMix64);

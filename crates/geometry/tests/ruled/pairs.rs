@@ -4,8 +4,7 @@ use plateau_geometry::DVec3;
 use plateau_geometry::random::SplitMix64;
 use std::f64::consts::{PI, TAU};
 
-/// Two rails that run the same way: each is drawn from its start to its end along one guiding curve, with its own
-/// points.
+/// Two rails that run the same way. Each is drawn with points of its own, along one guiding curve.
 pub struct Pair {
     pub name: String,
     pub closed: bool,
@@ -60,7 +59,8 @@ fn bezier(controls: &[DVec3], t: f64) -> DVec3 {
     row[0]
 }
 
-/// A pair of open rails. The second one lies at a distance to the side, which may change along the rails, and at heights of its own.
+/// A pair of open rails. The second one lies to the side and at heights of its own. Both distances may change along the
+/// rails.
 pub fn open_pair(random: &mut SplitMix64) -> Pair {
     let (name, guide) = {
         let kind = whole(random, 0, 2);

@@ -9,6 +9,7 @@
 //! 3. Of open directrices, the ends that are nearer to each other belong together.
 //! 4. If all of these are equal, the objective decides.
 
+use super::options::DirectionCriterion;
 use super::prepare::Prepared;
 use crate::DVec3;
 use crate::error::Error;
@@ -27,35 +28,9 @@ const ROUNDING: f64 = 1e-9;
 /// Fraction by which the distances of the ends must differ to decide, and cosine of the angle between two area vectors
 /// below which they are perpendicular. Below it a person sees no difference either.
 const EQUAL: f64 = 0.01;
-/// Area of a contour, as a fraction of its squared perimeter, below which its area vector has no direction: the lobes
-/// of a figure of eight cancel up to rounding, which is 1e-9 at survey coordinates.
+/// Area of a contour, as a fraction of its squared perimeter, below which its area vector has no direction. The lobes of
+/// a figure of eight cancel up to rounding, which is 1e-9 at survey coordinates.
 const NO_AREA: f64 = 1e-6;
-
-/// What decided in which direction a directrix is run through.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DirectionCriterion {
-    /// The area vectors of two closed contours.
-    AreaVectors,
-    /// One way folds back by more than 90°, and the other one does not.
-    Folds,
-    /// The sum of the squared distances between the ends.
-    Ends,
-    /// The objective, because nothing else tells the two ways apart.
-    Objective,
-}
-
-impl DirectionCriterion {
-    /// The criterion's name, in snake case.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::AreaVectors => "area_vectors",
-            Self::Folds => "folds",
-            Self::Ends => "ends",
-            Self::Objective => "objective",
-        }
-    }
-}
 
 /// Reverses each directrix in turn where it runs against the one before it.
 pub(crate) fn choose_directions(
@@ -91,8 +66,8 @@ pub(crate) fn choose_directions(
     Ok(())
 }
 
-/// Whether the second of two ways to run through a pair of directrices is the right one, and what tells. `None` if only
-/// the objective can decide.
+/// Whether the second of two ways to run through a pair of directrices is the right one, and the criterion that says so.
+/// `None` if only the objective can decide.
 pub(crate) fn evident_direction(
     ways: &[Rails; 2],
     lanes: Widest,

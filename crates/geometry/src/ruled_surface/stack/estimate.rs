@@ -45,7 +45,7 @@ pub(crate) fn estimate(lengths: &[usize], options: &Options) -> Estimate {
         for goal in &goals {
             add(goal, directions);
         }
-        // What the directions and the warnings compare with.
+        // Strips of least area, with which the directions and the warnings compare.
         if goal.objective != Objective::MinimalArea {
             add(&Goal::single(Objective::MinimalArea), directions);
         }

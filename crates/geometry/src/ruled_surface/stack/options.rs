@@ -61,6 +61,32 @@ pub enum Direction {
     Auto,
 }
 
+/// Criterion that decided in which direction a directrix is run through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DirectionCriterion {
+    /// The area vectors of two closed contours.
+    AreaVectors,
+    /// Folds by more than 90°, which only one of the two ways has.
+    Folds,
+    /// The sum of the squared distances between the ends.
+    Ends,
+    /// The objective, because nothing else tells the two ways apart.
+    Objective,
+}
+
+impl DirectionCriterion {
+    /// The criterion's name, in snake case.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::AreaVectors => "area_vectors",
+            Self::Folds => "folds",
+            Self::Ends => "ends",
+            Self::Objective => "objective",
+        }
+    }
+}
+
 /// What closes the ends of a closed stack.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Caps {

@@ -1,8 +1,7 @@
 //! Checks the input of a stack, cleans and samples its directrices.
 
 use super::caps;
-use super::direction::DirectionCriterion;
-use super::options::{Caps, Options};
+use super::options::{Caps, DirectionCriterion, Options};
 use super::sampling::{self, Sampling};
 use crate::error::{Error, InputError, Place, Warning};
 use crate::execution::{Execution, Interruption};

@@ -1,6 +1,6 @@
 //! What a solve gives back.
 
-use super::direction::DirectionCriterion;
+use super::options::DirectionCriterion;
 use crate::Mesh;
 use crate::error::Warning;
 use crate::mesh::self_intersections::SelfIntersectionCheck;

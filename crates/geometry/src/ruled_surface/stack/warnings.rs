@@ -1,6 +1,7 @@
 //! What a caller should know about a result that is optimal all the same.
 
-use super::direction::{DirectionCriterion, evident_direction};
+use super::direction::evident_direction;
+use super::options::DirectionCriterion;
 use crate::DVec3;
 use crate::error::{Error, Warning};
 use crate::mesh::measure::is_degenerate;
@@ -22,8 +23,7 @@ pub(crate) const BENDING_CHECKED_UP_TO: usize = 1 << 18;
 pub(crate) const CLOSED_BENDING_CHECKED_UP_TO: usize = 1 << 14;
 /// An open strip whose directrices share both ends has two triangles without area; more are reported.
 const EMPTY_AT_ENDS: usize = 2;
-/// Number of points to which directrices are thinned to compare their directions. A larger value takes more time, as its
-/// square.
+/// Number of points to which directrices are thinned to compare their directions. The time grows with its square.
 const THINNED: usize = 48;
 /// Warnings about strip `k` of a stack, solved as `path` with these figures. `as_given`: nobody chose its directions.
 pub(crate) fn of_strip(

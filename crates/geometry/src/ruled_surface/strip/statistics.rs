@@ -8,8 +8,8 @@ use crate::ruled_surface::graph::lanes::{Lanes, MOST_LANES, Task, Vector, Widest
 use crate::ruled_surface::graph::rails::Rails;
 use crate::ruled_surface::graph::weight::{self, Wing};
 
-/// A fold, in radians, is larger than another one, or than a right angle, if it exceeds it by this much. It is larger
-/// than the rounding of a rotated strip, so that a fold of exactly 90° does not fold back.
+/// Difference, in radians, from which on one angle of a fold counts as larger than another one. It exceeds the rounding
+/// of a rotated strip, so that a corner of exactly 90° is not more than a right angle.
 pub(crate) const SMALLER_FOLD: f64 = 1e-6;
 
 /// The figures of one strip or of a whole stack. Lengths in the caller's unit, angles in radians.
