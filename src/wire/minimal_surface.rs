@@ -52,14 +52,20 @@ pub struct MinimalSurfaceRequest {
     pub constraints: Constraints,
     #[serde(default)]
     pub topology: Topology,
-    /// Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged.
+    /// Residual (see `statistics.residual`) at which the solvers `newton` and `pinkall_polthier` have converged. A
+    /// `minimal_area` film with a larger residual has the warning `not_minimal`.
     #[serde(default = "default_tolerance")]
     #[schemars(range(min = 0, max = 1))]
     pub tolerance: f64,
-    /// Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop.
+    /// Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged.
     #[serde(default = "default_tolerance")]
     #[schemars(range(min = 0, max = 1))]
     pub area_tolerance: f64,
+    /// Liu and Wang's ε, for lengths divided by the boundary's radius. `minimal_mean_curvature` has converged when the
+    /// objective F changes by less than ε (1 + F), its gradient is below ∛ε (1 + F), or the step is below √ε.
+    #[serde(default = "default_tolerance")]
+    #[schemars(range(min = 0, max = 1))]
+    pub least_squares_tolerance: f64,
     /// Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
     /// `area_tolerance`.
     #[serde(default)]
@@ -460,7 +466,7 @@ impl MinimalSurfaceRequest {
         let area_tolerance = self.area_tolerance;
         match (self.objective, self.solver) {
             (Objective::MinimalMeanCurvature, _) => geometry::Method::LiuWang(geometry::LiuWang {
-                tolerance: area_tolerance,
+                tolerance: self.least_squares_tolerance,
                 boundary_curvature: self.boundary_curvature,
                 seed: u64::from(self.seed),
             }),
@@ -551,6 +557,7 @@ pub fn objectives() -> Vec<ObjectiveDoc> {
                     "topology",
                     "tolerance",
                     "area_tolerance",
+                    "least_squares_tolerance",
                     "fairing_tolerance",
                     "processes",
                     "max_iterations",

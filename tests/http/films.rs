@@ -178,3 +178,15 @@ async fn a_film_with_a_triple_junction_can_be_downloaded_in_every_format() {
     let accessor = colored["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"].as_u64().unwrap() as usize;
     assert_eq!(colored["accessors"][accessor]["count"], vertices + 2 * curve.len());
 }
+
+#[tokio::test]
+async fn the_least_squares_have_a_tolerance_of_their_own() {
+    let app = TestApp::start().await;
+    let request = example("helicoid-liu-wang");
+    let usual = solved(&app, &request, &json!({})).await;
+    assert_eq!((&usual["converged"], &usual["stop_reason"]), (&json!(true), &json!("step_length")));
+    let of_the_area = solved(&app, &request, &json!({ "area_tolerance": 1e-12 })).await;
+    assert_eq!(of_the_area["objective_value"], usual["objective_value"]);
+    let sharper = solved(&app, &request, &json!({ "least_squares_tolerance": 1e-12 })).await;
+    assert!(sharper["objective_value"].as_f64().unwrap() < 1e-3 * usual["objective_value"].as_f64().unwrap());
+}

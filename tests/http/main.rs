@@ -31,9 +31,9 @@ mod load;
 mod mcp;
 mod meshes;
 mod openapi;
+mod pairs;
 #[path = "../postgres/mod.rs"]
 mod postgres;
-mod pairs;
 mod prefer;
 mod restart;
 mod ruled_surfaces;

@@ -1433,6 +1433,11 @@ export interface components {
             /** @description Proven lower bound of the area. Null without `certify`. */
             certificate: components["schemas"]["Certificate"] | null;
             components: number;
+            /**
+             * @description Whether the solver met its own rule, and no triangle is flipped or degenerate. The rule is `tolerance` for
+             *     `newton`, `area_tolerance` for `vertex_relaxation`, either of the two for `pinkall_polthier`, and
+             *     `least_squares_tolerance` for `minimal_mean_curvature`.
+             */
             converged: boolean;
             degenerate_triangles: number;
             edge_lengths: components["schemas"]["Spread"];
@@ -1468,12 +1473,13 @@ export interface components {
             pinches: components["schemas"]["Pinch"][];
             /**
              * Format: double
-             * @description Largest normal mean curvature times the boundary's radius, which is dimensionless.
+             * @description Residual of the normal direction, dimensionless: the largest mean curvature along the vertex normal, times the
+             *     boundary's radius. It is 0 for a minimal surface, whichever solver was used.
              */
             residual: number;
             /**
              * Format: double
-             * @description The same including the tangential part of the area gradient.
+             * @description The same including the tangential part of the area gradient, which depends on the layout of the triangles.
              */
             residual_full: number;
             /**
@@ -1489,6 +1495,7 @@ export interface components {
             spanning: components["schemas"]["Spanning"] | null;
             /** @description Null if it was not computed. */
             stability: components["schemas"]["Stability"] | null;
+            /** @description Rule or limit that ended the solver. */
             stop_reason: string;
             triangles: number;
             vertices: number;
@@ -1534,7 +1541,7 @@ export interface components {
         MinimalSurfaceRequest: {
             /**
              * Format: double
-             * @description Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop. Default: `1e-6`.
+             * @description Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged. Default: `1e-6`.
              */
             area_tolerance?: number;
             /** @description Closed polygons that do not repeat their first point. */
@@ -1578,6 +1585,12 @@ export interface components {
             kind?: components["schemas"]["MinimalSurfaceKind"] | null;
             /** @description Name of the job for people. The job and lists of jobs show it. */
             label?: string | null;
+            /**
+             * Format: double
+             * @description Liu and Wang's ε, for lengths divided by the boundary's radius. `minimal_mean_curvature` has converged when the
+             *     objective F changes by less than ε (1 + F), its gradient is below ∛ε (1 + F), or the step is below √ε. Default: `1e-6`.
+             */
+            least_squares_tolerance?: number;
             /** @description Method by which `pinkall_polthier` solves its linear systems. */
             linear_solver?: components["schemas"]["LinearSolver"];
             /** @description Maximum number of iterations. Null means the solver's default. */
@@ -1606,7 +1619,8 @@ export interface components {
             supersede?: string | null;
             /**
              * Format: double
-             * @description Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged. Default: `1e-6`.
+             * @description Residual (see `statistics.residual`) at which the solvers `newton` and `pinkall_polthier` have converged. A
+             *     `minimal_area` film with a larger residual has the warning `not_minimal`. Default: `1e-6`.
              */
             tolerance?: number;
             topology?: components["schemas"]["Topology"];
@@ -1619,7 +1633,7 @@ export interface components {
         MinimalSurfaceRequestWithKind: {
             /**
              * Format: double
-             * @description Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop. Default: `1e-6`.
+             * @description Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged. Default: `1e-6`.
              */
             area_tolerance?: number;
             /** @description Closed polygons that do not repeat their first point. */
@@ -1666,6 +1680,12 @@ export interface components {
             kind: "minimal_surface";
             /** @description Name of the job for people. The job and lists of jobs show it. */
             label?: string | null;
+            /**
+             * Format: double
+             * @description Liu and Wang's ε, for lengths divided by the boundary's radius. `minimal_mean_curvature` has converged when the
+             *     objective F changes by less than ε (1 + F), its gradient is below ∛ε (1 + F), or the step is below √ε. Default: `1e-6`.
+             */
+            least_squares_tolerance?: number;
             /** @description Method by which `pinkall_polthier` solves its linear systems. */
             linear_solver?: components["schemas"]["LinearSolver"];
             /** @description Maximum number of iterations. Null means the solver's default. */
@@ -1694,7 +1714,8 @@ export interface components {
             supersede?: string | null;
             /**
              * Format: double
-             * @description Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged. Default: `1e-6`.
+             * @description Residual (see `statistics.residual`) at which the solvers `newton` and `pinkall_polthier` have converged. A
+             *     `minimal_area` film with a larger residual has the warning `not_minimal`. Default: `1e-6`.
              */
             tolerance?: number;
             topology?: components["schemas"]["Topology"];

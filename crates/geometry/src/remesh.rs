@@ -2,6 +2,7 @@
 
 pub(crate) mod area_flips;
 pub(crate) mod delaunay;
+mod flips;
 pub(crate) mod isotropic;
 pub(crate) mod sheets;
 pub(crate) mod small_angles;

@@ -216,11 +216,16 @@ pub struct MinimalStatistics {
     /// Null if the boundary's points do not allow a second resolution, and for unstable surfaces.
     pub extrapolated_area: Option<ExtrapolatedArea>,
     pub mean_curvature: MeanCurvature,
-    /// Largest normal mean curvature times the boundary's radius, which is dimensionless.
+    /// Residual of the normal direction, dimensionless: the largest mean curvature along the vertex normal, times the
+    /// boundary's radius. It is 0 for a minimal surface, whichever solver was used.
     pub residual: f64,
-    /// The same including the tangential part of the area gradient.
+    /// The same including the tangential part of the area gradient, which depends on the layout of the triangles.
     pub residual_full: f64,
+    /// Whether the solver met its own rule, and no triangle is flipped or degenerate. The rule is `tolerance` for
+    /// `newton`, `area_tolerance` for `vertex_relaxation`, either of the two for `pinkall_polthier`, and
+    /// `least_squares_tolerance` for `minimal_mean_curvature`.
     pub converged: bool,
+    /// Rule or limit that ended the solver.
     pub stop_reason: &'static str,
     pub iterations: u32,
     pub history: Vec<HistoryRow>,

@@ -867,6 +867,9 @@ class MinimalStatistics(TypedDict):
     """Proven lower bound of the area. Null without `certify`."""
     components: int
     converged: bool
+    """Whether the solver met its own rule, and no triangle is flipped or degenerate. The rule is `tolerance` for
+    `newton`, `area_tolerance` for `vertex_relaxation`, either of the two for `pinkall_polthier`, and
+    `least_squares_tolerance` for `minimal_mean_curvature`."""
     degenerate_triangles: int
     edge_lengths: Spread
     edges_swapped: int
@@ -892,9 +895,10 @@ class MinimalStatistics(TypedDict):
     pinches: List[Pinch]
     """Changes of topology in the order in which they happened."""
     residual: float
-    """Largest normal mean curvature times the boundary's radius, which is dimensionless."""
+    """Residual of the normal direction, dimensionless: the largest mean curvature along the vertex normal, times the
+    boundary's radius. It is 0 for a minimal surface, whichever solver was used."""
     residual_full: float
-    """The same including the tangential part of the area gradient."""
+    """The same including the tangential part of the area gradient, which depends on the layout of the triangles."""
     self_intersections: Optional[int]
     """Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
     mesh. Null if not all pairs were looked at."""
@@ -907,6 +911,7 @@ class MinimalStatistics(TypedDict):
     stability: Optional[Stability]
     """Null if it was not computed."""
     stop_reason: str
+    """Rule or limit that ended the solver."""
     triangles: int
     vertices: int
 
@@ -940,7 +945,7 @@ class MinimalSurfaceJob(TypedDict):
 class MinimalSurfaceRequest(TypedDict):
     """Boundary polygons, and options for the surface that spans them."""
     area_tolerance: NotRequired[float]
-    """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop. Default: `1e-6`."""
+    """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged. Default: `1e-6`."""
     boundaries: Sequence[Polygon]
     """Closed polygons that do not repeat their first point."""
     boundary_curvature: NotRequired[bool]
@@ -970,6 +975,9 @@ class MinimalSurfaceRequest(TypedDict):
     """Optional here, because the path names the kind. `plateau solve` needs it."""
     label: NotRequired[Optional[str]]
     """Name of the job for people. The job and lists of jobs show it."""
+    least_squares_tolerance: NotRequired[float]
+    """Liu and Wang's ε, for lengths divided by the boundary's radius. `minimal_mean_curvature` has converged when the
+    objective F changes by less than ε (1 + F), its gradient is below ∛ε (1 + F), or the step is below √ε. Default: `1e-6`."""
     linear_solver: NotRequired[LinearSolver]
     """Method by which `pinkall_polthier` solves its linear systems."""
     max_iterations: NotRequired[Optional[int]]
@@ -991,7 +999,8 @@ class MinimalSurfaceRequest(TypedDict):
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
     tolerance: NotRequired[float]
-    """Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged. Default: `1e-6`."""
+    """Residual (see `statistics.residual`) at which the solvers `newton` and `pinkall_polthier` have converged. A
+    `minimal_area` film with a larger residual has the warning `not_minimal`. Default: `1e-6`."""
     topology: NotRequired[Topology]
     units: NotRequired[Units]
     """Unit of the coordinates. Default: `m`."""
@@ -1002,7 +1011,7 @@ class MinimalSurfaceRequest(TypedDict):
 class MinimalSurfaceRequestWithKind(TypedDict):
     """Boundary polygons, and options for the surface that spans them."""
     area_tolerance: NotRequired[float]
-    """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop. Default: `1e-6`."""
+    """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged. Default: `1e-6`."""
     boundaries: List[Polygon]
     """Closed polygons that do not repeat their first point."""
     boundary_curvature: NotRequired[bool]
@@ -1032,6 +1041,9 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     """Kind of the request."""
     label: NotRequired[Optional[str]]
     """Name of the job for people. The job and lists of jobs show it."""
+    least_squares_tolerance: NotRequired[float]
+    """Liu and Wang's ε, for lengths divided by the boundary's radius. `minimal_mean_curvature` has converged when the
+    objective F changes by less than ε (1 + F), its gradient is below ∛ε (1 + F), or the step is below √ε. Default: `1e-6`."""
     linear_solver: NotRequired[LinearSolver]
     """Method by which `pinkall_polthier` solves its linear systems."""
     max_iterations: NotRequired[Optional[int]]
@@ -1053,7 +1065,8 @@ class MinimalSurfaceRequestWithKind(TypedDict):
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
     tolerance: NotRequired[float]
-    """Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged. Default: `1e-6`."""
+    """Residual (see `statistics.residual`) at which the solvers `newton` and `pinkall_polthier` have converged. A
+    `minimal_area` film with a larger residual has the warning `not_minimal`. Default: `1e-6`."""
     topology: NotRequired[Topology]
     units: NotRequired[Units]
     """Unit of the coordinates. Default: `m`."""
@@ -2079,7 +2092,7 @@ class RuledSurfaceOptions(TypedDict, total=False):
 class MinimalSurfaceOptions(TypedDict, total=False):
     """Boundary polygons, and options for the surface that spans them."""
     area_tolerance: float
-    """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` stop. Default: `1e-6`."""
+    """Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged. Default: `1e-6`."""
     boundary_curvature: bool
     """Whether `minimal_mean_curvature` includes the curvature at the boundary's vertices, as Liu and Wang's formula
     does. The film then leaves the minimal surface beside the boundary. Default: `false`."""
@@ -2105,6 +2118,9 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     initial_mesh: InitialMesh
     label: Optional[str]
     """Name of the job for people. The job and lists of jobs show it."""
+    least_squares_tolerance: float
+    """Liu and Wang's ε, for lengths divided by the boundary's radius. `minimal_mean_curvature` has converged when the
+    objective F changes by less than ε (1 + F), its gradient is below ∛ε (1 + F), or the step is below √ε. Default: `1e-6`."""
     linear_solver: LinearSolver
     """Method by which `pinkall_polthier` solves its linear systems."""
     max_iterations: Optional[int]
@@ -2126,7 +2142,8 @@ class MinimalSurfaceOptions(TypedDict, total=False):
     """Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     accepted, older jobs with the same key that have not ended are cancelled."""
     tolerance: float
-    """Residual (largest normal mean curvature times the boundary's radius) at which a surface counts as converged. Default: `1e-6`."""
+    """Residual (see `statistics.residual`) at which the solvers `newton` and `pinkall_polthier` have converged. A
+    `minimal_area` film with a larger residual has the warning `not_minimal`. Default: `1e-6`."""
     topology: Topology
     units: Units
     """Unit of the coordinates. Default: `m`."""

@@ -6,6 +6,8 @@ use crate::{DVec3, Mesh, Place};
 
 /// Default of every tolerance on the relative change of the area.
 const AREA_TOLERANCE: f64 = 1e-6;
+/// Default ε of Liu and Wang's four stopping criteria.
+const LEAST_SQUARES_TOLERANCE: f64 = 1e-6;
 /// Default angle (radians) below which triangles are removed: one degree.
 const DEGENERATE_ANGLE: f64 = std::f64::consts::PI / 180.0;
 /// Largest degenerate angle that may be asked for: a third of the angle of an equilateral triangle, so that good
@@ -257,7 +259,7 @@ pub struct LiuWang {
 
 impl Default for LiuWang {
     fn default() -> Self {
-        Self { tolerance: AREA_TOLERANCE, boundary_curvature: false, seed: 1 }
+        Self { tolerance: LEAST_SQUARES_TOLERANCE, boundary_curvature: false, seed: 1 }
     }
 }
 
@@ -401,8 +403,9 @@ pub struct Options {
     pub initial_mesh: InitialMesh,
     /// Points and curves inside the surface that do not move.
     pub constraints: Constraints,
-    /// The residual (dimensionless, see [`Statistics::residual`](super::Statistics::residual)) at which a surface
-    /// counts as converged.
+    /// The residual (dimensionless, see [`Statistics::residual`](super::Statistics::residual)) at which the default
+    /// solver and Pinkall and Polthier's have converged. A film of least area with a larger residual carries the warning
+    /// `not_minimal`.
     pub tolerance: f64,
     /// Largest number of iterations. `None` stands for the default of the solver: 10,000 sweeps of vertex relaxation,
     /// 200 linear solves, or 500 steps of Levenberg and Marquardt.
@@ -470,20 +473,26 @@ impl Options {
 
     pub(crate) fn check(&self) -> Vec<InputError> {
         let mut errors = Vec::new();
-        let (area_tolerance, fairing_tolerance, degenerate_angle) = match &self.method {
-            Method::Newton(Newton { topology: TopologyRule::Free(free), .. }) => (None, None, free.degenerate_angle),
-            Method::Newton(_) | Method::Harmonic => (None, None, None),
-            Method::VertexRelaxation(options) => (Some(options.area_tolerance), options.fairing_tolerance, None),
-            Method::PinkallPolthier(options) => (Some(options.area_tolerance), None, options.degenerate_angle),
-            Method::LiuWang(options) => (Some(options.tolerance), None, None),
+        let mut tolerances = vec![("tolerance", self.tolerance)];
+        let degenerate_angle = match &self.method {
+            Method::Newton(Newton { topology: TopologyRule::Free(free), .. }) => free.degenerate_angle,
+            Method::Newton(_) | Method::Harmonic => None,
+            Method::VertexRelaxation(options) => {
+                tolerances.push(("area_tolerance", options.area_tolerance));
+                tolerances.extend(options.fairing_tolerance.map(|tolerance| ("fairing_tolerance", tolerance)));
+                None
+            }
+            Method::PinkallPolthier(options) => {
+                tolerances.push(("area_tolerance", options.area_tolerance));
+                options.degenerate_angle
+            }
+            Method::LiuWang(options) => {
+                tolerances.push(("least_squares_tolerance", options.tolerance));
+                None
+            }
         };
-        let positive = [
-            ("tolerance", Some(self.tolerance)),
-            ("area_tolerance", area_tolerance),
-            ("fairing_tolerance", fairing_tolerance),
-        ];
-        for (name, value) in positive {
-            if value.is_some_and(|value| !(value.is_finite() && value >= 0.0)) {
+        for (name, value) in tolerances {
+            if !(value.is_finite() && value >= 0.0) {
                 errors.push(InputError::new(Place::field(name), "must be a finite number, not negative"));
             }
         }

@@ -2,7 +2,7 @@
 
 use super::curvature::Curvature;
 use super::initial_mesh::pins::bits;
-use super::options::{Constraints, InitialMesh, Options, Resolution};
+use super::options::{Constraints, InitialMesh, Objective, Options, Resolution};
 use super::request::Input;
 use super::solved_film::SolvedFilm;
 use super::statistics::{self, Statistics};
@@ -71,6 +71,21 @@ fn near_critical(statistics: &Statistics, radius: f64) -> Option<Warning> {
              slightly different boundary or a finer mesh it may collapse"
         );
         Warning::new("near_critical", detail)
+    })
+}
+
+/// A warning if the solver met its own rule on a film that is no minimal surface to the tolerance. The least Dirichlet
+/// energy and the least squares have other objectives than the area.
+fn not_minimal(statistics: &Statistics, tolerance: f64) -> Option<Warning> {
+    let Statistics { objective, solver, stop_reason, residual, .. } = *statistics;
+    let rule_met = stop_reason.meets_the_rule_of(solver, residual, tolerance);
+    (objective == Objective::MinimalArea && rule_met && residual > tolerance).then(|| {
+        let detail = format!(
+            "the solver stopped by its own rule ({}) with a residual of {residual:.3e}, above the tolerance {tolerance:.3e}: \
+             a smaller area_tolerance, or the solver auto, comes nearer to a minimal surface",
+            stop_reason.name()
+        );
+        Warning::new("not_minimal", detail)
     })
 }
 
@@ -144,6 +159,10 @@ pub(super) fn finish(
     let topology = film.mesh().check().map_err(|defect| {
         Error::no_result("invalid_mesh", format!("the solver left a mesh that is no oriented manifold ({defect})"))
     })?;
+    // The statistics are those of the mesh that leaves only if every boundary point stands at its place already.
+    if let Some(k) = input.centred.iter().flatten().zip(&film.vertices).position(|(point, vertex)| point != vertex) {
+        return Err(Error::no_result("invalid_mesh", format!("the solver moved boundary point {k} of the input")));
+    }
     let measured = Curvature::of(&film);
     let statistics =
         statistics::collect(&film, &topology, &measured, statistics::Origin { kind, initial_area, run }, options);
@@ -163,6 +182,7 @@ pub(super) fn finish(
     if !statistics.converged {
         warnings.push(Warning::new("not_converged", statistics.shortfall(options.tolerance)));
     }
+    warnings.extend(not_minimal(&statistics, options.tolerance));
     if let Some(stability) = statistics.stability.filter(|stability| !stability.stable) {
         let detail = format!(
             "the surface is stationary but no minimum (Morse index {}): ask for on_unstable descend to leave it",

@@ -35,6 +35,28 @@ pub enum StopReason {
 }
 
 impl StopReason {
+    /// Whether a solver that stopped for this reason, on a film of this residual, has met its own rule. The default
+    /// solver's rule is the residual; those of the papers' solvers are their own, and a residual at the tolerance ends
+    /// Pinkall and Polthier's too.
+    pub(super) fn meets_the_rule_of(self, solver: Solver, residual: f64, tolerance: f64) -> bool {
+        let by_residual = matches!(solver, Solver::Newton | Solver::PinkallPolthier) && residual <= tolerance;
+        let by_another = match self {
+            Self::AreaChange
+            | Self::Solved
+            | Self::NothingToMove
+            | Self::ObjectiveChange
+            | Self::Gradient
+            | Self::StepLength => true,
+            Self::Residual
+            | Self::TopologyChange
+            | Self::MaxIterations
+            | Self::Stalled
+            | Self::Collapsed
+            | Self::Deadline => false,
+        };
+        by_residual || by_another
+    }
+
     /// A stable name in snake case.
     #[must_use]
     pub fn name(self) -> &'static str {

@@ -55,13 +55,14 @@ pub struct Statistics {
     pub extrapolated_area: Option<ExtrapolatedArea>,
     /// Mean curvature over the vertices that are free to move.
     pub mean_curvature: MeanCurvature,
-    /// The largest H⊥ R over the free vertices, with H⊥ = |g·n| / (2 A_h). Here g is the area gradient, n the vertex
-    /// normal, A_h a third of the area of the vertex's triangles, and R the largest distance of a boundary vertex from
-    /// the mean of the boundary vertices. Dimensionless.
+    /// The residual of the normal direction: the largest H⊥ R over the free vertices, with H⊥ = |g·n| / (2 A_h). Here g
+    /// is the area gradient, n the vertex normal, A_h a third of the area of the vertex's triangles, and R the largest
+    /// distance of a boundary vertex from the mean of the boundary vertices. Dimensionless.
     pub residual: f64,
     /// The residual with the whole gradient, tangential part included.
     pub residual_full: f64,
-    /// Whether the residual is at most the tolerance, and no triangle is flipped or degenerate.
+    /// Whether the solver met its own rule, and no triangle is flipped or degenerate. The rule of the default solver is
+    /// that the residual is at most the tolerance.
     pub converged: bool,
     /// Why the solver stopped.
     pub stop_reason: StopReason,
@@ -99,8 +100,14 @@ impl Statistics {
     #[must_use]
     pub fn shortfall(&self, tolerance: f64) -> String {
         let mut reasons = Vec::new();
-        if self.residual.is_nan() || self.residual > tolerance {
-            reasons.push(format!("the residual is {:.3e}, the tolerance {tolerance:.3e}", self.residual));
+        if !self.stop_reason.meets_the_rule_of(self.solver, self.residual, tolerance) {
+            let residual = || format!("the residual is {:.3e}, the tolerance {tolerance:.3e}", self.residual);
+            reasons.push(match self.solver {
+                Solver::Newton => residual(),
+                Solver::PinkallPolthier => residual() + ", and the area still changes by more than its tolerance",
+                Solver::VertexRelaxation => "the area still changes by more than its tolerance".to_owned(),
+                Solver::LevenbergMarquardt => "the least squares still change by more than their tolerance".to_owned(),
+            });
         }
         if self.flipped_triangles > 0 {
             reasons.push(format!("{} triangles are folded over", self.flipped_triangles));
@@ -134,8 +141,9 @@ pub(super) fn collect(
     let (smallest_angle, largest_angle) = measure::angle_range(&mesh);
     let flipped_triangles = measure::flipped_triangles(&mesh);
     let degenerate_triangles = measure::degenerate_triangles(&mesh);
-    let converged = measured.residual <= options.tolerance && flipped_triangles == 0 && degenerate_triangles == 0;
     let Origin { kind, initial_area, run } = origin;
+    let rule_met = run.stop_reason.meets_the_rule_of(run.solver, measured.residual, options.tolerance);
+    let converged = rule_met && flipped_triangles == 0 && degenerate_triangles == 0;
     Statistics {
         objective: options.method.objective(),
         objective_value: run.objective_value.unwrap_or(area),

@@ -459,8 +459,7 @@ impl<'a> JunctionSolver<'a> {
     }
 
     fn even_out(&mut self, film: &mut JunctionFilm) -> Result<u64, Error> {
-        let swapped = even_out(&mut film.vertices, &mut film.complex, SWEEPS)
-            .map_err(|defect| Error::no_result("invalid_mesh", defect.to_string()))?;
+        let swapped = even_out(&mut film.vertices, &mut film.complex, SWEEPS, self.exec)?;
         self.edges_swapped += swapped;
         self.exec.look(u64::from(SWEEPS) * film.complex.triangles.len() as u64)?;
         Ok(swapped)

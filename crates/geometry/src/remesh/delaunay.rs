@@ -1,56 +1,33 @@
 //! Delaunay flips and smoothing on a surface that stays where it is. Fixed vertices do not move, locked edges stay, and
 //! no triangle turns over.
 
-use crate::DVec3;
+use super::flips::flip_where;
 use crate::mesh::film::Film;
 use crate::mesh::measure::double_area_vector;
-use crate::mesh::topology::{next, previous};
-
-/// Largest number of flips of one call, as a multiple of the number of edges. It bounds the work on curved surfaces, on
-/// which flips can undo each other. With a larger value such a call may run longer.
-const FLIPS_PER_EDGE: usize = 10;
+use crate::{DVec3, Execution, Interruption};
 
 /// Flips edges whose opposite angles sum to more than π until there are none. Returns the number of flips.
 ///
 /// An edge is not flipped if its two triangles form a fold of a right angle or more, before or after the flip. In the
-/// plane the result is the (constrained) Delaunay triangulation. All edges are visited once, and afterwards only those
-/// around a flipped edge.
-pub(crate) fn flip_to_delaunay(film: &mut Film) -> u64 {
-    flip_where(film, |_, _| true)
+/// plane the result is the (constrained) Delaunay triangulation.
+///
+/// # Errors
+/// The interruption. The film is valid in that case too.
+pub(crate) fn flip_to_delaunay(film: &mut Film, exec: &Execution) -> Result<u64, Interruption> {
+    flip_where(film, |film, h| wants_flip(film, h, |_, _| true), exec)
 }
 
 /// [`flip_to_delaunay`] without flips to an edge whose ends are both fixed: two films over one boundary would share it.
-pub(crate) fn flip_without_chords(film: &mut Film) -> u64 {
-    flip_where(film, |film, [.., a, b]| !(film.fixed[a as usize] && film.fixed[b as usize]))
+///
+/// # Errors
+/// The interruption. The film is valid in that case too.
+pub(crate) fn flip_without_chords(film: &mut Film, exec: &Execution) -> Result<u64, Interruption> {
+    let may = |film: &Film, [.., a, b]: [u32; 4]| !(film.fixed[a as usize] && film.fixed[b as usize]);
+    flip_where(film, |film, h| wants_flip(film, h, may), exec)
 }
 
-/// Flips edges for which `may` holds with the four vertices of their hinge; the flipped edge connects the last two.
-fn flip_where(film: &mut Film, may: impl Fn(&Film, [u32; 4]) -> bool) -> u64 {
-    let count = film.topology.twin.len() as u32;
-    let mut queue: Vec<u32> = (0..count).rev().filter(|&h| film.topology.twin[h as usize] > h).collect();
-    let mut queued = vec![false; count as usize];
-    queue.iter().for_each(|&h| queued[h as usize] = true);
-    let limit = (FLIPS_PER_EDGE * queue.len()) as u64;
-    let mut flips = 0;
-    while let Some(h) = queue.pop() {
-        queued[h as usize] = false;
-        if flips >= limit || !wants_flip(film, h, &may) {
-            continue;
-        }
-        film.topology.flip(h);
-        flips += 1;
-        let twin = film.topology.twin[h as usize];
-        for around in [next(h), previous(h), next(twin), previous(twin)] {
-            let edge = around.min(film.topology.twin[around as usize]);
-            if !queued[edge as usize] {
-                queued[edge as usize] = true;
-                queue.push(edge);
-            }
-        }
-    }
-    flips
-}
-
+/// Whether the edge is to be flipped. `may` receives the four vertices of its hinge; the flipped edge connects the last
+/// two.
 fn wants_flip(film: &Film, h: u32, may: impl Fn(&Film, [u32; 4]) -> bool) -> bool {
     let Some(hinge) = film.topology.hinge(h) else { return false };
     let [p, q, r, s] = hinge.map(|v| film.vertices[v as usize]);
@@ -72,7 +49,6 @@ fn wants_flip(film: &Film, h: u32, may: impl Fn(&Film, [u32; 4]) -> bool) -> boo
         && second.dot(before) > 0.0
         && !film.is_locked(hinge[0], hinge[1])
         && may(film, hinge)
-        && film.topology.can_flip(h)
 }
 
 /// Moves each free vertex within its tangent plane towards the area-weighted centroid of its ring, `rounds` times.
@@ -136,9 +112,9 @@ mod tests {
     #[test]
     fn in_the_plane_the_flips_end_with_empty_circumcircles() {
         let mut film = shaken(12, 0.0);
-        assert!(flip_to_delaunay(&mut film) > 10);
+        assert!(flip_to_delaunay(&mut film, &Execution::default()).unwrap() > 10);
         for h in 0..film.topology.twin.len() as u32 {
-            assert!(!wants_flip(&film, h, |_, _| true));
+            assert!(!(wants_flip(&film, h, |_, _| true) && film.topology.can_flip(h)));
             if let Some(hinge) = film.topology.hinge(h) {
                 let [p, q, r, s] = hinge.map(|v| film.vertices[v as usize].truncate());
                 let coord = |v: glam::DVec2| robust::Coord { x: v.x, y: v.y };
@@ -155,7 +131,7 @@ mod tests {
         let before = (measure::angle_range(&film.mesh()).0, film.clone());
         for _ in 0..4 {
             tangential_relaxation(&mut film, 3);
-            flip_to_delaunay(&mut film);
+            flip_to_delaunay(&mut film, &Execution::default()).unwrap();
         }
         let smallest = measure::angle_range(&film.mesh()).0;
         assert!(smallest > 30f64.to_radians() && before.0 < 10f64.to_radians(), "{}", smallest.to_degrees());
@@ -169,13 +145,13 @@ mod tests {
     fn locked_edges_outlive_the_flips() {
         let mut film = shaken(6, 0.0);
         let mut free = film.clone();
-        flip_to_delaunay(&mut free);
+        flip_to_delaunay(&mut free, &Execution::default()).unwrap();
         let gone = (0..film.topology.twin.len() as u32)
             .map(|h| [film.topology.from(h), film.topology.to(h)])
             .find(|&[a, b]| a < b && !free.topology.are_adjacent(a, b))
             .unwrap();
         film.locked = vec![gone];
-        flip_to_delaunay(&mut film);
+        flip_to_delaunay(&mut film, &Execution::default()).unwrap();
         assert!(film.topology.are_adjacent(gone[0], gone[1]));
     }
 }

@@ -76,10 +76,10 @@ pub(crate) fn resample(
         let size = sizes(film, aim);
         collapse_short(film, &size);
         for _ in 0..2 {
-            flip_to_delaunay(film);
+            flip_to_delaunay(film, exec)?;
             tangential_relaxation(film, 1);
         }
-        flip_to_delaunay(film);
+        flip_to_delaunay(film, exec)?;
         exec.look(20 * film.triangles().len() as u64)?;
         let reached = film.triangles().len() as f64;
         if reached > most {

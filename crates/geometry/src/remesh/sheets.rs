@@ -2,10 +2,10 @@
 //! by sheet.
 
 use super::delaunay::{flip_to_delaunay, tangential_relaxation};
-use crate::DVec3;
-use crate::mesh::complex::{Complex, ComplexDefect, VertexKind};
+use crate::mesh::complex::{Complex, VertexKind};
 use crate::mesh::film::Film;
 use crate::mesh::measure;
+use crate::{DVec3, Error, Execution};
 
 /// Fraction of the way to the middle of its two neighbours that a vertex of a junction moves in one round. A larger
 /// value spreads the vertices in fewer rounds; from 1 on they oscillate.
@@ -29,8 +29,14 @@ fn sheet(vertices: &[DVec3], complex: &Complex, triangles: &[u32]) -> Option<(Fi
 /// Delaunay. Returns the number of flips. A sheet that touches itself along a junction is left as it is.
 ///
 /// # Errors
-/// The defect of the complex that the flips left. None is expected, because a flip keeps its sheet a manifold.
-pub(crate) fn even_out(vertices: &mut [DVec3], complex: &mut Complex, rounds: u32) -> Result<u64, ComplexDefect> {
+/// [`Error::Interrupted`], with a valid film. [`Error::NoResult`] with the defect of the complex that the flips left;
+/// none is expected, because a flip keeps its sheet a manifold.
+pub(crate) fn even_out(
+    vertices: &mut [DVec3],
+    complex: &mut Complex,
+    rounds: u32,
+    exec: &Execution,
+) -> Result<u64, Error> {
     for _ in 0..rounds {
         for v in 0..vertices.len() {
             if let VertexKind::Junction([a, b]) = complex.kinds[v] {
@@ -46,7 +52,7 @@ pub(crate) fn even_out(vertices: &mut [DVec3], complex: &mut Complex, rounds: u3
     for numbers_of_triangles in &complex.sheets {
         let Some((mut film, numbers)) = sheet(vertices, complex, numbers_of_triangles) else { continue };
         tangential_relaxation(&mut film, rounds);
-        flips += flip_to_delaunay(&mut film);
+        flips += flip_to_delaunay(&mut film, exec)?;
         for (&place, &triangle) in numbers_of_triangles.iter().zip(film.triangles()) {
             triangles[place as usize] = triangle.map(|v| numbers[v as usize]);
         }
@@ -57,7 +63,8 @@ pub(crate) fn even_out(vertices: &mut [DVec3], complex: &mut Complex, rounds: u3
         }
     }
     if flips > 0 {
-        *complex = Complex::build(triangles, vertices.len())?;
+        *complex = Complex::build(triangles, vertices.len())
+            .map_err(|defect| Error::no_result("invalid_mesh", defect.to_string()))?;
     }
     Ok(flips)
 }
@@ -104,7 +111,7 @@ mod tests {
             steps.iter().copied().fold(0.0, f64::max) / steps.iter().copied().fold(f64::INFINITY, f64::min)
         };
         let before = step(&vertices);
-        let flips = even_out(&mut vertices, &mut complex, 8).unwrap();
+        let flips = even_out(&mut vertices, &mut complex, 8, &Execution::default()).unwrap();
         assert!(flips > 0 && step(&vertices) < 0.3 * before, "{flips} {} {before}", step(&vertices));
         assert_eq!(complex.junctions(), junctions);
         assert_eq!(flipped_triangles(&vertices, &complex), 0);

@@ -339,10 +339,10 @@ impl Run<'_> {
             let flip = if self.model.layers.len() > 1 { flip_without_chords } else { flip_to_delaunay };
             for k in 0..self.model.layers.len() {
                 self.look()?;
-                flip(&mut self.model.layers[k].film);
+                flip(&mut self.model.layers[k].film, self.exec).map_err(Error::from)?;
                 self.look()?;
                 tangential_relaxation(&mut self.model.layers[k].film, 1);
-                flip(&mut self.model.layers[k].film);
+                flip(&mut self.model.layers[k].film, self.exec).map_err(Error::from)?;
             }
             self.look()?;
             if matches!(outcome, Outcome::Refused(_)) {

@@ -95,7 +95,7 @@ pub(crate) fn run(
             unfolded += 1;
             *film = held;
             exec.look(film.triangles().len() as u64)?;
-            unfold(film);
+            unfold(film, exec)?;
             change = SETTLED_AREA;
         } else if (converged && stable) || change == AT_REST || interrupted {
             *film = held;
@@ -110,7 +110,7 @@ pub(crate) fn run(
 /// triangles.
 ///
 /// A neck that has closed leaves a spike of needles, and the spike may fall over as it flattens.
-fn unfold(film: &mut Film) {
+fn unfold(film: &mut Film, exec: &Execution) -> Result<(), Interruption> {
     remove_degenerate_triangles(film, NEEDLE, Necks::Keep);
     let free: Vec<u32> = (0..film.vertices.len() as u32).filter(|&v| !film.fixed[v as usize]).collect();
     for _ in 0..UNFOLDING_SWEEPS {
@@ -123,7 +123,8 @@ fn unfold(film: &mut Film) {
             film.vertices[v as usize] = sum / count;
         }
     }
-    flip_to_delaunay(film);
+    flip_to_delaunay(film, exec)?;
+    Ok(())
 }
 
 /// Step 1. Adds its solves and pinches to `run`. Returns [`StopReason::TopologyChange`] after a neck has closed.

@@ -109,8 +109,8 @@ fn follow(
         // A deadline passed at a coarse level: the mesh is still refined until it has all boundary points.
         (film, _) = places.refine(&film);
     }
-    let (film, run) = (places.input_points_first(film), solve.into_run(stop_reason, stability));
-    Ok(Some(SolvedFilm { film, kind, initial_area, run }))
+    let run = solve.into_run(stop_reason, stability);
+    Ok(places.input_points_first(film).map(|film| SolvedFilm { film, kind, initial_area, run }))
 }
 
 /// Solves the coarse film and corrects it level by level. `None` if the method does not apply; the film is then of no
@@ -485,7 +485,16 @@ impl<'a> BoundaryPlaces<'a> {
     }
 
     /// The film with its vertices in the documented order: input points, points added on the boundaries, the interior.
-    fn input_points_first(&self, film: Film) -> Film {
+    ///
+    /// Every loop begins at point 0 of its polygon. The coarse mesh keeps the corners, and its loop begins at the first
+    /// of them, wherever that is. `None` if point 0 is no vertex, which no refinement to the last level leaves.
+    fn input_points_first(&mut self, mut film: Film) -> Option<Film> {
+        for ((boundary, places), polygon) in film.boundaries.iter_mut().zip(&mut self.places).zip(self.polygons) {
+            let count = polygon.len() as f64;
+            let first = places.iter().position(|place| place % count == 0.0)?;
+            boundary.rotate_left(first);
+            places.rotate_left(first);
+        }
         const UNPLACED: u32 = u32::MAX;
         let mut place = vec![UNPLACED; film.vertices.len()];
         let mut next = 0u32;
@@ -502,7 +511,7 @@ impl<'a> BoundaryPlaces<'a> {
             *place = next;
             next += 1;
         }
-        film.renumbered(&place)
+        Some(film.renumbered(&place))
     }
 }
 

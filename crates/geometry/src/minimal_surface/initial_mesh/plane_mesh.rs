@@ -161,7 +161,7 @@ impl PlaneRegion {
         let mut film = self.as_film(sites, topology);
         for _ in 0..SMOOTHING_ROUNDS {
             tangential_relaxation(&mut film, 1);
-            flip_to_delaunay(&mut film);
+            flip_to_delaunay(&mut film, exec).map_err(PlaneError::Interrupted)?;
             exec.look(film.triangles().len() as u64).map_err(PlaneError::Interrupted)?;
         }
         Ok(PlaneMesh { points: film.vertices.iter().map(|p| p.truncate()).collect(), topology: film.topology })

@@ -594,11 +594,11 @@ impl Spanning<'_> {
     fn even_out(&self, film: &mut Film) -> Result<(), Error> {
         let flat = self.is_plane();
         for _ in 0..if flat { 0 } else { 2 } {
-            flip_to_delaunay(film);
+            flip_to_delaunay(film, self.exec)?;
             tangential_relaxation(film, 2);
             self.exec.look(3 * film.triangles().len() as u64)?;
         }
-        flip_to_delaunay(film);
+        flip_to_delaunay(film, self.exec)?;
         let count = film.triangles().len() as f64;
         let mapped = self.shape.is_mapped();
         if count > LARGEST_RESAMPLED || (!mapped && measure::angle_range(&film.mesh()).0 >= GOOD_ANGLE) {
@@ -625,7 +625,7 @@ impl Spanning<'_> {
                 // A neck closes here. The solver reports it.
                 break;
             }
-            flip_to_delaunay(film);
+            flip_to_delaunay(film, self.exec)?;
         }
         resample(film, count, 5, self.boundary_edges(), self.exec)?;
         // Beside a boundary that asks for more triangles than are wanted, collapsing alone may not coarsen enough. In

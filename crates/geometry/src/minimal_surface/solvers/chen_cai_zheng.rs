@@ -15,7 +15,7 @@
 //! - Eq. 5 is written for the step P_h(new) - P_h, so that large coordinates cost no digits. With frozen weights it
 //!   minimises a weighted sum of squared distances to the lines of the opposite edges, so it does not raise the area
 //!   (Weiszfeld). The weight of a triangle without height would be infinite and is bounded.
-//! - A swap must gain more than rounding (1e-12 of the two triangles) and must not make a degenerate triangle.
+//! - A swap must gain more than rounding (1e-12 of the products of sides) and must not make a degenerate triangle.
 //! - Fairing does not lower the area in every step and could alternate between two states for ever. Each stage
 //!   therefore has at most its share of the remaining iterations.
 

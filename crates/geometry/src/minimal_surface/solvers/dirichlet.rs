@@ -18,24 +18,24 @@ use crate::{Error, Execution, Interruption};
 /// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large or too degenerate to factorise.
 pub(crate) fn run_once(film: &mut Film, exec: &Execution) -> Result<Run, Error> {
     let mut record = Record::new(exec);
-    let edges_swapped = flip_to_delaunay(film);
-    let run = Run { edges_swapped, ..Run::new(Solver::PinkallPolthier) };
-    let mut dirichlet = Dirichlet::new(film).map_err(too_large)?;
-    let domain = film.vertices.clone();
-    let moves = !dirichlet.pattern.free.vertex.is_empty();
-    match exec.look(film.triangles().len() as u64) {
-        Ok(()) if moves => {
-            dirichlet.step(film).map_err(|_| {
-                let detail = "the initial mesh is degenerate, so that its harmonic map cannot be computed";
-                Error::no_result("degenerate_boundary", detail)
-            })?;
-            record.iteration("pinkall_polthier", film.area(), Curvature::of(film).residual, 1.0);
-        }
-        Ok(()) => {}
+    let mut run = Run::new(Solver::PinkallPolthier);
+    let flips = flip_to_delaunay(film, exec);
+    match flips.and_then(|flips| exec.look(film.triangles().len() as u64).map(|()| flips)) {
+        Ok(flips) => run.edges_swapped = flips,
         Err(Interruption::DeadlinePassed) => {
             return Ok(Run { stop_reason: StopReason::Deadline, objective_value: Some(film.area()), ..run });
         }
         Err(Interruption::Cancelled) => return Err(Interruption::Cancelled.into()),
+    }
+    let mut dirichlet = Dirichlet::new(film).map_err(too_large)?;
+    let domain = film.vertices.clone();
+    let moves = !dirichlet.pattern.free.vertex.is_empty();
+    if moves {
+        dirichlet.step(film).map_err(|_| {
+            let detail = "the initial mesh is degenerate, so that its harmonic map cannot be computed";
+            Error::no_result("degenerate_boundary", detail)
+        })?;
+        record.iteration("pinkall_polthier", film.area(), Curvature::of(film).residual, 1.0);
     }
     let energy = dirichlet_energy(&domain, &film.vertices, film.triangles());
     let stop_reason = if moves { StopReason::Solved } else { StopReason::NothingToMove };
@@ -54,7 +54,7 @@ mod tests {
         let mut film = patch(9, 7, |u, v| DVec3::new(u + 0.2 * v * v, v - 0.3 * u * v, (3.0 * u + v).sin() * 0.4));
         let mut domain = film.clone();
         let run = run_once(&mut film, &Execution::default()).unwrap();
-        flip_to_delaunay(&mut domain);
+        flip_to_delaunay(&mut domain, &Execution::default()).unwrap();
         let energy = |film: &Film| dirichlet_energy(&domain.vertices, &film.vertices, domain.triangles());
         let least = run.objective_value.unwrap();
         // The energy of the identity is the area of the domain. The energy of the image lies between the area of the

@@ -186,7 +186,7 @@ fn rounds(
     execution: &Execution,
 ) -> Result<StopReason, Interruption> {
     let max_iterations = limits.max_iterations.unwrap_or(MAX_ITERATIONS);
-    run.edges_swapped += flip_to_delaunay(film);
+    run.edges_swapped += flip_to_delaunay(film, execution)?;
     execution.look(film.triangles().len() as u64)?;
     let mut stop_reason = StopReason::NothingToMove;
     for _ in 0..MAX_ROUNDS {
@@ -233,7 +233,7 @@ fn rounds(
             Stop::MaxIterations => return Ok(StopReason::MaxIterations),
             Stop::Interrupted(interruption) => return Err(interruption),
         };
-        let swapped = flip_to_delaunay(film);
+        let swapped = flip_to_delaunay(film, execution)?;
         execution.look(film.triangles().len() as u64)?;
         run.edges_swapped += swapped;
         if swapped == 0 {

@@ -202,7 +202,7 @@ impl<'a> Solve<'a> {
             self.exec.look(film.triangles().len() as u64)?;
             let flipped = film.flipped_triangles();
             let mut better = film.clone();
-            let flips = if flipped == 0 { 0 } else { flip_to_less_area(&mut better) };
+            let flips = if flipped == 0 { 0 } else { flip_to_less_area(&mut better, self.exec)? };
             if flips == 0 {
                 break;
             }
@@ -296,7 +296,7 @@ impl<'a> Solve<'a> {
     fn settle(&mut self, film: &mut Film) -> Result<bool, Error> {
         let mut area = film.area();
         for round in 0..MAX_ROUNDS {
-            self.improve(film);
+            self.improve(film)?;
             self.exec.look(film.triangles().len() as u64)?;
             let mut dirichlet = Dirichlet::new(film).map_err(too_large)?;
             let before_round = area;
@@ -321,15 +321,16 @@ impl<'a> Solve<'a> {
                 break;
             }
         }
-        self.improve(film);
+        self.improve(film)?;
         Ok(false)
     }
 
     /// Delaunay flips and smoothing on the film where it is.
-    fn improve(&mut self, film: &mut Film) {
-        self.edges_swapped += flip_to_delaunay(film);
+    fn improve(&mut self, film: &mut Film) -> Result<(), Interruption> {
+        self.edges_swapped += flip_to_delaunay(film, self.exec)?;
         tangential_relaxation(film, RELAXATIONS_PER_ROUND);
-        self.edges_swapped += flip_to_delaunay(film);
+        self.edges_swapped += flip_to_delaunay(film, self.exec)?;
+        Ok(())
     }
 
     /// Step 3: the stability of the film. `None` if the linear solver refuses the mesh, or no vertex can move.
