@@ -1997,6 +1997,11 @@ export interface components {
              *     a strip that can be developed.
              */
             developability_deviation_deg: number;
+            /**
+             * @description For each directrix, what decided its direction under `direction: auto`: `area_vectors` of closed contours,
+             *     `folds`, `ends` or `objective`. Null for the first directrix, beside an apex, and with `as_given`.
+             */
+            direction_decided_by: (string | null)[];
             /** @description Null for closed strips, which cannot be unrolled. */
             flat_pattern: components["schemas"]["FlatPatternStatistics"] | null;
             /**
@@ -2115,8 +2120,12 @@ export interface components {
              */
             convexity_tolerance_deg?: number;
             /**
-             * @description `auto` reverses a directrix if that improves the objective, and the statistics list the reversed directrices.
-             *     `as_given` reverses none.
+             * @description `auto` reverses a directrix that runs against the one before it. Closed contours then have area vectors that
+             *     agree. Of the two ways to join open directrices, a way whose strip of least area folds by more than 90° loses to
+             *     one whose strip does not; after that the smaller sum of the squared distances between the ends decides, and the
+             *     objective if the sums differ by less than 1%. The statistics list the reversed directrices (`reversed`) and what
+             *     decided (`direction_decided_by`). `as_given` reverses none, and the warning `opposite_directions` says where
+             *     `auto` would.
              */
             direction?: components["schemas"]["Direction"];
             /** @description Polylines in order. A single point is an apex. */
@@ -2182,8 +2191,12 @@ export interface components {
              */
             convexity_tolerance_deg?: number;
             /**
-             * @description `auto` reverses a directrix if that improves the objective, and the statistics list the reversed directrices.
-             *     `as_given` reverses none.
+             * @description `auto` reverses a directrix that runs against the one before it. Closed contours then have area vectors that
+             *     agree. Of the two ways to join open directrices, a way whose strip of least area folds by more than 90° loses to
+             *     one whose strip does not; after that the smaller sum of the squared distances between the ends decides, and the
+             *     objective if the sums differ by less than 1%. The statistics list the reversed directrices (`reversed`) and what
+             *     decided (`direction_decided_by`). `as_given` reverses none, and the warning `opposite_directions` says where
+             *     `auto` would.
              */
             direction?: components["schemas"]["Direction"];
             /** @description Polylines in order. A single point is an apex. */

@@ -1270,6 +1270,9 @@ class RuledStatistics(TypedDict):
     developability_deviation_deg: float
     """Largest angle between the normals of neighbouring triangles at bridges that are not locally convex. It is 0 for
     a strip that can be developed."""
+    direction_decided_by: List[Optional[str]]
+    """For each directrix, what decided its direction under `direction: auto`: `area_vectors` of closed contours,
+    `folds`, `ends` or `objective`. Null for the first directrix, beside an apex, and with `as_given`."""
     flat_pattern: Optional[FlatPatternStatistics]
     """Null for closed strips, which cannot be unrolled."""
     largest_fold_deg: float
@@ -1349,8 +1352,12 @@ class RuledSurfaceRequest(TypedDict):
     """Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
     half-plane. 0 is the exact test. Default: `1e-6`."""
     direction: NotRequired[Direction]
-    """`auto` reverses a directrix if that improves the objective, and the statistics list the reversed directrices.
-    `as_given` reverses none."""
+    """`auto` reverses a directrix that runs against the one before it. Closed contours then have area vectors that
+    agree. Of the two ways to join open directrices, a way whose strip of least area folds by more than 90° loses to
+    one whose strip does not; after that the smaller sum of the squared distances between the ends decides, and the
+    objective if the sums differ by less than 1%. The statistics list the reversed directrices (`reversed`) and what
+    decided (`direction_decided_by`). `as_given` reverses none, and the warning `opposite_directions` says where
+    `auto` would."""
     directrices: Sequence[Sequence[Point]]
     """Polylines in order. A single point is an apex."""
     kind: NotRequired[Optional[RuledSurfaceKind]]
@@ -1400,8 +1407,12 @@ class RuledSurfaceRequestWithKind(TypedDict):
     """Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
     half-plane. 0 is the exact test. Default: `1e-6`."""
     direction: NotRequired[Direction]
-    """`auto` reverses a directrix if that improves the objective, and the statistics list the reversed directrices.
-    `as_given` reverses none."""
+    """`auto` reverses a directrix that runs against the one before it. Closed contours then have area vectors that
+    agree. Of the two ways to join open directrices, a way whose strip of least area folds by more than 90° loses to
+    one whose strip does not; after that the smaller sum of the squared distances between the ends decides, and the
+    objective if the sums differ by less than 1%. The statistics list the reversed directrices (`reversed`) and what
+    decided (`direction_decided_by`). `as_given` reverses none, and the warning `opposite_directions` says where
+    `auto` would."""
     directrices: List[List[Point]]
     """Polylines in order. A single point is an apex."""
     kind: Literal['ruled_surface']
@@ -2062,8 +2073,12 @@ class RuledSurfaceOptions(TypedDict, total=False):
     """Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
     half-plane. 0 is the exact test. Default: `1e-6`."""
     direction: Direction
-    """`auto` reverses a directrix if that improves the objective, and the statistics list the reversed directrices.
-    `as_given` reverses none."""
+    """`auto` reverses a directrix that runs against the one before it. Closed contours then have area vectors that
+    agree. Of the two ways to join open directrices, a way whose strip of least area folds by more than 90° loses to
+    one whose strip does not; after that the smaller sum of the squared distances between the ends decides, and the
+    objective if the sums differ by less than 1%. The statistics list the reversed directrices (`reversed`) and what
+    decided (`direction_decided_by`). `as_given` reverses none, and the warning `opposite_directions` says where
+    `auto` would."""
     label: Optional[str]
     """Name of the job for people. The job and lists of jobs show it."""
     metadata: Optional[Dict[str, Any]]
