@@ -43,16 +43,19 @@ def test_an_answer_that_is_lost_is_asked_for_again_and_nothing_is_solved_twice()
 
 
 class Broken(httpx.SyncByteStream):
-    """The first event of a stream, and then the line is cut."""
+    """A stream up to the end of its first event, and then the line is cut."""
 
     def __init__(self, response: httpx.Response) -> None:
         self.response = response
 
     def __iter__(self) -> Iterator[bytes]:
         assert isinstance(self.response.stream, httpx.SyncByteStream)
+        seen = b""
         for chunk in self.response.stream:
             yield chunk
-            raise httpx.ReadError("cut")
+            seen += chunk
+            if b"\ndata:" in seen and seen.endswith(b"\n\n"):
+                raise httpx.ReadError("cut")
 
     def close(self) -> None:
         self.response.close()
