@@ -113,8 +113,8 @@ async fn colours_that_a_mesh_cannot_have_are_refused() {
     let strip = app.solve(RULED, &example("wavy-strip")).await;
     let (film, strip) = (&film["links"]["mesh"], &strip["links"]["mesh"]);
     for (mesh, query, status, detail) in [
-        (film, "colors=heat", 400, "colors must be one of: mean_curvature, lower_bound_slack, length, force"),
-        (film, "colors=", 400, "colors must be one of: mean_curvature, lower_bound_slack, length, force"),
+        (film, "colors=heat", 400, "colors must be one of mean_curvature, lower_bound_slack, length, force"),
+        (film, "colors=", 400, "colors must be one of mean_curvature, lower_bound_slack, length, force"),
         (film, "colors=mean_curvature&colors=force", 400, "colors is given twice"),
         (film, "colors=mean_curvature&range=0", 400, "range must be a number above 0"),
         (film, "colors=mean_curvature&range=-1", 400, "range must be a number above 0"),

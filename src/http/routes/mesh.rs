@@ -104,7 +104,7 @@ fn colors(format: MeshFormat, quantity: Option<&str>, range: Option<&str>) -> Re
         };
     };
     let quantity = Quantity::from_name(name).ok_or_else(|| {
-        Failure::bad_query(format!("colors must be one of: {}", Quantity::ALL.map(Quantity::name).join(", ")))
+        Failure::bad_query(format!("colors must be one of {}", Quantity::ALL.map(Quantity::name).join(", ")))
     })?;
     if !format.has_colors() {
         let with: Vec<&str> = MeshFormat::ALL.iter().filter(|format| format.has_colors()).map(|f| f.name()).collect();
