@@ -7,9 +7,12 @@ mod of_geometry;
 use of_geometry::{Pair, closed_pair, open_pair};
 use plateau_geometry::random::SplitMix64;
 
+/// Two rails as a request has them.
+type Rails = [Vec<[f64; 3]>; 2];
+
 /// Returns some pairs as they are and with the second rail reversed: the rails, whether the second one runs against the
 /// first, and whether they are closed.
-pub fn some_pairs() -> Vec<([Vec<[f64; 3]>; 2], bool, bool)> {
+pub fn some_pairs() -> Vec<(Rails, bool, bool)> {
     let mut random = SplitMix64::new(41);
     let mut pairs = Vec::new();
     for k in 0..30 {
