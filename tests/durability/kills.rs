@@ -268,7 +268,7 @@ async fn postgresql_stopped_and_started_again_loses_nothing() {
             _ => {}
         }
         cluster.hold.release_all();
-        // The database stays away for a while, so that processes that live try again.
+        // The database stays away for a while, so that the processes that are still alive try again.
         moments.pause().await;
         postgres.start_again();
         match number % 3 {

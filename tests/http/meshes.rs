@@ -87,7 +87,7 @@ async fn a_mesh_is_coloured_by_what_is_asked_for() {
     assert_eq!((scale(&plain), scale(&colored)), (None, Some(0.125)));
     // The boundary's corners are 0.72 from their mean, so the default scale ends at 0.01 / 0.72 or above.
     assert!(scale(&document("&colors=mean_curvature").await).unwrap() > 0.0138);
-    // Each colouring is a file of its own, and equal ones are one file.
+    // Each colouring is a file of its own, and equal colourings share one file.
     let queries = ["", "colors=mean_curvature", "colors=mean_curvature&range=0.5", "colors=mean_curvature&range=0.25"];
     let mut tags = Vec::new();
     for query in queries {
