@@ -1,6 +1,6 @@
 """Uniform meshes of a square beside Shewchuk's Triangle (PyPI `triangle`), in one run, processor time of one core.
 
-    cargo test -p plateau-geometry --bench uniform_mesh --no-run     (prints the binary; `cargo build --release` for the other)
+    cargo test -p plateau-uniform-mesh --bench uniform_mesh --no-run     (prints the binary; `cargo build --release` for the other)
     python3 benches/uniform_mesh_peers.py BENCH_BINARY [NODES ...]
     python3 benches/uniform_mesh_peers.py target/release/plateau [NODES ...]
 

@@ -13,7 +13,7 @@
 //!
 //! [`picture`] draws a mesh as a small PNG.
 //!
-//! This module knows no job and no HTTP. It depends only on the geometry crate.
+//! This module knows no job and no HTTP. It depends only on `plateau-mesh` and on the unrolling of strips.
 
 pub mod archive;
 pub mod colors;
@@ -33,7 +33,7 @@ pub use archive::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Poly
 pub use colors::{Colors, Quantity};
 pub use pattern::{Fold, Pattern, Piece};
 
-use plateau_geometry::DVec3;
+use plateau_mesh::DVec3;
 
 /// Format in which a mesh can be downloaded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

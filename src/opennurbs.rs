@@ -15,7 +15,7 @@ pub mod read;
 pub mod write;
 
 use curve::Curve;
-use plateau_geometry::DVec3;
+use plateau_mesh::DVec3;
 
 /// An object that was read.
 #[derive(Clone, Debug, PartialEq)]

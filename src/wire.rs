@@ -31,8 +31,8 @@ use crate::units::{ForceUnit, Unit, UpAxis};
 use body::{Body, PointList};
 use cable_net::CableNetRequest;
 use minimal_surface::MinimalSurfaceRequest;
-use plateau_geometry::error::Step;
-use plateau_geometry::{DVec3, Error as GeometryError, InputError};
+use plateau_mesh::error::Step;
+use plateau_mesh::{DVec3, Error as GeometryError, InputError};
 use ruled_surface::RuledSurfaceRequest;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
@@ -226,26 +226,26 @@ pub struct Request {
 pub enum Problem {
     RuledSurface {
         directrices: Vec<Vec<DVec3>>,
-        options: plateau_geometry::ruled_surface::Options,
+        options: plateau_ruled_surface::Options,
     },
     MinimalSurface {
         boundaries: Vec<Vec<DVec3>>,
-        options: plateau_geometry::minimal_surface::Options,
+        options: plateau_film::minimal_surface::Options,
         /// Whether and how to prove a lower bound of the area.
-        certify: Option<plateau_geometry::lower_bound::Options>,
+        certify: Option<plateau_lower_bound::Options>,
     },
     UniformMesh {
-        domain: plateau_geometry::uniform_mesh::Domain,
-        options: plateau_geometry::uniform_mesh::Options,
+        domain: plateau_uniform_mesh::Domain,
+        options: plateau_uniform_mesh::Options,
     },
     TensileStructure {
-        structure: plateau_geometry::tensile_structure::Structure,
-        options: plateau_geometry::tensile_structure::Options,
+        structure: plateau_film::tensile_structure::Structure,
+        options: plateau_film::tensile_structure::Options,
         force: ForceUnit,
     },
     CableNet {
-        net: plateau_geometry::cable_net::Net,
-        options: plateau_geometry::cable_net::Options,
+        net: plateau_film::cable_net::Net,
+        options: plateau_film::cable_net::Options,
         groups: Vec<cable_net::Group>,
         force: ForceUnit,
     },

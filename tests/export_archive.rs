@@ -4,7 +4,7 @@
 mod sample;
 
 use plateau::export::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Polyline};
-use plateau_geometry::DVec3;
+use plateau_mesh::DVec3;
 use proptest::prelude::*;
 use sha2::{Digest, Sha256};
 

@@ -10,7 +10,7 @@ use plateau::export::{
 };
 use plateau::units::{Unit, UpAxis};
 use plateau::wire::mesh::{LineValues, Mesh as JsonMesh, MeshLines};
-use plateau_geometry::{DVec3, Mesh};
+use plateau_mesh::{DVec3, Mesh};
 use serde_json::{Value, json};
 
 /// Document and buffer of a GLB file.

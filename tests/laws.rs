@@ -25,6 +25,11 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
+/// Returns every source file of the geometry.
+fn geometry() -> Vec<PathBuf> {
+    GEOMETRY.iter().flat_map(|(name, _)| sources(&root().join("crates").join(name).join("src"))).collect()
+}
+
 /// Returns a file's lines without comments and without its unit tests.
 fn code(path: &Path) -> Vec<String> {
     let text = std::fs::read_to_string(path).expect("a source file");
@@ -34,44 +39,57 @@ fn code(path: &Path) -> Vec<String> {
         .collect()
 }
 
-#[test]
-fn the_geometry_crate_depends_on_nothing_but_numerics() {
-    let output = Command::new(env!("CARGO"))
-        .args([
-            "tree",
-            "--package",
-            "plateau-geometry",
-            "--edges",
-            "normal",
-            "--depth",
-            "1",
-            "--prefix",
-            "none",
-            "--format",
-            "{lib}",
-        ])
-        .current_dir(root())
-        .output()
-        .expect("cargo tree runs");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let found: BTreeSet<String> =
-        String::from_utf8_lossy(&output.stdout).split_whitespace().map(str::to_owned).collect();
-    let allowed = BTreeSet::from(["plateau_geometry", "faer", "glam", "robust", "spade"].map(str::to_owned));
-    let strangers: Vec<_> = found.difference(&allowed).collect();
-    assert!(strangers.is_empty(), "the geometry crate may depend on numerics only, not on {strangers:?}");
+/// The crates of the geometry in their order, with the libraries that each may use. A crate may use only crates that
+/// stand before it.
+const GEOMETRY: [(&str, &[&str]); 5] = [
+    ("mesh", &["faer", "glam", "robust", "spade"]),
+    ("ruled-surface", &["plateau_mesh", "robust"]),
+    ("film", &["plateau_mesh", "faer", "glam"]),
+    ("uniform-mesh", &["plateau_mesh", "plateau_film"]),
+    ("lower-bound", &["plateau_mesh", "glam"]),
+];
+
+/// Whether code names a crate of the geometry.
+fn names_geometry(code: &str) -> bool {
+    GEOMETRY.iter().any(|(name, _)| code.contains(&library(name)))
+}
+
+/// Returns the name by which code calls a crate of the geometry.
+fn library(name: &str) -> String {
+    format!("plateau_{}", name.replace('-', "_"))
 }
 
 #[test]
-fn the_geometry_crate_knows_no_clock_no_thread_and_no_file() {
+fn the_crates_of_the_geometry_depend_on_numerics_and_on_earlier_crates_only() {
+    for (number, (name, allowed)) in GEOMETRY.iter().enumerate() {
+        let package = format!("plateau-{name}");
+        let output = Command::new(env!("CARGO"))
+            .args(["tree", "--package", &package, "--edges", "normal", "--depth", "1", "--prefix", "none"])
+            .args(["--format", "{lib}"])
+            .current_dir(root())
+            .output()
+            .expect("cargo tree runs");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let found: BTreeSet<String> =
+            String::from_utf8_lossy(&output.stdout).split_whitespace().map(str::to_owned).collect();
+        let allowed = allowed.iter().map(|library| (*library).to_owned()).chain([library(name)]).collect();
+        assert_eq!(found, allowed, "{package} may depend on these libraries only");
+        let later: Vec<String> = GEOMETRY[number + 1..].iter().map(|(name, _)| library(name)).collect();
+        assert!(!later.iter().any(|library| found.contains(library)), "{package} uses a later crate");
+    }
+}
+
+#[test]
+fn the_geometry_knows_no_clock_no_thread_and_no_file() {
     let forbidden =
         ["std::time", "std::thread", "std::fs", "std::net", "std::env", "std::io", "HashMap", "HashSet", "println!"];
-    for path in sources(&root().join("crates/geometry/src")) {
+    for path in geometry() {
         for (number, line) in code(&path).iter().enumerate() {
             for word in forbidden {
                 let place = format!("{}:{}", path.display(), number + 1);
                 assert!(
                     !line.contains(word),
-                    "{place}: {word} is not allowed in the geometry crate, whose results depend only on arguments"
+                    "{place}: {word} is not allowed in the geometry, whose results depend only on arguments"
                 );
             }
         }
@@ -195,8 +213,7 @@ fn expand<'a>(mut base: Vec<String>, mut rest: &'a str, paths: &mut Vec<Vec<Stri
 /// Returns the files that know wire names and geometry types although only `wire` and `jobs/solve.rs` may.
 fn know_wire_and_geometry(files: &[Source]) -> Vec<&str> {
     let knows = |file: &&Source| {
-        file.code.contains("plateau_geometry")
-            && file.named().iter().any(|path| path.first().is_some_and(|part| part == "wire"))
+        names_geometry(&file.code) && file.named().iter().any(|path| path.first().is_some_and(|part| part == "wire"))
     };
     let allowed = |file: &Source| file.part() == "wire" || file.path == "jobs/solve.rs";
     files.iter().filter(|file| !allowed(file)).filter(knows).map(|file| file.path.as_str()).collect()
@@ -205,11 +222,11 @@ fn know_wire_and_geometry(files: &[Source]) -> Vec<&str> {
 #[test]
 fn nothing_but_wire_and_solve_knows_wire_and_geometry() {
     let offences = made_up(&[
-        ("jobs/worker.rs", "use crate::wire::{Kind, Request};\nuse plateau_geometry::Signal;"),
-        ("cli.rs", "fn f() -> crate::wire::Kind { plateau_geometry::solve() }"),
-        ("wire/common.rs", "use super::Kind;\nuse plateau_geometry::DVec3;"),
-        ("jobs/solve.rs", "use crate::wire::Request;\nuse plateau_geometry::Execution;"),
-        ("export/gltf.rs", "use plateau_geometry::Mesh;"),
+        ("jobs/worker.rs", "use crate::wire::{Kind, Request};\nuse plateau_mesh::Signal;"),
+        ("cli.rs", "fn f() -> crate::wire::Kind { crate::solve() }"),
+        ("wire/common.rs", "use super::Kind;\nuse plateau_mesh::DVec3;"),
+        ("jobs/solve.rs", "use crate::wire::Request;\nuse plateau_mesh::Execution;"),
+        ("export/gltf.rs", "use plateau_mesh::Mesh;"),
         ("jobs/batch.rs", "use crate::wire::Kind;"),
     ]);
     assert_eq!(know_wire_and_geometry(&offences), ["jobs/worker.rs", "cli.rs"]);
@@ -232,7 +249,7 @@ fn re_export_others(files: &[Source]) -> Vec<String> {
             let Some(tree) = rest.trim_start().strip_prefix("use ") else { continue };
             let other = match tree.trim_start().strip_prefix("crate::") {
                 Some(path) => !path.starts_with(&format!("{}::", file.part())),
-                None => tree.trim_start().starts_with("plateau_geometry"),
+                None => GEOMETRY.iter().any(|(name, _)| tree.trim_start().starts_with(&library(name))),
             };
             if other {
                 let line = tree.split([';', '{']).next().unwrap_or_default();
@@ -247,10 +264,10 @@ fn re_export_others(files: &[Source]) -> Vec<String> {
 fn no_part_re_exports_what_belongs_to_another() {
     let offences = made_up(&[
         ("jobs.rs", "pub mod batch;\npub use crate::store::{EventId, Filter};\nuse crate::store::Store;"),
-        ("wire/common.rs", "    pub(crate) use plateau_geometry::DVec3;"),
+        ("wire/common.rs", "    pub(crate) use plateau_mesh::DVec3;"),
         ("store.rs", "pub use batch::BatchRow;\npub(super) use crate::store::sql::redacted;"),
     ]);
-    assert_eq!(re_export_others(&offences), ["jobs.rs: crate::store::", "wire/common.rs: plateau_geometry::DVec3"]);
+    assert_eq!(re_export_others(&offences), ["jobs.rs: crate::store::", "wire/common.rs: plateau_mesh::DVec3"]);
     assert_eq!(re_export_others(&service()), [""; 0], "import the item from its own part where it is needed");
 }
 
@@ -369,8 +386,7 @@ fn every_reason_for_a_failed_job_is_in_the_catalogue() {
     let check = |path: &str, kind: &str| {
         assert!(known.contains(kind), "{path}: {kind} is missing in FAILURES of wire/job.rs");
     };
-    let geometry = sources(&root().join("crates/geometry/src"));
-    for path in geometry.into_iter().chain([root().join("src/jobs/solve.rs")]) {
+    for path in geometry().into_iter().chain([root().join("src/jobs/solve.rs")]) {
         for reason in reasons(&code(&path).join("\n")) {
             check(&path.display().to_string(), &reason.replace('_', "-"));
         }
@@ -392,8 +408,8 @@ fn the_arrows_between_modules_are_the_committed_ones() {
         for to in named.filter(|to| *to != from) {
             arrows.insert(format!("{from} -> {to}"));
         }
-        if file.code.contains("plateau_geometry") {
-            arrows.insert(format!("{from} -> geometry"));
+        for (name, _) in GEOMETRY.iter().filter(|(name, _)| file.code.contains(&library(name))) {
+            arrows.insert(format!("{from} -> crates/{name}"));
         }
     }
     let found: String = arrows.iter().map(|arrow| format!("{arrow}\n")).collect();

@@ -8,7 +8,7 @@ use plateau::export::{Archive, MeshFormat};
 use plateau::jobs::progress::Signal;
 use plateau::jobs::solve::{Unsolved, solve};
 use plateau::wire::{Kind, Rejection, Request, json};
-use plateau_geometry::random::SplitMix64;
+use plateau_mesh::random::SplitMix64;
 use serde_json::Value;
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};

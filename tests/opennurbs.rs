@@ -6,8 +6,8 @@
 
 use plateau::opennurbs::curve::{Curve, Nurbs};
 use plateau::opennurbs::{Defect, Mesh, Object, envelope, read, write};
-use plateau_geometry::DVec3;
-use plateau_geometry::random::SplitMix64;
+use plateau_mesh::DVec3;
+use plateau_mesh::random::SplitMix64;
 use serde_json::Value;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;

@@ -5,9 +5,9 @@
 //! postcard, and the SHA-256 of everything before it. Vertex numbers are stored as differences from the preceding ones,
 //! which are small. The same contents always give the same bytes.
 
-use plateau_geometry::polyline::LARGEST_COORDINATE;
-use plateau_geometry::ruled_surface::strips_of;
-use plateau_geometry::{DVec3, Mesh};
+use plateau_mesh::polyline::LARGEST_COORDINATE;
+use plateau_mesh::{DVec3, Mesh};
+use plateau_ruled_surface::strips_of;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 

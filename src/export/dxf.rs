@@ -7,7 +7,7 @@
 
 use std::fmt::{Display, Write as _};
 
-use plateau_geometry::DVec2;
+use plateau_mesh::DVec2;
 
 use super::archive::Contents;
 use super::obj::one_line;

@@ -19,8 +19,8 @@
 //! The document is built from JSON values, because the types of the crate gltf-json keep a node's translation in f32.
 
 use base64::Engine as _;
-use plateau_geometry::mesh::measure;
-use plateau_geometry::{DVec3, Mesh};
+use plateau_mesh::measure;
+use plateau_mesh::{DVec3, Mesh};
 use serde_json::{Value, json};
 
 use super::archive::{Archive, Contents, LineSet, Lines, Polyline, SegmentValues};

@@ -3,9 +3,9 @@
 //! A strip of triangles unrolls isometrically, so each strip is one [`Piece`] in its own plane. The files show all
 //! pieces on one sheet ([`Pattern::sheet`]), one below the other.
 
-use plateau_geometry::mesh::measure::double_area_vector;
-use plateau_geometry::ruled_surface::FlatPattern;
-use plateau_geometry::{DVec2, DVec3, Execution, Mesh};
+use plateau_mesh::measure::double_area_vector;
+use plateau_mesh::{DVec2, DVec3, Execution, Mesh};
+use plateau_ruled_surface::FlatPattern;
 
 use super::archive::{Contents, Lines};
 

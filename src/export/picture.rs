@@ -5,7 +5,7 @@
 //! for each triangle and line and by [`MAX_SAMPLES`]. The arithmetic is f64 without functions of the platform's
 //! mathematics library, so the same archive gives the same bytes on every machine.
 
-use plateau_geometry::{DVec2, DVec3, Mesh};
+use plateau_mesh::{DVec2, DVec3, Mesh};
 
 use super::archive::{Archive, LineSet, Lines};
 use crate::units::UpAxis;

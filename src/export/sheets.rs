@@ -1,7 +1,7 @@
 //! Splits the vertices of a film with junctions, for formats that shade by vertex normals. At an edge with three
 //! triangles the surface has three sides, so no single normal fits all of them.
 
-use plateau_geometry::Mesh;
+use plateau_mesh::Mesh;
 
 /// Returns a mesh with one vertex for each sheet that meets at a vertex, and for each of its vertices the vertex of
 /// `mesh` that it stands for. The vertices of `mesh` come first and the added ones after them. Triangles belong to one
@@ -71,8 +71,8 @@ fn find(leader: &mut [usize], corner: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use plateau_geometry::DVec3;
-    use plateau_geometry::mesh::measure::vertex_normals;
+    use plateau_mesh::DVec3;
+    use plateau_mesh::measure::vertex_normals;
 
     #[test]
     fn three_sheets_at_an_edge_get_their_own_vertices_and_normals() {

@@ -2,8 +2,8 @@
 //! digits. A mesh that is too far from zero is therefore written around the middle of its bounding box, unless the client
 //! asks for the given coordinates. OBJ and PLY keep all digits.
 
-use plateau_geometry::DVec3;
-use plateau_geometry::mesh::measure;
+use plateau_mesh::DVec3;
+use plateau_mesh::measure;
 
 use super::archive::Archive;
 use super::{Choices, Error, Origin};

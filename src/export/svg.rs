@@ -3,7 +3,7 @@
 
 use std::fmt::Write as _;
 
-use plateau_geometry::DVec2;
+use plateau_mesh::DVec2;
 
 use super::archive::Contents;
 use super::pattern::{FoldKind, Pattern, Piece};

@@ -539,7 +539,7 @@ fn naked_edges(triangles: &[[u32; 3]]) -> Result<Vec<Vec<u32>>, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use plateau_geometry::DVec3;
+    use plateau_mesh::DVec3;
 
     #[test]
     fn errors_name_inputs_and_points() {

@@ -13,14 +13,14 @@ use crate::wire::ruled_surface::RuledStatistics;
 use crate::wire::tensile_structure::TensileStatistics;
 use crate::wire::uniform_mesh::{UniformStatistics, input_vertices};
 use crate::wire::{FieldError, MAX_ERRORS, Problem, Request};
-use plateau_geometry::cable_net;
-use plateau_geometry::error::Warning;
-use plateau_geometry::lower_bound;
-use plateau_geometry::minimal_surface::{self, StopReason};
-use plateau_geometry::ruled_surface;
-use plateau_geometry::tensile_structure;
-use plateau_geometry::uniform_mesh;
-use plateau_geometry::{DVec3, Error, Execution, Interruption, Mesh, polyline};
+use plateau_film::cable_net;
+use plateau_film::minimal_surface::{self, StopReason};
+use plateau_film::tensile_structure;
+use plateau_lower_bound as lower_bound;
+use plateau_mesh::error::Warning;
+use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh, polyline};
+use plateau_ruled_surface as ruled_surface;
+use plateau_uniform_mesh as uniform_mesh;
 use serde::Serialize;
 
 /// A solved request.
@@ -54,7 +54,7 @@ impl Unsolved {
 
 impl From<Error> for Unsolved {
     fn from(error: Error) -> Self {
-        let fields = |errors: &[plateau_geometry::InputError]| -> Vec<FieldError> {
+        let fields = |errors: &[plateau_mesh::InputError]| -> Vec<FieldError> {
             errors.iter().take(MAX_ERRORS).map(FieldError::from).collect()
         };
         Self::Failed(match error {
@@ -88,9 +88,9 @@ pub(super) fn causes(errors: &[FieldError]) -> String {
 /// Returns the error of the solver.
 pub fn solve(request: &Request, signal: &dyn Fn() -> Signal, report: &dyn Fn(Progress)) -> Result<Solved, Unsolved> {
     let signal = || match signal() {
-        Signal::Continue => plateau_geometry::Signal::Continue,
-        Signal::Cancel => plateau_geometry::Signal::Cancel,
-        Signal::Deadline => plateau_geometry::Signal::Deadline,
+        Signal::Continue => plateau_mesh::Signal::Continue,
+        Signal::Cancel => plateau_mesh::Signal::Cancel,
+        Signal::Deadline => plateau_mesh::Signal::Deadline,
     };
     let report = |progress| report(on_the_wire(progress));
     let exec = Execution::new(&signal, &report);
@@ -120,7 +120,7 @@ fn origin(mesh: &Mesh) -> [f64; 3] {
     middle(&mesh.vertices).to_array()
 }
 
-fn on_the_wire(progress: plateau_geometry::Progress) -> Progress {
+fn on_the_wire(progress: plateau_mesh::Progress) -> Progress {
     // JSON has no NaN, so a residual that is not finite becomes null.
     let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
     Progress {

@@ -1,7 +1,7 @@
 //! Curves, and polylines that keep within a tolerance of them.
 
 use super::Defect;
-use plateau_geometry::DVec3;
+use plateau_mesh::DVec3;
 use std::f64::consts::FRAC_PI_4;
 
 /// Largest number of times that a Bézier piece is halved. A piece is then a billionth of the curve's, which no tolerance

@@ -4,7 +4,7 @@
 use super::chunk::Reader;
 use super::curve::{Arc, Curve, Nurbs};
 use super::{Defect, Mesh, Object, class, code};
-use plateau_geometry::DVec3;
+use plateau_mesh::DVec3;
 use std::io::Read as _;
 
 /// Number of polycurves that may lie in each other. Rhino itself removes such nesting.

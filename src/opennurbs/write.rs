@@ -2,7 +2,7 @@
 
 use super::chunk::Writer;
 use super::{class, code};
-use plateau_geometry::DVec3;
+use plateau_mesh::DVec3;
 
 /// Value that openNURBS stores for a coordinate that is not known.
 const UNSET: f64 = -1.234_321_012_343_21e308;

@@ -7,10 +7,10 @@ use super::tensile_structure::{ForceBalance, LengthAndForce};
 use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
 use crate::config::LimitsConfig;
 use crate::units::{ForceUnit, Unit, UpAxis};
-use plateau_geometry::cable_net as geometry;
-use plateau_geometry::error::Step;
-use plateau_geometry::mesh::measure;
-use plateau_geometry::{DVec3, Error as GeometryError, InputError};
+use plateau_film::cable_net as geometry;
+use plateau_mesh::error::Step;
+use plateau_mesh::measure;
+use plateau_mesh::{DVec3, Error as GeometryError, InputError};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -1,7 +1,7 @@
 //! Types that requests of every kind share: points, and the fields that concern the job.
 
 use super::{FieldError, Rejection};
-use plateau_geometry::DVec3;
+use plateau_mesh::DVec3;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::{Map, Value};

@@ -13,8 +13,8 @@ use super::objectives::Objective as ObjectiveDoc;
 use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
 use crate::config::LimitsConfig;
 use crate::units::{Unit, UpAxis};
-use plateau_geometry::lower_bound;
-use plateau_geometry::minimal_surface as geometry;
+use plateau_film::minimal_surface as geometry;
+use plateau_lower_bound as lower_bound;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -424,7 +424,7 @@ impl MinimalSurfaceRequest {
     }
 
     /// Converts the request to the geometry's types.
-    fn to_geometry(&self) -> (Vec<Vec<plateau_geometry::DVec3>>, geometry::Options) {
+    fn to_geometry(&self) -> (Vec<Vec<plateau_mesh::DVec3>>, geometry::Options) {
         let resolution = self.resolution.to_geometry(self.boundaries.iter().map(Vec::len).sum());
         let options = geometry::Options {
             method: self.method(),
@@ -440,7 +440,7 @@ impl MinimalSurfaceRequest {
                 InitialMesh::Made(MadeMesh::Barycentres) => {
                     geometry::InitialMesh::Barycentres { seed: u64::from(self.seed) }
                 }
-                InitialMesh::Given(mesh) => geometry::InitialMesh::Given(plateau_geometry::Mesh::new(
+                InitialMesh::Given(mesh) => geometry::InitialMesh::Given(plateau_mesh::Mesh::new(
                     common::points(&mesh.vertices),
                     mesh.triangles.clone(),
                 )),

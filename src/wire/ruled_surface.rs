@@ -6,9 +6,9 @@ use super::objectives::Objective as ObjectiveDoc;
 use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
 use crate::config::LimitsConfig;
 use crate::units::{Unit, UpAxis};
-use plateau_geometry::Execution;
-use plateau_geometry::mesh::self_intersections::Skipped;
-use plateau_geometry::ruled_surface as geometry;
+use plateau_mesh::Execution;
+use plateau_mesh::self_intersections::Skipped;
+use plateau_ruled_surface as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -280,7 +280,7 @@ impl RuledSurfaceRequest {
     }
 
     /// Converts the request to the geometry's types.
-    fn to_geometry(&self) -> (Vec<Vec<plateau_geometry::DVec3>>, geometry::Options) {
+    fn to_geometry(&self) -> (Vec<Vec<plateau_mesh::DVec3>>, geometry::Options) {
         let options = geometry::Options {
             closed: self.closed,
             objective: self.objective.into(),

@@ -7,10 +7,10 @@ use super::objectives::Objective as ObjectiveDoc;
 use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
 use crate::config::LimitsConfig;
 use crate::units::{ForceUnit, Unit, UpAxis};
-use plateau_geometry::DVec3;
-use plateau_geometry::equilibrium::Support;
-use plateau_geometry::mesh::self_intersections::Skipped;
-use plateau_geometry::tensile_structure as geometry;
+use plateau_film::equilibrium::Support;
+use plateau_film::tensile_structure as geometry;
+use plateau_mesh::DVec3;
+use plateau_mesh::self_intersections::Skipped;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -6,8 +6,8 @@ use super::objectives::Objective as ObjectiveDoc;
 use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
 use crate::config::LimitsConfig;
 use crate::units::{Unit, UpAxis};
-use plateau_geometry::mesh::self_intersections::Skipped;
-use plateau_geometry::uniform_mesh as geometry;
+use plateau_mesh::self_intersections::Skipped;
+use plateau_uniform_mesh as geometry;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -333,8 +333,8 @@ pub struct GroupLengths {
     pub std_dev: f64,
 }
 
-impl From<plateau_geometry::mesh::measure::Spread> for GroupLengths {
-    fn from(spread: plateau_geometry::mesh::measure::Spread) -> Self {
+impl From<plateau_mesh::measure::Spread> for GroupLengths {
+    fn from(spread: plateau_mesh::measure::Spread) -> Self {
         let Spread { min, mean, max, std_dev } = spread.into();
         Self { count: spread.count, min, mean, max, std_dev }
     }

@@ -4,7 +4,7 @@ use plateau::export::{
     Archive, Contents, Fold, LineSet, Lines, MeanCurvature, Pattern, Piece, Polyline, SegmentValues,
 };
 use plateau::units::{Unit, UpAxis};
-use plateau_geometry::{DVec2, DVec3, Mesh};
+use plateau_mesh::{DVec2, DVec3, Mesh};
 
 /// Returns a roof of four triangles over a unit square, with its apex off the centre, scaled and moved.
 pub fn roof(scale: f64, offset: DVec3) -> Contents {

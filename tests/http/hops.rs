@@ -6,7 +6,7 @@ use crate::hold::until;
 use crate::pairs::some_pairs;
 use plateau::opennurbs::curve::Curve;
 use plateau::opennurbs::{Mesh, Object, envelope, write};
-use plateau_geometry::DVec3;
+use plateau_mesh::DVec3;
 use reqwest::{Method, Response, StatusCode};
 use serde_json::{Value, json};
 

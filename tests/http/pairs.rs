@@ -1,11 +1,11 @@
 //! Pairs of rails with a known direction, from the tests of the geometry crate.
 
-#[path = "../../crates/geometry/tests/ruled/pairs.rs"]
+#[path = "../../crates/ruled-surface/tests/ruled/pairs.rs"]
 #[allow(dead_code, reason = "the names of the pairs are for the geometry's own test")]
 mod of_geometry;
 
 use of_geometry::{Pair, closed_pair, open_pair};
-use plateau_geometry::random::SplitMix64;
+use plateau_mesh::random::SplitMix64;
 
 /// Two rails as a request has them.
 type Rails = [Vec<[f64; 3]>; 2];

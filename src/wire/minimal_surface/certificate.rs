@@ -2,7 +2,8 @@
 
 use super::MinimalStatistics;
 use crate::wire::common::Point;
-use plateau_geometry::lower_bound::{self, Field, LowerBound};
+use plateau_lower_bound as lower_bound;
+use plateau_lower_bound::{Field, LowerBound};
 use schemars::JsonSchema;
 use serde::Serialize;
 

@@ -2,8 +2,8 @@
 
 use super::certificate::Certificate;
 use crate::wire::common::Point;
-use plateau_geometry::mesh::self_intersections::Skipped;
-use plateau_geometry::minimal_surface as geometry;
+use plateau_film::minimal_surface as geometry;
+use plateau_mesh::self_intersections::Skipped;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -16,8 +16,8 @@ pub struct Spread {
     pub std_dev: f64,
 }
 
-impl From<plateau_geometry::mesh::measure::Spread> for Spread {
-    fn from(spread: plateau_geometry::mesh::measure::Spread) -> Self {
+impl From<plateau_mesh::measure::Spread> for Spread {
+    fn from(spread: plateau_mesh::measure::Spread) -> Self {
         Self { min: spread.min, mean: spread.mean, max: spread.max, std_dev: spread.std_dev }
     }
 }
@@ -168,7 +168,7 @@ pub struct Junctions {
 
 impl From<&geometry::JunctionStatistics> for Junctions {
     fn from(junctions: &geometry::JunctionStatistics) -> Self {
-        let degrees = |angles: plateau_geometry::mesh::measure::Spread| Spread {
+        let degrees = |angles: plateau_mesh::measure::Spread| Spread {
             min: angles.min.to_degrees(),
             mean: angles.mean.to_degrees(),
             max: angles.max.to_degrees(),

@@ -1,0 +1,190 @@
+//! Cable nets without film: the shape in which the forces of all cables balance, from force densities or from targets.
+//!
+//! [`solve`] takes a [`Net`]: points, the cables between them, supports and loads. Without targets the force densities
+//! give the shape by linear equations (Schek 1974). With forces and lengths that cables are to have, the densities are
+//! found for which the shape comes nearest to them, in least squares and in exact equilibrium. Densities can be held too.
+//!
+//! ```
+//! use crate::cable_net::{Edge, Net, Options, solve};
+//! use plateau_mesh::{DVec3, Execution};
+//!
+//! // Four cables from a point to four supports, two high and two low. One is to have the force 3.
+//! let ends = [(0.0, 0.0, 2.0), (2.0, 0.0, 0.0), (2.0, 2.0, 2.0), (0.0, 2.0, 0.0)];
+//! let mut vertices = vec![DVec3::ONE];
+//! vertices.extend(ends.map(|(x, y, z)| DVec3::new(x, y, z)));
+//! let edge = |k: u32| Edge { ends: [0, k], force: (k == 1).then_some(3.0), ..Edge::default() };
+//! let net = Net { vertices, edges: (1..5).map(edge).collect(), supports: vec![1, 2, 3, 4], loads: Vec::new() };
+//! let found = solve(&net, &Options::default(), &Execution::default())?;
+//! assert!((found.forces[0] - 3.0).abs() < 1e-3);
+//! assert!(found.residual_force < 1e-9);
+//! # Ok::<(), plateau_mesh::Error>(())
+//! ```
+//!
+//! Source: Schek, *The force density method for form finding and computation of general networks* (1974).
+
+mod fitting;
+mod options;
+mod shape;
+
+pub use fitting::StopReason;
+pub use options::{Edge, Net, Options};
+
+use plateau_mesh::{DVec3, Error, Estimate, Execution, InputError, Place, polyline};
+
+/// A net in equilibrium.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CableNet {
+    /// The vertices in the order of the input; supports at exactly the given coordinates.
+    pub vertices: Vec<DVec3>,
+    /// The force of each edge.
+    pub forces: Vec<f64>,
+    /// The length of each edge.
+    pub lengths: Vec<f64>,
+    /// The force density of each edge.
+    pub densities: Vec<f64>,
+    /// For each support of the input the force that it exerts on the net.
+    pub reactions: Vec<DVec3>,
+    /// The sum of all loads.
+    pub loads: DVec3,
+    /// For each edge whether only the least density keeps it in tension.
+    pub slack: Vec<bool>,
+    /// The sum of the reactions' magnitudes.
+    pub magnitudes: f64,
+    /// |loads + reactions| over the sum of the reactions' magnitudes.
+    pub imbalance: f64,
+    /// The largest force on a free vertex that is not balanced.
+    pub residual_force: f64,
+    /// Σ F L.
+    pub load_path: f64,
+    /// Weighted sum of the mean squared relative deviations from the targets, and of the load path over that at the
+    /// start; zero without targets.
+    pub loss: f64,
+    /// The largest derivative of the loss by a logarithm of a force density.
+    pub gradient: f64,
+    /// Number of steps.
+    pub iterations: u32,
+    /// Why fitting ended.
+    pub stop_reason: StopReason,
+}
+
+/// Largest derivative of the loss at which a net that no step improves counts as found. The loss has no unit.
+const STATIONARY: f64 = 1e-6;
+
+impl CableNet {
+    /// Whether the loss is at a minimum: fitting ended because it no longer falls.
+    #[must_use]
+    pub fn converged(&self) -> bool {
+        match self.stop_reason {
+            StopReason::NoTargets | StopReason::Change => true,
+            StopReason::Stalled => self.gradient <= STATIONARY,
+            StopReason::MaxIterations | StopReason::Deadline => false,
+        }
+    }
+}
+
+/// Finds the shape of a net.
+///
+/// The result depends on nothing but the arguments, to the byte.
+///
+/// # Errors
+/// [`Error::Input`] for what the arguments themselves show; [`Error::NoResult`] for a net whose equations are singular
+/// to working precision, that collapses, or whose targets leave cables slack; [`Error::Interrupted`] on cancel. A deadline
+/// returns the shape of the last step.
+pub fn solve(net: &Net, options: &Options, exec: &Execution) -> Result<CableNet, Error> {
+    check(net, options)?;
+    let fitted = fitting::fit(net, options, exec)?;
+    let at = fitted.vertices;
+    let mut unbalanced: Vec<DVec3> = (0..at.len()).map(|v| net.load(v)).collect();
+    let loads = unbalanced.iter().sum();
+    let (mut forces, mut lengths) = (Vec::with_capacity(net.edges.len()), Vec::with_capacity(net.edges.len()));
+    for (edge, q) in net.edges.iter().zip(&fitted.densities) {
+        let [a, b] = edge.ends.map(|v| v as usize);
+        let vector = at[b] - at[a];
+        unbalanced[a] += *q * vector;
+        unbalanced[b] -= *q * vector;
+        lengths.push(vector.length());
+        forces.push(q * vector.length());
+    }
+    let mut reactions = Vec::with_capacity(net.supports.len());
+    for &support in &net.supports {
+        // A support that is listed twice has its reaction once.
+        reactions.push(-std::mem::take(&mut unbalanced[support as usize]));
+    }
+    let magnitudes: f64 = reactions.iter().map(|reaction| reaction.length()).sum();
+    let sum: DVec3 = reactions.iter().sum::<DVec3>() + loads;
+    if !magnitudes.is_finite() || !at.iter().all(|p| p.is_finite()) || !forces.iter().all(|force| force.is_finite()) {
+        return Err(Error::no_result("no_equilibrium", "the loads and forces are too large for each other"));
+    }
+    refuse_collapsed(net, &lengths)?;
+    let slack = fitting::slack_edges(net, options, &forces, &fitted.densities);
+    refuse_slack(options, &slack)?;
+    Ok(CableNet {
+        load_path: forces.iter().zip(&lengths).map(|(force, length)| force * length).sum(),
+        vertices: at,
+        forces,
+        lengths,
+        densities: fitted.densities,
+        imbalance: sum.length() / magnitudes.max(f64::MIN_POSITIVE),
+        residual_force: unbalanced.iter().map(|force| force.length()).fold(0.0, f64::max),
+        slack,
+        reactions,
+        magnitudes,
+        loads,
+        loss: fitted.loss,
+        gradient: fitted.gradient,
+        iterations: fitted.iterations,
+        stop_reason: fitted.stop_reason,
+    })
+}
+
+/// Largest number of edges that an error names.
+const NAMED_EDGES: usize = 50;
+/// Length below which an edge counts as collapsed, as a fraction of the size of the net as it was given.
+const COLLAPSED: f64 = 1e-9;
+
+/// Fails with the edges that meet a condition, if there are any.
+fn refuse(reason: &'static str, detail: &str, edges: &[usize], each: &str) -> Result<(), Error> {
+    if edges.is_empty() {
+        return Ok(());
+    }
+    let place = |&k: &usize| InputError::new(Place::field("edges").at(k), each);
+    let places = edges.iter().take(NAMED_EDGES).map(place).collect();
+    Err(Error::NoResult { reason, detail: detail.into(), places })
+}
+
+/// Refuses a shape in which edges have no length, such as a net without loads at a single support.
+fn refuse_collapsed(net: &Net, lengths: &[f64]) -> Result<(), Error> {
+    let least = COLLAPSED * polyline::radius(&net.vertices);
+    let collapsed: Vec<usize> = (0..lengths.len()).filter(|&k| lengths[k] <= least).collect();
+    let detail = "the net collapses: nothing holds the ends of some cables apart; add supports or loads";
+    refuse("no_equilibrium", detail, &collapsed, "has no length in equilibrium")
+}
+
+/// Refuses a shape in which cables have no force because the targets would need them to push.
+fn refuse_slack(options: &Options, slack: &[bool]) -> Result<(), Error> {
+    // With a least density the caller has said how much tension stays.
+    if options.least_density > 0.0 {
+        return Ok(());
+    }
+    let slack: Vec<usize> = (0..slack.len()).filter(|&k| slack[k]).collect();
+    let detail = "the targets leave some cables no force; change their targets, or give a least force density, which keeps \
+                  every cable in tension";
+    refuse("slack_cable", detail, &slack, "would be slack")
+}
+
+/// Checks the arguments of [`solve`] before any work: linear in the size of the net.
+///
+/// # Errors
+/// The [`Error::Input`] that [`solve`] would begin with.
+pub fn check(net: &Net, options: &Options) -> Result<(), Error> {
+    options::check(net, options)
+}
+
+/// Number of bytes of memory per edge: most of it for the factor of a step, with six unknowns at every vertex.
+const BYTES_PER_EDGE: f64 = 8_000.0;
+
+/// Estimates the memory that solving takes. A net has no triangles.
+#[must_use]
+pub fn estimate(net: &Net) -> Estimate {
+    Estimate { triangles: 0.0, cells: 0, bytes: (net.edges.len() as f64 * BYTES_PER_EDGE) as u64 }
+}

@@ -1,0 +1,230 @@
+//! A cable net as the caller describes it, and the checks of it.
+
+use plateau_mesh::error::InputError;
+use plateau_mesh::polyline::LARGEST_COORDINATE;
+use plateau_mesh::{DVec3, Error, Place};
+
+/// Points that are joined by cables.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Net {
+    /// Points: supports where they stay, the others where form finding begins.
+    pub vertices: Vec<DVec3>,
+    /// The cables between them.
+    pub edges: Vec<Edge>,
+    /// The vertices that do not move.
+    pub supports: Vec<u32>,
+    /// The load on each vertex, or empty without loads. Loads on supports change the reactions only.
+    pub loads: Vec<DVec3>,
+}
+
+/// A cable between two vertices, and what is wanted of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Edge {
+    /// The two vertices.
+    pub ends: [u32; 2],
+    /// The force density q = force / length, from which fitting begins. Without targets it is the result's.
+    pub density: Option<f64>,
+    /// Whether fitting leaves the given density as it is.
+    pub held: bool,
+    /// The force that the cable is to have.
+    pub force: Option<f64>,
+    /// The length that the cable is to have.
+    pub length: Option<f64>,
+}
+
+/// Options of form finding.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Weight of the mean squared deviation (F / F* - 1)² of the forces from their targets.
+    pub force_weight: f64,
+    /// Weight of the mean squared deviation (L / L* - 1)² of the lengths.
+    pub length_weight: f64,
+    /// Weight of the load path Σ F L, as a fraction of what it is at the start. Zero leaves it out.
+    pub load_path_weight: f64,
+    /// No force density becomes smaller than this, so that no cable goes slack.
+    pub least_density: f64,
+    /// Fitting ends when three steps in a row each lower the loss by less than this fraction of it.
+    pub tolerance: f64,
+    /// Largest number of steps. `None` stands for 200, and 200 more if fitting begins a second time.
+    pub max_iterations: Option<u32>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            force_weight: 1.0,
+            length_weight: 1.0,
+            load_path_weight: 0.0,
+            least_density: 0.0,
+            tolerance: 1e-4,
+            max_iterations: None,
+        }
+    }
+}
+
+impl Net {
+    /// The load on a vertex.
+    #[must_use]
+    pub fn load(&self, v: usize) -> DVec3 {
+        self.loads.get(v).copied().unwrap_or_default()
+    }
+}
+
+fn require(errors: &mut Vec<InputError>, holds: bool, place: Place, detail: impl Into<String>) {
+    if !holds {
+        errors.push(InputError::new(place, detail));
+    }
+}
+
+/// Checks a net: linear in its size.
+pub(super) fn check(net: &Net, options: &Options) -> Result<(), Error> {
+    let mut errors = Vec::new();
+    let count = net.vertices.len();
+    let usable = |p: &DVec3| p.is_finite() && p.abs().max_element() <= LARGEST_COORDINATE;
+    let coordinate = "every coordinate must be a finite number of magnitude at most 1e50";
+    for (k, p) in net.vertices.iter().enumerate() {
+        require(&mut errors, usable(p), Place::field("vertices").at(k), coordinate);
+    }
+    for (k, load) in net.loads.iter().enumerate() {
+        require(&mut errors, usable(load), Place::field("loads").at(k), coordinate);
+    }
+    let loaded = net.loads.is_empty() || net.loads.len() == count;
+    require(&mut errors, loaded, Place::field("loads"), "needs one load for each vertex, or none at all");
+    for (k, &support) in net.supports.iter().enumerate() {
+        let detail = format!("there are {count} vertices, numbered from 0");
+        require(&mut errors, (support as usize) < count, Place::field("supports").at(k), detail);
+    }
+    let positive = |value: f64| value.is_finite() && value > 0.0;
+    for (k, edge) in net.edges.iter().enumerate() {
+        let place = || Place::field("edges").at(k);
+        for (i, &end) in edge.ends.iter().enumerate() {
+            let detail = format!("there are {count} vertices, numbered from 0");
+            require(&mut errors, (end as usize) < count, place().then("ends").at(i), detail);
+        }
+        require(&mut errors, edge.ends[0] != edge.ends[1], place().then("ends"), "must be two different vertices");
+        for (name, value) in [("density", edge.density), ("force", edge.force), ("length", edge.length)] {
+            let sound = value.is_none_or(positive);
+            require(
+                &mut errors,
+                sound,
+                place().then(name),
+                "must be a finite number above 0, because a cable only pulls",
+            );
+        }
+        if let Some(density) = edge.density {
+            let detail = format!("must be above least_density ({})", options.least_density);
+            require(&mut errors, edge.held || density > options.least_density, place().then("density"), detail);
+        }
+        let held = !edge.held || edge.density.is_some();
+        require(&mut errors, held, place().then("density"), "is needed to be held");
+    }
+    require(&mut errors, !net.edges.is_empty(), Place::field("edges"), "must not be empty");
+    for (name, value) in [
+        ("force_weight", options.force_weight),
+        ("length_weight", options.length_weight),
+        ("load_path_weight", options.load_path_weight),
+        ("least_density", options.least_density),
+        ("tolerance", options.tolerance),
+    ] {
+        let sound = value.is_finite() && value >= 0.0;
+        require(&mut errors, sound, Place::field(name), "must be a finite number, not negative");
+    }
+    if errors.is_empty() {
+        check_edges(net, &mut errors);
+        check_supports(net, &mut errors);
+    }
+    if errors.is_empty() {
+        check_loose_ends(net, &mut errors);
+    }
+    if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
+}
+
+/// Vertices closer than this fraction of the net's size count as at the same point.
+const SAME_POINT: f64 = 1e-9;
+
+/// Names edges without length, edges that repeat another, and lengths that an edge between two supports cannot have.
+fn check_edges(net: &Net, errors: &mut Vec<InputError>) {
+    let bounds = |(low, high): (DVec3, DVec3), p: &DVec3| (low.min(*p), high.max(*p));
+    let (low, high) = net.vertices.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), bounds);
+    let same = SAME_POINT * low.distance(high);
+    let mut held = vec![false; net.vertices.len()];
+    net.supports.iter().for_each(|&v| held[v as usize] = true);
+    let mut seen: Vec<([u32; 2], usize)> = Vec::with_capacity(net.edges.len());
+    for (k, edge) in net.edges.iter().enumerate() {
+        let [a, b] = edge.ends;
+        let place = || Place::field("edges").at(k);
+        let distance = net.vertices[a as usize].distance(net.vertices[b as usize]);
+        let apart = distance > same;
+        require(errors, apart, place(), format!("has no length: vertices {a} and {b} are at the same point"));
+        seen.push(([a.min(b), a.max(b)], k));
+        let Some(length) = edge.length.filter(|_| apart && held[a as usize] && held[b as usize]) else { continue };
+        let fits = (length - distance).abs() <= SAME_POINT * distance;
+        let fault = if length > distance { "the cable would be slack" } else { "it is shorter than the chord" };
+        let detail = format!("{fault}: both ends are supports, {distance} apart");
+        require(errors, fits, place().then("length"), detail);
+    }
+    seen.sort_unstable();
+    for pair in seen.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+        let detail = format!("joins the same two vertices as edge {}", pair[0].1);
+        require(errors, false, Place::field("edges").at(pair[1].1), detail);
+    }
+}
+
+/// Names the vertices that move freely because a single cable and no load acts on them, also after others like them are
+/// taken away.
+fn check_loose_ends(net: &Net, errors: &mut Vec<InputError>) {
+    let count = net.vertices.len();
+    let mut cables: Vec<Vec<u32>> = vec![Vec::new(); count];
+    for edge in &net.edges {
+        let [a, b] = edge.ends;
+        cables[a as usize].push(b);
+        cables[b as usize].push(a);
+    }
+    let mut left: Vec<usize> = cables.iter().map(Vec::len).collect();
+    let mut stays: Vec<bool> = (0..count).map(|v| net.load(v) != DVec3::ZERO).collect();
+    net.supports.iter().for_each(|&v| stays[v as usize] = true);
+    let mut loose: Vec<usize> = (0..count).filter(|&v| left[v] < 2 && !stays[v]).collect();
+    let mut free = Vec::new();
+    while let Some(v) = loose.pop() {
+        free.push(v);
+        stays[v] = true;
+        for &other in &cables[v] {
+            let other = other as usize;
+            left[other] -= 1;
+            if left[other] == 1 && !stays[other] {
+                loose.push(other);
+            }
+        }
+    }
+    free.sort_unstable();
+    for v in free {
+        let detail = "moves freely: a single cable and no load acts on it";
+        require(errors, false, Place::field("vertices").at(v), detail);
+    }
+}
+
+/// Names the vertices that no chain of cables joins to a support: they move freely.
+fn check_supports(net: &Net, errors: &mut Vec<InputError>) {
+    let mut parent: Vec<usize> = (0..net.vertices.len()).collect();
+    fn root(parent: &mut [usize], mut v: usize) -> usize {
+        while parent[v] != v {
+            parent[v] = parent[parent[v]];
+            v = parent[v];
+        }
+        v
+    }
+    for edge in &net.edges {
+        let [a, b] = edge.ends.map(|v| root(&mut parent, v as usize));
+        parent[a] = b;
+    }
+    let mut held = vec![false; parent.len()];
+    for &support in &net.supports {
+        let part = root(&mut parent, support as usize);
+        held[part] = true;
+    }
+    for v in 0..parent.len() {
+        let part = root(&mut parent, v);
+        let detail = "moves freely: no cables join it to a support";
+        require(errors, held[part], Place::field("vertices").at(v), detail);
+    }
+}

@@ -1,0 +1,428 @@
+//! A cable: segments in a row that carry one force, which varies along the cable only with the cable's own weight.
+//!
+//! With the length L of the whole cable, the length ℓ_k of segment k, the height z_k of its middle above the origin and
+//! the weight w per length of the found shape:
+//!
+//! ```text
+//! E = Φ(L) + w Σ ℓ_k z_k          force in segment k:  Φ'(L) + w z_k
+//!
+//! force of a given size     Φ = T L                              Φ' = T
+//! force density             Φ = (q / 2) L²                       Φ' = q L
+//! elastic                   Φ = (EA / 2 L0) (L - L0)₊²           Φ' = EA (L / L0 - 1)₊
+//!
+//! ∂²E = Φ'(L) ∂²L + Φ''(L) ∂L ∂Lᵀ + …
+//! ```
+//!
+//! The force depends on the whole length, so the stiffness Φ'' couples all vertices of the cable: the second derivative
+//! has a part of rank one ([`Term::visit_rank_one_parts`]).
+//!
+//! A heavy cable hangs in a catenary because the potential energy of its weight per *found* length makes its force grow
+//! with the height: T = τ + w z (any text on cables). Nothing in the energy holds the constant τ if the cable's mean
+//! force, its sag or its horizontal component is given instead of its length. It is then the multiplier of the length,
+//! and an [`Equation`] determines it.
+//!
+//! Sources: Schek, *The force density method for form finding* (1974) for the densities; Hooke's law with engineering
+//! strain for the elastic cable; derivatives by [`super::length`].
+
+use super::length::{self, Stretch};
+use super::{Condition, Term};
+use glam::DMat3;
+use plateau_mesh::DVec3;
+
+/// How the force of a cable depends on its length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Law {
+    /// No force of its own: a constraint of the cable's length has the force as its multiplier.
+    Multiplier,
+    /// A force T that does not depend on the length.
+    Force(f64),
+    /// A force of q times the length of the whole cable.
+    Density(f64),
+    /// A force of EA (L / L0 - 1), zero where the cable is shorter than L0.
+    Elastic {
+        /// L0, the length of the whole cable without force.
+        unstressed: f64,
+        /// EA, a force.
+        stiffness: f64,
+    },
+}
+
+impl Law {
+    /// The energy Φ, the force Φ' and the stiffness Φ'' at a length of the whole cable.
+    #[must_use]
+    pub fn at(self, length: f64) -> Stretch {
+        match self {
+            Self::Multiplier => Stretch { energy: 0.0, force: 0.0, stiffness: 0.0 },
+            Self::Force(force) => Stretch { energy: force * length, force, stiffness: 0.0 },
+            Self::Density(density) => {
+                Stretch { energy: 0.5 * density * length * length, force: density * length, stiffness: density }
+            }
+            Self::Elastic { unstressed, stiffness } => {
+                let (per_length, beyond) = (stiffness / unstressed, length - unstressed);
+                if beyond > 0.0 {
+                    let energy = 0.5 * per_length * beyond * beyond;
+                    Stretch { energy, force: per_length * beyond, stiffness: per_length }
+                } else {
+                    Stretch { energy: 0.0, force: 0.0, stiffness: 0.0 }
+                }
+            }
+        }
+    }
+}
+
+/// The energy of one cable.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cable {
+    /// The segments, in order from the first end to the last.
+    pub segments: Vec<[u32; 2]>,
+    /// How the force depends on the length.
+    pub law: Law,
+    /// w, a force per length; zero for a cable without weight.
+    pub weight: f64,
+    /// The unit vector that points up.
+    pub up: DVec3,
+}
+
+impl Cable {
+    /// A cable without weight.
+    #[must_use]
+    pub fn new(segments: Vec<[u32; 2]>, law: Law) -> Self {
+        Self { segments, law, weight: 0.0, up: DVec3::Z }
+    }
+
+    /// This cable with a weight per length.
+    #[must_use]
+    pub fn heavy(self, weight: f64, up: DVec3) -> Self {
+        Self { weight, up, ..self }
+    }
+
+    /// The length of the whole cable.
+    #[must_use]
+    pub fn length(&self, at: &[DVec3]) -> f64 {
+        self.segments.iter().map(|&segment| length::length(segment, at)).sum()
+    }
+
+    /// The largest distance of a vertex of the cable from the chord between its ends.
+    #[must_use]
+    pub fn sag(&self, at: &[DVec3]) -> f64 {
+        self.lowest(at).map_or(0.0, |lowest| lowest.distance.length())
+    }
+
+    /// The part of the first segment's direction that is across the vertical.
+    #[must_use]
+    pub fn level_part(&self, at: &[DVec3]) -> f64 {
+        self.segments.first().map_or(0.0, |&segment| across(segment, self.up, at).0)
+    }
+
+    /// The force in segment k, without the multiplier of a constraint of the length.
+    #[must_use]
+    pub fn force(&self, k: usize, at: &[DVec3]) -> f64 {
+        self.law.at(self.length(at)).force + self.weight * self.height(k, at)
+    }
+
+    /// The height of the middle of segment k above the origin.
+    fn height(&self, k: usize, at: &[DVec3]) -> f64 {
+        let [a, b] = self.segments[k];
+        0.5 * (at[a as usize] + at[b as usize]).dot(self.up)
+    }
+
+    /// The mean height of the whole cable above the origin.
+    #[must_use]
+    pub fn mean_height(&self, at: &[DVec3]) -> f64 {
+        let moment = |k: usize| length::length(self.segments[k], at) * self.height(k, at);
+        (0..self.segments.len()).map(moment).sum::<f64>() / self.length(at).max(f64::MIN_POSITIVE)
+    }
+
+    /// The vertex farthest from the chord.
+    fn lowest(&self, at: &[DVec3]) -> Option<Lowest> {
+        let (&[first, _], &[_, last]) = (self.segments.first()?, self.segments.last()?);
+        let start = at[first as usize];
+        let span = at[last as usize] - start;
+        let chord = span.normalize_or_zero();
+        let of = |&[_, vertex]: &[u32; 2]| {
+            let place = at[vertex as usize] - start;
+            let share = place.dot(chord) / span.length().max(f64::MIN_POSITIVE);
+            Lowest { vertex, distance: place.reject_from_normalized(chord), share }
+        };
+        let farther = |a: &Lowest, b: &Lowest| a.distance.length().total_cmp(&b.distance.length());
+        // Of vertices at the same distance the first.
+        self.segments.iter().map(of).reduce(|a, b| if farther(&a, &b).is_lt() { b } else { a })
+    }
+
+    fn stretch(&self, at: &[DVec3]) -> impl Fn(usize, f64) -> Stretch {
+        let own = self.law.at(self.length(at)).force;
+        move |k, _| Stretch { energy: 0.0, force: own + self.weight * self.height(k, at), stiffness: 0.0 }
+    }
+}
+
+/// The vertex of a cable farthest from the chord between its ends.
+struct Lowest {
+    vertex: u32,
+    /// From the chord to the vertex.
+    distance: DVec3,
+    /// How far along the chord it lies, as a fraction of the chord.
+    share: f64,
+}
+
+impl Term for Cable {
+    fn value(&self, at: &[DVec3]) -> f64 {
+        let potential = |k: usize| length::length(self.segments[k], at) * self.height(k, at);
+        let height: f64 = if self.weight == 0.0 { 0.0 } else { (0..self.segments.len()).map(potential).sum() };
+        self.law.at(self.length(at)).energy + self.weight * height
+    }
+
+    fn add_gradient(&self, at: &[DVec3], gradient: &mut [DVec3]) {
+        length::add_gradient(&self.segments, at, gradient, self.stretch(at));
+        if self.weight != 0.0 {
+            for &segment in &self.segments {
+                let half = 0.5 * self.weight * length::length(segment, at) * self.up;
+                segment.into_iter().for_each(|v| gradient[v as usize] += half);
+            }
+        }
+    }
+
+    fn add_second_derivative(&self, at: &[DVec3], shift: f64, add: &mut dyn FnMut(u32, u32, DMat3)) {
+        length::add_second_derivative(&self.segments, at, shift, add, self.stretch(at));
+        if self.weight == 0.0 {
+            return;
+        }
+        // The derivative of w ℓ up / 2 by the length, and of w z t by the height; ∂ℓ/∂b = t = -∂ℓ/∂a.
+        for &[a, b] in &self.segments {
+            let unit = (at[b as usize] - at[a as usize]).normalize_or_zero();
+            let half = 0.5 * self.weight * DMat3::from_cols(self.up * unit.x, self.up * unit.y, self.up * unit.z);
+            let both = half + half.transpose();
+            let turn = half.transpose() - half;
+            add(a, a, -both);
+            add(b, b, both);
+            add(a, b, -turn);
+            add(b, a, turn);
+        }
+    }
+
+    fn visit_rank_one_parts(&self, at: &[DVec3], add: &mut dyn FnMut(f64, &[DVec3])) {
+        let stiffness = self.law.at(self.length(at)).stiffness;
+        if stiffness != 0.0 {
+            let mut gradient = vec![DVec3::ZERO; at.len()];
+            add_length_gradient(&self.segments, at, 1.0, &mut gradient);
+            add(stiffness, &gradient);
+        }
+    }
+
+    fn visit_elements(&self, visit: &mut dyn FnMut(&[u32])) {
+        self.segments.iter().for_each(|segment| visit(segment));
+    }
+
+    fn add_shares(&self, at: &[DVec3], shares: &mut [f64]) {
+        // The weight gives the scale of a heavy cable, because its force at the origin's height may be of any size.
+        let total = self.length(at);
+        let force = self.law.at(total).force.max(0.0) + self.weight * total;
+        length::add_shares(&self.segments, at, shares, |_, _| force);
+    }
+
+    fn visit_forces(&self, at: &[DVec3], visit: &mut dyn FnMut(f64)) {
+        let stretch = self.stretch(at);
+        (0..self.segments.len()).for_each(|k| visit(stretch(k, 0.0).force));
+    }
+}
+
+fn add_length_gradient(segments: &[[u32; 2]], at: &[DVec3], factor: f64, gradient: &mut [DVec3]) {
+    length::add_gradient(segments, at, gradient, |_, _| Stretch { energy: 0.0, force: factor, stiffness: 0.0 });
+}
+
+/// The error of an elastic cable's force is measured against the force at this strain. Cables in use are strained by
+/// 1e-4 to 1e-2.
+const SMALL_STRAIN: f64 = 1e-4;
+
+/// What determines the multiplier τ of a cable's length, if the length itself is not given. The force in segment k is
+/// τ + w z_k, and its mean τ + w z̄ with the mean height z̄.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Equation {
+    /// The mean force is this.
+    MeanForce(f64),
+    /// The force at the first end is this.
+    EndTension(f64),
+    /// The part of the first segment's force that is across the vertical is this.
+    HorizontalComponent(f64),
+    /// The mean force is this times the length.
+    ForceDensity(f64),
+    /// The mean force is EA (L / L0 - 1).
+    Elastic {
+        /// L0.
+        unstressed: f64,
+        /// EA.
+        stiffness: f64,
+    },
+    /// The largest distance from the chord between the ends is this.
+    Sag(f64),
+}
+
+/// An [`Equation`] of one cable, whose law is [`Law::Multiplier`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct CableCondition {
+    /// The cable.
+    pub cable: Cable,
+    /// What is required of it.
+    pub equation: Equation,
+}
+
+impl CableCondition {
+    /// Adds a multiple of the derivative of the mean height: ∂z̄ = Σ ((z_k - z̄) ∂ℓ_k + ℓ_k ∂z_k) / L.
+    fn add_mean_height(&self, at: &[DVec3], factor: f64, gradient: &mut [DVec3]) {
+        let Cable { segments, up, .. } = &self.cable;
+        let (mean, total) = (self.cable.mean_height(at), self.cable.length(at).max(f64::MIN_POSITIVE));
+        let factor = factor / total;
+        let rise =
+            |k: usize, _| Stretch { energy: 0.0, force: factor * (self.cable.height(k, at) - mean), stiffness: 0.0 };
+        length::add_gradient(segments, at, gradient, rise);
+        for &segment in segments {
+            let half = 0.5 * factor * length::length(segment, at) * *up;
+            segment.into_iter().for_each(|v| gradient[v as usize] += half);
+        }
+    }
+}
+
+impl Condition for CableCondition {
+    fn value(&self, at: &[DVec3], multiplier: f64) -> (f64, f64) {
+        let cable = &self.cable;
+        let mean = || multiplier + cable.weight * cable.mean_height(at);
+        match self.equation {
+            Equation::MeanForce(force) => (mean() - force, 1.0),
+            Equation::EndTension(force) => {
+                let height = cable.segments.first().map_or(0.0, |&[first, _]| at[first as usize].dot(cable.up));
+                (multiplier + cable.weight * height - force, 1.0)
+            }
+            Equation::HorizontalComponent(force) => {
+                let across = cable.level_part(at);
+                let own = if cable.segments.is_empty() { 0.0 } else { cable.force(0, at) };
+                ((own + multiplier) * across - force, across)
+            }
+            Equation::ForceDensity(density) => (mean() - density * cable.length(at), 1.0),
+            Equation::Elastic { unstressed, stiffness } => {
+                (mean() - stiffness * (cable.length(at) / unstressed - 1.0), 1.0)
+            }
+            Equation::Sag(sag) => (cable.sag(at) - sag, 0.0),
+        }
+    }
+
+    fn add_gradient(&self, at: &[DVec3], multiplier: f64, gradient: &mut [DVec3]) {
+        let cable = &self.cable;
+        let (Some(&[first, second]), Some(&[_, last])) = (cable.segments.first(), cable.segments.last()) else {
+            return;
+        };
+        match self.equation {
+            Equation::MeanForce(_) => self.add_mean_height(at, cable.weight, gradient),
+            Equation::EndTension(_) => gradient[first as usize] += cable.weight * cable.up,
+            Equation::HorizontalComponent(_) => {
+                let (across, derivative) = across([first, second], cable.up, at);
+                let force = multiplier + cable.weight * cable.height(0, at);
+                let half = 0.5 * cable.weight * across * cable.up;
+                gradient[first as usize] += half - force * derivative;
+                gradient[second as usize] += half + force * derivative;
+            }
+            Equation::ForceDensity(density) => {
+                self.add_mean_height(at, cable.weight, gradient);
+                add_length_gradient(&cable.segments, at, -density, gradient);
+            }
+            Equation::Elastic { unstressed, stiffness } => {
+                self.add_mean_height(at, cable.weight, gradient);
+                add_length_gradient(&cable.segments, at, -stiffness / unstressed, gradient);
+            }
+            Equation::Sag(_) => {
+                let Some(Lowest { vertex, distance, share }) = cable.lowest(at) else { return };
+                let outward = distance.normalize_or_zero();
+                gradient[vertex as usize] += outward;
+                gradient[first as usize] -= (1.0 - share) * outward;
+                gradient[last as usize] -= share * outward;
+            }
+        }
+    }
+
+    fn scale(&self, at: &[DVec3]) -> f64 {
+        match self.equation {
+            Equation::MeanForce(value)
+            | Equation::EndTension(value)
+            | Equation::HorizontalComponent(value)
+            | Equation::Sag(value) => value,
+            Equation::ForceDensity(density) => density * self.cable.length(at),
+            Equation::Elastic { stiffness, .. } => SMALL_STRAIN * stiffness,
+        }
+    }
+}
+
+/// The part of a segment's direction that is across the vertical, and its derivative by the second end.
+fn across([a, b]: [u32; 2], up: DVec3, at: &[DVec3]) -> (f64, DVec3) {
+    let edge = at[b as usize] - at[a as usize];
+    let (length, level) = (edge.length().max(f64::MIN_POSITIVE), edge.reject_from_normalized(up));
+    let across = level.length() / length;
+    (across, (level.normalize_or_zero() - across * edge / length) / length)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::energy::finite_differences::{check, patch};
+
+    const UP: DVec3 = DVec3::new(0.6, 0.0, 0.8);
+
+    fn segments() -> Vec<[u32; 2]> {
+        vec![[0, 1], [1, 2], [2, 6], [6, 7]]
+    }
+
+    #[test]
+    fn the_derivatives_of_every_law_agree_with_finite_differences_light_and_heavy() {
+        let (vertices, _) = patch();
+        let laws =
+            [Law::Multiplier, Law::Force(2.5), Law::Density(0.7), Law::Elastic { unstressed: 3.1, stiffness: 4.0 }];
+        for law in laws {
+            for weight in [0.0, 0.9] {
+                check(&Cable::new(segments(), law).heavy(weight, UP), &vertices, 1e-8);
+            }
+        }
+    }
+
+    #[test]
+    fn the_derivatives_of_every_equation_agree_with_finite_differences() {
+        let (vertices, _) = patch();
+        let cable = Cable::new(segments(), Law::Multiplier).heavy(0.9, UP);
+        let equations = [
+            Equation::MeanForce(2.0),
+            Equation::EndTension(2.0),
+            Equation::HorizontalComponent(2.0),
+            Equation::ForceDensity(0.7),
+            Equation::Elastic { unstressed: 3.1, stiffness: 4.0 },
+            Equation::Sag(0.4),
+        ];
+        for equation in equations {
+            let condition = CableCondition { cable: cable.clone(), equation };
+            let (multiplier, step) = (1.3, 1e-6);
+            let mut gradient = vec![DVec3::ZERO; vertices.len()];
+            condition.add_gradient(&vertices, multiplier, &mut gradient);
+            let value = |at: &[DVec3], multiplier: f64| condition.value(at, multiplier).0;
+            for v in 0..vertices.len() {
+                for axis in 0..3 {
+                    let moved = |step: f64| {
+                        let mut at = vertices.clone();
+                        at[v][axis] += step;
+                        value(&at, multiplier)
+                    };
+                    let slope = (moved(step) - moved(-step)) / (2.0 * step);
+                    assert!((slope - gradient[v][axis]).abs() < 1e-8, "{equation:?} {v} {axis}");
+                }
+            }
+            let slope = (value(&vertices, multiplier + step) - value(&vertices, multiplier - step)) / (2.0 * step);
+            assert!((slope - condition.value(&vertices, multiplier).1).abs() < 1e-8, "{equation:?}");
+        }
+    }
+
+    #[test]
+    fn a_slack_cable_has_no_force_and_a_taut_one_the_same_force_in_every_segment() {
+        let (vertices, _) = patch();
+        let segments = vec![[0, 1], [1, 2], [2, 6]];
+        let taut = Cable::new(segments.clone(), Law::Elastic { unstressed: 2.0, stiffness: 5.0 });
+        let force = 5.0 * (taut.length(&vertices) / 2.0 - 1.0);
+        taut.visit_forces(&vertices, &mut |found| assert!((found - force).abs() < 1e-14));
+        let slack = Cable::new(segments, Law::Elastic { unstressed: 9.0, stiffness: 5.0 });
+        check(&slack, &vertices, 1e-8);
+        slack.visit_forces(&vertices, &mut |found| assert_eq!(found, 0.0));
+    }
+}

@@ -1,0 +1,222 @@
+//! Constraints on the whole body, such as a volume or a length, and linear systems that respect them.
+//!
+//! With an energy E and constraints c_k(x) = 0 the Lagrangian is E - Σ λ_k c_k. Newton's step x and the change -μ of
+//! the multipliers solve the bordered system
+//!
+//! ```text
+//! K x + Cᵀ μ = -g          K the second variation of the Lagrangian, g its gradient,
+//! C x        = -c          C the constraints' gradients, one row each
+//! ```
+//!
+//! by elimination: with Y = K⁻¹ Cᵀ and S = C Y. By Haynsworth's additivity of inertia the bordered matrix has n₋(K) +
+//! n₊(S) negative eigenvalues, and as many of them as there are constraints belong to the border. The Morse index on
+//! the constraints' tangent space C x = 0 is therefore n₋(K) - n₋(S) (Gould, *On practical conditions for the existence
+//! and uniqueness of solutions to the general equality quadratic programming problem*, 1985).
+//!
+//! Two further kinds of rows share the elimination:
+//! - A constraint that yields by its compliance d, c(x) + d λ = 0, has the row C x - d μ = -(c + d λ). It adds d to S,
+//!   and by the same count the index of K + Cᵀ C / d is n₋(K) - n₋(S) as before. A rank-one part s c cᵀ of the second
+//!   variation (a cable whose force depends on its whole length) is such a row with d = 1 / s and no excess.
+//! - A quantity whose multiplier is determined by another equation h(x, λ) = 0 ([`Condition`]) keeps its column Cᵀ, and
+//!   its row is ∂h x - h_λ μ = -h. The step then solves a system that is not symmetric. The index stays that of
+//!   the constrained quantity: of motions that keep the value which the equation leads to.
+
+use crate::energy::{Condition, Term};
+use faer::linalg::solvers::Solve;
+use faer::{Mat, Side};
+use plateau_mesh::sparse::{Factorisation, LinearError};
+
+/// A quantity of the whole body that keeps its value.
+#[derive(Debug)]
+pub struct Constraint {
+    /// The quantity: any energy, with coefficient 1. For the volume that is a pressure of -1.
+    pub quantity: Box<dyn Term>,
+    /// What determines its multiplier.
+    pub by: Determined,
+}
+
+/// What determines the multiplier of a constrained quantity.
+#[derive(Debug)]
+pub enum Determined {
+    /// The value that the quantity keeps; not zero.
+    Value(f64),
+    /// A value that yields to the multiplier λ: the quantity is `value` - `compliance` · λ. The energy of the yielding,
+    /// ½ `compliance` λ², belongs to the body's. Example: the length of an elastic cable, whose force is the
+    /// multiplier. A stiff one is solved as easily as one of given length.
+    Yielding {
+        /// The value without multiplier; not zero.
+        value: f64,
+        /// Positive.
+        compliance: f64,
+    },
+    /// Another equation; the quantity's value follows.
+    Condition(Box<dyn Condition>),
+}
+
+impl Constraint {
+    /// A quantity that keeps a value, which must not be zero.
+    #[must_use]
+    pub fn value(quantity: Box<dyn Term>, target: f64) -> Self {
+        Self { quantity, by: Determined::Value(target) }
+    }
+}
+
+/// A constraint at one position, or a rank-one part of the second variation.
+#[derive(Clone, Debug)]
+pub(crate) struct ConstraintState {
+    /// The quantity less its target, or the value of the condition.
+    pub excess: f64,
+    /// The target's magnitude.
+    pub scale: f64,
+    /// λ: for a volume the pressure, for a length the force. The least squares multiplier at this position.
+    pub multiplier: f64,
+    /// Derivative of the quantity by each unknown.
+    pub gradient: Vec<f64>,
+    /// For a condition its derivatives by each unknown and by the multiplier.
+    pub condition: Option<(Vec<f64>, f64)>,
+    /// d of a constraint that yields, 1 / s of a rank-one part of the second variation; otherwise zero.
+    pub compliance: f64,
+}
+
+impl ConstraintState {
+    /// The rank-one part `stiffness` · gradient gradientᵀ.
+    pub fn rank_one_part(stiffness: f64, gradient: Vec<f64>) -> Self {
+        let compliance = 1.0 / stiffness;
+        Self { excess: 0.0, scale: 1.0, multiplier: 0.0, gradient, condition: None, compliance }
+    }
+}
+
+/// The multipliers that come nearest to balancing a gradient: the least of Σ (g - Σ λ_k c_k)² / m over the unknowns of
+/// mass m.
+pub(crate) fn least_squares_multipliers(gradient: &[f64], constraints: &[Vec<f64>], mass: &[f64]) -> Vec<f64> {
+    if constraints.is_empty() {
+        return Vec::new();
+    }
+    let inner = |a: &[f64], b: &[f64]| {
+        a.iter().zip(b).zip(mass).map(|((a, b), m)| if *m > 0.0 { a * b / m } else { 0.0 }).sum::<f64>()
+    };
+    let n = constraints.len();
+    let matrix = Mat::from_fn(n, n, |i, j| inner(&constraints[i], &constraints[j]));
+    let right = Mat::from_fn(n, 1, |i, _| inner(&constraints[i], gradient));
+    let solution = matrix.full_piv_lu().solve(&right);
+    (0..n).map(|k| solution[(k, 0)]).collect()
+}
+
+/// A factorised second variation with the constraints' border; without constraints the factorisation alone.
+pub(crate) struct Bordered<'a> {
+    factorisation: Factorisation<'a>,
+    constraints: &'a [ConstraintState],
+    /// Columns of Y, one after the other.
+    y: Vec<f64>,
+    /// S of the constrained quantities and rank-one parts.
+    schur: Mat<f64>,
+    /// S with the rows of the conditions, if there are any.
+    conditioned: Option<Mat<f64>>,
+    /// Number of negative eigenvalues of `schur`.
+    negative: usize,
+    /// Number of rank-one parts of negative stiffness, each of which lets the count of `negative` exceed its share by
+    /// one.
+    softening: usize,
+}
+
+impl<'a> Bordered<'a> {
+    /// # Errors
+    /// A [`LinearError`] if K or S is singular to working precision.
+    pub fn new(factorisation: Factorisation<'a>, constraints: &'a [ConstraintState]) -> Result<Self, LinearError> {
+        let mut y: Vec<f64> = constraints.iter().flat_map(|constraint| &constraint.gradient).copied().collect();
+        let n = constraints.len();
+        let mut schur = Mat::zeros(n, n);
+        let (mut negative, mut softening) = (0, 0);
+        let mut conditioned = None;
+        if n > 0 {
+            factorisation.solve(&mut y)?;
+            let order = constraints[0].gradient.len();
+            let column = |j: usize| &y[j * order..(j + 1) * order];
+            for i in 0..n {
+                for j in 0..n {
+                    schur[(i, j)] = dot(&constraints[i].gradient, column(j));
+                }
+                schur[(i, i)] += constraints[i].compliance;
+            }
+            let eigenvalues = schur.self_adjoint_eigenvalues(Side::Lower).map_err(|_| LinearError::NotFinite)?;
+            negative = eigenvalues.iter().filter(|value| **value < 0.0).count();
+            softening = constraints.iter().filter(|constraint| constraint.compliance < 0.0).count();
+            if constraints.iter().any(|constraint| constraint.condition.is_some()) {
+                let mut rows = schur.clone();
+                for (i, constraint) in constraints.iter().enumerate() {
+                    let Some((by_unknowns, by_multiplier)) = &constraint.condition else { continue };
+                    (0..n).for_each(|j| rows[(i, j)] = dot(by_unknowns, column(j)));
+                    rows[(i, i)] += by_multiplier;
+                }
+                conditioned = Some(rows);
+            }
+        }
+        Ok(Self { factorisation, constraints, y, schur, conditioned, negative, softening })
+    }
+
+    /// The Morse index on the constraints' tangent space.
+    pub fn index(&self) -> usize {
+        (self.factorisation.inertia().negative + self.softening).saturating_sub(self.negative)
+    }
+
+    /// Newton's step for the Lagrangian's gradient.
+    ///
+    /// # Errors
+    /// A [`LinearError`] if the solution does not satisfy its system.
+    pub fn step(&self, gradient: &[f64]) -> Result<Vec<f64>, LinearError> {
+        let mut step: Vec<f64> = gradient.iter().map(|gradient| -gradient).collect();
+        self.factorisation.solve(&mut step)?;
+        let Some(rows) = &self.conditioned else {
+            self.correct(&mut step, |constraint| -constraint.excess);
+            return Ok(step);
+        };
+        let along = |constraint: &ConstraintState| match &constraint.condition {
+            Some((by_unknowns, _)) => dot(by_unknowns, &step),
+            None => dot(&constraint.gradient, &step),
+        };
+        let right = Mat::from_fn(rows.nrows(), 1, |k, _| along(&self.constraints[k]) + self.constraints[k].excess);
+        let multipliers = rows.full_piv_lu().solve(&right);
+        self.subtract(&mut step, &multipliers);
+        if step.iter().all(|value| value.is_finite()) { Ok(step) } else { Err(LinearError::Singular) }
+    }
+
+    /// Applies the inverse of the matrix on the tangent space, without a check: for preconditioners.
+    pub fn apply(&self, right_hand_side: &mut [f64]) {
+        self.factorisation.solve_unchecked(right_hand_side);
+        self.correct(right_hand_side, |_| 0.0);
+    }
+
+    /// Subtracts Y μ so that C x becomes `wanted` for each constraint.
+    pub fn correct(&self, x: &mut [f64], wanted: impl Fn(&ConstraintState) -> f64) {
+        let n = self.constraints.len();
+        if n == 0 {
+            return;
+        }
+        let right = Mat::from_fn(n, 1, |k, _| dot(&self.constraints[k].gradient, x) - wanted(&self.constraints[k]));
+        let multipliers = self.schur.full_piv_lu().solve(&right);
+        self.subtract(x, &multipliers);
+    }
+
+    fn subtract(&self, x: &mut [f64], multipliers: &Mat<f64>) {
+        for (k, column) in self.y.chunks_exact(x.len()).enumerate() {
+            x.iter_mut().zip(column).for_each(|(x, y)| *x -= multipliers[(k, 0)] * y);
+        }
+    }
+
+    /// Gives the factor's memory back.
+    pub fn into_storage(self) -> Vec<f64> {
+        self.factorisation.into_storage()
+    }
+}
+
+/// Adds the products of the parts s c cᵀ by `x` to `product`: those of the rows that yield.
+pub(crate) fn add_rank_one_products(constraints: &[ConstraintState], x: &[f64], product: &mut [f64]) {
+    for row in constraints.iter().filter(|row| row.compliance != 0.0) {
+        let factor = dot(&row.gradient, x) / row.compliance;
+        product.iter_mut().zip(&row.gradient).for_each(|(product, gradient)| *product += factor * gradient);
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

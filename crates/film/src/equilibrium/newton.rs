@@ -1,0 +1,438 @@
+//! Newton's method for a stationary point of an energy: one iteration for every body.
+//!
+//! 1. The state at the present positions ([`Equations::state`]): the directions in which the vertices may move, the
+//!    energy's gradient along them, the residual. Stop at the tolerance.
+//! 2. The second variation in these directions, factorised as L D Lᵀ. Its inertia, on the constraints' tangent space if
+//!    there are constraints, is the Morse index at that moment.
+//! 3. If it is indefinite, add the energy's semidefinite part once more, and more, until it is positive definite: the
+//!    step then goes down in energy. (When a stationary point is followed whatever its index, take the step as it is.)
+//! 4. Line search: halve the step while a triangle would turn over, or the energy does not decrease. When a stationary
+//!    point is followed, or an equation determines a multiplier, the residual must decrease instead.
+//!
+//! [`NormalMotion`](super::NormalMotion) is the scalar fast path: a film whose vertices move along their normals.
+//! [`Motion`](super::Motion) is a [`Body`](super::Body) with any energies, freedoms and constraints.
+//!
+//! Inside a sheet vertices move along normals only. Sliding vertices within the surface hardly changes the area, so the
+//! full 3n x 3n matrix is nearly singular, and minimising over all coordinates buys the last digits with triangles of
+//! 1e-10 degrees. Heights keep the quality of the mesh. In exchange the tangential part of the gradient does not
+//! vanish; it is reported as `residual_full`. Since the normals turn with the surface, the iteration is Newton's method
+//! only in the limit of a fine mesh. The observed rate is three to four digits a step.
+
+use super::constraint::{Bordered, ConstraintState};
+use plateau_mesh::measure;
+use plateau_mesh::sparse::{LinearError, Symbolic, SymmetricMatrix};
+use plateau_mesh::{DVec3, Execution, Interruption};
+use std::fmt;
+
+/// Shortest fraction of Newton's step that the line search tries; a shorter one ends the run as stalled. A smaller
+/// value tries longer near a fold or a collapse.
+const LEAST_STEP: f64 = 1.0 / 4096.0;
+/// First multiple of the semidefinite part that is added to an indefinite matrix, the factor to the next multiple, and
+/// the last one. A larger first multiple makes shorter steps where a small shift would suffice. A smaller factor takes
+/// more factorisations.
+const FIRST_SHIFT: f64 = 0.125;
+const SHIFT_GROWTH: f64 = 4.0;
+const LAST_SHIFT: f64 = 1e4;
+/// A step must lower the energy by this fraction of the decrease that its slope predicts (Armijo's condition, with the
+/// usual value). A larger value refuses more steps.
+const LEAST_GAIN: f64 = 1e-4;
+/// Changes of the energy below this fraction of it are rounding errors, and the residual decides instead. A larger
+/// value leaves the decision to the residual earlier.
+const ENERGY_ROUNDING: f64 = 1e-12;
+/// With constraints a step is also taken if the residual falls to this fraction, because the merit function may refuse
+/// a good step near the solution (Maratos). A larger value takes more such steps.
+const RESIDUAL_GAIN: f64 = 0.5;
+
+/// The equations of equilibrium of a body with a fixed connectivity.
+pub(crate) trait Equations {
+    /// The directions in which the vertices may move at one position, and other results that are computed with them.
+    type Frame: Clone + fmt::Debug;
+
+    /// The first variation at a position.
+    fn state(&self, vertices: &[DVec3]) -> State<Self::Frame>;
+
+    /// Fills `matrix` with the second variation along the state's directions. The semidefinite part counts `1 + shift`
+    /// times.
+    fn second_variation(
+        &self,
+        vertices: &[DVec3],
+        state: &State<Self::Frame>,
+        shift: f64,
+        matrix: &mut SymmetricMatrix,
+    );
+
+    /// A zero matrix with the second variation's pattern.
+    fn matrix(&self) -> SymmetricMatrix;
+
+    /// All vertices after a fraction of a step, given as one number per unknown.
+    fn moved(&self, vertices: &[DVec3], state: &State<Self::Frame>, step: &[f64], fraction: f64) -> Vec<DVec3>;
+
+    /// The triangles, none of which may turn over in a step.
+    fn triangles(&self) -> &[[u32; 3]];
+
+    /// R, the length against which curvatures are measured.
+    fn radius(&self) -> f64;
+
+    /// Elementary operations of one assembly, for [`Execution::look`].
+    fn work(&self) -> u64 {
+        self.triangles().len() as u64
+    }
+}
+
+/// The first variation at one position of a body.
+#[derive(Clone, Debug)]
+pub(crate) struct State<F> {
+    /// The directions of the unknowns.
+    pub frame: F,
+    pub energy: f64,
+    /// Derivative of the energy by each unknown; with constraints that of the Lagrangian.
+    pub gradient: Vec<f64>,
+    /// Mass of each unknown: the vertex's share of tension times area or length.
+    pub mass: Vec<f64>,
+    /// The dimensionless residual: the figure that ends the iteration and that is reported.
+    pub residual: f64,
+    pub constraints: Vec<ConstraintState>,
+}
+
+impl<F> State<F> {
+    /// The function that the line search lowers: the energy plus a penalty for constraints that are not met. The
+    /// penalty is exact for weights above the multipliers.
+    fn merit(&self, weights: &[f64]) -> f64 {
+        let penalties =
+            self.constraints.iter().zip(weights).map(|(constraint, weight)| weight * constraint.excess.abs());
+        self.energy + penalties.sum::<f64>()
+    }
+}
+
+/// The goal of the iteration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Aim {
+    /// To lower energy, and to a state of Morse index 0 or to none.
+    Minimum,
+    /// To the nearest stationary state, whatever its index.
+    Stationary,
+}
+
+/// The goal of Newton's iteration and its limits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// The goal of the iteration.
+    pub aim: Aim,
+    /// The residual at which the iteration ends.
+    pub tolerance: f64,
+    /// Largest number of Newton steps.
+    pub max_steps: u32,
+}
+
+impl Default for Settings {
+    /// A minimum, with a residual of at most 1e-8, in at most 200 steps.
+    fn default() -> Self {
+        Self { aim: Aim::Minimum, tolerance: 1e-8, max_steps: 200 }
+    }
+}
+
+/// How a run of Newton steps ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// The residual is at most the tolerance.
+    Converged,
+    /// No step improves the state: a triangle would turn over or collapse, or rounding errors are reached.
+    Stalled,
+    /// The allowed steps are used up.
+    StepsUsed,
+    /// The linear solver refused the body.
+    Refused(LinearError),
+    /// The caller asked to stop.
+    Interrupted(Interruption),
+}
+
+/// A method to compute Newton's step: a factorisation, or multigrid.
+pub(crate) trait StepSolver<E: Equations> {
+    /// Steps 2 and 3: Newton's step, one number per unknown. `state` is the state at `vertices`.
+    ///
+    /// # Errors
+    /// The outcome with which the iteration has to end.
+    fn step(
+        &mut self,
+        vertices: &[DVec3],
+        equations: &E,
+        state: &State<E::Frame>,
+        settings: &Settings,
+    ) -> Result<Vec<f64>, Outcome>;
+}
+
+/// Takes Newton steps until the residual is small or no step improves the state. `record` receives the energy and the
+/// residual after every step.
+///
+/// `vertices` becomes the best position that was reached. No step turns a triangle over. Also returns the state there.
+pub(crate) fn iterate<E: Equations>(
+    vertices: &mut Vec<DVec3>,
+    equations: &E,
+    solver: &mut dyn StepSolver<E>,
+    settings: &Settings,
+    exec: &Execution,
+    record: &mut dyn FnMut(f64, f64),
+) -> (Outcome, State<E::Frame>) {
+    let work = equations.work();
+    let mut state = equations.state(vertices);
+    for _ in 0..settings.max_steps {
+        if state.residual <= settings.tolerance {
+            return (Outcome::Converged, state);
+        }
+        if let Err(interruption) = exec.look(work) {
+            return (Outcome::Interrupted(interruption), state);
+        }
+        let step = match solver.step(vertices, equations, &state, settings) {
+            Ok(step) => step,
+            Err(outcome) => return (outcome, state),
+        };
+        match search(vertices, equations, &state, &step, settings) {
+            Some((moved, reached)) => {
+                *vertices = moved;
+                state = reached;
+                record(state.energy, state.residual);
+            }
+            None => return (Outcome::Stalled, state),
+        }
+    }
+    (if state.residual <= settings.tolerance { Outcome::Converged } else { Outcome::StepsUsed }, state)
+}
+
+/// Newton's step by factorisation. The symbolic part is made once for a connectivity.
+#[derive(Debug)]
+pub(crate) struct Direct {
+    pub symbolic: Symbolic,
+    pub matrix: SymmetricMatrix,
+    /// The storage of the last factor. The next factorisation reuses it.
+    pub storage: Vec<f64>,
+}
+
+impl Direct {
+    /// `matrix` has the pattern of all second variations that will be factorised.
+    ///
+    /// # Errors
+    /// [`LinearError::TooLarge`].
+    pub fn new(matrix: SymmetricMatrix) -> Result<Self, LinearError> {
+        let symbolic = Symbolic::analyse(&matrix, None)?;
+        Ok(Self { symbolic, matrix, storage: Vec::new() })
+    }
+}
+
+impl<E: Equations> StepSolver<E> for Direct {
+    fn step(
+        &mut self,
+        vertices: &[DVec3],
+        equations: &E,
+        state: &State<E::Frame>,
+        settings: &Settings,
+    ) -> Result<Vec<f64>, Outcome> {
+        let mut shift = 0.0;
+        loop {
+            equations.second_variation(vertices, state, shift, &mut self.matrix);
+            match self.symbolic.factorise_into(&self.matrix, std::mem::take(&mut self.storage)) {
+                Ok(factorisation) => {
+                    let bordered = Bordered::new(factorisation, &state.constraints).map_err(Outcome::Refused)?;
+                    if settings.aim == Aim::Stationary || bordered.index() == 0 {
+                        let step = bordered.step(&state.gradient);
+                        self.storage = bordered.into_storage();
+                        return step.map_err(Outcome::Refused);
+                    }
+                    self.storage = bordered.into_storage();
+                }
+                Err(LinearError::Singular) => {}
+                Err(error) => return Err(Outcome::Refused(error)),
+            }
+            shift = if shift == 0.0 { FIRST_SHIFT } else { SHIFT_GROWTH * shift };
+            if shift > LAST_SHIFT {
+                return Err(Outcome::Refused(LinearError::Singular));
+            }
+        }
+    }
+}
+
+/// Step 4: the longest of the full step, its half, its quarter and so on that turns no triangle over and improves the
+/// state. `None` if there is none.
+fn search<E: Equations>(
+    vertices: &[DVec3],
+    equations: &E,
+    state: &State<E::Frame>,
+    step: &[f64],
+    settings: &Settings,
+) -> Option<(Vec<DVec3>, State<E::Frame>)> {
+    let along: f64 = state.gradient.iter().zip(step).map(|(gradient, step)| gradient * step).sum();
+    let weights: Vec<f64> =
+        state.constraints.iter().map(|c| 2.0 * c.multiplier.abs() + state.energy.abs() / c.scale).collect();
+    // The gradient is that of the Lagrangian, and the step meets the linearised constraints. The terms λ·c and the
+    // penalty therefore vanish at the end of the step.
+    let unmet: f64 = state
+        .constraints
+        .iter()
+        .zip(&weights)
+        .map(|(c, weight)| c.multiplier * c.excess + weight * c.excess.abs())
+        .sum();
+    let slope = along - unmet;
+    let before = state.merit(&weights);
+    // A condition leads to no minimum of the energy under the constraints' present values.
+    let conditioned = state.constraints.iter().any(|constraint| constraint.condition.is_some());
+    let mut fraction = 1.0;
+    while fraction >= LEAST_STEP {
+        let moved = equations.moved(vertices, state, step, fraction);
+        if keeps_orientation(equations.triangles(), vertices, &moved) {
+            let reached = equations.state(&moved);
+            let decided_by_residual = conditioned
+                || settings.aim == Aim::Stationary
+                || (fraction * slope).abs() <= ENERGY_ROUNDING * before.abs();
+            let gains = if decided_by_residual {
+                reached.residual < state.residual
+            } else {
+                reached.merit(&weights) <= before + LEAST_GAIN * fraction * slope
+                    || (!weights.is_empty() && reached.residual <= RESIDUAL_GAIN * state.residual)
+            };
+            if gains {
+                return Some((moved, reached));
+            }
+        }
+        fraction *= 0.5;
+    }
+    None
+}
+
+/// Whether no triangle turns over (by more than a right angle) or vanishes on the way from one position to another.
+pub(crate) fn keeps_orientation(triangles: &[[u32; 3]], before: &[DVec3], after: &[DVec3]) -> bool {
+    triangles.iter().all(|&triangle| {
+        let area_vector = |at: &[DVec3]| measure::double_area_vector(triangle.map(|v| at[v as usize]));
+        area_vector(after).dot(area_vector(before)) > 0.0
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::equilibrium::{NormalMotion, stability};
+    use plateau_mesh::film::Film;
+    use plateau_mesh::sparse::pattern::Pattern;
+    use plateau_mesh::structured::{catenoid, cylinder, helicoid, patch, relax};
+
+    /// One harmonic map of the film from itself, as the solvers begin with.
+    fn harmonic_step(film: &mut Film) {
+        let pattern = Pattern::new(film.triangles(), &film.fixed);
+        let (mut matrix, mut image) = (pattern.matrix(), Vec::new());
+        crate::energy::dirichlet::laplacian(&pattern, &film.vertices, film.triangles(), &mut matrix, &mut image);
+        Symbolic::analyse(&matrix, None).unwrap().factorise(&matrix).unwrap().solve(&mut image).unwrap();
+        let n = pattern.free.vertex.len();
+        for (row, &v) in pattern.free.vertex.iter().enumerate() {
+            film.vertices[v as usize] = DVec3::new(image[row], image[n + row], image[2 * n + row]);
+        }
+    }
+
+    fn residuals(film: &mut Film) -> (Outcome, Vec<f64>) {
+        for _ in 0..2 {
+            harmonic_step(film);
+        }
+        let settings = Settings { aim: Aim::Minimum, tolerance: 1e-9, max_steps: 20 };
+        let mut residuals = Vec::new();
+        let pattern = Pattern::new(film.triangles(), &film.fixed);
+        let mut direct = Direct::new(pattern.matrix()).unwrap();
+        let radius = film.radius();
+        let motion = NormalMotion { pattern: &pattern, triangles: film.topology.triangles(), radius };
+        let record = &mut |_, residual| residuals.push(residual);
+        let (outcome, _) = iterate(&mut film.vertices, &motion, &mut direct, &settings, &Execution::default(), record);
+        (outcome, residuals)
+    }
+
+    #[test]
+    fn beside_a_saddle_of_the_area_a_step_to_a_minimum_goes_down() {
+        // The catenoid over 6 π / 5 of a turn with |v| <= 2 has Morse index 1. Without a shift the step leads back up to
+        // it, and the line search refuses it.
+        let film = patch(24, 24, catenoid(1.2 * std::f64::consts::PI, 2.0));
+        let pattern = Pattern::new(film.triangles(), &film.fixed);
+        let mut direct = Direct::new(pattern.matrix()).unwrap();
+        let motion = NormalMotion { pattern: &pattern, triangles: film.triangles(), radius: film.radius() };
+        let (exec, mut at) = (Execution::default(), film.vertices.clone());
+        let settings = Settings { aim: Aim::Stationary, tolerance: 1e-9, max_steps: 20 };
+        let (outcome, saddle) = iterate(&mut at, &motion, &mut direct, &settings, &exec, &mut |_, _| {});
+        assert_eq!(outcome, Outcome::Converged);
+        let variation = stability::analyse(&at, &motion, &saddle, &mut direct, &exec).unwrap().unwrap();
+        assert_eq!(variation.morse_index, 1);
+        let largest = variation.lowest.vector.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
+        at = motion.moved(&at, &saddle, &variation.lowest.vector, 0.05 / largest);
+        let start = motion.state(&at).energy;
+        assert!(start < saddle.energy);
+        let settings = Settings { aim: Aim::Minimum, max_steps: 1, ..settings };
+        let (outcome, reached) = iterate(&mut at, &motion, &mut direct, &settings, &exec, &mut |_, _| {});
+        assert_eq!(outcome, Outcome::StepsUsed);
+        assert!(reached.energy < start);
+    }
+
+    #[test]
+    fn the_line_search_takes_no_step_that_turns_a_triangle_over() {
+        // A cylinder of radius 1 and height 4 whose middle ring moves: a step of 1.5 inwards passes the axis, and both
+        // the step and its half lower the area.
+        let film = cylinder(12, 2, 4.0);
+        let pattern = Pattern::new(film.triangles(), &film.fixed);
+        let motion = NormalMotion { pattern: &pattern, triangles: film.triangles(), radius: film.radius() };
+        let state = motion.state(&film.vertices);
+        let outward = |v: u32, at: &[DVec3]| at[v as usize].dot(film.vertices[v as usize] * DVec3::new(1.0, 1.0, 0.0));
+        let step: Vec<f64> = pattern.free.vertex.iter().map(|&v| -1.5 * outward(v, &state.frame).signum()).collect();
+        let whole = motion.moved(&film.vertices, &state, &step, 1.0);
+        assert!(motion.state(&whole).energy < state.energy && outward(pattern.free.vertex[0], &whole) < 0.0);
+        let (moved, reached) = search(&film.vertices, &motion, &state, &step, &Settings::default()).unwrap();
+        assert!(reached.energy < state.energy);
+        assert!(pattern.free.vertex.iter().all(|&v| (outward(v, &moved) - 0.25).abs() < 1e-9));
+    }
+
+    #[test]
+    fn the_number_of_steps_does_not_grow_with_the_mesh() {
+        for (n, sweeps) in [(10, 20), (40, 200)] {
+            let mut film = patch(n, 6 * n, helicoid);
+            relax(&mut film, sweeps);
+            let (outcome, residuals) = residuals(&mut film);
+            assert_eq!(outcome, Outcome::Converged);
+            assert!(residuals.len() <= 5, "{residuals:?}");
+        }
+    }
+
+    #[test]
+    fn rings_close_to_the_critical_gap_take_a_few_steps_more() {
+        for (gap, most) in [(1.0, 4), (1.32, 9)] {
+            for n in [40, 160] {
+                let (outcome, residuals) = residuals(&mut cylinder(n, n / 5, gap));
+                assert_eq!(outcome, Outcome::Converged);
+                assert!(residuals.len() <= most, "{residuals:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_critical_gap_of_two_rings() {
+        // gap / diameter = 0.66274: the catenoid whose waist is 0.55243 of the rings' radius is the last.
+        let holds = |n: usize, gap: f64| {
+            let mut film = cylinder(n, n / 6, gap);
+            for vertex in &mut film.vertices {
+                let profile = |z: f64| 0.55243 * (z / 0.55243).cosh();
+                let narrowed = 1.0 + profile(vertex.z) - profile(0.5 * gap);
+                if vertex.z.abs() < 0.5 * gap {
+                    (vertex.x, vertex.y) = (narrowed * vertex.x, narrowed * vertex.y);
+                }
+            }
+            let settings = Settings { aim: Aim::Minimum, tolerance: 1e-8, max_steps: 40 };
+            let pattern = Pattern::new(film.triangles(), &film.fixed);
+            let mut direct = Direct::new(pattern.matrix()).unwrap();
+            let radius = film.radius();
+            let motion = NormalMotion { pattern: &pattern, triangles: film.topology.triangles(), radius };
+            let exec = Execution::default();
+            iterate(&mut film.vertices, &motion, &mut direct, &settings, &exec, &mut |_, _| {}).0 == Outcome::Converged
+        };
+        let critical = |n: usize| {
+            let (mut held, mut broken) = (1.28, 1.38);
+            while broken - held > 2e-4 {
+                let gap = 0.5 * (held + broken);
+                if holds(n, gap) { held = gap } else { broken = gap }
+            }
+            0.25 * (held + broken)
+        };
+        let (coarse, fine) = (critical(60), critical(120));
+        let extrapolated = fine + (fine - coarse) / 3.0;
+        assert!((extrapolated - 0.66274).abs() < 5e-4, "{coarse} {fine} {extrapolated}");
+    }
+}

@@ -1,0 +1,361 @@
+//! Whether a stationary state is a true local minimum: the second variation along the body's freedoms.
+//!
+//! K is the matrix of [`newton`](super::newton) at the final positions, M the lumped mass (each unknown's share of
+//! tension times size).
+//! - The Morse index is the number of negative eigenvalues of K, on the tangent space of the constraints if there are
+//!   any. By Sylvester's law it is the number of negative pivots in K = L D Lᵀ, whatever the mass; no eigenvalue needs
+//!   to be computed for it.
+//! - The lowest eigenvalue of K x = λ M x and its vector: locally optimal preconditioned conjugate gradients (Knyazev,
+//!   *Toward the Optimal Preconditioned Eigensolver*, 2001, for one vector). The preconditioner is the factor of K, or
+//!   of K + s M with s large enough to make it positive definite, so that a handful of iterations suffice.
+//!
+//! The start is the constant height. The lowest eigenfunction of a connected surface has one sign, so the two are never
+//! orthogonal, and the result depends on no random number.
+//!
+//! The index counts motions of the vertices. It says nothing about changes of topology: a point where eight junctions
+//! meet may be stable under every motion, and still be left by splitting the point.
+
+use super::constraint::{Bordered, ConstraintState, add_rank_one_products};
+use super::newton::{Direct, Equations, State};
+use plateau_mesh::sparse::{LinearError, Symbolic, SymmetricMatrix};
+use plateau_mesh::{DVec3, Execution, Interruption};
+
+/// Iterations end when the eigenvalue moves by less than this fraction of itself (or of 1/1000 of 1/R²). A larger value
+/// gives fewer digits.
+const EIGENVALUE_TOLERANCE: f64 = 1e-9;
+/// Bound on the iterations.
+const MAX_ITERATIONS: usize = 60;
+/// Shifts tried, in units of 1/R², each four times the last, before an indefinite matrix is given up.
+const MAX_SHIFTS: usize = 24;
+/// Mass, in units of 1/R², that is added to a matrix with a vanishing pivot: a state at the very edge of stability.
+/// Large against rounding, small against any eigenvalue that could be told from zero.
+const NUDGE: f64 = 1e-13;
+
+/// An eigenvalue with its vector (unit in the lumped mass).
+#[derive(Clone, Debug)]
+pub(crate) struct Mode {
+    pub eigenvalue: f64,
+    pub vector: Vec<f64>,
+}
+
+/// The second variation at one position, analysed.
+#[derive(Clone, Debug)]
+pub(crate) struct SecondVariation {
+    pub morse_index: usize,
+    pub lowest: Mode,
+}
+
+/// Why the stability is not known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Unknown {
+    /// No factorisation is possible: a degenerate mesh.
+    Refused(LinearError),
+    Interrupted(Interruption),
+}
+
+impl From<LinearError> for Unknown {
+    fn from(error: LinearError) -> Self {
+        Self::Refused(error)
+    }
+}
+
+impl From<Interruption> for Unknown {
+    fn from(interruption: Interruption) -> Self {
+        Self::Interrupted(interruption)
+    }
+}
+
+/// A second variation, factorised with its constraints' border. A vanishing pivot is a state at the very edge of
+/// stability: a trace of mass then decides on which side it is.
+///
+/// # Errors
+/// A [`LinearError`] for a degenerate body.
+fn with_factor<R>(
+    symbolic: &Symbolic,
+    matrix: &SymmetricMatrix,
+    mass: &[f64],
+    unit: f64,
+    constraints: &[ConstraintState],
+    work: impl FnOnce(&Bordered) -> R,
+) -> Result<R, LinearError> {
+    match symbolic.factorise(matrix) {
+        Ok(factorisation) => Bordered::new(factorisation, constraints).map(|bordered| work(&bordered)),
+        Err(LinearError::Singular) => {
+            let nudged = shifted(matrix, mass, NUDGE * unit);
+            let factorisation = symbolic.factorise(&nudged)?;
+            Bordered::new(factorisation, constraints).map(|bordered| work(&bordered))
+        }
+        Err(error) => Err(error),
+    }
+}
+
+/// The Morse index of a second variation: its negative eigenvalues on the constraints' tangent space. `unit` is the
+/// eigenvalue scale 1/R².
+///
+/// # Errors
+/// A [`LinearError`] for a degenerate body.
+pub(crate) fn morse_index(
+    symbolic: &Symbolic,
+    matrix: &SymmetricMatrix,
+    mass: &[f64],
+    unit: f64,
+    constraints: &[ConstraintState],
+) -> Result<usize, LinearError> {
+    with_factor(symbolic, matrix, mass, unit, constraints, |bordered| bordered.index())
+}
+
+/// Morse index by inertia and lowest mode at a position, in the storage of `direct`. `None` for a body without
+/// unknowns.
+///
+/// # Errors
+/// See [`Unknown`].
+pub(crate) fn analyse<E: Equations>(
+    vertices: &[DVec3],
+    equations: &E,
+    state: &State<E::Frame>,
+    direct: &mut Direct,
+    exec: &Execution,
+) -> Result<Option<SecondVariation>, Unknown> {
+    if state.mass.is_empty() {
+        return Ok(None);
+    }
+    let Direct { symbolic, matrix, .. } = direct;
+    equations.second_variation(vertices, state, 0.0, matrix);
+    let (mass, constraints) = (&state.mass, &state.constraints);
+    let unit = 1.0 / (equations.radius() * equations.radius());
+    let lowest = |bordered: &Bordered| {
+        let mut start = vec![1.0; mass.len()];
+        bordered.correct(&mut start, |_| 0.0);
+        let multiply = |x: &[f64], product: &mut [f64]| {
+            matrix.multiply(x, product);
+            add_rank_one_products(constraints, x, product);
+        };
+        lowest_mode(multiply, mass, unit, start, |residual| bordered.apply(residual), exec)
+    };
+    let (morse_index, mode) = with_factor(symbolic, matrix, mass, unit, constraints, |bordered| {
+        let index = bordered.index();
+        (index, (index == 0).then(|| lowest(bordered)))
+    })?;
+    if let Some(mode) = mode {
+        return Ok(Some(SecondVariation { morse_index, lowest: mode? }));
+    }
+    let mut shift = unit;
+    for _ in 0..MAX_SHIFTS {
+        let raised = shifted(matrix, mass, shift);
+        match symbolic.factorise(&raised).and_then(|factorisation| Bordered::new(factorisation, constraints)) {
+            Ok(bordered) if bordered.index() == 0 => {
+                return Ok(Some(SecondVariation { morse_index, lowest: lowest(&bordered)? }));
+            }
+            Ok(_) | Err(LinearError::Singular) => shift *= 4.0,
+            Err(error) => return Err(error.into()),
+        }
+    }
+    Err(LinearError::Singular.into())
+}
+
+/// K + shift M.
+fn shifted(matrix: &SymmetricMatrix, mass: &[f64], shift: f64) -> SymmetricMatrix {
+    let mut result = matrix.clone();
+    for (row, mass) in mass.iter().enumerate() {
+        result.values[result.row_start[row] as usize] += shift * mass;
+    }
+    result
+}
+
+/// The lowest eigenvalue of K x = λ M x from a start vector; `multiply` writes the product of K by its first argument to
+/// the second, and `precondition` applies an approximate positive definite inverse of K in place. `unit` is the
+/// eigenvalue scale 1/R².
+///
+/// # Errors
+/// The interruption.
+pub(crate) fn lowest_mode(
+    multiply: impl Fn(&[f64], &mut [f64]),
+    mass: &[f64],
+    unit: f64,
+    start: Vec<f64>,
+    precondition: impl Fn(&mut [f64]),
+    exec: &Execution,
+) -> Result<Mode, Interruption> {
+    let inner = |a: &[f64], b: &[f64]| a.iter().zip(b).zip(mass).map(|((a, b), m)| a * b * m).sum::<f64>();
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let n = mass.len();
+    // The basis: the iterate, the preconditioned residual, the last direction; each with its product by K.
+    let mut x = Vector { value: start, product: vec![0.0; n] };
+    multiply(&x.value, &mut x.product);
+    x.scale(1.0 / inner(&x.value, &x.value).sqrt());
+    let mut eigenvalue = dot(&x.value, &x.product);
+    let mut last: Option<Vector> = None;
+    for _ in 0..MAX_ITERATIONS {
+        exec.look(n as u64)?;
+        let mut residual: Vec<f64> =
+            x.product.iter().zip(&x.value).zip(mass).map(|((kx, x), m)| kx - eigenvalue * m * x).collect();
+        precondition(&mut residual);
+        let mut basis = vec![x];
+        let mut w = Vector { value: residual, product: vec![0.0; n] };
+        w.orthonormalise(&basis, inner);
+        multiply(&w.value, &mut w.product);
+        basis.push(w);
+        if let Some(mut direction) = last.take() {
+            direction.orthonormalise(&basis, inner);
+            basis.push(direction);
+        }
+        basis.retain(|vector| vector.value.iter().all(|value| value.is_finite()));
+        let size = basis.len();
+        let mut small = [[0.0; 3]; 3];
+        for i in 0..size {
+            for j in 0..size {
+                small[i][j] = dot(&basis[i.min(j)].value, &basis[i.max(j)].product);
+            }
+        }
+        let (lowest, weights) = lowest_of_three(small, size);
+        let mut next = Vector { value: vec![0.0; n], product: vec![0.0; n] };
+        let mut direction = Vector { value: vec![0.0; n], product: vec![0.0; n] };
+        for (k, (vector, &weight)) in basis.iter().zip(&weights).enumerate() {
+            next.add(weight, vector);
+            if k > 0 {
+                direction.add(weight, vector);
+            }
+        }
+        x = next;
+        x.scale(1.0 / inner(&x.value, &x.value).sqrt());
+        last = Some(direction);
+        let change = (eigenvalue - lowest).abs();
+        eigenvalue = lowest;
+        if change.is_nan() || change <= EIGENVALUE_TOLERANCE * eigenvalue.abs().max(1e-3 * unit) {
+            break;
+        }
+    }
+    Ok(Mode { eigenvalue, vector: x.value })
+}
+
+/// A vector and its product by K, which take part in the same linear combinations.
+struct Vector {
+    value: Vec<f64>,
+    product: Vec<f64>,
+}
+
+impl Vector {
+    fn scale(&mut self, factor: f64) {
+        self.value.iter_mut().chain(&mut self.product).for_each(|value| *value *= factor);
+    }
+
+    fn add(&mut self, weight: f64, other: &Self) {
+        self.value.iter_mut().zip(&other.value).for_each(|(value, other)| *value += weight * other);
+        self.product.iter_mut().zip(&other.product).for_each(|(value, other)| *value += weight * other);
+    }
+
+    /// Twice is enough (Kahan). Becomes not finite if nothing is left.
+    fn orthonormalise(&mut self, basis: &[Self], inner: impl Fn(&[f64], &[f64]) -> f64) {
+        for _ in 0..2 {
+            for other in basis {
+                let weight = -inner(&self.value, &other.value);
+                self.add(weight, other);
+            }
+            let norm = inner(&self.value, &self.value).sqrt();
+            self.scale(if norm > 0.0 { 1.0 / norm } else { f64::NAN });
+        }
+    }
+}
+
+/// The lowest eigenvalue and unit vector of the leading `size` rows of a symmetric matrix, by Jacobi's rotations.
+fn lowest_of_three(mut a: [[f64; 3]; 3], size: usize) -> (f64, [f64; 3]) {
+    let mut vectors = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    for _sweep in 0..12 {
+        for (p, q) in [(0, 1), (0, 2), (1, 2)] {
+            if q >= size || a[p][q] == 0.0 {
+                continue;
+            }
+            let theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
+            let t = theta.signum() / (theta.abs() + (theta * theta + 1.0).sqrt());
+            let c = 1.0 / (t * t + 1.0).sqrt();
+            let s = t * c;
+            for row in &mut a {
+                (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
+            }
+            let (row_p, row_q) = (a[p], a[q]);
+            a[p] = std::array::from_fn(|k| c * row_p[k] - s * row_q[k]);
+            a[q] = std::array::from_fn(|k| s * row_p[k] + c * row_q[k]);
+            for row in &mut vectors {
+                (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
+            }
+        }
+    }
+    let lowest = (0..size).min_by(|&i, &j| a[i][i].total_cmp(&a[j][j])).unwrap_or(0);
+    (a[lowest][lowest], vectors.map(|row| row[lowest]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::equilibrium::NormalMotion;
+    use crate::equilibrium::newton::{Aim, Outcome, Settings, iterate};
+    use plateau_mesh::DVec3;
+    use plateau_mesh::film::Film;
+    use plateau_mesh::sparse::pattern::Pattern;
+    use plateau_mesh::structured::{catenoid, patch};
+    use std::f64::consts::PI;
+
+    fn converged(mut film: Film, aim: Aim) -> SecondVariation {
+        let settings = Settings { aim, tolerance: 1e-9, max_steps: 20 };
+        let pattern = Pattern::new(film.triangles(), &film.fixed);
+        let mut direct = Direct::new(pattern.matrix()).unwrap();
+        let radius = film.radius();
+        let motion = NormalMotion { pattern: &pattern, triangles: film.topology.triangles(), radius };
+        let exec = Execution::default();
+        let (outcome, state) = iterate(&mut film.vertices, &motion, &mut direct, &settings, &exec, &mut |_, _| {});
+        assert_eq!(outcome, Outcome::Converged);
+        analyse(&film.vertices, &motion, &state, &mut direct, &exec).unwrap().unwrap()
+    }
+
+    #[test]
+    fn the_unit_square_vibrates_at_two_pi_squared() {
+        // On a flat film the second variation is the Dirichlet energy: -Δ, with λ = 2 π² on the unit square.
+        let lowest = |n| converged(patch(n, n, |u, v| DVec3::new(u, v, 0.0)), Aim::Minimum).lowest.eigenvalue;
+        let errors = [8, 16, 32].map(|n| (lowest(n) - 2.0 * PI * PI).abs());
+        assert!(errors[2] < 0.05 && errors[1] / errors[2] > 3.5 && errors[0] / errors[1] > 3.5, "{errors:?}");
+    }
+
+    #[test]
+    fn a_catenoid_sector_beyond_the_critical_one_has_index_one() {
+        let sector = 6.0 * PI / 5.0;
+        for (reach, index) in [(1.5, 0), (2.0, 1)] {
+            let film = patch(52, 52, catenoid(sector, reach));
+            let variation = converged(film, Aim::Stationary);
+            assert_eq!(variation.morse_index, index);
+            assert_eq!(variation.lowest.eigenvalue < 0.0, index > 0);
+        }
+    }
+
+    #[test]
+    fn the_critical_sector_of_the_catenoid() {
+        // Chen, Cai and Zheng's sector, 6 π / 5, clamped on all four sides: stable for |v| < 1.70676.
+        let critical = |n: usize| {
+            let (mut stable, mut unstable) = (1.6, 1.8);
+            while unstable - stable > 1e-4 {
+                let reach = 0.5 * (stable + unstable);
+                let film = patch(n, n, catenoid(6.0 * PI / 5.0, reach));
+                let pattern = Pattern::new(film.triangles(), &film.fixed);
+                let motion = NormalMotion { pattern: &pattern, triangles: film.triangles(), radius: film.radius() };
+                let state = motion.state(&film.vertices);
+                let Direct { symbolic, mut matrix, .. } = Direct::new(pattern.matrix()).unwrap();
+                motion.second_variation(&film.vertices, &state, 0.0, &mut matrix);
+                let inertia = symbolic.factorise(&matrix).unwrap().inertia();
+                assert!(inertia.negative <= 1);
+                if inertia.negative == 0 { stable = reach } else { unstable = reach }
+            }
+            0.5 * (stable + unstable)
+        };
+        let (coarse, fine) = (critical(40), critical(80));
+        let extrapolated = fine + (fine - coarse) / 3.0;
+        assert!((extrapolated - 1.70676).abs() < 5e-4, "{coarse} {fine} {extrapolated}");
+        assert!((fine - 1.70676).abs() < 0.3 * (coarse - 1.70676).abs());
+    }
+
+    #[test]
+    fn the_lowest_of_three() {
+        let (value, vector) = lowest_of_three([[2.0, -1.0, 0.0], [-1.0, 2.0, -1.0], [0.0, -1.0, 2.0]], 3);
+        assert!((value - (2.0 - 2f64.sqrt())).abs() < 1e-14);
+        assert!((vector[1] / vector[0] - 2f64.sqrt()).abs() < 1e-12);
+        assert!((lowest_of_three([[2.0, -1.0, 9.0], [-1.0, 2.0, 9.0], [9.0, 9.0, 9.0]], 2).0 - 1.0).abs() < 1e-14);
+    }
+}

@@ -1,0 +1,198 @@
+//! Minimal surfaces: the least area, or another energy, among the meshes that span closed boundary polygons.
+//!
+//! [`solve`] is the front door: boundary polygons and a resolution in; a mesh, its measurements and the reason why the
+//! solver stopped out. The boundary never moves; everything else is the solver's to place.
+//!
+//! ```
+//! use crate::minimal_surface::{Method, Options, PinkallPolthier, Resolution, solve};
+//! use plateau_mesh::{DVec3, Execution};
+//!
+//! // Two circles of radius 1, half a unit apart: a catenoid.
+//! let circle = |height: f64| -> Vec<DVec3> {
+//!     let angles = (0..40).map(|k| std::f64::consts::TAU * f64::from(k) / 40.0);
+//!     angles.map(|angle| DVec3::new(angle.cos(), angle.sin(), height)).collect()
+//! };
+//! let rings = [circle(0.0), circle(0.5)];
+//! let options = Options::new(Resolution::Triangles(800));
+//! let surface = solve(&rings, &options, &Execution::default())?;
+//! assert!(surface.statistics.converged);
+//! assert_eq!(surface.statistics.genus, Some(0));
+//! assert_eq!(surface.statistics.stability.map(|stability| stability.morse_index), Some(0));
+//! // Between the cylinder's area, π, and a little less.
+//! assert!((3.0..std::f64::consts::PI).contains(&surface.statistics.area));
+//!
+//! // Another solver has options of its own.
+//! let method = Method::PinkallPolthier(PinkallPolthier { area_tolerance: 1e-4, ..PinkallPolthier::default() });
+//! let slower = solve(&rings, &Options { method, ..options }, &Execution::default())?;
+//! assert!((slower.statistics.area / surface.statistics.area - 1.0).abs() < 1e-3);
+//! # Ok::<(), plateau_mesh::Error>(())
+//! ```
+//!
+//! Sources: Chen, Cai, Zheng, *Constructing Triangular Meshes of Minimal Area* (2008); Pinkall, Polthier, *Computing
+//! Discrete Minimal Surfaces and Their Conjugates* (1993).
+
+mod curvature;
+mod drivers;
+mod estimate;
+mod extrapolation;
+mod harmonic;
+mod initial_mesh;
+mod junction_statistics;
+mod options;
+mod outcome;
+mod request;
+mod run;
+mod solved_film;
+mod solvers;
+mod statistics;
+mod triple_junction;
+
+pub use curvature::Curvature;
+pub use estimate::estimate;
+pub use initial_mesh::InitialMeshKind;
+pub use junction_statistics::JunctionStatistics;
+pub use options::{
+    BoundarySampling, Constraints, Description, FreeTopology, InitialMesh, LARGEST_COUNT, LinearSolver, LiuWang,
+    Method, Newton, Objective, OnUnstable, Options, PinkallPolthier, Process, Resolution, Solver, TopologyRule,
+    VertexRelaxation,
+};
+pub use outcome::{ConstraintVertices, MinimalSurface};
+pub use plateau_mesh::remesh::thin_triangles::Pinch;
+pub use run::{
+    ExtrapolatedArea, HistoryRow, SpanningComparison, SpanningTopology, Stability, StabilityMethod, StopReason,
+};
+pub use statistics::{MeanCurvature, Statistics};
+
+use drivers::{best_topology, free_topology, nested};
+use outcome::finish;
+use plateau_mesh::complex::has_junctions;
+use plateau_mesh::error::InputError;
+use plateau_mesh::film::Film;
+use plateau_mesh::{DVec3, Error, Execution, Place};
+use request::Input;
+use run::Run;
+use solved_film::SolvedFilm;
+use solvers::{chen_cai_zheng, dirichlet, liu_wang, newton as default_solver, pinkall_polthier};
+
+/// Spans the boundaries (closed polygons that do not repeat their first point) with a mesh that makes the objective
+/// least.
+///
+/// The result is an oriented manifold whose boundary loops are exactly the given ones. It depends on nothing but the
+/// arguments, to the byte, and turns, moves and scales with them up to rounding. Neighbouring points that are equal,
+/// or nearer than 1e-9 of the boundary's radius, are merged, with the warning `merged_points`. The least found is a *local* one: a boundary may bound several minimal
+/// surfaces, and which one comes out follows from the initial mesh. A surface whose solver did not meet its own rule is
+/// returned with `converged: false` and the warning `not_converged`, at a deadline too. A film of least area whose
+/// solver met its own rule above the tolerance carries the warning `not_minimal`.
+///
+/// # Errors
+/// [`Error::Input`] for what the arguments themselves show (a coordinate that is not finite or beyond 1e50, neighbours
+/// nearer than 1e-50 and not equal, fewer than three distinct points on a boundary, an impossible resolution);
+/// [`Error::NoResult`] if no valid mesh came out, or `no_connected_film` if several boundaries had to be connected
+/// ([`TopologyRule::Fixed`]) and the film did not hold; [`Error::Interrupted`] on cancel, and on a deadline that passes
+/// before there is a mesh.
+pub fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<MinimalSurface, Error> {
+    let input = Input::read(boundaries, options)?;
+    let shared = input.shared_point();
+    solve_input(input, options, exec).map_err(|error| Input::with_shared_point(shared, error))
+}
+
+fn solve_input(input: Input, options: &Options, exec: &Execution) -> Result<MinimalSurface, Error> {
+    exec.look(input.point_count() as u64)?;
+    if let InitialMesh::Given(mesh) = &options.initial_mesh
+        && has_junctions(&mesh.triangles)
+    {
+        let mut surface = triple_junction::solve(&input.given, &input.vertices, mesh, options, exec)?;
+        surface.warnings.extend(input.warnings());
+        return Ok(surface.checked(exec)?);
+    }
+    let given = options;
+    let options = &options.centred(input.centre);
+    let solved = match &options.method {
+        Method::Newton(Newton { topology: TopologyRule::Best, .. }) => {
+            Some(best_topology::solve(&input.centred, options, exec)?)
+        }
+        Method::Newton(Newton { topology: TopologyRule::Fixed, on_unstable }) => {
+            nested::solve(&input.centred, options, *on_unstable, exec)?
+        }
+        _ => None,
+    };
+    let solved = match solved {
+        Some(solved) => solved,
+        None => {
+            let built = initial_mesh::build(&input.centred, options, exec);
+            let (start, kind) = built.map_err(|error| input.placed_as_given(error))?;
+            let mut film = start.refined(exec)?;
+            let initial_area = film.area();
+            let run = relax(&mut film, options, exec)?;
+            SolvedFilm { film, kind, initial_area, run }
+        }
+    };
+    let surface = finish(input, solved, given)?;
+    if matches!(given.method, Method::Newton(Newton { topology: TopologyRule::Fixed, .. })) {
+        refuse_lost_film(&surface.statistics)?;
+    }
+    Ok(surface.checked(exec)?)
+}
+
+/// Residual above which a film that is not converged has nothing to do with a minimal surface: its mean curvature is
+/// that of the boundary itself.
+const LOST: f64 = 1.0;
+
+/// Refuses the remains of a film that had to connect several boundaries and found no minimal surface that does: it has
+/// collapsed, folded over, or stopped far from any.
+fn refuse_lost_film(statistics: &Statistics) -> Result<(), Error> {
+    let ended = match statistics.stop_reason {
+        StopReason::Collapsed => "collapsed",
+        StopReason::Stalled | StopReason::Residual if statistics.flipped_triangles > 0 => "folded over",
+        StopReason::Stalled if statistics.degenerate_triangles > 0 => "collapsed in part",
+        StopReason::Stalled if statistics.residual > LOST => "stopped far from any",
+        _ => return Ok(()),
+    };
+    if statistics.components >= statistics.boundary_loops {
+        return Ok(());
+    }
+    let detail = format!(
+        "no minimal film that connects the {} boundaries was found: the mesh {ended}. Ask for topology best or free, \
+         which let it come apart, or move the boundaries closer together",
+        statistics.boundary_loops
+    );
+    let place = InputError::new(Place::field("topology"), "fixed keeps the boundaries connected");
+    Err(Error::NoResult { reason: "no_connected_film", detail, places: vec![place] })
+}
+
+/// Runs the solver that is asked for from an initial mesh of the full size.
+fn relax(film: &mut Film, options: &Options, exec: &Execution) -> Result<Run, Error> {
+    let limits = options.limits();
+    let given = matches!(options.initial_mesh, InitialMesh::Given(_));
+    match &options.method {
+        Method::LiuWang(method) => {
+            let candidate = options.barycentres(film.boundaries.len()).is_some();
+            liu_wang::run(film, method, candidate, limits, exec)
+        }
+        Method::Harmonic => dirichlet::run_once(film, exec),
+        Method::VertexRelaxation(method) => chen_cai_zheng::run(film, method, limits, exec),
+        Method::PinkallPolthier(method) => pinkall_polthier::run(film, method, limits, exec),
+        Method::Newton(Newton { topology: TopologyRule::Free(free), .. }) => {
+            free_topology::run(film, free, limits, given, exec)
+        }
+        Method::Newton(Newton { on_unstable, .. }) => {
+            let may_widen = !given && options.initial_mesh != InitialMesh::Rings;
+            let task = default_solver::Task { limits, on_unstable: *on_unstable, given, may_widen };
+            default_solver::run(film, task, exec)
+        }
+    }
+}
+
+/// Checks the arguments of [`solve`] before any work: linear in the number of points.
+///
+/// # Errors
+/// The [`Error::Input`] that [`solve`] would begin with. Arguments that pass may still turn out to have no valid mesh.
+pub fn check(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
+    let input = Input::read(boundaries, options)?;
+    if let InitialMesh::Given(mesh) = &options.initial_mesh
+        && has_junctions(&mesh.triangles)
+    {
+        return triple_junction::check(&input.given, mesh, options);
+    }
+    initial_mesh::check(&input.centred, &options.centred(input.centre))
+}

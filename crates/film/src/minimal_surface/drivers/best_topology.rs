@@ -1,0 +1,390 @@
+//! Finds the film of least area over several boundaries: solves every way to span them and compares the areas.
+//!
+//! 1. Each non-empty set of boundaries is spanned by one connected film (a disc, an annulus, a sphere with holes). The
+//!    default solver solves it and leaves unstable surfaces. The film *holds* if it converged, is stable and has no
+//!    flipped triangle.
+//! 2. A spanning topology is a partition of the boundaries with one connected film for each of its sets. Its area and
+//!    its Morse index are the sums over the films. A partition with a set that does not hold is listed without an area.
+//! 3. The partition of least area is returned. The statistics list the others. Partitions whose films pass through
+//!    themselves or each other come after all others, whatever their area.
+//! 4. If the connected film over two boundaries does not hold, the boundaries are moved together along the line of
+//!    their centroids until one does. They are then moved apart in ever shorter steps, each from the last film. The
+//!    result is the largest fraction of the gap at which a film holds, or the film itself if the full gap is reached.
+//!
+//! The films of one partition are solved independently. They may pass through each other, which is reported.
+
+use crate::minimal_surface::initial_mesh;
+use crate::minimal_surface::options::{Method, Newton, OnUnstable, Options, Resolution, Solver, TopologyRule};
+use crate::minimal_surface::run::{Run, SpanningComparison, SpanningTopology, Stability, StabilityMethod, StopReason};
+use crate::minimal_surface::solved_film::SolvedFilm;
+use crate::minimal_surface::solvers::newton;
+use plateau_mesh::crossing::films_cross;
+use plateau_mesh::error::Warning;
+use plateau_mesh::film::Film;
+use plateau_mesh::self_intersections::{Order, self_intersections};
+use plateau_mesh::{DVec3, Error, Execution, Interruption, Place, polyline};
+
+// Tunables. The figures in docs/VALIDATION.md were obtained with these values.
+
+/// Largest number of boundaries that [`TopologyRule::Best`] compares. For n boundaries there are 2ⁿ - 1 films to solve;
+/// for six there are 203 partitions.
+pub(crate) const MOST_BOUNDARIES: usize = 6;
+/// Accuracy of the largest fraction of a gap at which a connected film holds. A smaller value takes more solves, about
+/// one per halving.
+const GAP_RESOLUTION: f64 = 1e-3;
+/// Largest number of times that the gap is halved to find a first film. A larger value finds films over boundaries that
+/// are further apart.
+const HALVINGS: u32 = 8;
+
+impl SpanningComparison {
+    pub(crate) fn warnings(&self) -> Vec<Warning> {
+        let mut warnings = Vec::new();
+        if !self.connected_film_exists {
+            let mut detail = String::from("no film that connects all boundaries was found");
+            if let Some(fraction) = self.largest_gap_fraction {
+                detail += &format!("; one would at up to {fraction:.3} of the gap between the two");
+            }
+            warnings.push(Warning::new("no_connected_film", detail));
+        }
+        if self.topologies.first().is_some_and(|least| least.films_cross) {
+            let detail =
+                "the films of the least topology pass through each other or themselves; soap films would join there";
+            warnings.push(Warning::new("films_cross", detail));
+        }
+        warnings
+    }
+}
+
+/// Steps 1 to 4 for centred boundaries. A disc that does not hold (over a knotted boundary, or after a deadline) is
+/// kept, so that there is always a result. A connected film that does not hold is dropped.
+///
+/// # Errors
+/// [`Error::Input`] for more than [`MOST_BOUNDARIES`] boundaries, and the errors of the discs over single boundaries.
+pub(crate) fn solve(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<SolvedFilm, Error> {
+    let count = boundaries.len();
+    if count > MOST_BOUNDARIES {
+        let detail = format!("best compares the films over at most {MOST_BOUNDARIES} boundaries");
+        return Err(Error::input(Place::field("topology"), detail));
+    }
+    let total: f64 = boundaries.iter().map(|boundary| polyline::length(boundary, true)).sum();
+    let problem = SpanningProblem { boundaries, options, total };
+    // The discs are solved first, so that there is a result if the rest is interrupted.
+    let mut sets: Vec<u32> = (1..1 << count).collect();
+    sets.sort_by_key(|set| (set.count_ones(), *set));
+    let mut parts: Vec<Option<SolvedFilm>> = vec![None; 1 << count];
+    let share = 0.9 / sets.len() as f64;
+    let mut interrupted = false;
+    for (k, &set) in sets.iter().enumerate() {
+        let share = [share * k as f64, share * (k + 1) as f64];
+        match exec.part(share, |exec| problem.part(set, exec)) {
+            Ok(part) => {
+                interrupted |= part.run.stop_reason == StopReason::Deadline;
+                parts[set as usize] = (set.count_ones() == 1 || part.holds()).then_some(part);
+            }
+            Err(Error::Interrupted(Interruption::DeadlinePassed)) if set.count_ones() > 1 => interrupted = true,
+            Err(error @ Error::NoResult { .. }) if set.count_ones() == 1 => return Err(error),
+            // No initial mesh connects these boundaries (they touch, or the resolution is too coarse): there is no such
+            // film.
+            Err(Error::NoResult { .. } | Error::Input(_)) if set.count_ones() > 1 => {}
+            Err(error) => return Err(error),
+        }
+        if interrupted && set.count_ones() > 1 {
+            break;
+        }
+    }
+    let whole = (1usize << count) - 1;
+    let mut largest_gap_fraction = None;
+    if count == 2 && parts[whole].is_none() && !interrupted {
+        match exec.part([0.9, 1.0], |exec| problem.widest_gap(exec)) {
+            Ok(Widest::Full(part)) => parts[whole] = Some(*part),
+            Ok(Widest::Fraction(fraction)) => largest_gap_fraction = Some(fraction),
+            Ok(Widest::NotFound) | Err(Error::Interrupted(Interruption::DeadlinePassed)) => {}
+            Err(error) => return Err(error),
+        }
+    }
+    let connected_film_exists = parts[whole].is_some();
+    let mut crosses_itself = Vec::with_capacity(parts.len());
+    for part in &parts {
+        let film = part.as_ref().map(|part| &part.film);
+        crosses_itself.push(film.map_or(Ok(false), |film| film_crosses_itself(film, exec))?);
+    }
+    let mut topologies = partitions(count);
+    let mut compared: Vec<SpanningTopology> = Vec::with_capacity(topologies.len());
+    for films in &mut topologies {
+        films.sort_by_key(|set| set.trailing_zeros());
+        compared.push(compare(films, &parts, &crosses_itself, exec)?);
+    }
+    // The areas are rounded, so that the last bits do not decide between mirror images.
+    let largest = compared.iter().filter_map(|topology| topology.area).fold(0.0, f64::max);
+    let order = |a: &SpanningTopology, b: &SpanningTopology| {
+        let key =
+            |topology: &SpanningTopology| topology.area.map_or(f64::INFINITY, |area| (area / largest * 1e9).round());
+        let crosses = |topology: &SpanningTopology| topology.area.is_some() && topology.films_cross;
+        let known = a.area.is_none().cmp(&b.area.is_none());
+        let by_area = known.then(crosses(a).cmp(&crosses(b))).then(key(a).total_cmp(&key(b)));
+        by_area.then(a.films.len().cmp(&b.films.len())).then(a.films.cmp(&b.films))
+    };
+    compared.sort_by(order);
+    // The partition into discs always has an area, so the first entry has one.
+    compared[0].chosen = true;
+    let chosen: Vec<&SolvedFilm> = compared[0]
+        .films
+        .iter()
+        .filter_map(|set| parts[set.iter().map(|&boundary| 1usize << boundary).sum::<usize>()].as_ref())
+        .collect();
+    let comparison = SpanningComparison { topologies: compared.clone(), connected_film_exists, largest_gap_fraction };
+    let films: Vec<(&[usize], &SolvedFilm)> =
+        compared[0].films.iter().map(Vec::as_slice).zip(chosen.iter().copied()).collect();
+    let film = together(boundaries, &films)
+        .ok_or_else(|| Error::no_result("invalid_mesh", "the films of the chosen topology do not fit together"))?;
+    let mut run = Run::new(Solver::Newton);
+    for part in &chosen {
+        run.append(part.run.clone());
+    }
+    run.stop_reason = if interrupted {
+        StopReason::Deadline
+    } else {
+        let open = chosen.iter().map(|part| part.run.stop_reason).find(|&reason| reason != StopReason::Residual);
+        open.unwrap_or(StopReason::Residual)
+    };
+    run.stability = compared[0].stability;
+    run.spanning = Some(comparison);
+    let initial_area = chosen.iter().map(|part| part.initial_area).sum();
+    Ok(SolvedFilm { film, kind: chosen[0].kind, initial_area, run })
+}
+
+/// Whether a film meets itself. Past the deadline that is not looked for any more.
+fn film_crosses_itself(film: &Film, exec: &Execution) -> Result<bool, Interruption> {
+    match self_intersections(&film.vertices, film.triangles(), Order::Spatial, u64::MAX, exec) {
+        Err(Interruption::DeadlinePassed) => Ok(false),
+        found => Ok(found?.pairs > 0),
+    }
+}
+
+/// Areas, stability and crossings of one partition.
+fn compare(
+    films: &[u32],
+    parts: &[Option<SolvedFilm>],
+    crosses_itself: &[bool],
+    exec: &Execution,
+) -> Result<SpanningTopology, Error> {
+    let held: Option<Vec<&SolvedFilm>> = films.iter().map(|&set| parts[set as usize].as_ref()).collect();
+    let mut topology = SpanningTopology {
+        films: films.iter().map(|&set| members(set)).collect(),
+        area: None,
+        stability: None,
+        films_cross: films.iter().any(|&set| crosses_itself[set as usize]),
+        chosen: false,
+    };
+    let Some(held) = held else { return Ok(topology) };
+    topology.area = Some(held.iter().map(|part| part.film.area()).sum());
+    topology.stability =
+        held.iter().map(|part| part.run.stability).collect::<Option<Vec<Stability>>>().and_then(|all| {
+            all.into_iter().reduce(|a, b| Stability {
+                stable: a.stable && b.stable,
+                morse_index: a.morse_index + b.morse_index,
+                lowest_eigenvalue: a.lowest_eigenvalue.min(b.lowest_eigenvalue),
+                // The combined method is the less certain one.
+                method: if a.method == StabilityMethod::Inertia { b.method } else { a.method },
+            })
+        });
+    for (k, part) in held.iter().enumerate() {
+        for other in &held[k + 1..] {
+            // After the deadline, crossings are no longer searched for. The areas are known already.
+            topology.films_cross |= match films_cross(&part.film, &other.film, exec) {
+                Err(Interruption::DeadlinePassed) => false,
+                cross => cross?,
+            };
+        }
+    }
+    Ok(topology)
+}
+
+fn members(set: u32) -> Vec<usize> {
+    (0..32).filter(|&boundary| set & (1 << boundary) != 0).collect()
+}
+
+/// Every partition of `count` boundaries. A set is a number whose bits are the boundaries.
+fn partitions(count: usize) -> Vec<Vec<u32>> {
+    let mut result = vec![Vec::new()];
+    for boundary in 0..count {
+        let bit = 1u32 << boundary;
+        result = result
+            .into_iter()
+            .flat_map(|partition: Vec<u32>| {
+                let joined = (0..partition.len()).map({
+                    let partition = partition.clone();
+                    move |k| {
+                        let mut partition = partition.clone();
+                        partition[k] |= bit;
+                        partition
+                    }
+                });
+                let alone = std::iter::once([partition, vec![bit]].concat());
+                joined.chain(alone).collect::<Vec<_>>()
+            })
+            .collect();
+    }
+    result
+}
+
+/// Result of the search for the largest gap between two boundaries that a connected film spans.
+enum Widest {
+    Full(Box<SolvedFilm>),
+    Fraction(f64),
+    NotFound,
+}
+
+struct SpanningProblem<'a> {
+    boundaries: &'a [Vec<DVec3>],
+    options: &'a Options,
+    /// Length of all boundaries together.
+    total: f64,
+}
+
+impl SpanningProblem<'_> {
+    /// The options for a set of boundaries: its share of the resolution is that of its length.
+    fn options_for(&self, boundaries: &[Vec<DVec3>]) -> Options {
+        let length: f64 = boundaries.iter().map(|boundary| polyline::length(boundary, true)).sum();
+        let share = |count: usize| ((count as f64 * length / self.total).round() as usize).max(1);
+        let resolution = match self.options.resolution {
+            Resolution::Triangles(count) => Resolution::Triangles(share(count)),
+            Resolution::InteriorVertices(count) => Resolution::InteriorVertices(share(count)),
+            length @ Resolution::EdgeLength(_) => length,
+        };
+        let method = Method::Newton(Newton { topology: TopologyRule::Fixed, on_unstable: OnUnstable::Descend });
+        Options { resolution, method, ..self.options.clone() }
+    }
+
+    fn task(&self) -> newton::Task {
+        newton::Task { limits: self.options.limits(), on_unstable: OnUnstable::Descend, given: false, may_widen: true }
+    }
+
+    /// Step 1 for one set.
+    fn part(&self, set: u32, exec: &Execution) -> Result<SolvedFilm, Error> {
+        let boundaries: Vec<Vec<DVec3>> = members(set).into_iter().map(|k| self.boundaries[k].clone()).collect();
+        self.connected(&boundaries, exec)
+    }
+
+    fn connected(&self, boundaries: &[Vec<DVec3>], exec: &Execution) -> Result<SolvedFilm, Error> {
+        let options = self.options_for(boundaries);
+        let (start, kind) = initial_mesh::build(boundaries, &options, exec)?;
+        let mut film = start.refined(exec)?;
+        let initial_area = film.area();
+        let run = newton::run(&mut film, self.task(), exec)?;
+        Ok(SolvedFilm { film, kind, initial_area, run })
+    }
+
+    /// Step 4.
+    fn widest_gap(&self, exec: &Execution) -> Result<Widest, Error> {
+        let [first, second] = self.boundaries else { return Ok(Widest::NotFound) };
+        let gap = polyline::mean(second) - polyline::mean(first);
+        let size = self.boundaries.iter().flatten().map(|p| p.length()).fold(0.0, f64::max);
+        if gap.length() <= 1e-9 * size {
+            return Ok(Widest::NotFound);
+        }
+        let at = |fraction: f64| -> Vec<Vec<DVec3>> {
+            vec![first.clone(), second.iter().map(|&p| p - gap * (1.0 - fraction)).collect()]
+        };
+        let mut held = None;
+        for halving in 1..=HALVINGS {
+            let fraction = 0.5f64.powi(halving as i32);
+            match self.connected(&at(fraction), exec) {
+                Ok(part) if part.holds() => {
+                    held = Some((fraction, part));
+                    break;
+                }
+                Ok(part) if part.run.stop_reason == StopReason::Deadline => return Ok(Widest::NotFound),
+                Ok(_) | Err(Error::NoResult { .. } | Error::Input(_)) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        let Some((mut fraction, mut part)) = held else { return Ok(Widest::NotFound) };
+        let mut step = 0.5 * (1.0 - fraction);
+        while step > 0.5 * GAP_RESOLUTION {
+            let tried = f64::min(fraction + step, 1.0);
+            let mut film = moved_apart(&part.film, gap * (tried - fraction));
+            let run = newton::run(&mut film, self.task(), exec)?;
+            if run.stop_reason == StopReason::Deadline {
+                break;
+            }
+            let next = SolvedFilm { film, run, ..part.clone() };
+            if next.holds() {
+                (fraction, part) = (tried, next);
+                if fraction >= 1.0 {
+                    // The steps accumulated rounding errors: the boundary is set to the exact input points.
+                    for (loop_, points) in part.film.boundaries.clone().iter().zip(self.boundaries) {
+                        if loop_.len() == points.len() {
+                            loop_.iter().zip(points).for_each(|(&v, &p)| part.film.vertices[v as usize] = p);
+                        }
+                    }
+                    return Ok(Widest::Full(Box::new(part)));
+                }
+            } else {
+                step *= 0.5;
+            }
+        }
+        Ok(Widest::Fraction(fraction))
+    }
+}
+
+/// The film with its second boundary moved by `shift`. Every other vertex moves by the fraction that its distances to
+/// the two boundaries give.
+fn moved_apart(film: &Film, shift: DVec3) -> Film {
+    let mut moved = film.clone();
+    let mut part = vec![None; film.vertices.len()];
+    for (boundary, loop_) in film.boundaries.iter().enumerate() {
+        loop_.iter().for_each(|&v| part[v as usize] = Some(boundary as f64));
+    }
+    let distance = |p: DVec3, boundary: &[u32]| {
+        let squared = |&v: &u32| film.vertices[v as usize].distance_squared(p);
+        boundary.iter().map(squared).fold(f64::INFINITY, f64::min).sqrt()
+    };
+    for (vertex, part) in moved.vertices.iter_mut().zip(part) {
+        let part = part.unwrap_or_else(|| {
+            let (first, second) = (distance(*vertex, &film.boundaries[0]), distance(*vertex, &film.boundaries[1]));
+            first / (first + second)
+        });
+        *vertex += shift * part;
+    }
+    moved
+}
+
+/// Joins several films into one. The input points of the boundaries come first, in input order, then the other vertices
+/// film by film.
+fn together(boundaries: &[Vec<DVec3>], films: &[(&[usize], &SolvedFilm)]) -> Option<Film> {
+    let mut first = Vec::with_capacity(boundaries.len());
+    let mut count = 0u32;
+    for boundary in boundaries {
+        first.push(count);
+        count += boundary.len() as u32;
+    }
+    let mut vertices: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
+    let mut fixed = vec![true; vertices.len()];
+    let (mut triangles, mut loops, mut locked) = (Vec::new(), vec![Vec::new(); boundaries.len()], Vec::new());
+    for (set, part) in films {
+        let film = &part.film;
+        let own: usize = set.iter().map(|&k| boundaries[k].len()).sum();
+        let mut renamed: Vec<u32> = set
+            .iter()
+            .flat_map(|&k| (0..boundaries[k].len() as u32).map(|i| i + first[k]).collect::<Vec<_>>())
+            .collect();
+        for v in own..film.vertices.len() {
+            renamed.push(vertices.len() as u32);
+            vertices.push(film.vertices[v]);
+            fixed.push(film.fixed[v]);
+        }
+        triangles.extend(film.triangles().iter().map(|t| t.map(|v| renamed[v as usize])));
+        for (&boundary, loop_) in set.iter().zip(&film.boundaries) {
+            loops[boundary] = loop_.iter().map(|&v| renamed[v as usize]).collect();
+        }
+        locked.extend(film.locked.iter().map(|&[a, b]| {
+            let (a, b) = (renamed[a as usize], renamed[b as usize]);
+            [a.min(b), a.max(b)]
+        }));
+    }
+    locked.sort_unstable();
+    let mut film = Film::new(vertices, &triangles, loops)?;
+    (film.fixed, film.locked) = (fixed, locked);
+    Some(film)
+}

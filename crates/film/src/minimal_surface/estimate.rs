@@ -1,0 +1,62 @@
+//! Estimates the size of a mesh before it is made.
+
+use super::options::{InitialMesh, Objective, Options, Resolution};
+use plateau_mesh::{DVec3, Estimate};
+
+/// Rough number of triangles for each boundary point where the points are much closer than the edge length. A larger
+/// value raises the estimate for such boundaries.
+const TRIANGLES_PER_POINT: f64 = 12.0;
+
+/// Number of bytes of memory per triangle. Area and Dirichlet energy took at most 650 bytes (100,000 and 400,000
+/// triangles, every solver, writing the mesh included). The rest is for sparse factors, which grow a little faster than
+/// the mesh. A larger value refuses more requests.
+const BYTES_PER_TRIANGLE: f64 = 1_000.0;
+
+/// As [`BYTES_PER_TRIANGLE`], for the least squares of the mean curvatures. They took 6,740 bytes, because their normal
+/// matrix also connects neighbours of neighbours.
+const BYTES_PER_TRIANGLE_OF_LEAST_SQUARES: f64 = 8_000.0;
+
+/// Estimates the triangles of the result and the memory that solving takes. O(points).
+///
+/// The number of triangles is exact if the request is for a number of triangles. For an edge length it is the area of the fans
+/// from the boundaries to their common mean, divided by the area of an equilateral triangle, and at least a number for
+/// each boundary point. It is right within a small factor unless the boundaries are far apart.
+#[must_use]
+pub fn estimate(boundaries: &[Vec<DVec3>], options: &Options) -> Estimate {
+    let triangles = triangles(boundaries, options);
+    let a_triangle = match options.method.objective() {
+        Objective::MinimalArea | Objective::MinimalDirichletEnergy => BYTES_PER_TRIANGLE,
+        Objective::MinimalMeanCurvature => BYTES_PER_TRIANGLE_OF_LEAST_SQUARES,
+    };
+    Estimate { triangles, cells: 0, bytes: (triangles * a_triangle) as u64 }
+}
+
+fn triangles(boundaries: &[Vec<DVec3>], options: &Options) -> f64 {
+    let points: usize = boundaries.iter().map(Vec::len).sum();
+    if let InitialMesh::Given(mesh) = &options.initial_mesh {
+        return mesh.triangles.len() as f64;
+    }
+    match options.resolution {
+        Resolution::Triangles(count) => count as f64,
+        Resolution::InteriorVertices(count) => (2 * count + points) as f64,
+        Resolution::EdgeLength(length) => {
+            triangles_of_length(boundaries, length).max(TRIANGLES_PER_POINT * points as f64)
+        }
+    }
+}
+
+/// Number of equilateral triangles of an edge length that cover the fans of the boundaries.
+pub(crate) fn triangles_of_length(boundaries: &[Vec<DVec3>], length: f64) -> f64 {
+    area_of_fans(boundaries) / (length * length * 0.75_f64.sqrt() * 0.5)
+}
+
+/// Area of the fans from all boundaries to the mean of all points.
+pub(crate) fn area_of_fans(boundaries: &[Vec<DVec3>]) -> f64 {
+    let all: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
+    let centre = plateau_mesh::polyline::mean(&all);
+    let fans = boundaries.iter().flat_map(|boundary| {
+        let next = boundary.iter().cycle().skip(1);
+        boundary.iter().zip(next).map(|(&a, &b)| 0.5 * (a - centre).cross(b - centre).length())
+    });
+    fans.sum()
+}

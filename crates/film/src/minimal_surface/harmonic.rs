@@ -1,0 +1,149 @@
+//! Pinkall, Polthier, *Computing Discrete Minimal Surfaces and Their Conjugates* (1993), section 3:
+//!
+//! 1. Take the current mesh as the domain. Its cotangent weights give the Dirichlet energy of a piecewise linear map.
+//! 2. Minimise that energy with the boundary fixed: one sparse positive definite system, three right-hand sides.
+//! 3. The image is the next domain. Repeat.
+//!
+//! The area never rises, since area(image) <= energy(image) <= energy(identity) = area(domain). The iteration converges
+//! linearly. A few rounds make a good mesh of a poor one; a small residual takes many, and
+//! [`newton`](crate::equilibrium::newton) reaches it faster.
+//!
+//! Departure from the paper: the weight of a triangle whose area vanishes is bounded ([`area`](crate::energy::area)). A
+//! collapsing neck is therefore reported by the linear solver instead of giving an infinite entry.
+
+use crate::energy::dirichlet::laplacian;
+use plateau_mesh::film::Film;
+use plateau_mesh::sparse::pattern::Pattern;
+use plateau_mesh::sparse::{CgFailure, LinearError, Symbolic, SymmetricMatrix, conjugate_gradients};
+use plateau_mesh::{DVec3, Error, Execution, Interruption};
+
+/// Residual at which conjugate gradients stop, as a fraction of the residual of the present positions. A larger value
+/// takes fewer iterations and gives a less exact step.
+const ITERATIVE_TOLERANCE: f64 = 1e-10;
+
+/// Whether a step needed a factorisation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Elimination {
+    Used,
+    Spared,
+}
+
+/// Dirichlet problems on one connectivity. The symbolic factorisation is made once.
+#[derive(Debug)]
+pub(crate) struct Dirichlet {
+    pub pattern: Pattern,
+    symbolic: Symbolic,
+    matrix: SymmetricMatrix,
+    right_hand_side: Vec<f64>,
+    storage: Vec<f64>,
+}
+
+impl Dirichlet {
+    /// # Errors
+    /// [`LinearError::TooLarge`].
+    pub fn new(film: &Film) -> Result<Self, LinearError> {
+        Self::of_pattern(Pattern::new(film.triangles(), &film.fixed))
+    }
+
+    /// As [`new`](Self::new), for triangles of which more than two may share an edge.
+    ///
+    /// # Errors
+    /// [`LinearError::TooLarge`].
+    pub fn of_complex(triangles: &[[u32; 3]], fixed: &[bool]) -> Result<Self, LinearError> {
+        Self::of_pattern(Pattern::of_complex(triangles, fixed))
+    }
+
+    fn of_pattern(pattern: Pattern) -> Result<Self, LinearError> {
+        let matrix = pattern.matrix();
+        let symbolic = Symbolic::analyse(&matrix, None)?;
+        Ok(Self { pattern, symbolic, matrix, right_hand_side: Vec::new(), storage: Vec::new() })
+    }
+
+    /// Steps 1 and 2: moves the free vertices to the image of the minimum of the energy. The film must have the
+    /// connectivity that this was made for. On an error the film stays as it was.
+    ///
+    /// # Errors
+    /// A [`LinearError`] if the mesh has collapsed so far that the system has no trustworthy solution.
+    pub fn step(&mut self, film: &mut Film) -> Result<(), LinearError> {
+        self.move_to_minimum(&mut film.vertices, film.topology.triangles())
+    }
+
+    /// As [`step`](Self::step), on vertices and triangles.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub fn move_to_minimum(&mut self, vertices: &mut [DVec3], triangles: &[[u32; 3]]) -> Result<(), LinearError> {
+        laplacian(&self.pattern, vertices, triangles, &mut self.matrix, &mut self.right_hand_side);
+        let factorisation = self.symbolic.factorise_into(&self.matrix, std::mem::take(&mut self.storage))?;
+        if !factorisation.inertia().is_positive_definite() {
+            return Err(LinearError::Singular);
+        }
+        factorisation.solve(&mut self.right_hand_side)?;
+        self.storage = factorisation.into_storage();
+        let n = self.pattern.free.vertex.len();
+        for (row, &vertex) in self.pattern.free.vertex.iter().enumerate() {
+            let x = &self.right_hand_side;
+            vertices[vertex as usize] = DVec3::new(x[row], x[n + row], x[2 * n + row]);
+        }
+        Ok(())
+    }
+
+    /// As [`step`](Self::step), by conjugate gradients from the present positions. If one of the three coordinates does
+    /// not converge, the step is made by elimination. Returns which of the two it was, or why elimination failed. On an
+    /// error the film stays as it was.
+    ///
+    /// # Errors
+    /// The interruptions of `exec`.
+    pub fn step_by_conjugate_gradients(
+        &mut self,
+        film: &mut Film,
+        exec: &Execution,
+    ) -> Result<Result<Elimination, LinearError>, Interruption> {
+        laplacian(&self.pattern, &film.vertices, film.triangles(), &mut self.matrix, &mut self.right_hand_side);
+        let n = self.pattern.free.vertex.len();
+        let mut image = vec![DVec3::ZERO; n];
+        for (axis, b) in self.right_hand_side.chunks_exact(n).enumerate() {
+            let mut x: Vec<f64> = self.pattern.free.vertex.iter().map(|&v| film.vertices[v as usize][axis]).collect();
+            match self.solve_from(&mut x, b, exec) {
+                Ok(_) => {}
+                Err(CgFailure::Interrupted(interruption)) => return Err(interruption),
+                Err(CgFailure::Indefinite | CgFailure::Slow) => return Ok(self.step(film).map(|()| Elimination::Used)),
+            }
+            image.iter_mut().zip(x).for_each(|(point, x)| point[axis] = x);
+        }
+        for (&vertex, point) in self.pattern.free.vertex.iter().zip(image) {
+            film.vertices[vertex as usize] = point;
+        }
+        Ok(Ok(Elimination::Spared))
+    }
+
+    /// Conjugate gradients from `x` until the residual has decreased to [`ITERATIVE_TOLERANCE`] of its first value. The
+    /// number of iterations is at most the order of the matrix plus one.
+    fn solve_from(&self, x: &mut [f64], b: &[f64], exec: &Execution) -> Result<usize, CgFailure> {
+        let square = |residual: &[f64]| residual.iter().map(|r| r * r).sum::<f64>();
+        let mut first = vec![0.0; b.len()];
+        self.matrix.multiply(x, &mut first);
+        first.iter_mut().zip(b).for_each(|(first, b)| *first = b - *first);
+        let goal = ITERATIVE_TOLERANCE * ITERATIVE_TOLERANCE * square(&first);
+        let is_small = |residual: &[f64]| square(residual) <= goal;
+        conjugate_gradients(&self.matrix, b, x, |r, z| z.copy_from_slice(r), is_small, b.len() + 1, exec)
+    }
+}
+
+/// The error for a mesh whose factor does not fit into memory.
+pub(crate) fn too_large(_: LinearError) -> Error {
+    Error::no_result("too_large", "the linear system of this mesh does not fit into memory; ask for fewer triangles")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use plateau_mesh::structured::patch;
+
+    #[test]
+    fn one_solve_flattens_a_patch_with_a_plane_rim() {
+        let mut film = patch(8, 8, |u, v| DVec3::new(u, v, (u * (1.0 - u) * v * (1.0 - v)).sqrt()));
+        Dirichlet::new(&film).unwrap().step(&mut film).unwrap();
+        assert!(film.vertices.iter().all(|vertex| vertex.z.abs() < 1e-14));
+    }
+}

@@ -1,0 +1,298 @@
+//! The mesh that a solver starts from. It determines the topology of the result. If a boundary bounds several minimal
+//! surfaces, it also determines which of them comes out.
+
+mod barycentres;
+mod domain;
+mod given;
+mod lattice;
+pub(super) mod pins;
+mod plane_mesh;
+mod polygon_domain;
+mod rings;
+mod sampling;
+mod spanning;
+mod strip;
+
+use super::estimate::estimate;
+use super::options::{BoundarySampling, InitialMesh, Options, Resolution};
+use barycentres::candidate_mesh;
+use domain::{Shape, best_plane, largest_height};
+use pins::Pins;
+use plane_mesh::PlaneError;
+use plateau_mesh::error::InputError;
+use plateau_mesh::film::Film;
+use plateau_mesh::plane::frame::Frame;
+use plateau_mesh::polyline::contact::{Contact, Segments, first_contact};
+use plateau_mesh::self_intersections::{Order, self_intersections};
+use plateau_mesh::{DVec3, Error, Execution, Interruption, Place};
+use spanning::Spanning;
+
+pub(super) use given::ON_SEGMENT;
+pub(super) use spanning::Start;
+
+/// Which initial mesh was built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InitialMeshKind {
+    /// Delaunay triangles in the best plane, heights extended harmonically.
+    Planar,
+    /// Delaunay triangles in a round disc, mapped harmonically.
+    Disk,
+    /// Two boundaries: Delaunay triangles in a round annulus, mapped harmonically.
+    Annulus,
+    /// Three and more: Delaunay triangles between the loops as they are seen from a point in their middle, or in a disc
+    /// with round holes, mapped harmonically.
+    SphereWithHoles,
+    /// Chen, Cai, Zheng's rings.
+    Rings,
+    /// Liu, Wang's seeded choice of barycentres.
+    Barycentres,
+    /// The caller's own mesh.
+    Given,
+}
+
+impl InitialMeshKind {
+    /// A stable name in snake case.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Planar => "planar",
+            Self::Disk => "disk",
+            Self::Annulus => "annulus",
+            Self::SphereWithHoles => "sphere_with_holes",
+            Self::Rings => "rings",
+            Self::Barycentres => "barycentres",
+            Self::Given => "given",
+        }
+    }
+}
+
+/// A film between the boundaries (centred, without equal neighbours), and how it was made. Its triangles run along the
+/// first boundary in the direction of the boundary.
+///
+/// # Errors
+/// [`Error::Input`] for a resolution that these boundaries cannot have; [`Error::NoResult`] for a plane boundary that
+/// crosses itself; the interruptions of `exec`.
+pub(super) fn build(
+    boundaries: &[Vec<DVec3>],
+    options: &Options,
+    exec: &Execution,
+) -> Result<(Start, InitialMeshKind), Error> {
+    let constraints = &options.constraints;
+    if let InitialMesh::Given(mesh) = &options.initial_mesh {
+        let pins = Pins::new(constraints, boundaries, f64::INFINITY, BoundarySampling::Keep);
+        let film = given::build(mesh, boundaries, &pins)?;
+        return Ok((Start { film, subdivisions: 0 }, InitialMeshKind::Given));
+    }
+    if !constraints.is_empty() && matches!(options.initial_mesh, InitialMesh::Rings | InitialMesh::Barycentres { .. }) {
+        let detail = "rings and barycentres take no constraints; auto, planar and disk do";
+        return Err(Error::input(Place::field("constraints"), detail));
+    }
+    let whole = |film| Start { film, subdivisions: 0 };
+    if let Some(seed) = options.barycentres(boundaries.len()) {
+        return Ok((whole(barycentres(boundaries, options, seed, exec)?), InitialMeshKind::Barycentres));
+    }
+    let Some(frame) = best_plane(boundaries) else {
+        return Err(Error::input(Place::field("boundaries"), "all points lie on one line"));
+    };
+    let attempt = |shape| Spanning { boundaries, shape, constraints, options, exec }.build();
+    let curved = || {
+        let kind = match boundaries.len() {
+            1 => InitialMeshKind::Disk,
+            2 => InitialMeshKind::Annulus,
+            _ => InitialMeshKind::SphereWithHoles,
+        };
+        let mut arrangements = Shape::arrangements(boundaries);
+        let last = arrangements.pop().expect("there is always the disc");
+        let mut crossing = None;
+        for arrangement in arrangements {
+            if let Ok(start) = attempt(arrangement)?
+                && is_in_one_piece(&start.film)
+            {
+                if !crosses_itself(&start.film, exec)? {
+                    return Ok((start, kind));
+                }
+                crossing.get_or_insert(start);
+            }
+        }
+        let start = match (attempt(last)?, crossing) {
+            (Ok(start), None) => start,
+            (Ok(start), Some(_)) if !crosses_itself(&start.film, exec)? => start,
+            // All of them cross themselves: the first one is as good as any.
+            (_, Some(first)) => first,
+            (Err(error), None) => return Err(refusal(boundaries, error, None, exec)),
+        };
+        Ok((start, kind))
+    };
+    match &options.initial_mesh {
+        InitialMesh::Rings => Ok((whole(rings::build(boundaries, options, exec)?), InitialMeshKind::Rings)),
+        InitialMesh::Planar => {
+            let start =
+                attempt(Shape::Plane(frame))?.map_err(|error| refusal(boundaries, error, Some(&frame), exec))?;
+            Ok((start, InitialMeshKind::Planar))
+        }
+        InitialMesh::Disk => curved(),
+        InitialMesh::Auto | InitialMesh::Barycentres { .. } | InitialMesh::Given(_) => {
+            let flat = largest_height(&frame, boundaries) <= FLAT * extent(boundaries);
+            if flat || is_gentle(boundaries, &frame) {
+                match attempt(Shape::Plane(frame))? {
+                    Ok(start) if start.film.topology.components() == 1 => return Ok((start, InitialMeshKind::Planar)),
+                    // A single plane boundary that is not simple has no other initial mesh.
+                    Err(error @ (PlaneError::NotSimple(_) | PlaneError::PointOutside(_)))
+                        if flat && boundaries.len() == 1 =>
+                    {
+                        return Err(refusal(boundaries, error, Some(&frame), exec));
+                    }
+                    Err(error @ (PlaneError::TooManyPoints | PlaneError::TooCoarse { .. })) => {
+                        return Err(refusal(boundaries, error, Some(&frame), exec));
+                    }
+                    _ => {}
+                }
+            }
+            curved()
+        }
+    }
+}
+
+fn barycentres(boundaries: &[Vec<DVec3>], options: &Options, seed: u64, exec: &Execution) -> Result<Film, Error> {
+    let [boundary] = boundaries else {
+        return Err(Error::input(Place::field("initial_mesh"), "barycentres need exactly one boundary"));
+    };
+    let interior_vertices = match options.resolution {
+        Resolution::InteriorVertices(count) => count,
+        // A disk of m boundary points and n others has m + 2 n - 2 triangles.
+        _ => ((estimate(boundaries, options).triangles + 2.0 - boundary.len() as f64) / 2.0).round() as usize,
+    };
+    candidate_mesh(boundary, interior_vertices, seed, exec)
+}
+
+/// Refuses what [`build`] would refuse, as far as that can be seen without meshing. Linear in the size of the input.
+///
+/// # Errors
+/// [`Error::Input`].
+pub(super) fn check(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
+    match &options.initial_mesh {
+        InitialMesh::Given(mesh) => {
+            let pins = Pins::new(&options.constraints, boundaries, f64::INFINITY, BoundarySampling::Keep);
+            return given::build(mesh, boundaries, &pins).map(drop);
+        }
+        InitialMesh::Rings if options.boundary_sampling == BoundarySampling::Keep => {
+            return rings::check(boundaries, options.resolution);
+        }
+        _ => {}
+    }
+    let points: usize = boundaries.iter().map(Vec::len).sum();
+    // By Euler's formula F = 2 (interior) + (boundary) - 2 χ, and a connected surface with k boundaries has χ = 2 - k.
+    let least = points as f64 + 2.0 * boundaries.len() as f64 - 4.0;
+    match options.resolution {
+        Resolution::Triangles(count) if options.keeps_topology() && (count as f64) < 0.9 * least => {
+            let detail = format!("the boundaries' own points already make {least} triangles");
+            Err(Error::input(Place::field("resolution").then("triangles"), detail))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Whether a film is a sphere with one hole for each of its boundaries.
+fn is_in_one_piece(film: &Film) -> bool {
+    let holes = film.boundaries.len() as i64;
+    film.topology.components() == 1 && film.topology.euler_characteristic() == 2 - holes
+}
+
+fn crosses_itself(film: &Film, exec: &Execution) -> Result<bool, Interruption> {
+    let found = self_intersections(&film.vertices, film.triangles(), Order::Spatial, u64::MAX, exec)?;
+    Ok(found.pairs > 0)
+}
+
+/// A boundary counts as plane if its distances from the plane are below this fraction of its extent. A larger value
+/// flattens slightly curved boundaries.
+const FLAT: f64 = 1e-9;
+
+/// A projection counts as too steep if a segment keeps less than this fraction of its length. With a larger value more
+/// boundaries are meshed in a disc instead of in their plane.
+const STEEP: f64 = 0.25;
+
+fn extent(boundaries: &[Vec<DVec3>]) -> f64 {
+    boundaries.iter().flatten().map(|p| p.length()).fold(0.0, f64::max)
+}
+
+/// Whether no segment is so steep that the projection would crowd the points around it.
+fn is_gentle(boundaries: &[Vec<DVec3>], frame: &Frame) -> bool {
+    boundaries.iter().all(|points| {
+        (0..points.len()).all(|k| {
+            let (a, b) = (points[k], points[(k + 1) % points.len()]);
+            frame.project(a).distance(frame.project(b)) >= STEEP * a.distance(b)
+        })
+    })
+}
+
+/// Largest distance, as a fraction of the boundaries' extent, at which sides touch when they are seen in their plane.
+const TOUCHING: f64 = 1e-12;
+
+/// The two points from which the first sides start that meet when they are seen in a plane, or none.
+fn crossing_places(
+    boundaries: &[Vec<DVec3>],
+    frame: &Frame,
+    exec: &Execution,
+) -> Result<Vec<InputError>, Interruption> {
+    let flat = |boundary: &Vec<DVec3>| -> Vec<DVec3> {
+        boundary.iter().map(|&point| frame.project(point).extend(0.0)).collect()
+    };
+    let flat: Vec<Vec<DVec3>> = boundaries.iter().map(flat).collect();
+    let segments: Vec<Segments> = flat.iter().map(|points| Segments::new(points, true)).collect();
+    let tolerance = TOUCHING * extent(boundaries);
+    for k in 0..boundaries.len() {
+        for l in k..boundaries.len() {
+            let count = boundaries[k].len();
+            let apart = |c: &Contact| k != l || (c.first + 1 < c.second && (c.second + 1) % count != c.first);
+            if let Some(contact) = first_contact(&segments[k], &segments[l], tolerance, apart, exec)? {
+                let sides = [(k, contact.first), (l, contact.second)];
+                let place = |[(k, i), (l, j)]: [(usize, usize); 2]| {
+                    let detail = format!("the side from this point meets the side from point {j} of boundary {l}");
+                    InputError::new(Place::field("boundaries").at(k).at(i), detail)
+                };
+                return Ok(vec![place(sides), place([sides[1], sides[0]])]);
+            }
+        }
+    }
+    Ok(Vec::new())
+}
+
+/// The error for a domain that has no mesh. `plane` is the plane in which the mesh was made.
+fn refusal(boundaries: &[Vec<DVec3>], error: PlaneError, plane: Option<&Frame>, exec: &Execution) -> Error {
+    match error {
+        PlaneError::Interrupted(interruption) => interruption.into(),
+        PlaneError::TooManyPoints => {
+            let detail = "the mesh would have more triangles than can be numbered, or many times those asked for; is there \
+                a spike in the boundaries, or are some points much closer together than the rest?";
+            Error::input(Place::field("resolution"), detail)
+        }
+        PlaneError::PointOutside(_) => {
+            let detail = "a fixed point or curve does not lie inside the boundaries, seen in their plane";
+            Error::input(Place::field("constraints"), detail)
+        }
+        PlaneError::TooCoarse { triangles } => {
+            let detail =
+                format!("the boundaries' own points already make {triangles} triangles, which is too many for it");
+            Error::input(Place::field("resolution"), detail)
+        }
+        PlaneError::NotSimple(_) if plane.is_some() => Error::NoResult {
+            reason: "self_intersecting_boundary",
+            detail:
+                "seen in its plane the boundary crosses or touches itself, so that no mesh without folds spans it; \
+                     move the points apart, or ask for the initial mesh disk if the boundary is a curve in space"
+                    .into(),
+            places: match plane.map(|frame| crossing_places(boundaries, frame, exec)) {
+                Some(Ok(places)) if !places.is_empty() => places,
+                _ => (0..boundaries.len())
+                    .map(|k| {
+                        InputError::new(Place::field("boundaries").at(k), "is part of a boundary that is not simple")
+                    })
+                    .collect(),
+            },
+        },
+        PlaneError::NotSimple(_) => Error::no_result(
+            "degenerate_boundary",
+            "points of the boundary are so close together that they cannot be told apart",
+        ),
+    }
+}

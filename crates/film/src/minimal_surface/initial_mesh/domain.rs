@@ -1,0 +1,360 @@
+//! The plane domains in which initial meshes are made, and the scale between lengths in space and in the plane.
+
+use super::sampling::Sampled;
+use super::strip::Matching;
+use glam::{DMat3, DVec2};
+use plateau_mesh::plane::frame::Frame;
+use plateau_mesh::plane::polygon::doubled_area_vector;
+use plateau_mesh::{DVec3, polyline};
+use std::f64::consts::TAU;
+
+/// The plane through the mean of the points whose normal is the largest of the area vectors of the boundaries: the plane
+/// in which that boundary encloses most. If the area vectors vanish, the plane contains the two directions in which the
+/// points spread most. `None` if all points lie on one line.
+pub(super) fn best_plane(boundaries: &[Vec<DVec3>]) -> Option<Frame> {
+    let all: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
+    let origin = polyline::mean(&all);
+    let spread = all.iter().map(|p| p.distance_squared(origin)).fold(0.0, f64::max);
+    let mut normal = DVec3::ZERO;
+    for vector in boundaries.iter().map(|points| doubled_area_vector(points)) {
+        if vector.length() > normal.length() * (1.0 + 1e-9) {
+            normal = vector;
+        }
+    }
+    if normal.length() <= 1e-6 * spread {
+        // The plane contains the farthest point, and the one farthest from the line to it.
+        let far = all
+            .iter()
+            .map(|p| *p - origin)
+            .fold(DVec3::ZERO, |best, p| if p.length() > best.length() * (1.0 + 1e-9) { p } else { best });
+        normal = all
+            .iter()
+            .map(|p| far.cross(*p - origin))
+            .fold(DVec3::ZERO, |best, p| if p.length() > best.length() * (1.0 + 1e-9) { p } else { best });
+        if normal.length() <= 1e-12 * spread {
+            return None;
+        }
+    }
+    let normal = normal.normalize();
+    // The first segment of the first boundary that is not along the normal determines the direction of x, so that
+    // the frame turns with the input.
+    let first = &boundaries[0];
+    let x = (0..first.len())
+        .map(|k| (first[(k + 1) % first.len()] - first[k]).reject_from_normalized(normal))
+        .find(|along| along.length_squared() > 1e-12 * spread)
+        .unwrap_or_else(|| normal.any_orthonormal_vector());
+    let x = x.normalize();
+    Some(Frame { origin, x, y: normal.cross(x), normal })
+}
+
+/// Largest distance of a point of the boundaries from the plane.
+pub(super) fn largest_height(frame: &Frame, boundaries: &[Vec<DVec3>]) -> f64 {
+    boundaries.iter().flatten().map(|&p| frame.height(p)).fold(0.0, f64::max)
+}
+
+/// The map from boundaries in space to polygons in the plane.
+#[derive(Clone, Debug)]
+pub(super) enum Shape {
+    /// Projected onto a plane.
+    Plane(Frame),
+    /// The outer boundary becomes the unit circle and every other one a smaller circle inside. Arc length is preserved
+    /// on each loop up to a factor.
+    Disc { outer: usize, holes: Vec<Hole> },
+    /// Projected onto a sphere around a common centre, and from there stereographically.
+    Sphere(Directions),
+}
+
+/// A stereographic projection of the directions from a centre: the direction `pole` goes to infinity, and the widest
+/// boundary, which lies round the pole, encloses the others.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Directions {
+    centre: DVec3,
+    x: DVec3,
+    y: DVec3,
+    pole: DVec3,
+    /// Length in the plane per length in the stereographic projection of the unit sphere: the boundaries reach 1.
+    stretch: f64,
+    /// Mean distance of the boundaries' points from the centre.
+    distance: f64,
+    /// The boundary round the pole.
+    outer: usize,
+}
+
+/// The boundaries reach at most this far in the stereographic projection: a point nearer to the pole (by a quarter of a
+/// degree) would crowd all others.
+const FARTHEST: f64 = 500.0;
+
+impl Directions {
+    /// `None` if a boundary passes through the centre or the pole.
+    fn new(boundaries: &[Vec<DVec3>], centre: DVec3) -> Option<Self> {
+        let unit = |p: &DVec3| (*p - centre).try_normalize();
+        let mut outer = 0;
+        let mut axes = Vec::with_capacity(boundaries.len());
+        for (k, points) in boundaries.iter().enumerate() {
+            let directions: Vec<DVec3> = points.iter().map(unit).collect::<Option<_>>()?;
+            let resultant = polyline::mean(&directions);
+            // The wider a loop, the shorter the mean of its directions.
+            axes.push(resultant);
+            if k > 0 && resultant.length() < axes[outer].length() * (1.0 - 1e-9) {
+                outer = k;
+            }
+        }
+        let pole = axes[outer].try_normalize()?;
+        let x = (boundaries[outer][0] - centre).reject_from_normalized(pole).try_normalize()?;
+        let count: usize = boundaries.iter().map(Vec::len).sum();
+        let distance = boundaries.iter().flatten().map(|p| p.distance(centre)).sum::<f64>() / count as f64;
+        let mut projection = Self { centre, x, y: pole.cross(x), pole, stretch: 1.0, distance, outer };
+        let distances = || boundaries.iter().flatten().map(|&p| projection.project(p).length());
+        let farthest = distances().fold(0.0, f64::max);
+        // In the direction of the pole the projection is 0 / 0, which is no number.
+        if !(farthest > 0.0 && distances().all(|distance| distance <= FARTHEST)) {
+            return None;
+        }
+        projection.stretch = 1.0 / farthest;
+        Some(projection)
+    }
+
+    fn project(&self, point: DVec3) -> DVec2 {
+        let direction = (point - self.centre).normalize_or_zero();
+        self.stretch * DVec2::new(direction.dot(self.x), direction.dot(self.y)) / (1.0 - direction.dot(self.pole))
+    }
+
+    /// Circles at the places of the boundaries. Each runs as its boundary is seen to run, and starts so that its points lie
+    /// as nearly as they can in the directions in which they are seen.
+    fn circles(&self, boundaries: &[Vec<DVec3>]) -> Shape {
+        let seen: Vec<Vec<DVec2>> =
+            boundaries.iter().map(|points| points.iter().map(|&p| self.project(p)).collect()).collect();
+        // The outer circle starts at the angle 0 and runs counter-clockwise.
+        let (start, turn) = circle_through(&boundaries[self.outer], &seen[self.outer], DVec2::ZERO);
+        let upright = |p: DVec2| {
+            let turned = DVec2::from_angle(-start).rotate(p);
+            DVec2::new(turned.x, turn * turned.y)
+        };
+        let places: Vec<Vec<DVec2>> = seen.iter().map(|points| points.iter().map(|&p| upright(p)).collect()).collect();
+        let centre = |k: usize| {
+            let mean = places[k].iter().sum::<DVec2>() / places[k].len() as f64;
+            mean.clamp_length_max(0.9)
+        };
+        let others: Vec<usize> = (0..boundaries.len()).filter(|&k| k != self.outer).collect();
+        let hole = |&boundary: &usize| {
+            let here = centre(boundary);
+            let neighbours = others.iter().filter(|&&k| k != boundary).map(|&k| 0.5 * here.distance(centre(k)));
+            let room = neighbours.fold(1.0 - here.length(), f64::min);
+            let seen = places[boundary].iter().map(|p| p.distance(here)).sum::<f64>() / places[boundary].len() as f64;
+            let radius = seen.clamp(0.2 * room, 0.6 * room);
+            let (start, turn) = circle_through(&boundaries[boundary], &places[boundary], here);
+            Hole { boundary, centre: here, radius, start, turn }
+        };
+        Shape::Disc { outer: self.outer, holes: others.iter().map(hole).collect() }
+    }
+
+    /// Length in the plane per length in space, at the mean distance from the centre.
+    fn scale(&self, p: DVec2) -> f64 {
+        let p = p / self.stretch;
+        0.5 * (1.0 + p.length_squared()) * self.stretch / self.distance
+    }
+}
+
+/// The point nearest to the axes of all boundaries (through the mean, along the area vector), if there is one not farther
+/// out than the boundaries: rings that face outwards on a sphere give its centre.
+fn meeting_point(boundaries: &[Vec<DVec3>]) -> Option<DVec3> {
+    let mut matrix = DMat3::ZERO;
+    let mut right = DVec3::ZERO;
+    for points in boundaries {
+        let mean = polyline::mean(points);
+        let axis = doubled_area_vector(points).try_normalize()?;
+        let across = DMat3::IDENTITY - DMat3::from_cols(axis * axis.x, axis * axis.y, axis * axis.z);
+        matrix += across;
+        right += across * mean;
+    }
+    let farthest = boundaries.iter().flatten().map(|p| p.length()).fold(0.0, f64::max);
+    let parallel = matrix.determinant() < 1e-3 * (boundaries.len() as f64).powi(3) / 27.0;
+    (!parallel).then(|| matrix.inverse() * right).filter(|point| point.length() < farthest)
+}
+
+/// The circle inside the unit disc that a boundary becomes.
+#[derive(Clone, Debug)]
+pub(super) struct Hole {
+    /// The boundary's index.
+    boundary: usize,
+    centre: DVec2,
+    radius: f64,
+    /// The angle of the first point of the boundary on the circle, and the direction in which the boundary runs.
+    start: f64,
+    turn: f64,
+}
+
+impl Shape {
+    /// Whether the plane's lengths are unlike those in space, so that a mesh has to be evened out there.
+    pub fn is_mapped(&self) -> bool {
+        !matches!(self, Self::Plane(_))
+    }
+
+    /// The ways to lay out boundaries in space, the most trusted first.
+    ///
+    /// Three and more boundaries are places on a sphere: as they are seen from a common centre; as circles at those
+    /// places, if seen from there they cross; as circles on one ring.
+    pub fn arrangements(boundaries: &[Vec<DVec3>]) -> Vec<Self> {
+        let mut arrangements = Vec::new();
+        if boundaries.len() > 2 {
+            let means: Vec<DVec3> = boundaries.iter().map(|points| polyline::mean(points)).collect();
+            let centres = meeting_point(boundaries).into_iter().chain([polyline::mean(&means)]);
+            let seen: Vec<Directions> = centres.filter_map(|centre| Directions::new(boundaries, centre)).collect();
+            arrangements.extend(seen.iter().map(|&directions| Self::Sphere(directions)));
+            arrangements.extend(seen.iter().map(|directions| directions.circles(boundaries)));
+        }
+        arrangements.push(Self::disc(boundaries));
+        arrangements
+    }
+
+    /// A disc for one boundary. Of several boundaries the longest is outside, and the others are inside, each facing it
+    /// as in space.
+    pub fn disc(boundaries: &[Vec<DVec3>]) -> Self {
+        let lengths: Vec<f64> = boundaries.iter().map(|points| polyline::length(points, true)).collect();
+        let mut outer = 0;
+        for k in 1..boundaries.len() {
+            if lengths[k] > lengths[outer] * (1.0 + 1e-9) {
+                outer = k;
+            }
+        }
+        let others: Vec<usize> = (0..boundaries.len()).filter(|&k| k != outer).collect();
+        let placed: Vec<(f64, usize)> = match others[..] {
+            [] => Vec::new(),
+            [only] => vec![(0.0, only)],
+            _ => {
+                let angles = directions(boundaries, outer, &others);
+                let mut placed: Vec<(f64, usize)> = angles.into_iter().zip(others.iter().copied()).collect();
+                placed.sort_by(|a, b| a.0.total_cmp(&b.0));
+                // They are spread evenly, in the order of their directions.
+                let count = placed.len() as f64;
+                let first = placed[0].0;
+                placed.iter().enumerate().map(|(k, &(_, hole))| (first + TAU * k as f64 / count, hole)).collect()
+            }
+        };
+        let holes = placed
+            .iter()
+            .map(|&(angle, boundary)| {
+                let (p, q) = (&boundaries[outer], &boundaries[boundary]);
+                let matching = Matching::between(p, q);
+                let (centre, radius) = if others.len() == 1 {
+                    // The ratio of the gap to the mean length of the two circles is that of the boundaries in space.
+                    let gap = mean_gap(p, q, &matching);
+                    let radius = (-TAU * gap / (0.5 * (lengths[outer] + lengths[boundary]))).exp();
+                    (DVec2::ZERO, radius.clamp(0.02, 0.9))
+                } else {
+                    let room = 0.5 * (std::f64::consts::PI / others.len() as f64).sin();
+                    let radius = 0.6 * (room.min(0.4)) * (lengths[boundary] / lengths[outer]).sqrt();
+                    (0.5 * DVec2::from_angle(angle), radius.max(0.05))
+                };
+                let turn = if reversed(&matching) { -1.0 } else { 1.0 };
+                // The point of Q that is opposite to P's first point stands at the angle 0 of its circle.
+                let opposite = polyline::length(&q[..=matching.order[0]], false) / lengths[boundary];
+                Hole { boundary, centre, radius, start: -turn * TAU * opposite, turn }
+            })
+            .collect();
+        Self::Disc { outer, holes }
+    }
+
+    /// The boundaries' points in the plane.
+    pub fn embed(&self, boundaries: &[Sampled]) -> Vec<Vec<DVec2>> {
+        boundaries
+            .iter()
+            .enumerate()
+            .map(|(k, boundary)| match self {
+                Self::Plane(frame) => boundary.points.iter().map(|&p| frame.project(p)).collect(),
+                Self::Sphere(directions) => boundary.points.iter().map(|&p| directions.project(p)).collect(),
+                Self::Disc { holes, .. } => {
+                    let unit = Hole { boundary: k, centre: DVec2::ZERO, radius: 1.0, start: 0.0, turn: 1.0 };
+                    holes.iter().find(|hole| hole.boundary == k).unwrap_or(&unit).place(&boundary.points)
+                }
+            })
+            .collect()
+    }
+
+    /// The length in the plane of a unit of length in space, at a position of the plane.
+    pub fn scale<'a>(&'a self, boundaries: &[Vec<DVec3>]) -> Box<dyn Fn(DVec2) -> f64 + 'a> {
+        match self {
+            Self::Plane(_) => Box::new(|_| 1.0),
+            Self::Sphere(directions) => Box::new(|p| directions.scale(p)),
+            Self::Disc { outer, holes } => {
+                let on = |k: usize, radius: f64| TAU * radius / polyline::length(&boundaries[k], true);
+                let outside = on(*outer, 1.0);
+                let scales: Vec<f64> = holes.iter().map(|hole| on(hole.boundary, hole.radius)).collect();
+                // Between the circles it is the mean of the logarithms, weighted by the inverse of the distances.
+                Box::new(move |p| {
+                    let weight = |distance: f64| 1.0 / distance.max(1e-3);
+                    let rim = weight(1.0 - p.length());
+                    let (mut sum, mut weights) = (rim * outside.ln(), rim);
+                    for (hole, scale) in holes.iter().zip(&scales) {
+                        let near = weight(p.distance(hole.centre) - hole.radius);
+                        sum += near * scale.ln();
+                        weights += near;
+                    }
+                    (sum / weights).exp()
+                })
+            }
+        }
+    }
+}
+
+impl Hole {
+    fn place(&self, points: &[DVec3]) -> Vec<DVec2> {
+        let total = polyline::length(points, true);
+        let mut along = 0.0;
+        (0..points.len())
+            .map(|k| {
+                let angle = self.start + self.turn * TAU * along / total;
+                along += points[k].distance(points[(k + 1) % points.len()]);
+                self.centre + self.radius * DVec2::from_angle(angle)
+            })
+            .collect()
+    }
+}
+
+/// The angle at which a circle round a point has to start, and which way round it has to run, for its points at the
+/// boundary's shares of arc length to lie in the directions of the places.
+fn circle_through(boundary: &[DVec3], places: &[DVec2], centre: DVec2) -> (f64, f64) {
+    let next = |k: usize| (k + 1) % places.len();
+    let area: f64 = (0..places.len()).map(|k| (places[k] - centre).perp_dot(places[next(k)] - centre)).sum();
+    let turn = if area < 0.0 { -1.0 } else { 1.0 };
+    let total = polyline::length(boundary, true);
+    let (mut along, mut sum) = (0.0, DVec2::ZERO);
+    for (k, &place) in places.iter().enumerate() {
+        sum += DVec2::from_angle(-turn * TAU * along / total).rotate((place - centre).normalize_or_zero());
+        along += boundary[k].distance(boundary[next(k)]);
+    }
+    (sum.to_angle(), turn)
+}
+
+fn reversed(matching: &Matching) -> bool {
+    let n = matching.order.len();
+    n > 1 && matching.order[1] != (matching.order[0] + 1) % n
+}
+
+/// Mean length of the bridges between two matched loops.
+fn mean_gap(p: &[DVec3], q: &[DVec3], matching: &Matching) -> f64 {
+    let sum: f64 = matching.bridges.iter().map(|&(i, j)| p[i % p.len()].distance(q[matching.order[j % q.len()]])).sum();
+    sum / matching.bridges.len() as f64
+}
+
+/// For each other boundary the angle of the nearest point on the outer circle.
+fn directions(boundaries: &[Vec<DVec3>], outer: usize, others: &[usize]) -> Vec<f64> {
+    let rim = &boundaries[outer];
+    let centre = polyline::mean(rim);
+    let total = polyline::length(rim, true);
+    others
+        .iter()
+        .map(|&k| {
+            let towards = polyline::mean(&boundaries[k]) - centre;
+            let (mut best, mut angle, mut along) = (f64::NEG_INFINITY, 0.0, 0.0);
+            for (i, &point) in rim.iter().enumerate() {
+                let facing = (point - centre).dot(towards);
+                if facing > best {
+                    (best, angle) = (facing, TAU * along / total);
+                }
+                along += point.distance(rim[(i + 1) % rim.len()]);
+            }
+            angle
+        })
+        .collect()
+}

@@ -1,0 +1,233 @@
+//! Chen, Cai, Zheng, *Constructing Triangular Meshes of Minimal Area*, section 3.4: an initial mesh with an exact
+//! number of triangles.
+//!
+//! 1. For one boundary of n points: s = floor((m - n) / 2n) rings of n points on the segments from the boundary points
+//!    to their mean, and the mean itself. These are (2 s + 1) n triangles.
+//! 2. The remaining triangles, an even number, come from splitting triangles of the outer ring into three at their
+//!    centre.
+//!
+//! Departures from the paper:
+//! - Between two boundaries (their Fig. 9 shows the result, and the text does not describe the mesh) the rings have as
+//!   many points as the longer boundary. They stand on the bridges of a strip between the two, so that m = n₁ + n₂ + 2
+//!   × interior vertices.
+//! - The triangles that are split are spread evenly over the outer ring. In the paper any of them are split.
+//! - With `refine` the boundary is first sampled as finely as the mesh, and a count of the wrong parity is raised by
+//!   one.
+
+use super::sampling::{Sampled, numbers, sample};
+use super::strip::Matching;
+use crate::minimal_surface::options::{BoundarySampling, LARGEST_COUNT, Options, Resolution};
+use plateau_mesh::edit::orient_along;
+use plateau_mesh::film::Film;
+use plateau_mesh::{DVec3, Error, Execution, Place, polyline};
+
+/// Rings over one or two boundaries. If the boundary is kept, the number of triangles is exactly the wanted one.
+///
+/// # Errors
+/// [`Error::Input`] naming the resolution if these boundaries cannot have it.
+pub(super) fn build(boundaries: &[Vec<DVec3>], options: &Options, exec: &Execution) -> Result<Film, Error> {
+    if options.boundary_sampling == BoundarySampling::Keep {
+        let skeleton = Skeleton::of(boundaries)?;
+        let interior = skeleton.interior_vertices(options.resolution)?;
+        exec.look(interior as u64)?;
+        return Ok(skeleton.fill(interior));
+    }
+    let coarse = Skeleton::of(boundaries)?;
+    let area = coarse.fill(coarse.least_interior()).area();
+    let triangle = 0.75f64.sqrt() / 2.0;
+    let size = match options.resolution {
+        Resolution::EdgeLength(length) => length,
+        Resolution::Triangles(count) => (area / (triangle * count.max(1) as f64)).sqrt(),
+        Resolution::InteriorVertices(count) => (area / (triangle * 2.0 * count.max(1) as f64)).sqrt(),
+    };
+    coarse.check_size(size, area)?;
+    let sampled: Vec<Sampled> =
+        boundaries.iter().map(|points| sample(points, size, GRADING, BoundarySampling::Refine)).collect();
+    let refined: Vec<Vec<DVec3>> = sampled.iter().map(|boundary| boundary.points.clone()).collect();
+    let skeleton = Skeleton::of(&refined)?;
+    let resolution = match options.resolution {
+        Resolution::Triangles(count) => Resolution::Triangles(count + (count + skeleton.points.len()) % 2),
+        other => other,
+    };
+    let interior = skeleton.interior_vertices(resolution)?;
+    exec.look(interior as u64)?;
+    Ok(renumbered(&skeleton.fill(interior), &numbers(&sampled)))
+}
+
+/// Checks that rings on these boundaries can have this resolution.
+///
+/// # Errors
+/// [`Error::Input`] naming the resolution, or the initial mesh if there are more than two boundaries.
+pub(super) fn check(boundaries: &[Vec<DVec3>], resolution: Resolution) -> Result<(), Error> {
+    Skeleton::of(boundaries)?.interior_vertices(resolution).map(drop)
+}
+
+/// Upper bound of the growth of boundary pieces, per length. A larger value adds fewer points.
+const GRADING: f64 = 0.3;
+
+/// The film with its first vertices in another order.
+fn renumbered(film: &Film, numbers: &[u32]) -> Film {
+    let place = |v: u32| numbers.get(v as usize).copied().unwrap_or(v);
+    let mut vertices = film.vertices.clone();
+    film.vertices.iter().enumerate().for_each(|(v, &p)| vertices[place(v as u32) as usize] = p);
+    let triangles: Vec<[u32; 3]> = film.triangles().iter().map(|triangle| triangle.map(place)).collect();
+    let boundaries = film.boundaries.iter().map(|boundary| boundary.iter().map(|&v| place(v)).collect()).collect();
+    Film::new(vertices, &triangles, boundaries).expect("renaming keeps a manifold")
+}
+
+/// The paths along which the rings follow each other: from each point of the outer loop to its partner on the inner
+/// one.
+struct Skeleton {
+    /// All boundary points, boundary by boundary.
+    points: Vec<DVec3>,
+    boundaries: Vec<Vec<u32>>,
+    /// The boundary whose number of points the rings have.
+    outer: usize,
+    inner: Inner,
+}
+
+enum Inner {
+    /// The mean of the boundary, for one boundary.
+    Centre(DVec3),
+    /// The other boundary, for two.
+    Loop { index: usize, matching: Matching },
+}
+
+impl Skeleton {
+    fn of(boundaries: &[Vec<DVec3>]) -> Result<Self, Error> {
+        match boundaries {
+            [only] => Ok(Self::disc(only)),
+            [first, second] => Ok(Self::annulus(first, second)),
+            _ => Err(Error::input(Place::field("initial_mesh"), "rings span one or two boundaries")),
+        }
+    }
+
+    fn disc(boundary: &[DVec3]) -> Self {
+        Self {
+            points: boundary.to_vec(),
+            boundaries: vec![(0..boundary.len() as u32).collect()],
+            outer: 0,
+            inner: Inner::Centre(polyline::mean(boundary)),
+        }
+    }
+
+    fn annulus(first: &[DVec3], second: &[DVec3]) -> Self {
+        let outer = usize::from(second.len() > first.len());
+        let loops = [first, second];
+        let matching = Matching::between(loops[outer], loops[1 - outer]);
+        let (n, all) = (first.len() as u32, (first.len() + second.len()) as u32);
+        Self {
+            points: loops.concat(),
+            boundaries: vec![(0..n).collect(), (n..all).collect()],
+            outer,
+            inner: Inner::Loop { index: 1 - outer, matching },
+        }
+    }
+
+    /// Number of triangles without an interior vertex: n - 2 for a disc, n for an annulus (Euler).
+    fn bare_triangles(&self) -> i64 {
+        let n = self.points.len() as i64;
+        if matches!(self.inner, Inner::Centre(_)) { n - 2 } else { n }
+    }
+
+    fn least_interior(&self) -> usize {
+        usize::from(matches!(self.inner, Inner::Centre(_)))
+    }
+
+    fn interior_vertices(&self, resolution: Resolution) -> Result<usize, Error> {
+        let place = Place::field("resolution");
+        let bare = self.bare_triangles();
+        match resolution {
+            Resolution::InteriorVertices(count) if count < self.least_interior() => {
+                Err(Error::input(place.then("interior_vertices"), "rings need at least one interior vertex"))
+            }
+            Resolution::InteriorVertices(count) => Ok(count),
+            Resolution::Triangles(count) => {
+                let least = bare + 2 * self.least_interior() as i64;
+                let count = i64::try_from(count).unwrap_or(i64::MAX);
+                if count < least || (count - bare) % 2 != 0 {
+                    let parity = if bare % 2 == 0 { "even" } else { "odd" };
+                    let detail = format!(
+                        "with {} boundary points the number of triangles must be {parity} and at least {least}",
+                        self.points.len()
+                    );
+                    return Err(Error::input(place.then("triangles"), detail));
+                }
+                Ok(((count - bare) / 2) as usize)
+            }
+            Resolution::EdgeLength(length) => {
+                let area = self.fill(self.least_interior()).area();
+                self.check_size(length, area)?;
+                let triangles = area / (0.75f64.sqrt() / 2.0 * length * length);
+                Ok((((triangles - bare as f64) / 2.0).round().max(0.0) as usize).max(self.least_interior()))
+            }
+        }
+    }
+
+    /// Refuses an edge length that would give more triangles than can be numbered.
+    fn check_size(&self, size: f64, area: f64) -> Result<(), Error> {
+        let boundary: f64 = self.points.len() as f64;
+        if area / (size * size) + boundary > LARGEST_COUNT as f64 {
+            let detail = "so fine a mesh has more triangles than can be numbered";
+            return Err(Error::input(Place::field("resolution"), detail));
+        }
+        Ok(())
+    }
+
+    fn fill(&self, interior: usize) -> Film {
+        let outer = &self.boundaries[self.outer];
+        let n = outer.len();
+        let rings = (interior - self.least_interior()) / n;
+        let mut vertices = self.points.clone();
+        let partners: Vec<DVec3> = match &self.inner {
+            Inner::Centre(centre) => vec![*centre; n],
+            Inner::Loop { index, matching } => {
+                let inner = &self.boundaries[*index];
+                let at = |j: usize| self.points[inner[matching.order[j]] as usize];
+                matching.partners(n).into_iter().map(at).collect()
+            }
+        };
+        let mut ring = outer.clone();
+        let mut triangles = Vec::new();
+        for j in 1..=rings {
+            let part = j as f64 / (rings + 1) as f64;
+            let first = vertices.len() as u32;
+            vertices.extend((0..n).map(|i| self.points[outer[i] as usize].lerp(partners[i], part)));
+            for i in 0..n {
+                let (a, b) = (ring[i], ring[(i + 1) % n]);
+                let (c, d) = (first + ((i + 1) % n) as u32, first + i as u32);
+                triangles.extend([[a, b, c], [a, c, d]]);
+            }
+            ring = (first..first + n as u32).collect();
+        }
+        match &self.inner {
+            Inner::Centre(centre) => {
+                let apex = vertices.len() as u32;
+                vertices.push(*centre);
+                triangles.extend((0..n).map(|i| [ring[i], ring[(i + 1) % n], apex]));
+            }
+            Inner::Loop { index, matching } => {
+                triangles.extend(matching.triangles(&ring, &self.boundaries[*index]));
+            }
+        }
+        let splits = interior - self.least_interior() - rings * n;
+        split_evenly(&mut vertices, &mut triangles, if rings > 0 { 2 * n } else { n }, splits);
+        if self.outer != 0 {
+            orient_along(&mut triangles, &self.boundaries[0]);
+        }
+        Film::new(vertices, &triangles, self.boundaries.clone()).expect("rings are a manifold by construction")
+    }
+}
+
+/// Splits `splits` of the first `candidates` triangles (those of the outer ring) into three at their centres, evenly
+/// spread. When each has been split, the smaller triangles are split in turn.
+fn split_evenly(vertices: &mut Vec<DVec3>, triangles: &mut Vec<[u32; 3]>, candidates: usize, splits: usize) {
+    for k in 0..splits {
+        let t = k * candidates / splits.max(1);
+        let [a, b, c] = triangles[t];
+        let centre = vertices.len() as u32;
+        vertices.push((vertices[a as usize] + vertices[b as usize] + vertices[c as usize]) / 3.0);
+        triangles[t] = [a, b, centre];
+        triangles.extend([[b, c, centre], [c, a, centre]]);
+    }
+}

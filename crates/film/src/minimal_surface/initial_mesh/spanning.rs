@@ -1,0 +1,726 @@
+//! Initial meshes with well-shaped triangles at a wanted resolution: a plane domain is meshed, and its mesh is mapped
+//! into space.
+//!
+//! 1. The boundaries become polygons in the plane: their projections if these are simple, else circles of the same arc
+//!    length. Three and more boundaries are laid out as they are seen from a point between them.
+//! 2. The domain is meshed with sizes that are graded to the spacing of the boundary
+//!    ([`plane_mesh`](super::plane_mesh)). The size is adjusted until the resolution is met.
+//! 3. The mesh is mapped into space. A plane boundary needs no map. For a projected boundary the heights are extended
+//!    harmonically. Otherwise all coordinates are harmonic; with Delaunay triangles the weights are positive, so
+//!    this is a convex combination map (Tutte 1963, Floater 1997).
+//! 4. A fine mesh is made as a coarse one and a number of regular subdivisions.
+
+use super::domain::{Shape, largest_height};
+use super::pins::{Pin, Pins};
+use super::plane_mesh::{PlaneError, PlaneMesh, PlaneRegion};
+use super::sampling::{Sampled, numbers, sample};
+use crate::energy::dirichlet::laplacian;
+use crate::minimal_surface::estimate::estimate;
+use crate::minimal_surface::harmonic::Dirichlet;
+use crate::minimal_surface::options::{BoundarySampling, Constraints, LARGEST_COUNT, Options, Resolution};
+use glam::DVec2;
+use plateau_mesh::edit::orient_along;
+use plateau_mesh::film::Film;
+use plateau_mesh::measure;
+use plateau_mesh::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
+use plateau_mesh::remesh::isotropic::{BoundaryEdges, RUNAWAY, resample};
+use plateau_mesh::remesh::subdivision::subdivide;
+use plateau_mesh::sparse::pattern::Pattern;
+use plateau_mesh::sparse::{LinearError, Symbolic};
+use plateau_mesh::topology::Topology;
+use plateau_mesh::{DVec3, Error, Execution, Place, polyline};
+
+/// A film at a coarse resolution, and the number of subdivisions to the wanted one.
+#[derive(Clone, Debug)]
+pub(crate) struct Start {
+    pub film: Film,
+    pub subdivisions: u32,
+}
+
+impl Start {
+    /// The film at its full resolution.
+    ///
+    /// # Errors
+    /// The interruptions of `exec`.
+    pub fn refined(self, exec: &Execution) -> Result<Film, Error> {
+        let mut film = self.film;
+        for _ in 0..self.subdivisions {
+            exec.look(4 * film.triangles().len() as u64)?;
+            film = subdivide(&film).0;
+        }
+        Ok(film)
+    }
+}
+
+// Tunables. The figures in docs/VALIDATION.md were obtained with these values.
+
+/// Growth of the edge length per distance from the boundary. A larger value gives fewer and less even triangles.
+const GRADING: f64 = 0.3;
+/// Where the spacing of the boundary asks for more triangles than are wanted, the growth is multiplied by
+/// [`GRADING_STEP`] at most this many times: up to 26. A larger value accepts more boundaries.
+const STEEPEST_GRADING: u32 = 11;
+const GRADING_STEP: f64 = 1.5;
+/// Triangles between the boundary and the large ones inside, for each boundary edge, times the growth. Measured on a plane
+/// star of 50,000 points. It only decides which growth is tried first.
+const GRADED_TRIANGLES: f64 = 2.75;
+/// A boundary counts as dense if fewer triangles than this are wanted for each of its points. Then the first growth is
+/// estimated, because a layout with the least growth has ten times as many triangles as wanted, and the boundary's own
+/// triangles are taken into account when the next size is chosen. A mesh of so few triangles is not subdivided.
+const DENSE: f64 = 3.0;
+/// The ratio of the wanted to the reached number of triangles that is aimed at on a dense boundary: too few are better than
+/// too many.
+const AIM: f64 = 1.01;
+/// Smallest number of triangles, roughly, of a mesh that is then subdivided. A larger value gives more even meshes and
+/// takes longer.
+const COARSE_TRIANGLES: f64 = 450.0;
+/// A size is accepted if it meets the resolution to within this fraction. A larger value takes fewer trials.
+const CLOSE_ENOUGH: f64 = 0.02;
+/// Largest fraction by which the resolution may be missed. A larger value accepts more boundaries.
+const TOLERATED: f64 = 0.1;
+/// Largest number of rounds of solving and isotropic remeshing that improve a mesh that was mapped into space.
+const ROUNDS: u32 = 8;
+/// The area has settled if a round leaves more than this fraction of it. A larger value takes more rounds.
+const SETTLED_AREA: f64 = 0.998;
+/// A projected mesh whose smallest angle (radians) is at least this is not remeshed. A larger value remeshes more
+/// meshes.
+const GOOD_ANGLE: f64 = 0.44;
+/// Largest number of triangles of a mesh that is remeshed. Larger meshes are only relaxed, because remeshing takes
+/// longer.
+const LARGEST_RESAMPLED: f64 = 20_000.0;
+/// If the boundary is kept, a mapped mesh has at most this many triangles, or eight per boundary point, before its
+/// edges are split. A larger value splits fewer edges.
+const FINEST_MAPPED: usize = 2_000;
+/// Number of passes of isotropic remeshing from there to the wanted number.
+const FINE_PASSES: u32 = 12;
+/// Largest number of sizes that are tried.
+const TRIALS: u32 = 10;
+/// Number of trials after which twice [`CLOSE_ENOUGH`] is accepted.
+const PATIENCE: u32 = 3;
+/// Largest number of rounds that add vertices if no size gave enough.
+const DENSIFICATIONS: u32 = 4;
+
+/// A resolution, and the Euler characteristic of the surface that it is counted on.
+#[derive(Clone, Copy, Debug)]
+struct Goal {
+    resolution: Resolution,
+    euler: i64,
+}
+
+impl Goal {
+    /// The number of triangles that a film over these boundaries should have.
+    fn triangles(&self, film: &Film) -> f64 {
+        match self.resolution {
+            Resolution::Triangles(count) => count as f64,
+            Resolution::InteriorVertices(count) => {
+                let boundary = film.boundaries.iter().map(Vec::len).sum::<usize>() as f64;
+                2.0 * count as f64 + boundary - 2.0 * self.euler as f64
+            }
+            Resolution::EdgeLength(length) => film.area() / (0.75f64.sqrt() / 2.0 * length * length),
+        }
+    }
+
+    /// Ratio of the wanted to the reached number of triangles. Above 1 the mesh must become finer.
+    fn shortfall(&self, layout: &Layout, subdivisions: u32) -> f64 {
+        let growth = 4f64.powi(subdivisions as i32);
+        let triangles = layout.triangles as f64 * growth;
+        match self.resolution {
+            Resolution::Triangles(count) => count as f64 / triangles,
+            Resolution::InteriorVertices(count) => {
+                // By Euler's formula F = 2 (interior) + (boundary) - 2 χ.
+                let boundary = layout.boundary_points() as f64 * 2f64.powi(subdivisions as i32);
+                let interior = 0.5 * (triangles - boundary) + self.euler as f64;
+                (count as f64).max(0.5) / interior.max(0.25)
+            }
+            Resolution::EdgeLength(length) => {
+                let reached = layout.mean_edge / 2f64.powi(subdivisions as i32);
+                (reached / length) * (reached / length)
+            }
+        }
+    }
+}
+
+/// Growth of the edge length per distance from the boundary after some steps.
+fn grading(steps: u32) -> f64 {
+    // Multiplied one by one, so that the growth does not depend on where the search for it began.
+    (0..steps).fold(GRADING, |grading, _| grading * GRADING_STEP)
+}
+
+/// Why there is no film: the domain has no mesh, or another error that [`Spanning::build`] returns.
+enum NoFilm {
+    Plane(PlaneError),
+    Other(Error),
+}
+
+impl From<PlaneError> for NoFilm {
+    fn from(error: PlaneError) -> Self {
+        Self::Plane(error)
+    }
+}
+
+impl From<Error> for NoFilm {
+    fn from(error: Error) -> Self {
+        Self::Other(error)
+    }
+}
+
+/// Largest number of edges into which all fixed curves together are divided. A larger value takes longer, because each
+/// end is searched for in the whole film.
+const MOST_PINS: f64 = 2e4;
+
+static NO_CONSTRAINTS: Constraints = Constraints { points: Vec::new(), polylines: Vec::new() };
+
+/// The constraints, and the positions of their vertices in the plane.
+#[derive(Clone, Debug, Default)]
+struct Pinned {
+    pins: Pins,
+    places: Vec<DVec2>,
+}
+
+/// The result of one trial of a size: the sampled boundaries and the positions of the vertices between them. Only the
+/// accepted layout is triangulated, because the number of triangles does not depend on the triangulation.
+struct Layout {
+    boundaries: Vec<Sampled>,
+    domain: PlaneRegion,
+    sites: Vec<DVec2>,
+    triangles: usize,
+    /// Mean edge length in space, if the resolution is an edge length.
+    mean_edge: f64,
+    /// Mean over the sites of the length in the plane per length in space.
+    scale: f64,
+}
+
+impl Layout {
+    fn boundary_points(&self) -> usize {
+        self.boundaries.iter().map(|boundary| boundary.points.len()).sum()
+    }
+}
+
+/// A layout with its mesh.
+struct Meshed {
+    boundaries: Vec<Sampled>,
+    domain: PlaneRegion,
+    plane: PlaneMesh,
+}
+
+/// Meshes one shape of domain over the boundaries.
+pub(super) struct Spanning<'a> {
+    pub boundaries: &'a [Vec<DVec3>],
+    pub shape: Shape,
+    pub constraints: &'a Constraints,
+    pub options: &'a Options,
+    pub exec: &'a Execution<'a>,
+}
+
+impl Spanning<'_> {
+    /// The film, or why the domain has no mesh.
+    pub fn build(&self) -> Result<Result<Start, PlaneError>, Error> {
+        match self.try_build() {
+            Ok(start) => Ok(Ok(start)),
+            Err(NoFilm::Plane(PlaneError::Interrupted(interruption))) => Err(interruption.into()),
+            Err(NoFilm::Plane(error)) => Ok(Err(error)),
+            Err(NoFilm::Other(error)) => Err(error),
+        }
+    }
+
+    fn try_build(&self) -> Result<Start, NoFilm> {
+        if let Some(resolution) = self.resolution_in_space()? {
+            let options = Options { resolution, ..self.options.clone() };
+            return Spanning { options: &options, shape: self.shape.clone(), ..*self }.try_build();
+        }
+        let pinned = self.pinned()?;
+        let (meshed, subdivisions) = self.fit(&pinned)?;
+        let (mut film, _) = self.carry(&meshed, &pinned)?;
+        self.even_out(&mut film)?;
+        if self.resolution() != self.options.resolution {
+            let count = self.goal().triangles(&film);
+            resample(&mut film, count, FINE_PASSES, self.boundary_edges(), self.exec).map_err(Error::from)?;
+        }
+        Ok(Start { film, subdivisions })
+    }
+
+    /// The number of triangles that an edge length stands for on a mapped mesh, whose area is known in space only.
+    fn resolution_in_space(&self) -> Result<Option<Resolution>, NoFilm> {
+        if !self.shape.is_mapped() || !matches!(self.options.resolution, Resolution::EdgeLength(_)) {
+            return Ok(None);
+        }
+        let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
+        let resolution = Resolution::Triangles(FINEST_MAPPED.max(8 * boundary));
+        let coarse = Options { resolution, boundary_sampling: BoundarySampling::Keep, ..self.options.clone() };
+        let film = self.unpinned(&coarse).try_build()?.film;
+        let count = Goal { resolution: self.options.resolution, euler: 0 }.triangles(&film);
+        if count > LARGEST_COUNT as f64 {
+            return Err(PlaneError::TooManyPoints.into());
+        }
+        // The spacing of the boundary may ask for more triangles.
+        let least = self.unpinned(self.options).layout(self.largest_size(), GRADING, &Pinned::default())?.triangles;
+        Ok(Some(Resolution::Triangles((count.round() as usize).max(least))))
+    }
+
+    /// This problem with other options and without constraints.
+    fn unpinned<'b>(&'b self, options: &'b Options) -> Spanning<'b> {
+        Spanning { options, shape: self.shape.clone(), constraints: &NO_CONSTRAINTS, ..*self }
+    }
+
+    /// The constraints as vertices and edges, with their places in the plane.
+    fn pinned(&self) -> Result<Pinned, NoFilm> {
+        if self.constraints.is_empty() {
+            return Ok(Pinned::default());
+        }
+        let mapped = match &self.shape {
+            Shape::Plane(_) => None,
+            Shape::Disc { .. } | Shape::Sphere(_) => {
+                let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
+                let resolution = Resolution::Triangles(FINEST_MAPPED.max(8 * boundary));
+                let coarse = Options { resolution, boundary_sampling: BoundarySampling::Keep, ..self.options.clone() };
+                let spanning = self.unpinned(&coarse);
+                let (meshed, _) = spanning.fit(&Pinned::default())?;
+                let (mut film, flat) = spanning.carry(&meshed, &Pinned::default())?;
+                // A few solves on the same connectivity bring the mesh near the film for which the points are meant.
+                if let Ok(mut dirichlet) = Dirichlet::new(&film) {
+                    let _ = (0..3).try_for_each(|_| dirichlet.step(&mut film));
+                }
+                Some((film, flat))
+            }
+        };
+        let wanted = match self.options.resolution {
+            Resolution::Triangles(count) => count as f64,
+            Resolution::InteriorVertices(count) => 2.0 * count as f64,
+            Resolution::EdgeLength(_) => f64::INFINITY,
+        };
+        let size = match self.options.resolution {
+            Resolution::EdgeLength(length) => length,
+            _ => 2.0 * self.radius() / wanted.clamp(16.0, 4.0 * COARSE_TRIANGLES).sqrt(),
+        };
+        self.check_lengths(size)?;
+        let pins = Pins::new(self.constraints, self.boundaries, size, self.options.boundary_sampling);
+        let places = pins.in_plane(&self.shape, mapped.as_ref(), self.exec).map_err(Error::from)?;
+        Ok(Pinned { pins, places })
+    }
+
+    /// Refuses curves that would be divided into more pieces than the film can have triangles. A single distant point
+    /// is enough for that.
+    fn check_lengths(&self, size: f64) -> Result<(), NoFilm> {
+        if self.options.boundary_sampling == BoundarySampling::Keep {
+            return Ok(());
+        }
+        let most = estimate(self.boundaries, self.options).triangles.clamp(1e3, MOST_PINS);
+        let mut pieces = 0.0;
+        for (k, curve) in self.constraints.polylines.iter().enumerate() {
+            pieces += polyline::length(curve, false) / size;
+            if pieces > most {
+                let detail =
+                    format!("too long for this film: more than {most:.0} edges of {size:.3e} with those before it");
+                return Err(NoFilm::Other(Error::input(Place::field("constraints").then("polylines").at(k), detail)));
+            }
+        }
+        Ok(())
+    }
+
+    fn boundary_edges(&self) -> BoundaryEdges {
+        match self.options.boundary_sampling {
+            BoundarySampling::Refine => BoundaryEdges::Refined,
+            BoundarySampling::Keep => BoundaryEdges::Kept,
+        }
+    }
+
+    fn radius(&self) -> f64 {
+        self.boundaries.iter().flatten().map(|p| p.length()).fold(0.0, f64::max)
+    }
+
+    /// Number of lattice points after which a layout is given up. Many points may lie in the rectangle around the
+    /// boundary but outside the boundary (a thin diagonal strip). The number may therefore exceed the wanted one, but
+    /// not without bound (a spike that is a million long).
+    fn largest_lattice(&self) -> usize {
+        let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
+        let asked = estimate(self.boundaries, self.options).triangles + boundary as f64;
+        (64.0 * asked + 1e6).min(LARGEST_COUNT as f64) as usize
+    }
+
+    fn goal(&self) -> Goal {
+        Goal { resolution: self.options.resolution, euler: 2 - self.boundaries.len() as i64 }
+    }
+
+    /// The resolution of the mesh in the plane. A mesh whose boundary must be kept cannot be subdivided. A fine one is
+    /// made by splitting the edges of a coarse one that has been improved before.
+    fn resolution(&self) -> Resolution {
+        let boundary: usize = self.boundaries.iter().map(Vec::len).sum();
+        let coarse = FINEST_MAPPED.max(8 * boundary);
+        let fine = match self.options.resolution {
+            Resolution::Triangles(count) => count > 2 * coarse,
+            Resolution::InteriorVertices(count) => count > coarse,
+            Resolution::EdgeLength(_) => false,
+        };
+        if fine && self.options.boundary_sampling == BoundarySampling::Keep {
+            Resolution::Triangles(coarse)
+        } else {
+            self.options.resolution
+        }
+    }
+
+    /// Meshes with the size and the number of subdivisions that come nearest to the resolution.
+    fn fit(&self, pinned: &Pinned) -> Result<(Meshed, u32), PlaneError> {
+        let goal = Goal { resolution: self.resolution(), ..self.goal() };
+        // With the largest size only the spacing of the boundary counts. A coarser mesh is possible only by faster
+        // grading.
+        let mut step = self.first_grading_step(goal.resolution);
+        let mut coarsest = self.layout(self.largest_size(), grading(step), pinned)?;
+        if !matches!(self.shape, Shape::Disc { .. }) {
+            coarsest.domain.check_simple()?;
+        }
+        // Only the area in the plane is known yet. The area in space is about that divided by the square of the scale.
+        let area = coarsest.domain.area() / (coarsest.scale * coarsest.scale);
+        let triangle = 0.75f64.sqrt() / 2.0;
+        let wanted = match goal.resolution {
+            Resolution::Triangles(count) => count as f64,
+            Resolution::InteriorVertices(count) => 2.0 * count as f64,
+            Resolution::EdgeLength(length) => area / (triangle * length * length),
+        };
+        if wanted > LARGEST_COUNT as f64 {
+            return Err(PlaneError::TooManyPoints);
+        }
+        let mut subdivisions = match self.options.boundary_sampling {
+            BoundarySampling::Keep => 0,
+            BoundarySampling::Refine => (wanted / COARSE_TRIANGLES).log(4.0).floor().max(0.0) as u32,
+        };
+        while subdivisions > 0 && goal.shortfall(&coarsest, subdivisions) < 1.0 {
+            subdivisions -= 1;
+        }
+        // An edge length that the spacing of the boundary does not allow is met where possible. A number of triangles
+        // must be met.
+        let by_number = !matches!(goal.resolution, Resolution::EdgeLength(_));
+        let estimated = step;
+        while by_number && goal.shortfall(&coarsest, subdivisions) < 1.0 && step < STEEPEST_GRADING {
+            step += 1;
+            coarsest = self.layout(self.largest_size(), grading(step), pinned)?;
+        }
+        while step > 0 && step <= estimated {
+            let layout = self.layout(self.largest_size(), grading(step - 1), pinned)?;
+            if goal.shortfall(&layout, subdivisions) < 1.0 {
+                break;
+            }
+            (step, coarsest) = (step - 1, layout);
+        }
+        let shortfall = goal.shortfall(&coarsest, subdivisions);
+        if by_number && shortfall < 1.0 - TOLERATED {
+            return Err(PlaneError::TooCoarse { triangles: coarsest.triangles });
+        }
+        let (layout, shortfall) = if shortfall <= 1.0 + CLOSE_ENOUGH {
+            (coarsest, shortfall)
+        } else {
+            let first = (area / (triangle * wanted)).sqrt() * 2f64.powi(subdivisions as i32);
+            self.tune(&goal, first, (grading(step), shortfall), subdivisions, pinned)?
+        };
+        let Layout { boundaries, domain, sites, triangles, .. } = layout;
+        let mut plane = domain.mesh(&sites, self.exec)?;
+        // New vertices must keep a distance, so one round may not be enough.
+        for _ in 0..DENSIFICATIONS {
+            let reached = plane.topology.triangles().len() as f64;
+            let missing = (shortfall * triangles as f64 / reached).min(2.0) - 1.0;
+            if missing <= CLOSE_ENOUGH {
+                break;
+            }
+            plane = domain.densified(&plane, (0.5 * missing * reached).round() as usize, self.exec)?;
+        }
+        Ok((Meshed { boundaries, domain, plane }, subdivisions))
+    }
+
+    /// Adjusts the size until the resolution is met, and returns the ratio of wanted to reached. `coarsest` is the
+    /// grading and the ratio with the largest size.
+    fn tune(
+        &self,
+        goal: &Goal,
+        first: f64,
+        coarsest: (f64, f64),
+        subdivisions: u32,
+        pinned: &Pinned,
+    ) -> Result<(Layout, f64), PlaneError> {
+        let (grading, at_largest) = coarsest;
+        let largest = self.largest_size();
+        let mut size = first.min(0.9 * largest);
+        // Logarithms of sizes and of the ratios there: too many triangles at the low end, too few at the high end.
+        let (mut low, mut high): (Option<(f64, f64)>, _) = (None, (largest.ln(), at_largest.ln()));
+        let mut best: Option<(Layout, f64)> = None;
+        for trial in 0..TRIALS {
+            let layout = self.layout(size, grading, pinned)?;
+            let shortfall = goal.shortfall(&layout, subdivisions);
+            // Too few triangles are better than the same number too many, because vertices can be added.
+            let distance = |shortfall: f64| match shortfall {
+                ..0.92 => 2.0 / shortfall,
+                ..1.0 => 2.0 / shortfall - 2.0,
+                _ => shortfall - 1.0,
+            };
+            if best.as_ref().is_none_or(|(_, nearest)| distance(shortfall) < distance(*nearest)) {
+                best = Some((layout, shortfall));
+            }
+            // The spacing of the lattice jumps beside the boundary, so the last percent is worth a few trials only.
+            if (shortfall - 1.0).abs() <= if trial < PATIENCE { CLOSE_ENOUGH } else { 2.0 * CLOSE_ENOUGH } {
+                break;
+            }
+            let here = (size.ln(), shortfall.ln());
+            if shortfall < 1.0 {
+                low = Some(here);
+            } else {
+                high = here;
+            }
+            // The number decreases with the square of the size, or more slowly where the spacing of the boundary
+            // decides. Beyond some size it is constant, so the largest size is not used for the interpolation.
+            let square = here.0 - 0.5 * here.1;
+            size = match low {
+                None => square,
+                Some(_) if high.0 == largest.ln() && self.is_dense(goal.resolution) => {
+                    // The triangles that the spacing of the boundary asks for do not depend on the size.
+                    let inside = |shortfall: f64| 1.0 / shortfall - 1.0 / at_largest;
+                    let ratio = inside(shortfall) / inside(AIM);
+                    (here.0 + 0.5 * ratio.ln()).max(here.0 + 0.05).min(0.5 * (here.0 + high.0))
+                }
+                Some(_) if high.0 == largest.ln() => square.max(here.0 + 0.05).min(0.5 * (here.0 + high.0)),
+                Some(low) => {
+                    let secant = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
+                    let room = 0.15 * (high.0 - low.0);
+                    secant.max(low.0 + room).min(high.0 - room)
+                }
+            }
+            .exp();
+        }
+        Ok(best.expect("at least one layout was tried"))
+    }
+
+    /// The number of steps of the growth to begin with. The layouts of a dense boundary take longer the slower the sizes
+    /// grow, so that it pays to begin near the growth that is needed.
+    fn first_grading_step(&self, resolution: Resolution) -> u32 {
+        let Resolution::Triangles(count) = resolution else { return 0 };
+        if !self.is_dense(resolution) {
+            return 0;
+        }
+        let room = (count as f64 / self.points() - 1.0).max(0.0);
+        let steps = (GRADED_TRIANGLES / (room * GRADING)).log(GRADING_STEP).floor();
+        steps.clamp(0.0, f64::from(STEEPEST_GRADING)) as u32
+    }
+
+    fn points(&self) -> f64 {
+        self.boundaries.iter().map(Vec::len).sum::<usize>() as f64
+    }
+
+    fn is_dense(&self, resolution: Resolution) -> bool {
+        matches!(resolution, Resolution::Triangles(count) if (count as f64) < DENSE * self.points())
+    }
+
+    fn largest_size(&self) -> f64 {
+        self.boundaries.iter().map(|points| polyline::length(points, true)).sum()
+    }
+
+    /// The layout for a size, before any triangulation.
+    fn layout(&self, size: f64, grading: f64, pinned: &Pinned) -> Result<Layout, PlaneError> {
+        let sampling = self.options.boundary_sampling;
+        let boundaries: Vec<Sampled> =
+            self.boundaries.iter().map(|points| sample(points, size, GRADING, sampling)).collect();
+        let own: Vec<u32> = boundaries
+            .iter()
+            .flat_map(|boundary| &boundary.own)
+            .enumerate()
+            .filter(|(_, own)| **own)
+            .map(|(k, _)| k as u32)
+            .collect();
+        let first = boundaries.iter().map(|boundary| boundary.points.len() as u32).sum::<u32>();
+        let vertex = |pin: Pin| match pin {
+            Pin::Boundary(k) => own[k as usize],
+            Pin::Inner(k) => first + k,
+        };
+        let domain = PlaneRegion {
+            loops: self.shape.embed(&boundaries),
+            points: pinned.places.clone(),
+            segments: pinned.pins.edges.iter().map(|edge| edge.map(vertex)).collect(),
+        };
+        let scale = self.shape.scale(self.boundaries);
+        // The spacing of the lattice can follow the size without jumps if the scale is the same everywhere.
+        let largest = domain.loops.iter().flatten().map(|&p| scale(p)).fold(0.0, f64::max);
+        let sites = domain.sites(&|p| size * scale(p), size * largest, grading, self.largest_lattice(), self.exec)?;
+        let mean_scale = sites.iter().map(|&p| scale(p)).sum::<f64>() / sites.len() as f64;
+        // By Euler's formula, with as many components as loops less holes. Separate components have a few triangles
+        // less.
+        let euler = 2 - boundaries.len() as i64;
+        let triangles = (2 * sites.len() as i64 - i64::from(first) - 2 * euler).max(1) as usize;
+        let mean_edge = match self.options.resolution {
+            Resolution::EdgeLength(_) => domain.mean_edge(&sites)? / mean_scale,
+            _ => 0.0,
+        };
+        Ok(Layout { boundaries, domain, sites, triangles, mean_edge, scale: mean_scale })
+    }
+
+    /// Maps a plane mesh into space and orders its vertices: the points of the polygons, then the added points, then
+    /// the fixed points inside, then the rest. Also returns the positions in the plane in that order.
+    fn carry(&self, meshed: &Meshed, pinned: &Pinned) -> Result<(Film, Vec<DVec2>), Error> {
+        let PlaneMesh { points, topology } = &meshed.plane;
+        let boundary: usize = meshed.boundaries.iter().map(|boundary| boundary.points.len()).sum();
+        let mut place = numbers(&meshed.boundaries);
+        place.extend(boundary as u32..points.len() as u32);
+        let mut in_plane = vec![DVec2::ZERO; points.len()];
+        points.iter().zip(&place).for_each(|(&p, &v)| in_plane[v as usize] = p);
+        let mut vertices = vec![DVec3::ZERO; points.len()];
+        let in_space = meshed.boundaries.iter().flat_map(|boundary| &boundary.points);
+        in_space.zip(&place).for_each(|(&p, &v)| vertices[v as usize] = p);
+        vertices[boundary..boundary + pinned.pins.points.len()].copy_from_slice(&pinned.pins.points);
+        let mut triangles: Vec<[u32; 3]> =
+            topology.triangles().iter().map(|triangle| triangle.map(|v| place[v as usize])).collect();
+        let mut first = 0;
+        let loops: Vec<Vec<u32>> = meshed
+            .boundaries
+            .iter()
+            .map(|boundary| {
+                let range = first..first + boundary.points.len();
+                first = range.end;
+                place[range].to_vec()
+            })
+            .collect();
+        let fixed: Vec<bool> = (0..points.len()).map(|v| v < boundary + pinned.pins.points.len()).collect();
+        let mut locked: Vec<[u32; 2]> = meshed
+            .domain
+            .segments
+            .iter()
+            .map(|segment| {
+                let [a, b] = segment.map(|v| place[v as usize]);
+                [a.min(b), a.max(b)]
+            })
+            .collect();
+        locked.sort_unstable();
+        locked.dedup();
+        self.lift(&in_plane, &triangles, &fixed, &mut vertices)?;
+        orient_along(&mut triangles, &loops[0]);
+        let topology = Topology::build(&triangles, vertices.len()).expect("renaming keeps a manifold");
+        Ok((Film { vertices, topology, fixed, locked, boundaries: loops }, in_plane))
+    }
+
+    /// Improves a film whose map from the plane has stretched its triangles. Each round distributes the vertices evenly
+    /// and solves towards the minimal surface, where the triangles have to be good, until the area settles.
+    fn even_out(&self, film: &mut Film) -> Result<(), Error> {
+        let flat = self.is_plane();
+        for _ in 0..if flat { 0 } else { 2 } {
+            flip_to_delaunay(film, self.exec)?;
+            tangential_relaxation(film, 2);
+            self.exec.look(3 * film.triangles().len() as u64)?;
+        }
+        flip_to_delaunay(film, self.exec)?;
+        let count = film.triangles().len() as f64;
+        let mapped = self.shape.is_mapped();
+        if count > LARGEST_RESAMPLED || (!mapped && measure::angle_range(&film.mesh()).0 >= GOOD_ANGLE) {
+            return Ok(());
+        }
+        let relaxed = film.clone();
+        let mut area = f64::INFINITY;
+        for _ in 0..ROUNDS {
+            resample(film, count, 3, self.boundary_edges(), self.exec)?;
+            if film.triangles().len() as f64 > RUNAWAY * count {
+                *film = relaxed;
+                return Ok(());
+            }
+            let settled = film.area() > SETTLED_AREA * area;
+            area = film.area();
+            if settled || flat {
+                break;
+            }
+            let solved = Dirichlet::new(film).and_then(|mut dirichlet| {
+                dirichlet.step(film)?;
+                dirichlet.step(film)
+            });
+            if solved.is_err() {
+                // A neck closes here. The solver reports it.
+                break;
+            }
+            flip_to_delaunay(film, self.exec)?;
+        }
+        resample(film, count, 5, self.boundary_edges(), self.exec)?;
+        // Beside a boundary that asks for more triangles than are wanted, collapsing alone may not coarsen enough. In
+        // the plane the triangles keep their final shape, so the better of the two meshes can be chosen.
+        let worse = || flat && measure::angle_range(&film.mesh()).0 < measure::angle_range(&relaxed.mesh()).0;
+        if film.triangles().len() as f64 > (1.0 + 0.8 * TOLERATED) * count || worse() {
+            *film = relaxed;
+        }
+        Ok(())
+    }
+
+    /// Whether all boundaries lie in the plane of the domain, up to rounding.
+    fn is_plane(&self) -> bool {
+        match &self.shape {
+            Shape::Plane(frame) => {
+                let limit = 1e-13 * self.largest_size();
+                let fixed = self.constraints.points.iter().chain(self.constraints.polylines.iter().flatten());
+                largest_height(frame, self.boundaries) <= limit && fixed.into_iter().all(|&p| frame.height(p) <= limit)
+            }
+            Shape::Disc { .. } | Shape::Sphere(_) => false,
+        }
+    }
+
+    /// Positions of the free vertices in space.
+    fn lift(
+        &self,
+        in_plane: &[DVec2],
+        triangles: &[[u32; 3]],
+        fixed: &[bool],
+        vertices: &mut [DVec3],
+    ) -> Result<(), Error> {
+        let free = || (0..fixed.len()).filter(|&v| !fixed[v]);
+        match &self.shape {
+            Shape::Plane(frame) if self.is_plane() => free().for_each(|v| vertices[v] = frame.lift(in_plane[v])),
+            Shape::Plane(frame) => {
+                harmonic(in_plane, triangles, fixed, vertices, self.exec)?;
+                for v in free() {
+                    let height = (vertices[v] - frame.origin).dot(frame.normal);
+                    vertices[v] = frame.lift(in_plane[v]) + height * frame.normal;
+                }
+            }
+            Shape::Disc { .. } | Shape::Sphere(_) => harmonic(in_plane, triangles, fixed, vertices, self.exec)?,
+        }
+        Ok(())
+    }
+}
+
+/// Moves the free vertices so that all coordinates are harmonic over the plane mesh.
+fn harmonic(
+    in_plane: &[DVec2],
+    triangles: &[[u32; 3]],
+    fixed: &[bool],
+    vertices: &mut [DVec3],
+    exec: &Execution,
+) -> Result<(), Error> {
+    let pattern = Pattern::new(triangles, fixed);
+    if pattern.free.vertex.is_empty() {
+        return Ok(());
+    }
+    exec.look(triangles.len() as u64)?;
+    let flat: Vec<DVec3> = in_plane.iter().map(|p| p.extend(0.0)).collect();
+    let (mut matrix, mut unused) = (pattern.matrix(), Vec::new());
+    laplacian(&pattern, &flat, triangles, &mut matrix, &mut unused);
+    let n = pattern.free.vertex.len();
+    let mut solution = vec![0.0; 3 * n];
+    for triangle in triangles {
+        for k in 0..3 {
+            let [a, b, c] = [triangle[k], triangle[(k + 1) % 3], triangle[(k + 2) % 3]].map(|v| v as usize);
+            let (u, v) = (in_plane[a] - in_plane[c], in_plane[b] - in_plane[c]);
+            let weight = 0.5 * u.dot(v) / u.perp_dot(v).abs().max(f64::MIN_POSITIVE);
+            for (free, other) in [(a, b), (b, a)] {
+                if !fixed[free] && fixed[other] {
+                    let row = pattern.free.unknown[free] as usize;
+                    let pull = weight * vertices[other];
+                    for (axis, pull) in pull.to_array().into_iter().enumerate() {
+                        solution[axis * n + row] += pull;
+                    }
+                }
+            }
+        }
+    }
+    let solved = Symbolic::analyse(&matrix, None)
+        .and_then(|symbolic| symbolic.factorise(&matrix).and_then(|factorisation| factorisation.solve(&mut solution)));
+    solved.map_err(|error| match error {
+        LinearError::TooLarge => {
+            Error::no_result("too_large", "the mesh is too large to factorise; ask for fewer triangles")
+        }
+        _ => {
+            Error::no_result("degenerate_boundary", "the boundary's points lie so that its initial mesh is degenerate")
+        }
+    })?;
+    for (row, &v) in pattern.free.vertex.iter().enumerate() {
+        vertices[v as usize] = DVec3::new(solution[row], solution[n + row], solution[2 * n + row]);
+    }
+    exec.look(triangles.len() as u64)?;
+    Ok(())
+}

@@ -1,0 +1,537 @@
+//! Options of a solve: objective, solver with its own options, resolution, initial mesh, constraints.
+
+use plateau_mesh::error::InputError;
+use plateau_mesh::polyline::LARGEST_COORDINATE;
+use plateau_mesh::{DVec3, Mesh, Place};
+
+/// Default of every tolerance on the relative change of the area.
+const AREA_TOLERANCE: f64 = 1e-6;
+/// Default ε of Liu and Wang's four stopping criteria.
+const LEAST_SQUARES_TOLERANCE: f64 = 1e-6;
+/// Default angle (radians) below which triangles are removed: one degree.
+const DEGENERATE_ANGLE: f64 = std::f64::consts::PI / 180.0;
+/// Largest degenerate angle that may be asked for: a third of the angle of an equilateral triangle, so that good
+/// triangles are left alone.
+const LARGEST_DEGENERATE_ANGLE: f64 = std::f64::consts::PI / 9.0;
+
+/// A quantity that is minimised.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Objective {
+    /// The sum of the triangles' areas.
+    #[default]
+    MinimalArea,
+    /// The Dirichlet energy of the piecewise linear map from the (Delaunay) initial mesh: one linear solve.
+    MinimalDirichletEnergy,
+    /// Liu and Wang: half the sum of the squared discrete mean curvatures.
+    MinimalMeanCurvature,
+}
+
+/// A description of an objective, for people and for catalogues.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Description {
+    /// A stable name in snake case.
+    pub name: &'static str,
+    /// The quantity that is minimised.
+    pub minimises: &'static str,
+    /// Its unit, where u is the caller's unit of length.
+    pub unit: &'static str,
+    /// The source of the formula in the literature.
+    pub source: &'static str,
+}
+
+impl Objective {
+    /// All objectives.
+    pub const ALL: [Self; 3] = [Self::MinimalArea, Self::MinimalDirichletEnergy, Self::MinimalMeanCurvature];
+
+    /// A stable name in snake case.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.describe().name
+    }
+
+    /// Name, formula, unit and source.
+    #[must_use]
+    pub fn describe(self) -> Description {
+        match self {
+            Self::MinimalArea => Description {
+                name: "minimal_area",
+                minimises: "the sum of the triangles' areas, boundary fixed",
+                unit: "u²",
+                source: "Chen, Cai, Zheng 2008, eq. 3",
+            },
+            Self::MinimalDirichletEnergy => Description {
+                name: "minimal_dirichlet_energy",
+                minimises: "the Dirichlet energy ¼ Σ (cot α + cot β) |a'|² of the map from the initial mesh, boundary fixed",
+                unit: "u²",
+                source: "Pinkall, Polthier 1993, section 2",
+            },
+            Self::MinimalMeanCurvature => Description {
+                name: "minimal_mean_curvature",
+                minimises: "half the sum of squared mean curvatures (angle between normals times half the edge, over a \
+                    third of the ring's area), lengths divided by the boundary's radius",
+                unit: "1",
+                source: "Liu, Wang 2011, eq. 1",
+            },
+        }
+    }
+}
+
+/// A process of Chen, Cai and Zheng's relaxation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Process {
+    /// Every interior vertex moves at once to the area-weighted mean of its neighbours.
+    LaplacianFairing,
+    /// One vertex after the other moves towards the least area of its triangles.
+    AreaMinimising,
+    /// Edges are flipped where that lowers the area.
+    EdgeSwapping,
+}
+
+impl Process {
+    /// All processes.
+    pub const ALL: [Self; 3] = [Self::LaplacianFairing, Self::AreaMinimising, Self::EdgeSwapping];
+
+    /// A stable name in snake case.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::LaplacianFairing => "laplacian_fairing",
+            Self::AreaMinimising => "area_minimising",
+            Self::EdgeSwapping => "edge_swapping",
+        }
+    }
+}
+
+/// A solver of this crate, as the statistics name it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Solver {
+    /// Chen, Cai, Zheng: Laplacian fairing, area minimising vertex by vertex, edge swapping.
+    VertexRelaxation,
+    /// Pinkall, Polthier: the harmonic map from the current mesh.
+    PinkallPolthier,
+    /// A few Pinkall-Polthier solves, then Newton's method in normal heights.
+    Newton,
+    /// Liu, Wang: Levenberg and Marquardt on the mean curvatures.
+    LevenbergMarquardt,
+}
+
+impl Solver {
+    /// All solvers.
+    pub const ALL: [Self; 4] = [Self::VertexRelaxation, Self::PinkallPolthier, Self::Newton, Self::LevenbergMarquardt];
+
+    /// A stable name in snake case.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::VertexRelaxation => "vertex_relaxation",
+            Self::PinkallPolthier => "pinkall_polthier",
+            Self::Newton => "newton",
+            Self::LevenbergMarquardt => "levenberg_marquardt",
+        }
+    }
+}
+
+/// Objective and solver: a variant for each solver, with that solver's own options.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Method {
+    /// Least area by Newton's method. It is the default and the fastest, and it also computes the Morse index.
+    Newton(Newton),
+    /// Least area by Chen, Cai and Zheng's relaxation of one vertex at a time.
+    VertexRelaxation(VertexRelaxation),
+    /// Least area by Pinkall and Polthier's iteration with Bento and Cavalcanti's rules against thin triangles.
+    PinkallPolthier(PinkallPolthier),
+    /// Least Dirichlet energy: one harmonic map from the initial mesh.
+    Harmonic,
+    /// Least sum of squared mean curvatures, after Liu and Wang.
+    LiuWang(LiuWang),
+}
+
+impl Default for Method {
+    fn default() -> Self {
+        Self::Newton(Newton::default())
+    }
+}
+
+impl Method {
+    /// The objective of the method.
+    #[must_use]
+    pub fn objective(&self) -> Objective {
+        match self {
+            Self::Newton(_) | Self::VertexRelaxation(_) | Self::PinkallPolthier(_) => Objective::MinimalArea,
+            Self::Harmonic => Objective::MinimalDirichletEnergy,
+            Self::LiuWang(_) => Objective::MinimalMeanCurvature,
+        }
+    }
+}
+
+/// Options of [`Method::Newton`].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Newton {
+    /// Whether the film keeps the topology of the initial mesh.
+    pub topology: TopologyRule,
+    /// Treatment of an unstable surface. Under [`TopologyRule::Free`] and [`TopologyRule::Best`] it is always left.
+    pub on_unstable: OnUnstable,
+}
+
+/// Whether the film keeps the topology of the initial mesh.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum TopologyRule {
+    /// The topology stays.
+    #[default]
+    Fixed,
+    /// Necks may close. A film then comes apart where no connected one is stable (Bento, Cavalcanti).
+    Free(FreeTopology),
+    /// The film of least area among all that span the boundaries: connected ones, separate discs, and everything
+    /// between. The statistics list the others.
+    Best,
+}
+
+/// Options of [`TopologyRule::Free`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct FreeTopology {
+    /// Triangles with an angle below this (radians) are removed while the film shrinks. `None` removes none.
+    pub degenerate_angle: Option<f64>,
+    /// How the linear systems are solved while the film shrinks.
+    pub linear_solver: LinearSolver,
+}
+
+impl Default for FreeTopology {
+    fn default() -> Self {
+        Self { degenerate_angle: Some(DEGENERATE_ANGLE), linear_solver: LinearSolver::Direct }
+    }
+}
+
+/// Options of [`Method::VertexRelaxation`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct VertexRelaxation {
+    /// Relative change of area per iteration at which the area minimising ends (ε₂).
+    pub area_tolerance: f64,
+    /// Relative change of area per iteration at which the Laplacian fairing ends (ε₁). `None` stands for
+    /// `area_tolerance`.
+    pub fairing_tolerance: Option<f64>,
+    /// The stages and their processes in the caller's order. Each stage is repeated until its tolerance is met. `None`
+    /// stands for the stages of the paper.
+    pub processes: Option<Vec<Vec<Process>>>,
+}
+
+impl Default for VertexRelaxation {
+    fn default() -> Self {
+        Self { area_tolerance: AREA_TOLERANCE, fairing_tolerance: None, processes: None }
+    }
+}
+
+/// Options of [`Method::PinkallPolthier`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct PinkallPolthier {
+    /// Relative change of area per solve at which the run ends.
+    pub area_tolerance: f64,
+    /// How the linear systems are solved.
+    pub linear_solver: LinearSolver,
+    /// Triangles with an angle below this (radians) are removed. `None` removes none.
+    pub degenerate_angle: Option<f64>,
+    /// Whether necks of three edges are cut, so that the topology may change.
+    pub cut_necks: bool,
+}
+
+impl Default for PinkallPolthier {
+    fn default() -> Self {
+        Self {
+            area_tolerance: AREA_TOLERANCE,
+            linear_solver: LinearSolver::Direct,
+            degenerate_angle: Some(DEGENERATE_ANGLE),
+            cut_necks: false,
+        }
+    }
+}
+
+/// Options of [`Method::LiuWang`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct LiuWang {
+    /// ε of the paper's stopping criteria, in lengths divided by the boundary's radius.
+    pub tolerance: f64,
+    /// Whether the curvatures at boundary vertices count (from their interior edges), as in the paper. Off by default:
+    /// the half ring of a boundary vertex does not cancel, so that the film is pulled off the surface.
+    pub boundary_curvature: bool,
+    /// The seed that chooses the candidate points of the initial mesh, if [`InitialMesh::Auto`] stands for
+    /// [`InitialMesh::Barycentres`].
+    pub seed: u64,
+}
+
+impl Default for LiuWang {
+    fn default() -> Self {
+        Self { tolerance: LEAST_SQUARES_TOLERANCE, boundary_curvature: false, seed: 1 }
+    }
+}
+
+/// How Pinkall and Polthier's linear systems are solved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LinearSolver {
+    /// Elimination (L D Lᵀ) for every system.
+    #[default]
+    Direct,
+    /// Conjugate gradients, with elimination where they do not converge (Bento, Cavalcanti).
+    ConjugateGradients,
+}
+
+impl LinearSolver {
+    /// All linear solvers.
+    pub const ALL: [Self; 2] = [Self::Direct, Self::ConjugateGradients];
+
+    /// A stable name in snake case.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Direct => "direct",
+            Self::ConjugateGradients => "conjugate_gradients",
+        }
+    }
+}
+
+/// How fine the mesh is to be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Resolution {
+    /// Number of triangles. It is exact for [`InitialMesh::Rings`] with [`BoundarySampling::Keep`], else within 10%.
+    Triangles(usize),
+    /// Mean edge length, in the caller's unit.
+    EdgeLength(f64),
+    /// Number of vertices that are not on the boundary.
+    InteriorVertices(usize),
+}
+
+/// Whether points may be added on the segments of the boundary.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BoundarySampling {
+    /// Points are added on long segments, so that the mesh is as fine there as inside.
+    #[default]
+    Refine,
+    /// No points are added, as in the papers.
+    Keep,
+}
+
+/// The mesh that the solver starts from. It also determines the topology of the result.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum InitialMesh {
+    /// The most suitable of the others. The statistics name it.
+    #[default]
+    Auto,
+    /// Delaunay triangles in the plane in which the boundaries enclose most. Their projection must be simple.
+    Planar,
+    /// Delaunay triangles in a round disc (with a round hole for every further boundary), mapped harmonically.
+    Disk,
+    /// Rings towards the mean of the boundary, or from one of two boundaries to the other (Chen, Cai, Zheng, section
+    /// 3.4).
+    Rings,
+    /// Points at barycentres inside one boundary, in a Delaunay triangulation (Liu, Wang). [`InitialMesh::Auto`] stands
+    /// for this mesh for one boundary under [`Method::LiuWang`].
+    Barycentres {
+        /// The seed that chooses among the candidate points.
+        seed: u64,
+    },
+    /// The caller's own mesh. It must be an oriented manifold whose boundary loops are exactly the boundaries, with or
+    /// without further vertices on their segments. The resolution has no effect. A mesh in which some edges have three
+    /// triangles is a film with junctions: in the result the sheets meet there at 120°. The boundaries together must
+    /// then be the edges with one triangle.
+    Given(Mesh),
+}
+
+/// Points and curves inside the surface that do not move. They become mesh vertices and edges at exactly these
+/// positions.
+///
+/// A point that equals a boundary point, or another of these points, is one vertex with it. Curves may share points,
+/// but must not cross. With [`BoundarySampling::Refine`] points are added on long segments.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Constraints {
+    /// Fixed points.
+    pub points: Vec<DVec3>,
+    /// Fixed curves.
+    pub polylines: Vec<Vec<DVec3>>,
+}
+
+impl Constraints {
+    /// Whether nothing is constrained.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.points.is_empty() && self.polylines.is_empty()
+    }
+
+    fn check(&self, errors: &mut Vec<InputError>) {
+        let place = || Place::field("constraints");
+        let usable = |point: DVec3| point.is_finite() && point.abs().max_element() <= LARGEST_COORDINATE;
+        let detail = "every coordinate must be a finite number of magnitude at most 1e50";
+        for (k, &point) in self.points.iter().enumerate() {
+            if !usable(point) {
+                errors.push(InputError::new(place().then("points").at(k), detail));
+            }
+        }
+        for (k, polyline) in self.polylines.iter().enumerate() {
+            let place = || place().then("polylines").at(k);
+            for (i, &point) in polyline.iter().enumerate() {
+                if !usable(point) {
+                    errors.push(InputError::new(place().at(i), detail));
+                }
+            }
+            if polyline.iter().all(|point| *point == polyline[0]) {
+                errors.push(InputError::new(place(), "needs at least two distinct points"));
+            }
+        }
+    }
+}
+
+/// Treatment of a stationary surface that is not a local minimum.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum OnUnstable {
+    /// Return it with a warning.
+    #[default]
+    Report,
+    /// Leave it along its lowest mode and continue to a minimum.
+    Descend,
+}
+
+/// Largest number of triangles or vertices that may be asked for, because half-edges are numbered with 32 bits.
+pub const LARGEST_COUNT: usize = 100_000_000;
+
+/// Options of a solve. [`Options::new`] gives the defaults; only the resolution has none.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// Objective and solver.
+    pub method: Method,
+    /// How fine the mesh is to be.
+    pub resolution: Resolution,
+    /// Whether points may be added on the boundary.
+    pub boundary_sampling: BoundarySampling,
+    /// The mesh that the solver starts from.
+    pub initial_mesh: InitialMesh,
+    /// Points and curves inside the surface that do not move.
+    pub constraints: Constraints,
+    /// The residual (dimensionless, see [`Statistics::residual`](super::Statistics::residual)) at which the default
+    /// solver and Pinkall and Polthier's have converged. A film of least area with a larger residual carries the warning
+    /// `not_minimal`.
+    pub tolerance: f64,
+    /// Largest number of iterations. `None` stands for the default of the solver: 10,000 sweeps of vertex relaxation,
+    /// 200 linear solves, or 500 steps of Levenberg and Marquardt.
+    pub max_iterations: Option<u32>,
+}
+
+/// Limits that end every solver.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Limits {
+    /// The residual at which the surface counts as converged.
+    pub tolerance: f64,
+    /// Largest number of iterations. `None` stands for the default of the solver.
+    pub max_iterations: Option<u32>,
+}
+
+impl Options {
+    /// The default options at a resolution: least area by Newton's method, with the topology of the initial mesh.
+    #[must_use]
+    pub fn new(resolution: Resolution) -> Self {
+        Self {
+            method: Method::default(),
+            resolution,
+            boundary_sampling: BoundarySampling::default(),
+            initial_mesh: InitialMesh::default(),
+            constraints: Constraints::default(),
+            tolerance: 1e-6,
+            max_iterations: None,
+        }
+    }
+
+    pub(crate) fn limits(&self) -> Limits {
+        Limits { tolerance: self.tolerance, max_iterations: self.max_iterations }
+    }
+
+    /// Whether the result has the topology of the initial mesh.
+    pub(crate) fn keeps_topology(&self) -> bool {
+        match &self.method {
+            Method::Newton(newton) => newton.topology == TopologyRule::Fixed,
+            Method::PinkallPolthier(options) => !options.cut_necks,
+            Method::VertexRelaxation(_) | Method::Harmonic | Method::LiuWang(_) => true,
+        }
+    }
+
+    /// The seed of the barycentres, if the initial mesh for so many boundaries is made of them.
+    pub(crate) fn barycentres(&self, boundaries: usize) -> Option<u64> {
+        match (&self.initial_mesh, &self.method) {
+            (InitialMesh::Barycentres { seed }, _) => Some(*seed),
+            (InitialMesh::Auto, Method::LiuWang(options)) if boundaries == 1 && self.constraints.is_empty() => {
+                Some(options.seed)
+            }
+            _ => None,
+        }
+    }
+
+    /// These options with all positions relative to a centre.
+    pub(crate) fn centred(&self, centre: DVec3) -> Self {
+        let mut options = self.clone();
+        if let InitialMesh::Given(mesh) = &mut options.initial_mesh {
+            mesh.vertices.iter_mut().for_each(|vertex| *vertex -= centre);
+        }
+        let Constraints { points, polylines } = &mut options.constraints;
+        points.iter_mut().chain(polylines.iter_mut().flatten()).for_each(|point| *point -= centre);
+        options
+    }
+
+    pub(crate) fn check(&self) -> Vec<InputError> {
+        let mut errors = Vec::new();
+        let mut tolerances = vec![("tolerance", self.tolerance)];
+        let degenerate_angle = match &self.method {
+            Method::Newton(Newton { topology: TopologyRule::Free(free), .. }) => free.degenerate_angle,
+            Method::Newton(_) | Method::Harmonic => None,
+            Method::VertexRelaxation(options) => {
+                tolerances.push(("area_tolerance", options.area_tolerance));
+                tolerances.extend(options.fairing_tolerance.map(|tolerance| ("fairing_tolerance", tolerance)));
+                None
+            }
+            Method::PinkallPolthier(options) => {
+                tolerances.push(("area_tolerance", options.area_tolerance));
+                options.degenerate_angle
+            }
+            Method::LiuWang(options) => {
+                tolerances.push(("least_squares_tolerance", options.tolerance));
+                None
+            }
+        };
+        for (name, value) in tolerances {
+            if !(value.is_finite() && value >= 0.0) {
+                errors.push(InputError::new(Place::field(name), "must be a finite number, not negative"));
+            }
+        }
+        if let Resolution::EdgeLength(length) = self.resolution
+            && !(length.is_finite() && length > 0.0)
+        {
+            let place = Place::field("resolution").then("edge_length");
+            errors.push(InputError::new(place, "must be a finite number above 0"));
+        }
+        if degenerate_angle.is_some_and(|angle| !(angle > 0.0 && angle <= LARGEST_DEGENERATE_ANGLE)) {
+            errors.push(InputError::new(Place::field("degenerate_angle"), "must be above 0 and at most 20 degrees"));
+        }
+        self.constraints.check(&mut errors);
+        let best = matches!(&self.method, Method::Newton(newton) if newton.topology == TopologyRule::Best);
+        if best && self.initial_mesh != InitialMesh::Auto {
+            let detail = "best spans every set of boundaries by itself and takes auto alone";
+            errors.push(InputError::new(Place::field("initial_mesh"), detail));
+        }
+        if !self.constraints.is_empty() && !self.keeps_topology() {
+            let detail = "a film with fixed points or curves keeps its topology";
+            errors.push(InputError::new(Place::field("topology"), detail));
+        }
+        let counted = match self.resolution {
+            Resolution::Triangles(count) => Some(("triangles", count)),
+            Resolution::InteriorVertices(count) => Some(("interior_vertices", count)),
+            Resolution::EdgeLength(_) => None,
+        };
+        if let Some((name, _)) = counted.filter(|&(_, count)| count > LARGEST_COUNT) {
+            let detail = format!("must be at most {LARGEST_COUNT}");
+            errors.push(InputError::new(Place::field("resolution").then(name), detail));
+        }
+        if let Method::VertexRelaxation(VertexRelaxation { processes: Some(stages), .. }) = &self.method {
+            for (k, stage) in stages.iter().enumerate() {
+                if stage.iter().all(|process| *process == Process::EdgeSwapping) {
+                    let place = Place::field("processes").at(k);
+                    errors.push(InputError::new(place, "a stage needs laplacian_fairing or area_minimising"));
+                }
+            }
+        }
+        errors
+    }
+}

@@ -1,0 +1,214 @@
+//! A solved surface: mesh, statistics and warnings, at the position of the caller's boundaries.
+
+use super::curvature::Curvature;
+use super::initial_mesh::pins::bits;
+use super::options::{Constraints, InitialMesh, Objective, Options, Resolution};
+use super::request::Input;
+use super::solved_film::SolvedFilm;
+use super::statistics::{self, Statistics};
+use plateau_mesh::error::Warning;
+use plateau_mesh::film::Film;
+use plateau_mesh::self_intersections::{self, Order};
+use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh};
+
+/// Largest fraction by which a resolution may be missed without a warning. A larger value warns less often.
+const RESOLUTION_TOLERANCE: f64 = 0.1;
+
+/// The mesh vertices of [`Constraints`], in their order; points added on curves are not listed.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ConstraintVertices {
+    /// For each fixed point its vertex.
+    pub points: Vec<u32>,
+    /// For each point of each fixed curve its vertex.
+    pub polylines: Vec<Vec<u32>>,
+}
+
+/// A mesh that spans the boundaries, and what is known about it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MinimalSurface {
+    /// Vertices: the input's points in input order, boundary by boundary, equal neighbours once, at exactly the given
+    /// coordinates; then points added on the boundaries; then the interior.
+    pub mesh: Mesh,
+    /// Each boundary as a loop of mesh vertices, in the input's direction, added points included.
+    pub boundaries: Vec<Vec<u32>>,
+    /// For each input point its vertex.
+    pub input_vertices: Vec<Vec<u32>>,
+    /// For each fixed point, and each fixed curve's point, its vertex.
+    pub constraints: ConstraintVertices,
+    /// Per vertex |area gradient| / (2/3 of the ring's area), in 1/unit; 0 where the vertex is fixed.
+    pub mean_curvature: Vec<f64>,
+    /// For an unstable surface its lowest mode: for each vertex a displacement along the normal, the largest of length
+    /// 1. Moving along it in either direction lowers the area.
+    pub unstable_mode: Option<Vec<DVec3>>,
+    /// Figures of the surface and of the run.
+    pub statistics: Statistics,
+    /// Facts that the caller should know although the solve went through.
+    pub warnings: Vec<Warning>,
+}
+
+impl MinimalSurface {
+    /// The surface with its self-intersections counted, and a warning if there are any.
+    pub(super) fn checked(mut self, exec: &Execution<'_>) -> Result<Self, Interruption> {
+        let (check, warning) = self_intersections::check(&self.mesh, Order::Spatial, usize::MAX, exec)?;
+        self.statistics.self_intersections = check;
+        self.warnings.extend(warning);
+        Ok(self)
+    }
+}
+
+/// A stable film counts as near its limit if its lowest eigenvalue is below this, in units of 1/R². Flat films have at
+/// least 5.78 (a round disc); a film has a tenth of that only where bending has nearly used it up. Between two rings it
+/// is passed within one percent of the largest gap, and a mesh of 3,000 triangles holds on for a fifth of that beyond.
+const NEAR_CRITICAL: f64 = 0.5;
+
+/// A warning where a small change of the boundary, or a finer mesh, may leave no such film.
+fn near_critical(statistics: &Statistics, radius: f64) -> Option<Warning> {
+    let stability = statistics.stability.filter(|stability| stability.stable)?;
+    let lowest = stability.lowest_eigenvalue * radius * radius;
+    (lowest < NEAR_CRITICAL).then(|| {
+        let detail = format!(
+            "the film is near its limit (lowest eigenvalue {lowest:.3} in units of 1/R²; a flat disc has 5.78): with a \
+             slightly different boundary or a finer mesh it may collapse"
+        );
+        Warning::new("near_critical", detail)
+    })
+}
+
+/// A warning if the solver met its own rule on a film that is no minimal surface to the tolerance. The least Dirichlet
+/// energy and the least squares have other objectives than the area.
+fn not_minimal(statistics: &Statistics, tolerance: f64) -> Option<Warning> {
+    let Statistics { objective, solver, stop_reason, residual, .. } = *statistics;
+    let rule_met = stop_reason.meets_the_rule_of(solver, residual, tolerance);
+    (objective == Objective::MinimalArea && rule_met && residual > tolerance).then(|| {
+        let detail = format!(
+            "the solver stopped by its own rule ({}) with a residual of {residual:.3e}, above the tolerance {tolerance:.3e}: \
+             a smaller area_tolerance, or the solver auto, comes nearer to a minimal surface",
+            stop_reason.name()
+        );
+        Warning::new("not_minimal", detail)
+    })
+}
+
+/// A warning if the mean edge length differs from the wanted one.
+fn missed_edge_length(statistics: &Statistics, options: &Options) -> Option<Warning> {
+    let Resolution::EdgeLength(length) = options.resolution else { return None };
+    let mean = statistics.edge_lengths.mean;
+    let missed =
+        (mean / length - 1.0).abs() > RESOLUTION_TOLERANCE && !matches!(options.initial_mesh, InitialMesh::Given(_));
+    missed.then(|| {
+        let why = if mean < length {
+            "the boundary's own points are closer, or the film shrank on the way"
+        } else {
+            "the boundary's own segments are longer and must be kept, or the film grew on the way"
+        };
+        let detail = format!(
+            "the mean edge is {mean:.4e} long, not {length:.4e}: {why}; ask for a number of triangles to be sure of it"
+        );
+        Warning::new("edge_length_missed", detail)
+    })
+}
+
+/// The fixed vertices, sorted by the bits of their (centred) coordinates.
+fn fixed_places(film: &Film) -> Vec<([u64; 3], u32)> {
+    let mut places: Vec<([u64; 3], u32)> = (0..film.vertices.len() as u32)
+        .filter(|&v| film.fixed[v as usize])
+        .map(|v| (bits(film.vertices[v as usize]), v))
+        .collect();
+    places.sort_unstable();
+    places
+}
+
+/// Sets the vertices of the constraints to exactly the given coordinates, and returns their numbers.
+fn restore(mesh: &mut Mesh, fixed: &[([u64; 3], u32)], constraints: &Constraints, centre: DVec3) -> ConstraintVertices {
+    let mut vertex = |&point: &DVec3| {
+        let key = bits(point - centre);
+        let found = fixed.get(fixed.partition_point(|&(bits, _)| bits < key)).filter(|&&(bits, _)| bits == key);
+        let &(_, vertex) = found?;
+        mesh.vertices[vertex as usize] = point;
+        Some(vertex)
+    };
+    ConstraintVertices {
+        points: constraints.points.iter().filter_map(&mut vertex).collect(),
+        polylines: constraints
+            .polylines
+            .iter()
+            .map(|polyline| polyline.iter().filter_map(&mut vertex).collect())
+            .collect(),
+    }
+}
+
+/// Moves the mesh back to the position of the input, brings its vertices into the documented order, and measures it.
+pub(super) fn finish(
+    input: Input,
+    SolvedFilm { film, kind, initial_area, mut run }: SolvedFilm,
+    options: &Options,
+) -> Result<MinimalSurface, Error> {
+    run.pinches.iter_mut().for_each(|pinch| pinch.place += input.centre);
+    let mut unstable_mode = run.unstable_mode.take();
+    let film = match film.boundary_first(input.point_count()) {
+        None => film,
+        Some(place) => {
+            unstable_mode = unstable_mode.map(|direction| {
+                let mut moved = vec![DVec3::ZERO; direction.len()];
+                direction.iter().zip(&place).for_each(|(&direction, &v)| moved[v as usize] = direction);
+                moved
+            });
+            film.renumbered(&place)
+        }
+    };
+    let topology = film.mesh().check().map_err(|defect| {
+        Error::no_result("invalid_mesh", format!("the solver left a mesh that is no oriented manifold ({defect})"))
+    })?;
+    // The statistics are those of the mesh that leaves only if every boundary point stands at its place already.
+    if let Some(k) = input.centred.iter().flatten().zip(&film.vertices).position(|(point, vertex)| point != vertex) {
+        return Err(Error::no_result("invalid_mesh", format!("the solver moved boundary point {k} of the input")));
+    }
+    let measured = Curvature::of(&film);
+    let statistics =
+        statistics::collect(&film, &topology, &measured, statistics::Origin { kind, initial_area, run }, options);
+    let mut warnings = Vec::new();
+    warnings.extend(input.warnings());
+    if !statistics.pinches.is_empty() {
+        let detail = format!(
+            "the film came apart at {} places; its topology is not the initial mesh's",
+            statistics.pinches.len()
+        );
+        warnings.push(Warning::new("topology_changed", detail));
+    }
+    if let Some(spanning) = &statistics.spanning {
+        warnings.extend(spanning.warnings());
+    }
+    warnings.extend(missed_edge_length(&statistics, options));
+    if !statistics.converged {
+        warnings.push(Warning::new("not_converged", statistics.shortfall(options.tolerance)));
+    }
+    warnings.extend(not_minimal(&statistics, options.tolerance));
+    if let Some(stability) = statistics.stability.filter(|stability| !stability.stable) {
+        let detail = format!(
+            "the surface is stationary but no minimum (Morse index {}): ask for on_unstable descend to leave it",
+            stability.morse_index
+        );
+        warnings.push(Warning::new("unstable", detail));
+    }
+    warnings.extend(near_critical(&statistics, film.radius()));
+    let boundaries = film.boundaries.clone();
+    let fixed = fixed_places(&film);
+    let mut mesh = film.into_mesh();
+    for vertex in &mut mesh.vertices {
+        *vertex += input.centre;
+    }
+    for (vertex, &point) in mesh.vertices.iter_mut().zip(input.given.iter().flatten()) {
+        *vertex = point;
+    }
+    let constraints = restore(&mut mesh, &fixed, &options.constraints, input.centre);
+    Ok(MinimalSurface {
+        mesh,
+        boundaries,
+        input_vertices: input.vertices,
+        constraints,
+        mean_curvature: measured.mean_curvature,
+        unstable_mode,
+        statistics,
+        warnings,
+    })
+}

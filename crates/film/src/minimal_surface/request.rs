@@ -1,0 +1,146 @@
+//! Checks and centres the boundaries of a request.
+
+use super::options::Options;
+use plateau_mesh::error::{InputError, Step, Warning};
+use plateau_mesh::polyline::{LARGEST_COORDINATE, merge_near_neighbours};
+use plateau_mesh::{DVec3, Error, Place};
+
+/// The boundaries without equal neighbours, also moved to the origin, so that an offset of 1e7 costs no digits.
+#[derive(Debug)]
+pub(super) struct Input {
+    pub centre: DVec3,
+    pub given: Vec<Vec<DVec3>>,
+    pub centred: Vec<Vec<DVec3>>,
+    /// For each input point its vertex.
+    pub vertices: Vec<Vec<u32>>,
+    /// For each point of `given` the index of its input point.
+    sources: Vec<Vec<usize>>,
+    dropped: usize,
+}
+
+/// Smallest distance between neighbours on a boundary. At smaller distances products of six lengths would vanish.
+const SMALLEST_DISTANCE: f64 = 1e-50;
+
+impl Input {
+    pub fn read(boundaries: &[Vec<DVec3>], options: &Options) -> Result<Self, Error> {
+        let mut errors = options.check();
+        let place = || Place::field("boundaries");
+        if boundaries.is_empty() {
+            errors.push(InputError::new(place(), "needs at least one closed polygon"));
+        }
+        let mut given = Vec::with_capacity(boundaries.len());
+        let mut vertices = Vec::with_capacity(boundaries.len());
+        let mut sources = Vec::with_capacity(boundaries.len());
+        let (mut first, mut dropped) = (0u32, 0);
+        for (k, boundary) in boundaries.iter().enumerate() {
+            for (i, point) in boundary.iter().enumerate() {
+                if !(point.is_finite() && point.abs().max_element() <= LARGEST_COORDINATE) {
+                    let detail = "every coordinate must be a finite number of magnitude at most 1e50";
+                    errors.push(InputError::new(place().at(k).at(i), detail));
+                }
+            }
+            let merged = merge_near_neighbours(boundary, true);
+            let next = |i: usize| merged.points[(i + 1) % merged.points.len()];
+            if let Some(i) = (0..merged.points.len()).find(|&i| merged.points[i].distance(next(i)) < SMALLEST_DISTANCE)
+                && merged.points.len() > 1
+            {
+                let detail = "lies nearer than 1e-50 to its neighbour, too near to compute with";
+                errors.push(InputError::new(place().at(k).at(merged.source[i]), detail));
+            }
+            let mut distinct: Vec<[f64; 3]> = merged.points.iter().map(|p| (*p + DVec3::ZERO).to_array()).collect();
+            distinct.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+            distinct.dedup();
+            if distinct.len() < 3 {
+                errors.push(InputError::new(place().at(k), "needs at least three distinct points"));
+            }
+            vertices.push(merged.vertex_of.iter().map(|&v| first + v as u32).collect());
+            first += merged.points.len() as u32;
+            dropped += merged.dropped();
+            given.push(merged.points);
+            sources.push(merged.source);
+        }
+        // The film between a loop and its copy has no area, so no size of triangle suits it.
+        let mut seen = std::collections::BTreeMap::new();
+        for (k, points) in given.iter().enumerate() {
+            let mut keys: Vec<[u64; 3]> =
+                points.iter().map(|p| (*p + DVec3::ZERO).to_array().map(f64::to_bits)).collect();
+            keys.sort_unstable();
+            if let Some(first) = seen.get(&keys) {
+                let detail = format!("runs through the same points as boundary {first}");
+                errors.push(InputError::new(place().at(k), detail));
+            } else {
+                seen.insert(keys, k);
+            }
+        }
+        if !errors.is_empty() {
+            return Err(Error::Input(errors));
+        }
+        let all: Vec<DVec3> = given.iter().flatten().copied().collect();
+        let centre = plateau_mesh::polyline::mean(&all);
+        let centred = given.iter().map(|points| points.iter().map(|&p| p - centre).collect()).collect();
+        Ok(Self { centre, given, centred, vertices, sources, dropped })
+    }
+
+    /// Warnings about the boundaries themselves.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let merged = (self.dropped > 0).then(|| Warning::merged_points(self.dropped, None));
+        let shared = self
+            .shared()
+            .map(|([k, i], detail)| Warning::new("shared_points", format!("point {i} of boundary {k} {detail}")));
+        merged.into_iter().chain(shared).collect()
+    }
+
+    /// The first point that two boundaries have in common, on the later one, with what a caller should know.
+    pub fn shared_point(&self) -> Option<InputError> {
+        let ([k, i], detail) = self.shared()?;
+        Some(InputError::new(Place::field("boundaries").at(k).at(i), detail))
+    }
+
+    /// The boundary and the number of this point, and what a caller should know.
+    fn shared(&self) -> Option<([usize; 2], String)> {
+        let mut owners = std::collections::BTreeMap::new();
+        let (mut first, mut count) = (None, 0);
+        for (k, points) in self.given.iter().enumerate() {
+            for (i, point) in points.iter().enumerate() {
+                let bits = (*point + DVec3::ZERO).to_array().map(f64::to_bits);
+                let &mut (owner, number) = owners.entry(bits).or_insert((k, i));
+                if owner != k {
+                    count += 1;
+                    first.get_or_insert([(owner, number), (k, i)]);
+                }
+            }
+        }
+        let [(owner, number), (k, i)] = first?;
+        let others = if count > 1 { format!(" ({} more are shared)", count - 1) } else { String::new() };
+        let detail = format!(
+            "is also point {} of boundary {owner}{others}: the mesh has a vertex for each boundary there, so the film only \
+             touches itself",
+            self.sources[owner][number]
+        );
+        Some(([k, self.sources[k][i]], detail))
+    }
+
+    /// The error with the numbers of the input's points instead of those that are left after merging.
+    pub fn placed_as_given(&self, mut error: Error) -> Error {
+        if let Error::NoResult { places, .. } = &mut error {
+            for place in places {
+                if let [Step::Field("boundaries"), Step::Index(k), Step::Index(i)] = &mut place.place.0[..] {
+                    *i = self.sources[*k][*i];
+                }
+            }
+        }
+        error
+    }
+
+    /// The error with the first point that two boundaries share, which may be the reason for having no mesh.
+    pub fn with_shared_point(shared: Option<InputError>, mut error: Error) -> Error {
+        if let Error::NoResult { places, .. } = &mut error {
+            places.extend(shared);
+        }
+        error
+    }
+
+    pub fn point_count(&self) -> usize {
+        self.given.iter().map(Vec::len).sum()
+    }
+}

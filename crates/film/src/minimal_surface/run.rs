@@ -1,0 +1,265 @@
+//! The record of a run: why it stopped, its iterations, and the stability of the surface that it reached.
+
+use super::options::Solver;
+use plateau_mesh::remesh::thin_triangles::Pinch;
+use plateau_mesh::{DVec3, Execution, Progress};
+
+/// Why a solver stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StopReason {
+    /// The residual fell to the tolerance.
+    Residual,
+    /// The area changed by less than its tolerance, which is the rule of the papers.
+    AreaChange,
+    /// A neck closed, and the run was to end there.
+    TopologyChange,
+    /// The single linear system of the objective is solved.
+    Solved,
+    /// There is no vertex to move.
+    NothingToMove,
+    /// The change of the objective fell below Liu and Wang's criterion.
+    ObjectiveChange,
+    /// The gradient of the objective fell below Liu and Wang's criterion.
+    Gradient,
+    /// The length of the step fell below Liu and Wang's criterion.
+    StepLength,
+    /// The allowed iterations are used up.
+    MaxIterations,
+    /// No step improves the surface, although the residual is above the tolerance: a triangle would flip, or rounding
+    /// errors are reached.
+    Stalled,
+    /// A part of the mesh has shrunk so far that its linear system has no trustworthy solution.
+    Collapsed,
+    /// The caller's deadline passed.
+    Deadline,
+}
+
+impl StopReason {
+    /// Whether a solver that stopped for this reason, on a film of this residual, has met its own rule. The default
+    /// solver's rule is the residual; those of the papers' solvers are their own, and a residual at the tolerance ends
+    /// Pinkall and Polthier's too.
+    pub(super) fn meets_the_rule_of(self, solver: Solver, residual: f64, tolerance: f64) -> bool {
+        let by_residual = matches!(solver, Solver::Newton | Solver::PinkallPolthier) && residual <= tolerance;
+        let by_another = match self {
+            Self::AreaChange
+            | Self::Solved
+            | Self::NothingToMove
+            | Self::ObjectiveChange
+            | Self::Gradient
+            | Self::StepLength => true,
+            Self::Residual
+            | Self::TopologyChange
+            | Self::MaxIterations
+            | Self::Stalled
+            | Self::Collapsed
+            | Self::Deadline => false,
+        };
+        by_residual || by_another
+    }
+
+    /// A stable name in snake case.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Residual => "residual",
+            Self::AreaChange => "area_change",
+            Self::TopologyChange => "topology_change",
+            Self::Solved => "solved",
+            Self::NothingToMove => "nothing_to_move",
+            Self::ObjectiveChange => "objective_change",
+            Self::Gradient => "gradient",
+            Self::StepLength => "step_length",
+            Self::MaxIterations => "max_iterations",
+            Self::Stalled => "stalled",
+            Self::Collapsed => "collapsed",
+            Self::Deadline => "deadline",
+        }
+    }
+}
+
+/// The record of an iteration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HistoryRow {
+    /// The solver's phase.
+    pub phase: &'static str,
+    /// The number of the iteration, from 1.
+    pub iteration: u32,
+    /// Area after it, in u².
+    pub area: f64,
+    /// Residual after it.
+    pub residual: f64,
+}
+
+/// The second variation of area under normal motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stability {
+    /// Whether the Morse index is 0: a true local minimum.
+    pub stable: bool,
+    /// Number of negative eigenvalues.
+    pub morse_index: usize,
+    /// Lowest eigenvalue against the lumped mass, in 1/unit².
+    pub lowest_eigenvalue: f64,
+    /// How the index was computed.
+    pub method: StabilityMethod,
+}
+
+/// How a Morse index was computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StabilityMethod {
+    /// From the signs of the pivots of a factorisation, which is exact.
+    Inertia,
+    /// From the sign of the lowest eigenvalue, which a preconditioned iteration computes. Used for meshes that are too
+    /// large to factorise in reasonable time, and only if the eigenvalue is positive, so that the index is 0.
+    Eigenvalue,
+}
+
+impl StabilityMethod {
+    /// A stable name in snake case.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Inertia => "inertia",
+            Self::Eigenvalue => "eigenvalue",
+        }
+    }
+}
+
+/// An area that is extrapolated to edges of length zero, in u².
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ExtrapolatedArea {
+    /// The limit, in u².
+    pub area: f64,
+    /// Estimate of the error: the distance of the limit from the finer of the two areas, and twice that at a re-entrant
+    /// corner.
+    pub error_estimate: f64,
+}
+
+impl ExtrapolatedArea {
+    /// Extrapolates from the areas of two minimal meshes on one boundary polygon. The finer mesh has half the edge
+    /// length. The error of an area is taken to be of an order between `order` and 2; see
+    /// [`extrapolation`](super::extrapolation).
+    pub(crate) fn new(coarse: f64, fine: f64, order: f64) -> Self {
+        let correction = |order: f64| (coarse - fine) / (order.exp2() - 1.0);
+        let correction = 0.5 * (correction(2.0) + correction(order));
+        let corrections = if order < 2.0 { 2.0 } else { 1.0 };
+        Self { area: fine - correction, error_estimate: corrections * correction.abs() }
+    }
+}
+
+/// One way to span the boundaries.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpanningTopology {
+    /// The sets of boundaries that are each spanned by a connected film, by their numbers, ascending.
+    pub films: Vec<Vec<usize>>,
+    /// The sum of the areas of the films; `None` if one of them does not hold.
+    pub area: Option<f64>,
+    /// The stability of all films together.
+    pub stability: Option<Stability>,
+    /// Whether its films pass through each other or themselves, so that no soap film takes this shape.
+    pub films_cross: bool,
+    /// Whether this is the topology of the result.
+    pub chosen: bool,
+}
+
+/// The films that [`TopologyRule::Best`](super::options::TopologyRule::Best) compared.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpanningComparison {
+    /// Sorted by area. Topologies without an area come last.
+    pub topologies: Vec<SpanningTopology>,
+    /// Whether a film that connects all boundaries holds.
+    pub connected_film_exists: bool,
+    /// If there is no connected film over two boundaries: the largest fraction of their gap, along the line of their
+    /// centroids, at which one holds, to within 0.001. `None` if there is no gap or no film was found.
+    pub largest_gap_fraction: Option<f64>,
+}
+
+/// The report of a run of a solver on a film.
+#[derive(Clone, Debug)]
+pub(crate) struct Run {
+    pub solver: Solver,
+    pub stop_reason: StopReason,
+    pub iterations: u32,
+    pub history: Vec<HistoryRow>,
+    pub edges_swapped: u64,
+    pub pinches: Vec<Pinch>,
+    pub stability: Option<Stability>,
+    /// For each vertex its displacement in the lowest mode of an unstable film.
+    pub unstable_mode: Option<Vec<DVec3>>,
+    pub extrapolated_area: Option<ExtrapolatedArea>,
+    /// The value of the objective, if that is not the area.
+    pub objective_value: Option<f64>,
+    /// The comparison of topologies, if there was one.
+    pub spanning: Option<SpanningComparison>,
+}
+
+impl Run {
+    /// The report of a run that has not begun.
+    pub fn new(solver: Solver) -> Self {
+        Self {
+            solver,
+            stop_reason: StopReason::NothingToMove,
+            iterations: 0,
+            history: Vec::new(),
+            edges_swapped: 0,
+            pinches: Vec::new(),
+            stability: None,
+            unstable_mode: None,
+            extrapolated_area: None,
+            objective_value: None,
+            spanning: None,
+        }
+    }
+
+    /// Appends a later run on the same film.
+    pub(crate) fn append(&mut self, later: Self) {
+        let before = self.iterations;
+        self.stop_reason = later.stop_reason;
+        self.iterations += later.iterations;
+        self.history
+            .extend(later.history.into_iter().map(|row| HistoryRow { iteration: row.iteration + before, ..row }));
+        self.edges_swapped += later.edges_swapped;
+        self.pinches.extend(later.pinches.into_iter().map(|mut pinch| {
+            pinch.iteration += before;
+            pinch
+        }));
+        self.stability = later.stability;
+    }
+}
+
+/// History and progress of a run. The reported fraction never falls.
+#[derive(Debug)]
+pub(crate) struct Record<'a> {
+    exec: &'a Execution<'a>,
+    pub history: Vec<HistoryRow>,
+    pub iterations: u32,
+    fraction: f64,
+    /// The interval of the whole progress that belongs to the present iterations.
+    pub share: [f64; 2],
+}
+
+impl<'a> Record<'a> {
+    pub fn new(exec: &'a Execution<'a>) -> Self {
+        Self { exec, history: Vec::new(), iterations: 0, fraction: 0.0, share: [0.0, 1.0] }
+    }
+
+    /// Records an iteration. `fraction` is the part of the present interval that is done after it.
+    pub fn iteration(&mut self, phase: &'static str, area: f64, residual: f64, fraction: f64) {
+        self.iterations += 1;
+        self.history.push(HistoryRow { phase, iteration: self.iterations, area, residual });
+        let [from, to] = self.share;
+        self.fraction = self.fraction.max(from + (to - from) * fraction.clamp(0.0, 1.0));
+        self.exec.report(Progress {
+            fraction: self.fraction,
+            phase,
+            iteration: u64::from(self.iterations),
+            objective_value: Some(area),
+            residual: Some(residual),
+        });
+    }
+}
+
+/// The progress, from 0 to 1, of a value that decreases geometrically from `start` to `goal`.
+pub(crate) fn geometric_part(start: f64, value: f64, goal: f64) -> f64 {
+    let part = (start / value).ln() / (start / goal.max(1e-16)).ln();
+    if part.is_nan() { 1.0 } else { part.clamp(0.0, 1.0) }
+}

@@ -1,0 +1,25 @@
+//! A film that a solver has finished, with the facts that the statistics need besides the film itself.
+
+use super::initial_mesh::InitialMeshKind;
+use super::run::{Run, StopReason};
+use plateau_mesh::film::Film;
+
+/// A film that a solver has finished.
+#[derive(Clone, Debug)]
+pub(crate) struct SolvedFilm {
+    pub film: Film,
+    /// How its initial mesh was made.
+    pub kind: InitialMeshKind,
+    /// Area of the initial mesh.
+    pub initial_area: f64,
+    pub run: Run,
+}
+
+impl SolvedFilm {
+    /// Whether it is a stable minimal surface: the solver converged, the Morse index is not above 0, and no triangle is
+    /// flipped.
+    pub fn holds(&self) -> bool {
+        let converged = matches!(self.run.stop_reason, StopReason::Residual | StopReason::NothingToMove);
+        converged && self.run.stability.is_none_or(|stability| stability.stable) && self.film.flipped_triangles() == 0
+    }
+}

@@ -1,0 +1,406 @@
+//! The default solver of minimal surfaces, from an initial mesh to a surface with its stability:
+//!
+//! 1. *Settle*: rounds of Delaunay flips, tangential relaxation and one to four Pinkall-Polthier solves
+//!    ([`harmonic`](crate::minimal_surface::harmonic)). They accept any start and leave good triangles.
+//! 2. *Newton* in normal heights ([`newton`](crate::equilibrium::newton)). If triangles are flipped, flips of edges
+//!    that reduce the area open their folds, and it starts again. If triangles are still flipped, or it stalls, step 1
+//!    starts again. If it converges with small angles, these are widened where they are, and it starts again from there.
+//! 3. *Stability* ([`stability`](crate::equilibrium::stability)). If the caller asks for it, an unstable surface is
+//!    left along its lowest mode.
+
+use crate::equilibrium::newton::{Aim, Direct, Equations, Outcome, Settings, iterate, keeps_orientation};
+use crate::equilibrium::residual::curvature;
+use crate::equilibrium::stability::{self, SecondVariation, Unknown};
+use crate::equilibrium::{FilmState, NormalMotion};
+use crate::minimal_surface::harmonic::{Dirichlet, too_large};
+use crate::minimal_surface::options::{Limits, OnUnstable, Solver};
+use crate::minimal_surface::run::{
+    ExtrapolatedArea, Record, Run, Stability, StabilityMethod, StopReason, geometric_part,
+};
+use plateau_mesh::film::Film;
+use plateau_mesh::remesh::area_flips::flip_to_less_area;
+use plateau_mesh::remesh::delaunay::{flip_to_delaunay, tangential_relaxation};
+use plateau_mesh::remesh::small_angles::{smallest_angle, widen};
+use plateau_mesh::sparse::Factorisation;
+use plateau_mesh::sparse::multigrid::Hierarchy;
+use plateau_mesh::sparse::pattern::Pattern;
+use plateau_mesh::{DVec3, Error, Execution, Interruption};
+
+// Tunables. The figures in docs/VALIDATION.md were obtained with these values.
+
+/// Largest number of linear solves if the caller gives none.
+const DEFAULT_SOLVES: u32 = 200;
+/// Largest number of rounds of Pinkall-Polthier solves before Newton's method begins. A larger value accepts poorer
+/// starts.
+const MAX_ROUNDS: u32 = 16;
+/// Number of first rounds with a single solve each, because a poor start needs new triangles first.
+const SINGLE_ROUNDS: u32 = 3;
+/// Largest number of solves in each later round. A larger value remeshes less often.
+const SOLVES_PER_ROUND: u32 = 4;
+/// Number of tangential relaxations after each round's solves. A larger value gives more even triangles.
+const RELAXATIONS_PER_ROUND: u32 = 4;
+/// A round that changes the area by less than this fraction is the last. With a larger value Newton's method starts
+/// further from the solution.
+const SETTLED_AREA: f64 = 1e-3;
+/// Largest number of triangles for which the area is extrapolated with a mesh of four times as many. A larger value
+/// extrapolates the areas of larger meshes too, which takes longer.
+pub(crate) const EXTRAPOLATED_TRIANGLES: usize = 10_000;
+/// Root mean square of the vertices' residuals, weighted by area, below which a mesh of the caller counts as lying near
+/// a stationary surface. The largest residual does not tell: at vertices of uneven triangles it stays above 1 on the
+/// exact surface, however fine the mesh. With a larger value more meshes are taken to their nearest stationary surface,
+/// whatever its Morse index.
+const NEARLY_STATIONARY: f64 = 1.0;
+/// A converged film with an angle below this (radians, 22 degrees) has its small angles widened and is solved again. At
+/// re-entrant corners and where a film bends strongly, vertices that move along normals only shear their triangles. A
+/// larger value changes more films. It is above the 20 degrees that are promised, because a solve takes some back.
+pub(crate) const NARROW: f64 = 0.384;
+/// Angles are widened to this (radians, 28 degrees) where that is possible. A larger value changes more triangles.
+pub(crate) const WIDE: f64 = 0.489;
+/// Largest number of rounds of widening and solving. A larger value helps films whose angles a solve shrinks again.
+pub(crate) const WIDENINGS: u32 = 4;
+/// Largest number of rounds of flips that open folds. A larger value helps films whose folds a solve closes again.
+const OPENINGS: u32 = 4;
+/// Largest number of times that a stalled Newton iteration is followed by another step 1.
+const MAX_RETURNS: u32 = 2;
+
+/// Instructions for a run.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Task {
+    /// When the run ends.
+    pub limits: Limits,
+    /// Whether an unstable surface is left.
+    pub on_unstable: OnUnstable,
+    /// Whether the initial mesh is the caller's own, which may lie near a stationary surface.
+    pub given: bool,
+    /// Whether small angles may be widened, which changes the number of triangles. Not where the caller was promised a
+    /// mesh: their own, or rings.
+    pub may_widen: bool,
+}
+
+/// Steps 1 to 3 on a film.
+///
+/// The film becomes the best mesh that was reached. If it is not converged, the stop reason says why.
+///
+/// # Errors
+/// [`Error::Interrupted`] on cancel; [`Error::NoResult`] if the mesh is too large to factorise.
+pub(crate) fn run(film: &mut Film, task: Task, exec: &Execution) -> Result<Run, Error> {
+    let mut solve = Solve::new(film, task, exec);
+    let (stop_reason, stability) = match solve.film(film, task.on_unstable) {
+        Ok(done) => done,
+        Err(Error::Interrupted(Interruption::DeadlinePassed)) => (StopReason::Deadline, None),
+        Err(error) => return Err(error),
+    };
+    Ok(solve.into_run(stop_reason, stability))
+}
+
+/// State of a run: its settings and its record.
+pub(crate) struct Solve<'a> {
+    pub exec: &'a Execution<'a>,
+    pub record: Record<'a>,
+    pub limit: u32,
+    pub tolerance: f64,
+    pub radius: f64,
+    edges_swapped: u64,
+    unstable_mode: Option<Vec<DVec3>>,
+    pub extrapolated_area: Option<ExtrapolatedArea>,
+    /// Whether the film is still the caller's own mesh.
+    given: bool,
+    /// Whether vertices may be removed: not from a mesh of the caller.
+    may_widen: bool,
+}
+
+impl<'a> Solve<'a> {
+    pub fn new(film: &Film, task: Task, exec: &'a Execution<'a>) -> Self {
+        Self {
+            exec,
+            record: Record::new(exec),
+            limit: task.limits.max_iterations.unwrap_or(DEFAULT_SOLVES),
+            tolerance: task.limits.tolerance,
+            radius: film.radius(),
+            edges_swapped: 0,
+            unstable_mode: None,
+            extrapolated_area: None,
+            given: task.given,
+            may_widen: task.may_widen,
+        }
+    }
+
+    pub fn into_run(self, stop_reason: StopReason, stability: Option<Stability>) -> Run {
+        let Self {
+            record: Record { history, iterations, .. }, edges_swapped, unstable_mode, extrapolated_area, ..
+        } = self;
+        let done = Run { stop_reason, iterations, history, edges_swapped, stability, ..Run::new(Solver::Newton) };
+        Run { unstable_mode, extrapolated_area, ..done }
+    }
+
+    fn film(&mut self, film: &mut Film, on_unstable: OnUnstable) -> Result<(StopReason, Option<Stability>), Error> {
+        let (mut reason, mut converged) = self.converge(film)?;
+        let mut returns = 0;
+        loop {
+            let Some((pattern, mut direct)) = converged else { return Ok((reason, None)) };
+            let Some((stability, variation, state)) = self.stability(film, &pattern, &mut direct)? else {
+                return Ok((reason, None));
+            };
+            if stability.stable || on_unstable == OnUnstable::Report || returns == MAX_RETURNS {
+                if stability.stable && film.triangles().len() <= EXTRAPOLATED_TRIANGLES {
+                    let factor = direct.symbolic.factorise(&direct.matrix).map(Factorisation::into_storage);
+                    if let Ok(factor) = factor {
+                        let hierarchy = Hierarchy::new(direct.symbolic, factor);
+                        self.extrapolated_area =
+                            ExtrapolatedArea::of(film, &pattern, &hierarchy, self.radius, self.exec)?;
+                    }
+                }
+                return Ok((reason, Some(stability)));
+            }
+            returns += 1;
+            self.leave(film, &pattern, &state, &variation.lowest.vector);
+            (reason, converged) = self.converge(film)?;
+        }
+    }
+
+    /// Steps 1 and 2, repeated where Newton's method stalls. Also returns the pattern and the factorisation of the
+    /// connectivity if the film converged.
+    pub fn converge(&mut self, film: &mut Film) -> Result<(StopReason, Option<(Pattern, Direct)>), Error> {
+        if film.fixed.iter().all(|&fixed| fixed) {
+            return Ok((StopReason::NothingToMove, None));
+        }
+        if std::mem::take(&mut self.given)
+            && let Some(converged) = self.stay(film)?
+        {
+            return Ok((StopReason::Residual, Some(converged)));
+        }
+        let mut reason = StopReason::Stalled;
+        for attempt in 0..=MAX_RETURNS {
+            let collapsed = self.settle(film)?;
+            let mut pattern = Pattern::new(film.triangles(), &film.fixed);
+            let mut direct = Direct::new(pattern.matrix()).map_err(too_large)?;
+            let mut outcome = self.newton(film, &pattern, &mut direct, Aim::Minimum)?;
+            if matches!(outcome, StopReason::Residual | StopReason::Stalled)
+                && let Some(opened) = self.open_folds(film)?
+            {
+                outcome = StopReason::Residual;
+                (pattern, direct) = opened;
+            }
+            reason = match outcome {
+                StopReason::Residual if film.flipped_triangles() == 0 || attempt == MAX_RETURNS => {
+                    return Ok((StopReason::Residual, Some(self.widen(film, pattern, direct)?)));
+                }
+                StopReason::MaxIterations => return Ok((StopReason::MaxIterations, None)),
+                _ if collapsed => return Ok((StopReason::Collapsed, None)),
+                other => other,
+            };
+        }
+        Ok((reason, None))
+    }
+
+    /// Opens the folds of a film with flipped triangles by flips that reduce the area, and lets it converge again, as
+    /// long as that leaves fewer flipped triangles. Returns the pattern and the factorisation of the new connectivity;
+    /// `None` if no triangle is flipped, or if it does not help.
+    fn open_folds(&mut self, film: &mut Film) -> Result<Option<(Pattern, Direct)>, Error> {
+        let mut opened = None;
+        for _ in 0..OPENINGS {
+            self.exec.look(film.triangles().len() as u64)?;
+            let flipped = film.flipped_triangles();
+            let mut better = film.clone();
+            let flips = if flipped == 0 { 0 } else { flip_to_less_area(&mut better, self.exec)? };
+            if flips == 0 {
+                break;
+            }
+            let pattern = Pattern::new(better.triangles(), &better.fixed);
+            let mut direct = Direct::new(pattern.matrix()).map_err(too_large)?;
+            let outcome = self.newton(&mut better, &pattern, &mut direct, Aim::Minimum)?;
+            if outcome != StopReason::Residual || better.flipped_triangles() >= flipped {
+                break;
+            }
+            *film = better;
+            self.edges_swapped += flips;
+            opened = Some((pattern, direct));
+        }
+        Ok(opened)
+    }
+
+    /// Widens the small angles of a converged film, opens its flipped triangles and lets it converge again, as long as
+    /// that leaves fewer flipped triangles or a larger smallest angle. Returns the pattern and the factorisation of the
+    /// connectivity that remains.
+    fn widen(&mut self, film: &mut Film, pattern: Pattern, direct: Direct) -> Result<(Pattern, Direct), Error> {
+        let (mut pattern, mut direct) = (pattern, direct);
+        for _ in 0..if self.may_widen { WIDENINGS } else { 0 } {
+            self.exec.look(film.triangles().len() as u64)?;
+            let (before, flipped) = (smallest_angle(film), film.flipped_triangles());
+            if before >= NARROW && flipped == 0 {
+                break;
+            }
+            let mut widened = film.clone();
+            if widen(&mut widened, WIDE, self.exec)?.is_none() {
+                break;
+            }
+            let new_pattern = Pattern::new(widened.triangles(), &widened.fixed);
+            let mut solver = Direct::new(new_pattern.matrix()).map_err(too_large)?;
+            let reason = self.newton(&mut widened, &new_pattern, &mut solver, Aim::Minimum)?;
+            let flipped_after = widened.flipped_triangles();
+            let improves = flipped_after < flipped || (flipped_after == flipped && smallest_angle(&widened) > before);
+            if reason != StopReason::Residual || !improves {
+                break;
+            }
+            (*film, pattern, direct) = (widened, new_pattern, solver);
+        }
+        Ok((pattern, direct))
+    }
+
+    /// Looks for a stationary surface near the caller's own mesh by Newton's method alone. Such a surface need not be a
+    /// minimum, and Pinkall-Polthier solves would leave it. `None`, with the film unchanged, if there is none.
+    fn stay(&mut self, film: &mut Film) -> Result<Option<(Pattern, Direct)>, Error> {
+        let pattern = Pattern::new(film.triangles(), &film.fixed);
+        let FilmState { gradient, mass, .. } = self.state(film, &pattern);
+        let squares = gradient.iter().zip(&mass).map(|(force, share)| curvature(*force, *share).powi(2) * share);
+        let mean_square = squares.sum::<f64>() / mass.iter().sum::<f64>();
+        if self.radius * mean_square.sqrt() > NEARLY_STATIONARY {
+            return Ok(None);
+        }
+        let mut direct = Direct::new(pattern.matrix()).map_err(too_large)?;
+        let start = film.vertices.clone();
+        let reason = self.newton(film, &pattern, &mut direct, Aim::Stationary)?;
+        if reason == StopReason::Residual && film.flipped_triangles() == 0 {
+            return Ok(Some((pattern, direct)));
+        }
+        film.vertices = start;
+        Ok(None)
+    }
+
+    fn newton(
+        &mut self,
+        film: &mut Film,
+        pattern: &Pattern,
+        direct: &mut Direct,
+        aim: Aim,
+    ) -> Result<StopReason, Error> {
+        let mut start = None;
+        let max_steps = self.limit.saturating_sub(self.record.iterations);
+        let settings = Settings { aim, tolerance: self.tolerance, max_steps };
+        let motion = NormalMotion { pattern, triangles: film.topology.triangles(), radius: self.radius };
+        let (outcome, _) = iterate(&mut film.vertices, &motion, direct, &settings, self.exec, &mut |area, residual| {
+            let part = geometric_part(*start.get_or_insert(residual), residual, settings.tolerance);
+            self.record.iteration("newton", area, residual, 0.5 + 0.4 * part);
+        });
+        Ok(match outcome {
+            Outcome::Converged => StopReason::Residual,
+            Outcome::StepsUsed => StopReason::MaxIterations,
+            Outcome::Stalled => StopReason::Stalled,
+            Outcome::Refused(_) => StopReason::Collapsed,
+            Outcome::Interrupted(interruption) => return Err(interruption.into()),
+        })
+    }
+
+    /// Step 1: rounds of Delaunay flips, tangential relaxation and Pinkall-Polthier solves until the area settles and
+    /// no triangle is flipped. Returns whether a linear system was refused.
+    fn settle(&mut self, film: &mut Film) -> Result<bool, Error> {
+        let mut area = film.area();
+        for round in 0..MAX_ROUNDS {
+            self.improve(film)?;
+            self.exec.look(film.triangles().len() as u64)?;
+            let mut dirichlet = Dirichlet::new(film).map_err(too_large)?;
+            let before_round = area;
+            for _ in 0..if round < SINGLE_ROUNDS { 1 } else { SOLVES_PER_ROUND } {
+                if self.record.iterations >= self.limit {
+                    return Ok(false);
+                }
+                self.exec.look(film.triangles().len() as u64)?;
+                if dirichlet.step(film).is_err() {
+                    return Ok(true);
+                }
+                let before = std::mem::replace(&mut area, film.area());
+                let residual = self.state(film, &dirichlet.pattern).residual;
+                let fraction = 0.5 * f64::from(round + 1) / f64::from(MAX_ROUNDS);
+                self.record.iteration("pinkall_polthier", area, residual, fraction);
+                if (before - area).abs() <= SETTLED_AREA * area {
+                    break;
+                }
+            }
+            let settled = (before_round - area).abs() <= SETTLED_AREA * area;
+            if settled && film.flipped_triangles() == 0 {
+                break;
+            }
+        }
+        self.improve(film)?;
+        Ok(false)
+    }
+
+    /// Delaunay flips and smoothing on the film where it is.
+    fn improve(&mut self, film: &mut Film) -> Result<(), Interruption> {
+        self.edges_swapped += flip_to_delaunay(film, self.exec)?;
+        tangential_relaxation(film, RELAXATIONS_PER_ROUND);
+        self.edges_swapped += flip_to_delaunay(film, self.exec)?;
+        Ok(())
+    }
+
+    /// Step 3: the stability of the film. `None` if the linear solver refuses the mesh, or no vertex can move.
+    fn stability(
+        &mut self,
+        film: &Film,
+        pattern: &Pattern,
+        direct: &mut Direct,
+    ) -> Result<Option<(Stability, SecondVariation, FilmState)>, Error> {
+        self.exec.look(film.triangles().len() as u64)?;
+        let motion = NormalMotion { pattern, triangles: film.triangles(), radius: self.radius };
+        let state = motion.state(&film.vertices);
+        let variation = match stability::analyse(&film.vertices, &motion, &state, direct, self.exec) {
+            Ok(Some(variation)) => variation,
+            Ok(None) | Err(Unknown::Refused(_)) => return Ok(None),
+            Err(Unknown::Interrupted(interruption)) => return Err(interruption.into()),
+        };
+        let stability = Stability {
+            stable: variation.morse_index == 0,
+            morse_index: variation.morse_index,
+            lowest_eigenvalue: variation.lowest.eigenvalue,
+            method: StabilityMethod::Inertia,
+        };
+        self.unstable_mode = (!stability.stable).then(|| {
+            let heights = &variation.lowest.vector;
+            let largest = heights.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
+            let mut direction = vec![DVec3::ZERO; film.vertices.len()];
+            for (&vertex, height) in pattern.free.vertex.iter().zip(heights) {
+                direction[vertex as usize] = height / largest * state.frame[vertex as usize];
+            }
+            direction
+        });
+        Ok(Some((stability, variation, state)))
+    }
+
+    /// Moves an unstable film along its lowest mode. Of a few step lengths in both directions it takes the one that
+    /// lowers the area most.
+    fn leave(&self, film: &mut Film, pattern: &Pattern, state: &FilmState, mode: &[f64]) {
+        let largest = mode.iter().fold(0.0, |max: f64, height| max.max(height.abs()));
+        let mean_length = (state.energy / film.triangles().len() as f64).sqrt();
+        let lengths = [0.25, 0.5, 1.0, 2.0].into_iter().flat_map(|length| [length, -length]);
+        let motion = NormalMotion { pattern, triangles: film.triangles(), radius: self.radius };
+        let candidates =
+            lengths.map(|length| motion.moved(&film.vertices, state, mode, length * mean_length / largest));
+        let best = candidates
+            .filter(|vertices| keeps_orientation(motion.triangles, &film.vertices, vertices))
+            .min_by(|a, b| motion.state(a).energy.total_cmp(&motion.state(b).energy));
+        if let Some(vertices) = best {
+            film.vertices = vertices;
+        }
+    }
+
+    /// The first variation of the film at its present position.
+    fn state(&self, film: &Film, pattern: &Pattern) -> FilmState {
+        NormalMotion { pattern, triangles: film.triangles(), radius: self.radius }.state(&film.vertices)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use plateau_mesh::structured::cylinder;
+
+    #[test]
+    fn beyond_the_critical_gap_nothing_is_called_converged() {
+        let mut film = cylinder(48, 16, 1.5);
+        let limits = Limits { tolerance: 1e-6, max_iterations: None };
+        let task = Task { limits, on_unstable: OnUnstable::Report, given: false, may_widen: true };
+        let run = run(&mut film, task, &Execution::default()).unwrap();
+        assert_ne!(run.stop_reason, StopReason::Residual);
+        assert!(film.vertices.iter().all(|vertex| vertex.is_finite()));
+    }
+}

@@ -1,0 +1,188 @@
+//! The report about a film: size, shape, curvature, residual, and how the solver got there.
+
+use super::curvature::Curvature;
+use super::initial_mesh::InitialMeshKind;
+use super::junction_statistics::JunctionStatistics;
+use super::options::{Objective, Options, Solver};
+use super::run::{ExtrapolatedArea, HistoryRow, Run, SpanningComparison, Stability, StopReason};
+use plateau_mesh::film::Film;
+use plateau_mesh::measure::{self, Spread};
+use plateau_mesh::remesh::thin_triangles::Pinch;
+use plateau_mesh::self_intersections::SelfIntersectionCheck;
+use plateau_mesh::topology::Topology;
+
+/// Mean curvature over the vertices that are free to move, in 1/unit.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MeanCurvature {
+    /// The largest.
+    pub max: f64,
+    /// The mean.
+    pub mean: f64,
+    /// The root of the mean square.
+    pub rms: f64,
+}
+
+/// Everything that is reported about a minimal surface. Lengths in the caller's unit u, areas in u², angles in radians.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Statistics {
+    /// The objective that was minimised.
+    pub objective: Objective,
+    /// Its value, in the objective's unit.
+    pub objective_value: f64,
+    /// The solver that ran.
+    pub solver: Solver,
+    /// The initial mesh that was built (never "auto").
+    pub initial_mesh: InitialMeshKind,
+    /// Number of vertices.
+    pub vertices: usize,
+    /// Number of triangles.
+    pub triangles: usize,
+    /// Number of boundary loops.
+    pub boundary_loops: usize,
+    /// Number of connected components.
+    pub components: usize,
+    /// Vertices minus edges plus triangles.
+    pub euler_characteristic: i64,
+    /// Total genus of the components; `None` for films with junctions, which are no manifolds.
+    pub genus: Option<i64>,
+    /// Area of the mesh, in u².
+    pub area: f64,
+    /// Area of the initial mesh, in u².
+    pub initial_area: f64,
+    /// Estimate of the area of the smooth surface on the same polygon, from this mesh and one with twice or half its
+    /// edge length. Computed for stable surfaces of the default solver: always up to 10,000 triangles, and above that
+    /// if the boundary has enough points for a coarser mesh.
+    pub extrapolated_area: Option<ExtrapolatedArea>,
+    /// Mean curvature over the vertices that are free to move.
+    pub mean_curvature: MeanCurvature,
+    /// The residual of the normal direction: the largest H⊥ R over the free vertices, with H⊥ = |g·n| / (2 A_h). Here g
+    /// is the area gradient, n the vertex normal, A_h a third of the area of the vertex's triangles, and R the largest
+    /// distance of a boundary vertex from the mean of the boundary vertices. Dimensionless.
+    pub residual: f64,
+    /// The residual with the whole gradient, tangential part included.
+    pub residual_full: f64,
+    /// Whether the solver met its own rule, and no triangle is flipped or degenerate. The rule of the default solver is
+    /// that the residual is at most the tolerance.
+    pub converged: bool,
+    /// Why the solver stopped.
+    pub stop_reason: StopReason,
+    /// Number of iterations.
+    pub iterations: u32,
+    /// A row for each iteration. Long runs keep every iteration up to 100, every 10th up to 1000, every 100th beyond,
+    /// and the last.
+    pub history: Vec<HistoryRow>,
+    /// The second variation of area; `None` where it was not computed.
+    pub stability: Option<Stability>,
+    /// Lengths of all edges.
+    pub edge_lengths: Spread,
+    /// Smallest inner angle of a triangle, radians.
+    pub smallest_angle: f64,
+    /// Largest inner angle of a triangle, radians.
+    pub largest_angle: f64,
+    /// Number of edges that the solver flipped.
+    pub edges_swapped: u64,
+    /// Number of triangles whose normal points against those of their vertices.
+    pub flipped_triangles: usize,
+    /// Number of triangles whose shortest altitude is below 1e-10 of their longest edge.
+    pub degenerate_triangles: usize,
+    /// The changes of topology, in order.
+    pub pinches: Vec<Pinch>,
+    /// Number of pairs of triangles that meet in more than the vertices and edges that they share.
+    pub self_intersections: SelfIntersectionCheck,
+    /// The compared films, under [`TopologyRule::Best`](super::TopologyRule::Best).
+    pub spanning: Option<SpanningComparison>,
+    /// The junctions of a film whose sheets meet three by three along curves.
+    pub junctions: Option<JunctionStatistics>,
+}
+
+impl Statistics {
+    /// Why the surface does not count as converged, as a text.
+    #[must_use]
+    pub fn shortfall(&self, tolerance: f64) -> String {
+        let mut reasons = Vec::new();
+        if !self.stop_reason.meets_the_rule_of(self.solver, self.residual, tolerance) {
+            let residual = || format!("the residual is {:.3e}, the tolerance {tolerance:.3e}", self.residual);
+            reasons.push(match self.solver {
+                Solver::Newton => residual(),
+                Solver::PinkallPolthier => residual() + ", and the area still changes by more than its tolerance",
+                Solver::VertexRelaxation => "the area still changes by more than its tolerance".to_owned(),
+                Solver::LevenbergMarquardt => "the least squares still change by more than their tolerance".to_owned(),
+            });
+        }
+        if self.flipped_triangles > 0 {
+            reasons.push(format!("{} triangles are folded over", self.flipped_triangles));
+        }
+        if self.degenerate_triangles > 0 {
+            reasons.push(format!("{} triangles are degenerate", self.degenerate_triangles));
+        }
+        format!("{}; it stopped for the reason {}", reasons.join(", "), self.stop_reason.name())
+    }
+}
+
+/// Facts about a run that the film itself does not show.
+pub(super) struct Origin {
+    pub kind: InitialMeshKind,
+    pub initial_area: f64,
+    pub run: Run,
+}
+
+pub(super) fn collect(
+    film: &Film,
+    topology: &Topology,
+    measured: &Curvature,
+    origin: Origin,
+    options: &Options,
+) -> Statistics {
+    let mesh = film.mesh();
+    let area = measure::area(&mesh);
+    let free = film.fixed.iter().filter(|fixed| !**fixed).count();
+    let over_free = |sum: f64| if free == 0 { 0.0 } else { sum / free as f64 };
+    let curvature = &measured.mean_curvature;
+    let (smallest_angle, largest_angle) = measure::angle_range(&mesh);
+    let flipped_triangles = measure::flipped_triangles(&mesh);
+    let degenerate_triangles = measure::degenerate_triangles(&mesh);
+    let Origin { kind, initial_area, run } = origin;
+    let rule_met = run.stop_reason.meets_the_rule_of(run.solver, measured.residual, options.tolerance);
+    let converged = rule_met && flipped_triangles == 0 && degenerate_triangles == 0;
+    Statistics {
+        objective: options.method.objective(),
+        objective_value: run.objective_value.unwrap_or(area),
+        solver: run.solver,
+        initial_mesh: kind,
+        vertices: mesh.vertices.len(),
+        triangles: mesh.triangles.len(),
+        boundary_loops: topology.boundary_loops().len(),
+        components: topology.components(),
+        euler_characteristic: topology.euler_characteristic(),
+        genus: Some(topology.genus()),
+        area,
+        initial_area,
+        extrapolated_area: run.extrapolated_area,
+        mean_curvature: MeanCurvature {
+            max: curvature.iter().copied().fold(0.0, f64::max),
+            mean: over_free(curvature.iter().sum()),
+            rms: over_free(curvature.iter().map(|h| h * h).sum()).sqrt(),
+        },
+        residual: measured.residual,
+        residual_full: measured.residual_full,
+        converged,
+        // The residual alone does not show a fold: a run that ended by it on such a mesh is held up there.
+        stop_reason: match run.stop_reason {
+            StopReason::Residual if !converged => StopReason::Stalled,
+            other => other,
+        },
+        iterations: run.iterations,
+        history: run.history,
+        stability: run.stability,
+        edge_lengths: Spread::of(measure::edge_lengths(&mesh, topology).into_iter()),
+        smallest_angle,
+        largest_angle,
+        edges_swapped: run.edges_swapped,
+        flipped_triangles,
+        degenerate_triangles,
+        pinches: run.pinches,
+        self_intersections: SelfIntersectionCheck::default(),
+        spanning: run.spanning,
+        junctions: None,
+    }
+}

@@ -1,0 +1,158 @@
+//! Tensile structures: films of given prestress with cables, pressure and weight, in the shape in which all forces
+//! balance.
+//!
+//! [`solve`] takes a [`Structure`] and a resolution and returns a mesh with the forces in its cables and at its
+//! supports. A film with nothing but fixed boundaries is a minimal surface; every further effect is a term of one energy
+//! or a freedom of its vertices in the [equilibrium core](crate::equilibrium):
+//!
+//! ```text
+//! E = Σ σ A + Σ T L + Σ (EA / 2 L0) (L - L0)²₊ - Σ p V + weights        volumes and lengths as constraints where given
+//! ```
+//!
+//! ```
+//! use crate::minimal_surface::Resolution;
+//! use crate::tensile_structure::{      Cable, CableMode, Course, FilmPrestress, FilmStress, Options, Structure, solve,  };
+//! use plateau_mesh::{DVec3, Execution};
+//!
+//! // A plane sail: four corners, an edge cable of force 10 along each side, tension 1. Each edge is an arc of radius 10.
+//! let corners = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
+//! let cable = |k: usize| Cable {
+//!     name: format!("edge {k}"),
+//!     course: Course::Boundary { boundary: 0, from: k, to: (k + 1) % 4 },
+//!     mode: CableMode::Force(10.0),
+//!     axial_stiffness: None,
+//!     weight: 0.0,
+//! };
+//! let structure = Structure {
+//!     boundaries: vec![corners.to_vec()],
+//!     layers: vec![FilmStress { prestress: FilmPrestress::Isotropic(1.0), weight: 0.0 }],
+//!     cables: (0..4).map(cable).collect(),
+//!     free_points: Vec::new(),
+//!     sliding: Vec::new(),
+//!     rings: Vec::new(),
+//!     joints: Vec::new(),
+//!     chambers: Vec::new(),
+//!     up: DVec3::Z,
+//! };
+//! let sail = solve(&structure, &Options::new(Resolution::Triangles(500)), &Execution::default())?;
+//! assert!(sail.statistics.converged);
+//! assert!((sail.cables[0].length - 10.471976).abs() < 0.01);
+//! # Ok::<(), plateau_mesh::Error>(())
+//! ```
+//!
+//! Sources: Schek, *The force density method for form finding* (1974); Bletzinger, Ramm, *A general finite element
+//! approach to the form finding of tensile structures by the updated reference strategy* (1999).
+
+mod catenary;
+mod form_finding;
+mod mixing;
+mod model;
+mod options;
+mod outcome;
+mod ponding;
+mod weave;
+
+pub use options::{
+    BoundaryPoint, Cable, CableMode, Chamber, Course, FilmPrestress, FilmStress, Options, Pressure, Ring, Sliding,
+    SlidingPart, Structure, WarpDirection, Weave, WeaveHold,
+};
+pub use outcome::{
+    CableResult, ChamberResult, EdgeReaction, ForceBalance, LayerResult, Reaction, Stability, Statistics, Stress,
+    StressRange, TensileStructure, WeaveStress,
+};
+pub use ponding::Ponding;
+
+use crate::equilibrium::Support;
+use crate::minimal_surface;
+use catenary::{Catenary, TooSmall};
+use model::Model;
+use plateau_mesh::error::Step;
+use plateau_mesh::{DVec3, Error, Estimate, Execution, InputError, Place};
+
+/// Finds the shape of a structure in equilibrium.
+///
+/// The result depends on nothing but the arguments, to the byte, and moves and scales with them up to rounding. A shape
+/// that stopped above the tolerance because the iterations or the time were used up is returned with `converged: false`
+/// and the warning `not_converged`.
+///
+/// # Errors
+/// [`Error::Input`] for what the arguments themselves show; [`Error::NoResult`] if there is no equilibrium near the
+/// boundaries or no mesh; [`Error::Interrupted`] on cancel, and on a deadline that passes before there is a mesh.
+pub fn solve(structure: &Structure, options: &Options, exec: &Execution) -> Result<TensileStructure, Error> {
+    check(structure, options)?;
+    let mut model = exec
+        .part_as("initial_mesh", [0.0, 0.1], |exec| Model::build(structure, options, exec))
+        .map_err(|error| placed(structure, error))?;
+    let found = exec.part([0.1, 1.0], |exec| form_finding::run(&mut model, structure, options, exec))?;
+    outcome::finish(model, found, structure, exec)
+}
+
+/// Checks the arguments of [`solve`] before any work: linear in the number of points.
+///
+/// # Errors
+/// The [`Error::Input`] that [`solve`] would begin with.
+pub fn check(structure: &Structure, options: &Options) -> Result<(), Error> {
+    options::check(structure, options)?;
+    check_catenaries(structure)?;
+    let start = model::start_options(structure, options);
+    minimal_surface::check(&structure.boundaries, &start).map_err(|error| placed(structure, error))
+}
+
+/// Refuses forces that no catenary between two supports in the air has.
+fn check_catenaries(structure: &Structure) -> Result<(), Error> {
+    let hubs: Vec<DVec3> = structure.rings.iter().filter_map(|ring| ring.hub).collect();
+    let joined = |end: &DVec3| {
+        structure.boundaries.iter().flatten().chain(&structure.joints).chain(&hubs).any(|point| point == end)
+    };
+    let too_small = |(k, cable): (usize, &Cable)| {
+        let Course::Air(ends) = cable.course else { return None };
+        if ends.iter().any(joined) {
+            return None;
+        }
+        let TooSmall { least } = Catenary::find(cable, ends, structure.up).err()?;
+        let detail =
+            format!("must be at least {least:.6}: no cable of this weight hangs between these points with less");
+        Some(InputError::new(options::cable_place(structure, k).then("value"), detail))
+    };
+    let errors: Vec<InputError> = structure.cables.iter().enumerate().filter_map(too_small).collect();
+    if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
+}
+
+/// The error of the initial mesh with the cables across the film at their own places.
+fn placed(structure: &Structure, mut error: Error) -> Error {
+    let across = |cable: &(usize, &Cable)| matches!(cable.1.course, Course::Across(_));
+    let numbers: Vec<usize> = structure.cables.iter().enumerate().filter(across).map(|(k, _)| k).collect();
+    let (Error::Input(errors) | Error::NoResult { places: errors, .. }) = &mut error else { return error };
+    for InputError { place: Place(steps), .. } in errors {
+        *steps = match &steps[..] {
+            [Step::Field("constraints"), Step::Field("polylines"), Step::Index(k), rest @ ..] => {
+                let cable = numbers.get(*k).copied().unwrap_or_default();
+                let own = [Step::Field("cables"), Step::Index(cable), Step::Field("across")];
+                own.iter().chain(rest).copied().collect()
+            }
+            [Step::Field("constraints"), ..] => vec![Step::Field("cables")],
+            _ => continue,
+        };
+    }
+    error
+}
+
+/// Number of bytes of memory per triangle. The factor with three unknowns at every vertex takes most of it: about 1,800
+/// bytes at 50,000 triangles. A larger value refuses more requests.
+const BYTES_PER_TRIANGLE: f64 = 8_000.0;
+/// Number of bytes of memory per triangle of a mesh on which an edge slides: the triangle and its share of the tree.
+const BYTES_PER_SUPPORT_TRIANGLE: usize = 200;
+
+/// Estimates the triangles of the result and the memory that solving takes. The number of triangles is that of the layers
+/// over the boundaries before form finding ([`minimal_surface::estimate`]).
+#[must_use]
+pub fn estimate(structure: &Structure, options: &Options) -> Estimate {
+    let start = minimal_surface::estimate(&structure.boundaries, &model::start_options(structure, options));
+    let triangles = start.triangles * structure.layers.len() as f64;
+    let size = |sliding: &Sliding| match &sliding.on {
+        Support::Mesh { surface, .. } => BYTES_PER_SUPPORT_TRIANGLE * surface.size(),
+        _ => 0,
+    };
+    let supports: usize = structure.sliding.iter().map(size).sum();
+    Estimate { triangles, bytes: (triangles * BYTES_PER_TRIANGLE) as u64 + supports as u64, ..start }
+}

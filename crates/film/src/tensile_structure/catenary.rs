@@ -1,0 +1,185 @@
+//! The curve of a heavy cable between two points, from what is given of it.
+//!
+//! With the horizontal component H of the force, the weight w per length and a = H / w the cable is
+//!
+//! ```text
+//! y = a cosh(x / a)        force w y        length from the lowest point a sinh(x / a)
+//! ```
+//!
+//! (any text on cables). The first end is at x0, the second at x0 + d at a height v above the first:
+//! x0 = a asinh(v / (2 a sinh(d / 2a))) - d / 2. Form finding begins with this curve; its own cable is a chain of
+//! segments.
+
+use super::options::{Cable, CableMode};
+use plateau_mesh::DVec3;
+
+/// Range of a / d in which a catenary is looked for. At the upper end the sag is 1e-7 of the span, at the lower one the
+/// cable is 1e11 times as long as the span.
+const LEAST_PARAMETER: f64 = 1.0 / 60.0;
+const LARGEST_PARAMETER: f64 = 1e6;
+/// Factor between the values of a among which the tautest solution is looked for. A larger one finds the least force
+/// between two ends less exactly.
+const SCAN: f64 = 1.02;
+/// The ends count as one above the other if their horizontal distance is below this fraction of the chord: the cable is
+/// then straight.
+const VERTICAL: f64 = 1e-6;
+
+/// A heavy cable in equilibrium between two points.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Catenary {
+    first: DVec3,
+    /// The unit vector from the first end towards the second across the vertical.
+    level: DVec3,
+    up: DVec3,
+    weight: f64,
+    a: f64,
+    x0: f64,
+    /// d and v.
+    width: f64,
+    rise: f64,
+}
+
+/// No catenary between two points has the given force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct TooSmall {
+    /// The least value for which there is one.
+    pub least: f64,
+}
+
+impl Catenary {
+    /// The tautest catenary of a cable between two points. `None` if the points are one above the other, or if the
+    /// cable's value is beyond all catenaries in a way that [`TooSmall`] does not describe.
+    pub fn find(cable: &Cable, ends: [DVec3; 2], up: DVec3) -> Result<Option<Self>, TooSmall> {
+        let span = ends[1] - ends[0];
+        let across = span.reject_from_normalized(up);
+        let (width, rise) = (across.length(), span.dot(up));
+        if cable.weight <= 0.0 || width <= VERTICAL * span.length() {
+            return Ok(None);
+        }
+        let at = |a: f64| {
+            let x0 = a * (rise / (2.0 * a * (0.5 * width / a).sinh())).asinh() - 0.5 * width;
+            Self { first: ends[0], level: across / width, up, weight: cable.weight, a, x0, width, rise }
+        };
+        // Rises with a where the cable is taut.
+        let value = cable.mode.value();
+        let measure = |curve: &Self| match cable.mode {
+            CableMode::Force(_) => curve.mean_force(),
+            CableMode::EndTension(_) => curve.force(0.0),
+            CableMode::HorizontalComponent(_) => curve.a * curve.weight,
+            CableMode::ForceDensity(_) => curve.mean_force() / curve.length(),
+            CableMode::Length(_) => 2.0 * value - curve.length(),
+            CableMode::Sag(_) => 2.0 * value - curve.sag(),
+            CableMode::UnstressedLength(unstressed) => {
+                let stiffness = cable.axial_stiffness.unwrap_or(1.0);
+                value + curve.mean_force() - stiffness * (curve.length() / unstressed - 1.0)
+            }
+        };
+        let (mut taut, mut least) = (LARGEST_PARAMETER * width, f64::INFINITY);
+        loop {
+            let found = measure(&at(taut));
+            if found <= value {
+                break;
+            }
+            least = least.min(found);
+            taut /= SCAN;
+            if taut < LEAST_PARAMETER * width {
+                let by_force =
+                    matches!(cable.mode, CableMode::Force(_) | CableMode::EndTension(_) | CableMode::ForceDensity(_));
+                return if by_force { Err(TooSmall { least }) } else { Ok(None) };
+            }
+        }
+        let (mut below, mut above) = (taut, taut * SCAN);
+        for _ in 0..60 {
+            let middle = 0.5 * (below + above);
+            *(if measure(&at(middle)) <= value { &mut below } else { &mut above }) = middle;
+        }
+        Ok(Some(at(above)))
+    }
+
+    /// The force at a length of the cable from the first end.
+    pub fn force(&self, from_first: f64) -> f64 {
+        let x = self.place(from_first);
+        self.weight * self.a * (x / self.a).cosh()
+    }
+
+    pub fn length(&self) -> f64 {
+        let Self { a, x0, width, .. } = *self;
+        a * (((x0 + width) / a).sinh() - (x0 / a).sinh())
+    }
+
+    /// ∫ w y ds / L with ds = cosh(x / a) dx.
+    fn mean_force(&self) -> f64 {
+        let Self { a, x0, width, .. } = *self;
+        let integral = |x: f64| 0.5 * a * (x + 0.5 * a * (2.0 * x / a).sinh());
+        self.weight * (integral(x0 + width) - integral(x0)) / self.length()
+    }
+
+    /// The largest distance from the chord: where the cable is parallel to it.
+    fn sag(&self) -> f64 {
+        let Self { a, x0, width, rise, .. } = *self;
+        let x = a * (rise / width).asinh();
+        let chord = a * (x0 / a).cosh() + rise * (x - x0) / width;
+        (chord - a * (x / a).cosh()) * width / width.hypot(rise)
+    }
+
+    /// x at a length of the cable from the first end.
+    fn place(&self, from_first: f64) -> f64 {
+        self.a * (from_first / self.a + (self.x0 / self.a).sinh()).asinh()
+    }
+
+    /// The point at a length of the cable from the first end.
+    pub fn point(&self, from_first: f64) -> DVec3 {
+        let (x, a) = (self.place(from_first), self.a);
+        // cosh(p) - cosh(q) = 2 sinh((p + q) / 2) sinh((p - q) / 2) keeps the digits of a shallow cable.
+        let rise = 2.0 * a * (0.5 * (x + self.x0) / a).sinh() * (0.5 * (x - self.x0) / a).sinh();
+        self.first + (x - self.x0) * self.level + rise * self.up
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tensile_structure::options::Course;
+
+    #[test]
+    fn every_mode_finds_the_catenary_whose_figures_it_is_given() {
+        // Span 10, rise 3, parameter 6: y = 6 cosh(x / 6).
+        let ends = [DVec3::new(1.0, 2.0, 3.0), DVec3::new(7.0, 10.0, 6.0)];
+        let cable = |mode, axial_stiffness| Cable {
+            name: String::new(),
+            course: Course::Air(ends),
+            mode,
+            axial_stiffness,
+            weight: 2.0,
+        };
+        let find = |mode, stiffness| Catenary::find(&cable(mode, stiffness), ends, DVec3::Z).unwrap().unwrap();
+        let curve = find(CableMode::HorizontalComponent(12.0), None);
+        assert!((curve.a - 6.0).abs() < 1e-12);
+        assert!(curve.point(curve.length()).distance(ends[1]) < 1e-12);
+        // Figures of the curve by its own points.
+        let count = 20_000;
+        let points: Vec<DVec3> =
+            (0..=count).map(|k| curve.point(curve.length() * f64::from(k) / f64::from(count))).collect();
+        let length: f64 = points.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
+        let chord = (ends[1] - ends[0]).normalize();
+        let sag = points.iter().map(|p| (*p - ends[0]).reject_from_normalized(chord).length()).fold(0.0, f64::max);
+        let mean =
+            (0..count).map(|k| curve.force(curve.length() * (f64::from(k) + 0.5) / f64::from(count))).sum::<f64>()
+                / f64::from(count);
+        assert!((length - curve.length()).abs() < 1e-6 && (sag - curve.sag()).abs() < 1e-6);
+        assert!((mean - curve.mean_force()).abs() < 1e-6);
+        for (mode, stiffness) in [
+            (CableMode::Force(mean), None),
+            (CableMode::EndTension(curve.force(0.0)), None),
+            (CableMode::ForceDensity(mean / length), None),
+            (CableMode::Length(length), None),
+            (CableMode::Sag(sag), None),
+            (CableMode::UnstressedLength(length / (1.0 + mean / 500.0)), Some(500.0)),
+        ] {
+            let found = find(mode, stiffness);
+            assert!((found.a - 6.0).abs() < 1e-4, "{mode:?} {}", found.a);
+        }
+        let refused = Catenary::find(&cable(CableMode::Force(1.0), None), ends, DVec3::Z);
+        assert!(refused.is_err_and(|error| error.least > 1.0));
+    }
+}

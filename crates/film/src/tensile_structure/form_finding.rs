@@ -1,0 +1,640 @@
+//! From the initial mesh to the shape in equilibrium.
+//!
+//! 1. *Settle*: rounds of the update reference strategy ([`prestress`](crate::energy::prestress)). The film's area is
+//!    replaced by the quadratic energy of its present shape, in which every vertex inside moves freely, so that the
+//!    mesh follows an edge that moves. Between the rounds edges are flipped and vertices slide within the film.
+//! 2. *Newton*: the energy itself. Vertices inside the film move along their normals and those of a cable across it,
+//!    until the residual is small. The mean height of a heavy film, at which its tension is the required one, is
+//!    renewed between solves. Then the stability is analysed. A woven film has no energy whose minimum its shape could
+//!    be: each step takes the shape before it as the reference, and the stresses are renewed between steps
+//!    ([`weave`](super::weave)) until they have settled, accelerated by Anderson's mixing, until the forces at the
+//!    reference shape itself balance.
+//! 3. *Balance*: the shape becomes the reference of a last solve in which all vertices move in all directions. It moves
+//!    the vertices within the film, by less than the mesh's error, until the forces balance at every vertex and in
+//!    every direction. The stress then deviates from the constant one; the statistics say by how much.
+
+use super::mixing::Mixing;
+use super::model::{ForceBy, Model, Renewal};
+use super::options::{CableMode, Chamber, Course, Options, Pressure, Structure, WeaveHold};
+use super::weave::StressField;
+use crate::energy::{self, ForceDensity, Load, PlaneStress, Prestress, Term, Volume};
+use crate::equilibrium::newton::{State, keeps_orientation};
+use crate::equilibrium::{Aim, Body, Constraint, Determined, Frame, Freedom, Outcome, Settings, Stability};
+use crate::minimal_surface::StopReason;
+use plateau_mesh::measure::{double_area_vector, normals};
+use plateau_mesh::remesh::delaunay::{flip_to_delaunay, flip_without_chords, tangential_relaxation};
+use plateau_mesh::sparse::LinearError;
+use plateau_mesh::{DVec3, Error, Execution, Interruption, Progress};
+
+// Tunables.
+
+/// Largest number of linear solves if the caller gives none.
+const DEFAULT_SOLVES: u32 = 400;
+/// Largest number of rounds of step 1. Structures of the examples settle in 4 to 15.
+const MAX_ROUNDS: u32 = 60;
+/// Largest number of rounds of step 1 for a woven film, whose step 2 converges from further away.
+const MAX_WOVEN_ROUNDS: u32 = 20;
+/// Newton steps of one round. More would be spent on a reference shape that is replaced at once.
+const STEPS_PER_ROUND: u32 = 3;
+/// A round that moves no vertex by more than this fraction of the mean edge is the last. With a larger value Newton's
+/// method starts further from the solution.
+const SETTLED: f64 = 0.05;
+/// Rounds in which an enclosed volume grows to its required value.
+const VOLUME_ROUNDS: u32 = 8;
+/// Largest number of Newton steps of one solve of step 2.
+const NEWTON_STEPS: u32 = 30;
+/// Largest number of renewals: of the mean height of a heavy film, and of the list of slack cables.
+const MAX_RENEWALS: u32 = 60;
+/// Largest number of reference shapes of a woven film in step 2. The examples take 15 to 60.
+const MAX_REFERENCES: u32 = 300;
+/// The stresses of a woven film are kept from the first renewal on that changes none by more than this fraction. What
+/// is not balanced within the film by then is far below the mesh's error, and the last step removes it. With a smaller
+/// value the renewals go on without use: stresses that alternate from vertex to vertex hardly pull on the film, so they
+/// change slowly, and each change disturbs the shape. From 1e-4 to 1e-7 the example conic-tent took 135 more solves.
+const STRESSES_SETTLED: f64 = 3e-5;
+/// Largest number of times that a stalled Newton iteration is followed by another step 1.
+const MAX_RETURNS: u32 = 3;
+/// Newton steps of the balance, which is linear but for a pressure.
+const BALANCE_STEPS: u32 = 12;
+/// The residual to which forces are balanced.
+const BALANCED: f64 = 1e-12;
+
+/// The shape that was found.
+#[derive(Debug)]
+pub(super) struct Found {
+    pub stop_reason: StopReason,
+    /// The residual of step 2.
+    pub residual: f64,
+    pub iterations: u32,
+    pub energy: f64,
+    pub stability: Option<Stability>,
+    /// Displacements of the vertices in the lowest mode.
+    pub lowest_mode: Option<Vec<DVec3>>,
+    /// The pressure in each chamber, given or found.
+    pub pressures: Vec<f64>,
+    /// Per cable the part of its force that is the multiplier of its length.
+    pub length_forces: Vec<f64>,
+    /// Step 3, if step 2 converged.
+    pub balance: Option<Balance>,
+    /// Cables across the film whose given length is not reached, so that they bear no force in this shape.
+    pub slack: Vec<usize>,
+}
+
+/// A shape above the tolerance counts as one up to this residual. A larger value returns shapes whose forces are
+/// further from those of an equilibrium.
+const NEARLY: f64 = 1e-3;
+
+impl Found {
+    /// No shape yet.
+    fn nothing(cables: usize, chambers: usize) -> Self {
+        Self {
+            stop_reason: StopReason::Stalled,
+            residual: f64::INFINITY,
+            iterations: 0,
+            energy: 0.0,
+            stability: None,
+            lowest_mode: None,
+            pressures: vec![0.0; chambers],
+            length_forces: vec![0.0; cables],
+            balance: None,
+            slack: Vec::new(),
+        }
+    }
+
+    /// Whether the shape is an equilibrium up to the tolerance or nearly so.
+    pub fn is_shape(&self) -> bool {
+        match self.stop_reason {
+            StopReason::Residual => true,
+            StopReason::Stalled | StopReason::MaxIterations => self.residual <= NEARLY,
+            _ => false,
+        }
+    }
+}
+
+/// The balanced shape's forces.
+#[derive(Debug)]
+pub(super) struct Balance {
+    /// Per vertex the force that film and cables exert less the loads: at a support the reaction, elsewhere what is not
+    /// balanced.
+    pub forces: Vec<DVec3>,
+    /// Per vertex the gradient of the energies of given contact angles: what the supports bear along their surface. It
+    /// is part of the reaction, so `forces` are without it.
+    pub contacts: Vec<DVec3>,
+    /// Per vertex the load: weights and pressure.
+    pub loads: Vec<DVec3>,
+    /// Per cable the force of each segment.
+    pub cable_forces: Vec<Vec<f64>>,
+    /// The triangles' edges in the reference shape: positions before the balance.
+    pub reference: Vec<DVec3>,
+    /// Per triangle, one layer after the other, the stress in the reference shape: the required one.
+    pub stresses: Vec<PlaneStress>,
+}
+
+/// State of a run.
+struct Run<'a> {
+    structure: &'a Structure,
+    options: &'a Options,
+    exec: &'a Execution<'a>,
+    model: &'a mut Model,
+    solves: u32,
+    limit: u32,
+    fraction: f64,
+}
+
+/// Why a phase ended early.
+enum Stop {
+    Reason(StopReason),
+    Failed(Error),
+}
+
+impl From<Error> for Stop {
+    fn from(error: Error) -> Self {
+        match error {
+            Error::Interrupted(Interruption::DeadlinePassed) => Self::Reason(StopReason::Deadline),
+            error => Self::Failed(error),
+        }
+    }
+}
+
+fn too_large(error: LinearError) -> Error {
+    Error::no_result("too_large", format!("the linear system is too large: {error:?}"))
+}
+
+/// Finds the shape. The model's vertices become those of the shape.
+///
+/// # Errors
+/// The cancel; [`Error::NoResult`] for a mesh that is too large.
+pub(super) fn run(
+    model: &mut Model,
+    structure: &Structure,
+    options: &Options,
+    exec: &Execution,
+) -> Result<Found, Error> {
+    let limit = options.max_iterations.unwrap_or(DEFAULT_SOLVES);
+    let mut run = Run { structure, options, exec, model, solves: 0, limit, fraction: 0.0 };
+    let start = run.model.clone();
+    let mut found = run.attempt()?;
+    run.release_slack(&start, &mut found)?;
+    found.iterations = run.solves;
+    Ok(found)
+}
+
+impl Run<'_> {
+    /// All steps from the model's present shape.
+    fn attempt(&mut self) -> Result<Found, Error> {
+        let mut found = Found::nothing(self.structure.cables.len(), self.structure.chambers.len());
+        match self.shape(&mut found) {
+            Ok(()) => {}
+            Err(Stop::Reason(reason)) => found.stop_reason = reason,
+            Err(Stop::Failed(error)) => return Err(error),
+        }
+        if !found.residual.is_finite() {
+            self.measure(&mut found)?;
+        }
+        Ok(found)
+    }
+
+    /// If no shape was found, looks for the one in which cables across the film are slack. A cable that is longer than
+    /// the film needs would have to push. It buckles, and Newton's method does not converge.
+    ///
+    /// The shape is found again from the `start` without the forces of all cables of given length. Those that become
+    /// longer than their length bear a force, so they are put back, and the shape is found once more. When all that
+    /// were let go are shorter than their length, they are slack. Without such a shape everything stays as it was found
+    /// first.
+    fn release_slack(&mut self, start: &Model, found: &mut Found) -> Result<(), Error> {
+        let structure = self.structure;
+        let length = |k: usize| match (&structure.cables[k].course, structure.cables[k].mode) {
+            (Course::Across(_), CableMode::Length(length) | CableMode::UnstressedLength(length)) => Some(length),
+            _ => None,
+        };
+        let gave_up =
+            matches!(found.stop_reason, StopReason::Stalled | StopReason::Collapsed | StopReason::MaxIterations);
+        let stands = |found: &Found, model: &Model| found.is_shape() && model.flipped() == 0;
+        if !gave_up || stands(found, self.model) {
+            return Ok(());
+        }
+        let mut released: Vec<usize> = (0..structure.cables.len()).filter(|&k| length(k).is_some()).collect();
+        let first = self.model.clone();
+        while !released.is_empty() {
+            *self.model = start.clone();
+            released.iter().for_each(|&k| self.model.let_go(k));
+            if self.options.max_iterations.is_none() {
+                self.limit = self.solves + DEFAULT_SOLVES;
+            }
+            let loose = self.attempt()?;
+            if !stands(&loose, self.model) {
+                break;
+            }
+            let at = self.model.vertices();
+            let count = released.len();
+            released.retain(|&k| length(k).is_some_and(|length| self.model.cables[k].length(&at) <= length));
+            if released.len() == count {
+                *found = Found { slack: released, ..loose };
+                return Ok(());
+            }
+        }
+        *self.model = first;
+        Ok(())
+    }
+
+    fn shape(&mut self, found: &mut Found) -> Result<(), Stop> {
+        let mut first_round = 1;
+        for attempt in 0..=MAX_RETURNS {
+            self.settle(first_round)?;
+            first_round = VOLUME_ROUNDS;
+            let reason = match self.model.stress_field {
+                None => self.newton(found)?,
+                Some(_) => self.renew_references(found)?,
+            };
+            found.stop_reason = reason;
+            match reason {
+                StopReason::Residual => break,
+                StopReason::Stalled | StopReason::MaxIterations if attempt < MAX_RETURNS => {}
+                _ => return Ok(()),
+            }
+        }
+        if found.is_shape() && self.model.flipped() == 0 {
+            self.balance(found)?;
+        }
+        Ok(())
+    }
+
+    /// The residual and the energy of a shape that was left before Newton's method began.
+    fn measure(&mut self, found: &mut Found) -> Result<(), Error> {
+        let mut body = self.model.body(self.structure, 1.0, false)?;
+        let settings = Settings { max_steps: 0, ..Settings::default() };
+        let (_, state) = body.solve_once(&settings, &Execution::default(), &mut |_, _| {}).map_err(too_large)?;
+        (found.residual, found.energy) = (state.residual, state.energy);
+        Ok(())
+    }
+
+    /// Steps are recorded with the progress: `share` of what is left of the fraction is used up by each.
+    fn solve(
+        &mut self,
+        body: &mut Body,
+        settings: &Settings,
+        phase: &'static str,
+        share: f64,
+    ) -> Result<(Outcome, State<Frame>), Stop> {
+        let left = self.limit.saturating_sub(self.solves);
+        if left == 0 {
+            return Err(Stop::Reason(StopReason::MaxIterations));
+        }
+        let settings = Settings { max_steps: settings.max_steps.min(left), ..*settings };
+        let (exec, mut solves, mut fraction) = (self.exec, self.solves, self.fraction);
+        let mut record = |energy: f64, residual: f64| {
+            solves += 1;
+            fraction += share * (0.95 - fraction);
+            exec.report(Progress {
+                fraction,
+                phase,
+                iteration: u64::from(solves),
+                objective_value: Some(energy),
+                residual: Some(residual),
+            });
+        };
+        let solved = body.solve_once(&settings, exec, &mut record).map_err(|error| Stop::Failed(too_large(error)))?;
+        (self.solves, self.fraction) = (solves, fraction);
+        match solved.0 {
+            Outcome::Interrupted(interruption) => Err(Error::Interrupted(interruption).into()),
+            _ => Ok(solved),
+        }
+    }
+
+    fn look(&self) -> Result<(), Stop> {
+        let count: usize = self.model.layers.iter().map(|layer| layer.film.triangles().len()).sum();
+        let work = 20 * count as u64;
+        self.exec.look(work).map_err(|interruption| Stop::from(Error::from(interruption)))
+    }
+
+    /// Step 1.
+    fn settle(&mut self, first_round: u32) -> Result<(), Stop> {
+        let settings = Settings { aim: Aim::Minimum, tolerance: 1e-6, max_steps: STEPS_PER_ROUND };
+        let last_round = if self.model.stress_field.is_some() { MAX_WOVEN_ROUNDS } else { MAX_ROUNDS };
+        let by_volume = self.structure.chambers.iter().any(|chamber| matches!(chamber.holds, Pressure::Volume(_)));
+        for round in first_round..=last_round {
+            let grown = f64::from(round.min(VOLUME_ROUNDS)) / f64::from(VOLUME_ROUNDS);
+            self.model.hang(self.structure);
+            // The stresses vary even if their magnitudes are to be held. Otherwise the vertices of a film whose
+            // stresses cannot be in equilibrium would move within it from round to round.
+            self.renew_stresses(Renewal::Balance)?;
+            let mut body = self.model.body(self.structure, grown, true)?;
+            self.look()?;
+            let before = body.vertices.clone();
+            if self.model.stress_field.is_none() {
+                for ((term, layer), film) in body.terms.iter_mut().zip(&self.model.layers).zip(&self.structure.layers) {
+                    let (triangles, tension) = (layer.triangles().collect::<Vec<_>>(), film.mean());
+                    *term = Box::new(Prestress::isotropic(&triangles, |_| tension, &before));
+                }
+            }
+            for freedom in &mut body.freedoms {
+                if *freedom == Freedom::Normal {
+                    *freedom = Freedom::Free;
+                }
+            }
+            let (outcome, _) = self.solve(&mut body, &settings, "settle", 0.02)?;
+            let moved = self.largest_motion(&before, &body.vertices);
+            self.model.set_vertices(&body.vertices);
+            self.model.renew_start_forces(self.structure);
+            let flip = if self.model.layers.len() > 1 { flip_without_chords } else { flip_to_delaunay };
+            for k in 0..self.model.layers.len() {
+                self.look()?;
+                flip(&mut self.model.layers[k].film, self.exec).map_err(Error::from)?;
+                self.look()?;
+                tangential_relaxation(&mut self.model.layers[k].film, 1);
+                flip(&mut self.model.layers[k].film, self.exec).map_err(Error::from)?;
+            }
+            self.look()?;
+            if matches!(outcome, Outcome::Refused(_)) {
+                return Err(Stop::Reason(StopReason::Collapsed));
+            }
+            let grown = !by_volume || round >= VOLUME_ROUNDS;
+            if grown && moved <= SETTLED * self.model.mean_edge() {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// The largest distance between two positions of a vertex. Inside a woven film it is that along the normal, because
+    /// vertices may move within the film from round to round although the shape has settled.
+    fn largest_motion(&self, before: &[DVec3], after: &[DVec3]) -> f64 {
+        let film = &self.model.layers[0].film;
+        let normals = match self.model.stress_field {
+            Some(_) => normals(before, film.triangles()),
+            None => Vec::new(),
+        };
+        let distance = |(v, (a, b)): (usize, (&DVec3, &DVec3))| match normals.get(v) {
+            Some(normal) if film.fixed.get(v) == Some(&false) => (*b - *a).dot(*normal).abs(),
+            _ => a.distance(*b),
+        };
+        before.iter().zip(after).enumerate().map(distance).fold(0.0, f64::max)
+    }
+
+    fn renew_stresses(&mut self, renewal: Renewal) -> Result<f64, Stop> {
+        self.model.renew_stresses(self.structure, renewal).map_err(|error| match error {
+            LinearError::TooLarge => Stop::Failed(too_large(error)),
+            _ => Stop::Reason(StopReason::Collapsed),
+        })
+    }
+
+    /// Step 2 for a woven film.
+    fn renew_references(&mut self, found: &mut Found) -> Result<StopReason, Stop> {
+        let settings = Settings { aim: Aim::Minimum, tolerance: self.options.tolerance, max_steps: 1 };
+        let mut renewal = match self.model.stress_field.as_ref().map(StressField::hold) {
+            Some(WeaveHold::Ratio) => Renewal::Balance,
+            _ => Renewal::Required,
+        };
+        let mut mixing = Mixing::default();
+        for _ in 0..MAX_REFERENCES {
+            self.look()?;
+            let start = self.model.unknowns();
+            let change = self.renew_stresses(renewal)?;
+            if renewal == Renewal::Balance && change <= STRESSES_SETTLED {
+                // From here on only the shape changes. Each renewal would disturb it by more than the tolerance.
+                renewal = Renewal::Keep;
+                mixing.clear();
+            }
+            let mut body = self.model.body(self.structure, 1.0, false)?;
+            let solves = self.solves;
+            let (outcome, state) = self.solve(&mut body, &settings, "newton", 0.05)?;
+            self.model.set_vertices(&body.vertices);
+            found.energy = state.energy;
+            self.multipliers(&state, found);
+            match outcome {
+                // Without a step the residual is that of the reference shape itself.
+                Outcome::Converged if self.solves == solves => {
+                    found.residual = state.residual;
+                    if self.slacken(found) || renewal == Renewal::Balance {
+                        continue;
+                    }
+                    let flipped = self.model.flipped() > 0;
+                    return Ok(if flipped { StopReason::Stalled } else { StopReason::Residual });
+                }
+                Outcome::Converged | Outcome::StepsUsed => {}
+                Outcome::Stalled => {
+                    self.measure(found)?;
+                    return Ok(StopReason::Stalled);
+                }
+                Outcome::Refused(_) => return Ok(StopReason::Collapsed),
+                Outcome::Interrupted(interruption) => return Err(Error::Interrupted(interruption).into()),
+            }
+            let reached = self.model.unknowns();
+            let mixed = mixing.next(start, reached.clone());
+            self.model.set_unknowns(&mixed);
+            if !keeps_orientation(self.model.layers[0].film.triangles(), &body.vertices, &self.model.vertices()) {
+                self.model.set_unknowns(&reached);
+                mixing.clear();
+            }
+        }
+        self.measure(found)?;
+        Ok(StopReason::MaxIterations)
+    }
+
+    /// Step 2.
+    fn newton(&mut self, found: &mut Found) -> Result<StopReason, Stop> {
+        let settings = Settings { aim: Aim::Minimum, tolerance: self.options.tolerance, max_steps: NEWTON_STEPS };
+        for _ in 0..MAX_RENEWALS {
+            let mut body = self.model.body(self.structure, 1.0, false)?;
+            let mut weights = self.model.weights(self.structure, &body.vertices);
+            let (outcome, state) = self.solve(&mut body, &settings, "newton", 0.05)?;
+            self.model.set_vertices(&body.vertices);
+            found.residual = state.residual;
+            found.energy = state.energy;
+            self.multipliers(&state, found);
+            match outcome {
+                Outcome::Converged => {}
+                Outcome::Stalled => return Ok(StopReason::Stalled),
+                Outcome::StepsUsed => return Ok(StopReason::MaxIterations),
+                Outcome::Refused(_) => return Ok(StopReason::Collapsed),
+                Outcome::Interrupted(interruption) => return Err(Error::Interrupted(interruption).into()),
+            }
+            let change = if self.structure.has_heavy_layers() {
+                weights.iter_mut().map(|weight| weight.renew(&body.vertices)).fold(0.0, f64::max)
+            } else {
+                0.0
+            };
+            if self.slacken(found) {
+                continue;
+            }
+            if change <= self.options.tolerance.max(1e-12) {
+                if self.model.flipped() > 0 {
+                    return Ok(StopReason::Stalled);
+                }
+                return self.stability(found);
+            }
+        }
+        Ok(StopReason::MaxIterations)
+    }
+
+    /// Lets elastic cables that would push go slack. Returns whether there are any.
+    fn slacken(&mut self, found: &mut Found) -> bool {
+        let mut any = false;
+        for (k, force) in found.length_forces.iter_mut().enumerate() {
+            if *force < 0.0 && matches!(self.model.forces_by[k], ForceBy::Elastic { .. }) {
+                self.model.let_go(k);
+                *force = 0.0;
+                any = true;
+            }
+        }
+        any
+    }
+
+    /// The stability of the converged shape.
+    fn stability(&mut self, found: &mut Found) -> Result<StopReason, Stop> {
+        let mut body = self.model.body(self.structure, 1.0, false)?;
+        // The terms' own renewals end at once, because the coefficients have just been renewed.
+        let settings = Settings {
+            aim: Aim::Stationary,
+            tolerance: 2.0 * found.residual.max(self.options.tolerance),
+            max_steps: 2,
+        };
+        let report = body
+            .relax(&settings, self.exec, &mut |_, _| {})
+            .map_err(|defect| Stop::Failed(Error::no_result("invalid_mesh", defect.to_string())))?;
+        if let Outcome::Interrupted(interruption) = report.outcome {
+            return Err(Error::Interrupted(interruption).into());
+        }
+        found.stability = report.stability;
+        found.lowest_mode = report.lowest_mode;
+        Ok(StopReason::Residual)
+    }
+
+    /// The constraints' multipliers: the forces of cables of given length, and the pressures of given volumes.
+    fn multipliers(&self, state: &State<Frame>, found: &mut Found) {
+        let mut multipliers = state.constraints.iter().map(|constraint| constraint.multiplier);
+        for (force, by) in found.length_forces.iter_mut().zip(&self.model.forces_by) {
+            if *by != ForceBy::Law {
+                *force = multipliers.next().unwrap_or(0.0);
+            }
+        }
+        found.pressures = self.pressures(multipliers);
+    }
+
+    /// The pressure in each chamber, with the multipliers of the given volumes.
+    fn pressures(&self, mut of_volumes: impl Iterator<Item = f64>) -> Vec<f64> {
+        let pressure = |chamber: &Chamber| match chamber.holds {
+            Pressure::Constant(pressure) => pressure,
+            Pressure::Volume(_) => of_volumes.next().unwrap_or(0.0),
+        };
+        self.structure.chambers.iter().map(pressure).collect()
+    }
+
+    /// Step 3.
+    fn balance(&mut self, found: &mut Found) -> Result<(), Stop> {
+        let structure = self.structure;
+        let mut body = self.model.body(structure, 1.0, false)?;
+        let reference = body.vertices.clone();
+        let triangles = self.model.triangles();
+        let stresses = self.reference_stresses(&reference);
+        let mut loads = self.model.film_loads(structure, &reference);
+        if let Some(forces) = self.model.ring_forces(structure) {
+            loads.iter_mut().zip(forces).for_each(|(load, force)| *load += force);
+        }
+        let mut densities = Vec::with_capacity(self.model.cables.len());
+        for (number, (cable, multiplier)) in self.model.cables.iter().zip(&found.length_forces).enumerate() {
+            let mut own = ForceDensity { segments: cable.segments.clone(), densities: Vec::new() };
+            for (k, &segment) in cable.segments.iter().enumerate() {
+                let length = energy::length::length(segment, &reference);
+                let further = self.model.further_forces[number].get(k).copied().unwrap_or(0.0);
+                own.densities.push((cable.force(k, &reference) + multiplier + further) / length);
+                let half = structure.up * (0.5 * cable.weight * length);
+                segment.into_iter().for_each(|v| loads[v as usize] -= half);
+            }
+            densities.push(own);
+        }
+        body.terms.clear();
+        // The forces of the cables are now those of their densities; only lengths and volumes keep their values.
+        body.constraints.retain(|constraint| matches!(constraint.by, Determined::Value(_)));
+        // The length of a mast that pushes with a given force is held at what was found. With a force density in its
+        // place all forces would be linear in the positions, and a mast between two free ends would shrink to nothing.
+        let pushing = |k: &usize| structure.cables[*k].course.is_mast() && self.model.forces_by[*k] == ForceBy::Law;
+        let pushing: Vec<usize> = (0..densities.len()).filter(pushing).collect();
+        for (place, &k) in pushing.iter().enumerate() {
+            let quantity = energy::Length { segments: densities[k].segments.clone(), tension: -1.0 };
+            let held = Constraint::value(Box::new(quantity.clone()), quantity.value(&reference));
+            // Before the volumes, which come last.
+            let lengths = self.model.forces_by.iter().filter(|by| matches!(by, ForceBy::Length(_))).count();
+            body.constraints.insert(lengths + place, held);
+        }
+        body.terms.push(Box::new(match &self.model.stress_field {
+            None => Prestress::isotropic(&triangles, |t| stresses[t].along, &reference),
+            Some(_) => Prestress::plane(&triangles, |t| stresses[t], &reference),
+        }));
+        body.terms.push(Box::new(Load { forces: loads.clone() }));
+        densities.iter().for_each(|own| body.terms.push(Box::new(own.clone())));
+        self.model.contacts.iter().for_each(|contact| body.terms.push(Box::new(contact.clone())));
+        for chamber in &structure.chambers {
+            if let Pressure::Constant(pressure) = chamber.holds {
+                body.terms.push(Box::new(Volume { triangles: self.model.walls(chamber.below), pressure }));
+            }
+        }
+        for freedom in &mut body.freedoms {
+            *freedom = match *freedom {
+                Freedom::Normal | Freedom::Across(_) => Freedom::Free,
+                Freedom::AcrossOn { support, .. } => Freedom::On(support),
+                other => other,
+            };
+        }
+        let settings = Settings { aim: Aim::Stationary, tolerance: BALANCED, max_steps: BALANCE_STEPS };
+        let (outcome, state) = self.solve(&mut body, &settings, "balance", 0.2)?;
+        if matches!(outcome, Outcome::Refused(_)) {
+            return Ok(());
+        }
+        let at = &body.vertices;
+        let mut multipliers = state.constraints.iter().map(|constraint| constraint.multiplier);
+        let mut more = vec![0.0; densities.len()];
+        let by_length = (0..densities.len()).filter(|&k| matches!(self.model.forces_by[k], ForceBy::Length(_)));
+        for k in by_length.chain(pushing) {
+            more[k] = multipliers.next().unwrap_or(0.0);
+        }
+        let pressures = self.pressures(multipliers);
+        // The cone over the film's edge belongs to the volume and not to the film: a pressure acts on the triangles.
+        let mut forces = state.frame.gradient.clone();
+        for (chamber, &pressure) in structure.chambers.iter().zip(&pressures).filter(|(_, pressure)| **pressure != 0.0)
+        {
+            let walls = self.model.walls(chamber.below);
+            let mut cone = vec![DVec3::ZERO; at.len()];
+            Volume { triangles: walls.clone(), pressure: -1.0 }.add_gradient(at, &mut cone);
+            for triangle in &walls {
+                let sixth = double_area_vector(triangle.map(|v| at[v as usize])) / 6.0;
+                for &v in triangle {
+                    loads[v as usize] += pressure * sixth;
+                    forces[v as usize] -= pressure * sixth;
+                }
+            }
+            forces.iter_mut().zip(&cone).for_each(|(force, cone)| *force += pressure * *cone);
+        }
+        let mut contacts = vec![DVec3::ZERO; at.len()];
+        self.model.contacts.iter().for_each(|contact| contact.add_gradient(at, &mut contacts));
+        forces.iter_mut().zip(&contacts).for_each(|(force, contact)| *force -= *contact);
+        let mut cable_forces = Vec::with_capacity(densities.len());
+        for (own, more) in densities.iter().zip(more) {
+            let mut forces = Vec::with_capacity(own.segments.len());
+            own.visit_forces(at, &mut |force| forces.push(force + more));
+            cable_forces.push(forces);
+        }
+        found.pressures = pressures;
+        self.model.set_vertices(&body.vertices);
+        found.balance = Some(Balance { forces, contacts, loads, cable_forces, reference, stresses });
+        Ok(())
+    }
+
+    /// Per triangle, one layer after the other, the stress that is required at the found shape.
+    fn reference_stresses(&self, at: &[DVec3]) -> Vec<PlaneStress> {
+        let weights = self.model.weights(self.structure, at);
+        let mut stresses = Vec::new();
+        for ((layer, film), weight) in self.model.layers.iter().zip(&self.structure.layers).zip(&weights) {
+            let tension = film.mean();
+            stresses.extend(layer.triangles().map(|triangle| match &self.model.stress_field {
+                Some(field) => field.required(&triangle, at),
+                None => {
+                    let [a, b, _] = triangle.map(|v| at[v as usize]);
+                    let tension = tension + weight.tension(&triangle, at);
+                    PlaneStress { direction: (b - a).normalize_or_zero(), along: tension, across: tension }
+                }
+            }));
+        }
+        stresses
+    }
+}

@@ -1,0 +1,77 @@
+//! Boundary polygons of known minimal surfaces, shared by tests and benches.
+#![allow(dead_code, reason = "each test file uses its part")]
+
+use plateau_mesh::DVec3;
+use std::f64::consts::{PI, TAU};
+
+/// The boundary of the image of a parameter rectangle, with `nu` and `nv` intervals along its sides.
+pub fn patch(
+    surface: impl Fn(f64, f64) -> DVec3,
+    (u0, u1): (f64, f64),
+    (v0, v1): (f64, f64),
+    (nu, nv): (usize, usize),
+) -> Vec<DVec3> {
+    let u = |k: usize| u0 + (u1 - u0) * k as f64 / nu as f64;
+    let v = |k: usize| v0 + (v1 - v0) * k as f64 / nv as f64;
+    let mut points: Vec<DVec3> = (0..nu).map(|k| surface(u(k), v0)).collect();
+    points.extend((0..nv).map(|k| surface(u1, v(k))));
+    points.extend((1..=nu).rev().map(|k| surface(u(k), v1)));
+    points.extend((1..=nv).rev().map(|k| surface(u0, v(k))));
+    points
+}
+
+/// Chen, Cai, Zheng's helicoid patch: 186 points, limit area 535.0748 on this polygon.
+pub fn helicoid() -> Vec<DVec3> {
+    helicoid_with(12, 81)
+}
+
+pub fn helicoid_with(nu: usize, nv: usize) -> Vec<DVec3> {
+    patch(|u, v| DVec3::new(u * v.cos(), u * v.sin(), v), (2.0, 10.0), (-1.0, 10.0), (nu, nv))
+}
+
+/// Chen, Cai, Zheng's catenoid patch: 156 points, limit area 58.1637 (not the catenoid, which is unstable here).
+pub fn catenoid() -> Vec<DVec3> {
+    catenoid_to(2.0)
+}
+
+/// The same sector of the catenoid, |v| up to `height`.
+pub fn catenoid_to(height: f64) -> Vec<DVec3> {
+    let sector = 3.0 * PI / 5.0;
+    patch(|u, v| DVec3::new(v.cosh() * u.cos(), v.cosh() * u.sin(), v), (-sector, sector), (-height, height), (52, 26))
+}
+
+/// Scherk's surface over |x|, |y| <= 0.4 π: 40 points, limit area 11.6147.
+pub fn scherk() -> Vec<DVec3> {
+    let side = (-0.4 * PI, 0.4 * PI);
+    patch(|x, y| DVec3::new(x, y, (y.cos() / x.cos()).ln()), side, side, (10, 10))
+}
+
+pub fn circle(points: usize, radius: f64, z: f64) -> Vec<DVec3> {
+    (0..points)
+        .map(|k| {
+            let angle = TAU * k as f64 / points as f64;
+            DVec3::new(radius * angle.cos(), radius * angle.sin(), z)
+        })
+        .collect()
+}
+
+/// Two coaxial unit circles.
+pub fn rings(points: usize, gap: f64) -> Vec<Vec<DVec3>> {
+    vec![circle(points, 1.0, -gap / 2.0), circle(points, 1.0, gap / 2.0)]
+}
+
+/// A closed polygon's corners with `per_side` intervals on every side.
+pub fn sides(corners: &[DVec3], per_side: usize) -> Vec<DVec3> {
+    (0..corners.len())
+        .flat_map(|k| {
+            let (a, b) = (corners[k], corners[(k + 1) % corners.len()]);
+            (0..per_side).map(move |i| a + (b - a) * (i as f64 / per_side as f64))
+        })
+        .collect()
+}
+
+/// Four edges of a regular tetrahedron with edge 1: limit area 0.6396308.
+pub fn skew_quadrilateral(per_side: usize) -> Vec<DVec3> {
+    let corner = |x, y, z| DVec3::new(x, y, z) / 2f64.sqrt();
+    sides(&[corner(0.0, 0.0, 0.0), corner(1.0, 0.0, 1.0), corner(1.0, 1.0, 0.0), corner(0.0, 1.0, 1.0)], per_side)
+}

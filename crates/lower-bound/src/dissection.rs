@@ -1,0 +1,149 @@
+//! A fill-reducing order of the unknowns by nested dissection of the tetrahedra (George, *Nested dissection of a regular
+//! finite element mesh*, 1973).
+//!
+//! A plane cuts a set of tetrahedra into two by their centroids. The unknowns that both parts have separate them: they
+//! are eliminated after all others of the set, and each part is cut again. On these meshes the factor has 0.5 to 0.7
+//! times the entries that approximate minimum degree leaves, and takes 0.35 to 0.5 times the work.
+
+use super::element::UNKNOWNS;
+use plateau_mesh::execution::Interruption;
+use plateau_mesh::{DVec3, Execution};
+
+/// The row of an unknown that has none, because the gauge fixes it.
+pub(super) const NONE: u32 = u32::MAX;
+/// A part has at least this fraction of the set's tetrahedra. Fractions of 0.1 to 0.3 give factors of the same size
+/// within 6%, and 0.4 gives 10% more.
+const LEAST_PART: f64 = 0.2;
+/// Sets of so many tetrahedra are not cut. The order within them hardly matters.
+const WHOLE: usize = 2;
+
+/// The rows in their order of elimination. `rows_of` has the rows of each tetrahedron, or [`NONE`].
+///
+/// # Errors
+/// An interruption by the caller.
+pub(super) fn order(
+    rows_of: &[[u32; UNKNOWNS]],
+    centroids: &[DVec3],
+    rows: usize,
+    exec: &Execution,
+) -> Result<Vec<u32>, Interruption> {
+    let mut dissection = Dissection {
+        rows_of,
+        order: vec![0; rows],
+        left: rows,
+        placed: vec![false; rows],
+        first: vec![NONE; rows],
+        last: vec![0; rows],
+    };
+    // The leaves along each axis; parts keep these orders, so that nothing is sorted again.
+    let sorted = [0, 1, 2].map(|axis| {
+        let mut leaves: Vec<u32> = (0..rows_of.len() as u32).collect();
+        let place = |leaf: u32| centroids[leaf as usize][axis];
+        leaves.sort_by(|&a, &b| place(a).total_cmp(&place(b)));
+        leaves
+    });
+    let mut second = vec![false; rows_of.len()];
+    let mut open = vec![sorted];
+    while let Some(set) = open.pop() {
+        let cut = if set[0].len() > WHOLE { dissection.best_cut(&set, exec)? } else { None };
+        let Some((axis, k)) = cut else {
+            dissection.place(&set[0], |_, _| true);
+            continue;
+        };
+        let (low, high) = set[axis].split_at(k);
+        high.iter().for_each(|&leaf| second[leaf as usize] = true);
+        exec.look((2 * set[axis].len() * UNKNOWNS) as u64)?;
+        dissection.separate(low, high);
+        let parts = [false, true].map(|part| {
+            set.each_ref().map(|leaves| leaves.iter().copied().filter(|&leaf| second[leaf as usize] == part).collect())
+        });
+        high.iter().for_each(|&leaf| second[leaf as usize] = false);
+        open.extend(parts);
+    }
+    Ok(dissection.order)
+}
+
+/// What is placed so far.
+#[derive(Debug)]
+struct Dissection<'a> {
+    rows_of: &'a [[u32; UNKNOWNS]],
+    order: Vec<u32>,
+    /// Number of rows that have no place yet; they come before all others.
+    left: usize,
+    placed: Vec<bool>,
+    /// Positions of a row's first and last leaf in a set; `NONE` is the first one between two uses.
+    first: Vec<u32>,
+    last: Vec<u32>,
+}
+
+impl Dissection<'_> {
+    /// Calls `visit` with each leaf's position and each of its rows that has no place yet.
+    fn visit(&mut self, leaves: &[u32], mut visit: impl FnMut(&mut Self, u32, usize)) {
+        for (position, &leaf) in leaves.iter().enumerate() {
+            for row in self.rows_of[leaf as usize] {
+                if row != NONE && !self.placed[row as usize] {
+                    visit(self, position as u32, row as usize);
+                }
+            }
+        }
+    }
+
+    /// Places the rows of the leaves for which `chosen` holds, at the end of what is left.
+    fn place(&mut self, leaves: &[u32], chosen: impl Fn(&Self, usize) -> bool) {
+        self.visit(leaves, |own, _, row| {
+            if chosen(own, row) {
+                own.left -= 1;
+                own.order[own.left] = row as u32;
+                own.placed[row] = true;
+            }
+        });
+    }
+
+    /// Places the rows that both parts have.
+    fn separate(&mut self, low: &[u32], high: &[u32]) {
+        self.visit(low, |own, _, row| own.first[row] = 0);
+        self.place(high, |own, row| own.first[row] == 0);
+        low.iter().for_each(|&leaf| {
+            self.rows_of[leaf as usize]
+                .iter()
+                .filter(|&&row| row != NONE)
+                .for_each(|&row| self.first[row as usize] = NONE);
+        });
+    }
+
+    /// The axis and the number of leaves below the plane for which few rows separate two parts of similar size.
+    fn best_cut(&mut self, set: &[Vec<u32>; 3], exec: &Execution) -> Result<Option<(usize, usize)>, Interruption> {
+        let count = set[0].len();
+        let least = ((count as f64 * LEAST_PART) as usize).max(1);
+        let mut best: Option<(f64, usize, usize)> = None;
+        for (axis, leaves) in set.iter().enumerate() {
+            exec.look((leaves.len() * UNKNOWNS) as u64)?;
+            let mut rows = Vec::new();
+            self.visit(leaves, |own, position, row| {
+                if own.first[row] == NONE {
+                    own.first[row] = position;
+                    rows.push(row);
+                }
+                own.last[row] = position;
+            });
+            // How the number of rows on both sides changes from one plane to the next.
+            let mut change = vec![0i32; count + 1];
+            for row in rows {
+                change[self.first[row] as usize + 1] += 1;
+                change[self.last[row] as usize + 1] -= 1;
+                self.first[row] = NONE;
+            }
+            let mut separating = 0;
+            for (k, by) in change.into_iter().enumerate() {
+                separating += by;
+                if k >= least && k + least <= count {
+                    let cost = f64::from(separating) / ((k * (count - k)) as f64).sqrt();
+                    if best.is_none_or(|(least_cost, ..)| cost < least_cost) {
+                        best = Some((cost, axis, k));
+                    }
+                }
+            }
+        }
+        Ok(best.map(|(_, axis, k)| (axis, k)))
+    }
+}

@@ -1,0 +1,196 @@
+//! The bound as a theorem: upper bounds of |curl A| and a lower bound of ∮A, in interval arithmetic.
+//!
+//! **|curl A|.** The curl is linear on a tetrahedron and |·| is convex, so its values at the four vertices suffice. It is
+//! bounded in all tetrahedra that meet the half-spaces' intersection (`hull`).
+//!
+//! **∮A.** A segment of the boundary is followed through the mesh by rounded barycentric coordinates. Coordinates that
+//! do not vanish together stand for an exact point of the tetrahedron, their weighted mean of its vertices, so rounded
+//! coordinates describe *another* polygon exactly: it follows the given one within rounding, and each of its pieces
+//! lies in one tetrahedron, where the integral has a closed form. Where a piece ends and the next one starts, only the
+//! coordinates at vertices that both tetrahedra have are kept, so that both mean the same point. Between the two
+//! polygons lies a strip of triangles. It is thinner than the distance of all unconstrained tetrahedra from the polygons (else
+//! there is no bound). As |curl A| <= 1 in the strip, the two circulations differ by at most the strip's area, which is
+//! bounded too. In a frame of its own the given polygon is known up to intervals, and the bound is divided by what the axes,
+//! which are perpendicular only up to rounding, can add to an area.
+
+use super::bisection::{BisectionMesh, EDGES, Piece};
+use super::element::{EVEN, Orientation, UNKNOWNS};
+use super::interval::{Interval, IntervalVector};
+use super::space::Space;
+use super::symmetry::{self, Frame};
+use plateau_mesh::DVec3;
+
+/// The unknowns of the leaf in order.
+fn local(space: &Space, field: &[f64], leaf: usize) -> [f64; UNKNOWNS] {
+    space.unknowns[leaf].map(|unknown| field[unknown as usize])
+}
+
+/// An upper bound of |curl A| in the constrained leaves.
+pub(super) fn largest_curl(space: &Space, field: &[f64]) -> f64 {
+    let mut largest: f64 = 0.0;
+    for &leaf in &space.constrained {
+        let leaf = leaf as usize;
+        let corners = &space.corners[leaf];
+        let values = local(space, field, leaf).map(Interval::exactly);
+        let [a, b, c, d] = corners.map(IntervalVector::exactly);
+        let volume = (b - a).cross(c - a).dot(d - a);
+        for at in curl_numerators(*corners, &values, &space.orientations[leaf]) {
+            let curl = (at.length_squared() / volume.square()).sqrt().high;
+            largest = if curl.is_nan() { f64::INFINITY } else { largest.max(curl) };
+        }
+    }
+    largest
+}
+
+/// Six times the signed volume times the curl at each vertex.
+fn curl_numerators(
+    corners: [DVec3; 4],
+    values: &[Interval; UNKNOWNS],
+    orientation: &Orientation,
+) -> [IntervalVector; 4] {
+    let mut result = [IntervalVector::ZERO; 4];
+    // For each vertex the coefficient of ∇λi × ∇λj.
+    let mut coefficients = [[[Interval::ZERO; 4]; 4]; 4];
+    for (p, at) in coefficients.iter_mut().enumerate() {
+        for (e, [a, b]) in EDGES.into_iter().enumerate() {
+            let value = values[e].times(2.0);
+            at[a][b] = if orientation.ascending[e] { value } else { -value };
+        }
+        for (f, [i, j, k]) in orientation.faces.into_iter().enumerate() {
+            let (first, second) = (values[6 + 2 * f], values[7 + 2 * f]);
+            if p == i {
+                at[j][k] = at[j][k] - first + second.times(2.0);
+            } else if p == j {
+                at[k][i] = at[k][i] - first - second;
+            } else if p == k {
+                at[i][j] = at[i][j] + first.times(2.0) - second;
+            }
+        }
+    }
+    let corner = corners.map(IntervalVector::exactly);
+    for (at, out) in coefficients.iter().zip(&mut result) {
+        for [i, j, k, l] in EVEN {
+            *out = *out + (corner[l] - corner[k]).scaled(at[i][j] - at[j][i]);
+        }
+    }
+    result
+}
+
+/// A piece of the polygon that stands for the given one.
+#[derive(Clone, Copy, Debug)]
+struct Link {
+    piece: Piece,
+    /// The given segment, in the mesh's frame.
+    segment: [IntervalVector; 2],
+}
+
+/// A lower bound of the area of all surfaces bounded by closed polygons: the circulation of a field with |curl| <= 1; `None` if
+/// the tracing lost its way by more than `margin`. The field may be given in a frame of its own.
+pub(super) fn least_area(
+    space: &Space,
+    mesh: &BisectionMesh,
+    field: &[f64],
+    loops: &[Vec<DVec3>],
+    frame: Option<&Frame>,
+    margin: f64,
+) -> Option<f64> {
+    let rounded = |point| symmetry::place(frame, point);
+    let exact = |point| frame.map_or_else(|| IntervalVector::exactly(point), |frame| frame.place_rigorously(point));
+    let mut sum = Interval::ZERO;
+    for points in loops {
+        let mut links: Vec<Link> = Vec::new();
+        for (k, &from) in points.iter().enumerate() {
+            let to = points[(k + 1) % points.len()];
+            let segment = [from, to].map(exact);
+            let pieces = mesh.trace(rounded(from), rounded(to));
+            links.extend(pieces.into_iter().map(|piece| Link { piece, segment }));
+        }
+        close(mesh, &mut links)?;
+        for link in &links {
+            let Piece { leaf, from, to, flips, .. } = link.piece;
+            let leaf = leaf as usize;
+            let along = integral(&local(space, field, leaf), from, to, &space.orientations[leaf]);
+            sum = sum + along.times(mesh.mirrors().sign(flips));
+            let strip = strip_area(&space.corners[leaf].map(|corner| mesh.reflect(corner, flips)), link, margin)?;
+            sum = sum + Interval { low: -strip, high: strip };
+        }
+    }
+    let area = frame.map_or(sum, |frame| Interval::exactly(sum.low.max(0.0)) / frame.enlargement());
+    area.low.is_finite().then_some(area.low)
+}
+
+/// Makes the end of every piece and the start of the next one the same point.
+fn close(mesh: &BisectionMesh, links: &mut [Link]) -> Option<()> {
+    for k in 0..links.len() {
+        let next = (k + 1) % links.len();
+        let (here, there) = (links[k].piece, links[next].piece);
+        let (own, other) = (mesh.leaf_vertices(here.leaf as usize), mesh.leaf_vertices(there.leaf as usize));
+        let (mut to, mut from) = ([0.0; 4], [0.0; 4]);
+        // A vertex of both leaves is one of their mirror images too if it lies in the planes between them.
+        let between = BisectionMesh::planes_between(here.flips, there.flips);
+        for (i, vertex) in own.iter().enumerate() {
+            if mesh.planes_at(*vertex) & between != between {
+                continue;
+            }
+            if let Some(j) = other.iter().position(|v| v == vertex) {
+                (to[i], from[j]) = (here.to[i], here.to[i]);
+            }
+        }
+        if to.iter().sum::<f64>() < 0.5 {
+            return None;
+        }
+        links[k].piece.to = to;
+        links[next].piece.from = from;
+    }
+    Some(())
+}
+
+fn sum_of(at: [f64; 4]) -> Interval {
+    at.into_iter().fold(Interval::ZERO, |sum, x| sum + Interval::exactly(x))
+}
+
+/// The integral along a straight piece between two weighted means of the vertices.
+fn integral(values: &[f64; UNKNOWNS], from: [f64; 4], to: [f64; 4], orientation: &Orientation) -> Interval {
+    let (from_sum, to_sum) = (sum_of(from), sum_of(to));
+    let from = from.map(|x| Interval::exactly(x) / from_sum);
+    let to = to.map(|x| Interval::exactly(x) / to_sum);
+    let whitney = |i: usize, j: usize| from[i] * to[j] - from[j] * to[i];
+    let mut sum = Interval::ZERO;
+    for (e, [a, b]) in EDGES.into_iter().enumerate() {
+        let along = if orientation.ascending[e] { whitney(a, b) } else { whitney(b, a) };
+        sum = sum + Interval::exactly(values[e]) * along;
+    }
+    for (f, [i, j, k]) in orientation.faces.into_iter().enumerate() {
+        let first = (from[k] + to[k]) * whitney(i, j);
+        let second = (from[i] + to[i]) * whitney(j, k);
+        let twice = Interval::exactly(values[6 + 2 * f]) * first + Interval::exactly(values[7 + 2 * f]) * second;
+        sum = sum + twice.times(0.5);
+    }
+    sum
+}
+
+/// An upper bound of the area of two triangles between a piece and the part of the given segment that it stands for; `None` if
+/// the piece may be farther away than `margin`.
+fn strip_area(corners: &[DVec3; 4], link: &Link, margin: f64) -> Option<f64> {
+    let [origin, end] = link.segment;
+    let along = end - origin;
+    let given = |t: f64| {
+        // The ends are the given points themselves.
+        if t == 1.0 { end } else { origin + along.scaled(Interval::exactly(t)) }
+    };
+    let point = |at: [f64; 4]| {
+        let sum = sum_of(at);
+        let mut point = IntervalVector::ZERO;
+        for (corner, x) in corners.iter().zip(at) {
+            point = point + (IntervalVector::exactly(*corner) - origin).scaled(Interval::exactly(x) / sum);
+        }
+        point + origin
+    };
+    let [t0, t1] = link.piece.range;
+    let (c0, c1) = (given(t0), given(t1));
+    let (q0, q1) = (point(link.piece.from), point(link.piece.to));
+    let bound = |a: f64, b: f64| Interval::exactly(a) * Interval::exactly(b);
+    let (start, end) = ((q0 - c0).length_at_most(), (q1 - c1).length_at_most());
+    let twice = bound((c1 - c0).length_at_most(), end) + bound((q1 - q0).length_at_most(), start);
+    (start.max(end) <= margin).then(|| twice.times(0.5).high)
+}

@@ -1,0 +1,344 @@
+//! Planes of symmetry of a boundary that are perpendicular to each other.
+//!
+//! A reflection σ at such a plane maps the boundary Γ to itself, in the same direction (s = 1) or in the other one (s = -1). The
+//! field s σ*A has the circulation of A and curls of the same lengths, and so has the mean of both, or shorter ones: the
+//! largest circulation is reached by a field that is its own image. This field is known on both sides of the plane if it
+//! is known on one of them. Where s = -1, its tangential component vanishes in the plane.
+//!
+//! A mesh on one side of every plane has a half, a quarter or an eighth of the tetrahedra, so that the same budget affords
+//! finer ones. The proof does not need the symmetry: any field is good, and its circulation is that around the given boundary.
+//!
+//! The planes are perpendicular to the axes of the mesh. Where the boundary has more of them in other directions, the mesh has
+//! axes of its own (`Frame`). Other symmetries, like half turns, are not used.
+
+use super::interval::{Interval, IntervalVector};
+use glam::BVec3;
+use plateau_mesh::execution::Interruption;
+use plateau_mesh::{DVec3, Execution};
+
+/// A vertex is the mirror image of another one if they differ by this fraction of the boundary's size at most, as they do after
+/// coordinates of a few metres were rounded to millimetres. A symmetrical field bounds the area of half a film and half its mirror
+/// image together. Where the symmetry holds only roughly, that is the film's own area up to a term of second order.
+const TOLERANCE: f64 = 5e-4;
+/// Largest cosine between the normals of two planes that are taken for perpendicular. Normals are less accurate than points,
+/// and the axes are made perpendicular afterwards.
+const PERPENDICULAR: f64 = 1e-3;
+/// Planes in all directions are looked for in boundaries of this number of points at most, because the time can rise with its
+/// square.
+const MOST_POINTS: usize = 5_000;
+
+/// A plane of symmetry of a field, perpendicular to an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mirror {
+    /// 0, 1 or 2.
+    pub axis: usize,
+    /// The coordinate of the plane.
+    pub at: f64,
+    /// The field on the other side is this number times the pull-back of the field: 1 or -1.
+    pub sign: i8,
+}
+
+/// For each axis what the reflection at the plane through the middle of the boundary does to it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Mirrors {
+    /// The mean of all vertices, through which every plane of symmetry passes.
+    pub middle: DVec3,
+    /// 1 if the boundary keeps its direction, -1 if it changes, 0 if the boundary is not symmetrical.
+    signs: [i8; 3],
+}
+
+impl Mirrors {
+    /// The symmetries of oriented closed polygons whose mean of all vertices is `middle`.
+    pub fn of(loops: &[Vec<DVec3>], middle: DVec3) -> Self {
+        let tolerance = tolerance(loops);
+        let sign = |axis: usize| {
+            let images = Plane { normal: DVec3::AXES[axis], middle }.images(loops, tolerance)?;
+            images.iter().all(|image| image.sign == images[0].sign).then_some(images[0].sign)
+        };
+        Self { middle, signs: std::array::from_fn(|axis| sign(axis).unwrap_or(0)) }
+    }
+
+    /// The axes that have a plane of symmetry.
+    pub fn axes(&self) -> BVec3 {
+        BVec3::from_array(self.signs.map(|sign| sign != 0))
+    }
+
+    /// The axes on whose planes the field changes its sign, a bit for each.
+    pub fn odd(&self) -> u8 {
+        (0..3).filter(|&axis| self.signs[axis] < 0).map(|axis| 1 << axis).sum()
+    }
+
+    /// Number of mirror images of a place, itself included.
+    pub fn images(&self) -> usize {
+        1 << self.axes().bitmask().count_ones()
+    }
+
+    /// What an integral of the field along a curve is multiplied with for the curve's mirror image; `flips` is -1 along the
+    /// axes that are reflected.
+    pub fn sign(&self, flips: DVec3) -> f64 {
+        (0..3).filter(|&axis| flips[axis] < 0.0).map(|axis| f64::from(self.signs[axis])).product()
+    }
+
+    /// The part of a constant curl that a symmetrical field can have.
+    pub fn symmetrical(&self, curl: DVec3) -> DVec3 {
+        (0..3).fold(curl, |curl, axis| {
+            let along = BVec3::from_array(std::array::from_fn(|k| k == axis));
+            match self.signs[axis] {
+                -1 => DVec3::select(along, DVec3::ZERO, curl),
+                1 => DVec3::select(along, curl, DVec3::ZERO),
+                _ => curl,
+            }
+        })
+    }
+
+    /// For each mirror image of a place -1 along the axes that are reflected, else 1.
+    pub fn flips(&self) -> Vec<DVec3> {
+        let mut flips = vec![DVec3::ONE];
+        for axis in (0..3).filter(|&axis| self.signs[axis] != 0) {
+            flips.extend(flips.iter().map(|&flip| flip - 2.0 * flip * DVec3::AXES[axis]).collect::<Vec<_>>());
+        }
+        flips
+    }
+
+    /// The planes through a point.
+    pub fn planes(&self, point: DVec3) -> Vec<Mirror> {
+        let mirror = |axis: usize| Mirror { axis, at: point[axis], sign: self.signs[axis] };
+        (0..3).filter(|&axis| self.signs[axis] != 0).map(mirror).collect()
+    }
+}
+
+/// The mean of all vertices: reflections of a symmetrical boundary leave it where it is.
+pub(super) fn middle(loops: &[Vec<DVec3>]) -> DVec3 {
+    let start = loops[0][0];
+    let (sum, count) = loops.iter().flatten().fold((DVec3::ZERO, 0.0), |(sum, n), &p| (sum + (p - start), n + 1.0));
+    start + sum / count
+}
+
+fn tolerance(loops: &[Vec<DVec3>]) -> f64 {
+    let size = loops.iter().flatten().fold(0.0, |size: f64, p| size.max(p.distance(loops[0][0])));
+    TOLERANCE * size
+}
+
+/// A plane through a point.
+#[derive(Clone, Copy, Debug)]
+struct Plane {
+    /// Of length 1.
+    normal: DVec3,
+    middle: DVec3,
+}
+
+/// Where the mirror image of a closed polygon lies: on another one or on itself.
+#[derive(Clone, Copy, Debug)]
+struct Image {
+    on: usize,
+    /// The vertex on which the image of the first one lies.
+    start: usize,
+    /// 1 if the image has the direction of the polygon on which it lies, else -1.
+    sign: i8,
+}
+
+impl Image {
+    /// The vertex on which the image of vertex k lies, of so many vertices.
+    fn vertex(&self, k: usize, count: usize) -> usize {
+        if self.sign > 0 { (self.start + k) % count } else { (self.start + count - k) % count }
+    }
+}
+
+impl Plane {
+    fn reflected(&self, points: &[DVec3]) -> Vec<DVec3> {
+        points.iter().map(|&p| p - self.normal * (2.0 * self.normal.dot(p - self.middle))).collect()
+    }
+
+    /// The image of each closed polygon; `None` if there is an image that lies on none of them.
+    fn images(&self, loops: &[Vec<DVec3>], tolerance: f64) -> Option<Vec<Image>> {
+        let image = |points: &Vec<DVec3>| {
+            let reflected = self.reflected(points);
+            (0..loops.len()).find_map(|on| image_on(&reflected, &loops[on], on, tolerance))
+        };
+        loops.iter().map(image).collect()
+    }
+
+    /// The plane whose normal is the mean direction from vertices to their images.
+    fn improved(self, loops: &[Vec<DVec3>], images: &[Image], tolerance: f64) -> Self {
+        let (mut sum, mut all) = (DVec3::ZERO, 0.0);
+        for (points, image) in loops.iter().zip(images) {
+            for (k, &point) in points.iter().enumerate() {
+                let way = loops[image.on][image.vertex(k, points.len())] - point;
+                sum += way * way.dot(self.normal).signum();
+                all += 1.0;
+            }
+        }
+        // Vertices in the plane are their own images and say nothing about the normal.
+        if sum.length() > all * tolerance { Self { normal: sum.normalize(), ..self } } else { self }
+    }
+}
+
+/// How the mirror image of a closed polygon lies on another polygon, if it does.
+fn image_on(image: &[DVec3], points: &[DVec3], on: usize, tolerance: f64) -> Option<Image> {
+    let count = points.len();
+    if image.len() != count {
+        return None;
+    }
+    let starts = (0..count).filter(|&start| image[0].distance(points[start]) <= tolerance);
+    let candidates = starts.flat_map(|start| [1, -1].map(|sign| Image { on, start, sign }));
+    let lies_on = |of: &Image| (0..count).all(|k| image[k].distance(points[of.vertex(k, count)]) <= tolerance);
+    candidates.into_iter().find(|candidate| lies_on(candidate))
+}
+
+/// A rotation to other axes: x becomes the products of the axes with x - origin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// The point that becomes zero.
+    pub origin: DVec3,
+    /// Three directions, perpendicular to each other and of length 1 up to rounding.
+    pub axes: [DVec3; 3],
+}
+
+/// A point in a frame, or as it is.
+pub(super) fn place(frame: Option<&Frame>, point: DVec3) -> DVec3 {
+    frame.map_or(point, |frame| frame.turn(point - frame.origin))
+}
+
+impl Frame {
+    /// Axes along which the boundary has more planes of symmetry than along the given ones, if there are any.
+    ///
+    /// # Errors
+    /// An interruption by the caller.
+    pub(super) fn of(loops: &[Vec<DVec3>], exec: &Execution) -> Result<Option<Self>, Interruption> {
+        let middle = middle(loops);
+        let points = || loops.iter().flatten().copied();
+        let count = points().count();
+        let have = Mirrors::of(loops, middle).axes().bitmask().count_ones() as usize;
+        if count > MOST_POINTS || have == 3 {
+            return Ok(None);
+        }
+        let farthest = |from: &dyn Fn(DVec3) -> f64| {
+            points().fold(middle, |best, p| if from(p - middle) > from(best - middle) { p } else { best })
+        };
+        let first = farthest(&|p| p.length_squared());
+        let second = farthest(&|p| p.cross(first - middle).length_squared());
+        // A plane of symmetry lies between the first point and its image, or between the second point and its image, or holds
+        // both points.
+        let tolerance = tolerance(loops);
+        let between = |p: DVec3| {
+            points().filter_map(move |q| {
+                let normal = (q - p).try_normalize().filter(|_| q.distance(p) > tolerance)?;
+                (normal.dot(0.5 * (p - middle) + 0.5 * (q - middle)).abs() <= tolerance).then_some(normal)
+            })
+        };
+        let both = (first - middle).cross(second - middle).try_normalize();
+        let mut normals: Vec<DVec3> = Vec::new();
+        for normal in between(first).chain(between(second)).chain(both) {
+            exec.look(4 * count as u64)?;
+            let plane = Plane { normal, middle };
+            if normals.iter().all(|other| other.dot(normal).abs() <= PERPENDICULAR)
+                && let Some(images) = plane.images(loops, tolerance)
+            {
+                normals.push(plane.improved(loops, &images, tolerance).normal);
+            }
+            if normals.len() == 3 {
+                break;
+            }
+        }
+        if normals.len() <= have {
+            return Ok(None);
+        }
+        let x = normals[0];
+        // With one plane only, the second axis points to the point that is farthest from the first one.
+        let y = normals.get(1).copied().unwrap_or_else(|| farthest(&|p| p.cross(x).length_squared()) - middle);
+        let y = (y - x * x.dot(y)).try_normalize();
+        Ok(y.map(|y| Self { origin: middle, axes: [x, y, x.cross(y)] }))
+    }
+
+    /// A vector's components along the axes.
+    pub(super) fn turn(&self, vector: DVec3) -> DVec3 {
+        DVec3::from_array(self.axes.map(|axis| axis.dot(vector)))
+    }
+
+    /// Intervals around the coordinates of a point.
+    pub(super) fn place_rigorously(&self, point: DVec3) -> IntervalVector {
+        let from_origin = IntervalVector::exactly(point) - IntervalVector::exactly(self.origin);
+        IntervalVector(self.axes.map(|axis| IntervalVector::exactly(axis).dot(from_origin)))
+    }
+
+    /// An upper bound of the factor by which the rotation enlarges an area. Without rounding it would be 1.
+    pub(super) fn enlargement(&self) -> Interval {
+        // The largest eigenvalue of RᵀR, and so of R Rᵀ, is at most the largest sum of a row's magnitudes.
+        let sum = |a: &DVec3| {
+            self.axes.iter().fold(Interval::ZERO, |sum, b| {
+                let product = IntervalVector::exactly(*a).dot(IntervalVector::exactly(*b));
+                sum + Interval::exactly(product.low.abs().max(product.high.abs()))
+            })
+        };
+        let most = self.axes.iter().map(|axis| sum(axis).high).fold(1.0, f64::max);
+        Interval { low: 1.0, high: most }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    fn circle(points: usize, at: impl Fn(f64, f64) -> DVec3) -> Vec<DVec3> {
+        (0..points).map(|k| (TAU * k as f64 / points as f64).sin_cos()).map(|(sine, cosine)| at(cosine, sine)).collect()
+    }
+
+    #[test]
+    fn reflections_of_oriented_boundaries_are_found() {
+        let offset = DVec3::new(300.0, -20.0, 7.0);
+        let ring = |z: f64| circle(24, |x, y| offset + DVec3::new(x, y, z));
+        let reversed = |points: Vec<DVec3>| points.into_iter().rev().collect::<Vec<_>>();
+        let signs = |loops: &[Vec<DVec3>]| Mirrors::of(loops, middle(loops)).signs;
+        assert_eq!(signs(&[ring(0.0)]), [-1, -1, 1]);
+        assert_eq!(signs(&[ring(0.0), ring(1.0)]), [-1, -1, 1]);
+        assert_eq!(signs(&[ring(0.0), reversed(ring(1.0))]), [-1, -1, -1]);
+        // The middle ring keeps its direction, and the others change theirs.
+        assert_eq!(signs(&[ring(0.0), ring(0.5), reversed(ring(1.0))]), [-1, -1, 0]);
+        // No reflection, but half turns.
+        assert_eq!(signs(&[circle(24, |x, y| DVec3::new(x, y, x * y))]), [0, 0, 0]);
+        assert_eq!(signs(&[circle(24, |x, y| DVec3::new(x, y, x * x))]), [-1, -1, 0]);
+        assert_eq!(signs(&[circle(24, |x, y| DVec3::new(x + 0.01 * y, y, x * x))]), [0, 0, 0]);
+        // Coordinates that are rounded.
+        let rounded = |p: DVec3| (p * 1e3).round() * 1e-3;
+        assert_eq!(signs(&[circle(24, |x, y| offset + rounded(DVec3::new(x, y, x * x)))]), [-1, -1, 0]);
+        // A regular polygon of 23 sides has one axis.
+        assert_eq!(signs(&[circle(23, |x, y| DVec3::new(x, y, x * x))]), [0, -1, 0]);
+    }
+
+    #[test]
+    fn planes_of_symmetry_in_any_direction_become_planes_across_the_axes() {
+        let x = DVec3::new(0.6, -0.3, 0.5).normalize();
+        let y = x.cross(DVec3::new(0.1, 0.9, 0.2)).normalize();
+        let turned = |p: DVec3| x * p.x + y * p.y + x.cross(y) * p.z + DVec3::new(3e4, -5e4, 120.0);
+        let frame = |loops: &[Vec<DVec3>]| Frame::of(loops, &Execution::default()).unwrap();
+        let planes = |shape: &dyn Fn(f64, f64) -> DVec3, points: usize| {
+            let loops = [circle(points, |x, y| turned(shape(x, y)))];
+            assert_eq!(Mirrors::of(&loops, middle(&loops)).images(), 1);
+            let found = frame(&loops)?;
+            assert!(found.enlargement().high < 1.0 + 1e-14);
+            let placed = loops.map(|points| points.iter().map(|&p| place(Some(&found), p)).collect::<Vec<_>>());
+            for (found_at, given) in placed[0].iter().zip(circle(points, shape)) {
+                let centre = place(Some(&found), turned(DVec3::ZERO));
+                assert!((found_at.distance(centre) - given.length()).abs() < 1e-10);
+            }
+            let mut signs = Mirrors::of(&placed, DVec3::ZERO).signs;
+            signs.sort_unstable();
+            Some(signs)
+        };
+        assert_eq!(planes(&|x, y| DVec3::new(x, 2.0 * y, 0.0), 40), Some([-1, -1, 1]));
+        assert_eq!(planes(&|x, y| DVec3::new(x, y, x * x), 40), Some([-1, -1, 0]));
+        assert_eq!(planes(&|x, y| DVec3::new(x, y, x * x), 23), Some([-1, 0, 0]));
+        // The first and the second point lie in the only plane of symmetry.
+        assert_eq!(planes(&|x, y| DVec3::new(5.0 * x, y, 2.0 * x * x), 12), Some([-1, -1, 0]));
+        assert_eq!(planes(&|x, y| DVec3::new(5.0 * x, y, x * x + x), 12), Some([-1, 0, 0]));
+        assert_eq!(planes(&|x, y| DVec3::new(x, y, x * y * (2.0 + x)), 40), None);
+        let rounded: Vec<DVec3> = circle(96, |x, y| (2e3 * turned(DVec3::new(x, y, x * x))).round());
+        let found = frame(std::slice::from_ref(&rounded)).unwrap();
+        let placed: Vec<DVec3> = rounded.iter().map(|&p| place(Some(&found), p)).collect();
+        assert_eq!(Mirrors::of(&[placed], DVec3::ZERO).images(), 4);
+        // Nothing is gained where the given axes have as many planes.
+        assert_eq!(frame(&[circle(24, |x, y| DVec3::new(x, y, x * x))]), None);
+        assert!(frame(&[circle(24, |x, y| DVec3::new(x, y, x * y))]).is_some());
+    }
+}

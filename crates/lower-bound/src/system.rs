@@ -1,0 +1,210 @@
+//! The symmetric matrix Cᵀ W C of the curl C, with a matrix W for each vertex of a tetrahedron, and its factor.
+
+use super::dissection::{self, NONE};
+use super::element::{self, UNKNOWNS};
+use super::space::Space;
+use glam::DMat3;
+use plateau_mesh::execution::Interruption;
+use plateau_mesh::sparse::{LinearError, Symbolic, SymmetricMatrix};
+use plateau_mesh::{DVec3, Error, Execution};
+
+/// The pattern of the matrix, its analysis, and where each tetrahedron adds to it.
+#[derive(Debug)]
+pub(super) struct System {
+    /// For each unknown its row, or `NONE` for the gauge.
+    row: Vec<u32>,
+    rows: usize,
+    pub(super) matrix: SymmetricMatrix,
+    /// The rows in their order of elimination.
+    #[cfg(test)]
+    pub(super) order: Vec<u32>,
+    /// For each constrained leaf where its entries stand in the matrix.
+    entries: Vec<[u32; UNKNOWNS * UNKNOWNS]>,
+    symbolic: Symbolic,
+}
+
+/// Leaves that are assembled between two looks at the caller's signal: a few milliseconds of work.
+const LEAVES_A_LOOK: usize = 1_000;
+
+/// Rows whose pattern is built between two looks: a few milliseconds of work.
+const ROWS_A_LOOK: u32 = 5_000;
+
+/// Why there is no factor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stop {
+    Interrupted(Interruption),
+    Failed(LinearError),
+}
+
+impl From<Interruption> for Stop {
+    fn from(interruption: Interruption) -> Self {
+        Self::Interrupted(interruption)
+    }
+}
+
+impl From<LinearError> for Stop {
+    fn from(error: LinearError) -> Self {
+        Self::Failed(error)
+    }
+}
+
+impl From<Stop> for Error {
+    fn from(stop: Stop) -> Self {
+        match stop {
+            Stop::Interrupted(interruption) => interruption.into(),
+            Stop::Failed(_) => Self::no_result("internal", "the linear system of the lower bound could not be solved"),
+        }
+    }
+}
+
+impl System {
+    /// # Errors
+    /// The error of the analysis, or an interruption.
+    pub fn of(space: &Space, exec: &Execution) -> Result<Self, Stop> {
+        let mut rows = 0u32;
+        let mut row = vec![NONE; space.count()];
+        for (unknown, row) in row.iter_mut().enumerate() {
+            if !space.gauge[unknown] {
+                *row = rows;
+                rows += 1;
+            }
+        }
+        // The constrained leaves around each row.
+        let mut start = vec![0u32; rows as usize + 1];
+        let numbers = |&leaf: &u32| space.unknowns[leaf as usize].map(|unknown| row[unknown as usize]);
+        let rows_of: Vec<[u32; UNKNOWNS]> = space.constrained.iter().map(numbers).collect();
+        for of in &rows_of {
+            of.iter().filter(|&&r| r != NONE).for_each(|&r| start[r as usize + 1] += 1);
+        }
+        for k in 0..rows as usize {
+            start[k + 1] += start[k];
+        }
+        let mut around = vec![(0u32, 0u8); start[rows as usize] as usize];
+        let mut next = start.clone();
+        for (k, of) in rows_of.iter().enumerate() {
+            for (local, &r) in of.iter().enumerate() {
+                if r != NONE {
+                    around[next[r as usize] as usize] = (k as u32, local as u8);
+                    next[r as usize] += 1;
+                }
+            }
+        }
+        let mut matrix = SymmetricMatrix { row_start: vec![0], ..SymmetricMatrix::default() };
+        let mut entries = vec![[NONE; UNKNOWNS * UNKNOWNS]; rows_of.len()];
+        let mut place = vec![NONE; rows as usize];
+        for r in 0..rows {
+            if r.is_multiple_of(ROWS_A_LOOK) {
+                exec.look(u64::from(ROWS_A_LOOK) * 30)?;
+            }
+            let begin = matrix.columns.len();
+            place[r as usize] = begin as u32;
+            matrix.columns.push(r);
+            for &(k, local) in &around[start[r as usize] as usize..start[r as usize + 1] as usize] {
+                for (other, &column) in rows_of[k as usize].iter().enumerate() {
+                    if column == NONE {
+                        continue;
+                    }
+                    if place[column as usize] == NONE {
+                        place[column as usize] = matrix.columns.len() as u32;
+                        matrix.columns.push(column);
+                    }
+                    entries[k as usize][local as usize * UNKNOWNS + other] = place[column as usize];
+                }
+            }
+            matrix.columns[begin..].iter().for_each(|&column| place[column as usize] = NONE);
+            matrix.row_start.push(matrix.columns.len() as u32);
+        }
+        matrix.values = vec![0.0; matrix.columns.len()];
+        let centroid = |&leaf: &u32| space.corners[leaf as usize].iter().sum::<DVec3>() * 0.25;
+        let centroids: Vec<DVec3> = space.constrained.iter().map(centroid).collect();
+        let order = dissection::order(&rows_of, &centroids, rows as usize, exec)?;
+        exec.look(rows.into())?;
+        let symbolic = Symbolic::analyse(&matrix, Some(&order))?;
+        Ok(Self {
+            row,
+            rows: rows as usize,
+            matrix,
+            #[cfg(test)]
+            order,
+            entries,
+            symbolic,
+        })
+    }
+
+    /// Entries of the factor.
+    pub fn factor_entries(&self) -> usize {
+        self.symbolic.factor_entries()
+    }
+
+    /// Unknowns without the gauge.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// Assembles and factorises the matrix for the weights at the four vertices of each constrained leaf: symmetric positive
+    /// definite matrices.
+    pub fn factorise(
+        &mut self,
+        space: &Space,
+        weight: impl Fn(usize, usize) -> DMat3,
+        storage: &mut Vec<f64>,
+        exec: &Execution,
+    ) -> Result<Factor<'_>, Stop> {
+        self.matrix.values.fill(0.0);
+        for (k, &leaf) in space.constrained.iter().enumerate() {
+            if k.is_multiple_of(LEAVES_A_LOOK) {
+                exec.look((LEAVES_A_LOOK * UNKNOWNS * UNKNOWNS) as u64)?;
+            }
+            let leaf = leaf as usize;
+            let basis = element::basis_curls(space.corners[leaf], &space.orientations[leaf]);
+            let mut local = [[0.0; UNKNOWNS]; UNKNOWNS];
+            for (p, curls) in basis.iter().enumerate() {
+                let weight = weight(k, p);
+                for i in 0..UNKNOWNS {
+                    let weighted = weight * curls[i];
+                    for j in 0..=i {
+                        local[i][j] += weighted.dot(curls[j]);
+                    }
+                }
+            }
+            let entries = &self.entries[k];
+            for i in 0..UNKNOWNS {
+                for j in 0..UNKNOWNS {
+                    let entry = entries[i * UNKNOWNS + j];
+                    if entry != NONE {
+                        self.matrix.values[entry as usize] += local[i.max(j)][i.min(j)];
+                    }
+                }
+            }
+        }
+        let factor = self.symbolic.factorise_into(&self.matrix, std::mem::take(storage))?;
+        Ok(Factor { row: &self.row, factor, rows: self.rows })
+    }
+}
+
+/// One factorised matrix.
+#[derive(Debug)]
+pub(super) struct Factor<'a> {
+    row: &'a [u32],
+    factor: plateau_mesh::sparse::Factorisation<'a>,
+    rows: usize,
+}
+
+impl Factor<'_> {
+    /// Solves for all unknowns; those of the gauge are zero. An inaccurate solution is still a direction of Newton's
+    /// method, whose step the line search decides.
+    pub fn solve(&self, right_hand_side: &[f64]) -> Vec<f64> {
+        let mut reduced = vec![0.0; self.rows];
+        for (&row, &value) in self.row.iter().zip(right_hand_side) {
+            if row != NONE {
+                reduced[row as usize] = value;
+            }
+        }
+        self.factor.solve_unchecked(&mut reduced);
+        self.row.iter().map(|&row| if row == NONE { 0.0 } else { reduced[row as usize] }).collect()
+    }
+
+    pub fn into_storage(self) -> Vec<f64> {
+        self.factor.into_storage()
+    }
+}

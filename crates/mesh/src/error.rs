@@ -1,0 +1,159 @@
+//! Errors, and the places in the input that caused them.
+
+use crate::execution::Interruption;
+use std::fmt;
+
+/// One step of a [`Place`]: the name of a field or an index into a list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Step {
+    /// A field of this name.
+    Field(&'static str),
+    /// The entry of this number, from 0.
+    Index(usize),
+}
+
+/// The place of a value in the input of a solver, for example `boundaries`, 0, 17.
+///
+/// Fields are named like the arguments and options of this crate. A caller maps a place to its own names.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Place(pub Vec<Step>);
+
+impl Place {
+    /// The field of this name.
+    #[must_use]
+    pub fn field(name: &'static str) -> Self {
+        Self(vec![Step::Field(name)])
+    }
+    /// This place extended by an index.
+    #[must_use]
+    pub fn at(mut self, index: usize) -> Self {
+        self.0.push(Step::Index(index));
+        self
+    }
+    /// This place extended by a field.
+    #[must_use]
+    pub fn then(mut self, name: &'static str) -> Self {
+        self.0.push(Step::Field(name));
+        self
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for step in &self.0 {
+            match step {
+                Step::Field(name) => write!(f, "/{name}")?,
+                Step::Index(index) => write!(f, "/{index}")?,
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A value that the solver cannot work with, and the reason. The value itself is not repeated.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct InputError {
+    /// The place of the value.
+    pub place: Place,
+    /// Description of the fault.
+    pub detail: String,
+}
+
+impl InputError {
+    /// An error of the value at a place.
+    pub fn new(place: Place, detail: impl Into<String>) -> Self {
+        Self { place, detail: detail.into() }
+    }
+}
+
+/// Why a solver returned no mesh.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// The input does not meet the requirements in the documentation of the solver. It is found before the work starts
+    /// wherever possible.
+    Input(Vec<InputError>),
+    /// The input is well formed, but no valid mesh could be made.
+    NoResult {
+        /// A short name of the reason, stable, in snake case: `self_intersecting_boundary`.
+        reason: &'static str,
+        /// Description of the fault in the geometry, and what to try.
+        detail: String,
+        /// The values that caused it, if they are known.
+        places: Vec<InputError>,
+    },
+    /// The caller asked to stop, or its deadline passed before there was a valid mesh.
+    Interrupted(Interruption),
+}
+
+impl Error {
+    /// [`Error::Input`] with one value.
+    pub fn input(place: Place, detail: impl Into<String>) -> Self {
+        Self::Input(vec![InputError::new(place, detail)])
+    }
+    /// [`Error::NoResult`] without places.
+    pub fn no_result(reason: &'static str, detail: impl Into<String>) -> Self {
+        Self::NoResult { reason, detail: detail.into(), places: Vec::new() }
+    }
+}
+
+impl From<Interruption> for Error {
+    fn from(interruption: Interruption) -> Self {
+        Self::Interrupted(interruption)
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Input(errors) => {
+                for (k, error) in errors.iter().enumerate() {
+                    let separator = if k == 0 { "" } else { "; " };
+                    write!(f, "{separator}{}: {}", error.place, error.detail)?;
+                }
+                Ok(())
+            }
+            Self::NoResult { reason, detail, .. } => write!(f, "{reason}: {detail}"),
+            Self::Interrupted(Interruption::Cancelled) => f.write_str("cancelled"),
+            Self::Interrupted(Interruption::DeadlinePassed) => f.write_str("the deadline passed"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// A fact about the input or the result that the caller should know although the solve succeeded.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Warning {
+    /// A stable name in snake case: `folds`, `merged_points`, `not_converged`.
+    pub code: &'static str,
+    /// Description of the fact.
+    pub detail: String,
+}
+
+impl Warning {
+    /// A warning of this code.
+    pub fn new(code: &'static str, detail: impl Into<String>) -> Self {
+        Self { code, detail: detail.into() }
+    }
+
+    /// The warning that `count` points were merged with their neighbours, of the given directrix where there are several
+    /// polylines to choose from.
+    pub fn merged_points(count: usize, directrix: Option<usize>) -> Self {
+        let place = directrix.map_or(String::new(), |k| format!("directrix {k}: "));
+        let merged = if count == 1 {
+            "1 point was merged with its neighbour, because the two are equal or nearly equal".to_owned()
+        } else {
+            format!("{count} points were merged with their neighbours, because they are equal or nearly equal")
+        };
+        Self::new("merged_points", place + &merged)
+    }
+
+    /// The warning that points were projected onto their plane, from which they were up to `distance` away.
+    pub fn projected(what: &str, distance: f64) -> Self {
+        let detail = format!(
+            "{what} is not quite plane and was projected onto its plane: points were moved by up to {distance:.6e}, in the \
+             unit of the coordinates"
+        );
+        Self::new("projected", detail)
+    }
+}

@@ -1,0 +1,160 @@
+//! The channel between a solver and its caller: progress is reported, and a request to stop is received.
+
+use std::cell::Cell;
+use std::fmt;
+
+/// The request of the caller to a running solver.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Signal {
+    /// Continue.
+    Continue,
+    /// Stop and return nothing.
+    Cancel,
+    /// Time is used up: stop, and return the valid mesh reached so far if there is one.
+    Deadline,
+}
+
+/// Why a solver stopped early.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Interruption {
+    /// The caller wants no result.
+    Cancelled,
+    /// The caller's time is used up.
+    DeadlinePassed,
+}
+
+/// The progress of a solver.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// 0 to 1, never falling within one solve.
+    pub fraction: f64,
+    /// The solver's phase: `initial_mesh`, `newton`, `strip`.
+    pub phase: &'static str,
+    /// Number of iterations so far, as the phase counts them.
+    pub iteration: u64,
+    /// The value of the objective, if it is known.
+    pub objective_value: Option<f64>,
+    /// The residual, if it is known.
+    pub residual: Option<f64>,
+}
+
+/// The channel between a solver and its caller.
+///
+/// A solver calls [`look`](Self::look) at least every 50 ms on real hardware, except during one sparse factorisation,
+/// and passes the amount of work since the last look. Tests read
+/// [`largest_work_between_looks`](Self::largest_work_between_looks), which checks this promise without a clock.
+pub struct Execution<'a> {
+    signal: &'a dyn Fn() -> Signal,
+    report: &'a dyn Fn(Progress),
+    work: Cell<u64>,
+    largest_work: Cell<u64>,
+    looks: Cell<u64>,
+}
+
+impl fmt::Debug for Execution<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Execution").field("looks", &self.looks).field("largest_work", &self.largest_work).finish()
+    }
+}
+
+impl<'a> Execution<'a> {
+    /// Makes an execution that calls `signal` at every look and passes progress to `report`.
+    #[inline]
+    pub fn new(signal: &'a dyn Fn() -> Signal, report: &'a dyn Fn(Progress)) -> Self {
+        Self { signal, report, work: Cell::new(0), largest_work: Cell::new(0), looks: Cell::new(0) }
+    }
+
+    /// Asks the caller whether to continue. `work` is the number of elementary operations (visited cells or triangles)
+    /// since the last look.
+    ///
+    /// # Errors
+    /// The interruption, if the caller wants the solver to stop.
+    #[inline]
+    pub fn look(&self, work: u64) -> Result<(), Interruption> {
+        self.looks.set(self.looks.get() + 1);
+        self.work.set(self.work.get() + work);
+        self.largest_work.set(self.largest_work.get().max(work));
+        match (self.signal)() {
+            Signal::Continue => Ok(()),
+            Signal::Cancel => Err(Interruption::Cancelled),
+            Signal::Deadline => Err(Interruption::DeadlinePassed),
+        }
+    }
+
+    /// Reports progress to the caller.
+    #[inline]
+    pub fn report(&self, progress: Progress) {
+        (self.report)(progress);
+    }
+
+    /// Runs a part of a solve. The progress of the part, from 0 to 1, is reported as an interval of the whole progress,
+    /// from the first number of `span` to the second. Its looks are counted here too.
+    pub fn part<R>(&self, span: [f64; 2], work: impl FnOnce(&Execution) -> R) -> R {
+        self.section(None, span, work)
+    }
+
+    /// The same as [`part`](Self::part) with every report under the name of one phase.
+    pub fn part_as<R>(&self, phase: &'static str, span: [f64; 2], work: impl FnOnce(&Execution) -> R) -> R {
+        self.section(Some(phase), span, work)
+    }
+
+    fn section<R>(&self, phase: Option<&'static str>, [from, to]: [f64; 2], work: impl FnOnce(&Execution) -> R) -> R {
+        let report = |progress: Progress| {
+            let fraction = from + (to - from) * progress.fraction.clamp(0.0, 1.0);
+            self.report(Progress { fraction, phase: phase.unwrap_or(progress.phase), ..progress });
+        };
+        let part = Execution::new(self.signal, &report);
+        let result = work(&part);
+        self.looks.set(self.looks.get() + part.looks.get());
+        self.work.set(self.work.get() + part.work.get());
+        self.largest_work.set(self.largest_work.get().max(part.largest_work.get()));
+        result
+    }
+
+    /// Total work that was passed to [`look`](Self::look).
+    #[inline]
+    pub fn work(&self) -> u64 {
+        self.work.get()
+    }
+
+    /// Number of looks so far.
+    #[inline]
+    pub fn looks(&self) -> u64 {
+        self.looks.get()
+    }
+
+    /// Largest amount of work between two looks.
+    #[inline]
+    pub fn largest_work_between_looks(&self) -> u64 {
+        self.largest_work.get()
+    }
+}
+
+impl Default for Execution<'static> {
+    /// Never stops the solver and drops its progress.
+    fn default() -> Self {
+        Self::new(&|| Signal::Continue, &|_| {})
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::RefCell;
+
+    #[test]
+    fn a_part_reports_into_its_share_and_counts_its_looks() {
+        let seen = RefCell::new(Vec::new());
+        let report = |progress: Progress| seen.borrow_mut().push(progress.fraction);
+        let exec = Execution::new(&|| Signal::Continue, &report);
+        exec.look(3).unwrap();
+        exec.part([0.5, 0.75], |part| {
+            part.look(7).unwrap();
+            for fraction in [0.0, 0.5, 1.0] {
+                part.report(Progress { fraction, phase: "p", iteration: 0, objective_value: None, residual: None });
+            }
+        });
+        assert_eq!((exec.looks(), exec.largest_work_between_looks(), exec.work()), (2, 7, 10));
+        assert_eq!(*seen.borrow(), [0.5, 0.625, 0.75]);
+    }
+}

@@ -1,0 +1,140 @@
+//! The working state of a solver: a mesh between its boundaries, and which of its vertices and edges are fixed.
+
+use crate::measure;
+use crate::topology::{Defect, NONE, Topology};
+use crate::{DVec3, Mesh};
+
+/// A mesh between its boundaries while a solver works on it. Positions are relative to the mean of the boundary points.
+///
+/// The input points of the boundaries come first among the vertices. The initial mesh decides where points that were
+/// added on the boundary stand.
+#[derive(Clone, Debug)]
+pub struct Film {
+    pub vertices: Vec<DVec3>,
+    pub topology: Topology,
+    /// Vertices that never move: the boundary, and points that the caller fixed.
+    pub fixed: Vec<bool>,
+    /// Edges that must stay, each with its smaller vertex first, sorted. Boundary edges always stay and are not listed.
+    pub locked: Vec<[u32; 2]>,
+    /// The boundary loops, in the order and direction of the input.
+    pub boundaries: Vec<Vec<u32>>,
+}
+
+impl Film {
+    /// A film without constraints: the boundary loops are fixed, and all other vertices move. `None` if the triangles
+    /// do not form a manifold.
+    #[inline]
+    pub fn new(vertices: Vec<DVec3>, triangles: &[[u32; 3]], boundaries: Vec<Vec<u32>>) -> Option<Self> {
+        let topology = Topology::build(triangles, vertices.len()).ok()?;
+        let mut fixed = vec![false; vertices.len()];
+        for &vertex in boundaries.iter().flatten() {
+            fixed[vertex as usize] = true;
+        }
+        Some(Self { vertices, topology, fixed, locked: Vec::new(), boundaries })
+    }
+
+    #[inline]
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        self.topology.triangles()
+    }
+
+    #[inline]
+    pub fn corners(&self, triangle: [u32; 3]) -> [DVec3; 3] {
+        triangle.map(|vertex| self.vertices[vertex as usize])
+    }
+
+    #[inline]
+    pub fn area(&self) -> f64 {
+        self.triangles().iter().map(|&t| 0.5 * measure::double_area_vector(self.corners(t)).length()).sum()
+    }
+
+    /// Number of triangles whose normal points against the sum of their vertex normals.
+    #[inline]
+    pub fn flipped_triangles(&self) -> usize {
+        let normals = measure::normals(&self.vertices, self.triangles());
+        measure::count_flipped(&self.vertices, self.triangles(), &normals)
+    }
+
+    /// R: the largest distance of a boundary vertex from the mean of the boundary vertices.
+    #[inline]
+    pub fn radius(&self) -> f64 {
+        let points: Vec<DVec3> = self.boundaries.iter().flatten().map(|&v| self.vertices[v as usize]).collect();
+        let mean = crate::polyline::mean(&points);
+        points.iter().map(|point| point.distance(mean)).fold(0.0, f64::max)
+    }
+
+    /// Whether the edge between two vertices must stay.
+    #[inline]
+    pub fn is_locked(&self, a: u32, b: u32) -> bool {
+        !self.locked.is_empty() && self.locked.binary_search(&[a.min(b), a.max(b)]).is_ok()
+    }
+
+    /// Renumbers what changes of the connectivity have left: without the triangles that were taken out, and without the
+    /// vertices that lost their last triangle, fixed ones apart. The order stays.
+    ///
+    /// # Errors
+    /// The defect, if what is left is no oriented manifold; the film is as it was then.
+    #[inline]
+    pub fn close_gaps(&mut self) -> Result<(), Defect> {
+        let stays = |v: usize| self.fixed[v] || self.topology.outgoing[v] != NONE;
+        let kept: Vec<usize> = (0..self.vertices.len()).filter(|&v| stays(v)).collect();
+        let mut place = vec![NONE; self.vertices.len()];
+        kept.iter().enumerate().for_each(|(new, &old)| place[old] = new as u32);
+        let left = self.triangles().iter().filter(|triangle| triangle[0] != NONE);
+        let triangles: Vec<[u32; 3]> = left.map(|triangle| triangle.map(|v| place[v as usize])).collect();
+        self.topology = Topology::build(&triangles, kept.len())?;
+        self.vertices = kept.iter().map(|&v| self.vertices[v]).collect();
+        self.fixed = kept.iter().map(|&v| self.fixed[v]).collect();
+        // The boundaries and the locked edges have fixed vertices only, and those stay.
+        let own = self.boundaries.iter_mut().flatten().chain(self.locked.iter_mut().flatten());
+        own.for_each(|v| *v = place[*v as usize]);
+        Ok(())
+    }
+
+    #[inline]
+    pub fn mesh(&self) -> Mesh {
+        Mesh::new(self.vertices.clone(), self.triangles().to_vec())
+    }
+
+    #[inline]
+    pub fn into_mesh(self) -> Mesh {
+        let triangles = self.topology.triangles().to_vec();
+        Mesh::new(self.vertices, triangles)
+    }
+
+    /// The same film with vertex `v` as number `place[v]`.
+    #[inline]
+    pub fn renumbered(self, place: &[u32]) -> Self {
+        let moved = |v: u32| place[v as usize];
+        let mut vertices = vec![DVec3::ZERO; place.len()];
+        let mut fixed = vec![false; place.len()];
+        for (v, &new) in place.iter().enumerate() {
+            vertices[new as usize] = self.vertices[v];
+            fixed[new as usize] = self.fixed[v];
+        }
+        let mut locked: Vec<[u32; 2]> = self.locked.iter().map(|edge| edge.map(moved)).collect();
+        locked.iter_mut().for_each(|edge| edge.sort_unstable());
+        locked.sort_unstable();
+        let boundaries = self.boundaries.iter().map(|boundary| boundary.iter().map(|&v| moved(v)).collect()).collect();
+        Self { vertices, topology: self.topology.renumbered(place), fixed, locked, boundaries }
+    }
+
+    /// For each vertex its number after the points that were added on the boundaries have been moved directly behind
+    /// the first `input_points` vertices. `None` if they are there already.
+    #[inline]
+    pub fn boundary_first(&self, input_points: usize) -> Option<Vec<u32>> {
+        let added: Vec<u32> =
+            self.boundaries.iter().flatten().copied().filter(|&v| v as usize >= input_points).collect();
+        if added.iter().enumerate().all(|(k, &v)| v as usize == input_points + k) {
+            return None;
+        }
+        let count = self.vertices.len();
+        let mut is_added = vec![false; count];
+        added.iter().for_each(|&v| is_added[v as usize] = true);
+        let rest = (input_points..count).filter(|&v| !is_added[v]).map(|v| v as u32);
+        let order = (0..input_points as u32).chain(added.iter().copied()).chain(rest);
+        let mut place = vec![0u32; count];
+        order.enumerate().for_each(|(new, old)| place[old as usize] = new as u32);
+        Some(place)
+    }
+}

@@ -1,0 +1,74 @@
+//! What the subjects of Plateau stand on: triangle meshes, sparse symmetric systems, plane triangulation, remeshing.
+//!
+//! The crates `plateau-film`, `plateau-ruled-surface`, `plateau-uniform-mesh` and `plateau-lower-bound` use this one. It
+//! makes no promise of stability: a change that these crates need is made here, whoever else uses it. Parts that only
+//! these crates need are left out of the documentation.
+//!
+//! # Glossary
+//! - *Polyline*: points in order, `&[DVec3]`; a closed one does not repeat its first point.
+//! - *Mesh*: an indexed, oriented triangle mesh ([`Mesh`]) in double precision. Connectivity ([`topology`]) never sees
+//!   positions; [`edit`] changes it; [`measure`] and [`check`] see both.
+//! - *Half-edge*: one side of an edge, in one triangle and with its direction ([`topology`]).
+//! - *Flipped triangle*: its normal points against the normals of its vertices. *Degenerate triangle*: its shortest
+//!   altitude is below 1e-10 of its longest edge.
+//!
+//! # Units and conventions
+//! Lengths are in the caller's unit, angles in radians, curvatures in 1/unit. Nothing here assumes metres or an up
+//! axis. Every result is deterministic to the byte and depends on no clock, thread pool, file, or random source.
+
+#![warn(missing_docs)]
+
+pub mod check;
+pub mod complex;
+#[doc(hidden)]
+pub mod crossing;
+mod cut;
+pub mod edit;
+pub mod error;
+mod estimate;
+pub mod execution;
+#[doc(hidden)]
+pub mod film;
+pub mod measure;
+#[doc(hidden)]
+pub mod plane;
+pub mod polyline;
+pub mod random;
+#[doc(hidden)]
+pub mod remesh;
+pub mod self_intersections;
+#[doc(hidden)]
+pub mod sparse;
+#[doc(hidden)]
+pub mod structured;
+pub mod topology;
+
+pub use error::{Error, InputError, Place};
+pub use estimate::Estimate;
+pub use execution::{Execution, Interruption, Progress, Signal};
+pub use glam::{DVec2, DVec3};
+
+/// Triangles over vertices; counter-clockwise seen from the side that the normals point to.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// Positions.
+    pub vertices: Vec<DVec3>,
+    /// For each triangle the numbers of its vertices.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+impl Mesh {
+    /// A mesh of these; nothing is checked ([`check`](Self::check) does).
+    #[must_use]
+    #[inline]
+    pub fn new(vertices: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Self {
+        Self { vertices, triangles }
+    }
+
+    /// The three corners of a triangle.
+    #[must_use]
+    #[inline]
+    pub fn corners(&self, triangle: [u32; 3]) -> [DVec3; 3] {
+        triangle.map(|vertex| self.vertices[vertex as usize])
+    }
+}

@@ -1,0 +1,485 @@
+//! Constrained Delaunay triangulations of a region of the plane: [`triangles_inside`] makes the triangles once, and a
+//! [`Triangulation`] takes new points inside.
+//!
+//! The first triangulation comes from spade; from then on it is a plain array of triangles in which a point is inserted
+//! by splitting and flipping (Lawson) in constant time on average, because farthest-point insertion always knows the
+//! triangle where it starts. Edges without a twin are the constraints: the region's outline, holes, and slits (edges that
+//! must stay although the region lies on both sides of them). Nothing flips or looks across them.
+//! All decisions use the adaptive predicates of `robust`, so the result is Delaunay exactly, not to a tolerance.
+
+use crate::DVec2;
+use crate::topology::{NONE, next, previous};
+use robust::{Coord, incircle, orient2d};
+use spade::handles::{DirectedEdgeHandle, FixedVertexHandle};
+use spade::{CdtEdge, ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
+use std::collections::VecDeque;
+
+fn coord(p: DVec2) -> Coord<f64> {
+    Coord { x: p.x, y: p.y }
+}
+
+/// Positive if `c` lies to the left of a→b; the sign is exact.
+#[inline]
+pub fn side(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+    orient2d(coord(a), coord(b), coord(c))
+}
+
+/// An edge of the first triangulation, with a direction.
+type Edge<'a> = DirectedEdgeHandle<'a, Point2<f64>, (), CdtEdge<()>, ()>;
+
+/// What a constraint separates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Border {
+    /// A piece of the polygon's outline or of a hole, directed with the domain on its left.
+    Outline,
+    /// An edge with the lattice on exactly one side.
+    Lattice,
+    /// A lattice edge without a lattice triangle on either side.
+    Slit,
+}
+
+/// A segment between two points that the triangulation must contain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Constraint {
+    pub from: u32,
+    pub to: u32,
+    pub border: Border,
+}
+
+/// Why the constraints bound no region.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tangle {
+    /// Two points coincide.
+    Coincident(u32, u32),
+    /// This constraint crosses another one or runs through a point.
+    Crossing { from: u32, to: u32 },
+    /// This piece of outline has the domain on the wrong side: its loop is outside the outer one or nested in a hole.
+    WrongSide { from: u32, to: u32 },
+    /// Coordinates beyond what the triangulation takes.
+    OutOfRange,
+}
+
+/// Triangles counter-clockwise; half-edge `3 t + k` runs from corner k to corner k + 1 of triangle t, `twin` as in
+/// [`topology`](crate::topology).
+#[derive(Clone, Debug, Default)]
+pub struct Triangulation {
+    pub points: Vec<DVec2>,
+    pub corners: Vec<[u32; 3]>,
+    pub twin: Vec<[u32; 3]>,
+    /// Scratch of `insert`, kept to save its allocation.
+    stack: Vec<u32>,
+}
+
+/// The triangles of the constrained Delaunay triangulation of the points that lie inside an odd number of the outlines,
+/// counter-clockwise, in the triangulation's order. Slits are edges that the triangles must have. O(n log n).
+///
+/// # Errors
+/// What is wrong with the constraints. Outlines must be disjoint simple loops, in any direction and nested in any way.
+#[inline]
+pub fn triangles_inside(points: &[DVec2], constraints: &[Constraint]) -> Result<Vec<[u32; 3]>, Tangle> {
+    let faces = Faces::of(points, constraints)?;
+    let is_inside = |label: Option<Label>| label.is_some_and(|label| label.depth % 2 == 1);
+    // An outline that touches another one, or is given twice, does not separate inside from outside.
+    let separates = |c: &&Constraint| is_inside(faces.left_of(c)) != is_inside(faces.right_of(c));
+    if let Some(c) = constraints.iter().filter(|c| c.border == Border::Outline).find(|c| !separates(c)) {
+        return Err(Tangle::WrongSide { from: c.from, to: c.to });
+    }
+    let inside = faces.cdt.inner_faces().filter(|face| is_inside(faces.label[face.fix().index()]));
+    Ok(inside.map(|face| face.vertices().map(|vertex| vertex.fix().index() as u32)).collect())
+}
+
+/// Where a face of the first triangulation lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Label {
+    /// Number of outlines around the face.
+    depth: u32,
+    /// Whether the face lies in the lattice.
+    lattice: bool,
+}
+
+/// The first triangulation of the whole convex hull, and where each of its faces lies.
+struct Faces {
+    cdt: ConstrainedDelaunayTriangulation<Point2<f64>>,
+    label: Vec<Option<Label>>,
+}
+
+impl Faces {
+    /// # Errors
+    /// [`Tangle`], except that a loop on the wrong side is not noticed.
+    fn of(points: &[DVec2], constraints: &[Constraint]) -> Result<Self, Tangle> {
+        let mut order: Vec<u32> = (0..points.len() as u32).collect();
+        let key = |v: u32| (points[v as usize].x, points[v as usize].y);
+        order.sort_unstable_by(|&a, &b| {
+            key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal).then(a.cmp(&b))
+        });
+        if let Some(pair) = order.windows(2).find(|pair| points[pair[0] as usize] == points[pair[1] as usize]) {
+            return Err(Tangle::Coincident(pair[0], pair[1]));
+        }
+        let mut crossing = None;
+        let edges = constraints.iter().map(|c| [c.from as usize, c.to as usize]).collect();
+        // Spade refuses coordinates of less than 1e-142, so they become 0.
+        let sites = points.iter().map(|p| spade::mitigate_underflow(Point2::new(p.x, p.y))).collect();
+        let cdt = ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(sites, edges, |edge| {
+            crossing.get_or_insert(edge);
+        })
+        .map_err(|_| Tangle::OutOfRange)?;
+        if let Some([from, to]) = crossing {
+            return Err(Tangle::Crossing { from: from as u32, to: to as u32 });
+        }
+        if cdt.num_vertices() != points.len() {
+            return Err(Tangle::OutOfRange);
+        }
+        // An edge that runs through a point is split there, so the triangulation lacks it.
+        let is_missing = |c: &&Constraint| directed(&cdt, c).is_none_or(|edge| !edge.is_constraint_edge());
+        if let Some(c) = constraints.iter().find(is_missing) {
+            return Err(Tangle::Crossing { from: c.from, to: c.to });
+        }
+        let label = labels(&cdt, constraints);
+        Ok(Self { cdt, label })
+    }
+
+    fn left_of(&self, c: &Constraint) -> Option<Label> {
+        directed(&self.cdt, c).and_then(|edge| self.label[edge.face().fix().index()])
+    }
+
+    fn right_of(&self, c: &Constraint) -> Option<Label> {
+        directed(&self.cdt, c).and_then(|edge| self.label[edge.rev().face().fix().index()])
+    }
+}
+
+/// The constraint as an edge of the triangulation; `None` if it runs through a point.
+fn directed<'a>(cdt: &'a ConstrainedDelaunayTriangulation<Point2<f64>>, c: &Constraint) -> Option<Edge<'a>> {
+    let [from, to] = [c.from, c.to].map(|v| FixedVertexHandle::from_index(v as usize));
+    cdt.get_edge_from_neighbors(from, to)
+}
+
+/// Where each face lies, found from the convex hull inwards.
+fn labels(cdt: &ConstrainedDelaunayTriangulation<Point2<f64>>, constraints: &[Constraint]) -> Vec<Option<Label>> {
+    let mut borders: Vec<_> = constraints.iter().map(|c| ((c.from.min(c.to), c.from.max(c.to)), c.border)).collect();
+    borders.sort_unstable_by_key(|&(ends, _)| ends);
+    let border_of = |edge: &Edge<'_>| {
+        let [a, b] = [edge.from(), edge.to()].map(|vertex| vertex.fix().index() as u32);
+        borders.binary_search_by_key(&(a.min(b), a.max(b)), |&(ends, _)| ends).ok().map(|k| borders[k].1)
+    };
+    let mut label: Vec<Option<Label>> = vec![None; cdt.num_all_faces()];
+    label[cdt.outer_face().fix().index()] = Some(Label { depth: 0, lattice: false });
+    // One region is filled completely before the next border is crossed: a face beyond a crossing that has no label yet
+    // then belongs to a region that was not reached before, one level further in.
+    let mut within: Vec<_> = cdt.convex_hull().flat_map(|edge| [edge, edge.rev()]).collect();
+    let mut crossings = VecDeque::new();
+    loop {
+        let (edge, border) = match within.pop() {
+            Some(edge) if edge.is_constraint_edge() => match border_of(&edge) {
+                Some(border @ (Border::Outline | Border::Lattice)) => {
+                    crossings.push_back((edge, border));
+                    continue;
+                }
+                border => (edge, border),
+            },
+            Some(edge) => (edge, None),
+            None => match crossings.pop_front() {
+                Some((edge, border)) => (edge, Some(border)),
+                None => return label,
+            },
+        };
+        let (Some(here), None) = (label[edge.face().fix().index()], label[edge.rev().face().fix().index()]) else {
+            continue;
+        };
+        let there = match border {
+            Some(Border::Outline) => Label { depth: here.depth + 1, ..here },
+            Some(Border::Lattice) => Label { lattice: !here.lattice, ..here },
+            Some(Border::Slit) | None => here,
+        };
+        let Some(face) = edge.rev().face().as_inner() else { continue };
+        label[face.fix().index()] = Some(there);
+        within.extend(face.adjacent_edges());
+    }
+}
+
+/// Where the straight way from a triangle to a point ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sight {
+    /// In this triangle.
+    In(u32),
+    /// Behind a constraint.
+    Hidden,
+}
+
+impl Triangulation {
+    /// The constrained Delaunay triangulation of the points, cut down to the region: inside the outer outline, outside
+    /// the holes, outside the lattice. O(n log n).
+    ///
+    /// # Errors
+    /// What is wrong with the constraints. Outlines must be disjoint simple loops.
+    pub fn build(points: Vec<DVec2>, constraints: &[Constraint]) -> Result<Self, Tangle> {
+        let faces = Faces::of(&points, constraints)?;
+        let wrong_side = |c: &&Constraint| c.border == Border::Outline && faces.left_of(c).is_none_or(|l| l.depth != 1);
+        if let Some(c) = constraints.iter().find(wrong_side) {
+            return Err(Tangle::WrongSide { from: c.from, to: c.to });
+        }
+        let cdt = &faces.cdt;
+        let inside = |face: usize| faces.label[face] == Some(Label { depth: 1, lattice: false });
+        // Numbered by their corners, not in spade's order, which a turned or scaled input changes.
+        let mut numbered: Vec<([u32; 3], usize)> = cdt
+            .inner_faces()
+            .filter(|face| inside(face.fix().index()))
+            .map(|face| {
+                let mut corners = face.vertices().map(|v| v.fix().index() as u32);
+                let least = (0..3).min_by_key(|&k| corners[k]).unwrap_or(0);
+                corners.rotate_left(least);
+                (corners, face.fix().index())
+            })
+            .collect();
+        numbered.sort_unstable();
+        let mut number = vec![NONE; cdt.num_all_faces()];
+        for (t, &(_, face)) in numbered.iter().enumerate() {
+            number[face] = t as u32;
+        }
+        let corners: Vec<[u32; 3]> = numbered.into_iter().map(|(corners, _)| corners).collect();
+        let mut twin = vec![[NONE; 3]; corners.len()];
+        for face in cdt.inner_faces().filter(|face| inside(face.fix().index())) {
+            let t = number[face.fix().index()];
+            for edge in face.adjacent_edges() {
+                if edge.is_constraint_edge() {
+                    continue;
+                }
+                let k = position(corners[t as usize], edge.from().fix().index() as u32);
+                let other = number[edge.rev().face().fix().index()];
+                if other != NONE {
+                    let j = position(corners[other as usize], edge.to().fix().index() as u32);
+                    twin[t as usize][k] = 3 * other + j as u32;
+                }
+            }
+        }
+        Ok(Self { points, corners, twin, stack: Vec::new() })
+    }
+
+    #[inline]
+    pub fn from(&self, half_edge: u32) -> u32 {
+        self.corners[half_edge as usize / 3][half_edge as usize % 3]
+    }
+
+    #[inline]
+    pub fn twin_of(&self, half_edge: u32) -> u32 {
+        self.twin[half_edge as usize / 3][half_edge as usize % 3]
+    }
+
+    fn position_of(&self, vertex: u32) -> DVec2 {
+        self.points[vertex as usize]
+    }
+
+    #[inline]
+    pub fn triangle(&self, t: u32) -> [DVec2; 3] {
+        self.corners[t as usize].map(|v| self.position_of(v))
+    }
+
+    /// Goes straight from the middle of triangle `start` towards `goal`. Second value: triangles visited.
+    pub fn look_towards(&self, start: u32, goal: DVec2) -> (Sight, u64) {
+        let [a, b, c] = self.triangle(start);
+        if side(a, b, goal) >= 0.0 && side(b, c, goal) >= 0.0 && side(c, a, goal) >= 0.0 {
+            return (Sight::In(start), 1);
+        }
+        let eye = (a + b + c) / 3.0;
+        // The way out of the first triangle: the edge whose ends lie right and left of the way, and beyond which the goal lies.
+        let corners = [a, b, c];
+        let way_out = (0..3).find(|&k| {
+            let (u, v) = (corners[k], corners[(k + 1) % 3]);
+            side(u, v, goal) < 0.0 && side(eye, goal, u) <= 0.0 && side(eye, goal, v) >= 0.0
+        });
+        let Some(k) = way_out else { return (Sight::Hidden, 1) };
+        let mut half_edge = 3 * start + k as u32;
+        let mut visited = 1;
+        // A straight way meets no triangle twice; the bound only guards against an eye that rounding put outside.
+        while visited <= self.corners.len() as u64 {
+            let entered = self.twin_of(half_edge);
+            if entered == NONE {
+                return (Sight::Hidden, visited);
+            }
+            visited += 1;
+            let apex = self.position_of(self.from(previous(entered)));
+            // Entered over v→u (u was on the right): the apex decides between u→apex and apex→v.
+            let out = if side(eye, goal, apex) >= 0.0 { next(entered) } else { previous(entered) };
+            let (from, to) = (self.position_of(self.from(out)), self.position_of(self.from(next(out))));
+            if side(from, to, goal) >= 0.0 {
+                return (Sight::In(entered / 3), visited);
+            }
+            half_edge = out;
+        }
+        (Sight::Hidden, visited)
+    }
+
+    /// Inserts a point that lies in triangle `t` (or on an edge of it that has a twin) and flips the edges opposite to it as
+    /// long as `flips` says so of a half-edge ([`is_not_delaunay`](Self::is_not_delaunay) restores the Delaunay property).
+    /// Appends the triangles around the new point to `star`.
+    pub fn insert(&mut self, t: u32, point: DVec2, star: &mut Vec<u32>, flips: impl Fn(&Self, u32) -> bool) {
+        let p = self.points.len() as u32;
+        self.points.push(point);
+        let [a, b, c] = self.corners[t as usize];
+        let [ab, bc, ca] = self.twin[t as usize];
+        let n = self.corners.len() as u32;
+        // Every triangle of the star keeps the new point at corner 2, so that edge 0 is the one to examine.
+        self.corners[t as usize] = [a, b, p];
+        self.corners.push([b, c, p]);
+        self.corners.push([c, a, p]);
+        self.twin[t as usize] = [ab, 3 * n + 2, 3 * (n + 1) + 1];
+        self.twin.push([bc, 3 * (n + 1) + 2, 3 * t + 1]);
+        self.twin.push([ca, 3 * t + 2, 3 * n + 1]);
+        self.point_back(bc, 3 * n);
+        self.point_back(ca, 3 * (n + 1));
+        let mut stack = std::mem::take(&mut self.stack);
+        stack.extend([t, n, n + 1]);
+        while let Some(t) = stack.pop() {
+            if self.twin[t as usize][0] == NONE || !flips(self, 3 * t) {
+                star.push(t);
+                continue;
+            }
+            stack.extend(self.flip(3 * t));
+        }
+        self.stack = stack;
+    }
+
+    /// Whether the circle through a half-edge's triangle holds the corner beyond it.
+    #[inline]
+    pub fn is_not_delaunay(&self, half_edge: u32) -> bool {
+        let [a, b, c, d] = self.around(half_edge).map(|v| coord(self.position_of(v)));
+        incircle(a, b, c, d) > 0.0
+    }
+
+    /// The ends of a half-edge that has a twin, the third corner of its triangle and that of its twin's.
+    #[inline]
+    pub fn around(&self, half_edge: u32) -> [u32; 4] {
+        let across = self.twin_of(half_edge);
+        [half_edge, next(half_edge), previous(half_edge), previous(across)].map(|h| self.from(h))
+    }
+
+    /// Replaces the edge between two triangles by the other diagonal. Both have the half-edge's third corner at corner 2 then.
+    pub fn flip(&mut self, half_edge: u32) -> [u32; 2] {
+        let across = self.twin_of(half_edge);
+        let (t, s) = (half_edge / 3, across / 3);
+        let [a, b, c, d] = self.around(half_edge);
+        let (ad, db) = (self.twin_of(next(across)), self.twin_of(previous(across)));
+        let (bc, ca) = (self.twin_of(next(half_edge)), self.twin_of(previous(half_edge)));
+        self.corners[t as usize] = [a, d, c];
+        self.corners[s as usize] = [d, b, c];
+        self.twin[t as usize] = [ad, 3 * s + 2, ca];
+        self.twin[s as usize] = [db, bc, 3 * t + 1];
+        self.point_back(ad, 3 * t);
+        self.point_back(ca, 3 * t + 2);
+        self.point_back(db, 3 * s);
+        self.point_back(bc, 3 * s + 1);
+        [t, s]
+    }
+
+    fn point_back(&mut self, half_edge: u32, twin: u32) {
+        if half_edge != NONE {
+            self.twin[half_edge as usize / 3][half_edge as usize % 3] = twin;
+        }
+    }
+
+    /// Checks twins, orientation and the Delaunay property of every edge that may flip; for tests.
+    #[cfg(test)]
+    pub fn sanity_check(&self) {
+        for h in 0..3 * self.corners.len() as u32 {
+            let [a, b, c] = self.triangle(h / 3);
+            assert!(side(a, b, c) > 0.0, "triangle {} is not counter-clockwise", h / 3);
+            let twin = self.twin_of(h);
+            if twin == NONE {
+                continue;
+            }
+            assert_eq!(self.twin_of(twin), h);
+            assert_eq!((self.from(twin), self.from(next(twin))), (self.from(next(h)), self.from(h)));
+            let d = self.position_of(self.from(previous(twin)));
+            assert!(incircle(coord(a), coord(b), coord(c), coord(d)) <= 0.0, "edge {h} is not Delaunay");
+        }
+    }
+}
+
+fn position(corners: [u32; 3], vertex: u32) -> usize {
+    usize::from(corners[1] == vertex) + 2 * usize::from(corners[2] == vertex)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square_with_a_slit() -> Triangulation {
+        let mut points: Vec<DVec2> = Vec::new();
+        for k in 0..4 {
+            let corners = [[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]].map(DVec2::from);
+            points.extend([corners[k], (corners[k] + corners[(k + 1) % 4]) / 2.0]);
+        }
+        points.extend([DVec2::new(3.0, 4.0), DVec2::new(5.0, 4.5)]);
+        let outline = (0..8).map(|k| Constraint { from: k, to: (k + 1) % 8, border: Border::Outline });
+        let constraints: Vec<_> = outline.chain([Constraint { from: 8, to: 9, border: Border::Slit }]).collect();
+        Triangulation::build(points, &constraints).unwrap()
+    }
+
+    #[test]
+    fn insertion_keeps_the_triangulation_delaunay_and_the_slit_in_place() {
+        let mut region = square_with_a_slit();
+        let slit = |region: &Triangulation| {
+            (0..3 * region.corners.len() as u32)
+                .filter(|&h| [region.from(h), region.from(next(h))].iter().all(|v| [8, 9].contains(v)))
+                .map(|h| region.twin_of(h))
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(slit(&region), [NONE, NONE]);
+        let mut state = 1u64;
+        for _ in 0..400 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let p = DVec2::new(
+                (state >> 40) as f64 / (1u64 << 21) as f64,
+                (state >> 20 & 0xff_ffff) as f64 / (1u64 << 21) as f64,
+            );
+            // A grid of eighths makes many points fall on edges and circles.
+            let p = (p * 8.0).round() / 8.0;
+            let strictly_inside = p.min_element() > 0.0 && p.max_element() < 8.0;
+            if !strictly_inside || region.points.contains(&p) {
+                continue;
+            }
+            let holder = (0..region.corners.len() as u32).find(|&t| {
+                let [a, b, c] = region.triangle(t);
+                let on = |a, b, k: usize| {
+                    let s = side(a, b, p);
+                    s > 0.0 || (s == 0.0 && region.twin[t as usize][k] != NONE)
+                };
+                on(a, b, 0) && on(b, c, 1) && on(c, a, 2)
+            });
+            let Some(t) = holder else { continue };
+            let mut star = Vec::new();
+            region.insert(t, p, &mut star, Triangulation::is_not_delaunay);
+            assert!(star.iter().all(|&t| region.corners[t as usize][2] as usize == region.points.len() - 1));
+            region.sanity_check();
+        }
+        assert!(region.points.len() > 200);
+        assert_eq!(slit(&region), [NONE, NONE]);
+    }
+
+    #[test]
+    fn nothing_is_seen_through_a_slit() {
+        let region = square_with_a_slit();
+        let middle = |t: u32| region.triangle(t).iter().sum::<DVec2>() / 3.0;
+        let below = (0..region.corners.len() as u32)
+            .find(|&t| {
+                region.corners[t as usize].contains(&8) && region.corners[t as usize].contains(&9) && middle(t).y < 4.0
+            })
+            .unwrap();
+        assert_eq!(region.look_towards(below, DVec2::new(4.1, 7.0)).0, Sight::Hidden);
+        assert_eq!(region.look_towards(below, DVec2::new(4.1, 9.0)).0, Sight::Hidden);
+        assert!(matches!(region.look_towards(below, DVec2::new(6.0, 1.0)).0, Sight::In(_)));
+    }
+
+    #[test]
+    fn tangled_outlines_are_named() {
+        let outline = |points: &[[f64; 2]]| {
+            let n = points.len() as u32;
+            let constraints: Vec<_> =
+                (0..n).map(|k| Constraint { from: k, to: (k + 1) % n, border: Border::Outline }).collect();
+            Triangulation::build(points.iter().map(|&p| DVec2::from(p)).collect(), &constraints).err()
+        };
+        assert_eq!(outline(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]), None);
+        assert_eq!(outline(&[[0.0, 0.0], [1.0, 0.0], [0.0, 0.0]]), Some(Tangle::Coincident(0, 2)));
+        assert!(matches!(outline(&[[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 7.0]]), Some(Tangle::Crossing { .. })));
+        assert!(matches!(outline(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0]]), Some(Tangle::WrongSide { .. })));
+    }
+}

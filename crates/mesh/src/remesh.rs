@@ -1,0 +1,10 @@
+//! Better meshes of a surface as it is. None of these moves a fixed vertex or removes a locked edge.
+
+pub mod area_flips;
+pub mod delaunay;
+mod flips;
+pub mod isotropic;
+pub mod sheets;
+pub mod small_angles;
+pub mod subdivision;
+pub mod thin_triangles;

@@ -1,0 +1,445 @@
+//! Isotropic remeshing: every edge gets a length near a target size that is given at each vertex. Long edges are split
+//! and short edges are collapsed; the surface stays where it is.
+//!
+//! Source: Botsch, Kobbelt, *A Remeshing Approach to Multiresolution Modeling* (2004), section 4. Departures:
+//! - The target size grows with the distance from the boundary's own spacing; theirs is one length.
+//! - The edges that are split in one pass share no triangle, and those that are collapsed share no neighbourhood. The
+//!   triangle list is therefore rebuilt once a pass.
+
+use super::delaunay::{flip_to_delaunay, tangential_relaxation};
+use crate::edit::may_collapse;
+use crate::film::Film;
+use crate::measure::double_area_vector;
+use crate::topology::{NONE, Topology};
+use crate::{DVec3, Execution, Interruption};
+
+// Tunables. The figures in docs/VALIDATION.md were obtained with these values.
+
+/// An edge is split if it exceeds this multiple of the target size at its ends. With √2 both halves are then as far
+/// below the size as the whole was above it. A larger value leaves longer edges.
+const LONG: f64 = std::f64::consts::SQRT_2;
+/// An edge is collapsed if it is shorter than this multiple of the target size. A larger value gives fewer and more
+/// even edges, and takes more passes. Above √2 / 2 the halves of a split edge would collapse again.
+const SHORT: f64 = 0.7;
+/// Growth of the target size per length of distance from a fine boundary. A larger value gives fewer and less even
+/// triangles.
+const GRADING: f64 = 0.3;
+/// Upper bound of the growth that is tried where [`GRADING`] would give more triangles than are wanted. A larger value
+/// allows more uneven triangles.
+const STEEPEST_GRADING: f64 = 5.0;
+/// Lower bound of the target size beside an edge that keeps its length, as a fraction of that length. A larger value
+/// gives larger triangles there. Without the bound a fan of needles starts at the edge.
+const FLOOR: f64 = 0.8;
+/// Decrease of that lower bound per length of distance from the edge. With a larger value the bound ends nearer to the
+/// edge.
+const FALL: f64 = 0.5;
+/// Upper bound of the decrease that is tried where too few triangles would be left for the rest of the film.
+const STEEPEST_FALL: f64 = 4.0;
+/// The lower bounds may reduce the largest target size to this fraction of its value without them. With a larger value
+/// the bounds are given up sooner.
+const ROOM: f64 = 0.7;
+/// A pass that changes the number of triangles by less than this fraction has settled. A larger value adjusts the
+/// target size after fewer passes.
+const SETTLED_COUNT: f64 = 0.1;
+/// Passes end if there are more than this multiple of the wanted number of triangles, because the film then has no
+/// area.
+pub const RUNAWAY: f64 = 4.0;
+/// Passes end when the number of triangles is within this fraction of the wanted number.
+const CLOSE_ENOUGH: f64 = 0.03;
+
+/// Treatment of the boundary's own edges.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BoundaryEdges {
+    /// Long boundary edges are split. The new vertices are fixed and stand on the segments.
+    Refined,
+    Kept,
+}
+
+/// Brings the number of triangles to about `count`, of even size away from the boundary. Fixed vertices and locked
+/// edges stay; `boundary_edges` says whether boundary edges are split. Vertices that are not fixed get new numbers.
+/// Each of at most `passes` passes splits, collapses, flips and relaxes once.
+///
+/// # Errors
+/// The interruptions of `exec`; the film is valid in that case too.
+pub fn resample(
+    film: &mut Film,
+    count: f64,
+    passes: u32,
+    boundary_edges: BoundaryEdges,
+    exec: &Execution,
+) -> Result<(), Interruption> {
+    let (mut aim, mut before) = (count, film.triangles().len() as f64);
+    let most = RUNAWAY * count.max(before);
+    for _ in 0..passes {
+        let size = sizes(film, aim);
+        split_long(film, &size, boundary_edges);
+        let size = sizes(film, aim);
+        collapse_short(film, &size);
+        for _ in 0..2 {
+            flip_to_delaunay(film, exec)?;
+            tangential_relaxation(film, 1);
+        }
+        flip_to_delaunay(film, exec)?;
+        exec.look(20 * film.triangles().len() as u64)?;
+        let reached = film.triangles().len() as f64;
+        if reached > most {
+            // The film has no area: its triangles stay too flat for their sizes, however often their edges are split.
+            break;
+        }
+        let settled = (reached / before - 1.0).abs() < SETTLED_COUNT;
+        before = reached;
+        if settled && (reached / count - 1.0).abs() < CLOSE_ENOUGH {
+            break;
+        }
+        // Splitting and collapsing allow a band of lengths around the size. The number at which the mesh settles within
+        // this band is measured.
+        if settled {
+            aim *= (count / reached).clamp(0.7, 1.4);
+        }
+    }
+    Ok(())
+}
+
+/// The target size at every vertex: the boundary's spacing, growing inwards up to a cap. The cap is chosen so that
+/// about `count` equilateral triangles cover the film.
+fn sizes(film: &Film, count: f64) -> Vec<f64> {
+    let unit = 0.75f64.sqrt() / 2.0;
+    let mut grading = GRADING;
+    let (spacing, mut pieces) = loop {
+        let spacing = graded_spacing(film, grading);
+        let pieces: Vec<(f64, f64)> = film
+            .triangles()
+            .iter()
+            .map(|t| {
+                let area = 0.5 * double_area_vector(film.corners(*t)).length();
+                (t.iter().map(|&v| spacing[v as usize]).sum::<f64>() / 3.0, area)
+            })
+            .collect();
+        let least: f64 = pieces.iter().map(|(size, area)| area / (unit * size * size)).sum();
+        if least <= count || grading > STEEPEST_GRADING {
+            break (spacing, pieces);
+        }
+        grading *= 1.5;
+    };
+    // For a cap between the sizes of two triangles the number of triangles is Σ(below) A / s² + Σ(above) A / cap².
+    pieces.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut above: f64 = pieces.iter().map(|piece| piece.1).sum();
+    let (mut below, mut cap) = (0.0, f64::INFINITY);
+    for &(size, area) in &pieces {
+        if below + above / (unit * size * size) <= count {
+            cap = (above / (unit * (count - below).max(1.0))).sqrt();
+            break;
+        }
+        below += area / (unit * size * size);
+        above -= area;
+    }
+    let longest = stiff_edges(film).map(|(_, length)| length).fold(0.0, f64::max);
+    if FLOOR * longest > cap {
+        return with_floors(film, &spacing, count, cap);
+    }
+    spacing.into_iter().map(|size| size.min(cap)).collect()
+}
+
+/// The sizes of [`sizes`] with lower bounds beside the edges that are longer than the cap.
+fn with_floors(film: &Film, spacing: &[f64], count: f64, plain_cap: f64) -> Vec<f64> {
+    let unit = 0.75f64.sqrt() / 2.0;
+    let size = |floor: &[f64], cap: f64, v: usize| spacing[v].min(cap.max(floor[v]));
+    let mut fall = FALL;
+    while fall <= STEEPEST_FALL {
+        let floor = graded_floor(film, fall);
+        let triangles = |cap: f64| -> f64 {
+            let number = |t: &[u32; 3]| {
+                let mean = t.iter().map(|&v| size(&floor, cap, v as usize)).sum::<f64>() / 3.0;
+                0.5 * double_area_vector(film.corners(*t)).length() / (unit * mean * mean)
+            };
+            film.triangles().iter().map(number).sum()
+        };
+        let (mut low, mut high) = (ROOM * plain_cap, plain_cap);
+        if triangles(low) >= count {
+            for _ in 0..8 {
+                let middle = (low * high).sqrt();
+                *(if triangles(middle) >= count { &mut low } else { &mut high }) = middle;
+            }
+            return (0..spacing.len()).map(|v| size(&floor, low, v)).collect();
+        }
+        fall *= 1.5;
+    }
+    spacing.iter().map(|size| size.min(plain_cap)).collect()
+}
+
+/// The edges that keep their length (boundary edges and locked edges): for each one half-edge and the length.
+fn stiff_edges(film: &Film) -> impl Iterator<Item = (u32, f64)> + '_ {
+    let topology = &film.topology;
+    (0..topology.twin.len() as u32).filter_map(move |h| {
+        let (a, b) = (topology.from(h), topology.to(h));
+        let twin = topology.twin[h as usize];
+        let stiff = twin == NONE || (twin > h && film.is_locked(a, b));
+        stiff.then(|| (h, film.vertices[a as usize].distance(film.vertices[b as usize])))
+    })
+}
+
+/// The lower bound of the size at every vertex: [`FLOOR`] times the length of a stiff edge at its ends, decreasing
+/// inwards by `fall` per length, at least zero.
+fn graded_floor(film: &Film, fall: f64) -> Vec<f64> {
+    let mut floor = vec![0.0f64; film.vertices.len()];
+    let topology = &film.topology;
+    for (h, length) in stiff_edges(film) {
+        for v in [topology.from(h), topology.to(h)] {
+            floor[v as usize] = floor[v as usize].max(FLOOR * length);
+        }
+        // The third corner of a triangle lies beside the edge, at the distance of the altitude.
+        for half in [h, topology.twin[h as usize]].into_iter().filter(|&half| half != NONE) {
+            let apex = topology.opposite(half) as usize;
+            let altitude = double_area_vector(film.corners(film.triangles()[half as usize / 3])).length() / length;
+            floor[apex] = floor[apex].max(FLOOR * length - fall * altitude);
+        }
+    }
+    spread(film, |near, far, length| {
+        let reached = floor[near] - fall * length;
+        let rises = reached > floor[far] * (1.0 + 1e-9);
+        if rises {
+            floor[far] = reached;
+        }
+        rises
+    });
+    floor
+}
+
+/// Calls `offer` for every edge in both directions until nothing changes, sweeping forwards and backwards through the
+/// edges. A few sweeps suffice, because sizes need not travel far.
+fn spread(film: &Film, mut offer: impl FnMut(usize, usize, f64) -> bool) {
+    let topology = &film.topology;
+    for sweep in 0..50 {
+        let mut changed = false;
+        for k in 0..topology.twin.len() {
+            let h = if sweep % 2 == 0 { k } else { topology.twin.len() - 1 - k } as u32;
+            let (a, b) = (topology.from(h) as usize, topology.to(h) as usize);
+            let length = film.vertices[a].distance(film.vertices[b]);
+            changed |= offer(a, b, length);
+            changed |= offer(b, a, length);
+        }
+        if !changed {
+            break;
+        }
+    }
+}
+
+/// At each vertex the length of the shortest stiff edge that ends there; from there it grows inwards along the edges by
+/// `grading` per length.
+fn graded_spacing(film: &Film, grading: f64) -> Vec<f64> {
+    let mut size = vec![f64::INFINITY; film.vertices.len()];
+    for (h, length) in stiff_edges(film) {
+        for v in [film.topology.from(h), film.topology.to(h)] {
+            size[v as usize] = size[v as usize].min(length);
+        }
+    }
+    spread(film, |near, far, length| {
+        let reached = size[near] + grading * length;
+        let falls = reached < size[far] * (1.0 - 1e-9);
+        if falls {
+            size[far] = reached;
+        }
+        falls
+    });
+    size
+}
+
+/// One half-edge for each edge whose key is above 1, sorted by the key, largest first.
+fn ranked(film: &Film, boundary_edges: BoundaryEdges, key: impl Fn(u32) -> f64) -> Vec<u32> {
+    let topology = &film.topology;
+    let mut ranked: Vec<(f64, u32)> = (0..topology.twin.len() as u32)
+        .filter(|&h| {
+            topology.twin[h as usize] > h
+                && (boundary_edges == BoundaryEdges::Refined || topology.twin[h as usize] != NONE)
+        })
+        .map(|h| (key(h), h))
+        .filter(|&(key, _)| key > 1.0)
+        .collect();
+    ranked.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    ranked.into_iter().map(|(_, h)| h).collect()
+}
+
+fn length(film: &Film, h: u32) -> f64 {
+    film.vertices[film.topology.from(h) as usize].distance(film.vertices[film.topology.to(h) as usize])
+}
+
+fn size_at(film: &Film, size: &[f64], h: u32) -> f64 {
+    0.5 * (size[film.topology.from(h) as usize] + size[film.topology.to(h) as usize])
+}
+
+/// Splits the edges that are too long, the longest in relation to its size first. Two edges of one triangle are not
+/// split in the same pass.
+fn split_long(film: &mut Film, size: &[f64], boundary_edges: BoundaryEdges) {
+    let edges = ranked(film, boundary_edges, |h| length(film, h) / (LONG * size_at(film, size, h)));
+    let mut taken = vec![false; film.triangles().len()];
+    let mut triangles = film.triangles().to_vec();
+    let mut on_boundary: Vec<([u32; 2], u32)> = Vec::new();
+    for h in edges {
+        let twin = film.topology.twin[h as usize];
+        let (a, b) = (film.topology.from(h), film.topology.to(h));
+        let is_taken = |half: u32| half != NONE && taken[half as usize / 3];
+        if is_taken(h) || is_taken(twin) || film.is_locked(a, b) {
+            continue;
+        }
+        let middle = film.vertices.len() as u32;
+        film.vertices.push(0.5 * (film.vertices[a as usize] + film.vertices[b as usize]));
+        film.fixed.push(twin == NONE);
+        if twin == NONE {
+            on_boundary.push(([a.min(b), a.max(b)], middle));
+        }
+        for (half, from, to) in [(h, a, b), (twin, b, a)] {
+            if half != NONE {
+                taken[half as usize / 3] = true;
+                let apex = film.topology.opposite(half);
+                triangles[half as usize / 3] = [from, middle, apex];
+                triangles.push([middle, to, apex]);
+            }
+        }
+    }
+    on_boundary.sort_unstable();
+    if !on_boundary.is_empty() {
+        for boundary in &mut film.boundaries {
+            let mut longer = Vec::with_capacity(2 * boundary.len());
+            for (k, &a) in boundary.iter().enumerate() {
+                let b = boundary[(k + 1) % boundary.len()];
+                longer.push(a);
+                if let Ok(found) = on_boundary.binary_search_by_key(&[a.min(b), a.max(b)], |(ends, _)| *ends) {
+                    longer.push(on_boundary[found].1);
+                }
+            }
+            *boundary = longer;
+        }
+    }
+    film.topology = Topology::build(&triangles, film.vertices.len()).expect("splitting edges keeps a manifold");
+}
+
+/// Collapses the edges that are too short, the shortest in relation to its size first. Collapses in one pass share no
+/// neighbourhood.
+fn collapse_short(film: &mut Film, size: &[f64]) {
+    let edges =
+        ranked(film, BoundaryEdges::Kept, |h| SHORT * size_at(film, size, h) / length(film, h).max(f64::MIN_POSITIVE));
+    let mut touched = vec![false; film.vertices.len()];
+    for h in edges {
+        if film.topology.is_removed(h / 3) {
+            continue;
+        }
+        let (a, b) = (film.topology.from(h), film.topology.to(h));
+        // A free vertex moves to the other end of the edge. Two free vertices meet in the middle.
+        let (leaves, stays) = if film.fixed[a as usize] { (b, a) } else { (a, b) };
+        let meeting = if film.fixed[stays as usize] {
+            film.vertices[stays as usize]
+        } else {
+            0.5 * (film.vertices[a as usize] + film.vertices[b as usize])
+        };
+        let near = || film.topology.neighbours(a).chain(film.topology.neighbours(b)).chain([a, b]);
+        if film.fixed[leaves as usize]
+            || near().any(|v| touched[v as usize])
+            || !may_collapse(&film.topology, leaves, stays)
+            || ![(leaves, stays), (stays, leaves)].iter().all(|&(v, other)| keeps_shape(film, size, v, other, meeting))
+        {
+            continue;
+        }
+        near().for_each(|v| touched[v as usize] = true);
+        film.topology.collapse(stays, leaves);
+        film.vertices[stays as usize] = meeting;
+    }
+    film.close_gaps().expect("the link condition keeps a manifold");
+}
+
+/// Whether the triangles around `v` that do not contain `other` keep their orientation, and their edges stay short
+/// enough, when `v` moves to `place`.
+fn keeps_shape(film: &Film, size: &[f64], v: u32, other: u32, place: DVec3) -> bool {
+    let topology = &film.topology;
+    topology.outgoing_half_edges(v).all(|h| {
+        let (j, k) = (topology.to(h), topology.opposite(h));
+        if j == other || k == other {
+            return true;
+        }
+        let (p, q) = (film.vertices[j as usize], film.vertices[k as usize]);
+        let before = double_area_vector([film.vertices[v as usize], p, q]);
+        let after = double_area_vector([place, p, q]);
+        let longest = LONG * 0.5 * (size[v as usize] + size[j as usize]);
+        after.dot(before) > 0.2 * after.length() * before.length()
+            && after.length() > 0.1 * p.distance_squared(q).max(place.distance_squared(p))
+            && place.distance(p) < longest
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::measure;
+
+    /// A flat strip that is ten times as long as it is wide. Its inner vertices are crowded towards one side.
+    fn strip() -> Film {
+        let (n, m) = (40, 4);
+        let at = |i: usize, j: usize| (j * (n + 1) + i) as u32;
+        let vertices: Vec<DVec3> = (0..=m)
+            .flat_map(|j| {
+                (0..=n).map(move |i| {
+                    let inner = i > 0 && i < n && j > 0 && j < m;
+                    let y = j as f64 / m as f64;
+                    DVec3::new(10.0 * i as f64 / n as f64, if inner { y * y * y } else { y }, 0.0)
+                })
+            })
+            .collect();
+        let triangles: Vec<[u32; 3]> = (0..m)
+            .flat_map(|j| (0..n).map(move |i| (i, j)))
+            .flat_map(|(i, j)| [[at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)]])
+            .collect();
+        let mut boundary: Vec<u32> = (0..n).map(|i| at(i, 0)).collect();
+        boundary.extend((0..m).map(|j| at(n, j)));
+        boundary.extend((1..=n).rev().map(|i| at(i, m)));
+        boundary.extend((1..=m).rev().map(|j| at(0, j)));
+        Film::new(vertices, &triangles, vec![boundary]).unwrap()
+    }
+
+    #[test]
+    fn counts_are_met_finer_and_coarser_and_the_boundary_stays() {
+        let start = strip();
+        for count in [320.0, 900.0] {
+            let mut film = start.clone();
+            resample(&mut film, count, 12, BoundaryEdges::Kept, &Execution::default()).unwrap();
+            let mesh = film.mesh();
+            mesh.check().unwrap();
+            assert_eq!(measure::flipped_triangles(&mesh), 0);
+            assert!((film.area() - 10.0).abs() < 1e-12, "area {}", film.area());
+            let reached = film.triangles().len() as f64;
+            assert!((reached / count - 1.0).abs() < 0.1, "{reached} for {count}");
+            let smallest = measure::angle_range(&mesh).0.to_degrees();
+            assert!(smallest > 25.0, "{smallest} for {count}");
+            for (&v, &w) in film.boundaries[0].iter().zip(&start.boundaries[0]) {
+                assert_eq!(film.vertices[v as usize], start.vertices[w as usize]);
+            }
+        }
+    }
+
+    /// Two triangles in a square, with boundary edges far longer than the edges are to become.
+    fn coarse_square() -> Film {
+        let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
+        Film::new(corners.to_vec(), &[[0, 1, 2], [0, 2, 3]], vec![vec![0, 1, 2, 3]]).unwrap()
+    }
+
+    #[test]
+    fn a_coarse_boundary_is_split_where_it_may_be_and_has_larger_triangles_where_not() {
+        for (boundary_edges, count, least_angle) in
+            [(BoundaryEdges::Refined, 600.0, 25.0), (BoundaryEdges::Kept, 60.0, 7.0)]
+        {
+            let mut film = coarse_square();
+            resample(&mut film, count, 20, boundary_edges, &Execution::default()).unwrap();
+            let mesh = film.mesh();
+            mesh.check().unwrap();
+            assert!((film.area() - 1.0).abs() < 1e-12 && measure::flipped_triangles(&mesh) == 0);
+            let reached = film.triangles().len() as f64;
+            assert!((reached / count - 1.0).abs() < 0.1, "{boundary_edges:?}: {reached}");
+            let smallest = measure::angle_range(&mesh).0.to_degrees();
+            assert!(smallest > least_angle, "{boundary_edges:?}: {smallest}");
+            let boundary = &film.boundaries[0];
+            assert_eq!(boundary.len() == 4, boundary_edges == BoundaryEdges::Kept);
+            for (k, &a) in boundary.iter().enumerate() {
+                assert!(film.fixed[a as usize] && film.topology.is_boundary(a));
+                assert!(film.topology.are_adjacent(a, boundary[(k + 1) % boundary.len()]));
+            }
+        }
+    }
+}

@@ -1,0 +1,195 @@
+//! Which bridges a strip of least area can have: most of the grid is left out before the search, and the optimum stays
+//! exact.
+//!
+//! Take one square of the grid, bank edges u = p_{i+1} - p_i and v = q_{j+1} - q_j. Swapping "P-step, then Q-step" for
+//! "Q-step, then P-step" flips the diagonal of the quadrilateral p_i p_{i+1} q_{j+1} q_j. With A the area,
+//!
+//!   D = A(P, Q) - A(Q, P) = -½ |u| |v| ∫∫ (1 - cos γ) sin(θ_u + θ_v) ds dt,   s, t from 0 to 1,
+//!
+//! where for the bridge e = (q_j + t v) - (p_i + s u) the angles θ_u and θ_v are those of u and v with e, and γ is the
+//! angle between the planes (u, e) and (v, e). (A triangle's area changes with s or t by ½ (u × v)·n of its unit normal
+//! n; the double integral of the difference of the two normals is D, and spherical trigonometry at e gives the
+//! integrand.) The sine has the sign of (û + v̂)·e, û and v̂ unit: of how far the bridge *leans forward*. It is linear
+//! in s and in t, so its sign at the square's four bridges decides: where all lean forward, q is ahead and taking the
+//! P-step first never costs more; where all lean back, taking the Q-step first never does.
+//!
+//! So if every square right of a staircase leans forward, a path that strays there can be cut off at the staircase
+//! without growing, and likewise on the left of one where every square leans back. The *corridor* lies between two such
+//! staircases. Boxes around runs of points and edge directions, halved where they leave the sign open, find it in some
+//! multiple of m + n steps on smooth directrices; where the sign stays open in too many places the corridor is the
+//! whole grid.
+
+use super::pulse::Pulse;
+use super::rails::Rails;
+use super::sweep::Region;
+use plateau_mesh::DVec3;
+use plateau_mesh::execution::Interruption;
+use std::cmp::Ordering;
+
+/// Number of edges in the shortest runs. A larger value takes fewer boxes and leaves a wider corridor.
+const LEAF: usize = 8;
+
+/// Share of the grid without a certain sign at which the search for the corridor ends and the whole grid is swept. A
+/// larger value spends more time on boxes before it gives up on jagged directrices.
+const HOPELESS: f64 = 0.25;
+
+/// A lean is certain if it exceeds this, where coordinates are about 1. Rounding of its computation stays below 1e-15;
+/// a larger value widens the corridor and loses nothing else.
+const ROUNDING: f64 = 1e-12;
+
+/// The bridges of an open strip among which a path of least area is found.
+pub(crate) fn corridor(rails: &Rails, pulse: &mut Pulse<'_, '_>) -> Result<Region, Interruption> {
+    let (m, n) = (rails.m(), rails.n());
+    let whole = Region::full(m, 0, n - 1);
+    let (Some(p), Some(q)) = (RunTree::new(&rails.p.points), RunTree::new(&rails.q.points)) else { return Ok(whole) };
+    // Per row of squares: the first that may lean forward, and one more than the last that may lean back. The P-step
+    // that crosses the row is taken between the two.
+    let (mut first, mut last) = (vec![n - 1; m - 1], vec![0; m - 1]);
+    let mut open_leaves = (HOPELESS * (p.leaves() * q.leaves()) as f64) as usize;
+    let mut stack = vec![([p.top(), q.top()], [0, 0])];
+    while let Some(([level_p, level_q], [a, b])) = stack.pop() {
+        pulse.beat(1)?;
+        let (rows, columns) = (p.edges(level_p, a), q.edges(level_q, b));
+        let lean = lean(&p.levels[level_p][a], &q.levels[level_q][b]);
+        if lean.is_none() && level_p.max(level_q) > 0 {
+            // The longer run is halved.
+            let down = if level_p >= level_q { [level_p - 1, level_q] } else { [level_p, level_q - 1] };
+            for child in 0..2 {
+                let at = if level_p >= level_q { [2 * a + child, b] } else { [a, 2 * b + child] };
+                if at[0] < p.levels[down[0]].len() && at[1] < q.levels[down[1]].len() {
+                    stack.push((down, at));
+                }
+            }
+            continue;
+        }
+        // Only the row that matters to the staircase is written: the others follow below.
+        if lean != Some(Ordering::Less) {
+            first[rows.end - 1] = first[rows.end - 1].min(columns.start);
+        }
+        if lean != Some(Ordering::Greater) {
+            last[rows.start] = last[rows.start].max(columns.end);
+        }
+        if lean.is_none() {
+            if open_leaves == 0 {
+                return Ok(whole);
+            }
+            open_leaves -= 1;
+        }
+    }
+    for row in (1..m - 1).rev() {
+        first[row - 1] = first[row - 1].min(first[row]);
+    }
+    for row in 1..m - 1 {
+        last[row] = last[row].max(last[row - 1]);
+    }
+    // A row of bridges is entered by the P-step above it and left by the one below.
+    let mut region = whole;
+    for row in 0..m - 1 {
+        region.first[row + 1] = first[row] as u32;
+        region.last[row] = last[row] as u32;
+    }
+    debug_assert!(region.first.is_sorted() && region.last.is_sorted() && region.first[0] == 0);
+    pulse.leave_out((m * n) as u64 - region.cells());
+    Ok(region)
+}
+
+/// Whether every bridge between two runs leans forward (`Greater`) or back (`Less`), if that is certain.
+fn lean(p: &EdgeRun, q: &EdgeRun) -> Option<Ordering> {
+    let (direction, spread) = (p.directions.centre + q.directions.centre, p.directions.half + q.directions.half);
+    let (bridge, reach) = (q.points.centre - p.points.centre, p.points.half + q.points.half);
+    let middle = direction.dot(bridge);
+    let doubt = direction.abs().dot(reach) + spread.dot(bridge.abs() + reach) + ROUNDING;
+    if middle > doubt {
+        Some(Ordering::Greater)
+    } else if middle < -doubt {
+        Some(Ordering::Less)
+    } else {
+        None
+    }
+}
+
+/// A box: centre and half extents.
+#[derive(Clone, Copy, Debug)]
+struct Extent {
+    centre: DVec3,
+    half: DVec3,
+}
+
+impl Extent {
+    fn of(points: impl Iterator<Item = DVec3>) -> Self {
+        let (low, high) =
+            points.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), point| (low.min(point), high.max(point)));
+        Self { centre: 0.5 * (low + high), half: 0.5 * (high - low) }
+    }
+    fn with(self, other: Self) -> Self {
+        let corners = [self.centre - self.half, self.centre + self.half];
+        Self::of(corners.into_iter().chain([other.centre - other.half, other.centre + other.half]))
+    }
+}
+
+/// Neighbouring bank edges: their points, and the directions (unit) from each to the next.
+#[derive(Clone, Copy, Debug)]
+struct EdgeRun {
+    points: Extent,
+    directions: Extent,
+}
+
+/// The runs of a directrix: level 0 has [`LEAF`] edges each, every level above twice as many.
+struct RunTree {
+    levels: Vec<Vec<EdgeRun>>,
+    edges: usize,
+}
+
+impl RunTree {
+    /// None if an edge has no direction.
+    fn new(points: &[DVec3]) -> Option<Self> {
+        let edges = points.len() - 1;
+        let directions: Vec<DVec3> =
+            points.windows(2).map(|pair| (pair[1] - pair[0]).try_normalize()).collect::<Option<_>>()?;
+        let leaves = (0..edges).step_by(LEAF).map(|start| {
+            let end = (start + LEAF).min(edges);
+            EdgeRun {
+                points: Extent::of(points[start..=end].iter().copied()),
+                directions: Extent::of(directions[start..end].iter().copied()),
+            }
+        });
+        let mut levels = vec![leaves.collect::<Vec<_>>()];
+        while let [.., finest] = levels.as_slice()
+            && finest.len() > 1
+        {
+            let join = |pair: &[EdgeRun]| match *pair {
+                [a, b] => EdgeRun { points: a.points.with(b.points), directions: a.directions.with(b.directions) },
+                _ => pair[0],
+            };
+            let joined = finest.chunks(2).map(join).collect();
+            levels.push(joined);
+        }
+        Some(Self { levels, edges })
+    }
+    fn top(&self) -> usize {
+        self.levels.len() - 1
+    }
+    fn leaves(&self) -> usize {
+        self.levels[0].len()
+    }
+    fn edges(&self, level: usize, run: usize) -> std::ops::Range<usize> {
+        let length = LEAF << level;
+        run * length..((run + 1) * length).min(self.edges)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use plateau_mesh::Execution;
+
+    #[test]
+    fn equal_neighbours_and_crossing_rails_get_the_whole_grid() {
+        let p = [DVec3::ZERO, DVec3::ZERO, DVec3::X];
+        let q = [DVec3::Y, DVec3::Y + DVec3::X];
+        let strip = Rails::new(p.as_slice().into(), q.as_slice().into(), false);
+        let execution = Execution::default();
+        let region = corridor(&strip, &mut Pulse::new(&execution, 1)).unwrap();
+        assert_eq!(region.cells(), 6);
+    }
+}

@@ -1,0 +1,189 @@
+//! The two directrices of a strip as the solver sees them: centred and scaled points, bank edges, tangents, normals.
+
+use plateau_mesh::DVec3;
+use std::sync::OnceLock;
+
+/// Two directrices, taken as given: nothing is merged or resampled.
+///
+/// Kept in the solver's own coordinates: divided by a power of two so that the largest is about 1 (exact),
+/// then centred at p_0, then divided by a power of two again. Areas and lengths scale back exactly.
+#[derive(Clone, Debug)]
+pub(crate) struct Rails {
+    pub(crate) closed: bool,
+    pub(crate) p: Rail,
+    pub(crate) q: Rail,
+    /// A length in the caller's unit is one of ours times this (a power of two).
+    pub(crate) unit: f64,
+    /// What rounding the input can move a coordinate by: ulp of the largest |coordinate|, in our unit.
+    pub(crate) rounding: f64,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Rail {
+    pub(crate) points: Vec<DVec3>,
+    /// The input times a power of two, uncentred: exact, for the exact predicates.
+    pub(crate) raw: Vec<DVec3>,
+    /// Unit or zero; fitted when first asked for, unless given.
+    tangents: OnceLock<Vec<DVec3>>,
+    /// Unit or zero; empty if not given.
+    pub(crate) normals: Vec<DVec3>,
+}
+
+/// A directrix as given: points and what belongs to them, of the same length.
+#[derive(Clone, Copy, Debug)]
+pub struct Given<'a> {
+    /// The points in order, in the caller's unit.
+    pub points: &'a [DVec3],
+    /// Fitted if not given (eq. 13 and 14).
+    pub tangents: Option<&'a [DVec3]>,
+    /// Surface normals at the points, of any length.
+    pub normals: Option<&'a [DVec3]>,
+}
+
+impl<'a> From<&'a [DVec3]> for Given<'a> {
+    fn from(points: &'a [DVec3]) -> Self {
+        Self { points, tangents: None, normals: None }
+    }
+}
+
+impl Rails {
+    pub(crate) fn new(p: Given<'_>, q: Given<'_>, closed: bool) -> Self {
+        let largest = |sides: [&[DVec3]; 2], from: DVec3| {
+            let reach = |points: &[DVec3]| points.iter().fold(DVec3::ZERO, |reach, &v| reach.max((v - from).abs()));
+            reach(sides[0]).max(reach(sides[1])).max_element()
+        };
+        let outer = power_of_two_above(largest([p.points, q.points], DVec3::ZERO));
+        // Dividing by a power of two is multiplying by its inverse, to the bit.
+        let raw = |points: &[DVec3]| points.iter().map(|&v| v * outer.recip()).collect::<Vec<_>>();
+        let (raw_p, raw_q) = (raw(p.points), raw(q.points));
+        let centre = raw_p[0];
+        let extent = largest([&raw_p, &raw_q], centre);
+        let inner = power_of_two_above(extent);
+        let largest_raw = largest([&raw_p, &raw_q], DVec3::ZERO);
+        let side = |given: Given<'_>, raw: Vec<DVec3>| {
+            let points: Vec<DVec3> = raw.iter().map(|&v| (v - centre) * inner.recip()).collect();
+            let tangents = match given.tangents {
+                Some(tangents) => OnceLock::from(tangents.iter().map(|t| unit(*t)).collect::<Vec<_>>()),
+                None => OnceLock::new(),
+            };
+            let normals = given.normals.map(|n| n.iter().map(|n| unit(*n)).collect()).unwrap_or_default();
+            Rail { points, raw, tangents, normals }
+        };
+        Self {
+            closed,
+            p: side(p, raw_p),
+            q: side(q, raw_q),
+            unit: outer * inner,
+            rounding: (largest_raw.next_up() - largest_raw) / inner,
+        }
+    }
+
+    pub(crate) fn m(&self) -> usize {
+        self.p.points.len()
+    }
+    pub(crate) fn n(&self) -> usize {
+        self.q.points.len()
+    }
+    /// A closed directrix of one point is an apex: nothing runs around it.
+    pub(crate) fn has_apex(&self) -> bool {
+        self.m() == 1 || self.n() == 1
+    }
+    /// Triangles: m + n - 2 open, m + n closed, one fewer round an apex.
+    pub(crate) fn triangles(&self) -> usize {
+        match (self.closed, self.has_apex()) {
+            (false, _) => self.m() + self.n() - 2,
+            (true, false) => self.m() + self.n(),
+            (true, true) => self.m() + self.n() - 1,
+        }
+    }
+    pub(crate) fn has_normals(&self) -> bool {
+        !self.p.normals.is_empty() && !self.q.normals.is_empty()
+    }
+    /// The triangles along a path; vertices are P's points, then Q's.
+    pub(crate) fn triangles_along(&self, path: &[[u32; 2]]) -> Vec<[u32; 3]> {
+        let (m, n, count) = (self.m() as u32, self.n() as u32, path.len());
+        let steps = if self.closed { count } else { count - 1 };
+        (0..steps)
+            .map(|k| {
+                let ([i, j], [next, other]) = (path[k], path[(k + 1) % count]);
+                let by_p = m > 1 && (n == 1 || next != i);
+                if by_p { [i, next, m + j] } else { [i, m + other, m + j] }
+            })
+            .collect()
+    }
+    /// The corners of such a triangle.
+    pub(crate) fn corners(&self, triangle: [u32; 3]) -> [DVec3; 3] {
+        triangle.map(|v| {
+            let v = v as usize;
+            if v < self.m() { self.p.points[v] } else { self.q.points[v - self.m()] }
+        })
+    }
+    /// The bridge's vector, q_j - p_i; indices are cyclic on closed strips.
+    pub(crate) fn bridge(&self, [i, j]: [usize; 2]) -> DVec3 {
+        self.q.points[j % self.n()] - self.p.points[i % self.m()]
+    }
+}
+
+impl Rail {
+    pub(crate) fn tangents(&self, closed: bool) -> &[DVec3] {
+        self.tangents.get_or_init(|| fitted_tangents(&self.points, closed))
+    }
+    /// The bank edge that ends (`step` 0) or starts (`step` 1) at a point; zero if there is none.
+    pub(crate) fn bank(&self, index: usize, step: usize, closed: bool) -> DVec3 {
+        bank_edge(&self.points, index, step, closed)
+    }
+    pub(crate) fn neighbour(&self, index: usize, before: bool, closed: bool) -> Option<usize> {
+        let count = self.points.len();
+        match (before, closed && count > 1) {
+            (true, true) => Some((index + count - 1) % count),
+            (false, true) => Some((index + 1) % count),
+            (true, false) => index.checked_sub(1),
+            (false, false) => Some(index + 1).filter(|&k| k < count),
+        }
+    }
+}
+
+fn bank_edge(points: &[DVec3], index: usize, step: usize, closed: bool) -> DVec3 {
+    let count = points.len();
+    let end = index + step;
+    if closed && count > 1 {
+        points[end % count] - points[(end + count - 1) % count]
+    } else if end == 0 || end >= count {
+        DVec3::ZERO
+    } else {
+        points[end] - points[end - 1]
+    }
+}
+
+/// A power of two within a factor of two above a length; 1 for zero.
+fn power_of_two_above(length: f64) -> f64 {
+    if length == 0.0 {
+        return 1.0;
+    }
+    // The exponent field, kept where the power and its inverse are normal numbers.
+    let exponent = (length.to_bits() >> 52) & 0x7ff;
+    f64::from_bits((exponent + 1).clamp(23, 2023) << 52)
+}
+
+fn unit(v: DVec3) -> DVec3 {
+    let largest = v.abs().max_element();
+    // A power of two scales without rounding.
+    if largest == 0.0 { DVec3::ZERO } else { (v * power_of_two_above(largest).recip()).normalize() }
+}
+
+/// Unit tangents by eq. 13/14: the derivative at the middle of the quadratic through three neighbours, whose parameter
+/// is the chord length (the middle at α = |a|/(|a|+|b|), 1/2 where a neighbour coincides). One-sided chords at open
+/// ends.
+fn fitted_tangents(points: &[DVec3], closed: bool) -> Vec<DVec3> {
+    (0..points.len())
+        .map(|k| {
+            let (before, after) = (bank_edge(points, k, 0, closed), bank_edge(points, k, 1, closed));
+            if !closed && (k == 0 || k + 1 == points.len()) {
+                return unit(before + after);
+            }
+            let (a, b) = (before.length(), after.length());
+            let alpha = if a == 0.0 || b == 0.0 { 0.5 } else { a / (a + b) };
+            unit(before * ((1.0 - alpha) / alpha) + after * (alpha / (1.0 - alpha)))
+        })
+        .collect()
+}

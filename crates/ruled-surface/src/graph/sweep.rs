@@ -1,0 +1,425 @@
+//! The shortest path through a layered graph: one sweep over the grid of bridges, whatever the objective.
+//!
+//! Rows are swept in bands of `WIDTH` rows, each row one column behind the one above it: a cell's two predecessors then
+//! lie one step back, in its own lane (left) and in the lane above, and the lanes do not wait for one another. A band
+//! hands the costs of its last row to the next band. Back pointers are bits, one a node: the table is all that grows
+//! with m n.
+
+use super::lanes::{Lanes, MOST_LANES, Task};
+use super::pulse::{CELLS_BETWEEN_LOOKS, Pulse};
+use plateau_mesh::execution::Interruption;
+use std::cmp::Ordering;
+
+/// What a path costs: concave bridges (or 0 where they do not count), then the value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Score {
+    pub(crate) count: f64,
+    pub(crate) value: f64,
+}
+
+impl Score {
+    pub(crate) const WORST: Self = Self { count: f64::INFINITY, value: f64::INFINITY };
+    pub(crate) fn order(&self, other: &Self) -> Ordering {
+        self.count.total_cmp(&other.count).then(self.value.total_cmp(&other.value))
+    }
+    pub(crate) fn better_than(&self, other: &Self) -> bool {
+        self.order(other) == Ordering::Less
+    }
+}
+
+/// How the bridge before a path's first was arrived at; the first itself is always arrived at by a P-step. Only the
+/// quadruple-layer graph looks back that far.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Seed {
+    /// There is none: an open strip's natural end.
+    Open,
+    /// Either way, whichever is cheaper: a relaxation on a closed strip.
+    Either,
+    ByP,
+    ByQ,
+}
+
+/// One objective on one graph. A *node* of a bridge is numbered as its graph says; `top` is what a column of the row
+/// above hands down: `CARRY` numbers.
+pub(crate) trait Kernel<V: Lanes> {
+    const LAYERS: usize;
+    const CARRY: usize;
+    type Band: Copy;
+    /// What a row of lanes remembers of the column before.
+    type State: Copy;
+    fn simd(&self) -> V::Simd;
+    fn band(&self, band: usize) -> Self::Band;
+    /// Nothing reached yet.
+    fn blank(&self) -> Self::State;
+    /// Visits the bridges of step `t` (lane r: column t - r) and returns their back pointers: bit `layer * WIDTH +
+    /// lane` is set where the predecessor is the one by a Q-step.
+    fn step(&self, band: &Self::Band, state: &mut Self::State, top: &[f64], t: usize) -> u32;
+    /// Hands a lane down.
+    fn keep(&self, state: &Self::State, lane: usize, top: &mut [f64]);
+    fn unreached(&self, top: &mut [f64]);
+    /// A path may start at the bridge of row 0 in this column.
+    fn source(&self, column: usize, seed: Seed, top: &mut [f64]);
+    /// The cost of a path that leaves the last row here, having `arrived_by` P (0) or Q (1) (four layers only).
+    fn end(&self, top: &[f64], arrived_by: usize) -> Score;
+}
+
+/// A kernel whose costs only grow along a path, so that what exceeds a bound need not be followed.
+pub(crate) trait Bounded<V: Lanes>: Kernel<V> {
+    /// Whether a lane remembers a cost up to `bound`.
+    fn is_alive(&self, state: &Self::State, bound: f64) -> bool;
+    /// Whether a column hands one down.
+    fn hands_down(&self, top: &[f64], bound: f64) -> bool;
+}
+
+/// The columns that a search may visit, inclusive, for each row; both ends never fall from one row to the next. So what
+/// lies right of a band's end was never written and still says `unreached` to the next band.
+#[derive(Clone, Debug)]
+pub(crate) struct Region {
+    pub(crate) first: Vec<u32>,
+    pub(crate) last: Vec<u32>,
+}
+
+impl Region {
+    pub(crate) fn full(rows: usize, first: usize, last: usize) -> Self {
+        Self { first: vec![first as u32; rows], last: vec![last as u32; rows] }
+    }
+    pub(crate) fn cells(&self) -> u64 {
+        self.first.iter().zip(&self.last).map(|(&first, &last)| u64::from(last - first) + 1).sum()
+    }
+}
+
+/// One bit (or `layers` bits) for every bridge of a region, in the order in which a sweep visits them.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct BitTable {
+    layers: usize,
+    width: usize,
+    bands: Vec<BandOf>,
+    words: Vec<u64>,
+}
+
+/// A band's steps, and where its bits start.
+#[derive(Clone, Copy, Debug)]
+struct BandOf {
+    word: usize,
+    begin: usize,
+    end: usize,
+}
+
+impl BitTable {
+    pub(crate) fn lay_out(&mut self, region: &Region, layers: usize, width: usize) {
+        self.layers = layers;
+        self.width = width;
+        self.bands.clear();
+        let mut word = 0;
+        let rows = region.first.len();
+        for row in (0..rows).step_by(width) {
+            let begin = region.first[row] as usize;
+            let lanes = (row + width).min(rows) - row;
+            let end = (0..lanes).map(|r| region.last[row + r] as usize + r + 1).max().unwrap_or(begin);
+            self.bands.push(BandOf { word, begin, end });
+            word += (end - begin).div_ceil(self.steps_per_word());
+        }
+        self.words.clear();
+        self.words.resize(word, 0);
+    }
+
+    #[inline(always)]
+    fn steps_per_word(&self) -> usize {
+        64 / (self.layers * self.width)
+    }
+
+    /// The bit of a bridge's node. The bridge lies in the table's region.
+    pub(crate) fn bit(&self, [i, j]: [usize; 2], layer: usize) -> bool {
+        let (band, lane) = (self.bands[i / self.width], i % self.width);
+        let step = j + lane - band.begin;
+        let per_word = self.steps_per_word();
+        let bit = (step % per_word) * self.layers * self.width + layer * self.width + lane;
+        self.words[band.word + step / per_word] >> bit & 1 == 1
+    }
+
+    /// Sets the bit of a bridge, one layer.
+    pub(crate) fn set(&mut self, [i, j]: [usize; 2]) {
+        let (band, lane) = (self.bands[i / self.width], i % self.width);
+        let (step, per_word) = (j + lane - band.begin, 64 / self.width);
+        self.words[band.word + step / per_word] |= 1 << (step % per_word * self.width + lane);
+    }
+
+    /// The lanes of step `t`, one layer: bit r belongs to row `band * width + r`. Zero outside the table.
+    #[inline(always)]
+    pub(crate) fn lanes(&self, band: usize, t: usize) -> u32 {
+        let BandOf { word, begin, end } = self.bands[band];
+        if t < begin || t >= end {
+            return 0;
+        }
+        let per_word = 64 / self.width;
+        let step = t - begin;
+        (self.words[word + step / per_word] >> (step % per_word * self.width)) as u32 & ((1 << self.width) - 1)
+    }
+}
+
+/// A sweep's working memory, kept from one search to the next.
+#[derive(Debug, Default)]
+pub(crate) struct Workspace {
+    pub(crate) table: BitTable,
+    /// `CARRY` numbers a column for the row above, `LEFT` columns further left.
+    top: Vec<f64>,
+}
+
+/// Columns left of 0 that lanes pass through on their way in.
+const LEFT: usize = MOST_LANES;
+
+/// Sweeps the region from the source columns; afterwards [`Workspace::table`] has the back pointers and
+/// [`Workspace::end`] the costs along the last row.
+pub(crate) fn sweep<V: Lanes, K: Kernel<V>>(
+    kernel: &K,
+    columns: usize,
+    region: &Region,
+    sources: (usize, usize, Seed),
+    workspace: &mut Workspace,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<(), Interruption> {
+    let (first, last, seed) = sources;
+    let rows = region.first.len();
+    assert!(
+        rows > 0 && last < columns && region.last.iter().all(|&c| (c as usize) < columns),
+        "a sweep stays in its grid"
+    );
+    let Workspace { table, top } = workspace;
+    table.lay_out(region, K::LAYERS, V::WIDTH);
+    top.clear();
+    top.resize((LEFT + columns + V::WIDTH) * K::CARRY, 0.0);
+    for column in top.chunks_exact_mut(K::CARRY) {
+        kernel.unreached(column);
+    }
+    for column in first..=last {
+        let at = (LEFT + column) * K::CARRY;
+        kernel.source(column, seed, &mut top[at..at + K::CARRY]);
+    }
+    let bands = std::mem::take(&mut table.bands);
+    let mut position = SweepPosition { band: 0, step: bands[0].begin, state: kernel.blank() };
+    let mut failure = None;
+    while position.band < bands.len() {
+        let visited = V::run(
+            kernel.simd(),
+            SweepPart { kernel, bands: &bands, rows, top, words: &mut table.words, position: &mut position },
+        );
+        if let Err(interruption) = pulse.beat(visited) {
+            failure = Some(interruption);
+            break;
+        }
+    }
+    table.bands = bands;
+    failure.map_or(Ok(()), Err)
+}
+
+impl Workspace {
+    /// The cost of ending in this column of the last row.
+    pub(crate) fn end<V: Lanes, K: Kernel<V>>(&self, kernel: &K, column: usize, arrived_by: usize) -> Score {
+        let at = (LEFT + column) * K::CARRY;
+        kernel.end(&self.top[at..at + K::CARRY], arrived_by)
+    }
+}
+
+struct SweepPosition<S> {
+    band: usize,
+    step: usize,
+    state: S,
+}
+
+/// As much of a sweep as fits between two looks.
+struct SweepPart<'a, V: Lanes, K: Kernel<V>> {
+    kernel: &'a K,
+    bands: &'a [BandOf],
+    rows: usize,
+    top: &'a mut [f64],
+    words: &'a mut [u64],
+    position: &'a mut SweepPosition<K::State>,
+}
+
+impl<V: Lanes, K: Kernel<V>> Task<V> for SweepPart<'_, V, K> {
+    type Output = u64;
+    #[inline(always)]
+    fn run(self) -> u64 {
+        let mut visited = 0;
+        while visited < CELLS_BETWEEN_LOOKS && self.position.band < self.bands.len() {
+            let number = self.position.band;
+            let band = self.bands[number];
+            if self.position.step == band.begin {
+                self.position.state = self.kernel.blank();
+            }
+            let room = (CELLS_BETWEEN_LOOKS as usize / V::WIDTH).next_multiple_of(64);
+            let end = band.end.min(self.position.step + room);
+            visited += ((end - self.position.step) * V::WIDTH) as u64;
+            // The last band may end before its last lane: the row that is handed down is then another one.
+            if (number + 1) * V::WIDTH <= self.rows {
+                steps::<V, K, true>(self.kernel, number, band, end, V::WIDTH - 1, self.top, self.words, self.position);
+            } else {
+                let lane = (self.rows - 1) % V::WIDTH;
+                steps::<V, K, false>(self.kernel, number, band, end, lane, self.top, self.words, self.position);
+            }
+            if end == band.end {
+                self.position.band += 1;
+                if let Some(next) = self.bands.get(number + 1) {
+                    self.position.step = next.begin;
+                }
+            }
+        }
+        visited
+    }
+}
+
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "the inner loop's registers, spelled out")]
+fn steps<V: Lanes, K: Kernel<V>, const LAST_LANE: bool>(
+    kernel: &K,
+    number: usize,
+    band: BandOf,
+    end: usize,
+    lane: usize,
+    top: &mut [f64],
+    words: &mut [u64],
+    position: &mut SweepPosition<K::State>,
+) {
+    let lane = if LAST_LANE { V::WIDTH - 1 } else { lane };
+    let rows = kernel.band(number);
+    let bits = K::LAYERS * V::WIDTH;
+    let per_word = 64 / bits;
+    let mut state = position.state;
+    let mut t = position.step;
+    let mut word = band.word + (t - band.begin) / per_word;
+    while t < end {
+        let stop = end.min(t + per_word);
+        let (mut packed, mut shift) = (0u64, 0);
+        while t < stop {
+            let at = (LEFT + t) * K::CARRY;
+            let found = kernel.step(&rows, &mut state, &top[at..at + K::CARRY], t);
+            packed |= u64::from(found) << shift;
+            shift += bits;
+            let below = at - lane * K::CARRY;
+            kernel.keep(&state, lane, &mut top[below..below + K::CARRY]);
+            t += 1;
+        }
+        words[word] = packed;
+        word += 1;
+    }
+    position.state = state;
+    position.step = end;
+}
+
+/// The cost of the shortest path of an open strip if it is at most `bound`; no path is kept. Visits little more than
+/// the cells that some path within the bound passes.
+pub(crate) fn cost_within<V: Lanes, K: Bounded<V>>(
+    kernel: &K,
+    (rows, columns): (usize, usize),
+    bound: f64,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<Option<f64>, Interruption> {
+    let mut top = vec![0.0; (LEFT + columns + V::WIDTH) * K::CARRY];
+    for column in top.chunks_exact_mut(K::CARRY) {
+        kernel.unreached(column);
+    }
+    kernel.source(0, Seed::Open, &mut top[LEFT * K::CARRY..(LEFT + 1) * K::CARRY]);
+    // Nobody walks back: one band's pointers are overwritten by the next.
+    let mut words = vec![0; columns + V::WIDTH];
+    let (mut band, mut written) = (0, Some((0, 0)));
+    while let Some(columns_written) = written
+        && band * V::WIDTH < rows
+    {
+        let task = Pruned { kernel, rows, columns, bound, top: &mut top, words: &mut words, band, columns_written };
+        let visited;
+        (band, written, visited) = V::run(kernel.simd(), task);
+        pulse.beat(visited)?;
+    }
+    let end = kernel.end(&top[(LEFT + columns - 1) * K::CARRY..], 0).value;
+    Ok(written.filter(|&(_, last)| last + 1 == columns && end <= bound).map(|_| end))
+}
+
+/// Some bands of a search within a bound.
+struct Pruned<'a, K> {
+    kernel: &'a K,
+    rows: usize,
+    columns: usize,
+    bound: f64,
+    top: &'a mut [f64],
+    words: &'a mut [u64],
+    band: usize,
+    /// The columns that the row above has written, inclusive.
+    columns_written: (usize, usize),
+}
+
+impl<V: Lanes, K: Bounded<V>> Task<V> for Pruned<'_, K> {
+    /// The next band, the columns written for it (none if nothing is left within the bound), and the cells visited.
+    type Output = (usize, Option<(usize, usize)>, u64);
+    #[inline(always)]
+    fn run(mut self) -> Self::Output {
+        /// Steps between two looks at whether anything is alive.
+        const STEPS: usize = 16;
+        let mut visited = 0;
+        while visited < CELLS_BETWEEN_LOOKS && self.band * V::WIDTH < self.rows {
+            let (from, to) = self.columns_written;
+            let hands_down = |column: &usize| {
+                let at = (LEFT + column) * K::CARRY;
+                self.kernel.hands_down(&self.top[at..at + K::CARRY], self.bound)
+            };
+            let Some(begin) = (from..=to).find(hands_down) else { return (self.band, None, visited) };
+            let last = (begin..=to).rev().find(hands_down).unwrap_or(begin);
+            let lanes = V::WIDTH.min(self.rows - self.band * V::WIDTH);
+            let all = BandOf { word: 0, begin, end: self.columns + lanes - 1 };
+            let mut position = SweepPosition { band: self.band, step: begin, state: self.kernel.blank() };
+            loop {
+                let end = all.end.min(position.step + STEPS);
+                if lanes == V::WIDTH {
+                    let lane = V::WIDTH - 1;
+                    steps::<V, K, true>(self.kernel, self.band, all, end, lane, self.top, self.words, &mut position);
+                } else {
+                    let lane = lanes - 1;
+                    steps::<V, K, false>(self.kernel, self.band, all, end, lane, self.top, self.words, &mut position);
+                }
+                if end == all.end || end > last && !self.kernel.is_alive(&position.state, self.bound) {
+                    break;
+                }
+            }
+            visited += ((position.step - begin) * V::WIDTH) as u64;
+            // Further right stands what the row above handed down.
+            let written = position.step - lanes;
+            for column in written + 1..=to {
+                let at = (LEFT + column) * K::CARRY;
+                self.kernel.unreached(&mut self.top[at..at + K::CARRY]);
+            }
+            self.columns_written = (begin, written);
+            self.band += 1;
+        }
+        (self.band, Some(self.columns_written), visited)
+    }
+}
+
+/// Walks the back pointers from the bridge (rows - 1, `column`), left by the closing P-step and, on four layers,
+/// arrived at by `arrived_by`. Returns the bridges from the first on, and how the bridge before the first was arrived
+/// at.
+pub(crate) fn walk_back(table: &BitTable, rows: usize, column: usize, arrived_by: usize) -> (Vec<[u32; 2]>, usize) {
+    let (mut i, mut j) = (rows - 1, column);
+    let mut path = Vec::with_capacity(rows + column);
+    // The step that leaves the bridge, and (four layers) the one that led to it.
+    let (mut leaving, mut arriving) = (0, arrived_by);
+    loop {
+        path.push([i as u32, j as u32]);
+        let mut before = 0;
+        match table.layers {
+            1 => arriving = usize::from(table.bit([i, j], 0)),
+            2 => arriving = usize::from(table.bit([i, j], leaving)),
+            _ => before = usize::from(table.bit([i, j], 2 * arriving + leaving)),
+        }
+        if arriving == 0 {
+            if i == 0 {
+                path.reverse();
+                return (path, before);
+            }
+            i -= 1;
+        } else {
+            // Column `begin` has no reachable left neighbour, so its pointers lead up.
+            assert!(j > 0, "back pointers stay in the grid");
+            j -= 1;
+        }
+        (leaving, arriving) = (arriving, before);
+    }
+}

@@ -1,0 +1,52 @@
+//! One strip laid flat.
+
+use plateau_mesh::DVec2;
+
+/// One strip in the plane, its lower left corner at the origin, its longer extent mostly along x.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FlatStrip {
+    /// The two directrices' points, in order.
+    pub p: Vec<DVec2>,
+    /// The points of the second directrix.
+    pub q: Vec<DVec2>,
+    /// Index pairs into `p` and `q`, first to last.
+    pub bridges: Vec<[u32; 2]>,
+    /// Index triples into `p` followed by `q`, all counter-clockwise: the strip's front, (p_i, p_{i+1}, q_j), faces up.
+    pub triangles: Vec<[u32; 3]>,
+    /// Largest |flat length - length| over all edges, divided by the longest edge.
+    pub edge_length_error_max: f64,
+    /// Whether two triangles overlap in the plane.
+    pub self_overlap: bool,
+    /// Extent along x.
+    pub width: f64,
+    /// Extent along y.
+    pub height: f64,
+}
+
+impl FlatStrip {
+    /// The outline: along P, over the last bridge, back along Q.
+    #[must_use]
+    pub fn outline(&self) -> Vec<DVec2> {
+        self.p.iter().chain(self.q.iter().rev()).copied().collect()
+    }
+
+    /// Turns the line from the first bridge's middle to the last one's along x, moves the corner to the origin, scales.
+    pub(crate) fn straighten(&mut self, unit: f64) {
+        let middle = |[i, j]: [u32; 2]| self.p[i as usize].midpoint(self.q[j as usize]);
+        let along = match (self.bridges.first(), self.bridges.last()) {
+            (Some(&first), Some(&last)) => middle(last) - middle(first),
+            _ => DVec2::X,
+        };
+        let turn = if along.length() > 0.0 { along.normalize() } else { DVec2::X };
+        let points = self.p.iter_mut().chain(&mut self.q);
+        let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+        for point in points {
+            *point = DVec2::new(point.dot(turn), turn.perp_dot(*point));
+            (low, high) = (low.min(*point), high.max(*point));
+        }
+        for point in self.p.iter_mut().chain(&mut self.q) {
+            *point = (*point - low) * unit;
+        }
+        (self.width, self.height) = ((high.x - low.x) * unit, (high.y - low.y) * unit);
+    }
+}

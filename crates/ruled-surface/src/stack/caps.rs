@@ -1,0 +1,103 @@
+//! Flat caps: constrained Delaunay triangulations of planar end contours, which add no vertices.
+
+use plateau_mesh::error::{Error, InputError, Place};
+use plateau_mesh::execution::{Execution, Interruption};
+use plateau_mesh::plane::flatness::Flatness;
+use plateau_mesh::plane::frame::Frame;
+use plateau_mesh::plane::triangulation::{Border, Constraint, triangles_inside};
+use plateau_mesh::polyline::merge_near_neighbours;
+use plateau_mesh::{DVec2, DVec3, Mesh};
+
+/// Projects the points of an end contour onto its plane. Returns `None` if they lie in it already, up to rounding, else the
+/// points and the largest distance by which one was moved. `place` is the place of the contour.
+///
+/// # Errors
+/// [`InputError`] if the contour has no area, or at the farthest point if it is not planar.
+pub(crate) fn project(points: &[DVec3], place: Place) -> Result<Option<(Vec<DVec3>, f64)>, InputError> {
+    let merged = merge_near_neighbours(points, true);
+    if merged.points.len() < 3 {
+        // An apex, or an error that is reported with the number of points.
+        return Ok(None);
+    }
+    let Some(plane) = Frame::of_loop(&merged.points) else {
+        return Err(InputError::new(place, WITHOUT_AREA));
+    };
+    match Flatness::of(merged.points.iter().copied(), &merged.points, &plane) {
+        Flatness::Plane => Ok(None),
+        Flatness::Near(distance) => Ok(Some((points.iter().map(|&point| plane.foot(point)).collect(), distance))),
+        Flatness::Bent(departure) => {
+            let place = place.at(merged.source[departure.point]);
+            Err(InputError::new(place, departure.detail("flat caps need planar end contours")))
+        }
+    }
+}
+
+const WITHOUT_AREA: &str = "flat caps need an end contour with an area";
+
+/// Closes the two ends of a closed stack, whose end contours are plane. A directrix of one point closes its end already.
+/// Leaves the mesh oriented outwards.
+///
+/// # Errors
+/// [`Error::Input`] at `directrices`, k if an end contour crosses itself.
+pub(crate) fn close(mesh: &mut Mesh, directrices: &[Vec<u32>], execution: &Execution<'_>) -> Result<(), Error> {
+    let last = directrices.len() - 1;
+    for k in [0, last] {
+        if directrices[k].len() > 1 {
+            // Strips run along their first directrix and against their second one; a cap's edges run the other way.
+            let cap = cap(&mesh.vertices, &directrices[k], k == last, execution)?
+                .map_err(|detail| Error::input(Place::field("directrices").at(k), detail))?;
+            mesh.triangles.extend(cap);
+        }
+    }
+    if six_volumes(mesh) < 0.0 {
+        for triangle in &mut mesh.triangles {
+            triangle.swap(1, 2);
+        }
+    }
+    Ok(())
+}
+
+/// Six times the enclosed volume, seen from the first vertex.
+fn six_volumes(mesh: &Mesh) -> f64 {
+    let origin = mesh.vertices[0];
+    let volume = |&t: &[u32; 3]| {
+        let [a, b, c] = mesh.corners(t).map(|corner| corner - origin);
+        a.dot(b.cross(c))
+    };
+    mesh.triangles.iter().map(volume).sum()
+}
+
+/// Triangles of the polygon's inside, or why there are none; their outer edges run along the contour if `along`, else
+/// against it.
+fn cap(
+    vertices: &[DVec3],
+    contour: &[u32],
+    along: bool,
+    execution: &Execution<'_>,
+) -> Result<Result<Vec<[u32; 3]>, &'static str>, Interruption> {
+    let origin = vertices[contour[0] as usize];
+    let points: Vec<DVec3> = contour.iter().map(|&v| vertices[v as usize] - origin).collect();
+    let size = points.iter().fold(0.0f64, |m, p| m.max(p.length()));
+    // Twice the area vector; scaled so that no size overflows.
+    let next = |k: usize| points[(k + 1) % points.len()] / size;
+    let area: DVec3 = (0..points.len()).map(|k| (points[k] / size).cross(next(k))).sum();
+    let Some(normal) = area.try_normalize() else {
+        return Ok(Err(WITHOUT_AREA));
+    };
+    let frame = Frame::with_normal(normal);
+    let flat: Vec<DVec2> = points.iter().map(|&p| frame.coordinates(p) / size).collect();
+    let n = flat.len() as u32;
+    let outline = |k| Constraint { from: k, to: (k + 1) % n, border: Border::Outline };
+    execution.look(contour.len() as u64)?;
+    let Ok(triangles) = triangles_inside(&flat, &(0..n).map(outline).collect::<Vec<_>>()) else {
+        return Ok(Err("flat caps need end contours that do not cross or touch themselves"));
+    };
+    let mut triangles: Vec<[u32; 3]> = triangles.into_iter().map(|t| t.map(|v| contour[v as usize])).collect();
+    // The plane's axes make the contour run counter-clockwise, as the faces do.
+    if !along {
+        for triangle in &mut triangles {
+            triangle.swap(1, 2);
+        }
+    }
+    Ok(Ok(triangles))
+}

@@ -1,0 +1,64 @@
+//! What a solve will take, estimated before the work.
+
+use super::options::{Direction, Options};
+use super::warnings::{BENDING_CHECKED_UP_TO, CLOSED_BENDING_CHECKED_UP_TO};
+use crate::strip::objective::{Goal, Objective};
+use plateau_mesh::Estimate;
+
+/// Number of bytes of memory that each point takes in addition to the search: its triangles, and their copy for a file. A
+/// larger value refuses more requests.
+const BYTES_PER_POINT: u64 = 2_000;
+
+/// What a stack of directrices with these numbers of points takes. An open strip visits exactly as many cells; a closed
+/// strip may need fewer or somewhat more.
+pub(crate) fn estimate(lengths: &[usize], options: &Options) -> Estimate {
+    let goal = Goal { objective: options.objective, secondary: options.secondary };
+    let mut goals = vec![goal];
+    if let Objective::Weighted(weights) = options.objective
+        && weights.normalise
+    {
+        goals.extend(weights.terms().iter().filter(|(_, weight)| *weight > 0.0).map(|&(o, _)| Goal::single(o)));
+    }
+    let mut total = Estimate::default();
+    for pair in lengths.windows(2) {
+        let ends = if options.closed { 0 } else { 2 };
+        total.triangles += (pair[0] + pair[1]).saturating_sub(ends) as f64;
+        if pair[0].min(pair[1]) < 2 {
+            continue;
+        }
+        let (m, n) = (pair[0] as u64, pair[1] as u64);
+        let directions = if options.direction == Direction::Auto { 3 } else { 1 };
+        let (mut cells, mut bytes) = (0u64, 0u64);
+        let mut add = |goal: &Goal, times: u64| {
+            let (layers, windings) = (goal.layers(), goal.windings());
+            let convexity = if goal.objective == Objective::MaximalConvexity { m * n } else { 0 };
+            let searches = match (options.closed, layers) {
+                (false, _) => 1,
+                (true, 1) => u64::from(n.ilog2()) + 2,
+                (true, _) => 2 * (u64::from(n.ilog2()) + 2),
+            };
+            let columns = if options.closed { 2 * n } else { n };
+            cells += times * (windings * searches * m * n + convexity);
+            let grid = (m + 4) * (columns + 64);
+            bytes = bytes.max(grid * layers / 8 + if convexity > 0 { grid / 8 } else { 0 } + 400 * (m + columns));
+        };
+        for goal in &goals {
+            add(goal, directions);
+        }
+        // Strips of least area, with which the directions and the warnings compare.
+        if goal.objective != Objective::MinimalArea {
+            add(&Goal::single(Objective::MinimalArea), directions);
+        }
+        let limit = if options.closed { CLOSED_BENDING_CHECKED_UP_TO } else { BENDING_CHECKED_UP_TO };
+        if m * n <= limit as u64 {
+            add(&Goal::single(Objective::MinimalBendingEnergy), 1);
+        }
+        if options.all_objectives {
+            Goal::all(options.normals.is_some()).for_each(|goal| add(&goal, 1));
+        }
+        total.cells += cells;
+        total.bytes = total.bytes.max(bytes);
+    }
+    total.bytes += BYTES_PER_POINT * lengths.iter().sum::<usize>() as u64;
+    total
+}

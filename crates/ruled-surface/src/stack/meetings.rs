@@ -1,0 +1,145 @@
+//! Directrices that a caller may not have meant: equal ones, ones that cross, and open ones that end where they begin.
+
+use super::prepare::Prepared;
+use plateau_mesh::DVec3;
+use plateau_mesh::error::Warning;
+use plateau_mesh::execution::{Execution, Interruption};
+use plateau_mesh::polyline::contact::{Contact, Segments, first_contact};
+use plateau_mesh::polyline::{SAME_POINT, radius};
+
+/// Smallest number of points of an open directrix that is taken for a loop.
+const LOOP_POINTS: usize = 4;
+/// Number of directrices that a warning lists.
+const MOST_LISTED: usize = 5;
+
+/// Warnings about the directrices as they were given, before any is reversed. O(n log n) in the number of points.
+pub(crate) fn warnings(prepared: &Prepared, execution: &Execution<'_>) -> Result<Vec<Warning>, Interruption> {
+    let mut warnings = Vec::new();
+    warnings.extend(unclosed(prepared));
+    for k in 0..prepared.directrices.len() - 1 {
+        let [p, q] = [k, k + 1].map(|k| prepared.directrices[k].points.as_slice());
+        if p.len() < 2 || q.len() < 2 {
+            continue;
+        }
+        let tolerance = SAME_POINT * radius(p).max(radius(q));
+        let next = k + 1;
+        if is_same(p, q, tolerance) {
+            let detail =
+                format!("directrices {k} and {next} are the same polyline, so the strip between them has no area");
+            warnings.push(Warning::new("identical_directrices", detail));
+        } else if let Some(contact) = meeting(p, q, prepared.closed, tolerance, execution)? {
+            let [from, to] = [contact.first, contact.first + 1].map(|k| k % p.len());
+            let [from, to] = [from, to].map(|index| prepared.directrices[k].input_point(index));
+            let detail = format!(
+                "directrices {k} and {next} cross or touch between the points {from} and {to} of directrix {k}: the strip \
+                 is pinched there"
+            );
+            warnings.push(Warning::new("crossing_directrices", detail));
+        }
+    }
+    Ok(warnings)
+}
+
+/// A warning of open directrices that end where they begin.
+fn unclosed(prepared: &Prepared) -> Option<Warning> {
+    let is_loop = |points: &[DVec3]| {
+        let ends = points[0].distance(points[points.len() - 1]);
+        points.len() >= LOOP_POINTS && ends <= SAME_POINT * radius(points)
+    };
+    let directrices = prepared.directrices.iter().enumerate();
+    let loops: Vec<String> =
+        directrices.filter(|(_, directrix)| is_loop(&directrix.points)).map(|(k, _)| k.to_string()).collect();
+    if prepared.closed || loops.is_empty() {
+        return None;
+    }
+    let which = match loops.len() {
+        1 => format!("directrix {} ends where it begins", loops[0]),
+        count if count <= MOST_LISTED => format!("directrices {} end where they begin", loops.join(", ")),
+        count => format!("{count} directrices, {} and others, end where they begin", loops[..MOST_LISTED].join(", ")),
+    };
+    let detail =
+        format!("{which}, but the strips are open: set closed for loops, so that each strip is joined to itself");
+    Some(Warning::new("unclosed_directrices", detail))
+}
+
+/// Whether two polylines have the same points in the same or the opposite order.
+fn is_same(p: &[DVec3], q: &[DVec3], tolerance: f64) -> bool {
+    let near = |(a, b): (&DVec3, &DVec3)| a.distance(*b) <= tolerance;
+    p.len() == q.len() && (p.iter().zip(q).all(near) || p.iter().zip(q.iter().rev()).all(near))
+}
+
+/// A contact of two polylines that is not a common end of both, where an open strip comes to a point on purpose.
+fn meeting(
+    p: &[DVec3],
+    q: &[DVec3],
+    closed: bool,
+    tolerance: f64,
+    execution: &Execution<'_>,
+) -> Result<Option<Contact>, Interruption> {
+    let at_end = |points: &[DVec3], place: DVec3| {
+        [points[0], points[points.len() - 1]].into_iter().any(|end| end.distance(place) <= 2.0 * tolerance)
+    };
+    let counts = |contact: &Contact| closed || !(at_end(p, contact.point) && at_end(q, contact.point));
+    first_contact(&Segments::new(p, closed), &Segments::new(q, closed), tolerance, counts, execution)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Options, solve};
+    use plateau_mesh::{DVec3, Execution};
+
+    fn codes(directrices: &[&[[f64; 3]]], closed: bool) -> Vec<(&'static str, String)> {
+        let directrices: Vec<Vec<DVec3>> =
+            directrices.iter().map(|points| points.iter().copied().map(DVec3::from).collect()).collect();
+        let solved = solve(&directrices, &Options { closed, ..Options::default() }, &Execution::default()).unwrap();
+        let named = ["identical_directrices", "crossing_directrices", "unclosed_directrices"];
+        let warnings = solved.warnings.into_iter().filter(|warning| named.contains(&warning.code));
+        warnings.map(|warning| (warning.code, warning.detail)).collect()
+    }
+
+    const RAIL: [[f64; 3]; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.2], [2.0, 0.0, 0.0]];
+    const OTHER: [[f64; 3]; 2] = [[0.0, 1.0, 0.0], [2.0, 1.0, 0.5]];
+
+    #[test]
+    fn ordinary_directrices_have_no_such_warning() {
+        assert_eq!(codes(&[&RAIL, &OTHER], false), []);
+        // Two arcs that meet at both ends, and an apex on the other directrix.
+        let arc = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.2], [2.0, 0.0, 0.0]];
+        assert_eq!(codes(&[&RAIL, &arc], false), []);
+        assert_eq!(codes(&[&RAIL, &[[1.0, 3.0, 0.0]]], false), []);
+    }
+
+    #[test]
+    fn equal_directrices_are_named() {
+        let back = [RAIL[2], RAIL[1], RAIL[0]];
+        for same in [&RAIL, &back] {
+            let found = codes(&[&RAIL, same], false);
+            assert_eq!(found.len(), 1, "{found:?}");
+            assert!(
+                found[0].0 == "identical_directrices" && found[0].1.starts_with("directrices 0 and 1 are the same")
+            );
+        }
+    }
+
+    #[test]
+    fn directrices_that_cross_are_told_where() {
+        let across = [[0.5, -1.0, 0.1], [0.5, 0.5, 0.1], [2.0, 1.0, 0.0]];
+        let found = codes(&[&OTHER, &RAIL, &across], false);
+        assert_eq!(found.len(), 1, "{found:?}");
+        let expected = "directrices 1 and 2 cross or touch between the points 0 and 1 of directrix 1: ";
+        assert!(found[0].0 == "crossing_directrices" && found[0].1.starts_with(expected), "{found:?}");
+    }
+
+    #[test]
+    fn loops_that_are_not_closed_are_named() {
+        let square =
+            |z: f64, size: f64| [[0.0, 0.0, z], [size, 0.0, z], [size, size, z], [0.0, size, z], [0.0, 0.0, z]];
+        let (low, high) = (square(0.0, 1.0), square(1.0, 2.0));
+        let found = codes(&[&low, &high], false);
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert!(
+            found[0].0 == "unclosed_directrices" && found[0].1.starts_with("directrices 0, 1 end where they begin")
+        );
+        assert_eq!(codes(&[&low, &high], true), []);
+    }
+}

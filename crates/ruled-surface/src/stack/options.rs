@@ -1,0 +1,100 @@
+//! What is asked of a stack of strips.
+
+use super::sampling::Sampling;
+use crate::strip::objective::{Objective, Secondary};
+use plateau_mesh::DVec3;
+
+/// Default of [`Options::convexity_tolerance`]: 1e-6 degrees.
+pub const DEFAULT_CONVEXITY_TOLERANCE: f64 = 1e-6 * std::f64::consts::PI / 180.0;
+
+/// What to solve. The default: open strips of minimal area, as given.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// Directrices are closed polygons; the optimum is over every starting bridge too.
+    pub closed: bool,
+    /// What each strip minimises.
+    pub objective: Objective,
+    /// With [`Objective::MaximalConvexity`] only.
+    pub secondary: Option<Secondary>,
+    /// How far, in radians, a direction may reach beyond the half-plane of a locally convex bridge; 0 is the exact
+    /// answer.
+    pub convexity_tolerance: f64,
+    /// Whether directrices may be reversed.
+    pub direction: Direction,
+    /// What closes the ends of a closed stack.
+    pub caps: Caps,
+    /// Surface normals along the directrices, in their shape; needed for [`Objective::MinimalNormalVariation`].
+    pub normals: Option<Vec<Vec<DVec3>>>,
+    /// Tangents along the directrices, in their shape; fitted if not given (eq. 13 and 14).
+    pub tangents: Option<Vec<Vec<DVec3>>>,
+    /// Solve for every objective and fill [`RuledSurface::comparison`](crate::RuledSurface::comparison).
+    pub all_objectives: bool,
+    /// How directrices are resampled before the solve; as given by default.
+    pub sampling: Option<Sampling>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            closed: false,
+            objective: Objective::MinimalArea,
+            secondary: None,
+            convexity_tolerance: DEFAULT_CONVEXITY_TOLERANCE,
+            direction: Direction::AsGiven,
+            caps: Caps::None,
+            normals: None,
+            tangents: None,
+            all_objectives: false,
+            sampling: None,
+        }
+    }
+}
+
+/// Whether a directrix may be run through backwards.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Direction {
+    #[default]
+    /// Each directrix runs as given.
+    AsGiven,
+    /// Each directrix but the first is reversed where it runs against the one before it
+    /// ([`DirectionCriterion`](crate::DirectionCriterion)).
+    Auto,
+}
+
+/// Criterion that decided in which direction a directrix is run through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DirectionCriterion {
+    /// The area vectors of two closed contours.
+    AreaVectors,
+    /// Folds by more than 90°, which only one of the two ways has.
+    Folds,
+    /// The sum of the squared distances between the ends.
+    Ends,
+    /// The objective, because nothing else tells the two ways apart.
+    Objective,
+}
+
+impl DirectionCriterion {
+    /// The criterion's name, in snake case.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::AreaVectors => "area_vectors",
+            Self::Folds => "folds",
+            Self::Ends => "ends",
+            Self::Objective => "objective",
+        }
+    }
+}
+
+/// What closes the ends of a closed stack.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Caps {
+    #[default]
+    /// The ends stay open.
+    None,
+    /// Constrained Delaunay triangulations of the planar end contours: a closed body, oriented outwards. A contour that is
+    /// off its plane by at most a thousandth of its size is projected onto it before anything is solved, with the warning
+    /// `projected`.
+    Flat,
+}

@@ -1,0 +1,213 @@
+//! Resampling a directrix before solving (section 2: uniformly in t, or adaptively by chordal height).
+
+use plateau_mesh::DVec3;
+use plateau_mesh::execution::{Execution, Interruption};
+use std::collections::BinaryHeap;
+
+/// How the points of a directrix are chosen from the given polyline.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sampling {
+    /// `samples` points uniform in t, where t counts the polyline's points.
+    Parameter {
+        /// Number of points.
+        samples: usize,
+    },
+    /// `samples` points uniform in the length along the polyline.
+    ArcLength {
+        /// Number of points.
+        samples: usize,
+    },
+    /// The given points that are needed to stay within `tolerance` (a length) of the polyline, the largest chordal
+    /// height first, at most `samples` of them if that is given.
+    ChordHeight {
+        /// Largest number of points; as many as are needed by default.
+        samples: Option<usize>,
+        /// Largest distance of a left-out point from its chord, in the caller's unit.
+        tolerance: f64,
+    },
+}
+
+/// Resampled points: each lies on a segment of the input.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Samples {
+    /// Segment and the fraction along it.
+    pub(crate) places: Vec<(usize, f64)>,
+    /// For each input point the sample nearest to it along the polyline.
+    pub(crate) nearest: Vec<usize>,
+}
+
+impl Samples {
+    /// Values given at the input's points, interpolated linearly.
+    pub(crate) fn interpolate(&self, values: &[DVec3]) -> Vec<DVec3> {
+        self.places
+            .iter()
+            .map(|&(k, fraction)| {
+                let next = values[(k + 1) % values.len()];
+                if fraction == 0.0 { values[k] } else { values[k] * (1.0 - fraction) + next * fraction }
+            })
+            .collect()
+    }
+}
+
+/// The most points that `count` given ones can become.
+pub(crate) fn count(count: usize, sampling: Option<Sampling>) -> usize {
+    match sampling {
+        _ if count < 2 => count,
+        None | Some(Sampling::ChordHeight { samples: None, .. }) => count,
+        Some(Sampling::Parameter { samples } | Sampling::ArcLength { samples }) => samples,
+        Some(Sampling::ChordHeight { samples: Some(samples), .. }) => samples.min(count),
+    }
+}
+
+/// Chooses the samples. Open directrices keep both ends, closed ones their first point. A single point stays one.
+pub(crate) fn sample(
+    points: &[DVec3],
+    closed: bool,
+    sampling: Sampling,
+    execution: &Execution<'_>,
+) -> Result<Samples, Interruption> {
+    let count = points.len();
+    if count < 2 {
+        return Ok(Samples { places: vec![(0, 0.0); count], nearest: vec![0; count] });
+    }
+    match sampling {
+        Sampling::Parameter { samples } => {
+            let stations: Vec<f64> = (0..=count - usize::from(!closed)).map(|k| k as f64).collect();
+            Ok(uniform(&stations, samples, closed))
+        }
+        Sampling::ArcLength { samples } => {
+            let mut stations = vec![0.0];
+            for k in 1..count + usize::from(closed) {
+                stations.push(stations[k - 1] + points[k - 1].distance(points[k % count]));
+            }
+            Ok(uniform(&stations, samples, closed))
+        }
+        Sampling::ChordHeight { samples, tolerance } => by_chord_height(points, closed, samples, tolerance, execution),
+    }
+}
+
+/// Equal steps of a station that grows along the polyline; on closed ones the last station is the first point again.
+fn uniform(stations: &[f64], samples: usize, closed: bool) -> Samples {
+    let total = stations[stations.len() - 1];
+    let steps = (if closed { samples } else { samples - 1 }) as f64;
+    let mut places = Vec::with_capacity(samples);
+    let mut segment = 0;
+    for k in 0..samples {
+        let station = total * (k as f64 / steps);
+        while segment + 2 < stations.len() && stations[segment + 1] <= station {
+            segment += 1;
+        }
+        let length = stations[segment + 1] - stations[segment];
+        let fraction = if length > 0.0 { ((station - stations[segment]) / length).clamp(0.0, 1.0) } else { 0.0 };
+        // A sample at a given point is that point, to the bit.
+        places.push(if !closed && k + 1 == samples {
+            (stations.len() - 1, 0.0)
+        } else if fraction == 1.0 {
+            (segment + 1, 0.0)
+        } else {
+            (segment, fraction)
+        });
+    }
+    let points = stations.len() - usize::from(closed);
+    let nearest = stations[..points]
+        .iter()
+        .map(|station| {
+            let index = (station / total * steps).round() as usize;
+            if closed { index % samples } else { index.min(samples - 1) }
+        })
+        .collect();
+    Samples { places, nearest }
+}
+
+/// A stretch of the polyline and the point furthest from its chord.
+struct Chord {
+    height: f64,
+    from: usize,
+    to: usize,
+    peak: usize,
+}
+
+impl Chord {
+    fn new(points: &[DVec3], from: usize, to: usize) -> Self {
+        let (a, b) = (points[from], points[to % points.len()]);
+        let chord = b - a;
+        let squared = chord.length_squared();
+        let mut stretch = Self { height: 0.0, from, to, peak: from };
+        for (k, point) in points.iter().enumerate().take(to).skip(from + 1) {
+            let along = if squared > 0.0 { ((*point - a).dot(chord) / squared).clamp(0.0, 1.0) } else { 0.0 };
+            let height = point.distance(a + chord * along);
+            if height > stretch.height {
+                (stretch.height, stretch.peak) = (height, k);
+            }
+        }
+        stretch
+    }
+}
+
+impl Ord for Chord {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.height.total_cmp(&other.height).then(other.from.cmp(&self.from))
+    }
+}
+impl PartialOrd for Chord {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+impl PartialEq for Chord {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+impl Eq for Chord {}
+
+/// O(points · samples) at worst, points · log(samples) on most curves.
+fn by_chord_height(
+    points: &[DVec3],
+    closed: bool,
+    samples: Option<usize>,
+    tolerance: f64,
+    execution: &Execution<'_>,
+) -> Result<Samples, Interruption> {
+    let count = points.len();
+    let most = samples.unwrap_or(count).max(if closed { 3 } else { 2 });
+    let mut kept = vec![false; count];
+    kept[0] = true;
+    let mut heap = BinaryHeap::new();
+    if closed {
+        // Two more points make a polygon: the one furthest from the first, and the one furthest from that chord.
+        let furthest = (1..count)
+            .fold(1, |best, k| if points[k].distance(points[0]) > points[best].distance(points[0]) { k } else { best });
+        kept[furthest] = true;
+        heap.push(Chord::new(points, 0, furthest));
+        heap.push(Chord::new(points, furthest, count));
+    } else {
+        kept[count - 1] = true;
+        heap.push(Chord::new(points, 0, count - 1));
+    }
+    let mut chosen = 2;
+    while let Some(stretch) = heap.pop() {
+        let needed = stretch.height > tolerance || (closed && chosen < 3);
+        if chosen >= most || !needed || stretch.peak == stretch.from {
+            break;
+        }
+        kept[stretch.peak] = true;
+        chosen += 1;
+        execution.look((stretch.to - stretch.from) as u64)?;
+        heap.push(Chord::new(points, stretch.from, stretch.peak));
+        heap.push(Chord::new(points, stretch.peak, stretch.to));
+    }
+    let places: Vec<(usize, f64)> = (0..count).filter(|&k| kept[k]).map(|k| (k, 0.0)).collect();
+    let nearest = (0..count)
+        .map(|k| {
+            let after = places.partition_point(|&(at, _)| at < k);
+            let distance = |s: usize| places[s % places.len()].0.abs_diff(k);
+            if after == places.len() || (after > 0 && distance(after - 1) <= distance(after)) {
+                after - 1
+            } else {
+                after
+            }
+        })
+        .collect();
+    Ok(Samples { places, nearest })
+}

@@ -1,0 +1,50 @@
+//! What a solve gives back.
+
+use super::options::DirectionCriterion;
+use crate::pattern::FlatPattern;
+use crate::strip::objective::{Objective, Secondary};
+use crate::strip::statistics::Statistics;
+use plateau_mesh::Mesh;
+use plateau_mesh::error::Warning;
+use plateau_mesh::self_intersections::SelfIntersectionCheck;
+
+/// A triangulated stack of strips.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RuledSurface {
+    /// Vertices: the directrices' points, directrix by directrix. Triangles: strip by strip along the path, then caps.
+    pub mesh: Mesh,
+    /// Vertex pairs, strip by strip, from the first bridge to the last.
+    pub bridges: Vec<[u32; 2]>,
+    /// The vertices of each directrix, in the direction in which its strips run through it.
+    pub directrices: Vec<Vec<u32>>,
+    /// For each input point its vertex: merged points share one, resampled ones name the nearest along the directrix.
+    pub input_vertices: Vec<Vec<u32>>,
+    /// Which directrices [`Direction::Auto`](crate::Direction::Auto) reversed.
+    pub reversed: Vec<bool>,
+    /// For each directrix what decided its direction. `None` for the first one, for one beside an apex, and if the
+    /// directions are as given.
+    pub direction_decided_by: Vec<Option<DirectionCriterion>>,
+    /// Figures of the whole stack, caps not counted.
+    pub statistics: Statistics,
+    /// Figures of each strip.
+    pub strips: Vec<Statistics>,
+    /// Table 1: the figures of every objective's own optimum, if asked for.
+    pub comparison: Option<Vec<Comparison>>,
+    /// Open surfaces only.
+    pub flat_pattern: Option<FlatPattern>,
+    /// Pairs of triangles that meet in more than what they share, caps included.
+    pub self_intersections: SelfIntersectionCheck,
+    /// What the caller should know about the input or the result.
+    pub warnings: Vec<Warning>,
+}
+
+/// A row of Table 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
+    /// The objective that was minimised.
+    pub objective: Objective,
+    /// What decided among its optima.
+    pub secondary: Option<Secondary>,
+    /// Figures of the whole stack for that optimum.
+    pub statistics: Statistics,
+}

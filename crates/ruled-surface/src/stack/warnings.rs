@@ -1,0 +1,118 @@
+//! What a caller should know about a result that is optimal all the same.
+
+use super::direction::evident_direction;
+use super::options::DirectionCriterion;
+use crate::graph::lanes::Widest;
+use crate::graph::pulse::Pulse;
+use crate::graph::rails::Rails;
+use crate::strip::objective::{Goal, Objective};
+use crate::strip::search::{least, least_bending_within};
+use crate::strip::statistics::Statistics;
+use plateau_mesh::DVec3;
+use plateau_mesh::error::{Error, Warning};
+use plateau_mesh::measure::is_degenerate;
+
+/// Area, as a multiple of the least area, above which a strip is reported. A larger value reports fewer strips.
+const LARGE: f64 = 1.25;
+/// Bending energy, as a multiple of the least one, above which a strip is reported. A strip of least area alone has 10
+/// to 20 times the least bending energy on Wang and Tang's examples.
+const BENT: f64 = 50.0;
+/// Grid cells up to which an open strip is searched for a path that bends so much less. A larger value takes more time.
+pub(crate) const BENDING_CHECKED_UP_TO: usize = 1 << 18;
+/// The same for closed strips, which take a few dozen searches.
+pub(crate) const CLOSED_BENDING_CHECKED_UP_TO: usize = 1 << 14;
+/// An open strip whose directrices share both ends has two triangles without area; more are reported.
+const EMPTY_AT_ENDS: usize = 2;
+/// Number of points to which directrices are thinned to compare their directions. The time grows with its square.
+const THINNED: usize = 48;
+/// Warnings about strip `k` of a stack, solved as `path` with these figures. `as_given`: nobody chose its directions.
+pub(crate) fn of_strip(
+    k: usize,
+    strip: &Rails,
+    path: &[[u32; 2]],
+    statistics: &Statistics,
+    (goal, as_given): (Goal, bool),
+    lanes: Widest,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<Vec<Warning>, Error> {
+    let mut warnings = Vec::new();
+    if statistics.folds_back() {
+        let degrees = statistics.largest_fold.to_degrees();
+        warnings.push(Warning::new(
+            "folds",
+            format!("strip {k}: neighbouring triangles fold back, by up to {degrees:.1}°"),
+        ));
+    }
+    let triangles = strip.triangles_along(path);
+    let empty = triangles.iter().filter(|&&triangle| is_degenerate(strip.corners(triangle))).count();
+    if empty > EMPTY_AT_ENDS || empty == triangles.len() {
+        let of = if empty == triangles.len() { "all".to_owned() } else { format!("{empty} of") };
+        let detail = format!(
+            "strip {k}: {of} {} triangles have no area: directrices {k} and {} coincide there or run along one line",
+            triangles.len(),
+            k + 1
+        );
+        warnings.push(Warning::new("empty_triangles", detail));
+    }
+    if strip.closed && repeats_a_bridge(path) {
+        let detail = format!("strip {k}: the path runs all the way round one directrix at one point of the other");
+        warnings.push(Warning::new("repeated_bridge", detail));
+    }
+    if strip.has_apex() {
+        return Ok(warnings);
+    }
+    if as_given && let Some((true, criterion)) = evident_direction(&thinned_ways(strip), lanes, pulse)? {
+        let reason = match criterion {
+            DirectionCriterion::AreaVectors => "they run round in opposite senses",
+            DirectionCriterion::Folds => "the strip folds back, and does not if one of them is reversed",
+            DirectionCriterion::Ends | DirectionCriterion::Objective => {
+                "if one of them is reversed, their ends are nearer to each other"
+            }
+        };
+        let detail = format!("directrices {k} and {} run in opposite directions: {reason}", k + 1);
+        warnings.push(Warning::new("opposite_directions", detail));
+    }
+    if goal.objective != Objective::MinimalArea {
+        let factor = statistics.area / least(strip, Objective::MinimalArea, lanes, pulse)?;
+        if factor > LARGE {
+            let detail = format!("strip {k}: {factor:.2} times the area of the strip of minimal area");
+            warnings.push(Warning::new("large_area", detail));
+        }
+    }
+    let limit = if strip.closed { CLOSED_BENDING_CHECKED_UP_TO } else { BENDING_CHECKED_UP_TO };
+    // A planar strip bends by rounding alone.
+    let rounding = 1e-9 * statistics.bridges as f64;
+    if goal.objective != Objective::MinimalBendingEnergy
+        && strip.m() * strip.n() <= limit
+        && statistics.bending_energy > rounding
+    {
+        let bound = statistics.bending_energy / BENT;
+        if let Some(least) = least_bending_within(strip, bound, lanes, pulse)? {
+            let detail = if least > rounding {
+                let factor = statistics.bending_energy / least;
+                format!("strip {k}: {factor:.0} times the bending energy of the strip that bends least")
+            } else {
+                format!("strip {k}: it bends, although it could be laid without bending")
+            };
+            warnings.push(Warning::new("strongly_bent", detail));
+        }
+    }
+    Ok(warnings)
+}
+
+/// The two ways to run through the directrices of a strip, thinned to at most [`THINNED`] points a side.
+fn thinned_ways(strip: &Rails) -> [Rails; 2] {
+    let thin = |points: &[DVec3]| -> Vec<DVec3> {
+        let count = points.len().min(THINNED);
+        (0..count).map(|k| points[k * (points.len() - 1) / (count - 1)]).collect()
+    };
+    let (p, q) = (thin(&strip.p.points), thin(&strip.q.points));
+    let back: Vec<DVec3> = q.iter().rev().copied().collect();
+    [q, back].map(|q| Rails::new(p.as_slice().into(), q.as_slice().into(), strip.closed))
+}
+
+fn repeats_a_bridge(path: &[[u32; 2]]) -> bool {
+    let mut bridges = path.to_vec();
+    bridges.sort_unstable();
+    bridges.windows(2).any(|pair| pair[0] == pair[1])
+}

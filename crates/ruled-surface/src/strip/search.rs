@@ -1,0 +1,349 @@
+//! From a strip and an objective to a path: which graph, which kernel, how wide.
+
+use super::objective::{Goal, Objective, Secondary, Weights};
+use super::statistics::{Evaluation, Statistics, evaluate};
+use crate::graph::closed::{self, FoundPath, KernelSearch, PathSearch};
+use crate::graph::convexity::{self, ConvexityTest};
+use crate::graph::corridor::corridor;
+use crate::graph::lanes::{Lanes, Widest, with_lanes};
+use crate::graph::lattice::Lattice;
+use crate::graph::layers::{
+    Area, Concave, CoupledCost, DualLayer, Factors, NormalVariation, PlainCost, QuadrupleLayer, SingleLayer, Twist,
+};
+use crate::graph::pulse::Pulse;
+use crate::graph::rails::Rails;
+use crate::graph::sweep::{Region, cost_within};
+use plateau_mesh::error::{Error, Warning};
+use plateau_mesh::execution::Interruption;
+use std::marker::PhantomData;
+
+/// What a search is asked for on one strip.
+#[derive(Clone, Copy)]
+pub(crate) struct SearchGoal<'a> {
+    goal: Goal,
+    /// A weighted sum's.
+    factors: Option<&'a Factors>,
+    /// Winding for the normal variation, 1 or -1.
+    sign: f64,
+    test: ConvexityTest,
+}
+
+impl SearchGoal<'_> {
+    /// A goal that needs no factors, on triangles as they come.
+    fn plainly(goal: Goal, test: ConvexityTest) -> Self {
+        Self { goal, factors: None, sign: 1.0, test }
+    }
+}
+
+/// A path on every strip of a stack, and its figures.
+#[derive(Clone, Debug)]
+pub(crate) struct SolvedStrips {
+    pub(crate) paths: Vec<Vec<[u32; 2]>>,
+    pub(crate) statistics: Vec<Statistics>,
+    /// The faces agree with the given normals only when wound the other way round.
+    pub(crate) flipped: bool,
+}
+
+/// Solves every strip. The winding, where it matters, is one for the whole stack: the one with the smaller total.
+pub(crate) fn solve_all(
+    strips: &[Rails],
+    goal: Goal,
+    test: ConvexityTest,
+    lanes: Widest,
+    pulse: &mut Pulse<'_, '_>,
+    warnings: &mut Vec<Warning>,
+) -> Result<SolvedStrips, Error> {
+    let mut factors = Vec::new();
+    if let Objective::Weighted(weights) = goal.objective {
+        for strip in strips {
+            factors.push(normalised(strip, weights, test, lanes, pulse, warnings)?);
+        }
+    }
+    let signs: &[f64] = if goal.winding_matters() { &[1.0, -1.0] } else { &[1.0] };
+    let mut best: Option<(f64, SolvedStrips)> = None;
+    for &sign in signs {
+        let mut paths = Vec::with_capacity(strips.len());
+        let mut evaluations = Vec::with_capacity(strips.len());
+        for (k, strip) in strips.iter().enumerate() {
+            let asked = SearchGoal { goal, factors: factors.get(k), sign, test };
+            let path = optimal_path(strip, asked, lanes, pulse)?;
+            evaluations.push(evaluate(strip, &path, test, lanes, pulse.execution())?);
+            paths.push(path);
+        }
+        // Where the objective has no say, the winding is the one that agrees with the normals.
+        let flipped = if goal.winding_matters() { sign < 0.0 } else { prefers_flipping(&evaluations) };
+        let statistics: Vec<Statistics> = evaluations
+            .iter()
+            .enumerate()
+            .map(|(k, evaluation)| figures(evaluation, goal, factors.get(k), flipped, strips[k].unit))
+            .collect();
+        let total: f64 = statistics.iter().map(|strip| strip.objective_value).sum();
+        if best.as_ref().is_none_or(|(least, _)| total < *least) {
+            best = Some((total, SolvedStrips { paths, statistics, flipped }));
+        }
+    }
+    let (_, solved) = best.expect("there is at least one winding");
+    Ok(solved)
+}
+
+/// The optimal path of a strip on its own.
+pub(crate) fn path_of(
+    strip: &Rails,
+    goal: Goal,
+    test: ConvexityTest,
+    lanes: Widest,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<Vec<[u32; 2]>, Error> {
+    if matches!(goal.objective, Objective::Weighted(_)) || goal.winding_matters() {
+        let mut solved = solve_all(std::slice::from_ref(strip), goal, test, lanes, pulse, &mut Vec::new())?;
+        return Ok(solved.paths.swap_remove(0));
+    }
+    Ok(optimal_path(strip, SearchGoal::plainly(goal, test), lanes, pulse)?)
+}
+
+fn prefers_flipping(evaluations: &[Evaluation]) -> bool {
+    let total = |side: usize| evaluations.iter().filter_map(|e| e.normal_variation).map(|both| both[side]).sum::<f64>();
+    total(1) < total(0)
+}
+
+/// The reported figures of a strip.
+fn figures(evaluation: &Evaluation, goal: Goal, factors: Option<&Factors>, flipped: bool, unit: f64) -> Statistics {
+    let mut s = evaluation.statistics;
+    s.normal_variation = evaluation.normal_variation.map(|both| both[usize::from(flipped)]);
+    let variation = s.normal_variation.unwrap_or(0.0);
+    s.objective_value = match goal.objective {
+        Objective::MinimalArea => s.area,
+        Objective::MinimalTwist => s.total_normal_twist,
+        Objective::MaximalConvexity => s.convex_bridges as f64,
+        Objective::MinimalBendingEnergy => s.bending_energy,
+        Objective::MinimalMeanCurvatureVariation => s.mean_curvature_variation,
+        Objective::MinimalNormalVariation => variation,
+        Objective::Weighted(_) => factors.map_or(0.0, |f| {
+            f.double_area * 2.0 * s.area / (unit * unit)
+                + f.twist * s.total_normal_twist
+                + f.bending * s.bending_energy
+                + f.curvature * s.mean_curvature_variation / unit
+                + f.normal_variation * variation
+        }),
+    };
+    s.secondary_value = goal.secondary.map(|secondary| match secondary {
+        Secondary::BendingEnergy => evaluation.concave_bending,
+        Secondary::MeanCurvatureVariation => evaluation.concave_curvature,
+    });
+    s
+}
+
+/// Optimum for each bridge, in the strip's own size, below which a term of a weighted sum is not divided by its
+/// optimum. The quotient would weigh rounding.
+const VANISHING: f64 = 1e-12;
+
+/// A weighted sum's factors on one strip, in the strip's own unit.
+fn normalised(
+    strip: &Rails,
+    weights: Weights,
+    test: ConvexityTest,
+    lanes: Widest,
+    pulse: &mut Pulse<'_, '_>,
+    warnings: &mut Vec<Warning>,
+) -> Result<Factors, Error> {
+    let mut factors = weights.terms().map(|(_, weight)| weight);
+    for (factor, (objective, weight)) in factors.iter_mut().zip(weights.terms()) {
+        let scale = match objective {
+            Objective::MinimalArea => strip.unit * strip.unit,
+            Objective::MinimalMeanCurvatureVariation => strip.unit,
+            _ => 1.0,
+        };
+        *factor *= scale;
+        if weight == 0.0 || !weights.normalise {
+            continue;
+        }
+        let own = solve_all(std::slice::from_ref(strip), Goal::single(objective), test, lanes, pulse, warnings)?;
+        let optimum = own.statistics[0].objective_value / scale;
+        if optimum > VANISHING * own.statistics[0].bridges as f64 {
+            *factor = weight / optimum;
+        } else {
+            let name = objective.name();
+            warnings.push(Warning::new(
+                "not_normalised",
+                format!("{name} can be brought to zero on a strip, so its term is not divided by its optimum there"),
+            ));
+        }
+    }
+    let [area, twist, bending, curvature, normal_variation] = factors;
+    Ok(Factors { double_area: 0.5 * area, twist, bending, curvature, normal_variation, sign: 1.0 })
+}
+
+/// The optimal path of one strip, bridges in order; on closed strips the indices are reduced to the polygons'.
+pub(crate) fn optimal_path(
+    strip: &Rails,
+    asked: SearchGoal<'_>,
+    lanes: Widest,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<Vec<[u32; 2]>, Interruption> {
+    let (m, n) = (strip.m() as u32, strip.n() as u32);
+    if strip.has_apex() {
+        // The only triangulation there is.
+        return Ok(if m == 1 { (0..n).map(|j| [0, j]).collect() } else { (0..m).map(|i| [i, 0]).collect() });
+    }
+    let path = found(strip, asked, lanes, pulse)?.path;
+    Ok(if strip.closed { path.into_iter().map(|[i, j]| [i % m, j % n]).collect() } else { path })
+}
+
+/// The least area, in the caller's unit, or bending energy of a strip without an apex: the optimum's cost, without its
+/// other figures.
+pub(crate) fn least(
+    strip: &Rails,
+    objective: Objective,
+    lanes: Widest,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<f64, Interruption> {
+    let cost = found(strip, SearchGoal::plainly(Goal::single(objective), ConvexityTest::Within(0.0)), lanes, pulse)?
+        .score
+        .value;
+    Ok(if objective == Objective::MinimalArea { 0.5 * cost * strip.unit * strip.unit } else { cost })
+}
+
+/// The least bending energy of a strip without an apex, if it is at most `bound`.
+pub(crate) fn least_bending_within(
+    strip: &Rails,
+    bound: f64,
+    lanes: Widest,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<Option<f64>, Interruption> {
+    if strip.closed {
+        return Ok(Some(least(strip, Objective::MinimalBendingEnergy, lanes, pulse)?).filter(|&least| least <= bound));
+    }
+    with_lanes!(lanes, V, simd => bending_within::<V>(simd, strip, bound, pulse))
+}
+
+fn bending_within<V: Lanes>(
+    simd: V::Simd,
+    strip: &Rails,
+    bound: f64,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<Option<f64>, Interruption> {
+    let lattice = &Lattice::new(strip, false);
+    let kernel = DualLayer { simd, lattice, concave: None, cost: PhantomData::<PlainCost<V>> };
+    cost_within::<V, _>(&kernel, (lattice.rows, lattice.columns), bound, pulse)
+}
+
+fn found(
+    strip: &Rails,
+    asked: SearchGoal<'_>,
+    lanes: Widest,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<FoundPath, Interruption> {
+    with_lanes!(lanes, V, simd => search::<V>(simd, strip, asked, pulse))
+}
+
+/// Number of grid cells up to which the whole grid is swept without a corridor: so many are visited in less time than a
+/// corridor takes to find. A larger value slows down strips of some hundred points.
+const SMALL: usize = 16384;
+
+fn search<V: Lanes>(
+    simd: V::Simd,
+    strip: &Rails,
+    SearchGoal { goal, factors, sign, test }: SearchGoal<'_>,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<FoundPath, Interruption> {
+    let lattice = &Lattice::new(strip, goal.needs_tangents());
+    let (rows, columns) = (lattice.rows, lattice.columns);
+    let table = match goal.objective {
+        Objective::MaximalConvexity => Some(convexity::concave_bridges::<V>(strip, (lattice, simd), test, pulse)?),
+        _ => None,
+    };
+    let concave = table.as_ref();
+    // An open strip of least area does not need the whole grid.
+    let region = match goal.objective {
+        Objective::MinimalArea if !strip.closed && rows * columns > SMALL => corridor(strip, pulse)?,
+        _ => Region::full(rows, 0, columns - 1),
+    };
+    macro_rules! run {
+        ($kernel:expr) => {
+            find(strip.closed, &mut KernelSearch::<V, _>::new($kernel, rows, columns), &region, pulse)
+        };
+    }
+    match (goal.objective, goal.secondary, concave) {
+        (Objective::MaximalConvexity, Some(Secondary::BendingEnergy), _) => {
+            run!(DualLayer { simd, lattice, concave, cost: PhantomData::<CoupledCost<V>> })
+        }
+        (Objective::MaximalConvexity, Some(Secondary::MeanCurvatureVariation), _) => {
+            run!(QuadrupleLayer { simd, lattice, concave, factors: None, cost: PhantomData::<CoupledCost<V>> })
+        }
+        (Objective::MaximalConvexity, None, Some(table)) => run!(SingleLayer(Concave { simd, table })),
+        (Objective::MinimalArea | Objective::MaximalConvexity, ..) => run!(SingleLayer(Area { simd, lattice })),
+        (Objective::MinimalTwist, ..) => run!(SingleLayer(Twist { simd, lattice })),
+        (Objective::MinimalNormalVariation, ..) => run!(SingleLayer(NormalVariation { simd, lattice, sign })),
+        (Objective::MinimalBendingEnergy, ..) => {
+            run!(DualLayer { simd, lattice, concave: None, cost: PhantomData::<PlainCost<V>> })
+        }
+        (Objective::MinimalMeanCurvatureVariation, ..) => {
+            run!(QuadrupleLayer { simd, lattice, concave: None, factors: None, cost: PhantomData::<PlainCost<V>> })
+        }
+        (Objective::Weighted(_), ..) => {
+            let factors = factors.map(|factors| Factors { sign, ..*factors });
+            run!(QuadrupleLayer { simd, lattice, concave: None, factors, cost: PhantomData::<PlainCost<V>> })
+        }
+    }
+}
+
+fn find(
+    is_closed: bool,
+    search: &mut dyn PathSearch,
+    region: &Region,
+    pulse: &mut Pulse<'_, '_>,
+) -> Result<FoundPath, Interruption> {
+    if is_closed { closed::closed(search, pulse) } else { closed::open(search, region, pulse) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use plateau_mesh::{DVec3, Execution};
+
+    fn strip(m: usize, n: usize, wave: f64) -> Rails {
+        let rail = |count: usize, y: f64, phase: f64| -> Vec<DVec3> {
+            let point = |k: usize| {
+                let u = k as f64 / (count - 1) as f64;
+                DVec3::new(8.0 * u, y + wave * (9.0 * u + phase).sin(), wave * (7.0 * u - phase).cos())
+            };
+            (0..count).map(point).collect()
+        };
+        let (p, q) = (rail(m, 0.0, 0.0), rail(n, 3.0, 1.0));
+        Rails::new(p.as_slice().into(), q.as_slice().into(), false)
+    }
+
+    #[test]
+    fn a_bounded_search_finds_the_optimum_exactly_if_it_is_within_the_bound() {
+        let execution = Execution::default();
+        for (m, n) in [(2, 2), (2, 9), (3, 7), (5, 4), (8, 8), (66, 41), (41, 66), (131, 203), (400, 90)] {
+            for wave in [0.0, 0.3, 1.0, 2.0] {
+                let strip = strip(m, n, wave);
+                for lanes in Widest::all() {
+                    let mut pulse = Pulse::new(&execution, 1);
+                    let least = least(&strip, Objective::MinimalBendingEnergy, lanes, &mut pulse).unwrap();
+                    for factor in [0.0, 0.5, 1.0 - 1e-9, 1.0, 1.0 + 1e-9, 2.0, 1e3, f64::INFINITY] {
+                        let bound = if factor.is_finite() { factor * least } else { factor };
+                        let found = least_bending_within(&strip, bound, lanes, &mut pulse).unwrap();
+                        assert_eq!(found, (least <= bound).then_some(least), "{m} x {n}, {wave}, {factor} times");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_bounded_search_leaves_most_of_the_grid_alone() {
+        let strip = strip(1000, 1000, 1.0);
+        let execution = Execution::default();
+        let mut pulse = Pulse::new(&execution, 1);
+        let least = least(&strip, Objective::MinimalBendingEnergy, Widest::get(), &mut pulse).unwrap();
+        for (factor, share) in [(0.2, 0.1), (0.5, 0.25), (1.0, 0.7)] {
+            let before = execution.work();
+            least_bending_within(&strip, factor * least, Widest::get(), &mut pulse).unwrap();
+            pulse.last_look().unwrap();
+            let cells = (execution.work() - before) as f64;
+            assert!(cells < share * 1e6, "{factor}: {cells} of 1e6");
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! The edges of a triangle list.
+
+use plateau_mesh::error::Error;
+use plateau_mesh::topology::{NONE, Topology};
+use plateau_mesh::{DVec3, Mesh};
+
+/// The connectivity of a mesh that this crate made. A defect is an error of ours; it is reported, not passed on.
+///
+/// # Errors
+/// [`Error::NoResult`] (`invalid_mesh`).
+pub(super) fn topology(vertices: Vec<DVec3>, triangles: &[[u32; 3]]) -> Result<Topology, Error> {
+    Mesh::new(vertices, triangles.to_vec())
+        .check()
+        .map_err(|defect| Error::no_result("invalid_mesh", format!("the triangulation is not a manifold: {defect}")))
+}
+
+/// The edges, each once.
+pub(super) fn edges(topology: &Topology) -> Vec<[u32; 2]> {
+    (0..topology.twin.len() as u32)
+        .filter(|&h| topology.twin[h as usize] == NONE || topology.twin[h as usize] > h)
+        .map(|h| [topology.from(h), topology.to(h)])
+        .collect()
+}
+
+/// Lengths of the edges between vertices that stand `at` these places.
+pub(super) fn lengths(edges: &[[u32; 2]], at: impl Fn(u32) -> DVec3) -> Vec<f64> {
+    edges.iter().map(|&[a, b]| at(a).distance(at(b))).collect()
+}

@@ -1,0 +1,145 @@
+//! What a caller asks for: the domain, the objective and the options.
+
+use super::surface::nurbs::Nurbs;
+use plateau_mesh::DVec3;
+
+/// The region or surface to mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Domain {
+    /// A planar polygon in space with holes, in either direction, none repeating its first point. Its points stay exactly
+    /// where they are given. If they are off the plane of `outer` by more than rounding, but by at most a thousandth of
+    /// its size (twice the largest distance of its points from their mean), they are projected onto it, with the warning
+    /// `projected`. The mesh faces the side from which `outer` runs counter-clockwise.
+    Polygon {
+        /// The outer boundary.
+        outer: Vec<DVec3>,
+        /// The boundaries of the holes.
+        holes: Vec<Vec<DVec3>>,
+    },
+    /// A tensor-product Bézier patch. Its mesh faces u × v.
+    Bezier {
+        /// `control_points[i][j]`: i counts along u, j along v.
+        control_points: Vec<Vec<DVec3>>,
+    },
+    /// An untrimmed NURBS patch.
+    Nurbs(Nurbs),
+    /// The minimal surface that spans these closed polygons, see [`plateau_film::minimal_surface`].
+    Boundaries(Vec<Vec<DVec3>>),
+}
+
+/// What is minimised or maximised.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Objective {
+    /// Problem 1 of the paper: as few nodes as possible, every edge in [ℓ, 2ℓ].
+    FewestNodes,
+    /// Problem 2 of the paper: as many edges of length ℓ as possible, every other edge in [ℓ, 2ℓ].
+    MostEqualEdges,
+}
+
+impl Objective {
+    /// Every objective, in the order in which they are listed to users.
+    pub const ALL: [Self; 2] = [Self::FewestNodes, Self::MostEqualEdges];
+
+    /// The name in requests.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::FewestNodes => "fewest_nodes",
+            Self::MostEqualEdges => "most_equal_edges",
+        }
+    }
+
+    /// What is minimised or maximised, and what `objective_value` counts.
+    #[must_use]
+    pub fn description(self) -> &'static str {
+        match self {
+            Self::FewestNodes => {
+                "The number of nodes, every edge between ℓ and 2ℓ: farthest-point insertion, at most 16/3 of the optimum. \
+                 The objective value is the number of nodes."
+            }
+            Self::MostEqualEdges => {
+                "The number of edges of length ℓ, every other edge between ℓ and 2ℓ: an equilateral lattice where it fits \
+                 best, farthest-point insertion with visibility in the rim. The objective value is the number of lattice edges."
+            }
+        }
+    }
+
+    /// The unit of the objective's value.
+    #[must_use]
+    pub fn unit(self) -> &'static str {
+        "1"
+    }
+
+    /// Where the formula stands.
+    #[must_use]
+    pub fn source(self) -> &'static str {
+        match self {
+            Self::FewestNodes => "Katoh, Ohsaki, Xu, section 2, problem 1",
+            Self::MostEqualEdges => "Katoh, Ohsaki, Xu, section 3, problem 2",
+        }
+    }
+}
+
+/// How the nodes of a curved surface move after meshing.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Optimise {
+    /// They stay where the mesh generator puts them.
+    None,
+    /// The inner nodes move on the surface to the least Σ (L - ℓ)² over the lattice group. The transition zone between
+    /// lattice and boundary is rebuilt for them unless it is [`Transition::Free`]. (In the plane the sum is 0 already.)
+    #[default]
+    Nodes,
+    /// After that, on polygons too, the inner nodes move until few lengths stand for all members, see
+    /// [`UniformMesh::shared_lengths`](super::UniformMesh::shared_lengths).
+    Lengths {
+        /// Largest number of lengths. Each member is within half the length tolerance of one of them, or as near as found.
+        most: usize,
+    },
+}
+
+/// The range of the members outside the lattice group while nodes move.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Transition {
+    /// They stay in [ℓ, 2ℓ] wherever that is possible.
+    #[default]
+    Bounded,
+    /// They may take any length, as in the paper.
+    Free,
+}
+
+/// How to mesh a domain.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// ℓ, in the caller's unit.
+    pub edge_length: f64,
+    /// What is minimised or maximised.
+    pub objective: Objective,
+    /// Lengths that differ by no more count as equal, in the caller's unit. `None`: ℓ/1000.
+    pub length_tolerance: Option<f64>,
+    /// For curved domains; in the plane lattice members have length ℓ as they are.
+    pub optimise: Optimise,
+    /// The range of the members outside the lattice group.
+    pub transition: Transition,
+    /// Rectangles along u and v of the auxiliary triangulation of a patch, 2 to 400 each.
+    pub auxiliary_grid: [u32; 2],
+}
+
+impl Options {
+    /// The defaults for a length and an objective.
+    #[must_use]
+    pub fn new(edge_length: f64, objective: Objective) -> Self {
+        Self {
+            edge_length,
+            objective,
+            length_tolerance: None,
+            optimise: Optimise::default(),
+            transition: Transition::default(),
+            auxiliary_grid: [15, 15],
+        }
+    }
+
+    /// The length tolerance in force.
+    pub(super) fn tolerance(&self) -> f64 {
+        self.length_tolerance.unwrap_or(self.edge_length / 1000.0)
+    }
+}

@@ -1,0 +1,101 @@
+//! INCREMENT (Katoh, Ohsaki and Xu, section 2; for the rim section 3): farthest-point insertion.
+//!
+//! 1. The region comes with its nodes on the boundary placed (steps 1 and 2 of the paper).
+//! 2. The point farthest from all nodes that it can see is the circumcentre of a constrained Delaunay triangle from which
+//!    that centre is visible (section 3's distance: infinite to what is hidden).
+//! 3. Insert the farthest such centre while its distance is ℓ or more.
+//! 4. What remains is the constrained Delaunay triangulation with every edge at most 2ℓ: a triangle whose centre is visible
+//!    has a circumradius below ℓ (lemma 1), the edges of one whose centre is hidden behind a boundary edge are no longer
+//!    than that edge (lemma 2). No edge at an inserted node is shorter than ℓ.
+//!
+//! Our departures:
+//! - A heap of the triangles' circumradii over a triangulation that changes only around the new node: O(n log n) in practice
+//!   where the paper rebuilds the Voronoi diagram. A triangle's centre stays visible or hidden for good, because insertion
+//!   adds no obstacles, so a hidden one is dropped the first time it comes up.
+//! - The threshold is ℓ(1 + 1e-9). A boundary edge of exactly 2ℓ makes flat triangles whose circumradius is ℓ up to rounding,
+//!   with the centre on the edge; inserting it would give a triangle without area.
+//! - Radii are compared to 2^-30 of themselves, then by the triangle's number, so that rounding does not decide between
+//!   the equal radii of symmetric input.
+
+use plateau_mesh::DVec2;
+use plateau_mesh::execution::{Execution, Interruption, Progress};
+use plateau_mesh::plane::triangulation::{Sight, Triangulation};
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// How far beyond ℓ a point must be from all nodes to be inserted, in ℓ. Edges may exceed 2ℓ by the same factor.
+pub(crate) const SLACK: f64 = 1e-9;
+
+/// Work between two looks: triangles made or visited.
+const WORK_PER_LOOK: u64 = 4096;
+
+/// Fills the region with nodes until no visible point is 1 + [`SLACK`] or more away from all nodes (lengths in units of ℓ).
+///
+/// `expected` is the number of nodes to come, for the progress between `from` and `to`.
+///
+/// # Errors
+/// The interruption; the triangulation is valid then, only not yet full.
+pub(crate) fn fill(
+    region: &mut Triangulation,
+    expected: usize,
+    (from, to): (f64, f64),
+    execution: &Execution<'_>,
+) -> Result<(), Interruption> {
+    let mut radius: Vec<u64> = vec![0; region.corners.len()];
+    let mut heap = BinaryHeap::new();
+    for t in 0..region.corners.len() as u32 {
+        consider(region, t, &mut radius, &mut heap);
+    }
+    let (mut star, mut work, mut inserted) = (Vec::new(), region.corners.len() as u64, 0u64);
+    while let Some((rank, Reverse(t))) = heap.pop() {
+        if radius[t as usize] != rank {
+            continue;
+        }
+        radius[t as usize] = 0;
+        let (centre, _) = circumcentre(region.triangle(t));
+        let (sight, visited) = region.look_towards(t, centre);
+        work += visited;
+        if let Sight::In(t) = sight {
+            star.clear();
+            region.insert(t, centre, &mut star, Triangulation::is_not_delaunay);
+            radius.resize(region.corners.len(), 0);
+            for &t in &star {
+                consider(region, t, &mut radius, &mut heap);
+            }
+            work += star.len() as u64;
+            inserted += 1;
+        }
+        if work >= WORK_PER_LOOK {
+            execution.look(std::mem::take(&mut work))?;
+            let share = (inserted as f64 / expected.max(1) as f64).min(1.0);
+            execution.report(Progress {
+                fraction: from + (to - from) * share,
+                phase: "increment",
+                iteration: inserted,
+                objective_value: None,
+                residual: None,
+            });
+        }
+    }
+    execution.look(work)
+}
+
+/// Ranks a triangle by its circumradius if a node may go into its centre.
+fn consider(region: &Triangulation, t: u32, radius: &mut [u64], heap: &mut BinaryHeap<(u64, Reverse<u32>)>) {
+    let (_, squared) = circumcentre(region.triangle(t));
+    radius[t as usize] = 0;
+    if squared.is_finite() && squared >= (1.0 + SLACK) * (1.0 + SLACK) {
+        // The bits of a positive float rank as the float does; the lowest 22 of 52 are rounding's business.
+        let rank = squared.to_bits() >> 22;
+        radius[t as usize] = rank;
+        heap.push((rank, Reverse(t)));
+    }
+}
+
+/// Circumcentre and squared circumradius; not finite for a triangle without area.
+fn circumcentre([a, b, c]: [DVec2; 3]) -> (DVec2, f64) {
+    let (u, v) = (b - a, c - a);
+    let (uu, vv) = (u.length_squared(), v.length_squared());
+    let offset = DVec2::new(v.y * uu - u.y * vv, u.x * vv - v.x * uu) / (2.0 * u.perp_dot(v));
+    (a + offset, offset.length_squared())
+}

@@ -1,0 +1,585 @@
+//! The equilateral lattice inside (Katoh, Ohsaki and Xu, section 3), and where to put it.
+//!
+//! 1. Overlay a triangular lattice of edge ℓ; keep its nodes inside the domain.
+//! 2. Drop the nodes nearer than ℓ to a node on the boundary.
+//! 3. What is left, with every lattice edge between two kept nodes, is the lattice group; between it and the boundary lies
+//!    the rim, which [`increment`](super::increment) fills.
+//!
+//! Our departures:
+//! - Nodes on or inside the diametral circle of a boundary edge are dropped too. Without it lemma 3 fails for boundary edges
+//!   near 2ℓ, whose middle may come arbitrarily close to a lattice node. With it no lattice edge crosses a boundary edge,
+//!   in concave domains and at holes too: if the edges uv and ab crossed, the angles at u and v would be below 90°, so the
+//!   one at a or b above, and with |ua|, |va| >= ℓ the edge uv would be longer than √2 ℓ.
+//! - Nodes without any lattice edge are dropped: they only constrain the rim.
+//! - The paper takes one placement. We search for the one with the most lattice edges: along every edge direction of the
+//!   boundary with the lattice running through a corner, then a grid of angles and origins, then a pattern search from the
+//!   best few. The boundary's division counts too: pieces of √2 ℓ let the lattice come nearer than pieces of ℓ unless the boundary
+//!   runs along it, so both are searched ([`Division`](super::sides::Division)). One placement costs O(boundary) because a lattice row is a set of free intervals of a line and edges are
+//!   counted from the intervals' ends; the lattice's nodes are never touched. The search is bounded by a count of rows
+//!   built, not by time, so it is the same on every machine.
+
+use plateau_mesh::DVec2;
+use plateau_mesh::execution::{Execution, Interruption, Progress};
+use plateau_mesh::plane::triangulation::{Border, Constraint};
+use std::cmp::Ordering;
+use std::f64::consts::FRAC_PI_3;
+
+/// Height of a lattice row, √3/2.
+const ROW: f64 = 0.866_025_403_784_438_6;
+/// What rounding may take from the distances asked for, in ℓ: lattices aligned with the boundary touch them exactly.
+const TOUCH: f64 = 1e-10;
+
+/// From how many placements the pattern search starts, in all and at one angle.
+const STARTS: usize = 24;
+const STARTS_PER_ANGLE: usize = 3;
+/// How many placements are looked at for boundary that runs on the lattice.
+const BEST: usize = 64;
+
+/// A placed lattice of edge 1: node (i, j) stands at origin + i e₁ + j e₂, with e₁ at `angle` and e₂ 60° further.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Placement {
+    pub angle: f64,
+    /// In the frame turned by `-angle`.
+    pub origin: DVec2,
+}
+
+impl Placement {
+    /// Whether the point is a lattice point to 1e-7 ℓ.
+    pub fn carries(&self, point: DVec2) -> bool {
+        let p = DVec2::from_angle(-self.angle).rotate(point) - self.origin;
+        let j = p.y / ROW;
+        let i = p.x - j.round() / 2.0;
+        (j - j.round()).abs() < 1e-7 && (i - i.round()).abs() < 1e-7
+    }
+}
+
+/// The domain's boundary: nodes, and the pieces between them.
+#[derive(Clone, Debug)]
+pub(crate) struct Boundary<'a> {
+    pub nodes: &'a [DVec2],
+    pub pieces: &'a [(u32, u32)],
+}
+
+/// The lattice group: nodes, triangles, and the edges that the rim must respect.
+#[derive(Clone, Debug)]
+pub(crate) struct Lattice {
+    pub nodes: Vec<DVec2>,
+    pub triangles: Vec<[u32; 3]>,
+    /// Edges with fewer than two lattice triangles, between lattice nodes.
+    pub borders: Vec<Constraint>,
+}
+
+/// Free intervals of the rows of one angle and height, row after row.
+#[derive(Default)]
+struct Rows {
+    first: i64,
+    start: Vec<usize>,
+    free: Vec<(f64, f64)>,
+    crossings: Vec<(u32, f64)>,
+    blocked: Vec<(u32, f64, f64)>,
+    // Scratch of `sort_rows`.
+    spare_crossings: Vec<(u32, f64)>,
+    spare_blocked: Vec<(u32, f64, f64)>,
+    ends: Vec<u32>,
+    runs: Vec<(i64, i64)>,
+}
+
+impl Rows {
+    /// The parts of the lines y = `height` + j · [`ROW`] that lie inside and clear of the boundary.
+    fn build(&mut self, boundary: &Boundary<'_>, turned: &[DVec2], height: f64) {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for p in turned {
+            low = low.min(p.y);
+            high = high.max(p.y);
+        }
+        self.first = ((low - height) / ROW).ceil() as i64;
+        let last = ((high - height) / ROW).floor() as i64;
+        let count = (last - self.first + 1).max(0) as usize;
+        let first = self.first;
+        let y = |row: u32| height + (first + i64::from(row)) as f64 * ROW;
+        // Rows with low <= y < high, as indices from the first row.
+        let rows = |low: f64, high: f64| {
+            let from = ((low - height) / ROW).ceil() as i64 - first;
+            let to = ((high - height) / ROW).ceil() as i64 - first;
+            from.max(0) as u32..to.clamp(0, count as i64) as u32
+        };
+        self.crossings.clear();
+        self.blocked.clear();
+        let block = |blocked: &mut Vec<(u32, f64, f64)>, centre: DVec2, radius: f64| {
+            for row in rows(centre.y - radius, centre.y + radius) {
+                let half = radius * radius - (y(row) - centre.y) * (y(row) - centre.y);
+                if half > 0.0 {
+                    blocked.push((row, centre.x - half.sqrt(), centre.x + half.sqrt()));
+                }
+            }
+        };
+        for &p in turned {
+            block(&mut self.blocked, p, 1.0 - TOUCH);
+        }
+        for &(a, b) in boundary.pieces {
+            let (a, b) = (turned[a as usize], turned[b as usize]);
+            for row in rows(a.y.min(b.y), a.y.max(b.y)) {
+                self.crossings.push((row, a.x + (b.x - a.x) * ((y(row) - a.y) / (b.y - a.y))));
+            }
+            // Up to √2 ℓ the diametral circle lies within the circles around the ends.
+            if a.distance_squared(b) > 2.0 - 1e-6 {
+                block(&mut self.blocked, (a + b) / 2.0, a.distance(b) / 2.0 + TOUCH);
+            }
+        }
+        sort_rows(
+            &mut self.crossings,
+            &mut self.spare_crossings,
+            &mut self.ends,
+            count,
+            |c| c.0,
+            |a, b| a.1.total_cmp(&b.1),
+        );
+        let order = |a: &(u32, f64, f64), b: &(u32, f64, f64)| a.1.total_cmp(&b.1).then(a.2.total_cmp(&b.2));
+        sort_rows(&mut self.blocked, &mut self.spare_blocked, &mut self.ends, count, |b| b.0, order);
+        self.start.clear();
+        self.free.clear();
+        let (mut c, mut k) = (0, 0);
+        for row in 0..count as u32 {
+            self.start.push(self.free.len());
+            let mut gap = k;
+            while k < self.blocked.len() && self.blocked[k].0 == row {
+                k += 1;
+            }
+            while c + 1 < self.crossings.len() && self.crossings[c].0 == row {
+                let (mut from, to) = (self.crossings[c].1, self.crossings[c + 1].1);
+                c += 2;
+                // Blocked intervals are sorted by their start; one may reach over several inside intervals.
+                for &(_, start, end) in &self.blocked[gap..k] {
+                    if start >= to {
+                        break;
+                    }
+                    if start > from {
+                        self.free.push((from, start));
+                    }
+                    from = from.max(end);
+                }
+                while gap < k && self.blocked[gap].2 <= from.min(to) && self.blocked[gap].1 < to {
+                    gap += 1;
+                }
+                if from < to {
+                    self.free.push((from, to));
+                }
+            }
+        }
+        self.start.push(self.free.len());
+    }
+
+    /// Turns the free intervals into runs of axial indices for a lattice starting at `x`. Calls `row(j, runs)` in order.
+    fn each_row(&mut self, x: f64, mut each: impl FnMut(i64, &[(i64, i64)])) {
+        for row in 0..self.start.len().saturating_sub(1) {
+            let j = self.first + row as i64;
+            let shift = x + j as f64 / 2.0;
+            self.runs.clear();
+            for &(from, to) in &self.free[self.start[row]..self.start[row + 1]] {
+                let (from, to) = ((from - shift).ceil() as i64, (to - shift).floor() as i64);
+                match self.runs.last_mut() {
+                    _ if to < from => {}
+                    // Neighbouring nodes on the two sides of a blocked sliver are joined by an edge all the same.
+                    Some(last) if last.1 + 1 >= from => last.1 = last.1.max(to),
+                    _ => self.runs.push((from, to)),
+                }
+            }
+            each(j, &self.runs);
+        }
+    }
+
+    /// Number of lattice edges for a lattice starting at `x`.
+    fn edges(&mut self, x: f64) -> usize {
+        let (mut total, mut below, mut spare) = (0i64, Vec::new(), Vec::new());
+        self.each_row(x, |_, runs| {
+            total += runs.iter().map(|&(from, to)| to - from).sum::<i64>();
+            total += common(&below, runs, 0) + common(&below, runs, 1);
+            spare.clear();
+            spare.extend_from_slice(runs);
+            std::mem::swap(&mut below, &mut spare);
+        });
+        total as usize
+    }
+}
+
+/// Sorts by row and then by `order`: into buckets first, because a row holds few. Most of the search's time goes here.
+fn sort_rows<T: Copy>(
+    items: &mut [T],
+    spare: &mut Vec<T>,
+    ends: &mut Vec<u32>,
+    rows: usize,
+    row: impl Fn(&T) -> u32,
+    order: impl Fn(&T, &T) -> Ordering,
+) {
+    ends.clear();
+    ends.resize(rows + 1, 0);
+    for item in items.iter() {
+        ends[row(item) as usize + 1] += 1;
+    }
+    for k in 0..rows {
+        ends[k + 1] += ends[k];
+    }
+    spare.clear();
+    spare.extend_from_slice(items);
+    for item in spare.iter() {
+        let end = &mut ends[row(item) as usize];
+        items[*end as usize] = *item;
+        *end += 1;
+    }
+    let mut from = 0;
+    for &end in &ends[..rows] {
+        items[from..end as usize].sort_unstable_by(&order);
+        from = end as usize;
+    }
+}
+
+/// Number of indices in both lists of runs, the second shifted up.
+fn common(a: &[(i64, i64)], b: &[(i64, i64)], shift: i64) -> i64 {
+    let (mut i, mut j, mut total) = (0, 0, 0);
+    while i < a.len() && j < b.len() {
+        let from = a[i].0.max(b[j].0 + shift);
+        let to = a[i].1.min(b[j].1 + shift);
+        total += (to - from + 1).max(0);
+        if a[i].1 < b[j].1 + shift { i += 1 } else { j += 1 }
+    }
+    total
+}
+
+/// The search's state: the best placements so far and what is left of the budget.
+struct Search<'a> {
+    boundary: &'a Boundary<'a>,
+    rows: Rows,
+    turned: Vec<DVec2>,
+    angle: f64,
+    built: u64,
+    budget: u64,
+    best: Vec<(usize, Placement)>,
+}
+
+impl Search<'_> {
+    /// Counts the edges at every `x` for one angle and height.
+    fn try_heights(&mut self, angle: f64, height: f64, xs: impl Iterator<Item = f64>) -> Option<(usize, Placement)> {
+        if angle != self.angle || self.turned.is_empty() {
+            let turn = DVec2::from_angle(-angle);
+            self.turned.clear();
+            self.turned.extend(self.boundary.nodes.iter().map(|&p| turn.rotate(p)));
+            self.angle = angle;
+        }
+        self.rows.build(self.boundary, &self.turned, height);
+        self.built += 1;
+        let mut best: Option<(usize, Placement)> = None;
+        for x in xs {
+            let edges = self.rows.edges(x);
+            if best.is_none_or(|(most, _)| edges > most) {
+                best = Some((edges, Placement { angle, origin: DVec2::new(x, height) }));
+            }
+        }
+        best
+    }
+
+    fn keep(&mut self, candidate: Option<(usize, Placement)>) {
+        self.best.extend(candidate);
+    }
+
+    /// One look at the caller per height tried, with the boundary's size as the work.
+    fn look(&self, (from, to): (f64, f64), execution: &Execution<'_>) -> Result<(), Interruption> {
+        execution.look(self.boundary.nodes.len() as u64)?;
+        let share = (self.built as f64 / self.budget as f64).min(1.0);
+        let most = self.best.iter().map(|&(edges, _)| edges).max();
+        execution.report(Progress {
+            fraction: from + (to - from) * share,
+            phase: "lattice",
+            iteration: self.built,
+            objective_value: most.map(|edges| edges as f64),
+            residual: None,
+        });
+        Ok(())
+    }
+}
+
+/// Directions of the boundary edges modulo 60°, the longest in total first, each with the nodes where such edges start.
+fn directions(boundary: &Boundary<'_>) -> Vec<(f64, Vec<u32>)> {
+    let mut all: Vec<(f64, f64, u32)> = boundary
+        .pieces
+        .iter()
+        .map(|&(a, b)| {
+            let edge = boundary.nodes[b as usize] - boundary.nodes[a as usize];
+            let angle = edge.to_angle().rem_euclid(FRAC_PI_3);
+            // Just below 60° is 0° and rounding.
+            (if FRAC_PI_3 - angle < 1e-6 { angle - FRAC_PI_3 } else { angle }, edge.length(), a)
+        })
+        .collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
+    let mut groups: Vec<(f64, f64, Vec<u32>)> = Vec::new();
+    for (angle, length, node) in all {
+        match groups.last_mut() {
+            Some(group) if angle - group.0 < 1e-6 => {
+                group.1 += length;
+                group.2.push(node);
+            }
+            _ => groups.push((angle, length, vec![node])),
+        }
+    }
+    // Rounding must not order groups of equal length.
+    groups.sort_by_key(|group| (std::cmp::Reverse((group.1 * 1e6).round() as i64), group.2.iter().min().copied()));
+    groups
+        .into_iter()
+        .map(|(angle, _, mut nodes)| {
+            nodes.sort_unstable();
+            (angle, nodes)
+        })
+        .collect()
+}
+
+/// The placement with the most lattice edges that the search finds, and how many, those along the boundary about; `None` if no lattice edge fits.
+///
+/// # Errors
+/// Cancelled, or the deadline passed before the first placement; later the best so far is returned.
+pub(crate) fn search(
+    boundary: &Boundary<'_>,
+    span: (f64, f64),
+    execution: &Execution<'_>,
+) -> Result<Option<(usize, Placement)>, Interruption> {
+    let budget = (1_500_000 / boundary.nodes.len().max(1) as u64).clamp(60, 6000);
+    let steps: u32 = if budget >= 2000 {
+        12
+    } else if budget >= 300 {
+        8
+    } else {
+        4
+    };
+    let mut search = Search {
+        boundary,
+        rows: Rows::default(),
+        turned: Vec::new(),
+        angle: f64::NAN,
+        built: 0,
+        budget,
+        best: Vec::new(),
+    };
+    let directions = directions(boundary);
+    let fraction = move |k: u32| f64::from(k) / f64::from(steps);
+    // Aligned with the boundary and running through its nodes: where an exact fit exists, this is it.
+    for (angle, nodes) in directions.iter().take(8) {
+        for &node in nodes.iter().step_by((nodes.len() / 4).max(1)).take(4) {
+            let origin = DVec2::from_angle(-angle).rotate(boundary.nodes[node as usize]);
+            let xs = std::iter::once(origin.x).chain((0..steps).map(|k| origin.x + fraction(k)));
+            let found = search.try_heights(*angle, origin.y, xs);
+            search.keep(found);
+            search.look(span, execution)?;
+        }
+    }
+    let uniform = (0..2 * steps).map(|k| FRAC_PI_3 * f64::from(k) / f64::from(2 * steps));
+    for angle in directions.iter().map(|d| d.0).take(8).chain(uniform) {
+        for k in 0..steps {
+            if search.built * 10 > budget * 7 {
+                break;
+            }
+            let found = search.try_heights(angle, fraction(k) * ROW, (0..steps).map(fraction));
+            search.keep(found);
+            search.look(span, execution)?;
+        }
+    }
+    search.best.sort_by_key(|&(edges, _)| std::cmp::Reverse(edges));
+    // Among the best, what runs on to the boundary counts as well.
+    let with_boundary = |&(edges, placement): &(usize, Placement)| (edges + edges_on(boundary, placement), placement);
+    let mut winner: Option<(usize, Placement)> = None;
+    for candidate in search.best.iter().take(BEST).map(with_boundary) {
+        if winner.is_none_or(|(most, _)| candidate.0 > most) {
+            winner = Some(candidate);
+        }
+    }
+    // The best few, but not all of one angle: neighbouring heights climb to the same place.
+    let mut starts: Vec<(usize, Placement)> = Vec::new();
+    for &candidate in &search.best {
+        let alike = starts.iter().filter(|(_, start)| start.angle == candidate.1.angle).count();
+        if starts.len() < STARTS && alike < STARTS_PER_ANGLE {
+            starts.push(candidate);
+        }
+    }
+    for (edges, start) in starts {
+        let (mut edges, mut here) = (edges, start);
+        let mut step = 0.5 / f64::from(steps);
+        while step > 5e-4 && search.built < budget {
+            let mut moved = false;
+            let turn = step * FRAC_PI_3 / 2.0;
+            for (turn, lift) in [(0.0, 0.0), (0.0, step), (0.0, -step), (turn, 0.0), (-turn, 0.0)] {
+                let x = here.origin.x;
+                let (angle, height) = (here.angle + turn, here.origin.y + lift);
+                let xs = [x, x - step, x + step, x - step / 2.0, x + step / 2.0];
+                if let Some(found) = search.try_heights(angle, height, xs.into_iter())
+                    && found.0 > edges
+                {
+                    (edges, here, moved) = (found.0, found.1, true);
+                }
+                search.look(span, execution)?;
+            }
+            if !moved {
+                step /= 2.0;
+            }
+        }
+        let climbed = with_boundary(&(edges, here));
+        if winner.is_none_or(|(most, _)| climbed.0 > most) {
+            winner = Some(climbed);
+        }
+    }
+    Ok(winner.filter(|&(edges, _)| edges > 0))
+}
+
+/// About how many edges of the finished mesh are lattice edges because the boundary runs on the lattice: pieces of length 1
+/// between two lattice points, and two to the next row for each boundary node on one.
+fn edges_on(boundary: &Boundary<'_>, placement: Placement) -> usize {
+    let on: Vec<bool> = boundary.nodes.iter().map(|&p| placement.carries(p)).collect();
+    let apart = |a: u32, b: u32| boundary.nodes[a as usize].distance(boundary.nodes[b as usize]);
+    let is_on = |&&(a, b): &&(u32, u32)| on[a as usize] && on[b as usize] && (apart(a, b) - 1.0).abs() < 1e-6;
+    boundary.pieces.iter().filter(is_on).count() + 2 * on.iter().filter(|&&on| on).count()
+}
+
+/// Lays the lattice out. O(nodes + boundary log boundary).
+pub(crate) fn place(boundary: &Boundary<'_>, placement: Placement) -> Lattice {
+    let turn = DVec2::from_angle(-placement.angle);
+    let turned: Vec<DVec2> = boundary.nodes.iter().map(|&p| turn.rotate(p)).collect();
+    let mut rows = Rows::default();
+    rows.build(boundary, &turned, placement.origin.y);
+    // Runs of all rows: (first index, last index, number of the first node).
+    let mut runs: Vec<(i64, i64, u32)> = Vec::new();
+    let mut start: Vec<usize> = Vec::new();
+    let mut count = 0u32;
+    let first = rows.first;
+    rows.each_row(placement.origin.x, |_, row| {
+        start.push(runs.len());
+        for &(from, to) in row {
+            runs.push((from, to, count));
+            count += (to - from + 1) as u32;
+        }
+    });
+    start.push(runs.len());
+    let at = |i: i64, j: i64| -> Option<u32> {
+        let row = usize::try_from(j - first).ok().filter(|&row| row + 1 < start.len())?;
+        let row = &runs[start[row]..start[row + 1]];
+        let k = row.partition_point(|&(from, ..)| from <= i).checked_sub(1)?;
+        (i <= row[k].1).then(|| row[k].2 + (i - row[k].0) as u32)
+    };
+    let back = DVec2::from_angle(placement.angle);
+    let mut nodes = Vec::with_capacity(count as usize);
+    let (mut triangles, mut borders) = (Vec::new(), Vec::new());
+    let mut used = vec![false; count as usize];
+    for row in 0..start.len().saturating_sub(1) {
+        let j = first + row as i64;
+        for &(from, to, number) in &runs[start[row]..start[row + 1]] {
+            for i in from..=to {
+                let here = number + (i - from) as u32;
+                let x = placement.origin.x + (i as f64 + j as f64 / 2.0);
+                nodes.push(back.rotate(DVec2::new(x, placement.origin.y + j as f64 * ROW)));
+                let (right, up, up_left) = (at(i + 1, j), at(i, j + 1), at(i - 1, j + 1));
+                if let (Some(a), Some(b)) = (right, up) {
+                    triangles.push([here, a, b]);
+                }
+                if let (Some(a), Some(b)) = (up, up_left) {
+                    triangles.push([here, a, b]);
+                }
+                // Each edge once, with the two nodes that would make its triangles.
+                let sides = [(right, up, at(i + 1, j - 1)), (up, right, up_left), (up_left, up, at(i - 1, j))];
+                for (end, left, right) in sides {
+                    let Some(end) = end else { continue };
+                    used[here as usize] = true;
+                    used[end as usize] = true;
+                    let border = match (left.is_some(), right.is_some()) {
+                        (true, true) => continue,
+                        (false, false) => Border::Slit,
+                        _ => Border::Lattice,
+                    };
+                    borders.push(Constraint { from: here, to: end, border });
+                }
+            }
+        }
+    }
+    let mut number = vec![u32::MAX; nodes.len()];
+    let mut kept = 0u32;
+    for (k, &used) in used.iter().enumerate() {
+        if used {
+            number[k] = kept;
+            nodes[kept as usize] = nodes[k];
+            kept += 1;
+        }
+    }
+    nodes.truncate(kept as usize);
+    for triangle in &mut triangles {
+        *triangle = triangle.map(|v| number[v as usize]);
+    }
+    for border in &mut borders {
+        (border.from, border.to) = (number[border.from as usize], number[border.to as usize]);
+    }
+    Lattice { nodes, triangles, borders }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An L-shaped domain with unit pieces and a hole: concave corners, several intervals a row, blocked slivers.
+    fn domain() -> (Vec<DVec2>, Vec<(u32, u32)>) {
+        let corners = [[0.0, 0.0], [17.0, 0.0], [17.0, 6.0], [7.5, 7.0], [6.0, 15.0], [0.0, 15.0]].map(DVec2::from);
+        let hole = [[2.0, 2.0], [2.5, 5.5], [5.0, 2.5]].map(DVec2::from);
+        let (mut nodes, mut pieces) = (Vec::new(), Vec::new());
+        for ring in [&corners[..], &hole[..]] {
+            let first = nodes.len() as u32;
+            for k in 0..ring.len() {
+                let (a, b) = (ring[k], ring[(k + 1) % ring.len()]);
+                let count = (a.distance(b) / 1.7).ceil();
+                nodes.extend((0..count as u32).map(|k| a + (b - a) * (f64::from(k) / count)));
+            }
+            let last = nodes.len() as u32;
+            pieces.extend((first..last).map(|k| (k, if k + 1 == last { first } else { k + 1 })));
+        }
+        (nodes, pieces)
+    }
+
+    /// Nodes by the definition: inside by crossings, 1 or more from every node, outside every diametral circle.
+    fn brute_force(boundary: &Boundary<'_>, placement: Placement) -> Vec<DVec2> {
+        let mut kept = Vec::new();
+        for j in -60..60i64 {
+            for i in -80..80i64 {
+                let p = placement.origin + DVec2::new(i as f64 + j as f64 / 2.0, j as f64 * ROW);
+                let p = DVec2::from_angle(placement.angle).rotate(p);
+                let ends = |&(a, b): &(u32, u32)| (boundary.nodes[a as usize], boundary.nodes[b as usize]);
+                let crossed = boundary.pieces.iter().map(ends).filter(|(a, b)| {
+                    (a.y <= p.y) != (b.y <= p.y) && a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y) > p.x
+                });
+                if crossed.count() % 2 == 1
+                    && boundary.nodes.iter().all(|node| node.distance(p) >= 1.0)
+                    && boundary.pieces.iter().map(ends).all(|(a, b)| (a - p).dot(b - p) > 0.0)
+                {
+                    kept.push(p);
+                }
+            }
+        }
+        kept
+    }
+
+    #[test]
+    fn intervals_and_brute_force_find_the_same_lattice() {
+        let (nodes, pieces) = domain();
+        let boundary = Boundary { nodes: &nodes, pieces: &pieces };
+        for k in 0..40 {
+            let k = f64::from(k);
+            let placement = Placement { angle: 0.026 * k, origin: DVec2::new(0.37 * k, 0.21 * k) };
+            let expected = brute_force(&boundary, placement);
+            let pairs = |p: &DVec2| expected.iter().filter(|q| (p.distance(**q) - 1.0).abs() < 1e-6).count();
+            let edges = expected.iter().map(pairs).sum::<usize>() / 2;
+            let lattice = place(&boundary, placement);
+            let alone = expected.iter().filter(|p| pairs(p) == 0).count();
+            assert_eq!(lattice.nodes.len(), expected.len() - alone);
+            for p in &lattice.nodes {
+                assert!(expected.iter().any(|q| p.distance(*q) < 1e-9) && placement.carries(*p));
+            }
+            // Edges by three routes: pairs of nodes, the search's interval count, Euler's count from the triangles.
+            let turned: Vec<DVec2> = nodes.iter().map(|&p| DVec2::from_angle(-placement.angle).rotate(p)).collect();
+            let mut rows = Rows::default();
+            rows.build(&boundary, &turned, placement.origin.y);
+            assert_eq!(rows.edges(placement.origin.x), edges);
+            let slits = lattice.borders.iter().filter(|c| c.border == Border::Slit).count();
+            assert_eq!((3 * lattice.triangles.len() + lattice.borders.len() - slits) / 2 + slits, edges);
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! The sides of a domain: how many pieces each is split into, and why an edge between boundary nodes is too short.
+
+use crate::options::Objective;
+use crate::report::Why;
+use plateau_mesh::DVec2;
+
+/// Rounding allowed in counting how often ℓ goes into a side.
+const WHOLE: f64 = 1e-10;
+
+/// How long the pieces are that a side of 2ℓ or more is split into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Division {
+    /// As near to ℓ as they get: where the domain's own directions fit the lattice's, the lattice goes on to the boundary.
+    Short,
+    /// At most √2 ℓ wherever possible: no inserted node then falls into the diametral circle of a piece. A boundary that runs
+    /// across the lattice keeps the lattice's nodes at a smaller distance than short pieces do.
+    Long,
+}
+
+impl Division {
+    /// Those worth trying for an objective.
+    pub fn candidates(objective: Objective) -> &'static [Self] {
+        match objective {
+            Objective::FewestNodes => &[Self::Long],
+            Objective::MostEqualEdges => &[Self::Short, Self::Long],
+        }
+    }
+}
+
+/// How many pieces a side of the given length (in ℓ) is split into.
+pub(crate) fn pieces(length: f64, division: Division) -> u32 {
+    // Up to 2ℓ a side stays whole, but for one that is two members exactly.
+    let most = (length * (1.0 + WHOLE)).floor().max(1.0);
+    match division {
+        _ if length < 2.0 * (1.0 - WHOLE) => 1,
+        Division::Short => most as u32,
+        Division::Long => (length / std::f64::consts::SQRT_2).ceil().min(most) as u32,
+    }
+}
+
+/// Whether a side in direction `edge`, followed by one in direction `after` with the domain on the left, meets it at an
+/// inner angle below 90°.
+pub(crate) fn is_sharp(edge: DVec2, after: DVec2) -> bool {
+    edge.perp_dot(after) > 0.0 && edge.dot(after) < 0.0
+}
+
+/// One side, from corner to corner.
+#[derive(Clone, Copy, Debug)]
+struct Side {
+    /// The corner where it starts.
+    start: u32,
+    /// In ℓ.
+    length: f64,
+    /// The side after it in its loop, with the domain on the left.
+    next: u32,
+    /// Whether the inner angle at its end is below 90°.
+    sharp_end: bool,
+}
+
+/// All sides, and the ones that each boundary node stands on: both its own on a side, the one before and the one after
+/// at a corner.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Sides {
+    sides: Vec<Side>,
+    stands: Vec<[u32; 2]>,
+}
+
+impl Sides {
+    /// For this many corners, which are the boundary's first nodes.
+    pub fn new(corners: usize) -> Self {
+        Self { sides: Vec::new(), stands: vec![[u32::MAX; 2]; corners] }
+    }
+
+    /// Adds a loop through `nodes`, whose sides are (index of the first node in `nodes`, length in ℓ, sharp end).
+    pub fn add_loop(&mut self, nodes: &[u32], sides: &[(usize, f64, bool)]) {
+        let first = self.sides.len() as u32;
+        let after = |k: usize| first + ((k + 1) % sides.len()) as u32;
+        for (k, &(start, length, sharp_end)) in sides.iter().enumerate() {
+            let here = first + k as u32;
+            let end = sides.get(k + 1).map_or(nodes.len(), |next| next.0);
+            for &node in &nodes[start..end] {
+                if self.stands.len() <= node as usize {
+                    self.stands.resize(node as usize + 1, [u32::MAX; 2]);
+                }
+                self.stands[node as usize] = [here; 2];
+            }
+            self.sides.push(Side { start: nodes[start], length, next: after(k), sharp_end });
+        }
+        for (k, &(start, ..)) in sides.iter().enumerate() {
+            let before = first + ((k + sides.len() - 1) % sides.len()) as u32;
+            self.stands[nodes[start] as usize][0] = before;
+        }
+    }
+
+    pub fn lengths(&self) -> impl Iterator<Item = f64> + '_ {
+        self.sides.iter().map(|side| side.length)
+    }
+
+    /// The corner where a node's side starts.
+    pub fn start_of(&self, node: u32) -> u32 {
+        self.sides[self.stands[node as usize][1] as usize].start
+    }
+
+    /// Whether an edge between nodes of the boundary runs along one side.
+    pub fn are_on_one(&self, [a, b]: [u32; 2]) -> bool {
+        self.stands[a as usize].iter().any(|s| self.stands[b as usize].contains(s))
+    }
+
+    /// Why a planar edge of this length (in ℓ) between nodes of the boundary is outside [ℓ, 2ℓ]. `nodes`: all boundary nodes.
+    pub fn why(&self, edge: [u32; 2], length: f64, nodes: &[DVec2]) -> Why {
+        let [Some(&a), Some(&b)] = edge.map(|v| self.stands.get(v as usize)) else { return Why::Unfinished };
+        if length > 1.0 {
+            return Why::Unfinished;
+        }
+        let side = |s: u32| self.sides[s as usize];
+        let short = |s: u32| side(s).length < 1.0;
+        if a.iter().any(|s| b.contains(s) && short(*s)) {
+            return Why::ShortSide;
+        }
+        for (a, b) in [(a, b), (b, a)] {
+            if a.iter().any(|&s| side(s).sharp_end && b.contains(&side(s).next)) {
+                return Why::SharpCorner;
+            }
+        }
+        // Two nodes less than 3ℓ apart along the boundary, with a short side on the way.
+        let at = |v: u32| nodes[v as usize];
+        for (from, to) in [(edge[0], edge[1]), (edge[1], edge[0])] {
+            let first = self.stands[from as usize][1];
+            let mut s = first;
+            let (mut way, mut shorter) = (at(from).distance(at(side(side(s).next).start)), short(s));
+            while way < 3.0 {
+                s = side(s).next;
+                shorter |= short(s);
+                if self.stands[to as usize].contains(&s) {
+                    if shorter && way + at(side(s).start).distance(at(to)) < 3.0 {
+                        return Why::ShortSide;
+                    }
+                    break;
+                }
+                // Once around a small loop: the other node is on another one.
+                if s == first {
+                    break;
+                }
+                way += side(s).length;
+            }
+        }
+        Why::Narrow
+    }
+}

@@ -1,0 +1,164 @@
+//! What a solve returns: the mesh, its members and their figures.
+
+use super::statistics::{LengthHistogram, Stage};
+use plateau_mesh::Mesh;
+use plateau_mesh::error::Warning;
+use plateau_mesh::measure::Spread;
+use plateau_mesh::self_intersections::SelfIntersectionCheck;
+
+/// Why an edge is outside [ℓ, 2ℓ].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Why {
+    /// A side of the domain is itself shorter than ℓ (the edge is that side, or joins nodes around it).
+    ShortSide,
+    /// The edge joins two sides that meet at an inner angle below 90°.
+    SharpCorner,
+    /// The edge joins two parts of the boundary that come closer than ℓ.
+    Narrow,
+    /// The surface is curved there.
+    Curvature,
+    /// The optimisation moved it out of the range, as [`Transition::Free`](super::Transition::Free) and
+    /// [`Optimise::Lengths`](super::Optimise::Lengths) allow.
+    Optimised,
+    /// The deadline passed before all nodes were inserted.
+    Unfinished,
+}
+
+impl Why {
+    /// The name in results.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::ShortSide => "short_side",
+            Self::SharpCorner => "sharp_corner",
+            Self::Narrow => "narrow",
+            Self::Curvature => "curvature",
+            Self::Optimised => "optimised",
+            Self::Unfinished => "unfinished",
+        }
+    }
+}
+
+/// An edge outside [ℓ, 2ℓ].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutOfRange {
+    /// Index into [`UniformMesh::members`].
+    pub member: usize,
+    /// Its length, in the caller's unit.
+    pub length: f64,
+    /// The reason.
+    pub why: Why,
+}
+
+/// How a curved domain was meshed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Laid into the plane, meshed there and carried back, as in the paper.
+    Flattened,
+    /// Meshed on the surface itself, because it cannot be laid into the plane with a bounded distortion.
+    OnSurface,
+}
+
+impl Method {
+    /// The name in results.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Flattened => "flattened",
+            Self::OnSurface => "on_surface",
+        }
+    }
+}
+
+/// The mesh beside the curved surface that it stands for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceFit {
+    /// How the mesh was made.
+    pub method: Method,
+    /// The surface's own area.
+    pub area: f64,
+    /// The mesh's area less the surface's, relative to the surface's.
+    pub area_error: f64,
+    /// Largest distance from a triangle's middle to the point of the surface below it, in the caller's unit. All nodes
+    /// lie on the surface.
+    pub distance_max: f64,
+    /// Largest angle between a triangle's normal and the surface's normal below its middle, radians.
+    pub normal_deviation_max: f64,
+}
+
+/// The figures of a result.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Statistics {
+    /// Nodes, or lattice edges, by the objective.
+    pub objective_value: usize,
+    /// Number of nodes.
+    pub nodes: usize,
+    /// Number of triangles.
+    pub triangles: usize,
+    /// Number of edges.
+    pub edges: usize,
+    /// Lengths of all edges.
+    pub edge_lengths: Spread,
+    /// Lengths of the lattice group's edges.
+    pub lattice_edges: Spread,
+    /// Edges whose length is within the tolerance of ℓ.
+    pub equal_edges: usize,
+    /// The fewest lengths that a workshop would cut, see [`distinct_lengths`](super::statistics::distinct_lengths).
+    pub distinct_lengths: usize,
+    /// The tolerance behind the two counts above.
+    pub length_tolerance: f64,
+    /// Edges outside [ℓ, 2ℓ].
+    pub out_of_range_edges: usize,
+    /// Smallest and largest inner angle, radians.
+    pub angles: (f64, f64),
+    /// Edges by length.
+    pub length_histogram: LengthHistogram,
+    /// Entry k counts the nodes with k members.
+    pub valence_histogram: Vec<usize>,
+    /// No mesh of this domain with every edge at most 2ℓ has fewer nodes. `None` for curved domains.
+    pub node_lower_bound: Option<usize>,
+    /// Number of pairs of triangles that meet in more than the vertices and edges that they share.
+    pub self_intersections: SelfIntersectionCheck,
+    /// The mesh beside its surface. `None` for polygons.
+    pub surface: Option<SurfaceFit>,
+}
+
+/// A uniform mesh and everything known about it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UniformMesh {
+    /// The input's points first (merged ones once), then further nodes on the boundary, then the inner nodes.
+    pub mesh: Mesh,
+    /// The edges, each once.
+    pub members: Vec<[u32; 2]>,
+    /// For each member whether it belongs to the lattice group.
+    pub lattice_group: Vec<bool>,
+    /// For each member its length.
+    pub lengths: Vec<f64>,
+    /// The figures.
+    pub statistics: Statistics,
+    /// Table 1 of the paper, stage by stage.
+    pub stages: Vec<Stage>,
+    /// For [`Optimise::Lengths`](super::Optimise::Lengths): deviation against the number of lengths, as far as it was
+    /// tried.
+    pub shared_lengths: Vec<LengthsRow>,
+    /// The edges outside [ℓ, 2ℓ], by member.
+    pub out_of_range: Vec<OutOfRange>,
+    /// For each input point its vertex, in input order; merged points share one.
+    pub input_vertices: Vec<Option<u32>>,
+    /// False if the deadline cut the work short, or if the surface is curved too strongly for this edge length; the
+    /// warning `not_converged` then says by how much. The mesh is valid all the same.
+    pub converged: bool,
+    /// What the caller should know about the result.
+    pub warnings: Vec<Warning>,
+}
+
+/// What one number of lengths costs in deviation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LengthsRow {
+    /// Number of different lengths.
+    pub lengths: usize,
+    /// Largest difference between a member and the length that stands for it.
+    pub deviation: f64,
+    /// The same before any node moved for it.
+    pub deviation_before: f64,
+}

@@ -1,0 +1,162 @@
+//! The entry points: bounds of the cost, the checks before any work, and the solve.
+
+use super::on_polygon::on_polygon;
+use super::on_surface::{on_film, on_patch};
+use super::options::{Domain, Optimise, Options};
+use super::plane::polygon::{self, Polygon};
+use super::report::UniformMesh;
+use super::surface::auxiliary::{self, film_area};
+use super::surface::nurbs::Nurbs;
+use plateau_mesh::error::{Error, InputError, Place};
+use plateau_mesh::execution::Execution;
+use plateau_mesh::polyline::LARGEST_COORDINATE;
+use plateau_mesh::self_intersections::{self, Order};
+use plateau_mesh::{DVec2, Estimate};
+
+/// Largest number of nodes that a solve may ask for; with more the indices no longer fit.
+const MOST_NODES: f64 = 5e7;
+
+/// Number of bytes of memory per triangle of a polygon: the triangle with its members, their lengths, and a copy for a
+/// file. A larger value refuses more requests.
+const BYTES_PER_TRIANGLE: f64 = 600.0;
+
+/// As [`BYTES_PER_TRIANGLE`], on a surface, where the sparse factor comes on top.
+const BYTES_PER_TRIANGLE_ON_A_SURFACE: f64 = 1500.0;
+
+/// Number of bytes of memory that the auxiliary mesh and the film take at most, whatever the edge length.
+const BYTES_OF_AUXILIARY_MESH: u64 = 64 << 20;
+
+/// Bounds the size of the result from above, in O(input). The number of triangles is twice Oler's bound on the number of
+/// nodes, which is 1.2 to 1.6 times the number of nodes of the result.
+///
+/// # Errors
+/// The input errors that [`solve`] would report before meshing.
+pub fn estimate(domain: &Domain, options: &Options) -> Result<Estimate, Error> {
+    let triangles = 2.0 * most_nodes(domain, options)?;
+    let a_triangle = match domain {
+        Domain::Polygon { .. } => BYTES_PER_TRIANGLE,
+        Domain::Bezier { .. } | Domain::Nurbs(_) | Domain::Boundaries(_) => BYTES_PER_TRIANGLE_ON_A_SURFACE,
+    };
+    let bytes = ((triangles * a_triangle) as u64).saturating_add(BYTES_OF_AUXILIARY_MESH);
+    Ok(Estimate { triangles, cells: 0, bytes })
+}
+
+/// An upper bound on the number of nodes of the result.
+fn most_nodes(domain: &Domain, options: &Options) -> Result<f64, Error> {
+    check_options(options)?;
+    match domain {
+        Domain::Polygon { outer, holes } => {
+            let (area, perimeter) = polygon::extent(outer, holes)?;
+            Ok(packed_nodes(area, perimeter, options.edge_length))
+        }
+        Domain::Bezier { control_points } => {
+            most_nodes_of_patch(&Nurbs::bezier(control_points.clone()), "bezier", options)
+        }
+        Domain::Nurbs(patch) => most_nodes_of_patch(patch, "nurbs", options),
+        Domain::Boundaries(boundaries) => {
+            for (k, boundary) in boundaries.iter().enumerate() {
+                if let Some(i) =
+                    boundary.iter().position(|p| !p.is_finite() || p.abs().max_element() > LARGEST_COORDINATE)
+                {
+                    let place = Place::field("domain").then("boundaries").at(k).at(i);
+                    return Err(Error::input(place, "must be finite and below 1e50 in magnitude"));
+                }
+            }
+            let perimeter: f64 = boundaries.iter().map(|points| plateau_mesh::polyline::length(points, true)).sum();
+            Ok(packed_nodes(film_area(boundaries), perimeter, options.edge_length))
+        }
+    }
+}
+
+/// As [`most_nodes`], of a patch whose area and circumference are measured on a grid. A tenth is added, because chords are
+/// shorter than arcs.
+fn most_nodes_of_patch(patch: &Nurbs, field: &'static str, options: &Options) -> Result<f64, Error> {
+    patch.check(&Place::field("domain").then(field))?;
+    let n = 24;
+    let at = |i: usize, j: usize| patch.evaluate(DVec2::new(i as f64, j as f64) / n as f64)[0];
+    let (mut area, mut perimeter) = (0.0, 0.0);
+    for i in 0..n {
+        for j in 0..n {
+            area += 0.5 * (at(i + 1, j + 1) - at(i, j)).cross(at(i, j + 1) - at(i + 1, j)).length();
+        }
+        for (a, b) in [((i, 0), (i + 1, 0)), ((i, n), (i + 1, n)), ((0, i), (0, i + 1)), ((n, i), (n, i + 1))] {
+            perimeter += at(a.0, a.1).distance(at(b.0, b.1));
+        }
+    }
+    Ok(packed_nodes(1.1 * area, 1.1 * perimeter, options.edge_length))
+}
+
+/// Oler, *An inequality in the geometry of numbers*, 1961: at most 2/√3 A/ℓ² + P/2ℓ + 1 points with gaps of ℓ fit. Each
+/// side adds one more piece, because the number of its pieces is rounded up.
+fn packed_nodes(area: f64, perimeter: f64, edge_length: f64) -> f64 {
+    2.0 / 3f64.sqrt() * area / (edge_length * edge_length) + 1.5 * perimeter / edge_length + 4.0
+}
+
+fn check_options(options: &Options) -> Result<(), Error> {
+    let mut errors = Vec::new();
+    if !(1.0 / LARGEST_COORDINATE..=LARGEST_COORDINATE).contains(&options.edge_length) {
+        errors.push(InputError::new(Place::field("edge_length"), "must be positive, between 1e-50 and 1e50"));
+    }
+    for (axis, &cells) in options.auxiliary_grid.iter().enumerate() {
+        if !(2..=400).contains(&cells) {
+            errors.push(InputError::new(Place::field("auxiliary_grid").at(axis), "must lie between 2 and 400"));
+        }
+    }
+    if let Optimise::Lengths { most } = options.optimise
+        && !(1..=1000).contains(&most)
+    {
+        errors.push(InputError::new(Place::field("max_distinct_lengths"), "must lie between 1 and 1000"));
+    }
+    if options.length_tolerance.is_some_and(|tolerance| !(tolerance >= 0.0 && tolerance.is_finite())) {
+        errors.push(InputError::new(Place::field("length_tolerance"), "must be zero or positive"));
+    }
+    if errors.is_empty() { Ok(()) } else { Err(Error::Input(errors)) }
+}
+
+/// What [`solve`] would say of its arguments before any meshing, planarity included: linear in their size.
+///
+/// # Errors
+/// The [`Error::Input`] that [`solve`] would begin with. Arguments that pass may still turn out to cross themselves.
+pub fn check(domain: &Domain, options: &Options) -> Result<Estimate, Error> {
+    let estimate = estimate(domain, options)?;
+    match domain {
+        Domain::Polygon { outer, holes } => drop(Polygon::new(outer, holes, options.edge_length)?),
+        Domain::Boundaries(boundaries) => auxiliary::check_film(boundaries, options)?,
+        Domain::Bezier { .. } | Domain::Nurbs(_) => {}
+    }
+    let nodes = 0.5 * estimate.triangles;
+    if nodes > MOST_NODES {
+        let detail = format!("asks for up to {:.3e} nodes; at most {MOST_NODES:.0e} are possible", nodes);
+        return Err(Error::input(Place::field("edge_length"), detail));
+    }
+    Ok(estimate)
+}
+
+/// Meshes the domain.
+///
+/// On convex polygons with inner angles of 90° or more and sides of ℓ or more, every edge has a length in [ℓ, 2ℓ] (to 2e-9).
+/// On any other valid polygon no edge is longer than 2ℓ, and those shorter than ℓ are listed with the reason. Looks at
+/// `execution` every few thousand triangles or one lattice placement. O(n log n) in practice.
+///
+/// # Errors
+/// [`Error::Input`]: values that are not finite, a polygon without area, not planar, self-intersecting or self-touching, a
+/// hole outside, an edge length that asks for more than 5e7 nodes. [`Error::Interrupted`]: cancelled, or the deadline passed
+/// before there was a valid mesh; later the mesh reached so far is returned with `converged` false.
+pub fn solve(domain: &Domain, options: &Options, execution: &Execution<'_>) -> Result<UniformMesh, Error> {
+    check(domain, options)?;
+    let mut solved = match domain {
+        Domain::Polygon { outer, holes } => on_polygon(outer, holes, options, execution),
+        Domain::Bezier { control_points } => {
+            let place = Place::field("domain").then("bezier");
+            on_patch(&Nurbs::bezier(control_points.clone()), &place, options, execution)
+        }
+        Domain::Nurbs(patch) => on_patch(patch, &Place::field("domain").then("nurbs"), options, execution),
+        Domain::Boundaries(boundaries) => on_film(boundaries, options, execution),
+    }?;
+    if solved.statistics.self_intersections.pairs.is_none() {
+        let (found, warning) = self_intersections::check(&solved.mesh, Order::Spatial, usize::MAX, execution)?;
+        solved.statistics.self_intersections = found;
+        solved.warnings.extend(warning);
+    }
+    Ok(solved)
+}

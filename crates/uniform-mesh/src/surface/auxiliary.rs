@@ -1,0 +1,427 @@
+//! Curved domains (Katoh, Ohsaki and Xu, section 4): patches and films, meshed in the plane and carried back.
+//!
+//! 1. An auxiliary triangulation of the surface: n_u × n_v rectangles of the parameter square, two triangles each; a film's
+//!    own triangles.
+//! 2. [`flatten`](super::flatten) it.
+//! 3. Place nodes along the flattened boundary and mesh its inside with the planar algorithm.
+//! 4. Carry the inner nodes back by barycentric coordinates in the auxiliary triangles (eq. 2 and 3), and put them on the
+//!    true surface.
+//! 5. [`Move`](super::refine_on_surface) the inner nodes.
+//!
+//! Departures: the paper leaves the boundary's nodes open. We divide each side (between corners) into pieces that are equal
+//! along the surface, as many as keep every piece at ℓ or more both on the surface and in the plane. Lengths are in ℓ and
+//! around the surface's centre throughout.
+
+use super::flatten;
+use super::nurbs::Nurbs;
+use crate::edges::{edges, topology};
+use crate::options::Options;
+use crate::plane::mesh::Outline;
+use crate::plane::sides::{Division, Sides, is_sharp, pieces};
+use plateau_film::minimal_surface;
+use plateau_mesh::error::{Error, InputError, Place, Step, Warning};
+use plateau_mesh::execution::Execution;
+use plateau_mesh::plane::location::Locator;
+use plateau_mesh::polyline::mean;
+use plateau_mesh::topology::Topology;
+use plateau_mesh::{DVec2, DVec3, Mesh};
+
+/// Samples along one auxiliary edge when the length of a side is measured.
+const SAMPLES: usize = 8;
+/// A boundary vertex of a film is a corner if the boundary turns by more than this there.
+const CORNER_TURN: f64 = std::f64::consts::FRAC_PI_6;
+/// A film's own edges are this part of ℓ, so that its facets do not show in the members ...
+const FILM_EDGE: f64 = 1.0 / 3.0;
+/// ... unless that asks for more triangles than this.
+const FILM_TRIANGLES: f64 = 60_000.0;
+
+/// The surface that nodes move on, as a map from a plane of parameters.
+#[derive(Clone, Debug)]
+pub(crate) enum Surface {
+    /// The plane itself: parameters are coordinates.
+    Plane,
+    /// Parameters in \[0, 1\]².
+    Patch(Nurbs),
+    /// Parameters are the flattened film's plane; between its vertices the film is flat.
+    Film { mesh: Mesh, plane: Vec<DVec2>, locator: std::rc::Rc<Locator> },
+}
+
+impl Surface {
+    /// Point and derivatives.
+    pub fn evaluate(&self, p: DVec2) -> [DVec3; 3] {
+        match self {
+            Self::Plane => [p.extend(0.0), DVec3::X, DVec3::Y],
+            Self::Patch(patch) => patch.evaluate(p),
+            Self::Film { mesh, plane, locator } => {
+                let (t, [wa, wb, wc]) = locator.find(p, plane, &mesh.triangles);
+                let corners = mesh.triangles[t as usize];
+                let [a, b, c] = mesh.corners(corners);
+                let [pa, pb, pc] = corners.map(|v| plane[v as usize]);
+                let (u, v) = (pb - pa, pc - pa);
+                let (eu, ev, double) = (b - a, c - a, u.perp_dot(v));
+                [a * wa + b * wb + c * wc, (eu * v.y - ev * u.y) / double, (ev * u.x - eu * v.x) / double]
+            }
+        }
+    }
+
+    /// The nearest parameters that belong to the surface.
+    pub fn restrict(&self, p: DVec2) -> DVec2 {
+        match self {
+            Self::Plane => p,
+            Self::Patch(_) => p.clamp(DVec2::ZERO, DVec2::ONE),
+            Self::Film { mesh, plane, locator } => {
+                let (t, weights) = locator.find(p, plane, &mesh.triangles);
+                mesh.triangles[t as usize].iter().zip(weights).map(|(&v, w)| plane[v as usize] * w).sum()
+            }
+        }
+    }
+}
+
+/// A patch around its centre, in units of ℓ.
+#[derive(Debug)]
+pub(crate) struct Centred {
+    pub centre: DVec3,
+    /// ℓ.
+    pub unit: f64,
+    pub patch: Nurbs,
+}
+
+impl Centred {
+    pub fn of(patch: &Nurbs, unit: f64) -> Self {
+        let points: Vec<DVec3> = patch.control_points.iter().flatten().copied().collect();
+        let centre = mean(&points);
+        Self { centre, unit, patch: patch.centred(centre, unit) }
+    }
+}
+
+/// A surface with its auxiliary triangulation, before flattening.
+#[derive(Debug)]
+pub(crate) struct Auxiliary {
+    centre: DVec3,
+    unit: f64,
+    pub mesh: Mesh,
+    pub topology: Topology,
+    /// `None` for a film.
+    patch: Option<(Nurbs, Vec<DVec2>)>,
+    /// The sides of each boundary loop as paths of auxiliary vertices, with the surface on the left.
+    sides: Vec<Vec<Vec<u32>>>,
+    /// For each auxiliary vertex that is a corner, its given position where there is one.
+    pub exact: Vec<(u32, DVec3)>,
+    /// For each input point its auxiliary vertex.
+    pub inputs: Vec<u32>,
+    pub warnings: Vec<Warning>,
+}
+
+impl Auxiliary {
+    /// A point in the caller's coordinates.
+    pub fn place(&self, p: DVec3) -> DVec3 {
+        self.centre + p * self.unit
+    }
+
+    /// The patch over `grid[0]` × `grid[1]` rectangles. `None` if it collapses somewhere or closes on itself: it cannot be
+    /// laid into the plane then.
+    pub fn of_patch(centred: &Centred, options: &Options) -> Option<Self> {
+        let Centred { centre, unit, patch } = centred;
+        let [nu, nv] = options.auxiliary_grid.map(|n| n as usize);
+        let parameters: Vec<DVec2> = (0..=nu)
+            .flat_map(|i| (0..=nv).map(move |j| DVec2::new(i as f64 / nu as f64, j as f64 / nv as f64)))
+            .collect();
+        let vertices: Vec<DVec3> = parameters.iter().map(|&p| patch.evaluate(p)[0]).collect();
+        let at = |i: usize, j: usize| (i * (nv + 1) + j) as u32;
+        let triangles: Vec<[u32; 3]> = (0..nu)
+            .flat_map(|i| (0..nv).map(move |j| (i, j)))
+            .flat_map(|(i, j)| [[at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)]])
+            .collect();
+        let mesh = Mesh::new(vertices, triangles);
+        let topology = topology(mesh.vertices.clone(), &mesh.triangles).ok()?;
+        let apart = |a: u32, b: u32| mesh.vertices[a as usize].distance(mesh.vertices[b as usize]);
+        let size = mesh.vertices.iter().map(|p| p.length()).fold(0.0, f64::max);
+        let tiny = 1e-9 * size;
+        if edges(&topology).iter().any(|&[a, b]| apart(a, b) <= tiny) {
+            return None;
+        }
+        let closed = (0..=nv).all(|j| apart(at(0, j), at(nu, j)) <= tiny)
+            || (0..=nu).all(|i| apart(at(i, 0), at(i, nv)) <= tiny);
+        if closed {
+            return None;
+        }
+        let sides = vec![
+            (0..=nu).map(|i| at(i, 0)).collect(),
+            (0..=nv).map(|j| at(nu, j)).collect(),
+            (0..=nu).rev().map(|i| at(i, nv)).collect(),
+            (0..=nv).rev().map(|j| at(0, j)).collect(),
+        ];
+        Some(Self {
+            centre: *centre,
+            unit: *unit,
+            mesh,
+            topology,
+            patch: Some((patch.clone(), parameters)),
+            sides: vec![sides],
+            exact: Vec::new(),
+            inputs: Vec::new(),
+            warnings: Vec::new(),
+        })
+    }
+
+    /// The minimal surface spanning the boundaries. Progress runs over `span`.
+    ///
+    /// # Errors
+    /// Those of [`minimal_surface::solve`], with places below /domain.
+    pub fn of_film(
+        boundaries: &[Vec<DVec3>],
+        options: &Options,
+        span: (f64, f64),
+        execution: &Execution<'_>,
+    ) -> Result<Self, Error> {
+        let unit = options.edge_length;
+        let film_options = film_options(boundaries, options);
+        minimal_surface::check(boundaries, &film_options).map_err(below_domain)?;
+        let film = execution
+            .part_as("film", [span.0, span.1], |part| minimal_surface::solve(boundaries, &film_options, part))
+            .map_err(below_domain)?;
+        let topology = topology(film.mesh.vertices.clone(), &film.mesh.triangles)?;
+        let centre = mean(&film.mesh.vertices);
+        let mesh =
+            Mesh::new(film.mesh.vertices.iter().map(|&p| (p - centre) / unit).collect(), film.mesh.triangles.clone());
+        let inputs: Vec<u32> = film.input_vertices.iter().flatten().copied().collect();
+        let mut given = vec![false; mesh.vertices.len()];
+        for &v in &inputs {
+            given[v as usize] = true;
+        }
+        let mut exact = Vec::new();
+        let mut sides = Vec::new();
+        for ring in topology.boundary_loops() {
+            let n = ring.len();
+            let at = |k: usize| mesh.vertices[ring[k % n] as usize];
+            let turns = |k: usize| (at(k + n) - at(k + n - 1)).angle_between(at(k + 1) - at(k)) > CORNER_TURN;
+            let mut corners: Vec<usize> = (0..n).filter(|&k| given[ring[k] as usize] && turns(k)).collect();
+            if corners.is_empty() {
+                // A smooth loop starts at its first input point.
+                corners.push((0..n).filter(|&k| given[ring[k] as usize]).min_by_key(|&k| ring[k]).unwrap_or(0));
+            }
+            exact.extend(corners.iter().map(|&k| (ring[k], film.mesh.vertices[ring[k] as usize])));
+            let count = corners.len();
+            let paths = (0..count).map(|c| {
+                let (from, to) = (corners[c], corners[(c + 1) % count]);
+                let to = if to <= from { to + n } else { to };
+                (from..=to).map(|k| ring[k % n]).collect()
+            });
+            sides.push(paths.collect());
+        }
+        let said = |w: Warning| match w.code {
+            "merged_points" => w,
+            code => Warning::new("film", format!("{code}: {}", w.detail)),
+        };
+        let warnings = film.warnings.into_iter().map(said).collect();
+        Ok(Self { centre, unit, mesh, topology, patch: None, sides, exact, inputs, warnings })
+    }
+
+    /// The vertices where sides meet.
+    pub fn corners(&self) -> Vec<u32> {
+        self.sides.iter().flatten().map(|side| side[0]).collect()
+    }
+
+    /// Where flattening starts.
+    ///
+    /// # Errors
+    /// A film without a plane embedding.
+    pub fn start(&self) -> Result<Vec<DVec2>, Error> {
+        let Some((_, parameters)) = &self.patch else { return flatten::start(&self.mesh, &self.topology) };
+        let [along_u, across] = [0, 1].map(|first| {
+            // Opposite sides, averaged.
+            let length = |side: &Vec<u32>| -> f64 {
+                let at = |v: u32| self.mesh.vertices[v as usize];
+                side.windows(2).map(|pair| at(pair[0]).distance(at(pair[1]))).sum()
+            };
+            0.5 * (length(&self.sides[0][first]) + length(&self.sides[0][first + 2]))
+        });
+        Ok(parameters.iter().map(|p| DVec2::new(p.x * along_u, p.y * across)).collect())
+    }
+
+    /// The surface to move on, once flattened.
+    pub fn surface(&self, plane: &[DVec2], locator: &std::rc::Rc<Locator>) -> Surface {
+        match &self.patch {
+            Some((patch, _)) => Surface::Patch(patch.clone()),
+            None => Surface::Film { mesh: self.mesh.clone(), plane: plane.to_vec(), locator: locator.clone() },
+        }
+    }
+
+    /// The parameters of a point of the plane (eq. 3).
+    pub fn carry_back(&self, p: DVec2, plane: &[DVec2], locator: &Locator) -> DVec2 {
+        let (t, weights) = locator.find(p, plane, &self.mesh.triangles);
+        let of: &[DVec2] = self.patch.as_ref().map_or(plane, |(_, parameters)| parameters);
+        self.mesh.triangles[t as usize].iter().zip(weights).map(|(&v, w)| of[v as usize] * w).sum()
+    }
+
+    /// Divides the flattened boundary. Corners come first.
+    pub fn boundary(&self, plane: &[DVec2], surface: &Surface, division: Division) -> Boundary {
+        let mut boundary = Boundary::default();
+        let mut node_of = vec![None; self.mesh.vertices.len()];
+        let parameter =
+            |v: u32| self.patch.as_ref().map_or(plane[v as usize], |(_, parameters)| parameters[v as usize]);
+        for &corner in self.sides.iter().flatten().map(|side| &side[0]) {
+            node_of[corner as usize] = Some(boundary.outline.nodes.len() as u32);
+            boundary.outline.nodes.push(plane[corner as usize]);
+            boundary.parameters.push(parameter(corner));
+            boundary.positions.push(self.mesh.vertices[corner as usize]);
+        }
+        boundary.corners = boundary.outline.nodes.len();
+        boundary.exact =
+            self.exact.iter().filter_map(|&(v, p)| node_of[v as usize].map(|node: u32| (node, p))).collect();
+        boundary.input_vertices = self.inputs.iter().map(|&v| node_of[v as usize]).collect();
+        boundary.sides = Sides::new(boundary.corners);
+        for ring in &self.sides {
+            let lines: Vec<Line> = ring.iter().map(|side| Line::new(side, plane, parameter, surface)).collect();
+            let mut counts: Vec<u32> = lines.iter().map(|line| line.pieces(surface, division)).collect();
+            // A loop needs three nodes.
+            while counts.iter().sum::<u32>() < 3 {
+                let longest = (0..counts.len()).max_by(|&a, &b| {
+                    let piece = |k: usize| lines[k].length() / f64::from(counts[k]);
+                    piece(a).total_cmp(&piece(b)).then(b.cmp(&a))
+                });
+                counts[longest.unwrap_or(0)] += 1;
+            }
+            let (mut nodes, mut sides) = (Vec::new(), Vec::new());
+            for ((side, line), &count) in ring.iter().zip(&lines).zip(&counts) {
+                let first = nodes.len();
+                nodes.extend(node_of[side[0] as usize]);
+                for k in 1..count {
+                    let (p, q) = line.at(line.length() * f64::from(k) / f64::from(count));
+                    nodes.push(boundary.outline.nodes.len() as u32);
+                    boundary.outline.nodes.push(p);
+                    boundary.parameters.push(q);
+                    boundary.positions.push(surface.evaluate(q)[0]);
+                }
+                sides.push((first, line.length(), false));
+            }
+            let n = nodes.len();
+            let at = |k: usize| boundary.outline.nodes[nodes[k % n] as usize];
+            for k in 0..sides.len() {
+                let end = sides.get(k + 1).map_or(n, |next: &(usize, f64, bool)| next.0);
+                sides[k].2 = is_sharp(at(end) - at(end - 1), at(end + 1) - at(end));
+            }
+            boundary.sides.add_loop(&nodes, &sides);
+            boundary.outline.loops.push(nodes);
+        }
+        boundary
+    }
+}
+
+/// The boundary's nodes in the plane, in the parameters and on the surface.
+#[derive(Debug, Default)]
+pub(crate) struct Boundary {
+    pub outline: Outline,
+    pub parameters: Vec<DVec2>,
+    pub positions: Vec<DVec3>,
+    pub sides: Sides,
+    pub exact: Vec<(u32, DVec3)>,
+    pub input_vertices: Vec<Option<u32>>,
+    corners: usize,
+}
+
+/// A point between two. A coordinate that both share stays what it is: nodes on one side of a patch must not make triangles.
+fn between(a: DVec2, b: DVec2, part: f64) -> DVec2 {
+    a + (b - a) * part
+}
+
+/// One side, sampled: plane position, parameters and way along the surface.
+struct Line {
+    samples: Vec<(f64, DVec2, DVec2)>,
+}
+
+impl Line {
+    fn new(side: &[u32], plane: &[DVec2], parameter: impl Fn(u32) -> DVec2, surface: &Surface) -> Self {
+        let mut samples: Vec<(f64, DVec2, DVec2)> = Vec::with_capacity(SAMPLES * side.len());
+        let (mut way, mut last) = (0.0, None::<DVec3>);
+        let segments = side.len() - 1;
+        for k in 0..=segments * SAMPLES {
+            let (segment, part) = ((k / SAMPLES).min(segments - 1), k - (k / SAMPLES).min(segments - 1) * SAMPLES);
+            let part = part as f64 / SAMPLES as f64;
+            let (a, b) = (side[segment], side[segment + 1]);
+            let p = between(plane[a as usize], plane[b as usize], part);
+            let q = between(parameter(a), parameter(b), part);
+            let here = surface.evaluate(q)[0];
+            way += last.map_or(0.0, |last| last.distance(here));
+            last = Some(here);
+            samples.push((way, p, q));
+        }
+        Self { samples }
+    }
+
+    fn length(&self) -> f64 {
+        self.samples.last().map_or(0.0, |sample| sample.0)
+    }
+
+    /// Plane position and parameters at a way along the surface.
+    fn at(&self, way: f64) -> (DVec2, DVec2) {
+        let k = self.samples.partition_point(|sample| sample.0 < way).clamp(1, self.samples.len() - 1);
+        let ((w0, p0, q0), (w1, p1, q1)) = (self.samples[k - 1], self.samples[k]);
+        let part = if w1 > w0 { ((way - w0) / (w1 - w0)).clamp(0.0, 1.0) } else { 0.0 };
+        (between(p0, p1, part), between(q0, q1, part))
+    }
+
+    /// As many pieces as the division asks for, fewer where a chord would get shorter than ℓ in the plane or in space.
+    fn pieces(&self, surface: &Surface, division: Division) -> u32 {
+        let mut count = pieces(self.length(), division);
+        while count > 1 {
+            let nodes: Vec<(DVec2, DVec3)> = (0..=count)
+                .map(|k| self.at(self.length() * f64::from(k) / f64::from(count)))
+                .map(|(p, q)| (p, surface.evaluate(q)[0]))
+                .collect();
+            let chord = |pair: &[(DVec2, DVec3)]| pair[0].0.distance(pair[1].0).min(pair[0].1.distance(pair[1].1));
+            if nodes.windows(2).all(|pair| chord(pair) >= 1.0) {
+                break;
+            }
+            count -= 1;
+        }
+        count
+    }
+}
+
+/// How a film is asked for.
+fn film_options(boundaries: &[Vec<DVec3>], options: &Options) -> minimal_surface::Options {
+    let unit = options.edge_length;
+    let target = unit * FILM_EDGE.max((film_area(boundaries) / (unit * unit) * 2.31 / FILM_TRIANGLES).sqrt());
+    minimal_surface::Options::new(minimal_surface::Resolution::EdgeLength(target))
+}
+
+/// What the film's solver has to say of the boundaries before any work.
+///
+/// # Errors
+/// Its errors, with places below /domain.
+pub(crate) fn check_film(boundaries: &[Vec<DVec3>], options: &Options) -> Result<(), Error> {
+    minimal_surface::check(boundaries, &film_options(boundaries, options)).map_err(below_domain)
+}
+
+/// The film solver's errors in terms of this module's input.
+fn below_domain(error: Error) -> Error {
+    let below = |errors: Vec<InputError>| {
+        let below = |e: InputError| {
+            let steps = std::iter::once(Step::Field("domain")).chain(e.place.0.iter().copied()).collect();
+            // The resolution is ours: it follows from the edge length.
+            let place = if e.place.0.first() == Some(&Step::Field("boundaries")) {
+                Place(steps)
+            } else {
+                Place::field("edge_length")
+            };
+            InputError::new(place, e.detail)
+        };
+        errors.into_iter().map(below).collect()
+    };
+    match error {
+        Error::Input(errors) => Error::Input(below(errors)),
+        Error::NoResult { reason, detail, places } => Error::NoResult { reason, detail, places: below(places) },
+        Error::Interrupted(interruption) => Error::Interrupted(interruption),
+    }
+}
+
+/// The fans from each boundary to its mean together bound the least area of a film with these boundaries from above.
+pub(crate) fn film_area(boundaries: &[Vec<DVec3>]) -> f64 {
+    let fan = |points: &Vec<DVec3>| -> f64 {
+        let centre = mean(points);
+        let around = points.iter().zip(points.iter().cycle().skip(1));
+        around.map(|(&a, &b)| 0.5 * (a - centre).cross(b - centre).length()).sum()
+    };
+    boundaries.iter().map(fan).sum()
+}

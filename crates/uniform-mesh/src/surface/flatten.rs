@@ -1,0 +1,200 @@
+//! Flattening (Katoh, Ohsaki and Xu, section 4, step 2, eq. 1): an auxiliary triangulation of the surface is laid into the
+//! plane with the least ½ Σ ((Lᵖ - Lˢ)/Lˢ)² over its edges, Lˢ on the surface and Lᵖ in the plane.
+//!
+//! 1. Start from a plane mesh without flipped triangles: the parameters of a patch stretched to its size; for a film the
+//!    projection to its mean plane, or, where that folds over, Tutte's embedding with the longest boundary on a circle and
+//!    the other boundaries filled by one vertex each.
+//! 2. Levenberg and Marquardt on the edge terms.
+//! 3. Refuse what folds over: the planar algorithm needs a plane region.
+//!
+//! The paper names no method. Our departure: steps that would flip a triangle are refused, as the energy alone does not see
+//! a fold.
+
+use super::least_squares::{Outcome, Settings, minimise, step_before_flip};
+use crate::edges::edges;
+use plateau_mesh::error::Error;
+use plateau_mesh::execution::Execution;
+use plateau_mesh::plane::frame::Frame;
+use plateau_mesh::sparse::levenberg_marquardt::{LeastSquares, NormalEquations};
+use plateau_mesh::sparse::{Symbolic, SymmetricMatrix};
+use plateau_mesh::topology::Topology;
+use plateau_mesh::{DVec2, DVec3, Mesh, measure};
+use std::f64::consts::TAU;
+
+struct Flattening<'a> {
+    edges: &'a [[u32; 2]],
+    lengths: &'a [f64],
+    triangles: &'a [[u32; 3]],
+    /// The metric's scale: squares of mean relative edge terms.
+    metric: f64,
+}
+
+impl LeastSquares<2> for Flattening<'_> {
+    type Place = DVec2;
+
+    fn couplings(&self, couple: &mut dyn FnMut(&[u32])) {
+        self.edges.iter().for_each(|edge| couple(edge));
+    }
+
+    fn energy(&mut self, x: &[DVec2]) -> f64 {
+        if !self.triangles.iter().all(|&t| doubled_area(x, t) > 0.0) {
+            return f64::INFINITY;
+        }
+        let term = |(&[a, b], &length): (&[u32; 2], &f64)| {
+            let r = x[a as usize].distance(x[b as usize]) / length - 1.0;
+            0.5 * r * r
+        };
+        self.edges.iter().zip(self.lengths).map(term).sum()
+    }
+
+    fn assemble(&mut self, x: &[DVec2], normal: &mut NormalEquations<2>) {
+        for (&[a, b], &length) in self.edges.iter().zip(self.lengths) {
+            let edge = x[b as usize] - x[a as usize];
+            let now = edge.length();
+            let g = edge / (now * length);
+            normal.add(now / length - 1.0, &[a, b], &[(-g).into(), g.into()]);
+        }
+    }
+
+    fn advance(&self, x: &[DVec2], step: &[[f64; 2]], to: &mut [DVec2]) -> f64 {
+        let moved = |v: u32| (x[v as usize], DVec2::from(step[v as usize]));
+        let most = step_before_flip(self.triangles.iter().map(|t| t.map(moved)));
+        for (node, place) in to.iter_mut().enumerate() {
+            *place = x[node] + DVec2::from(step[node]) * most;
+        }
+        most
+    }
+
+    fn metric(&self, _node: usize) -> [[f64; 2]; 2] {
+        [[self.metric, 0.0], [0.0, self.metric]]
+    }
+}
+
+fn doubled_area(x: &[DVec2], [a, b, c]: [u32; 3]) -> f64 {
+    let a = x[a as usize];
+    (x[b as usize] - a).perp_dot(x[c as usize] - a)
+}
+
+/// Lays the mesh into the plane, starting at `plane`, which has no flipped triangle.
+///
+/// Stops where a step lowers the energy by less than 1e-10 of it. On an interruption `plane` is the best so far.
+pub(crate) fn flatten(
+    mesh: &Mesh,
+    edges: &[[u32; 2]],
+    plane: &mut Vec<DVec2>,
+    span: (f64, f64),
+    execution: &Execution<'_>,
+) -> Outcome {
+    let lengths: Vec<f64> =
+        edges.iter().map(|&[a, b]| mesh.vertices[a as usize].distance(mesh.vertices[b as usize])).collect();
+    let metric = lengths.iter().map(|length| 1.0 / (length * length)).sum::<f64>() / lengths.len().max(1) as f64;
+    let mut problem = Flattening { edges, lengths: &lengths, triangles: &mesh.triangles, metric };
+    let settings = Settings { phase: "flatten", span, max_iterations: 200, tolerance: 1e-10 };
+    minimise(&mut problem, plane, settings, execution)
+}
+
+/// A first flattening of a film without flipped triangles.
+///
+/// # Errors
+/// [`Error::NoResult`] (`not_flattenable`) if the film has no boundary to lay down.
+pub(crate) fn start(mesh: &Mesh, topology: &Topology) -> Result<Vec<DVec2>, Error> {
+    let doubled: DVec3 = mesh.triangles.iter().map(|&t| measure::double_area_vector(mesh.corners(t))).sum();
+    if let Some(normal) = doubled.try_normalize() {
+        let frame = Frame::with_normal(normal);
+        let plane: Vec<DVec2> = mesh.vertices.iter().map(|&p| frame.coordinates(p)).collect();
+        // Steep triangles start far too small; Tutte's are better then.
+        let steepest = |&t: &[u32; 3]| {
+            let area = measure::double_area_vector(mesh.corners(t)).length();
+            doubled_area(&plane, t) > 0.05 * area
+        };
+        if mesh.triangles.iter().all(steepest) {
+            return Ok(plane);
+        }
+    }
+    tutte(mesh, topology)
+}
+
+/// Tutte's embedding, uniform weights; every boundary loop but the longest is coned to a vertex of its own.
+fn tutte(mesh: &Mesh, topology: &Topology) -> Result<Vec<DVec2>, Error> {
+    let failed = || {
+        Error::no_result(
+            "not_flattenable",
+            "the surface cannot be laid into the plane without folds: split it into several",
+        )
+    };
+    let loops = topology.boundary_loops();
+    let length = |ring: &Vec<u32>| -> f64 {
+        let at = |v: u32| mesh.vertices[v as usize];
+        ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&a, &b)| at(a).distance(at(b))).sum()
+    };
+    if loops.is_empty() || topology.components() != 1 || topology.genus() != 0 {
+        return Err(failed());
+    }
+    let lengths: Vec<f64> = loops.iter().map(length).collect();
+    let outer = (0..loops.len()).max_by(|&a, &b| lengths[a].total_cmp(&lengths[b]).then(b.cmp(&a))).unwrap_or(0);
+    let mut fixed: Vec<Option<DVec2>> = vec![None; mesh.vertices.len()];
+    let radius = lengths[outer] / TAU;
+    let mut way = 0.0;
+    for (&v, &next) in loops[outer].iter().zip(loops[outer].iter().cycle().skip(1)) {
+        fixed[v as usize] = Some(DVec2::from_angle(TAU * way / lengths[outer]) * radius);
+        way += mesh.vertices[v as usize].distance(mesh.vertices[next as usize]);
+    }
+    let mut neighbours: Vec<Vec<u32>> = vec![Vec::new(); mesh.vertices.len()];
+    let join = |neighbours: &mut Vec<Vec<u32>>, a: u32, b: u32| {
+        neighbours[a as usize].push(b);
+        neighbours[b as usize].push(a);
+    };
+    for [a, b] in edges(topology) {
+        join(&mut neighbours, a, b);
+    }
+    for (k, ring) in loops.iter().enumerate() {
+        if k != outer {
+            let cone = neighbours.len() as u32;
+            neighbours.push(Vec::new());
+            fixed.push(None);
+            for &v in ring {
+                join(&mut neighbours, cone, v);
+            }
+        }
+    }
+    let free: Vec<u32> = (0..neighbours.len() as u32).filter(|&v| fixed[v as usize].is_none()).collect();
+    let mut unknown = vec![u32::MAX; neighbours.len()];
+    for (k, &v) in free.iter().enumerate() {
+        unknown[v as usize] = k as u32;
+    }
+    let n = free.len();
+    let mut matrix = SymmetricMatrix { row_start: vec![0], columns: Vec::new(), values: Vec::new() };
+    let mut right = vec![0.0; 2 * n];
+    for (k, &v) in free.iter().enumerate() {
+        matrix.columns.push(k as u32);
+        matrix.values.push(neighbours[v as usize].len() as f64);
+        for &w in &neighbours[v as usize] {
+            match fixed[w as usize] {
+                Some(p) => {
+                    right[k] += p.x;
+                    right[n + k] += p.y;
+                }
+                None => {
+                    matrix.columns.push(unknown[w as usize]);
+                    matrix.values.push(-1.0);
+                }
+            }
+        }
+        matrix.row_start.push(matrix.columns.len() as u32);
+    }
+    if n > 0 {
+        let symbolic = Symbolic::analyse(&matrix, None).map_err(|_| failed())?;
+        symbolic.factorise(&matrix).and_then(|factor| factor.solve(&mut right)).map_err(|_| failed())?;
+    }
+    let at =
+        |v: usize| fixed[v].unwrap_or_else(|| DVec2::new(right[unknown[v] as usize], right[n + unknown[v] as usize]));
+    let mut plane: Vec<DVec2> = (0..mesh.vertices.len()).map(at).collect();
+    // The circle holds far more than the surface's area if its boundary is wavy: bring the mean length to scale.
+    let (mut on_surface, mut in_plane) = (0.0, 0.0);
+    for [a, b] in edges(topology) {
+        on_surface += mesh.vertices[a as usize].distance(mesh.vertices[b as usize]);
+        in_plane += plane[a as usize].distance(plane[b as usize]);
+    }
+    plane.iter_mut().for_each(|p| *p *= on_surface / in_plane);
+    if mesh.triangles.iter().all(|&t| doubled_area(&plane, t) > 0.0) { Ok(plane) } else { Err(failed()) }
+}

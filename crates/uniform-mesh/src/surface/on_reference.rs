@@ -1,0 +1,347 @@
+//! Uniform meshes of surfaces that cannot be flattened: meshed on the surface itself.
+//!
+//! 1. [`Net::remesh`]: triangles of about one edge length all over.
+//! 2. The lattice group. A node that moves on a surface has two degrees of freedom, and there are three edges for each
+//!    node, so that at most two thirds of the edges can have one given length. The group takes the edges nearest to ℓ of
+//!    which every node has to serve at most two (a node on a curve one): a system with as many equations as unknowns.
+//! 3. The paper's optimisation ([`refine`]): the nodes move on the surface to the least Σ (L - ℓ)² over the group, all
+//!    other members within [ℓ, 2ℓ].
+//! 4. Members that are still out of range are split or collapsed, and the nodes move again. The last move takes its time.
+//! 5. A member that is far out of range even then, without a reason in the boundary, is split or collapsed once more, and
+//!    the nodes move again: the best mesh of step 4 is one before its last members were mended. Members across a sharp
+//!    corner may then be as short as the distance between its sides at 2ℓ.
+//!
+//! [`Objective::FewestNodes`] has no lattice group: all members are brought into [ℓ, 2ℓ], starting from the largest
+//! triangles for which that is possible.
+
+use super::move_nodes::{Aim, Effort, Moved, OnSurface, Sheet, refine};
+use super::reference::{Bond, Place, Reference};
+use super::remesh::{Collapse, Net, Size, longest_squared};
+use crate::edges::edges;
+use crate::options::Objective;
+use crate::report::Why;
+use plateau_mesh::execution::{Execution, Interruption};
+use plateau_mesh::measure::double_area_vector;
+use plateau_mesh::topology::{next, previous};
+use plateau_mesh::{DVec2, DVec3};
+
+/// The sizes that the remeshing starts from, in ℓ.
+///
+/// Fewest nodes: edges come out between 0.8 and 4/3 of the size, which fills [ℓ, 2ℓ] at 1.45; strongly curved places take
+/// the shortest edges that the range allows. Most equal edges: the mean of the edges outside the group exceeds ℓ.
+const FEWEST: Size = Size { largest: 1.45, least: 1.12, turn: 0.2 };
+const EQUAL: Size = Size { largest: 1.06, least: 1.06, turn: 1.0 };
+/// Rounds of moving the nodes and mending members out of range.
+const ROUNDS: usize = 3;
+/// Most rounds of mending members that are far out of range at the end.
+const REPAIRS: usize = 2;
+/// Members outside this range, in ℓ, are far out of it. A mesh with members outside [0.6 ℓ, 2.5 ℓ] is not converged.
+const FAR: (f64, f64) = (0.7, 2.3);
+/// Rounds of multipliers in each of these moves.
+const BRIEF: usize = 2;
+/// Longest displacement of a node in one step, in ℓ.
+const LONGEST_STEP: f64 = 0.35;
+/// Members within this range, in ℓ, may belong to the lattice group.
+const GROUP: std::ops::RangeInclusive<f64> = 0.7..=1.4;
+/// Members outside this range, in ℓ, are mended. What is missing from [ℓ, 2ℓ] is left to the next move of the nodes.
+const OUT: (f64, f64) = (0.98, 2.02);
+/// Least altitude of a triangle as a fraction of its longest side, seen along the surface's normal, that a move may leave.
+/// Without it nodes are pressed flat against the boundary.
+const THINNEST: f64 = 0.12;
+/// An edge that cannot flip, is longer than the first (in ℓ) and is seen from a node at more than the second (radians) is
+/// split, so that the node may join it.
+const SEEN_WIDE: (f64, f64) = (1.5, 2.4);
+/// How many nodes the search for a free degree of freedom visits.
+const SEARCH: usize = 300;
+
+impl Sheet for Reference {
+    type Place = Place;
+
+    fn effort(&self) -> Effort {
+        Effort { attempts: 1, rounds: 6, iterations: 20, tolerance: 1e-4 }
+    }
+
+    fn evaluate(&self, place: Place) -> [DVec3; 3] {
+        let point = self.point(place.spot);
+        match place.bond {
+            Bond::Free => {
+                let (x, y) = self.facet_normal(place.spot).any_orthonormal_pair();
+                [point, x, y]
+            }
+            Bond::Curve { curve, at } => [point, self.tangent(curve, at), DVec3::ZERO],
+            Bond::Fixed(_) => [point, DVec3::ZERO, DVec3::ZERO],
+        }
+    }
+
+    fn are_upright(&self, triangles: &[[u32; 3]], at: &dyn Fn(u32) -> (Place, DVec3)) -> bool {
+        triangles.iter().all(|t| self.is_upright(t.map(at)))
+    }
+
+    fn advance(&self, mesh: &Moved<'_, Place>, step: &[DVec2], to: &mut [Place]) -> f64 {
+        let displaced = |k: usize, part: f64| {
+            let here = mesh.moving[k];
+            let step = step[k] * part;
+            let step = step * (LONGEST_STEP / step.length().max(LONGEST_STEP));
+            match here.bond {
+                Bond::Free => {
+                    let [_, x, y] = Sheet::evaluate(self, here);
+                    Place { spot: self.walk(here.spot, x * step.x + y * step.y), ..here }
+                }
+                Bond::Curve { curve, at } => {
+                    let at = (at + step.x).clamp(0.0, self.curves[curve as usize].length());
+                    Place { spot: self.on_curve(curve, at), bond: Bond::Curve { curve, at } }
+                }
+                Bond::Fixed(_) => here,
+            }
+        };
+        let mut parts = vec![1.0; to.len()];
+        for (k, place) in to.iter_mut().enumerate() {
+            *place = displaced(k, 1.0);
+        }
+        // Nodes whose step would turn a triangle take less of it, in the end nothing.
+        for part in [0.4, 0.1, 0.0, 0.0, 0.0] {
+            let positions: Vec<DVec3> = to.iter().map(|place| self.point(place.spot)).collect();
+            let at = |v: u32| match (v as usize).checked_sub(mesh.fixed) {
+                Some(k) => (to[k], positions[k]),
+                None => (mesh.standing[v as usize], self.point(mesh.standing[v as usize].spot)),
+            };
+            let turned: Vec<[u32; 3]> =
+                mesh.triangles.iter().filter(|t| !self.is_upright(t.map(at))).copied().collect();
+            if turned.is_empty() {
+                break;
+            }
+            for v in turned.into_iter().flatten() {
+                if let Some(k) = (v as usize).checked_sub(mesh.fixed)
+                    && parts[k] > part
+                {
+                    parts[k] = part;
+                    to[k] = displaced(k, part);
+                }
+            }
+        }
+        parts.iter().sum::<f64>() / parts.len() as f64
+    }
+
+    fn below(&self, corners: [Place; 3], middle: DVec3) -> (DVec3, DVec3) {
+        let free: Vec<Place> = corners.into_iter().filter(|place| place.bond == Bond::Free).take(1).collect();
+        let starts = if free.is_empty() { corners.to_vec() } else { free };
+        let mut best = (f64::INFINITY, DVec3::ZERO, DVec3::ZERO);
+        for start in starts.into_iter().flat_map(|place| self.sides(place.spot)) {
+            let spot = self.foot(start, middle);
+            let point = self.point(spot);
+            let distance = point.distance(middle);
+            if distance < best.0 {
+                best = (distance, point, self.facet_normal(spot));
+            }
+        }
+        (best.1, best.2)
+    }
+}
+
+impl Reference {
+    /// Whether a triangle faces as the surface does at its corners, and is no sliver.
+    fn is_upright(&self, corners: [(Place, DVec3); 3]) -> bool {
+        let mean: DVec3 = corners.iter().map(|(place, _)| self.normal(place.spot)).sum();
+        let corners = corners.map(|corner| corner.1);
+        double_area_vector(corners).dot(mean) > THINNEST * longest_squared(corners) * mean.length()
+    }
+}
+
+/// Meshes the surface. The second value says what cut the work short; the mesh is valid all the same.
+///
+/// # Errors
+/// The interruption, before there was a mesh of about the wanted size.
+pub(crate) fn mesh<'a>(
+    reference: &'a Reference,
+    objective: Objective,
+    optimise: bool,
+    (from, to): (f64, f64),
+    execution: &Execution<'_>,
+) -> Result<(OnSurface<'a, Reference>, Option<Interruption>), Interruption> {
+    let size = match objective {
+        Objective::FewestNodes => FEWEST,
+        Objective::MostEqualEdges => EQUAL,
+    };
+    let mut net = Net::new(reference, size);
+    net.remesh(execution)?;
+    let mut best = nodes(&mut net, objective);
+    if !optimise {
+        return Ok((best, None));
+    }
+    // The net of the best nodes, as it was before its members were mended.
+    let mut of_best = net.clone();
+    let part = |k: usize| from + (to - from) * k as f64 / (ROUNDS + 1 + REPAIRS) as f64;
+    let move_nodes = |nodes: &mut OnSurface<'a, Reference>, rounds: usize, k: usize| {
+        let aim = |&lattice: &bool| if lattice { Aim::At(1.0) } else { Aim::Within(1.0) };
+        let aims: Vec<Aim> = nodes.lattice_group.iter().map(aim).collect();
+        let effort = Effort { rounds, ..reference.effort() };
+        refine(nodes, &aims, effort, "optimise_nodes", (part(k), part(k + 1)), execution)
+    };
+    let move_repaired = |nodes: &mut OnSurface<'a, Reference>, k: usize| {
+        let aim = |(&lattice, &ends): (&bool, &[u32; 2])| {
+            // Aims that no place of the nodes can reach push them towards a sharp corner, or away from it.
+            let across = reference.apart_across(ends.map(|v| nodes.parameters[v as usize]));
+            match across {
+                _ if lattice => Aim::At(1.0),
+                Some(apart) => Aim::Within((2.0 * apart).min(1.0)),
+                None => Aim::Within(1.0),
+            }
+        };
+        let aims: Vec<Aim> = nodes.lattice_group.iter().zip(&nodes.members).map(aim).collect();
+        refine(nodes, &aims, reference.effort(), "optimise_nodes", (part(k), part(k + 1)), execution)
+    };
+    let mut least = f64::INFINITY;
+    for round in 0..ROUNDS {
+        let mut here = nodes(&mut net, objective);
+        let interrupted = move_nodes(&mut here, BRIEF, round);
+        let misfit = misfit(&here);
+        if misfit < least {
+            least = misfit;
+            best = here.clone();
+            of_best = net.clone();
+        }
+        if interrupted.is_some() {
+            return Ok((best, interrupted));
+        }
+        net.put_all(&here.parameters);
+        if !mend(&mut net, OUT) {
+            break;
+        }
+    }
+    let mut interrupted = move_nodes(&mut best, reference.effort().rounds, ROUNDS);
+    for repair in 0..REPAIRS {
+        let far = far_members(&best);
+        if far == 0 || interrupted.is_some() {
+            break;
+        }
+        of_best.put_all(&best.parameters);
+        if !mend(&mut of_best, FAR) {
+            break;
+        }
+        let mut here = nodes(&mut of_best, objective);
+        interrupted = move_repaired(&mut here, ROUNDS + 1 + repair);
+        if far_members(&here) >= far {
+            break;
+        }
+        best = here;
+    }
+    Ok((best, interrupted))
+}
+
+/// Number of members that are far out of range, and that the boundary does not force to be.
+fn far_members(nodes: &OnSurface<'_, Reference>) -> usize {
+    let is_far = |&(&ends, length): &(&[u32; 2], f64)| {
+        let places = ends.map(|v| nodes.parameters[v as usize]);
+        !(FAR.0..=FAR.1).contains(&length) && nodes.surface.why(places, length) == Why::Curvature
+    };
+    nodes.members.iter().zip(nodes.lengths()).filter(is_far).count()
+}
+
+/// The net's nodes as nodes that move, with the lattice group for the lengths as they are.
+fn nodes<'a>(net: &mut Net<'a>, objective: Objective) -> OnSurface<'a, Reference> {
+    net.sort();
+    let members = edges(&net.topology);
+    let fixed = net.places.iter().take_while(|place| matches!(place.bond, Bond::Fixed(_))).count();
+    let mut nodes = OnSurface {
+        surface: net.reference,
+        parameters: net.places.clone(),
+        positions: net.positions.clone(),
+        fixed,
+        triangles: net.topology.triangles().to_vec(),
+        lattice_group: vec![false; members.len()],
+        members,
+    };
+    if objective == Objective::MostEqualEdges {
+        nodes.lattice_group = lattice_group(&nodes);
+    }
+    nodes
+}
+
+/// The edges nearest to ℓ of which no node has to serve more than it has degrees of freedom.
+fn lattice_group(nodes: &OnSurface<'_, Reference>) -> Vec<bool> {
+    let lengths = nodes.lengths();
+    let mut order: Vec<usize> = (0..lengths.len()).filter(|&m| GROUP.contains(&lengths[m])).collect();
+    order.sort_by(|&a, &b| (lengths[a] - 1.0).abs().total_cmp(&(lengths[b] - 1.0).abs()).then(a.cmp(&b)));
+    let mut left: Vec<u8> = nodes
+        .parameters
+        .iter()
+        .map(|place| match place.bond {
+            Bond::Free => 2,
+            Bond::Curve { .. } => 1,
+            Bond::Fixed(_) => 0,
+        })
+        .collect();
+    // For each node the members that it serves.
+    let mut serves: Vec<Vec<usize>> = vec![Vec::new(); left.len()];
+    let mut group = vec![false; lengths.len()];
+    let mut seen = vec![0u32; left.len()];
+    for (turn, member) in order.into_iter().enumerate() {
+        let turn = turn as u32 + 1;
+        // Breadth first from the member's ends to a node with a degree of freedom left; the members on the way change
+        // over to the next node.
+        let mut queue: Vec<(u32, Option<usize>, usize)> =
+            nodes.members[member].iter().map(|&v| (v, None, member)).collect();
+        queue.iter().for_each(|&(v, ..)| seen[v as usize] = turn);
+        let mut next = 0;
+        let found = loop {
+            let Some(&(v, ..)) = queue.get(next) else { break None };
+            if left[v as usize] > 0 {
+                break Some(next);
+            }
+            if queue.len() < SEARCH {
+                for &m in &serves[v as usize] {
+                    let [a, b] = nodes.members[m];
+                    let other = if a == v { b } else { a };
+                    if seen[other as usize] != turn {
+                        seen[other as usize] = turn;
+                        queue.push((other, Some(next), m));
+                    }
+                }
+            }
+            next += 1;
+        };
+        let Some(mut at) = found else { continue };
+        left[queue[at].0 as usize] -= 1;
+        loop {
+            let (v, before, m) = queue[at];
+            serves[v as usize].push(m);
+            let Some(before) = before else { break };
+            serves[queue[before].0 as usize].retain(|&other| other != m);
+            at = before;
+        }
+        group[member] = true;
+    }
+    group
+}
+
+/// Half the sum of squares by which the lattice is off ℓ and the other members are outside [ℓ, 2ℓ], the latter ten times.
+fn misfit(nodes: &OnSurface<'_, Reference>) -> f64 {
+    let term = |(&length, &lattice): (&f64, &bool)| {
+        let off = if lattice { length - 1.0 } else { (1.0 - length).max(length - 2.0).max(0.0) };
+        0.5 * off * off * if lattice { 1.0 } else { 10.0 }
+    };
+    nodes.lengths().iter().zip(&nodes.lattice_group).map(term).sum()
+}
+
+/// Splits members that are longer than a range, collapses those that are shorter, and flips. Says whether anything changed.
+fn mend(net: &mut Net<'_>, (shortest, longest): (f64, f64)) -> bool {
+    let count = |net: &Net<'_>| net.topology.twin.len() as u32;
+    let before = net.topology.triangles().to_vec();
+    let seen_wide = |h: u32| {
+        let corners = [h, next(h), previous(h)].map(|h| net.positions[net.topology.from(h) as usize]);
+        let [a, b, apex] = corners;
+        net.curve_of(net.topology.from(h), net.topology.to(h)).is_some()
+            && a.distance(b) > SEEN_WIDE.0
+            && (a - apex).angle_between(b - apex) > SEEN_WIDE.1
+    };
+    let too_long = |&h: &u32| net.length(h) > longest || seen_wide(h);
+    let mut long: Vec<u32> = (0..count(net)).filter(too_long).collect();
+    long.sort_by(|&a, &b| net.length(b).total_cmp(&net.length(a)).then(a.cmp(&b)));
+    net.split_edges(&long);
+    let mut short: Vec<u32> = (0..count(net)).filter(|&h| net.length(h) < shortest).collect();
+    short.sort_by(|&a, &b| net.length(a).total_cmp(&net.length(b)).then(a.cmp(&b)));
+    short.truncate(short.len().min(net.places.len() / 50 + 1));
+    net.collapse_edges(&short, Collapse::Middle, 1.9);
+    net.flip_to_delaunay();
+    net.topology.triangles() != before
+}

@@ -1,0 +1,577 @@
+//! Isotropic remeshing on a surface: from the reference triangulation to triangles of about the wanted edge length.
+//!
+//! Source: Botsch, Kobbelt, *A Remeshing Approach to Multiresolution Modeling* (2004), section 4: collapse short edges,
+//! split long ones, flip, relax tangentially. Here nodes never leave the surface, because they walk on the [`Reference`];
+//! nodes on its curves stay on them, corners stay where they are. An operation that would turn a triangle against the
+//! surface's normals is refused, so that thin sheets and sharp crests are not cut through.
+//!
+//! As in [`remesh`](plateau_film::minimal_surface), edges that are split or collapsed in one pass share no triangle (no
+//! neighbourhood), so that a pass is one rebuild of the triangle list.
+
+use super::reference::{Bond, Place, Reference};
+use plateau_mesh::DVec3;
+use plateau_mesh::edit::may_collapse;
+use plateau_mesh::execution::{Execution, Interruption};
+use plateau_mesh::measure::double_area_vector;
+use plateau_mesh::topology::{NONE, Topology};
+
+/// The constants of the remeshing.
+struct Remeshing {
+    /// Edges longer than this times the size are split (Botsch and Kobbelt: 4/3).
+    long: f64,
+    /// Edges shorter than this times the size are collapsed (Botsch and Kobbelt: 4/5).
+    short: f64,
+    /// Most passes that only collapse, at the start; each removes up to a seventh of the nodes.
+    coarsening_passes: usize,
+    /// Ends the coarsening when a pass removes fewer than this fraction of the nodes.
+    coarsened: f64,
+    /// Rounds of splits, collapses, flips and relaxation.
+    rounds: usize,
+    /// Relaxation sweeps in each round.
+    sweeps: usize,
+    /// Least cosine between a triangle's normal and the mean of the surface's normals at its corners.
+    upright: f64,
+    /// Least altitude of a triangle as a fraction of its longest side. Smaller ones have no direction that could be compared
+    /// with the surface's.
+    thinnest: f64,
+    /// Opposite angles may add up to 180° and this much, radians, before the edge flips.
+    flat: f64,
+    /// Sweeps over all edges in which edges flip.
+    flip_sweeps: usize,
+}
+
+const REMESHING: Remeshing = Remeshing {
+    long: 4.0 / 3.0,
+    short: 0.8,
+    coarsening_passes: 40,
+    coarsened: 0.01,
+    rounds: 12,
+    sweeps: 3,
+    upright: 0.1,
+    thinnest: 1e-3,
+    flat: 1e-6,
+    flip_sweeps: 10,
+};
+
+/// The wanted edge length at a place: a constant, shorter where the surface is strongly curved.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Size {
+    /// Where the surface is nearly flat, in ℓ.
+    pub largest: f64,
+    /// Where it is strongly curved, in ℓ.
+    pub least: f64,
+    /// Wanted length times curvature in between.
+    pub turn: f64,
+}
+
+impl Size {
+    fn at(self, curvature: f64) -> f64 {
+        (self.turn / curvature.max(f64::MIN_POSITIVE)).clamp(self.least, self.largest)
+    }
+}
+
+/// Where the ends of a collapsed edge meet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Collapse {
+    /// At one end. Needs no walk on the surface.
+    End,
+    /// Half way between them.
+    Middle,
+}
+
+/// A mesh whose nodes stand on the reference.
+#[derive(Clone, Debug)]
+pub(crate) struct Net<'a> {
+    pub reference: &'a Reference,
+    pub places: Vec<Place>,
+    pub positions: Vec<DVec3>,
+    pub normals: Vec<DVec3>,
+    pub topology: Topology,
+    /// The edges along curves, each with the smaller end first, and the curve; sorted.
+    pub along: Vec<([u32; 2], u32)>,
+    size: Size,
+    sizes: Vec<f64>,
+}
+
+/// The square of a triangle's longest side.
+pub(crate) fn longest_squared([a, b, c]: [DVec3; 3]) -> f64 {
+    a.distance_squared(b).max(b.distance_squared(c)).max(c.distance_squared(a))
+}
+
+/// An edge's ends in order.
+fn ordered(a: u32, b: u32) -> [u32; 2] {
+    [a.min(b), a.max(b)]
+}
+
+impl<'a> Net<'a> {
+    /// The reference's own triangles.
+    pub fn new(reference: &'a Reference, size: Size) -> Self {
+        let count = reference.mesh.vertices.len();
+        let mut bonds = vec![Bond::Free; count];
+        let mut along = Vec::new();
+        for (number, curve) in reference.curves.iter().enumerate() {
+            let number = number as u32;
+            for (k, (from, to)) in reference.chain(number).into_iter().enumerate() {
+                along.push((ordered(from, to), number));
+                bonds[from as usize] = Bond::Curve { curve: number, at: curve.at[k] };
+            }
+        }
+        along.sort_unstable();
+        for v in 0..count as u32 {
+            if reference.corner[v as usize] {
+                bonds[v as usize] = Bond::Fixed(v);
+            }
+        }
+        let places: Vec<Place> =
+            (0..count as u32).map(|v| Place { spot: reference.spot_of(v), bond: bonds[v as usize] }).collect();
+        let mut net = Self {
+            reference,
+            places: Vec::new(),
+            positions: Vec::new(),
+            normals: Vec::new(),
+            topology: reference.topology.clone(),
+            along,
+            size,
+            sizes: Vec::new(),
+        };
+        places.into_iter().for_each(|place| net.push(place));
+        net
+    }
+
+    fn push(&mut self, place: Place) {
+        self.places.push(place);
+        self.positions.push(self.reference.point(place.spot));
+        self.normals.push(self.reference.normal(place.spot));
+        self.sizes.push(self.size.at(self.reference.curvature(place.spot)));
+    }
+
+    pub fn put(&mut self, v: u32, place: Place) {
+        let v = v as usize;
+        self.places[v] = place;
+        self.positions[v] = self.reference.point(place.spot);
+        self.normals[v] = self.reference.normal(place.spot);
+        self.sizes[v] = self.size.at(self.reference.curvature(place.spot));
+    }
+
+    /// Puts every node to its new place.
+    pub fn put_all(&mut self, places: &[Place]) {
+        for (v, &place) in places.iter().enumerate() {
+            self.put(v as u32, place);
+        }
+    }
+
+    fn is_free(&self, v: u32) -> bool {
+        self.places[v as usize].bond == Bond::Free
+    }
+
+    /// The curve that an edge runs along.
+    pub fn curve_of(&self, a: u32, b: u32) -> Option<u32> {
+        if self.is_free(a) || self.is_free(b) {
+            return None;
+        }
+        self.along.binary_search_by_key(&ordered(a, b), |edge| edge.0).ok().map(|k| self.along[k].1)
+    }
+
+    pub fn length(&self, h: u32) -> f64 {
+        self.positions[self.topology.from(h) as usize].distance(self.positions[self.topology.to(h) as usize])
+    }
+
+    fn size_at(&self, h: u32) -> f64 {
+        0.5 * (self.sizes[self.topology.from(h) as usize] + self.sizes[self.topology.to(h) as usize])
+    }
+
+    /// Whether a triangle with these corners faces as the surface does.
+    fn is_upright(&self, corners: [DVec3; 3], normals: [DVec3; 3]) -> bool {
+        let normal = double_area_vector(corners);
+        let mean: DVec3 = normals.iter().sum();
+        normal.dot(mean) > REMESHING.upright * normal.length() * mean.length()
+            && normal.length() > REMESHING.thinnest * longest_squared(corners)
+    }
+
+    fn triangle_is_upright(&self, triangle: [u32; 3]) -> bool {
+        self.is_upright(triangle.map(|v| self.positions[v as usize]), triangle.map(|v| self.normals[v as usize]))
+    }
+
+    /// Half-edges, one for each edge, whose key is above 1, largest first.
+    fn ranked(&self, key: impl Fn(u32) -> f64) -> Vec<u32> {
+        let twin = &self.topology.twin;
+        let mut ranked: Vec<(f64, u32)> = (0..twin.len() as u32)
+            .filter(|&h| twin[h as usize] == NONE || twin[h as usize] > h)
+            .map(|h| (key(h), h))
+            .filter(|&(key, _)| key > 1.0)
+            .collect();
+        ranked.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        ranked.into_iter().map(|(_, h)| h).collect()
+    }
+
+    /// The place half way between two nodes, along the curve if they are neighbours on one.
+    fn middle(&self, a: u32, b: u32) -> Option<Place> {
+        let [p, q] = [a, b].map(|v| self.positions[v as usize]);
+        let [from, to] = [a, b].map(|v| self.places[v as usize]);
+        if let Some(curve) = self.curve_of(a, b) {
+            let other = self.reference.at(curve, to.bond, None);
+            let near = self.reference.at(curve, from.bond, other)?;
+            let other = self.reference.at(curve, to.bond, Some(near))?;
+            let at = 0.5 * (near + other);
+            return Some(Place { spot: self.reference.on_curve(curve, at), bond: Bond::Curve { curve, at } });
+        }
+        let length = p.distance(q);
+        for (start, from, to) in [(from, p, q), (to, q, p)] {
+            for start in self.reference.sides(start.spot) {
+                let normal = self.reference.facet_normal(start);
+                let direction = (to - from).reject_from_normalized(normal).normalize_or_zero();
+                let spot = self.reference.walk(start, direction * (0.5 * length));
+                let spot = self.reference.foot(spot, (from + to) / 2.0);
+                let point = self.reference.point(spot);
+                if point.distance(from).max(point.distance(to)) < 0.8 * length {
+                    return Some(Place { spot, bond: Bond::Free });
+                }
+            }
+        }
+        None
+    }
+
+    /// Splits the edges that are too long, longest first, no two of one triangle. Returns how many.
+    fn split(&mut self) -> usize {
+        let edges = self.ranked(|h| self.length(h) / (REMESHING.long * self.size_at(h)));
+        self.split_edges(&edges)
+    }
+
+    /// Splits these edges, as far as they share no triangle. Returns how many.
+    pub fn split_edges(&mut self, edges: &[u32]) -> usize {
+        let mut taken = vec![false; self.topology.triangles().len()];
+        let mut triangles = self.topology.triangles().to_vec();
+        let mut along = Vec::new();
+        let mut count = 0;
+        for &h in edges {
+            let twin = self.topology.twin[h as usize];
+            let (a, b) = (self.topology.from(h), self.topology.to(h));
+            let is_taken = |half: u32| half != NONE && taken[half as usize / 3];
+            if is_taken(h) || is_taken(twin) {
+                continue;
+            }
+            let Some(place) = self.middle(a, b) else { continue };
+            let point = self.reference.point(place.spot);
+            let normal = self.reference.normal(place.spot);
+            let halves: Vec<(u32, u32, u32, u32)> = [(h, a, b), (twin, b, a)]
+                .into_iter()
+                .filter(|&(half, ..)| half != NONE)
+                .map(|(half, from, to)| (half, from, to, self.topology.opposite(half)))
+                .collect();
+            let fits = |&(_, from, to, apex): &(u32, u32, u32, u32)| {
+                [[from, apex], [apex, to]].iter().enumerate().all(|(k, &[x, y])| {
+                    let corners = [x, y].map(|v| self.positions[v as usize]);
+                    let normals = [x, y].map(|v| self.normals[v as usize]);
+                    let (corners, normals) = if k == 0 {
+                        ([corners[0], point, corners[1]], [normals[0], normal, normals[1]])
+                    } else {
+                        ([point, corners[1], corners[0]], [normal, normals[1], normals[0]])
+                    };
+                    self.is_upright(corners, normals)
+                })
+            };
+            if !halves.iter().all(fits) {
+                continue;
+            }
+            if let Some(curve) = self.curve_of(a, b) {
+                along.push((ordered(a, b), self.places.len() as u32, curve));
+            }
+            let middle = self.places.len() as u32;
+            self.push(place);
+            for (half, from, to, apex) in halves {
+                taken[half as usize / 3] = true;
+                triangles[half as usize / 3] = [from, middle, apex];
+                triangles.push([middle, to, apex]);
+            }
+            count += 1;
+        }
+        if count > 0 {
+            let mut split: Vec<[u32; 2]> = along.iter().map(|edge| edge.0).collect();
+            split.sort_unstable();
+            self.along.retain(|edge| split.binary_search(&edge.0).is_err());
+            for ([a, b], middle, curve) in along {
+                self.along.extend([(ordered(a, middle), curve), (ordered(b, middle), curve)]);
+            }
+            self.along.sort_unstable();
+            self.rebuild(&triangles);
+        }
+        count
+    }
+
+    fn rebuild(&mut self, triangles: &[[u32; 3]]) {
+        self.topology =
+            Topology::build(triangles, self.places.len()).expect("splits and collapses keep an oriented manifold");
+    }
+
+    /// Collapses the edges that are too short, shortest first, in places that do not touch. Returns how many.
+    fn collapse(&mut self, to: Collapse) -> usize {
+        let edges = self.ranked(|h| REMESHING.short * self.size_at(h) / self.length(h).max(f64::MIN_POSITIVE));
+        self.collapse_edges(&edges, to, REMESHING.long)
+    }
+
+    /// Collapses these edges where no edge becomes longer than `long` sizes. Returns how many.
+    pub fn collapse_edges(&mut self, edges: &[u32], to: Collapse, long: f64) -> usize {
+        let mut touched = vec![false; self.places.len()];
+        let mut gone: Vec<Option<u32>> = vec![None; self.places.len()];
+        let mut count = 0;
+        for &h in edges {
+            let (a, b) = (self.topology.from(h), self.topology.to(h));
+            if touched[a as usize] || touched[b as usize] {
+                continue;
+            }
+            let curve = self.curve_of(a, b);
+            let middle = || if to == Collapse::Middle { self.middle(a, b) } else { None };
+            let bonds = [a, b].map(|v| self.places[v as usize].bond);
+            let (leaves, stays, meeting) = match (bonds, curve) {
+                ([Bond::Free, Bond::Free], _) => (a, b, middle().unwrap_or(self.places[b as usize])),
+                ([Bond::Free, _], _) => (a, b, self.places[b as usize]),
+                ([_, Bond::Free], _) => (b, a, self.places[a as usize]),
+                ([Bond::Curve { .. }, Bond::Curve { .. }], Some(_)) => {
+                    (a, b, middle().unwrap_or(self.places[b as usize]))
+                }
+                ([Bond::Curve { .. }, Bond::Fixed(_)], Some(_)) => (a, b, self.places[b as usize]),
+                ([Bond::Fixed(_), Bond::Curve { .. }], Some(_)) => (b, a, self.places[a as usize]),
+                _ => continue,
+            };
+            // A collapse onto an end that stays where it is changes only the triangles around the other.
+            let moves = meeting != self.places[stays as usize];
+            let mut near = self.ring(leaves);
+            near.extend([a, b]);
+            if moves {
+                near.extend(self.ring(stays));
+            }
+            if near.iter().any(|&v| touched[v as usize]) || !may_collapse(&self.topology, leaves, stays) {
+                continue;
+            }
+            let point = self.reference.point(meeting.spot);
+            let normal = self.reference.normal(meeting.spot);
+            let fits = |v: u32, other: u32| self.keeps_shape(v, other, point, normal, long);
+            if !fits(leaves, stays) || (moves && !fits(stays, leaves)) {
+                continue;
+            }
+            near.iter().for_each(|&v| touched[v as usize] = true);
+            gone[leaves as usize] = Some(stays);
+            self.put(stays, meeting);
+            count += 1;
+        }
+        if count > 0 {
+            let mut place = vec![0u32; self.places.len()];
+            let mut kept = 0usize;
+            for v in 0..gone.len() {
+                if gone[v].is_none() {
+                    place[v] = kept as u32;
+                    self.places[kept] = self.places[v];
+                    self.positions[kept] = self.positions[v];
+                    self.normals[kept] = self.normals[v];
+                    self.sizes[kept] = self.sizes[v];
+                    kept += 1;
+                }
+            }
+            self.places.truncate(kept);
+            self.positions.truncate(kept);
+            self.normals.truncate(kept);
+            self.sizes.truncate(kept);
+            let moved = |v: u32| place[gone[v as usize].unwrap_or(v) as usize];
+            let triangles: Vec<[u32; 3]> = self
+                .topology
+                .triangles()
+                .iter()
+                .map(|triangle| triangle.map(moved))
+                .filter(|[a, b, c]| a != b && b != c && c != a)
+                .collect();
+            for (edge, _) in &mut self.along {
+                let [a, b] = edge.map(moved);
+                *edge = ordered(a, b);
+            }
+            self.along.retain(|([a, b], _)| a != b);
+            self.along.sort_unstable();
+            self.rebuild(&triangles);
+        }
+        count
+    }
+
+    /// The neighbours of a vertex.
+    pub fn ring(&self, v: u32) -> Vec<u32> {
+        let mut ring: Vec<u32> = self.topology.outgoing_half_edges(v).map(|h| self.topology.to(h)).collect();
+        // A boundary vertex reaches its last neighbour only as an opposite one.
+        if let Some(last) = self.topology.outgoing_half_edges(v).last() {
+            let other = self.topology.opposite(last);
+            if !ring.contains(&other) {
+                ring.push(other);
+            }
+        }
+        ring
+    }
+
+    /// Whether the triangles of `v` without `other` stay upright, and their edges short enough, when `v` moves.
+    fn keeps_shape(&self, v: u32, other: u32, point: DVec3, normal: DVec3, long: f64) -> bool {
+        let topology = &self.topology;
+        topology.outgoing_half_edges(v).all(|h| {
+            let (j, k) = (topology.to(h), topology.opposite(h));
+            if j == other || k == other {
+                return true;
+            }
+            let [p, q] = [j, k].map(|v| self.positions[v as usize]);
+            let [m, n] = [j, k].map(|v| self.normals[v as usize]);
+            let size = 0.5 * (self.sizes[v as usize] + self.sizes[j as usize]);
+            let area = double_area_vector([point, p, q]).length();
+            self.is_upright([point, p, q], [normal, m, n])
+                && area > 0.05 * p.distance_squared(q).max(point.distance_squared(p))
+                && point.distance(p).max(point.distance(q)) < long * size
+        })
+    }
+
+    /// Whether an edge may flip: not along a curve, and the two new triangles are upright.
+    pub fn can_flip(&self, h: u32) -> bool {
+        let Some([a, b, c, d]) = self.topology.hinge(h) else { return false };
+        self.curve_of(a, b).is_none()
+            && self.topology.can_flip(h)
+            && self.triangle_is_upright([d, c, a])
+            && self.triangle_is_upright([c, d, b])
+    }
+
+    /// Flips every edge whose opposite angles add up to more than 180°, where that keeps the triangles upright.
+    pub fn flip_to_delaunay(&mut self) {
+        for _ in 0..REMESHING.flip_sweeps {
+            let mut flips = 0;
+            for h in 0..self.topology.twin.len() as u32 {
+                if self.topology.twin[h as usize] < h {
+                    continue;
+                }
+                let Some(hinge) = self.topology.hinge(h) else { continue };
+                let [a, b, c, d] = hinge.map(|v| self.positions[v as usize]);
+                let angle = |at: DVec3| (a - at).angle_between(b - at);
+                // On a crest an edge may be bent by so much that its flip would cut the crest: length decides there.
+                if angle(c) + angle(d) > std::f64::consts::PI + REMESHING.flat && self.can_flip(h) {
+                    self.topology.flip(h);
+                    flips += 1;
+                }
+            }
+            if flips == 0 {
+                break;
+            }
+        }
+    }
+
+    /// Moves every free node towards the middle of its triangles, weighted by their areas, and every node on a curve
+    /// towards the middle between its neighbours there.
+    pub fn relax(&mut self, sweeps: usize) {
+        for _ in 0..sweeps {
+            for v in 0..self.places.len() as u32 {
+                match self.places[v as usize].bond {
+                    Bond::Free => self.relax_free(v),
+                    Bond::Curve { curve, at } => self.relax_on_curve(v, curve, at),
+                    Bond::Fixed(_) => {}
+                }
+            }
+        }
+    }
+
+    fn relax_free(&mut self, v: u32) {
+        let here = self.positions[v as usize];
+        let (mut sum, mut weight) = (DVec3::ZERO, 0.0);
+        let mut nearest = f64::INFINITY;
+        for h in self.topology.outgoing_half_edges(v) {
+            let [p, q] = [self.topology.to(h), self.topology.opposite(h)].map(|v| self.positions[v as usize]);
+            let area = double_area_vector([here, p, q]).length();
+            sum += (here + p + q) * (area / 3.0);
+            weight += area;
+            nearest = nearest.min(here.distance(p));
+        }
+        if weight <= 0.0 {
+            return;
+        }
+        let normal = self.normals[v as usize];
+        let mut step = (sum / weight - here).reject_from_normalized(normal);
+        let most = 0.5 * nearest;
+        if step.length() > most {
+            step *= most / step.length();
+        }
+        let before = self.places[v as usize];
+        for part in [1.0, 0.4] {
+            let spot = self.reference.walk(before.spot, step * part);
+            self.put(v, Place { spot, bond: Bond::Free });
+            if self.star_is_upright(v) {
+                return;
+            }
+        }
+        self.put(v, before);
+    }
+
+    fn relax_on_curve(&mut self, v: u32, curve: u32, at: f64) {
+        let neighbours: Vec<f64> = self
+            .ring(v)
+            .into_iter()
+            .filter(|&w| self.curve_of(v, w) == Some(curve))
+            .filter_map(|w| self.reference.at(curve, self.places[w as usize].bond, Some(at)))
+            .collect();
+        let &[low, high] = &neighbours[..] else { return };
+        let before = self.places[v as usize];
+        let at = 0.5 * (low + high);
+        self.put(v, Place { spot: self.reference.on_curve(curve, at), bond: Bond::Curve { curve, at } });
+        if !self.star_is_upright(v) {
+            self.put(v, before);
+        }
+    }
+
+    pub fn star_is_upright(&self, v: u32) -> bool {
+        self.topology
+            .outgoing_half_edges(v)
+            .all(|h| self.triangle_is_upright(self.topology.triangles()[h as usize / 3]))
+    }
+
+    /// Numbers the nodes: corners, then nodes on the boundary, then those on creases, then the free ones.
+    pub fn sort(&mut self) {
+        let rank = |v: u32| match self.places[v as usize].bond {
+            Bond::Fixed(corner) => (0, corner),
+            Bond::Curve { .. } if self.topology.is_boundary(v) => (1, v),
+            Bond::Curve { .. } => (2, v),
+            Bond::Free => (3, v),
+        };
+        let mut order: Vec<u32> = (0..self.places.len() as u32).collect();
+        order.sort_by_key(|&v| rank(v));
+        let mut place = vec![0u32; order.len()];
+        for (new, &old) in order.iter().enumerate() {
+            place[old as usize] = new as u32;
+        }
+        let old = |k: usize| order[k] as usize;
+        self.positions = (0..order.len()).map(|k| self.positions[old(k)]).collect();
+        self.normals = (0..order.len()).map(|k| self.normals[old(k)]).collect();
+        self.sizes = (0..order.len()).map(|k| self.sizes[old(k)]).collect();
+        self.places = (0..order.len()).map(|k| self.places[old(k)]).collect();
+        for (edge, _) in &mut self.along {
+            let [a, b] = edge.map(|v| place[v as usize]);
+            *edge = ordered(a, b);
+        }
+        self.along.sort_unstable();
+        self.topology = self.topology.clone().renumbered(&place);
+    }
+
+    /// Brings every edge near the size at its place.
+    ///
+    /// # Errors
+    /// The interruption; the net is valid then, only not even.
+    pub fn remesh(&mut self, execution: &Execution<'_>) -> Result<(), Interruption> {
+        for pass in 0..REMESHING.coarsening_passes {
+            execution.look(4 * self.places.len() as u64)?;
+            let before = self.places.len() as f64;
+            let removed = self.collapse(Collapse::End) as f64;
+            self.flip_to_delaunay();
+            if pass % 2 == 1 {
+                self.relax(1);
+            }
+            if removed < REMESHING.coarsened * before {
+                break;
+            }
+        }
+        for _ in 0..REMESHING.rounds {
+            execution.look(20 * self.places.len() as u64)?;
+            self.split();
+            self.collapse(Collapse::Middle);
+            self.flip_to_delaunay();
+            self.relax(REMESHING.sweeps);
+            self.flip_to_delaunay();
+        }
+        Ok(())
+    }
+}

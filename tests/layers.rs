@@ -1,0 +1,522 @@
+//! The layers of each crate of the geometry: no file uses a later layer, and no files form a circle.
+//!
+//! The test reads the source. It takes every `use` declaration (grouped and nested ones too) and every path in the code
+//! that starts with `crate::`, `super::`, `self::` or the name of a child module. Each names a file; that is an *arrow*
+//! from the file in which it stands. A path that ends in a re-exported item leads to the file that defines the item.
+//!
+//! A re-export of a module's own descendants is its table of contents and no arrow. Items under `#[cfg(test)]` are not
+//! read.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+/// The crates of the geometry, and the files and folders of each, earliest layer first. A file belongs to the longest
+/// entry that its path starts with. In a crate without entries only circles are faults. The order of the crates
+/// themselves stands in their manifests, which `laws.rs` reads.
+const CRATES: [(&str, &[&str]); 5] = [
+    (
+        "mesh",
+        &[
+            "execution",
+            "error",
+            "estimate",
+            "random",
+            "lib",
+            "polyline",
+            "topology",
+            "measure",
+            "check",
+            "complex",
+            "edit",
+            "cut",
+            "film",
+            "structured",
+            "self_intersections",
+            "crossing",
+            "sparse",
+            "plane",
+            "remesh",
+        ],
+    ),
+    (
+        "film",
+        &[
+            "energy",
+            "equilibrium",
+            "minimal_surface/options",
+            "minimal_surface/estimate",
+            "minimal_surface/request",
+            "minimal_surface/run",
+            "minimal_surface/curvature",
+            "minimal_surface/extrapolation",
+            "minimal_surface/harmonic",
+            "minimal_surface/initial_mesh",
+            "minimal_surface/solved_film",
+            "minimal_surface/solvers",
+            "minimal_surface/drivers",
+            "minimal_surface/junction_statistics",
+            "minimal_surface/statistics",
+            "minimal_surface/outcome",
+            "minimal_surface/triple_junction",
+            "minimal_surface",
+            "tensile_structure/options",
+            "tensile_structure/catenary",
+            "tensile_structure/weave",
+            "tensile_structure/mixing",
+            "tensile_structure/model",
+            "tensile_structure/form_finding",
+            "tensile_structure/ponding",
+            "tensile_structure/outcome",
+            "tensile_structure",
+            "cable_net/options",
+            "cable_net/shape",
+            "cable_net/fitting",
+            "cable_net",
+            "lib",
+        ],
+    ),
+    ("ruled-surface", &["graph", "strip", "pattern", "stack", "lib"]),
+    ("uniform-mesh", &[]),
+    ("lower-bound", &[]),
+];
+
+/// One file of the crate: its path below `src` without `.rs`, and its text.
+struct Source {
+    path: String,
+    text: String,
+}
+
+/// An arrow from one file to another that it uses.
+type Arrow = (String, String);
+
+#[derive(Clone, Debug, PartialEq)]
+enum Token {
+    Word(String),
+    PathSeparator,
+    Mark(char),
+}
+
+/// Words and punctuation of Rust source, without comments, strings and character literals.
+fn tokens(text: &str) -> Vec<Token> {
+    let chars: Vec<char> = text.chars().collect();
+    let starts_with = |at: usize, what: &str| what.chars().enumerate().all(|(k, c)| chars.get(at + k) == Some(&c));
+    let mut tokens = Vec::new();
+    let mut at = 0;
+    while at < chars.len() {
+        let c = chars[at];
+        if starts_with(at, "//") {
+            at += chars[at..].iter().take_while(|c| **c != '\n').count();
+        } else if starts_with(at, "/*") {
+            while at < chars.len() && !starts_with(at, "*/") {
+                at += 1;
+            }
+            at += 2;
+        } else if c == '"' {
+            at += 1;
+            while at < chars.len() && chars[at] != '"' {
+                at += if chars[at] == '\\' { 2 } else { 1 };
+            }
+            at += 1;
+        } else if c == 'r' && (starts_with(at, "r\"") || starts_with(at, "r#\"")) {
+            let hashes = chars[at + 1..].iter().take_while(|c| **c == '#').count();
+            let end = format!("\"{}", "#".repeat(hashes));
+            at += hashes + 2;
+            while at < chars.len() && !starts_with(at, &end) {
+                at += 1;
+            }
+            at += end.len();
+        } else if c == '\'' {
+            // A character literal, or a lifetime, which is a mark followed by a word.
+            let literal = chars.get(at + 1) == Some(&'\\') || chars.get(at + 2) == Some(&'\'');
+            at += if !literal { 1 } else { 2 + chars[at + 2..].iter().take_while(|c| **c != '\'').count() + 1 };
+        } else if c.is_alphabetic() || c == '_' {
+            let word: String = chars[at..].iter().take_while(|c| c.is_alphanumeric() || **c == '_').collect();
+            at += word.chars().count();
+            tokens.push(Token::Word(word));
+        } else if starts_with(at, "::") {
+            tokens.push(Token::PathSeparator);
+            at += 2;
+        } else {
+            if !c.is_whitespace() {
+                tokens.push(Token::Mark(c));
+            }
+            at += 1;
+        }
+    }
+    tokens
+}
+
+fn word(token: Option<&Token>) -> Option<&str> {
+    match token {
+        Some(Token::Word(word)) => Some(word),
+        _ => None,
+    }
+}
+
+/// The end of the item that starts at `at`: after its closing brace, or after its semicolon.
+fn item_end(tokens: &[Token], mut at: usize) -> usize {
+    let mut depth = 0;
+    while at < tokens.len() {
+        match tokens[at] {
+            Token::Mark('{' | '(' | '[') => depth += 1,
+            Token::Mark('}') if depth == 1 => return at + 1,
+            Token::Mark('}' | ')' | ']') => depth -= 1,
+            Token::Mark(';') if depth == 0 => return at + 1,
+            _ => {}
+        }
+        at += 1;
+    }
+    at
+}
+
+/// Tokens without the items under `#[cfg(test)]`, and the names of the modules among these.
+fn without_tests(tokens: Vec<Token>) -> (Vec<Token>, Vec<String>) {
+    let attribute = ["#", "[", "cfg", "(", "test", ")", "]"];
+    let is_attribute = |at: usize| {
+        attribute.iter().enumerate().all(|(k, text)| match tokens.get(at + k) {
+            Some(Token::Word(word)) => word == text,
+            Some(Token::Mark(mark)) => *text == mark.to_string(),
+            _ => false,
+        })
+    };
+    let (mut kept, mut modules) = (Vec::new(), Vec::new());
+    let mut at = 0;
+    while at < tokens.len() {
+        if is_attribute(at) {
+            let begin = at + attribute.len();
+            at = item_end(&tokens, begin);
+            let name = tokens[begin..at].iter().skip_while(|token| **token != Token::Word("mod".into())).nth(1);
+            modules.extend(word(name).map(str::to_owned));
+        } else {
+            kept.push(tokens[at].clone());
+            at += 1;
+        }
+    }
+    (kept, modules)
+}
+
+/// A path of a `use` declaration: its segments, the name that it is bound to, and whether the declaration re-exports
+/// it.
+#[derive(Clone, Debug, PartialEq)]
+struct Use {
+    path: Vec<String>,
+    name: String,
+    exported: bool,
+}
+
+/// Reads a use tree from `at`; returns where it ends.
+fn use_tree(tokens: &[Token], mut at: usize, prefix: &[String], exported: bool, uses: &mut Vec<Use>) -> usize {
+    let mut path = prefix.to_vec();
+    loop {
+        match tokens.get(at) {
+            Some(Token::Word(segment)) => {
+                path.push(segment.clone());
+                at += 1;
+            }
+            Some(Token::PathSeparator) => at += 1,
+            Some(Token::Mark('*')) => {
+                path.push("*".into());
+                at += 1;
+            }
+            Some(Token::Mark('{')) => {
+                at += 1;
+                while tokens.get(at) != Some(&Token::Mark('}')) && at < tokens.len() {
+                    at = use_tree(tokens, at, &path, exported, uses);
+                    if tokens.get(at) == Some(&Token::Mark(',')) {
+                        at += 1;
+                    }
+                }
+                return at + 1;
+            }
+            _ => break,
+        }
+        if word(tokens.get(at)) == Some("as") {
+            let name = word(tokens.get(at + 1)).unwrap_or("_").to_owned();
+            uses.push(Use { path, name, exported });
+            return at + 2;
+        }
+    }
+    if path.len() > 1 && path.last().is_some_and(|last| last == "self") {
+        path.pop();
+    }
+    if let Some(name) = path.last().cloned() {
+        uses.push(Use { path, name, exported });
+    }
+    at
+}
+
+/// What one file says: its use declarations, the paths in its code, its child modules.
+#[derive(Debug, Default)]
+struct Contents {
+    uses: Vec<Use>,
+    paths: Vec<Vec<String>>,
+    children: BTreeSet<String>,
+    test_children: Vec<String>,
+}
+
+fn read(text: &str) -> Contents {
+    let (tokens, test_children) = without_tests(tokens(text));
+    let mut contents = Contents { test_children, ..Contents::default() };
+    let mut at = 0;
+    while at < tokens.len() {
+        match word(tokens.get(at)) {
+            Some("use") => {
+                let before = &tokens[at.saturating_sub(4)..at];
+                let exported = word(tokens.get(at.wrapping_sub(1))) == Some("pub")
+                    || (before.len() == 4 && word(before.first()) == Some("pub") && before[3] == Token::Mark(')'));
+                at = use_tree(&tokens, at + 1, &[], exported, &mut contents.uses);
+            }
+            Some("mod") if tokens.get(at + 2) == Some(&Token::Mark(';')) => {
+                contents.children.extend(word(tokens.get(at + 1)).map(str::to_owned));
+                at += 2;
+            }
+            // The path of a visibility, `pub(in …)`, uses nothing.
+            Some("in") if at > 1 && word(tokens.get(at - 2)) == Some("pub") => {
+                at += tokens[at..].iter().take_while(|token| **token != Token::Mark(')')).count();
+            }
+            Some(first) if tokens.get(at + 1) == Some(&Token::PathSeparator) => {
+                let mut path = vec![first.to_owned()];
+                while tokens.get(at + 1) == Some(&Token::PathSeparator) {
+                    let Some(segment) = word(tokens.get(at + 2)) else { break };
+                    path.push(segment.to_owned());
+                    at += 2;
+                }
+                // `a::b` inside `x::a::b` is read with the whole.
+                contents.paths.push(path);
+                at += 1;
+            }
+            _ => at += 1,
+        }
+    }
+    contents
+}
+
+/// The crate's modules: for each path of segments the file, as read.
+struct Modules {
+    files: BTreeMap<Vec<String>, Contents>,
+}
+
+impl Modules {
+    fn read(sources: &[Source]) -> Self {
+        let segments = |path: &str| -> Vec<String> {
+            if path == "lib" { Vec::new() } else { path.split('/').map(str::to_owned).collect() }
+        };
+        let mut files: BTreeMap<Vec<String>, Contents> =
+            sources.iter().map(|source| (segments(&source.path), read(&source.text))).collect();
+        // Files of test modules are tests.
+        let tests: Vec<Vec<String>> = files
+            .iter()
+            .flat_map(|(path, contents)| {
+                contents
+                    .test_children
+                    .iter()
+                    .map(|child| [&path[..], std::slice::from_ref(child)].concat())
+                    .collect::<Vec<_>>()
+            })
+            .collect();
+        files.retain(|path, _| !tests.iter().any(|test| path.starts_with(test)));
+        Self { files }
+    }
+
+    /// The module whose file defines what `path` names in the module `from`; `None` outside of the crate.
+    fn resolve(&self, from: &[String], path: &[String], depth: usize) -> Option<Vec<String>> {
+        let mut module = from.to_vec();
+        let mut rest = path;
+        match rest.first().map(String::as_str) {
+            Some("crate") => {
+                module.clear();
+                rest = &rest[1..];
+            }
+            Some("self") => rest = &rest[1..],
+            Some("super") => {
+                while rest.first().is_some_and(|segment| segment == "super") {
+                    module.pop();
+                    rest = &rest[1..];
+                }
+            }
+            Some(first) if self.files.get(from)?.children.contains(first) => {}
+            _ => return None,
+        }
+        while let Some(segment) = rest.first() {
+            let child = [&module[..], std::slice::from_ref(segment)].concat();
+            if self.files.contains_key(&child) {
+                module = child;
+                rest = &rest[1..];
+                continue;
+            }
+            // An item: defined here, or re-exported.
+            let found = self.files.get(&module)?.uses.iter().find(|u| u.name == *segment && u.exported);
+            if let Some(export) = found.filter(|_| depth < 8) {
+                let path = [&export.path[..], &rest[1..]].concat();
+                return self.resolve(&module, &path, depth + 1);
+            }
+            break;
+        }
+        Some(module)
+    }
+}
+
+/// Every arrow between two files of the crate.
+fn arrows(sources: &[Source]) -> BTreeSet<Arrow> {
+    let modules = Modules::read(sources);
+    let name = |module: &[String]| if module.is_empty() { "lib".to_owned() } else { module.join("/") };
+    let mut arrows = BTreeSet::new();
+    for (from, contents) in &modules.files {
+        let used = contents.uses.iter().map(|u| (&u.path, u.exported));
+        for (path, exported) in used.chain(contents.paths.iter().map(|path| (path, false))) {
+            let Some(to) = modules.resolve(from, path, 0) else { continue };
+            let own = to.starts_with(from);
+            if to != *from && !(own && exported) {
+                arrows.insert((name(from), name(&to)));
+            }
+        }
+    }
+    arrows
+}
+
+/// Sets of files that reach each other: each is a circle, or several that touch.
+fn circles(arrows: &BTreeSet<Arrow>) -> Vec<Vec<String>> {
+    let files: BTreeSet<&String> = arrows.iter().flat_map(|(from, to)| [from, to]).collect();
+    let reached = |from: &String| {
+        let mut seen = BTreeSet::new();
+        let mut stack = vec![from.clone()];
+        while let Some(file) = stack.pop() {
+            for (_, to) in arrows.range((file.clone(), String::new())..).take_while(|(source, _)| *source == file) {
+                if seen.insert(to.clone()) {
+                    stack.push(to.clone());
+                }
+            }
+        }
+        seen
+    };
+    let reach: BTreeMap<&String, BTreeSet<String>> = files.iter().map(|file| (*file, reached(file))).collect();
+    let mut circles: Vec<Vec<String>> = files
+        .iter()
+        .filter(|file| reach[**file].contains(**file))
+        .map(|file| {
+            let mut circle: Vec<String> =
+                reach[*file].iter().filter(|other| reach[*other].contains(*file)).cloned().collect();
+            circle.sort();
+            circle
+        })
+        .collect();
+    circles.sort();
+    circles.dedup();
+    circles
+}
+
+/// Whether a file is an entry, or lies in the folder of that name.
+fn belongs(file: &str, entry: &str) -> bool {
+    file == entry || file.strip_prefix(entry).is_some_and(|rest| rest.starts_with('/'))
+}
+
+/// The number of a file's layer.
+fn layer(layers: &[&str], file: &str) -> Option<usize> {
+    (0..layers.len()).filter(|&k| belongs(file, layers[k])).max_by_key(|&k| layers[k].len())
+}
+
+/// Arrows to a later layer, and files that belong to none.
+fn running_back(arrows: &BTreeSet<Arrow>, layers: &[&str]) -> Vec<String> {
+    let mut found = Vec::new();
+    for (from, to) in arrows {
+        match (layer(layers, from), layer(layers, to)) {
+            (Some(source), Some(target)) if target > source => found.push(format!("{from} uses the later {to}")),
+            (Some(_), Some(_)) => {}
+            _ => found.push(format!("{from} or {to} belongs to no layer: add it to LAYERS")),
+        }
+    }
+    found
+}
+
+fn sources(name: &str) -> Vec<Source> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("crates").join(name).join("src");
+    let (mut folders, mut sources) = (vec![root.clone()], Vec::new());
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).expect("a source folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
+                let below = path.strip_prefix(&root).expect("a path below src").with_extension("");
+                let text = std::fs::read_to_string(&path).expect("a source file");
+                sources.push(Source { path: below.to_string_lossy().replace('\\', "/"), text });
+            }
+        }
+    }
+    sources.sort_by(|a, b| a.path.cmp(&b.path));
+    sources
+}
+
+/// Everything that is wrong with the arrows of a crate, in words.
+fn faults(arrows: &BTreeSet<Arrow>, layers: &[&str]) -> Vec<String> {
+    let circles = circles(arrows).into_iter().map(|circle| format!("a circle: {}", circle.join(" <-> ")));
+    let back = if layers.is_empty() { Vec::new() } else { running_back(arrows, layers) };
+    back.into_iter().chain(circles).collect()
+}
+
+#[test]
+fn no_file_uses_a_later_layer_and_no_files_form_a_circle() {
+    let mut found = Vec::new();
+    for (name, layers) in CRATES {
+        let arrows = arrows(&sources(name));
+        assert!(!arrows.is_empty(), "{name} has no arrow between files");
+        found.extend(faults(&arrows, layers).into_iter().map(|fault| format!("{name}: {fault}")));
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+fn made_up(files: &[(&str, &str)]) -> BTreeSet<Arrow> {
+    let source = |(path, text): &(&str, &str)| Source { path: (*path).into(), text: (*text).into() };
+    arrows(&files.iter().map(source).collect::<Vec<_>>())
+}
+
+fn arrow(from: &str, to: &str) -> Arrow {
+    (from.into(), to.into())
+}
+
+#[test]
+fn arrows_are_found_in_grouped_and_nested_uses_in_inline_paths_and_through_re_exports() {
+    let found = made_up(&[
+        ("lib", "mod a; mod b; mod c; pub use a::{Item, deep::Other as Renamed};"),
+        ("a", "pub mod deep; pub struct Item; pub use deep::Other;"),
+        ("a/deep", "pub struct Other; // use crate::c::Nothing;"),
+        ("b", "use crate::{Item, c::{self, D}}; pub(in super::super) fn f() -> &'static str { \"crate::a::deep\" }"),
+        (
+            "c",
+            "fn f<'a>(x: &'a str) { crate::Renamed; super::b::f(); let c = ':'; } #[cfg(test)] mod t { use crate::a; }",
+        ),
+    ]);
+    let expected = [arrow("b", "a"), arrow("b", "c"), arrow("c", "a/deep"), arrow("c", "b")];
+    assert_eq!(found, BTreeSet::from(expected));
+}
+
+#[test]
+fn a_made_up_arrow_to_a_later_layer_is_named() {
+    let arrows = made_up(&[
+        ("lib", "mod mesh; mod remesh;"),
+        ("mesh", "fn f() { crate::remesh::g(); }"),
+        ("remesh", "use crate::mesh::f;"),
+    ]);
+    assert_eq!(running_back(&arrows, &["mesh", "remesh", "lib"]), ["mesh uses the later remesh"]);
+    assert_eq!(running_back(&arrows, &["mesh"]).len(), 2);
+    assert!(running_back(&BTreeSet::from([arrow("remesh/thin", "mesh")]), &["mesh", "remesh"]).is_empty());
+}
+
+#[test]
+fn a_made_up_circle_is_named() {
+    let arrows = made_up(&[
+        ("lib", "mod solver; mod statistics; mod film;"),
+        ("solver", "mod step; use crate::film::Film; use step::go; pub fn run() {}"),
+        ("solver/step", "use super::run;"),
+        ("film", "use crate::{statistics};"),
+        ("statistics", "use super::film::*;"),
+    ]);
+    assert_eq!(circles(&arrows), [vec!["film", "statistics"], vec!["solver", "solver/step"]]);
+    // A module's re-exports of its own children are no arrows.
+    let contents = made_up(&[
+        ("lib", "mod sparse;"),
+        ("sparse", "mod cg; pub use cg::solve; pub struct Matrix;"),
+        ("sparse/cg", "use super::Matrix;"),
+    ]);
+    assert!(circles(&contents).is_empty());
+}
