@@ -3,7 +3,6 @@
 use crate::app;
 use crate::auth;
 use crate::config::Config;
-use crate::export::MeshFormat;
 use crate::http::openapi;
 use crate::jobs::progress::Signal;
 use crate::jobs::solve::{self, Unsolved};
@@ -14,6 +13,7 @@ use crate::wire::job::Progress;
 use crate::wire::{FieldError, MAX_ERRORS, Rejection, Request};
 use clap::{Args, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
+use plateau_archive::formats::MeshFormat;
 use std::io::{Read, Write};
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr, TcpStream};
 use std::path::PathBuf;

@@ -9,6 +9,7 @@
 
 pub mod answer;
 pub mod component;
+pub mod envelope;
 pub mod recipe;
 pub mod values;
 

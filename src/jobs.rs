@@ -17,14 +17,15 @@ pub mod solve;
 pub(crate) mod submission;
 mod view;
 pub(crate) mod worker;
+mod zip;
 
 pub(crate) use service::Jobs;
 
-use crate::export::Error as ExportError;
-use crate::export::archive::VERSION;
 use crate::status::Status;
 use crate::store::StoreError;
 use crate::wire::{Kind, Rejection};
+use plateau_archive::archive::VERSION;
+use plateau_archive::formats::Error as ExportError;
 
 /// Revision of everything that makes a result of a request: the solvers, the defaults of requests, the statistics and
 /// the warnings. Raise it by one with every change after which some request has another result, even if

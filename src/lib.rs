@@ -7,16 +7,13 @@ mod app;
 mod auth;
 pub mod cli;
 pub mod config;
-pub mod export;
 pub mod hops;
 mod http;
 pub mod jobs;
-pub mod opennurbs;
 pub mod status;
 pub mod store;
 mod telemetry;
 #[cfg(feature = "test-hooks")]
 mod test_hooks;
-pub mod units;
 mod webhook;
 pub mod wire;

@@ -27,10 +27,10 @@ pub mod uniform_mesh;
 mod wrong_values;
 
 use crate::config::LimitsConfig;
-use crate::units::{ForceUnit, Unit, UpAxis};
 use body::{Body, PointList};
 use cable_net::CableNetRequest;
 use minimal_surface::MinimalSurfaceRequest;
+use plateau_archive::units::{ForceUnit, Unit, UpAxis};
 use plateau_mesh::error::Step;
 use plateau_mesh::{DVec3, Error as GeometryError, InputError};
 use ruled_surface::RuledSurfaceRequest;

@@ -3,7 +3,7 @@
 #[path = "export/sample.rs"]
 mod sample;
 
-use plateau::export::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Polyline};
+use plateau_archive::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Polyline};
 use plateau_mesh::DVec3;
 use proptest::prelude::*;
 use sha2::{Digest, Sha256};

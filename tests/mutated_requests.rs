@@ -4,10 +4,11 @@
 //! `PLATEAU_LONG=1` tries twenty times as many requests. `PLATEAU_SEED` selects other mutations.
 
 use plateau::config::LimitsConfig;
-use plateau::export::{Archive, MeshFormat};
 use plateau::jobs::progress::Signal;
 use plateau::jobs::solve::{Unsolved, solve};
 use plateau::wire::{Kind, Rejection, Request, json};
+use plateau_archive::Archive;
+use plateau_archive::formats::MeshFormat;
 use plateau_mesh::random::SplitMix64;
 use serde_json::Value;
 use std::cell::Cell;

@@ -4,10 +4,11 @@
 //! `opennurbs/objects.json` was written once with rhino3dm 8.35.0. It has each object with points that rhino3dm finds on
 //! it. `PLATEAU_LONG=1` damages a hundred times as many objects. `PLATEAU_SEED` selects other damages.
 
-use plateau::opennurbs::curve::{Curve, Nurbs};
-use plateau::opennurbs::{Defect, Mesh, Object, envelope, read, write};
+use plateau::hops::envelope;
 use plateau_mesh::DVec3;
 use plateau_mesh::random::SplitMix64;
+use plateau_opennurbs::curve::{Curve, Nurbs};
+use plateau_opennurbs::{Defect, Mesh, Object, read, write};
 use serde_json::Value;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;

@@ -1,10 +1,12 @@
 //! Makes the outputs of a component.
 
 use super::component::{Component, Geometry, Output, Source, Type};
-use crate::export::archive::{Archive, CABLES, LineSet, Lines};
-use crate::export::{Error, Pattern};
-use crate::opennurbs::{envelope, write};
+use crate::hops::envelope;
 use crate::wire::job::{Job, JobWarning};
+use plateau_archive::Pattern;
+use plateau_archive::archive::{Archive, CABLES, LineSet, Lines};
+use plateau_archive::formats::Error;
+use plateau_opennurbs::write;
 use serde::Serialize;
 use serde::ser::SerializeMap;
 use serde_json::Value;

@@ -3,11 +3,11 @@
 use super::Refusal;
 use super::component::Recipe;
 use super::values::{Values, nth};
-use crate::opennurbs::Mesh;
-use crate::opennurbs::curve::Curve;
-use crate::units::Unit;
 use crate::wire::common::Point;
 use crate::wire::{FieldError, Kind};
+use plateau_archive::units::Unit;
+use plateau_opennurbs::Mesh;
+use plateau_opennurbs::curve::Curve;
 use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, HashMap};
 
@@ -267,7 +267,7 @@ impl Maker<'_> {
             let points = curve.points(tolerance, self.max_points)?;
             Ok(points.into_iter().map(|point| point.to_array()).collect())
         };
-        let sampled: Vec<Result<Vec<Point>, crate::opennurbs::Defect>> =
+        let sampled: Vec<Result<Vec<Point>, plateau_opennurbs::Defect>> =
             self.values.curves(input).iter().map(sample).collect();
         let mut curves = Vec::with_capacity(sampled.len());
         for (index, points) in sampled.into_iter().enumerate() {

@@ -2,9 +2,10 @@
 
 use super::Refusal;
 use super::component::{Component, Input, Type, find};
-use crate::opennurbs::curve::Curve;
-use crate::opennurbs::{Mesh, Object, envelope};
+use crate::hops::envelope;
 use crate::wire::common::Point;
+use plateau_opennurbs::curve::Curve;
+use plateau_opennurbs::{Mesh, Object};
 use serde::de::{Deserializer, IgnoredAny, MapAccess, Visitor};
 use serde::{Deserialize, de};
 use serde_json::Value;

@@ -8,7 +8,6 @@
 pub mod schemas;
 
 use crate::config::HttpConfig;
-use crate::export::{MeshFormat, picture};
 use crate::http::parameters::checked;
 use crate::http::problem::Failure;
 use crate::http::state::App;
@@ -20,6 +19,7 @@ use crate::wire::objectives::{self, Limits};
 use crate::wire::{FieldError, Kind, Rejection, schema};
 use axum::http::uri::Authority;
 use base64::Engine as _;
+use plateau_archive::formats::{MeshFormat, picture};
 use rmcp::model::{
     CallToolRequestParams, CallToolResponse, CallToolResult, ContentBlock, Implementation, ListToolsResult,
     PaginatedRequestParams, ServerCapabilities, ServerConfig,

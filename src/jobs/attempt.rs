@@ -4,12 +4,12 @@
 use super::Jobs;
 use super::progress::{Line, Signal};
 use super::solve::{self, Solved, Unsolved};
-use crate::export::Archive;
 use crate::status::Status;
 use crate::store::{Claimed, Outcome, Renewed, StoreError};
 use crate::telemetry::metric;
 use crate::wire::job::JobError;
 use crate::wire::{Kind, Rejection, Request};
+use plateau_archive::Archive;
 use std::pin::Pin;
 use std::sync::Arc;
 use std::time::{Duration, Instant};

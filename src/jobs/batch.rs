@@ -1,13 +1,14 @@
 //! One file with all meshes of a batch.
 
 use super::files::File;
+use super::zip::Zip;
 use super::{Jobs, JobsError, view};
-use crate::export::zip::Zip;
-use crate::export::{Archive, MeshFormat, gltf};
 use crate::status::Status;
 use crate::store::{BatchRow, JobRow};
 use bytes::Bytes;
 use futures_util::stream::{self, Stream};
+use plateau_archive::Archive;
+use plateau_archive::formats::{MeshFormat, gltf};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use std::collections::VecDeque;

@@ -2,10 +2,6 @@
 //! `wire`, this is the only file that knows both the types of the wire and those of the geometry.
 
 use super::progress::Signal;
-use crate::export::archive::{CABLES, Certificate, Contents, middle};
-use crate::export::pattern::BRIDGES;
-use crate::export::{Archive, LineSet, Lines, MeanCurvature, Polyline, SegmentValues};
-use crate::units::ForceUnit;
 use crate::wire::cable_net::{CableNetStatistics, Group};
 use crate::wire::job::{JobError, JobWarning, Progress};
 use crate::wire::minimal_surface::{CertificateDocument, MinimalStatistics};
@@ -13,6 +9,10 @@ use crate::wire::ruled_surface::RuledStatistics;
 use crate::wire::tensile_structure::TensileStatistics;
 use crate::wire::uniform_mesh::{UniformStatistics, input_vertices};
 use crate::wire::{FieldError, MAX_ERRORS, Problem, Request};
+use plateau_archive::archive::{CABLES, Certificate, Contents, middle};
+use plateau_archive::pattern::BRIDGES;
+use plateau_archive::units::ForceUnit;
+use plateau_archive::{Archive, LineSet, Lines, MeanCurvature, Polyline, SegmentValues};
 use plateau_film::cable_net;
 use plateau_film::minimal_surface::{self, StopReason};
 use plateau_film::tensile_structure;

@@ -6,7 +6,7 @@ use super::objectives::Objective as ObjectiveDoc;
 use super::tensile_structure::{ForceBalance, LengthAndForce};
 use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
 use crate::config::LimitsConfig;
-use crate::units::{ForceUnit, Unit, UpAxis};
+use plateau_archive::units::{ForceUnit, Unit, UpAxis};
 use plateau_film::cable_net as geometry;
 use plateau_mesh::error::Step;
 use plateau_mesh::measure;

@@ -1,7 +1,7 @@
 //! A mesh as JSON, as `export::json` writes it.
 
 use super::common::Point;
-use crate::units::{Unit, UpAxis};
+use plateau_archive::units::{Unit, UpAxis};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

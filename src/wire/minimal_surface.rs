@@ -12,7 +12,7 @@ use super::common::{self, JobFields, Point};
 use super::objectives::Objective as ObjectiveDoc;
 use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
 use crate::config::LimitsConfig;
-use crate::units::{Unit, UpAxis};
+use plateau_archive::units::{Unit, UpAxis};
 use plateau_film::minimal_surface as geometry;
 use plateau_lower_bound as lower_bound;
 use schemars::JsonSchema;

@@ -5,7 +5,7 @@ use super::common::{self, JobFields, Point};
 use super::objectives::Objective as ObjectiveDoc;
 use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
 use crate::config::LimitsConfig;
-use crate::units::{Unit, UpAxis};
+use plateau_archive::units::{Unit, UpAxis};
 use plateau_mesh::Execution;
 use plateau_mesh::self_intersections::Skipped;
 use plateau_ruled_surface as geometry;

@@ -6,7 +6,7 @@ use super::minimal_surface::{AngleRange, Resolution, Spread};
 use super::objectives::Objective as ObjectiveDoc;
 use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
 use crate::config::LimitsConfig;
-use crate::units::{ForceUnit, Unit, UpAxis};
+use plateau_archive::units::{ForceUnit, Unit, UpAxis};
 use plateau_film::equilibrium::Support;
 use plateau_film::tensile_structure as geometry;
 use plateau_mesh::DVec3;

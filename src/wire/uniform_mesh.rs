@@ -5,7 +5,7 @@ use super::minimal_surface::{AngleRange, Spread};
 use super::objectives::Objective as ObjectiveDoc;
 use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
 use crate::config::LimitsConfig;
-use crate::units::{Unit, UpAxis};
+use plateau_archive::units::{Unit, UpAxis};
 use plateau_mesh::self_intersections::Skipped;
 use plateau_uniform_mesh as geometry;
 use schemars::JsonSchema;

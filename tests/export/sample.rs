@@ -1,9 +1,9 @@
 //! Sample archives for the export tests, with every kind of content, at any position and size.
 
-use plateau::export::{
+use plateau_archive::units::{Unit, UpAxis};
+use plateau_archive::{
     Archive, Contents, Fold, LineSet, Lines, MeanCurvature, Pattern, Piece, Polyline, SegmentValues,
 };
-use plateau::units::{Unit, UpAxis};
 use plateau_mesh::{DVec2, DVec3, Mesh};
 
 /// Returns a roof of four triangles over a unit square, with its apex off the centre, scaled and moved.

@@ -4,9 +4,10 @@ use crate::access::new_key;
 use crate::app::{MINIMAL, TestApp, small_film};
 use crate::hold::until;
 use crate::pairs::some_pairs;
-use plateau::opennurbs::curve::Curve;
-use plateau::opennurbs::{Mesh, Object, envelope, write};
+use plateau::hops::envelope;
 use plateau_mesh::DVec3;
+use plateau_opennurbs::curve::Curve;
+use plateau_opennurbs::{Mesh, Object, write};
 use reqwest::{Method, Response, StatusCode};
 use serde_json::{Value, json};
 

@@ -38,3 +38,8 @@ pub mod energy;
 pub mod equilibrium;
 pub mod minimal_surface;
 pub mod tensile_structure;
+
+/// The example of the README is compiled and run with the others.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

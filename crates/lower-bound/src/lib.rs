@@ -677,3 +677,8 @@ fn scale_to_one(space: &Space, field: &mut [f64]) -> bool {
     }
     rigorous::largest_curl(space, field) <= 1.0
 }
+
+/// The example of the README is compiled and run with the others.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -72,3 +72,8 @@ impl Mesh {
         triangle.map(|vertex| self.vertices[vertex as usize])
     }
 }
+
+/// The example of the README is compiled and run with the others.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

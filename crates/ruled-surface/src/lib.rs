@@ -276,3 +276,8 @@ mod tests {
         }
     }
 }
+
+/// The example of the README is compiled and run with the others.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

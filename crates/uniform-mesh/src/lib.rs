@@ -53,3 +53,8 @@ pub use options::{Domain, Objective, Optimise, Options, Transition};
 pub use report::{LengthsRow, Method, OutOfRange, Statistics, SurfaceFit, UniformMesh, Why};
 pub use solve::{check, estimate, solve};
 pub use surface::nurbs::Nurbs;
+
+/// The example of the README is compiled and run with the others.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

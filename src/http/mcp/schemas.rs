@@ -1,7 +1,6 @@
 //! The list of tools with their arguments and results. The tools' schemas are made from these types and from the types of
 //! [`wire`](crate::wire).
 
-use crate::export::MeshFormat;
 use crate::wire::cable_net::{CableNetRequest, CableNetStatistics};
 use crate::wire::job::JobSummary;
 use crate::wire::minimal_surface::{MinimalStatistics, MinimalSurfaceRequest};
@@ -10,6 +9,7 @@ use crate::wire::ruled_surface::{RuledStatistics, RuledSurfaceRequest};
 use crate::wire::tensile_structure::{TensileStatistics, TensileStructureRequest};
 use crate::wire::uniform_mesh::{UniformMeshRequest, UniformStatistics};
 use crate::wire::{Kind, schema};
+use plateau_archive::formats::MeshFormat;
 use rmcp::model::{JsonObject, Tool, ToolAnnotations};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::DeserializeOwned;

@@ -2,7 +2,6 @@
 
 use super::mesh::{answer as file_answer, choose, describe};
 use super::submit::{answer, granted_wait_s, idempotency_key, submission_entry, with_wait};
-use crate::export::MeshFormat;
 use crate::http::access::Caller;
 use crate::http::body;
 use crate::http::entry::{
@@ -21,6 +20,7 @@ use axum::extract::{Path, RawQuery, State};
 use axum::http::{HeaderMap, HeaderValue, Request, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use futures_util::TryStreamExt;
+use plateau_archive::formats::MeshFormat;
 use serde_json::{Value, json};
 use std::time::Duration;
 

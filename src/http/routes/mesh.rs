@@ -1,6 +1,5 @@
 //! `/v1/jobs/{id}/mesh`, `/pattern` and `/certificate`: files made from the stored mesh, with entity tags and ranges.
 
-use crate::export::{Archive, Choices, Colors, MeshFormat, Origin, PatternFormat, Quantity};
 use crate::http::access::Caller;
 use crate::http::entry::{BYTES, id_parameter, query_parameter, reference, representation};
 use crate::http::negotiate::{Part, accepted, none_match_hits, part};
@@ -13,6 +12,8 @@ use axum::body::Body;
 use axum::extract::{Path, RawQuery, State};
 use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use plateau_archive::Archive;
+use plateau_archive::formats::{Choices, Colors, MeshFormat, Origin, PatternFormat, Quantity};
 use serde_json::{Value, json};
 
 pub async fn mesh(

@@ -1,7 +1,6 @@
 //! `POST /v1/{kind}`: submits a request, and waits for its job if the client asks for that.
 
 use super::mesh::{describe, mesh_file};
-use crate::export::{Choices, MeshFormat};
 use crate::http::access::Caller;
 use crate::http::body;
 use crate::http::entry::{prefer_parameter, reference, with_problems};
@@ -20,6 +19,7 @@ use axum::body::Body;
 use axum::extract::State;
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Request, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use plateau_archive::formats::{Choices, MeshFormat};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use std::time::Duration;

@@ -284,7 +284,7 @@ impl<'a> Buffer<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::opennurbs::chunk::Writer;
+    use crate::chunk::Writer;
 
     /// Returns a mesh as Rhino 5 writes it: version 3.5, which ends before the vertices in double precision.
     fn mesh_of_rhino_5() -> Vec<u8> {

@@ -5,10 +5,10 @@
 
 use std::io::Write as _;
 
-use super::archive::{Archive, Lines, SegmentValues};
 use super::colors::Scale;
 use super::obj::one_line;
 use super::{Choices, Error, Origin};
+use crate::archive::{Archive, Lines, SegmentValues};
 
 /// Writes the vertices and triangles in archive order.
 ///

@@ -1,9 +1,9 @@
 //! The JSON object around an object's bytes: `{"version", "archive3dm", "opennurbs", "data"}`, where the data is base64.
 //! RhinoCommon and rhino3dm write and read it.
 
-use super::{Defect, Object, read};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
+use plateau_opennurbs::{Defect, Object, read};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 

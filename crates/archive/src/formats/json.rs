@@ -5,8 +5,8 @@ use plateau_mesh::DVec3;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-use super::archive::{Archive, LineSet, Lines, SegmentValues};
 use super::{Choices, Error};
+use crate::archive::{Archive, LineSet, Lines, SegmentValues};
 
 #[derive(Serialize)]
 struct Mesh<'a> {
@@ -54,7 +54,7 @@ pub fn to_json(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
 fn lines_of(set: &LineSet, shift: DVec3) -> LinesOf<'_> {
     let (paths, arrows, values) = match &set.lines {
         Lines::Polylines(polylines) => {
-            let path = |line: &super::Polyline| -> Vec<u32> {
+            let path = |line: &crate::Polyline| -> Vec<u32> {
                 let back = line.closed.then(|| line.vertices.first().copied()).flatten();
                 line.vertices.iter().copied().chain(back).collect()
             };

@@ -9,10 +9,10 @@ use std::fmt::{Display, Write as _};
 
 use plateau_mesh::DVec2;
 
-use super::archive::Contents;
 use super::obj::one_line;
-use super::pattern::{FoldKind, Pattern};
 use super::svg::{label_height, middle};
+use crate::archive::Contents;
+use crate::pattern::{FoldKind, Pattern};
 use crate::units::Unit;
 
 const LAYERS: [(&str, u8, &str); 6] = [

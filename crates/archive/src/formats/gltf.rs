@@ -23,9 +23,9 @@ use plateau_mesh::measure;
 use plateau_mesh::{DVec3, Mesh};
 use serde_json::{Value, json};
 
-use super::archive::{Archive, Contents, LineSet, Lines, Polyline, SegmentValues};
 use super::colors::{STOPS, Scale};
 use super::{Choices, Error, Origin, sheets};
+use crate::archive::{Archive, Contents, LineSet, Lines, Polyline, SegmentValues};
 use crate::units::UpAxis;
 
 const ARRAY_BUFFER: u32 = 34962;

@@ -5,8 +5,8 @@
 use plateau_mesh::DVec3;
 use plateau_mesh::measure;
 
-use super::archive::Archive;
 use super::{Choices, Error, Origin};
+use crate::archive::Archive;
 
 /// Writes the triangles in archive order. Their unit normals come from the f64 corners, and are zero for triangles
 /// without area.

@@ -1,7 +1,7 @@
 //! Colours of a mesh by a quantity of its result, from blue at 0 through green to red at the end of a scale.
 
 use super::Error;
-use super::archive::{Contents, LineSet, Lines, SegmentValues};
+use crate::archive::{Contents, LineSet, Lines, SegmentValues};
 
 /// Quantity that a mesh can be coloured by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,7 +7,7 @@
 
 use plateau_mesh::{DVec2, DVec3, Mesh};
 
-use super::archive::{Archive, LineSet, Lines};
+use crate::archive::{Archive, LineSet, Lines};
 use crate::units::UpAxis;
 
 /// Width of the picture in pixels.

@@ -5,8 +5,8 @@ use std::fmt::Write as _;
 
 use plateau_mesh::DVec2;
 
-use super::archive::Contents;
-use super::pattern::{FoldKind, Pattern, Piece};
+use crate::archive::Contents;
+use crate::pattern::{FoldKind, Pattern, Piece};
 
 /// Writes each piece as a group: the outline solid, mountain folds dash-dotted, valley folds dashed and flat folds
 /// dotted. Line widths are relative to the screen instead of the pattern, so that both a hall and a lampshade are

@@ -2,8 +2,8 @@
 
 use std::io::Write as _;
 
-use super::archive::{Archive, Lines};
 use super::{Choices, Origin};
+use crate::archive::{Archive, Lines};
 use plateau_mesh::DVec3;
 
 /// Writes the vertices in archive order (OBJ counts from 1), one object `surface` of triangles if there are any, and one

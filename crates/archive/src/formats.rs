@@ -1,7 +1,4 @@
-//! Meshes as bytes: the stored artefact ([`archive`]) and the formats that are made from it on request.
-//!
-//! A solver's result is stored once, in f64, as an [`Archive`]. Every download is made from it, so that two formats of
-//! one job never disagree. Every function here is pure: the same archive gives the same bytes.
+//! Files that are made from a stored result. Each file of this folder writes one format.
 //!
 //! | format | axes and unit | numbers |
 //! | --- | --- | --- |
@@ -12,27 +9,21 @@
 //! | [`svg`], [`dxf`] (flat pattern) | flat; SVG in mm, DXF in the client's unit | f64, every digit |
 //!
 //! [`picture`] draws a mesh as a small PNG.
-//!
-//! This module knows no job and no HTTP. It depends only on `plateau-mesh` and on the unrolling of strips.
 
-pub mod archive;
 pub mod colors;
 pub mod dxf;
 pub mod gltf;
 pub mod json;
 pub mod obj;
-pub mod pattern;
 pub mod picture;
 pub mod ply;
 mod sheets;
 pub mod stl;
 pub mod svg;
-pub mod zip;
 
-pub use archive::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Polyline, SegmentValues};
 pub use colors::{Colors, Quantity};
-pub use pattern::{Fold, Pattern, Piece};
 
+use crate::archive::{Archive, Contents, LineSet};
 use plateau_mesh::DVec3;
 
 /// Format in which a mesh can be downloaded.

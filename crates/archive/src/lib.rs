@@ -1,0 +1,14 @@
+//! What is stored of a result, and every file that is made from it.
+//!
+//! A solver's result is stored once, in f64, as an [`Archive`]. Every download is made from it, so that two formats of
+//! one job never disagree. Every function here is pure: the same archive gives the same bytes.
+//!
+//! This crate knows no kind of request, no job and no HTTP. It depends on `plateau-mesh` and on the unrolling of strips.
+
+pub mod archive;
+pub mod formats;
+pub mod pattern;
+pub mod units;
+
+pub use archive::{Archive, Contents, Defect, LineSet, Lines, MeanCurvature, Polyline, SegmentValues};
+pub use pattern::{Fold, Pattern, Piece};
