@@ -223,7 +223,7 @@ fn know_wire_and_geometry(files: &[Source]) -> Vec<&str> {
 fn nothing_but_wire_and_solve_knows_wire_and_geometry() {
     let offences = made_up(&[
         ("jobs/worker.rs", "use crate::wire::{Kind, Request};\nuse plateau_mesh::Signal;"),
-        ("cli.rs", "fn f() -> crate::wire::Kind { crate::solve() }"),
+        ("cli.rs", "fn f() -> crate::wire::Kind { plateau_film::solve() }"),
         ("wire/common.rs", "use super::Kind;\nuse plateau_mesh::DVec3;"),
         ("jobs/solve.rs", "use crate::wire::Request;\nuse plateau_mesh::Execution;"),
         ("export/gltf.rs", "use plateau_mesh::Mesh;"),

@@ -47,7 +47,7 @@ impl Equations for NormalMotion<'_> {
     }
 
     fn second_variation(&self, vertices: &[DVec3], state: &FilmState, shift: f64, matrix: &mut SymmetricMatrix) {
-        area::second_variation(&self.pattern, vertices, self.triangles, &state.frame, shift, matrix);
+        area::second_variation(self.pattern, vertices, self.triangles, &state.frame, shift, matrix);
     }
 
     fn matrix(&self) -> SymmetricMatrix {
