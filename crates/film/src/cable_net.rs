@@ -5,7 +5,7 @@
 //! found for which the shape comes nearest to them, in least squares and in exact equilibrium. Densities can be held too.
 //!
 //! ```
-//! use crate::cable_net::{Edge, Net, Options, solve};
+//! use plateau_film::cable_net::{Edge, Net, Options, solve};
 //! use plateau_mesh::{DVec3, Execution};
 //!
 //! // Four cables from a point to four supports, two high and two low. One is to have the force 3.

@@ -5,7 +5,7 @@
 //! [`Body::relax`] moves it to the nearest equilibrium:
 //!
 //! ```
-//! use crate::equilibrium::{Body, Outcome, Settings};
+//! use plateau_film::equilibrium::{Body, Outcome, Settings};
 //! use plateau_mesh::complex::Complex;
 //! use plateau_mesh::{DVec3, Execution};
 //!

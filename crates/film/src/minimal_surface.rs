@@ -4,7 +4,7 @@
 //! solver stopped out. The boundary never moves; everything else is the solver's to place.
 //!
 //! ```
-//! use crate::minimal_surface::{Method, Options, PinkallPolthier, Resolution, solve};
+//! use plateau_film::minimal_surface::{Method, Options, PinkallPolthier, Resolution, solve};
 //! use plateau_mesh::{DVec3, Execution};
 //!
 //! // Two circles of radius 1, half a unit apart: a catenoid.

@@ -10,8 +10,8 @@
 //! ```
 //!
 //! ```
-//! use crate::minimal_surface::Resolution;
-//! use crate::tensile_structure::{      Cable, CableMode, Course, FilmPrestress, FilmStress, Options, Structure, solve,  };
+//! use plateau_film::minimal_surface::Resolution;
+//! use plateau_film::tensile_structure::{      Cable, CableMode, Course, FilmPrestress, FilmStress, Options, Structure, solve,  };
 //! use plateau_mesh::{DVec3, Execution};
 //!
 //! // A plane sail: four corners, an edge cable of force 10 along each side, tension 1. Each edge is an arc of radius 10.

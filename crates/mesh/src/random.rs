@@ -5,7 +5,7 @@
 /// A seed gives the same numbers on every machine and in every build.
 ///
 /// ```
-/// use crate::random::SplitMix64;
+/// use plateau_mesh::random::SplitMix64;
 ///
 /// let mut random = SplitMix64::new(1);
 /// assert_eq!(random.next_u64(), 0x910a_2dec_8902_5cc1);

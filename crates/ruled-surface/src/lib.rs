@@ -26,7 +26,7 @@
 //!
 //! # Example
 //! ```
-//! use crate::{Objective, Options, solve};
+//! use plateau_ruled_surface::{Objective, Options, solve};
 //! use plateau_mesh::{DVec3, Execution};
 //!
 //! // Two parallel rails, 3 apart and 10 long, with different points.

@@ -24,7 +24,7 @@
 //! `on_reference` mesh on the surface itself; `deviation` compares a mesh with its surface.
 //!
 //! ```
-//! use crate::{Domain, Objective, Options, solve};
+//! use plateau_uniform_mesh::{Domain, Objective, Options, solve};
 //! use plateau_mesh::{DVec3, Execution};
 //!
 //! let corners = [[0.0, 0.0], [30.0, 0.0], [30.0, 20.0], [0.0, 20.0]];

@@ -21,7 +21,7 @@ pub enum Quantity {
 pub struct Colors {
     pub quantity: Quantity,
     /// Value that is red, in the quantity's unit: finite and above 0. `None` stands for the end of the
-    /// [scale](Scale::new) that follows from the values.
+    /// scale that follows from the values.
     pub range: Option<f64>,
 }
 

@@ -2,7 +2,7 @@
 //!
 //! The mesh is drawn without perspective, from the direction that shows most of it among a few fixed ones. Triangles are
 //! shaded by Lambert's law from both sides, and visible lines are drawn on top. The work is bounded by a linear share
-//! for each triangle and line and by [`MAX_SAMPLES`]. The arithmetic is f64 without functions of the platform's
+//! for each triangle and line and by `MAX_SAMPLES`. The arithmetic is f64 without functions of the platform's
 //! mathematics library, so the same archive gives the same bytes on every machine.
 
 use plateau_mesh::{DVec2, DVec3, Mesh};
