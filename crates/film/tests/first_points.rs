@@ -2,30 +2,16 @@
 //! up to the error of its mesh, and the stated area is that of the mesh.
 //!
 //! Coarse to fine solves keep the corners of a boundary, and point 0 need not be one of them. The boundary points were
-//! then numbered from the first kept point, and every point was moved to the place of its neighbour.
+//! then numbered from the first kept point, and every point was moved to the place of its neighbour. The round disc in
+//! which the film of coastline 5 begins started at point 0, and the areas differed by 2.6 times what is allowed.
 //!
 //! Each case is a boundary at one resolution, with every choice of the first point. A few cases with some first points
 //! run always; with `PLATEAU_LONG=1` it is 60 boundaries at three resolutions with every first point.
 
 use plateau_film::minimal_surface::{MinimalSurface, Options, Resolution, solve};
+use plateau_mesh::random::SplitMix64;
 use plateau_mesh::{DVec3, Execution, Mesh};
 use std::f64::consts::TAU;
-
-/// SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        low + (high - low) * (((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64)
-    }
-    fn below(&mut self, count: usize) -> usize {
-        self.between(0.0, count as f64) as usize
-    }
-}
 
 /// A closed polygon with every side divided into equal pieces.
 fn divided(corners: &[DVec3], pieces: usize) -> Vec<DVec3> {
@@ -41,14 +27,14 @@ fn around(angle: f64, radius: f64, height: f64) -> DVec3 {
 }
 
 /// A square with 10 to 40 points on each side. Every third one is plane.
-fn square(number: usize, random: &mut Random) -> Vec<DVec3> {
+fn square(number: usize, random: &mut SplitMix64) -> Vec<DVec3> {
     let lift = if number.is_multiple_of(3) { 0.0 } else { random.between(0.1, 0.6) };
     let corners = [(0.0, 0.0, 0.0), (1.0, 0.0, lift), (1.0, 1.0, 0.0), (0.0, 1.0, lift)];
     divided(&corners.map(|(x, y, z)| DVec3::new(x, y, z)), 10 + random.below(31))
 }
 
 /// A coastline: a square whose sides are halved four or five times, with every middle moved aside.
-fn coastline(random: &mut Random) -> Vec<DVec3> {
+fn coastline(random: &mut SplitMix64) -> Vec<DVec3> {
     let mut points: Vec<DVec3> =
         (0..4).map(|k| around(TAU * f64::from(k) / 4.0, 3.0, random.between(-0.3, 0.3))).collect();
     for _ in 0..4 + random.below(2) {
@@ -64,7 +50,7 @@ fn coastline(random: &mut Random) -> Vec<DVec3> {
 }
 
 /// A star of four to seven arms.
-fn star(random: &mut Random) -> Vec<DVec3> {
+fn star(random: &mut SplitMix64) -> Vec<DVec3> {
     let (arms, inner, lift) = (4 + random.below(4), random.between(0.4, 0.7), random.between(0.0, 0.4));
     let corner = |k: usize| {
         let (radius, height) = if k.is_multiple_of(2) { (1.0, 0.0) } else { (inner, lift) };
@@ -74,7 +60,7 @@ fn star(random: &mut Random) -> Vec<DVec3> {
 }
 
 /// Two rings at less than half of the largest gap of a film between them.
-fn rings(random: &mut Random) -> Vec<Vec<DVec3>> {
+fn rings(random: &mut SplitMix64) -> Vec<Vec<DVec3>> {
     let (radius, gap) = (random.between(0.7, 1.0), random.between(0.2, 0.6));
     let mut ring = |radius: f64, height: f64| {
         let points = 24 + random.below(60);
@@ -86,7 +72,7 @@ fn rings(random: &mut Random) -> Vec<Vec<DVec3>> {
 const KINDS: [&str; 4] = ["square", "coastline", "star", "rings"];
 
 fn boundaries(kind: &str, number: usize) -> Vec<Vec<DVec3>> {
-    let mut random = Random(1000 * number as u64 + kind.len() as u64);
+    let mut random = SplitMix64::new(1000 * number as u64 + kind.len() as u64);
     match kind {
         "square" => vec![square(number, &mut random)],
         "coastline" => vec![coastline(&mut random)],
@@ -132,8 +118,10 @@ fn film(loops: &[Vec<DVec3>], triangles: usize) -> Result<(f64, Option<f64>), St
 fn a_boundary_has_no_first_point_of_its_own() {
     let long = std::env::var_os("PLATEAU_LONG").is_some();
     let (each, resolutions): (usize, &[usize]) = if long { (15, &[4_800, 8_000, 20_000]) } else { (1, &[4_800]) };
+    let cases = KINDS.iter().flat_map(|kind| (0..each).map(move |number| (*kind, number)));
+    let cases = cases.chain((!long).then_some(("coastline", 5)));
     let (mut faults, mut films, mut worst) = (Vec::new(), 0, 0.0f64);
-    for (kind, number) in KINDS.iter().flat_map(|kind| (0..each).map(move |number| (*kind, number))) {
+    for (kind, number) in cases {
         let loops = boundaries(kind, number);
         let points = loops[0].len();
         let mut error = f64::NAN;

@@ -251,7 +251,7 @@ fn rings_near_the_critical_gap() {
 
 #[test]
 fn offset_scale_and_rotation_change_nothing_but_themselves() {
-    // No symmetry, or rounding would decide between meshes that are equally good.
+    // No symmetry, or rounding would decide between many meshes that are equally good.
     let at =
         |angle: f64| DVec3::new(angle.cos(), 0.8 * (angle + 0.1).sin(), 0.3 * (2.0 * angle).cos() + 0.1 * angle.sin());
     let polygons = vec![(0..100).map(|k| at(2.0 * PI * k as f64 / 100.0)).collect::<Vec<_>>()];
@@ -263,7 +263,8 @@ fn offset_scale_and_rotation_change_nothing_but_themselves() {
             .map(|polygon| polygon.iter().map(|&p| scale * (turn * p) + DVec3::splat(offset)).collect())
             .collect();
         let statistics = solved(&moved, &options(6000)).statistics;
-        let tolerance = if offset == 0.0 { 1e-9 } else { 1e-6 };
+        // Rounding may flip single edges of the initial mesh, and this moves the area by less than 1e-7.
+        let tolerance = if offset == 0.0 { 1e-7 } else { 1e-6 };
         let ratio = statistics.area / (scale * scale) / plain.area;
         assert!((ratio - 1.0).abs() < tolerance, "{scale} {offset}: {ratio}");
         let (own, moved) = (plain.stability.unwrap(), statistics.stability.unwrap());

@@ -3,6 +3,7 @@
 
 mod barycentres;
 mod domain;
+mod first_point;
 mod given;
 mod lattice;
 pub(super) mod pins;
@@ -17,6 +18,7 @@ use super::estimate::estimate;
 use super::options::{BoundarySampling, InitialMesh, Options, Resolution};
 use barycentres::candidate_mesh;
 use domain::{Shape, best_plane, largest_height};
+use first_point::turned_back;
 use pins::Pins;
 use plane_mesh::PlaneError;
 use plateau_mesh::error::InputError;
@@ -27,6 +29,7 @@ use plateau_mesh::self_intersections::{Order, self_intersections};
 use plateau_mesh::{DVec3, Error, Execution, Interruption, Place};
 use spanning::Spanning;
 
+pub(super) use first_point::{first_point, turned};
 pub(super) use given::ON_SEGMENT;
 pub(super) use spanning::Start;
 
@@ -67,7 +70,8 @@ impl InitialMeshKind {
 }
 
 /// A film between the boundaries (centred, without equal neighbours), and how it was made. Its triangles run along the
-/// first boundary in the direction of the boundary.
+/// first boundary in the direction of the boundary. The point with which the list of a boundary begins only decides the
+/// numbers of its vertices.
 ///
 /// # Errors
 /// [`Error::Input`] for a resolution that these boundaries cannot have; [`Error::NoResult`] for a plane boundary that
@@ -87,6 +91,21 @@ pub(super) fn build(
         let detail = "rings and barycentres take no constraints; auto, planar and disk do";
         return Err(Error::input(Place::field("constraints"), detail));
     }
+    let (turned, firsts) = turned(boundaries);
+    let (mut start, kind) = spanning(&turned, boundaries, options, exec)?;
+    start.film = turned_back(start.film, boundaries, &firsts);
+    Ok((start, kind))
+}
+
+/// Meshes the boundaries. `as_given` are the same boundaries with the first points of the input, whose numbers errors
+/// name.
+fn spanning(
+    boundaries: &[Vec<DVec3>],
+    as_given: &[Vec<DVec3>],
+    options: &Options,
+    exec: &Execution,
+) -> Result<(Start, InitialMeshKind), Error> {
+    let constraints = &options.constraints;
     let whole = |film| Start { film, subdivisions: 0 };
     if let Some(seed) = options.barycentres(boundaries.len()) {
         return Ok((whole(barycentres(boundaries, options, seed, exec)?), InitialMeshKind::Barycentres));
@@ -119,15 +138,14 @@ pub(super) fn build(
             (Ok(start), Some(_)) if !crosses_itself(&start.film, exec)? => start,
             // All of them cross themselves: the first one is as good as any.
             (_, Some(first)) => first,
-            (Err(error), None) => return Err(refusal(boundaries, error, None, exec)),
+            (Err(error), None) => return Err(refusal(as_given, error, None, exec)),
         };
         Ok((start, kind))
     };
     match &options.initial_mesh {
         InitialMesh::Rings => Ok((whole(rings::build(boundaries, options, exec)?), InitialMeshKind::Rings)),
         InitialMesh::Planar => {
-            let start =
-                attempt(Shape::Plane(frame))?.map_err(|error| refusal(boundaries, error, Some(&frame), exec))?;
+            let start = attempt(Shape::Plane(frame))?.map_err(|error| refusal(as_given, error, Some(&frame), exec))?;
             Ok((start, InitialMeshKind::Planar))
         }
         InitialMesh::Disk => curved(),
@@ -140,10 +158,10 @@ pub(super) fn build(
                     Err(error @ (PlaneError::NotSimple(_) | PlaneError::PointOutside(_)))
                         if flat && boundaries.len() == 1 =>
                     {
-                        return Err(refusal(boundaries, error, Some(&frame), exec));
+                        return Err(refusal(as_given, error, Some(&frame), exec));
                     }
                     Err(error @ (PlaneError::TooManyPoints | PlaneError::TooCoarse { .. })) => {
-                        return Err(refusal(boundaries, error, Some(&frame), exec));
+                        return Err(refusal(as_given, error, Some(&frame), exec));
                     }
                     _ => {}
                 }

@@ -1,8 +1,9 @@
 //! Checks and centres the boundaries of a request.
 
+use super::initial_mesh::turned;
 use super::options::Options;
 use plateau_mesh::error::{InputError, Step, Warning};
-use plateau_mesh::polyline::{LARGEST_COORDINATE, merge_near_neighbours};
+use plateau_mesh::polyline::{self, LARGEST_COORDINATE, merge_near_neighbours};
 use plateau_mesh::{DVec3, Error, Place};
 
 /// The boundaries without equal neighbours, also moved to the origin, so that an offset of 1e7 costs no digits.
@@ -75,8 +76,9 @@ impl Input {
         if !errors.is_empty() {
             return Err(Error::Input(errors));
         }
-        let all: Vec<DVec3> = given.iter().flatten().copied().collect();
-        let centre = plateau_mesh::polyline::mean(&all);
+        // The sum runs from points that the boundaries choose. Otherwise the rounding of the centre would depend on the
+        // points with which the lists begin, and remeshing would turn that into other triangles.
+        let centre = polyline::mean(&turned(&given).0.concat());
         let centred = given.iter().map(|points| points.iter().map(|&p| p - centre).collect()).collect();
         Ok(Self { centre, given, centred, vertices, sources, dropped })
     }

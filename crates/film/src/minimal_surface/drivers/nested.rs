@@ -24,7 +24,7 @@ use crate::equilibrium::v_cycle::VCycleSteps;
 use crate::equilibrium::{FilmState, NormalMotion};
 use crate::minimal_surface::estimate::{area_of_fans, estimate, triangles_of_length};
 use crate::minimal_surface::extrapolation::order;
-use crate::minimal_surface::initial_mesh;
+use crate::minimal_surface::initial_mesh::{self, first_point};
 use crate::minimal_surface::options::{BoundarySampling, InitialMesh, OnUnstable, Options, Resolution};
 use crate::minimal_surface::run::{ExtrapolatedArea, Stability, StabilityMethod, StopReason, geometric_part};
 use crate::minimal_surface::solved_film::SolvedFilm;
@@ -330,7 +330,7 @@ fn has_long_edges(boundaries: &[Vec<DVec3>], triangles: f64) -> bool {
 }
 
 /// Indices of the points of a closed polygon that a coarse mesh keeps: all corners, and others at most `stride` apart,
-/// so that no edge replaces more turning than a corner has.
+/// so that no edge replaces more turning than a corner has. They do not depend on which point the polygon begins with.
 fn kept_points(points: &[DVec3], stride: usize) -> Vec<u32> {
     let n = points.len();
     let direction = |k: usize| (points[(k + 1) % n] - points[k % n]).normalize_or_zero();
@@ -340,7 +340,7 @@ fn kept_points(points: &[DVec3], stride: usize) -> Vec<u32> {
     };
     let mut corners: Vec<usize> = (0..n).filter(|&k| turn(k) > CORNER).collect();
     if corners.is_empty() {
-        corners.push(0);
+        corners.push(first_point(points));
     }
     let mut kept = Vec::new();
     for (i, &start) in corners.iter().enumerate() {
