@@ -158,6 +158,7 @@ async fn open_store(config: &Config) -> Result<Store, StartError> {
         queue_limit: queue_length,
         owner_queue_limit: if one_owner { queue_length } else { share },
         max_attempts: config.jobs.attempts_max,
+        lease: Duration::from_millis(config.jobs.lease_ms),
         retention: Duration::from_secs(retention_s),
         max_jobs: config.store.max_jobs,
         max_bytes: (config.store.max_bytes > 0).then_some(config.store.max_bytes),
@@ -196,12 +197,13 @@ async fn tickets(store: &Store) -> Result<Tickets, StartError> {
     Ok(Tickets::new(secret.map_err(|error| StartError::Failed(format!("store: {error}")))?))
 }
 
-/// Sweeps the store every minute, and every 5 s while the store refuses jobs or results.
+/// Sweeps the store every minute, and every 5 s while the store refuses jobs or results. Recovers lost leases at least
+/// three times in a lease, so that the store does not take the pause for an outage.
 async fn sweep(store: Store) {
     let mut swept_at = None;
     loop {
-        let troubled = store.check_room_for_results().is_err();
-        if troubled || swept_at.is_none_or(|at: Instant| at.elapsed() >= SWEEP_INTERVAL) {
+        let interval = if store.check_room_for_results().is_err() { URGENT_SWEEP_INTERVAL } else { SWEEP_INTERVAL };
+        if swept_at.is_none_or(|at: Instant| at.elapsed() >= interval) {
             swept_at = Some(Instant::now());
             match store.sweep().await {
                 Ok(swept) if swept.expired + swept.artefacts + swept.recovered as u64 > 0 => {
@@ -210,11 +212,14 @@ async fn sweep(store: Store) {
                 Ok(_) => {}
                 Err(error) => tracing::warn!(%error, "cannot sweep the store"),
             }
+            if interval == URGENT_SWEEP_INTERVAL {
+                store.probe_results().await;
+            }
         }
-        if troubled {
-            store.probe_results().await;
+        tokio::time::sleep(URGENT_SWEEP_INTERVAL.min(store.options().lease / 3)).await;
+        if let Err(error) = store.recover().await {
+            tracing::warn!(%error, "cannot look for lost leases");
         }
-        tokio::time::sleep(URGENT_SWEEP_INTERVAL).await;
     }
 }
 

@@ -7,7 +7,9 @@
 //!   database's clock. Every later write by the worker carries that number and changes nothing once the job has moved
 //!   on. A result is therefore visible exactly once, however late a stalled worker wakes up.
 //! - A lease that runs out puts the job back to its old place in the queue. After `max_attempts` lost leases the job
-//!   fails, and its error describes each attempt.
+//!   fails, and its error describes each attempt. A lease that ran out because the database could not be reached is not
+//!   lost: its worker renews it after the outage ([`contact`]). If another process could reach the database and took the
+//!   job over meanwhile, the loss is taken back when the worker returns.
 //!
 //! The caller chooses identifiers, which must sort by time (ULID) because lists are ordered by them. Times are
 //! milliseconds since 1970 by the database's clock. An owner is the name of an API key; a server without keys has no
@@ -22,6 +24,7 @@ mod batches;
 mod bucket;
 mod callbacks;
 mod claims;
+mod contact;
 mod files;
 mod jobs;
 mod migrations;
@@ -46,6 +49,7 @@ use ballast::Ballast;
 pub use batches::{BatchJob, BatchLookup, BatchRow, NewBatch, SubmittedBatch};
 pub use callbacks::{Callback, Subject};
 pub use claims::{Claimed, Renewed};
+use contact::Contact;
 use files::Files;
 pub use jobs::{EventId, Filter, JobRow, Lookup, NewJob, Outcome, Solved, StatusEvent, Submitted};
 pub use postgres::redacted;
@@ -67,6 +71,8 @@ pub struct StoreOptions {
     pub owner_queue_limit: u64,
     /// Number of leases of one job that may run out before it fails.
     pub max_attempts: u32,
+    /// Length of the leases that this process asks for.
+    pub lease: Duration,
     /// Time for which a job and its mesh are kept after the job ended.
     pub retention: Duration,
     /// Time for which the identifier of an expired job is remembered.
@@ -100,6 +106,7 @@ impl Default for StoreOptions {
             queue_limit: 1000,
             owner_queue_limit: 1000,
             max_attempts: 5,
+            lease: Duration::from_secs(15),
             retention: Duration::from_secs(7 * 24 * 3600),
             expired_retention: Duration::from_secs(30 * 24 * 3600),
             max_jobs: 100_000,
@@ -176,6 +183,7 @@ struct Inner {
     changes: Changes,
     files: Option<Files>,
     ballast: Ballast,
+    contact: Contact,
     /// True if the last write found no space.
     full: AtomicBool,
     /// True if the last result file could not be written.
@@ -215,6 +223,7 @@ impl Store {
             (Engine::Sqlite(database), ballast)
         };
         let changes = Changes::new(&engine, options.poll_interval)?;
+        let contact = Contact::new(options.lease, !is_postgres);
         let store = Self {
             inner: Arc::new(Inner {
                 engine,
@@ -222,6 +231,7 @@ impl Store {
                 changes,
                 files,
                 ballast,
+                contact,
                 full: AtomicBool::new(false),
                 results_refused: AtomicBool::new(false),
             }),
@@ -294,6 +304,7 @@ impl Store {
             Engine::Sqlite(database) => database.write(work).await,
             Engine::Postgres(database) => database.write(work).await,
         };
+        self.inner.contact.note(&written, true);
         match &written {
             Ok(_) => self.inner.full.store(false, Ordering::Relaxed),
             Err(StoreError::NoSpace(_)) => {
@@ -318,10 +329,12 @@ impl Store {
 
     /// Runs `work`, which must only read.
     async fn read<T: Send + 'static>(&self, work: impl Fn(&mut Tx<'_>) -> Result<T> + Send + 'static) -> Result<T> {
-        match &self.inner.engine {
+        let read = match &self.inner.engine {
             Engine::Sqlite(database) => database.read(work).await,
             Engine::Postgres(database) => database.read(work).await,
-        }
+        };
+        self.inner.contact.note(&read, false);
+        read
     }
 
     /// Same as [`Store::write`], for work that also needs the options.
@@ -482,11 +495,8 @@ impl Store {
     /// go back to the queue first.
     pub async fn claim(&self, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
         // Idle workers only read, so that they do not occupy SQLite's one writer.
-        let (lost, waiting) = self.read(claims::pending_work).await?;
-        if lost {
-            self.write_with(claims::recover).await?;
-        }
-        if !lost && !waiting {
+        let (recovered, waiting) = self.recover().await?;
+        if recovered == 0 && !waiting {
             return Ok(None);
         }
         let worker = worker.to_owned();
@@ -505,8 +515,9 @@ impl Store {
         self.write(move |tx| claims::progress(tx, &id, attempt, &progress)).await
     }
 
-    /// Ends the attempt. The outcome and the new status become visible together. If the worker had lost the job,
-    /// changes nothing and returns false.
+    /// Ends the attempt. The outcome and the new status become visible together. Returns true also if an earlier call has
+    /// already stored this outcome, so that a worker may repeat a call whose answer was lost. If the worker had lost the
+    /// job, changes nothing and returns false.
     pub async fn finish(&self, id: &str, attempt: i64, outcome: Arc<Outcome>) -> Result<bool> {
         if self.inner.ballast.is_gone() {
             return Err(StoreError::NoSpace("the disk is full".into()));
@@ -611,9 +622,21 @@ impl Store {
         swept
     }
 
-    /// Puts jobs whose lease has run out back into the queue, or fails them. Returns the number of these jobs.
-    async fn recover(&self) -> Result<usize> {
-        if self.read(claims::pending_work).await?.0 { self.write_with(claims::recover).await } else { Ok(0) }
+    /// Puts jobs whose lease has run out back into the queue, or fails them. A lease that may have run out because of an
+    /// outage of the database is left alone until its worker has had time to renew it. Returns the number of jobs that were
+    /// recovered, and whether a job waits. Every process calls this more often than half of a lease, because a long pause
+    /// looks like an outage.
+    pub async fn recover(&self) -> Result<(usize, bool)> {
+        if self.inner.contact.is_broken() {
+            self.write(|_| Ok(())).await?;
+        }
+        let lease_max_ms = milliseconds(self.inner.contact.unbroken());
+        let (lost, waiting) = self.read(move |tx| claims::pending_work(tx, lease_max_ms)).await?;
+        if !lost {
+            return Ok((0, waiting));
+        }
+        let recovered = self.write_with(move |tx, options| claims::recover(tx, lease_max_ms, options)).await?;
+        Ok((recovered, waiting))
     }
 }
 

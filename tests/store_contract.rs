@@ -97,6 +97,7 @@ cases! {
     a_job_runs_from_queue_to_result,
     a_worker_that_lost_its_lease_changes_nothing,
     a_job_whose_workers_keep_dying_fails_with_a_history,
+    a_worker_that_returns_after_its_lease_costs_no_attempt,
     a_job_that_was_handed_back_keeps_its_place_and_loses_no_lease,
     an_owner_with_many_jobs_does_not_delay_other_owners,
     a_full_queue_refuses_further_jobs,
@@ -282,6 +283,31 @@ async fn a_job_whose_workers_keep_dying_fails_with_a_history(database: Database)
     }
     assert!(detail.contains("smoothing"), "{detail}");
     assert!(failed.expires_at_ms.is_some());
+}
+
+async fn a_worker_that_returns_after_its_lease_costs_no_attempt(database: Database) {
+    let store = database.open(StoreOptions { max_attempts: 2, ..StoreOptions::default() }).await;
+    let id = create(&store, job(1)).await.id;
+    // Each worker is cut off until another one has taken its job, and then returns in another way.
+    for attempt in 1..=6 {
+        let cut_off = store.claim("cut off", NO_LEASE).await.unwrap().expect("the job has not failed");
+        assert_eq!((cut_off.id.as_str(), cut_off.attempt), (id.as_str(), 2 * attempt - 1));
+        let other = store.claim("other", LEASE).await.unwrap().unwrap();
+        match attempt % 3 {
+            0 => assert_eq!(store.renew(&id, cut_off.attempt, LEASE).await.unwrap(), Renewed::Lost),
+            1 => assert_eq!(store.progress(&id, cut_off.attempt, "{}").await.unwrap(), Renewed::Lost),
+            _ => assert!(!store.finish(&id, cut_off.attempt, success(b"late")).await.unwrap()),
+        }
+        // It returns only once.
+        assert_eq!(store.renew(&id, cut_off.attempt, LEASE).await.unwrap(), Renewed::Lost);
+        assert!(store.hand_back(&id, other.attempt).await.unwrap());
+    }
+    // A worker that does not return counts.
+    for _ in 0..2 {
+        store.claim("dead", NO_LEASE).await.unwrap().unwrap();
+    }
+    assert_eq!(store.claim("survivor", LEASE).await.unwrap(), None);
+    assert_eq!(find(&store, &id).await.status, Status::Failed);
 }
 
 async fn a_job_that_was_handed_back_keeps_its_place_and_loses_no_lease(database: Database) {

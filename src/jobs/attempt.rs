@@ -147,7 +147,7 @@ impl Attempt {
         }
     }
 
-    /// Renews the lease and stores progress until the solver has ended. Returns `None` if the shutdown's grace time
+    /// Renews the lease and stores progress until the solver has ended, also during an outage of the store. Returns `None` if the shutdown's grace time
     /// ended first.
     async fn renew_until_solved(
         &self,
@@ -159,7 +159,6 @@ impl Attempt {
         let tick = Duration::from_millis(self.jobs.config().jobs.progress_interval_ms.max(10));
         let mut progress = tokio::time::interval_at(tokio::time::Instant::now() + tick, tick);
         progress.set_missed_tick_behavior(tokio::time::MissedTickBehavior::Delay);
-        let mut held_until = Instant::now() + lease;
         loop {
             let renewed = tokio::select! {
                 ended = &mut *solver => return Some(ended.unwrap_or_else(|_| outcome(Ended::Panicked))),
@@ -171,32 +170,22 @@ impl Attempt {
                     }
                     None => continue,
                 },
-                _ = renewal.tick() => {
-                    let renewed = store.renew(&self.id, self.number, lease).await;
-                    if matches!(renewed, Ok(Renewed::Held)) {
-                        held_until = Instant::now() + lease;
-                    }
-                    renewed
-                }
+                _ = renewal.tick() => store.renew(&self.id, self.number, lease).await,
                 () = &mut *grace => return None,
             };
             match renewed {
                 Ok(Renewed::Held) => {}
                 Ok(Renewed::Cancelled | Renewed::Lost) => self.line.stop(),
-                Err(error) => {
-                    tracing::warn!(%error, "cannot reach the store");
-                    if Instant::now() > held_until {
-                        // The lease has run out, so another worker may have claimed the job.
-                        self.line.stop();
-                    }
-                }
+                // The solver goes on even if the lease runs out, because no other process may have noticed: the outage may
+                // be everywhere. If the job was taken over, the next renewal says so.
+                Err(error) => tracing::warn!(%error, "cannot reach the store"),
             }
         }
     }
 
     /// Stores an outcome. If the store cannot be written, the attempt holds the outcome, renews the claim and tries
-    /// again with growing pauses, so that no attempt is lost. Trying again is safe because the store checks the
-    /// attempt's number.
+    /// again with growing pauses, so that no attempt is lost. Trying again is safe because the store checks the attempt's
+    /// number. It also says whether an earlier try was stored although its answer was lost.
     async fn store_outcome(&self, outcome: Outcome, grace: &mut (impl Future<Output = ()> + Unpin)) -> End {
         let (store, lease) = (self.jobs.store(), self.lease());
         let status = outcome.status();
@@ -228,10 +217,8 @@ impl Attempt {
                 () = waited => {}
                 () = &mut *grace => return self.hand_back().await,
             }
-            match store.renew(&self.id, self.number, lease).await {
-                Ok(Renewed::Cancelled | Renewed::Lost) => return End::Dropped,
-                Ok(Renewed::Held) | Err(_) => {}
-            }
+            // The next try tells what became of the job, so the answer is not needed.
+            let _ = store.renew(&self.id, self.number, lease).await;
             pause = (2 * pause).min(lease / 3);
         }
     }

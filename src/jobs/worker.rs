@@ -7,7 +7,8 @@ use std::time::Duration;
 /// Stack size of the runtime's threads, which run solvers, and of the converters. Sparse orderings and Delaunay walks
 /// may recurse deeply. A large stack costs only address space.
 pub const STACK_BYTES: usize = 64 << 20;
-/// Interval at which an idle worker looks for a job without having been notified of one.
+/// Longest interval at which an idle worker looks for a job without having been notified of one. It looks at least three
+/// times in a lease, because the store takes a longer pause for an outage.
 const IDLE_POLL: Duration = Duration::from_secs(1);
 
 /// Claims jobs until a shutdown is asked for. Any number of workers may run in this process and in others.
@@ -38,7 +39,7 @@ pub(super) async fn run(jobs: Jobs, name: String) {
         drop(slot);
         tokio::select! {
             _ = work.changed() => {}
-            () = tokio::time::sleep(IDLE_POLL) => {}
+            () = tokio::time::sleep(IDLE_POLL.min(lease / 3)) => {}
             () = jobs.shutdown() => {}
         }
     }

@@ -33,16 +33,17 @@ pub enum Renewed {
     Lost,
 }
 
-/// SQL condition for running jobs whose lease has run out. A lease that ends more than twice its length in the future
+/// SQL condition for running jobs whose lease, of at most `$1` ms, has run out. A lease that ends more than twice its length in the future
 /// was given by a clock that has since been set back, so it counts as run out too. Smaller steps back do no harm.
-const LEASE_EXPIRED: &str = "status = 'running' AND (lease_until <= now_ms() OR lease_until > now_ms() + 2 * lease_ms)";
+const LEASE_EXPIRED: &str = "status = 'running' AND ((lease_until <= now_ms() AND lease_ms <= $1) OR lease_until > now_ms() + 2 * lease_ms)";
 
 /// Number of lost leases that one transaction handles.
 const RECOVERY_STEP: i64 = 100;
 
-/// Returns whether a lease has run out, and whether a job waits.
-pub(super) fn pending_work(tx: &mut Tx<'_>) -> Result<(bool, bool)> {
-    let lost = tx.exists(&format!("SELECT 1 FROM jobs WHERE {LEASE_EXPIRED} LIMIT 1"), &[])?;
+/// Returns whether a lease of at most `lease_max_ms` has run out, and whether a job waits.
+pub(super) fn pending_work(tx: &mut Tx<'_>, lease_max_ms: i64) -> Result<(bool, bool)> {
+    let lost = format!("SELECT 1 FROM jobs WHERE {LEASE_EXPIRED} LIMIT 1");
+    let lost = tx.exists(&lost, &[lease_max_ms.into()])?;
     Ok((lost, tx.exists("SELECT 1 FROM jobs WHERE status = 'queued' LIMIT 1", &[])?))
 }
 
@@ -94,11 +95,14 @@ fn update_if_held(tx: &mut Tx<'_>, text: &str, id: &str, attempt: i64, value: Va
     if tx.execute(text, &[id.into(), attempt.into(), value])? > 0 {
         return Ok(Renewed::Held);
     }
+    take_back_loss(tx, id, attempt)?;
     let cancelled = "SELECT 1 FROM jobs WHERE id = $1 AND attempt = $2 AND status = 'cancelled'";
     Ok(if tx.exists(cancelled, &[id.into(), attempt.into()])? { Renewed::Cancelled } else { Renewed::Lost })
 }
 
-/// Ends the attempt. If the worker had lost the job, changes nothing and returns false.
+/// Ends the attempt. If an earlier call has already stored this outcome, changes nothing and returns true: the connection
+/// may have been lost after the commit, so that the worker did not learn of it. If the worker had lost the job, changes
+/// nothing and returns false.
 pub(super) fn finish(
     tx: &mut Tx<'_>,
     id: &str,
@@ -137,8 +141,15 @@ pub(super) fn finish(
         }
     };
     if changed == 0 {
-        tx.drop_file(result.and_then(|result| result.file.clone()));
-        return Ok(false);
+        // The file of this outcome has the same name at every try, so a row may name it already.
+        let file = result.and_then(|result| result.file.as_deref());
+        if let Some(file) = file
+            && !results::is_named(tx, file)?
+        {
+            tx.drop_file(Some(file.to_owned()));
+        }
+        take_back_loss(tx, id, attempt)?;
+        return has_ended_with(tx, id, attempt, outcome, result);
     }
     if let (Outcome::Succeeded { artefact, .. }, Some(result)) = (outcome, result) {
         results::keep(tx, result, artefact)?;
@@ -146,6 +157,27 @@ pub(super) fn finish(
     drop_request(tx, id)?;
     tx.changed(id);
     Ok(true)
+}
+
+/// Returns true if this attempt has ended with this outcome.
+fn has_ended_with(
+    tx: &mut Tx<'_>,
+    id: &str,
+    attempt: i64,
+    outcome: &Outcome,
+    result: Option<&Prepared>,
+) -> Result<bool> {
+    let text = "SELECT error, artefact FROM jobs WHERE id = $1 AND attempt = $2 AND status = $3";
+    let Some(row) = tx.row(text, &[id.into(), attempt.into(), outcome.status().name().into()])? else {
+        return Ok(false);
+    };
+    Ok(match outcome {
+        Outcome::Succeeded { .. } => {
+            let stored: Option<Vec<u8>> = row.get("artefact")?;
+            stored.zip(result).is_some_and(|(name, result)| results::have_equal_bytes(&name, &result.hash))
+        }
+        Outcome::Failed { error } => row.get::<Option<String>>("error")?.as_ref() == Some(error),
+    })
 }
 
 /// SQL assignments that put a running job back to its old place in the queue.
@@ -168,21 +200,42 @@ pub(super) fn hand_back(tx: &mut Tx<'_>, id: &str, attempt: i64) -> Result<bool>
     Ok(true)
 }
 
-/// Puts jobs whose lease has run out back into the queue, or fails them if that happened too often. Returns the number
-/// of these jobs.
-pub(super) fn recover(tx: &mut Tx<'_>, options: &StoreOptions) -> Result<usize> {
+/// Beginning of the line that describes the loss of an attempt.
+fn loss_of(attempt: i64) -> String {
+    format!("attempt {attempt} on ")
+}
+
+/// Takes back the loss of an attempt whose worker turns out to be alive: it could not reach the database while its lease
+/// ran out. The job stays with the attempt that took it over.
+fn take_back_loss(tx: &mut Tx<'_>, id: &str, attempt: i64) -> Result<()> {
+    let text = "SELECT losses FROM jobs WHERE id = $1 AND lost_leases > 0 AND status IN ('queued', 'running')";
+    let Some(row) = tx.row(text, &[id.into()])? else { return Ok(()) };
+    let (losses, lost) = (row.get::<String>("losses")?, loss_of(attempt));
+    let others: String = losses.split_inclusive('\n').filter(|line| !line.starts_with(&lost)).collect();
+    if others == losses {
+        return Ok(());
+    }
+    // The comparison leaves the losses alone if they have changed since they were read.
+    let text = "UPDATE jobs SET lost_leases = lost_leases - 1, losses = $3 WHERE id = $1 AND losses = $2";
+    tx.execute(text, &[id.into(), (&losses).into(), (&others).into()]).map(|_| ())
+}
+
+/// Puts jobs whose lease of at most `lease_max_ms` has run out back into the queue, or fails them if that happened too
+/// often. Returns the number of these jobs.
+pub(super) fn recover(tx: &mut Tx<'_>, lease_max_ms: i64, options: &StoreOptions) -> Result<usize> {
     let lost = tx.rows(
         &format!(
             "SELECT id, attempt, lost_leases + 1 AS lost, worker, progress, losses, now_ms() - started_at AS ran \
-             FROM jobs WHERE {LEASE_EXPIRED} ORDER BY lease_until LIMIT $1 /* skip locked */"
+             FROM jobs WHERE {LEASE_EXPIRED} ORDER BY lease_until LIMIT $2 /* skip locked */"
         ),
-        &[RECOVERY_STEP.into()],
+        &[lease_max_ms.into(), RECOVERY_STEP.into()],
     )?;
     for row in &lost {
         let (id, attempt, count): (String, i64, i64) = (row.get("id")?, row.get("attempt")?, row.get("lost")?);
         let losses = format!(
-            "{}attempt {attempt} on {} was lost after at most {:.1} s, last progress {}\n",
+            "{}{}{} was lost after at most {:.1} s, last progress {}\n",
             row.get::<String>("losses")?,
+            loss_of(attempt),
             row.get::<Option<String>>("worker")?.as_deref().unwrap_or("an unknown worker"),
             row.get::<i64>("ran")?.max(0) as f64 / 1000.0,
             row.get::<Option<String>>("progress")?.as_deref().unwrap_or("none")

@@ -57,6 +57,14 @@ pub(super) fn find(tx: &mut Tx<'_>, id: &str, owner: Option<&str>) -> Result<Opt
 /// so that equal ones are kept only once.
 const NAMED_BY_TIME_BYTES: usize = 32 << 10;
 
+/// Length in bytes of the time at the beginning of a name.
+const TIME_BYTES: usize = 6;
+
+/// Returns true if two names belong to equal bytes, whenever they were given.
+pub(super) fn have_equal_bytes(name: &[u8], other: &[u8]) -> bool {
+    name.get(TIME_BYTES..) == other.get(TIME_BYTES..)
+}
+
 /// Returns the name of a result whose bytes have this hash.
 pub(super) fn name(artefact: &[u8], hash: [u8; 32]) -> [u8; 32] {
     if artefact.len() > NAMED_BY_TIME_BYTES {
@@ -65,7 +73,7 @@ pub(super) fn name(artefact: &[u8], hash: [u8; 32]) -> [u8; 32] {
     let since_1970 = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap_or_default();
     let milliseconds = u64::try_from(since_1970.as_millis()).unwrap_or(u64::MAX).to_be_bytes();
     let mut name = hash;
-    name[..6].copy_from_slice(&milliseconds[2..]);
+    name[..TIME_BYTES].copy_from_slice(&milliseconds[8 - TIME_BYTES..]);
     name
 }
 
@@ -81,6 +89,11 @@ pub(super) fn keep(tx: &mut Tx<'_>, result: &Prepared, artefact: &[u8]) -> Resul
         tx.drop_file(row.get("file")?);
     }
     tx.execute(text, &[(&result.hash).into(), size.into(), result.file.as_deref().into(), body.into()]).map(|_| ())
+}
+
+/// Returns true if a row names this file.
+pub(super) fn is_named(tx: &mut Tx<'_>, file: &str) -> Result<bool> {
+    tx.exists("SELECT 1 FROM artefacts WHERE file = $1", &[file.into()])
 }
 
 /// Marks a result as recently used. Returns false if it does not exist.

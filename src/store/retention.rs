@@ -74,7 +74,7 @@ struct Expired {
 }
 
 pub(super) async fn sweep(store: &Store) -> Result<Swept> {
-    let mut swept = Swept { recovered: store.recover().await?, ..Swept::default() };
+    let mut swept = Swept { recovered: store.recover().await?.0, ..Swept::default() };
     expire_all(store, &Choice::Due, &mut swept).await?;
     let max_jobs = jobs::limit(store.options().max_jobs);
     if let Some(surplus) = store.read(move |tx| surplus(tx, max_jobs)).await? {

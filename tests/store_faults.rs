@@ -1,0 +1,140 @@
+//! The promises of the store on PostgreSQL behind a network that cuts, silences and delays connections.
+
+mod postgres;
+mod proxy;
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use plateau::store::{Lookup, NewJob, Outcome, Renewed, Store, StoreOptions, Submitted};
+use plateau::status::Status;
+use postgres::Postgres;
+use proxy::{Fault, Proxy};
+use sha2::{Digest, Sha256};
+use tempfile::TempDir;
+
+const LEASE: Duration = Duration::from_secs(60);
+
+/// A store whose connections go through a proxy, and which keeps every result in a file.
+struct Faulty {
+    store: Store,
+    proxy: Proxy,
+    results: TempDir,
+    _server: Postgres,
+}
+
+impl Faulty {
+    /// Returns `None` if this machine has no PostgreSQL.
+    async fn new() -> Option<Self> {
+        let server = Postgres::start()?;
+        let proxy = Proxy::start(&server.database().await);
+        let results = tempfile::tempdir().unwrap();
+        let options = StoreOptions {
+            results: Some(results.path().display().to_string()),
+            inline_bytes: 0,
+            ..StoreOptions::default()
+        };
+        let store = Store::open(&proxy.url(), options).await.unwrap();
+        Some(Self { store, proxy, results, _server: server })
+    }
+
+    fn files(&self) -> Vec<String> {
+        let entries = std::fs::read_dir(self.results.path()).unwrap();
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+    }
+}
+
+fn job(number: usize) -> NewJob {
+    NewJob {
+        id: format!("{number:026}"),
+        kind: "ruled_surface".into(),
+        owner: None,
+        request: b"{}".to_vec(),
+        request_hash: [number as u8; 32],
+        idempotency_key: Some(number.to_string()),
+        body_hash: [number as u8; 32],
+        callback_url: None,
+        label: None,
+        metadata: None,
+        supersede: None,
+        reuse: true,
+    }
+}
+
+fn success(artefact: &[u8]) -> Arc<Outcome> {
+    Arc::new(Outcome::Succeeded {
+        statistics: "{}".into(),
+        warnings: "[]".into(),
+        artefact: artefact.to_vec(),
+        artefact_hash: Sha256::digest(artefact).into(),
+        reusable: true,
+    })
+}
+
+async fn status(store: &Store, id: &str) -> Status {
+    match store.get(id, None).await.unwrap() {
+        Lookup::Found(row) => row.status,
+        other => panic!("expected {id}, got {other:?}"),
+    }
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn an_outcome_whose_commit_was_not_acknowledged_is_stored_once_and_its_file_stays() {
+    let Some(faulty) = Faulty::new().await else { return };
+    let store = &faulty.store;
+    assert!(matches!(store.submit(job(1)).await, Ok(Submitted::Created(_))));
+    let claimed = store.claim("worker", LEASE).await.unwrap().unwrap();
+    let lost = faulty.proxy.disturb_commit("DELETE FROM requests", Fault::CutAfter);
+    let renewal = faulty.proxy.disturb("SET lease_until", Fault::CutBefore);
+    assert!(store.finish(&claimed.id, claimed.attempt, success(b"mesh")).await.is_err());
+    assert!(lost.yet());
+    // The worker does not learn from its renewal that the job has ended.
+    assert!(store.renew(&claimed.id, claimed.attempt, LEASE).await.is_err());
+    assert!(renewal.yet());
+    assert!(store.finish(&claimed.id, claimed.attempt, success(b"mesh")).await.unwrap(), "the outcome is this one");
+    assert_eq!(status(store, &claimed.id).await, Status::Succeeded);
+    assert_eq!(store.artefact(&claimed.id, None).await.unwrap().unwrap().bytes, b"mesh");
+    assert_eq!(faulty.files().len(), 1);
+    // Another outcome of the same attempt is refused, and so is the outcome of another attempt.
+    let failure = Arc::new(Outcome::Failed { error: "{}".into() });
+    assert!(!store.finish(&claimed.id, claimed.attempt, failure).await.unwrap());
+    assert!(!store.finish(&claimed.id, claimed.attempt + 1, success(b"mesh")).await.unwrap());
+    assert_eq!(store.artefact(&claimed.id, None).await.unwrap().unwrap().bytes, b"mesh");
+    assert_eq!(faulty.files().len(), 1);
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_silent_connection_is_given_up_before_a_lease_ends() {
+    let Some(faulty) = Faulty::new().await else { return };
+    let store = &faulty.store;
+    assert!(matches!(store.submit(job(1)).await, Ok(Submitted::Created(_))));
+    let claimed = store.claim("worker", LEASE).await.unwrap().unwrap();
+    for fault in [Fault::SilentBefore, Fault::SilentAfter] {
+        let silent = faulty.proxy.disturb("SET lease_until", fault);
+        let asked = Instant::now();
+        let renewed = tokio::time::timeout(Duration::from_secs(14), store.renew(&claimed.id, claimed.attempt, LEASE));
+        let renewed = renewed.await.expect("an answer before a lease of 15 s ends");
+        println!("{fault:?}: {renewed:?} after {:.1} s", asked.elapsed().as_secs_f64());
+        assert!(renewed.is_err() && silent.yet());
+        // The server still holds the row for the silent connection, but not for long.
+        let renewed = tokio::time::timeout(Duration::from_secs(30), async {
+            loop {
+                if let Ok(renewed) = store.renew(&claimed.id, claimed.attempt, LEASE).await {
+                    return renewed;
+                }
+            }
+        });
+        assert_eq!(renewed.await.expect("the row is free again"), Renewed::Held);
+    }
+    // Closing the store does not wait for a silent server.
+    let silent = faulty.proxy.disturb("SET lease_until", Fault::SilentBefore);
+    let renewing = tokio::spawn({
+        let (store, claimed) = (store.clone(), claimed.clone());
+        async move { store.renew(&claimed.id, claimed.attempt, LEASE).await }
+    });
+    while !silent.yet() {
+        tokio::time::sleep(Duration::from_millis(5)).await;
+    }
+    tokio::time::timeout(Duration::from_secs(14), store.close()).await.expect("the store closes");
+    assert!(renewing.await.unwrap().is_err());
+}
