@@ -251,6 +251,9 @@ impl Store {
     /// Returns `Ok` if the database answers and takes new jobs and results.
     pub async fn check(&self) -> Result<()> {
         self.read(|tx| tx.exists("SELECT 1", &[])).await?;
+        if let Engine::Sqlite(database) = &self.inner.engine {
+            database.check_writer()?;
+        }
         self.check_room_for_results()
     }
 

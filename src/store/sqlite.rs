@@ -6,6 +6,7 @@
 //! wait for that.
 
 use std::cell::Cell;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{SyncSender, sync_channel};
 use std::thread::JoinHandle;
@@ -90,6 +91,11 @@ impl Database {
         work: impl Fn(&mut Tx<'_>) -> Result<T> + Send + 'static,
     ) -> Result<T> {
         self.readers.run(move |connection| work(&mut Tx::sqlite(connection))).await
+    }
+
+    /// Fails if no write can succeed any more, because the writer's thread has ended.
+    pub(super) fn check_writer(&self) -> Result<()> {
+        if self.writer.is_closed() { Err(closed()) } else { Ok(()) }
     }
 
     /// Copies the whole write-ahead log into the database and returns its space to the file system.
@@ -187,7 +193,9 @@ struct Pending<T, F> {
 impl<T: Send, F: Fn(&mut Tx<'_>) -> Result<T> + Send> Write for Pending<T, F> {
     fn run(&mut self, connection: &Sqlite) -> Result<()> {
         let mut tx = Tx::sqlite(connection);
-        let value = (self.work)(&mut tx)?;
+        // A panic must not end the writer's thread. What the work had changed is rolled back.
+        let worked = catch_unwind(AssertUnwindSafe(|| (self.work)(&mut tx)));
+        let value = worked.unwrap_or_else(|_| Err(StoreError::Internal("a write of the store panicked".into())))?;
         self.result = Some((value, tx.into_after_commit()));
         Ok(())
     }
@@ -345,6 +353,23 @@ mod tests {
         drop(change);
         let opened = Database::open(&url, &StoreOptions::default()).await;
         assert!(matches!(opened, Err(StoreError::Migration(_))), "{opened:?}");
+    }
+
+    #[tokio::test]
+    async fn a_write_that_panics_fails_alone_and_the_next_one_succeeds() {
+        let folder = tempfile::tempdir().unwrap();
+        let url = format!("sqlite://{}/a.db", folder.path().display());
+        let database = Database::open(&url, &StoreOptions::default()).await.unwrap();
+        let insert = |tx: &mut Tx<'_>| {
+            tx.insert("expired_jobs", &[("id", "a".into()), ("owner", "".into()), ("expired_at", 0.into())])
+        };
+        let panicked = database.write(move |tx| insert(tx).and_then(|()| -> Result<()> { panic!("as asked") })).await;
+        assert!(matches!(panicked, Err(StoreError::Internal(_))), "{panicked:?}");
+        assert!(!database.read(|tx| tx.exists("SELECT 1 FROM expired_jobs", &[])).await.unwrap(), "rolled back");
+        database.check_writer().unwrap();
+        database.write(insert).await.unwrap();
+        database.close().await;
+        assert!(matches!(database.check_writer(), Err(StoreError::Unavailable(_))));
     }
 
     #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
