@@ -110,6 +110,7 @@ cases! {
     a_deleted_job_is_missing_and_its_worker_is_told,
     an_owner_sees_no_job_of_another,
     a_list_pages_through_every_job_once,
+    a_list_has_statistics_only_if_it_is_asked_for_them,
     equal_requests_share_a_result,
     a_result_is_not_shared_with_other_owners_versions_or_bypassing_requests,
     a_result_of_a_bypassing_request_is_not_shared,
@@ -172,6 +173,7 @@ fn success(artefact: &[u8]) -> Arc<Outcome> {
 fn solved_as(artefact: &[u8]) -> Outcome {
     Outcome::Succeeded {
         statistics: "{\"area\":1.5}".into(),
+        summary: "{\"iterations\":3}".into(),
         warnings: "[{\"code\":\"folds\"}]".into(),
         artefact: artefact.to_vec(),
         artefact_hash: Sha256::digest(artefact).into(),
@@ -559,6 +561,22 @@ async fn a_list_pages_through_every_job_once(database: Database) {
     };
     assert_eq!(store.list(all.clone(), 100, Some(&job(5).id)).await.unwrap().0[0].id, job(4).id);
     assert_eq!(store.list(all.clone(), 100, Some(&job(4).id)).await.unwrap().0, Vec::new());
+}
+
+async fn a_list_has_statistics_only_if_it_is_asked_for_them(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    create(&store, job(1)).await;
+    work_one(&store, b"mesh").await;
+    // The second job ends with its submission and reuses the result.
+    assert_eq!(create(&store, NewJob { id: job(2).id, ..job(1) }).await.status, Status::Succeeded);
+    for statistics in [false, true] {
+        let (listed, _) = store.list(Filter { statistics, ..Filter::default() }, 10, None).await.unwrap();
+        assert_eq!(listed.len(), 2);
+        for row in listed {
+            assert_eq!(row.statistics.is_some(), statistics);
+            assert_eq!(row.summary.as_deref(), Some("{\"iterations\":3}"));
+        }
+    }
 }
 
 async fn equal_requests_share_a_result(database: Database) {

@@ -64,6 +64,7 @@ fn job(number: usize) -> NewJob {
 fn success(artefact: &[u8]) -> Arc<Outcome> {
     Arc::new(Outcome::Succeeded {
         statistics: "{}".into(),
+        summary: "{}".into(),
         warnings: "[]".into(),
         artefact: artefact.to_vec(),
         artefact_hash: Sha256::digest(artefact).into(),

@@ -1,7 +1,7 @@
 //! One attempt at a job. The solver runs on its own thread, so that it does not stall the async runtime. Meanwhile the
 //! attempt renews the claim and stores progress. When the solver has ended, the attempt stores the outcome.
 
-use super::Jobs;
+use super::{Jobs, view};
 use super::progress::{Line, Signal};
 use super::solve::{self, Solved, Unsolved};
 use crate::status::Status;
@@ -298,6 +298,7 @@ fn outcome(ended: Ended) -> Option<Outcome> {
         Ended::Solved(solved) => match solved.archive.to_bytes() {
             Ok(artefact) => {
                 return Some(Outcome::Succeeded {
+                    summary: view::summary_of(&solved.statistics),
                     statistics: solved.statistics,
                     // Serialization cannot fail because warnings have only strings.
                     warnings: serde_json::to_string(&solved.warnings).unwrap_or_else(|_| "[]".into()),

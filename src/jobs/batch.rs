@@ -1,8 +1,9 @@
 //! One file with all meshes of a batch.
 
 use super::files::File;
+use super::view::{self, Figures};
 use super::zip::Zip;
-use super::{Jobs, JobsError, view};
+use super::{Jobs, JobsError};
 use crate::status::Status;
 use crate::store::{BatchRow, JobRow};
 use bytes::Bytes;
@@ -23,14 +24,13 @@ pub(super) async fn meshes(jobs: &Jobs, batch: &BatchRow) -> Result<BatchMeshes,
         return Err(JobsError::NoMesh(counts.status()));
     }
     let rows = jobs.store().batch_jobs(&batch.id).await?;
-    let statistics = |row: &JobRow| {
-        let unreadable = |()| JobsError::Internal("the stored job's statistics cannot be read".into());
-        view::read(row.statistics.as_deref()).map_err(unreadable)
+    let triangles = |row: &JobRow| {
+        let unreadable = |()| JobsError::Internal("the stored job's summary cannot be read".into());
+        let figures: Option<Figures> = view::read(row.summary.as_deref()).map_err(unreadable)?;
+        Ok::<_, JobsError>(figures.and_then(|figures| figures.triangles).unwrap_or(0))
     };
-    let parts = rows.into_iter().map(|(index, row)| Ok((index, statistics(&row)?, row)));
-    let parts: Vec<(i64, Option<Value>, JobRow)> = parts.collect::<Result<_, JobsError>>()?;
-    let triangles = parts.iter().filter_map(|(_, statistics, _)| statistics.as_ref()?["triangles"].as_u64()).sum();
-    Ok(BatchMeshes { service: jobs.clone(), id: batch.id.clone(), triangles, jobs: parts })
+    let triangles = rows.iter().map(|(_, row)| triangles(row)).sum::<Result<u64, _>>()?;
+    Ok(BatchMeshes { service: jobs.clone(), id: batch.id.clone(), triangles, jobs: rows })
 }
 
 /// Jobs of a batch that has ended.
@@ -39,7 +39,7 @@ pub struct BatchMeshes {
     service: Jobs,
     id: String,
     triangles: u64,
-    jobs: Vec<(i64, Option<Value>, JobRow)>,
+    jobs: Vec<(i64, JobRow)>,
 }
 
 /// Name of a job's node in the scene, and of its file in the ZIP without the extension.
@@ -53,7 +53,7 @@ impl BatchMeshes {
     pub fn tag(&self, format: &str) -> String {
         let mut hash = Sha256::new();
         hash.update(format!("{} {format} {}\n", env!("CARGO_PKG_VERSION"), self.id));
-        for (index, _, row) in &self.jobs {
+        for (index, row) in &self.jobs {
             hash.update(format!("{index} {} {}\n", row.id, row.status.name()));
             hash.update(row.artefact.as_deref().unwrap_or_default());
         }
@@ -74,8 +74,10 @@ impl BatchMeshes {
     /// Returns [`JobsError::TooMuch`], [`JobsError::Unwritable`] or an error of the store.
     pub async fn scene(self) -> Result<File, JobsError> {
         self.refuse_more_than(self.service.config().limits.triangles as u64, "take the ZIP")?;
+        // The thread comes first, so that scenes that wait for one hold no meshes meanwhile.
+        let thread = self.service.reserve_converter().await?;
         let mut parts = Vec::new();
-        for (index, _, row) in &self.jobs {
+        for (index, row) in &self.jobs {
             if row.status == Status::Succeeded {
                 let artefact = self.service.store().artefact(&row.id, None).await?.ok_or(JobsError::Lost)?;
                 parts.push((part_name(*index, &row.kind), artefact));
@@ -92,7 +94,7 @@ impl BatchMeshes {
             }
             Ok(gltf::to_glb_scene(&title, &read).map(File::new).map_err(JobsError::Unwritable))
         };
-        match self.service.off_runtime(write).await? {
+        match thread.run(write).await? {
             Ok(scene) => scene,
             Err((defect, artefact)) => Err(self.service.unreadable(&defect, &artefact).await),
         }
@@ -124,7 +126,7 @@ impl BatchMeshes {
                     return Ok(Some((bytes, writing)));
                 }
                 match (writing.jobs.pop_front(), writing.zip.is_some()) {
-                    (Some((index, statistics, row)), _) => writing.job(index, statistics, &row).await?,
+                    (Some((index, row)), _) => writing.job(index, &row).await?,
                     (None, true) => writing.end()?,
                     (None, false) => return Ok(None),
                 }
@@ -138,7 +140,7 @@ struct Writing {
     service: Jobs,
     id: String,
     format: MeshFormat,
-    jobs: VecDeque<(i64, Option<Value>, JobRow)>,
+    jobs: VecDeque<(i64, JobRow)>,
     /// `None` after the end of the ZIP has been written.
     zip: Option<Zip>,
     /// Entries of `batch.json`.
@@ -155,7 +157,7 @@ impl Writing {
         Ok(())
     }
 
-    async fn job(&mut self, index: i64, statistics: Option<Value>, row: &JobRow) -> Result<(), JobsError> {
+    async fn job(&mut self, index: i64, row: &JobRow) -> Result<(), JobsError> {
         let job = self.service.view(row)?;
         let (mut file, mut file_error) = (None, None);
         if job.status == Status::Succeeded {
@@ -175,7 +177,7 @@ impl Writing {
         }
         self.listed.push(json!({
             "index": index, "id": job.id, "kind": job.kind, "status": job.status, "file": file, "file_error": file_error,
-            "statistics": statistics, "warnings": job.warnings, "error": job.error,
+            "statistics": job.statistics, "warnings": job.warnings, "error": job.error,
         }));
         Ok(())
     }
@@ -188,5 +190,51 @@ impl Writing {
             self.pending.push_back(zip.end().map_err(JobsError::Unwritable)?.into());
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::config::Config;
+    use crate::store::{NewJob, Store, StoreOptions, Submitted};
+    use futures_util::FutureExt;
+    use std::sync::Arc;
+    use std::time::Duration;
+
+    #[tokio::test]
+    async fn a_scene_waits_for_a_converter_before_it_loads_its_meshes() {
+        let folder = tempfile::tempdir().unwrap();
+        let url = format!("sqlite://{}/plateau.db", folder.path().display());
+        let store = Store::open(&url, StoreOptions::default()).await.unwrap();
+        let job = NewJob {
+            id: "0".repeat(26),
+            kind: "ruled_surface".into(),
+            owner: None,
+            request: b"{}".to_vec(),
+            request_hash: [0; 32],
+            idempotency_key: None,
+            body_hash: [0; 32],
+            callback_url: None,
+            label: None,
+            metadata: None,
+            supersede: None,
+            reuse: false,
+        };
+        let Submitted::Created(row) = store.submit(job).await.unwrap() else { panic!("a new job") };
+        let row = JobRow { status: Status::Succeeded, ..*row };
+        let jobs = Jobs::new(store.clone(), Arc::new(Config::default()), None);
+        let mut reserved = Vec::new();
+        while let Some(reservation) = jobs.reserve_converter().now_or_never() {
+            reserved.push(reservation.unwrap());
+        }
+        // Loading a mesh fails from now on.
+        store.close().await;
+        let meshes = BatchMeshes { service: jobs.clone(), id: "1".repeat(26), triangles: 1, jobs: vec![(0, row)] };
+        let mut scene = std::pin::pin!(meshes.scene());
+        let waited = tokio::time::timeout(Duration::from_millis(200), &mut scene).await;
+        assert!(waited.is_err(), "no converter is free");
+        drop(reserved);
+        assert!(matches!(scene.await, Err(JobsError::Unavailable(_))));
     }
 }

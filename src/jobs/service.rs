@@ -2,7 +2,7 @@
 //! imports.
 
 use super::batch::BatchMeshes;
-use super::converters::Converters;
+use super::converters::{Converters, Reservation};
 use super::files::{File, Files};
 use super::memory::MemoryBudget;
 use super::progress::Running;
@@ -217,10 +217,11 @@ impl Jobs {
             kind: filter.kind.map(|kind| kind.name().into()),
             status: filter.status,
             idempotency_key: filter.idempotency_key,
+            statistics: with_statistics,
         };
         let (rows, next_cursor) = self.0.store.list(filter, limit, cursor).await?;
         let base = &self.0.config.http.public_base_path;
-        let jobs = rows.iter().filter_map(|row| view::summary(base, row, with_statistics)).collect();
+        let jobs = rows.iter().filter_map(|row| view::listed(base, row)).collect();
         Ok(JobList { jobs, next_cursor })
     }
 
@@ -293,7 +294,7 @@ impl Jobs {
         if let Some(file) = self.0.files.get(&key) {
             return Ok(file);
         }
-        let thread = self.0.converters.reserve().await?;
+        let thread = self.reserve_converter().await?;
         // Another conversion may have made the file while this one waited.
         if let Some(file) = self.0.files.get(&key) {
             return Ok(file);
@@ -423,12 +424,17 @@ impl Jobs {
         view::batch(&self.0.config.http.public_base_path, row)
     }
 
+    /// Waits for a converter's thread and reserves it.
+    pub(super) async fn reserve_converter(&self) -> Result<Reservation<'_>, JobsError> {
+        self.0.converters.reserve().await
+    }
+
     /// Runs a long computation on a converter's thread, so that it does not stall the async runtime.
     pub async fn off_runtime<T: Send + 'static>(
         &self,
         work: impl FnOnce() -> T + Send + 'static,
     ) -> Result<T, JobsError> {
-        self.0.converters.reserve().await?.run(work).await
+        self.reserve_converter().await?.run(work).await
     }
 
     /// Returns the error for a stored mesh that cannot be read. If the mesh is damaged, it is removed, so that the next

@@ -6,8 +6,8 @@ use crate::store::{BatchRow, JobRow};
 use crate::wire::Kind;
 use crate::wire::batch::{Batch, BatchCounts, BatchJob, BatchLinks};
 use crate::wire::job::{Files, Job, JobError, JobSummary, JobWarning, Links, Progress};
-use serde::Deserialize;
 use serde::de::{DeserializeOwned, IgnoredAny};
+use serde::{Deserialize, Serialize, Serializer};
 use serde_json::value::RawValue;
 use std::time::{Duration, SystemTime};
 
@@ -17,7 +17,8 @@ pub(super) fn job(base: &str, row: &JobRow) -> Result<Job, JobsError> {
     let kind = Kind::from_name(&row.kind).ok_or_else(|| unreadable("kind"))?;
     let status = row.status;
     let statistics = row.statistics.as_deref();
-    let figures: Option<Figures> = read(statistics).map_err(|()| unreadable("statistics"))?;
+    let summary = row.summary.as_deref().or(statistics);
+    let figures: Option<Figures> = read(summary).map_err(|()| unreadable("summary"))?;
     let progress: Option<Progress> = read(row.progress.as_deref()).map_err(|()| unreadable("progress"))?;
     let warnings: Vec<JobWarning> = read(Some(&row.warnings)).map_err(|()| unreadable("warnings"))?.unwrap_or_default();
     let metadata = read(row.metadata.as_deref()).map_err(|()| unreadable("metadata"))?;
@@ -44,21 +45,37 @@ pub(super) fn job(base: &str, row: &JobRow) -> Result<Job, JobsError> {
         finished_at: row.finished_at_ms.map(timestamp),
         expires_at: row.expires_at_ms.map(timestamp),
         progress,
-        // Parsing cannot fail, because the same text was parsed above.
-        statistics: statistics.and_then(|text| RawValue::from_string(text.to_owned()).ok()),
+        statistics: statistics
+            .map(|text| RawValue::from_string(text.to_owned()).map_err(|_| unreadable("statistics")))
+            .transpose()?,
         warnings,
         error,
     })
 }
 
-/// Figures from the statistics of any kind that also appear in the final progress or tell which files the job has.
-#[derive(Debug, Deserialize)]
-struct Figures {
+/// Figures from the statistics of any kind that also appear in the final progress, tell which files the job has, or give
+/// the size of its mesh. They are stored apart as the job's summary, in which a present member stands for a file.
+#[derive(Debug, Deserialize, Serialize)]
+pub(super) struct Figures {
     iterations: Option<u64>,
     objective_value: Option<f64>,
     residual: Option<f64>,
+    pub(super) triangles: Option<u64>,
+    #[serde(default, skip_serializing_if = "Option::is_none", serialize_with = "present")]
     flat_pattern: Option<IgnoredAny>,
+    #[serde(default, skip_serializing_if = "Option::is_none", serialize_with = "present")]
     certificate: Option<IgnoredAny>,
+}
+
+fn present<S: Serializer>(_: &Option<IgnoredAny>, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_bool(true)
+}
+
+/// Returns the summary of statistics.
+pub(super) fn summary_of(statistics: &str) -> String {
+    // Neither can fail: the statistics were just written, and figures are numbers and marks.
+    let figures: Option<Figures> = serde_json::from_str(statistics).ok();
+    figures.and_then(|figures| serde_json::to_string(&figures).ok()).unwrap_or_else(|| "{}".into())
 }
 
 impl Figures {
@@ -90,11 +107,11 @@ fn timestamp(at_ms: i64) -> String {
     humantime::format_rfc3339_millis(SystemTime::UNIX_EPOCH + since_1970).to_string()
 }
 
-/// Returns a job of a list, with or without its statistics. If this version cannot read the row, logs it and returns `None`.
-pub(super) fn summary(base: &str, row: &JobRow, with_statistics: bool) -> Option<JobSummary> {
+/// Returns a job of a list. If this version cannot read the row, logs it and returns `None`.
+pub(super) fn listed(base: &str, row: &JobRow) -> Option<JobSummary> {
     match job(base, row) {
         Ok(mut job) => {
-            let statistics = job.statistics.take().filter(|_| with_statistics);
+            let statistics = job.statistics.take();
             Some(JobSummary { statistics, ..job.into() })
         }
         Err(error) => {
@@ -134,7 +151,22 @@ pub(super) fn batch(base: &str, row: &BatchRow) -> Result<Batch, JobsError> {
 
 #[cfg(test)]
 mod tests {
-    use super::timestamp;
+    use super::{Figures, summary_of, timestamp};
+
+    #[test]
+    fn a_summary_says_the_same_as_its_statistics() {
+        let statistics = r#"{"area":2.5,"iterations":7,"residual":1e-9,"triangles":300,"flat_pattern":{"long":[1,2]}}"#;
+        let summary = summary_of(statistics);
+        assert_eq!(
+            summary,
+            r#"{"iterations":7,"objective_value":null,"residual":1e-9,"triangles":300,"flat_pattern":true}"#
+        );
+        let [from_statistics, from_summary]: [Figures; 2] =
+            [statistics, &summary].map(|text| serde_json::from_str(text).unwrap());
+        assert_eq!(from_statistics.files(), from_summary.files());
+        assert_eq!(from_statistics.progress(), from_summary.progress());
+        assert!(from_summary.files().pattern && !from_summary.files().certificate);
+    }
 
     #[test]
     fn timestamps_are_rfc_3339_in_utc_and_stay_within_four_digits_of_year() {

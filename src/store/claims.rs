@@ -114,9 +114,9 @@ pub(super) fn finish(
     let retention = milliseconds(options.retention);
     let fence = "WHERE id = $1 AND attempt = $3 AND status = 'running'";
     let changed = match (outcome, result) {
-        (Outcome::Succeeded { statistics, warnings, reusable, .. }, Some(result)) => {
+        (Outcome::Succeeded { statistics, summary, warnings, reusable, .. }, Some(result)) => {
             let text = format!(
-                "UPDATE jobs SET {}, statistics = $4, warnings = $5, artefact = $6, \
+                "UPDATE jobs SET {}, statistics = $4, warnings = $5, artefact = $6, summary = $8, \
                  sharing = CASE sharing WHEN 'undecided' THEN $7 ELSE sharing END {fence}",
                 ending(Status::Succeeded)
             );
@@ -129,6 +129,7 @@ pub(super) fn finish(
                 warnings.into(),
                 (&result.hash).into(),
                 sharing.name().into(),
+                summary.into(),
             ];
             tx.execute(&text, &values)?
         }

@@ -55,6 +55,8 @@ pub enum Submitted {
 pub enum Outcome {
     Succeeded {
         statistics: String,
+        /// Figures of the statistics that lists show.
+        summary: String,
         warnings: String,
         artefact: Vec<u8>,
         /// Hash that is equal only for equal bytes.
@@ -198,8 +200,8 @@ pub(super) fn read_owner(row: &Row) -> Result<Option<String>> {
     Ok((!owner.is_empty()).then_some(owner))
 }
 
-/// Row of a job, without its request and its mesh. `metadata`, `progress`, `statistics`, `warnings` and `error` are JSON
-/// texts as they were stored.
+/// Row of a job, without its request and its mesh. `metadata`, `progress`, `statistics`, `summary`, `warnings` and `error`
+/// are JSON texts as they were stored.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct JobRow {
     pub id: String,
@@ -218,7 +220,9 @@ pub struct JobRow {
     pub progress: Option<String>,
     /// Value of `sequence` when `progress` was written, or 0 without progress.
     pub progress_sequence: i64,
+    /// `None` also in a list that was asked for without statistics.
     pub statistics: Option<String>,
+    pub summary: Option<String>,
     pub warnings: String,
     pub error: Option<String>,
     /// Hash of the stored result, which is equal only for equal bytes.
@@ -229,7 +233,7 @@ pub struct JobRow {
 
 /// Columns that [`JobRow::read`] reads.
 pub(super) const COLUMNS: &str = "id, kind, owner, status, attempt, sequence, created_at, started_at, finished_at, \
-     expires_at, progress, progress_sequence, statistics, warnings, error, artefact, history, label, metadata";
+     expires_at, progress, progress_sequence, statistics, summary, warnings, error, artefact, history, label, metadata";
 
 impl JobRow {
     pub(super) fn read(row: &Row) -> Result<Self> {
@@ -249,6 +253,7 @@ impl JobRow {
             progress: row.get("progress")?,
             progress_sequence: row.get("progress_sequence")?,
             statistics: row.get("statistics")?,
+            summary: row.get("summary")?,
             warnings: row.get("warnings")?,
             error: row.get("error")?,
             artefact: row.get("artefact")?,
@@ -274,6 +279,7 @@ impl JobRow {
             progress: None,
             progress_sequence: 0,
             statistics: None,
+            summary: None,
             warnings: "[]".into(),
             error: None,
             artefact: None,
@@ -318,6 +324,8 @@ pub struct Filter {
     pub kind: Option<String>,
     pub status: Option<Status>,
     pub idempotency_key: Option<String>,
+    /// True if the rows come with their statistics.
+    pub statistics: bool,
 }
 
 /// Stores a job, as part of a batch if `place` is given. The first of these cases that applies decides: an earlier
@@ -423,6 +431,7 @@ fn ended_with(other: JobRow, job: &NewJob, now_ms: i64, expires_at_ms: i64) -> J
         progress_sequence: 2,
         progress: other.progress,
         statistics: other.statistics,
+        summary: other.summary,
         warnings: other.warnings,
         artefact: other.artefact,
         history: vec![
@@ -447,9 +456,10 @@ fn ended_as(solved: &Solved, result: Option<&Prepared>, job: &NewJob, now_ms: i6
         ..JobRow::queued(job, now_ms)
     };
     let row = match &solved.outcome {
-        Outcome::Succeeded { statistics, warnings, .. } => JobRow {
+        Outcome::Succeeded { statistics, summary, warnings, .. } => JobRow {
             status: Status::Succeeded,
             statistics: Some(statistics.clone()),
+            summary: Some(summary.clone()),
             warnings: warnings.clone(),
             ..row
         },
@@ -490,6 +500,7 @@ fn insert(
             ("progress", row.progress.as_deref().into()),
             ("progress_sequence", row.progress_sequence.into()),
             ("statistics", row.statistics.as_deref().into()),
+            ("summary", row.summary.as_deref().into()),
             ("warnings", row.warnings.as_str().into()),
             ("error", row.error.as_deref().into()),
             ("artefact", row.artefact.as_deref().into()),
@@ -541,7 +552,12 @@ pub(super) fn list(
             conditions.push_str(&format!("{condition} ${}", values.len()));
         }
     }
-    let text = format!("SELECT {COLUMNS} FROM jobs {conditions} ORDER BY id DESC LIMIT $1");
+    let columns = if filter.statistics {
+        COLUMNS.to_owned()
+    } else {
+        COLUMNS.replace(" statistics,", " CAST(NULL AS TEXT) AS statistics,")
+    };
+    let text = format!("SELECT {columns} FROM jobs {conditions} ORDER BY id DESC LIMIT $1");
     let rows = tx.rows(&text, &values)?;
     let shown = &rows[..rows.len().min(page as usize)];
     let next = if rows.len() > shown.len() { shown.last().map(|row| row.get("id")).transpose()? } else { None };
