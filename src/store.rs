@@ -385,7 +385,7 @@ impl Store {
         self.read(move |tx| queue::check_room(tx, owner.as_deref(), &options)).await
     }
 
-    /// Stores a job. Fails with `QueueFull` if the queue or the owner's share of it is full. A job that reuses a kept
+    /// Stores a job, and cancels the older jobs of its series in the same transaction. Fails with `QueueFull` if the queue or the owner's share of it is full. A job that reuses a kept
     /// result is exempt.
     pub async fn submit(&self, job: NewJob) -> Result<Submitted> {
         self.check_ballast()?;
@@ -420,12 +420,6 @@ impl Store {
     pub async fn cancel(&self, id: &str, owner: Option<&str>) -> Result<Lookup> {
         let (id, owner) = owned(id, owner);
         self.write_with(move |tx, options| jobs::cancel(tx, &id, owner.as_deref(), options)).await
-    }
-
-    /// Cancels the owner's jobs of a series that are older than the job `id` and have not ended. Returns them.
-    pub async fn supersede(&self, id: &str, owner: Option<&str>, series: &str) -> Result<Vec<JobRow>> {
-        let ((id, owner), series) = (owned(id, owner), series.to_owned());
-        self.write_with(move |tx, options| jobs::supersede(tx, &id, owner.as_deref(), &series, options)).await
     }
 
     /// Removes a job, whatever its status. The next sweep removes its result unless another job shares it. Returns

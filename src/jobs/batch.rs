@@ -221,7 +221,7 @@ mod tests {
             supersede: None,
             reuse: false,
         };
-        let Submitted::Created(row) = store.submit(job).await.unwrap() else { panic!("a new job") };
+        let Submitted::Created(row, _) = store.submit(job).await.unwrap() else { panic!("a new job") };
         let row = JobRow { status: Status::Succeeded, ..*row };
         let jobs = Jobs::new(store.clone(), Arc::new(Config::default()), None);
         let mut reserved = Vec::new();

@@ -241,16 +241,11 @@ impl Jobs {
         Ok(job)
     }
 
-    /// Cancels the older jobs of a series. The newest job is stored already, so a failure is only logged.
-    pub(super) async fn supersede(&self, id: &str, owner: Option<&str>, series: &str) {
-        match self.0.store.supersede(id, owner, series).await {
-            Ok(cancelled) => {
-                for job in cancelled {
-                    self.0.running.cancel(&job.id);
-                    Kind::from_name(&job.kind).into_iter().for_each(count_cancelled);
-                }
-            }
-            Err(error) => tracing::warn!(?error, job_id = id, "older jobs of a series were not cancelled"),
+    /// Stops the solvers of jobs that a newer job of their series has cancelled, and counts the jobs.
+    pub(super) fn superseded(&self, cancelled: &[JobRow]) {
+        for job in cancelled {
+            self.0.running.cancel(&job.id);
+            Kind::from_name(&job.kind).into_iter().for_each(count_cancelled);
         }
     }
 

@@ -95,12 +95,7 @@ async fn read_and_store(
     if *cancel_on_disconnect && !waited_for {
         return Err(invalid("/cancel_on_disconnect", "needs a request that waits: send `Prefer: wait=N`"));
     }
-    let (owner, series) = (submission.job.owner.clone(), submission.job.supersede.clone());
-    let submitted = store(jobs, submission, &request, submitted_at, inline, waited_for).await?;
-    if let (Submitted::Created(job), Some(series)) = (&submitted, series) {
-        jobs.supersede(&job.id, owner.as_deref(), &series).await;
-    }
-    Ok(submitted)
+    store(jobs, submission, &request, submitted_at, inline, waited_for).await
 }
 
 async fn store(
@@ -115,7 +110,7 @@ async fn store(
         let status = solved.outcome.status();
         let stored = jobs.store().submit_solved(submission.job, solved).await;
         // If the submission was refused, or if an equal submission was stored first, this result is not used.
-        let created = matches!(stored, Ok(Stored::Created(_)));
+        let created = matches!(stored, Ok(Stored::Created(..)));
         attempt.end(if created { End::Finished(status) } else { End::Dropped });
         return answer(jobs, stored);
     }
@@ -147,7 +142,8 @@ fn solve_here(jobs: &Jobs, job: &NewJob, request: &Request, submitted_at: Instan
 
 fn answer(jobs: &Jobs, stored: Result<Stored, StoreError>) -> Result<Submitted<Job>, JobsError> {
     match stored? {
-        Stored::Created(row) => {
+        Stored::Created(row, superseded) => {
+            jobs.superseded(&superseded);
             tracing::info!(job_id = %row.id, kind = row.kind, "submitted");
             Ok(Submitted::Created(jobs.view(&row)?))
         }

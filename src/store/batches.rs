@@ -95,7 +95,7 @@ pub(super) fn submit(tx: &mut Tx<'_>, batch: &NewBatch, options: &StoreOptions) 
     )?;
     for (index, job) in batch.jobs.iter().enumerate() {
         let place = BatchPlace { batch: &batch.id, index: limit(index as u64) };
-        let Submitted::Created(_) = jobs::submit(tx, job, Some(place), None, options)? else {
+        let Submitted::Created(..) = jobs::submit(tx, job, Some(place), None, options)? else {
             return Err(StoreError::Internal("a job of a batch has an idempotency key of its own".into()));
         };
     }

@@ -42,8 +42,9 @@ pub struct NewJob {
 /// Result of submitting a job.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Submitted {
-    /// The job is new. It is queued, or has already ended.
-    Created(Box<JobRow>),
+    /// The job is new. It is queued, or has already ended. The list has the older jobs of its series, which are now
+    /// cancelled.
+    Created(Box<JobRow>, Vec<JobRow>),
     /// An earlier submission with the same idempotency key and body created this job.
     Existing(Box<JobRow>),
     /// The idempotency key was used with another body.
@@ -88,6 +89,9 @@ pub struct Solved {
     pub submitted_ms: i64,
     pub started_ms: i64,
 }
+
+/// Seed of the hash that gives each series its advisory lock in PostgreSQL, so that other uses of such locks have others.
+const SERIES_LOCKS: i64 = 7_019_839_176;
 
 /// Permission for later equal requests to reuse a job's result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -343,6 +347,10 @@ pub(super) fn submit(
         tx.drop_file(prepared.and_then(|result| result.file.clone()));
         return Ok(earlier);
     }
+    let superseded = match &job.supersede {
+        Some(series) => supersede(tx, job.owner.as_deref().unwrap_or_default(), series, options)?,
+        None => Vec::new(),
+    };
     let content = content_hash(&options.result_version, &job.kind, &job.request_hash);
     let now_ms = tx.now_ms()?;
     let expires_at_ms = now_ms.saturating_add(milliseconds(options.retention));
@@ -369,7 +377,7 @@ pub(super) fn submit(
         tx.insert("requests", &[("job_id", job.id.as_str().into()), ("body", job.request.as_slice().into())])?;
         tx.work_available();
     }
-    Ok(Submitted::Created(Box::new(row)))
+    Ok(Submitted::Created(Box::new(row), superseded))
 }
 
 impl Solved {
@@ -586,21 +594,20 @@ pub(super) fn cancel(tx: &mut Tx<'_>, id: &str, owner: Option<&str>, options: &S
     Ok(Lookup::Found(Box::new(JobRow::read(&row)?)))
 }
 
-/// Cancels the owner's older jobs of a series that have not ended, and returns them.
-pub(super) fn supersede(
-    tx: &mut Tx<'_>,
-    id: &str,
-    owner: Option<&str>,
-    series: &str,
-    options: &StoreOptions,
-) -> Result<Vec<JobRow>> {
+/// Cancels the owner's jobs of a series that have not ended, and returns them. The newer job is stored in the same
+/// transaction, so the order of the commits decides which job is the newest, not the clocks of the machines that made the
+/// identifiers.
+fn supersede(tx: &mut Tx<'_>, owner: &str, series: &str, options: &StoreOptions) -> Result<Vec<JobRow>> {
+    if tx.is_postgres() {
+        // Two submissions of a series at once would not see each other's job.
+        let lock = "SELECT pg_advisory_xact_lock(hashtextextended($1, $2))";
+        tx.rows(lock, &[format!("{owner}\n{series}").as_str().into(), SERIES_LOCKS.into()])?;
+    }
     let text = format!(
-        "UPDATE jobs SET {} WHERE id < $1 AND owner = $3 AND supersede = $4 AND status IN ('queued', 'running') \
-         RETURNING {COLUMNS}",
+        "UPDATE jobs SET {} WHERE owner = $1 AND supersede = $3 AND finished_at IS NULL RETURNING {COLUMNS}",
         ending(Status::Cancelled)
     );
-    let owner = owner.unwrap_or_default();
-    let values = [id.into(), milliseconds(options.retention).into(), owner.into(), series.into()];
+    let values = [owner.into(), milliseconds(options.retention).into(), series.into()];
     let rows = tx.rows(&text, &values)?;
     let cancelled: Vec<JobRow> = rows.iter().map(JobRow::read).collect::<Result<_>>()?;
     for job in &cancelled {
