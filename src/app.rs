@@ -7,7 +7,7 @@ use crate::http::budget::Budget;
 use crate::http::state::App;
 use crate::http::{mcp, openapi, router, serve};
 use crate::jobs::{self, Jobs, callbacks};
-use crate::store::{Store, StoreError, StoreOptions, redacted};
+use crate::store::{Store, StoreError, StoreOptions, Swept, redacted};
 use crate::telemetry;
 use crate::webhook::Sender;
 use std::sync::Arc;
@@ -38,6 +38,8 @@ const START_PATIENCE: Duration = Duration::from_secs(30);
 const SWEEP_INTERVAL: Duration = Duration::from_secs(60);
 /// Interval between two sweeps while the store refuses jobs or results.
 const URGENT_SWEEP_INTERVAL: Duration = Duration::from_secs(5);
+/// Time without a sweep after which another process takes it over.
+const SWEEP_LEAD: Duration = Duration::from_secs(150);
 /// Size of the ballast file, whose space is given up on a full disk: 8 MiB for the results of accepted jobs, and 24 MiB for
 /// a sweep, which copies up to 16 MiB of the write-ahead log and writes a few megabytes.
 const BALLAST_BYTES: u64 = 32 << 20;
@@ -197,7 +199,8 @@ async fn tickets(store: &Store) -> Result<Tickets, StartError> {
     Ok(Tickets::new(secret.map_err(|error| StartError::Failed(format!("store: {error}")))?))
 }
 
-/// Sweeps the store every minute, and every 5 s while the store refuses jobs or results. Recovers lost leases at least
+/// Sweeps the store every minute, and every 5 s while the store refuses jobs or results, unless another process on the
+/// same database does. Recovers lost leases at least
 /// three times in a lease, so that the store does not take the pause for an outage.
 async fn sweep(store: Store) {
     let mut swept_at = None;
@@ -205,7 +208,12 @@ async fn sweep(store: Store) {
         let interval = if store.check_room_for_results().is_err() { URGENT_SWEEP_INTERVAL } else { SWEEP_INTERVAL };
         if swept_at.is_none_or(|at: Instant| at.elapsed() >= interval) {
             swept_at = Some(Instant::now());
-            match store.sweep().await {
+            let swept = match store.leads_the_sweep(SWEEP_LEAD).await {
+                Ok(true) => store.sweep().await,
+                Ok(false) => Ok(Swept::default()),
+                Err(error) => Err(error),
+            };
+            match swept {
                 Ok(swept) if swept.expired + swept.artefacts + swept.recovered as u64 > 0 => {
                     tracing::info!(swept.expired, swept.artefacts, swept.recovered, "swept");
                 }

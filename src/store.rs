@@ -27,6 +27,7 @@ mod claims;
 mod contact;
 mod files;
 mod jobs;
+mod leaders;
 mod migrations;
 mod pool;
 mod postgres;
@@ -184,6 +185,8 @@ struct Inner {
     files: Option<Files>,
     ballast: Ballast,
     contact: Contact,
+    /// Name of this instance among those that share the database.
+    instance: String,
     /// True if the last write found no space.
     full: AtomicBool,
     /// True if the last result file could not be written.
@@ -232,6 +235,7 @@ impl Store {
                 files,
                 ballast,
                 contact,
+                instance: ulid::Ulid::generate().to_string(),
                 full: AtomicBool::new(false),
                 results_refused: AtomicBool::new(false),
             }),
@@ -244,7 +248,12 @@ impl Store {
     pub async fn close(&self) {
         match &self.inner.engine {
             Engine::Sqlite(database) => database.close().await,
-            Engine::Postgres(database) => database.close().await,
+            Engine::Postgres(database) => {
+                let instance = self.inner.instance.clone();
+                // If this fails, another instance leads after a while.
+                let _ = self.write(move |tx| leaders::leave(tx, &instance)).await;
+                database.close().await;
+            }
         }
     }
 
@@ -596,6 +605,16 @@ impl Store {
 
 /// Retention.
 impl Store {
+    /// Returns true if this instance shall sweep for all that share the database, because it did so last or because the one
+    /// that did has been silent for the time `length`. Without this, every instance would list the whole storage of results.
+    pub async fn leads_the_sweep(&self, length: Duration) -> Result<bool> {
+        if matches!(self.inner.engine, Engine::Sqlite(_)) {
+            return Ok(true);
+        }
+        let instance = self.inner.instance.clone();
+        self.write(move |tx| leaders::take(tx, "sweep", &instance, length)).await
+    }
+
     /// Expires finished jobs whose time is up or that exceed `max_jobs` or four fifths of `max_bytes`. Then deletes the
     /// oldest expired identifiers, removes results without a job and recovers lost leases. Any number of instances may
     /// sweep at once. On a full disk the sweep uses the space of the ballast, and then restores as much of the ballast as

@@ -139,3 +139,20 @@ async fn a_silent_connection_is_given_up_before_a_lease_ends() {
     tokio::time::timeout(Duration::from_secs(14), store.close()).await.expect("the store closes");
     assert!(renewing.await.unwrap().is_err());
 }
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn one_instance_at_a_time_leads_the_sweep() {
+    let Some(server) = Postgres::start() else { return };
+    let url = server.database().await;
+    let open = async || Store::open(&url, StoreOptions::default()).await.unwrap();
+    let (first, second) = (open().await, open().await);
+    let long = Duration::from_secs(3600);
+    assert!(first.leads_the_sweep(long).await.unwrap());
+    assert!(!second.leads_the_sweep(long).await.unwrap());
+    assert!(first.leads_the_sweep(long).await.unwrap(), "the leader stays");
+    first.close().await;
+    assert!(second.leads_the_sweep(Duration::ZERO).await.unwrap(), "a leader that leaves is replaced at once");
+    let third = open().await;
+    assert!(third.leads_the_sweep(long).await.unwrap(), "a leader that died is replaced later");
+    assert!(!second.leads_the_sweep(long).await.unwrap());
+}

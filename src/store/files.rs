@@ -70,8 +70,9 @@ impl Files {
 
     /// Writes and removes a small file.
     pub(super) async fn probe(&self) -> Result<()> {
-        // The name contains the process identifier, because other processes may probe the same storage.
-        let file = format!("{PROBE}-{}", std::process::id());
+        // The name is used once, because other processes may probe the same storage at the same time. The number of a
+        // process does not tell them apart, because it is 1 in every container.
+        let file = format!("{PROBE}-{}", ulid::Ulid::generate());
         self.write(&file, b"probe").await?;
         self.remove(file).await;
         Ok(())
@@ -142,5 +143,26 @@ async fn blocking<T: Send + 'static>(work: impl FnOnce() -> io::Result<T> + Send
     match tokio::task::spawn_blocking(work).await {
         Ok(result) => Ok(result?),
         Err(error) => Err(StoreError::Unavailable(error.to_string())),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+    async fn many_probes_of_one_storage_do_not_disturb_each_other() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = folder.path().display().to_string();
+        let probes: Vec<_> = (0..32)
+            .map(|_| {
+                let files = Files::open(&place).unwrap();
+                tokio::spawn(async move { files.probe().await })
+            })
+            .collect();
+        for probe in probes {
+            probe.await.unwrap().unwrap();
+        }
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
     }
 }

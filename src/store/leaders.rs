@@ -1,0 +1,21 @@
+//! Tasks that one process does for all that share the database.
+
+use std::time::Duration;
+
+use super::tx::Tx;
+use super::{Result, milliseconds};
+
+/// Takes a task or keeps it for the time `length`. Returns false if another process has it. A task that is held for longer
+/// than `length` from now was taken by a clock that has since been set back, so it is free.
+pub(super) fn take(tx: &mut Tx<'_>, task: &str, holder: &str, length: Duration) -> Result<bool> {
+    let text = "INSERT INTO leaders (task, holder, held_until) VALUES ($1, $2, now_ms() + $3) \
+                ON CONFLICT (task) DO UPDATE SET holder = excluded.holder, held_until = excluded.held_until \
+                WHERE leaders.holder = excluded.holder OR leaders.held_until <= now_ms() \
+                OR leaders.held_until > excluded.held_until";
+    Ok(tx.execute(text, &[task.into(), holder.into(), milliseconds(length).into()])? > 0)
+}
+
+/// Gives up every task of a process.
+pub(super) fn leave(tx: &mut Tx<'_>, holder: &str) -> Result<()> {
+    tx.execute("DELETE FROM leaders WHERE holder = $1", &[holder.into()]).map(|_| ())
+}
