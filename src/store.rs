@@ -80,8 +80,9 @@ pub struct StoreOptions {
     pub expired_retention: Duration,
     /// Number of finished jobs that are kept. If there are more, the oldest expire early.
     pub max_jobs: u64,
-    /// Number of bytes that all results together may take. If they take more, the oldest finished jobs expire early. On
-    /// SQLite this also limits the size of the database itself.
+    /// Number of bytes that all results together may take. If they take more than four fifths of it, the oldest finished
+    /// jobs expire early. On SQLite this also limits the size of the database itself in the same way, so that many small
+    /// results do not fill it.
     pub max_bytes: Option<u64>,
     /// Storage of results larger than `inline_bytes`: a folder or `s3://BUCKET/PREFIX`. If `None`, large results go
     /// into the database. Every instance that shares the database must see the same storage.

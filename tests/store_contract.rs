@@ -121,6 +121,7 @@ cases! {
     a_large_result_is_a_file_and_goes_with_its_job,
     a_file_without_a_job_is_swept,
     results_stay_within_max_bytes,
+    a_database_of_small_results_takes_new_jobs_for_ever,
     a_sweep_of_many_steps_removes_everything_due,
     a_damaged_result_is_discarded_and_made_again,
     a_fresh_result_replaces_an_equal_one_that_is_damaged,
@@ -790,6 +791,29 @@ async fn a_file_without_a_job_is_swept(database: Database) {
     assert_eq!(patient.sweep().await.unwrap().files, 0);
     assert_eq!(store.sweep().await.unwrap().files, 2);
     assert_eq!(store.artefact(&id, None).await.unwrap().unwrap().bytes, b"more than 8 bytes");
+}
+
+async fn a_database_of_small_results_takes_new_jobs_for_ever(database: Database) {
+    // The results have 8 bytes each, and the rows fill the database twice.
+    const MAX_BYTES: u64 = 2 << 20;
+    const JOBS: usize = 1000;
+    let store = database.open(StoreOptions { max_bytes: Some(MAX_BYTES), ..StoreOptions::default() }).await;
+    let mut ids = Vec::new();
+    for number in 0..JOBS {
+        let metadata = Some(format!("{{\"text\":\"{}\"}}", "x".repeat(4000)));
+        ids.push(create(&store, NewJob { metadata, ..job(number) }).await.id);
+        work_one(&store, &number.to_le_bytes()).await;
+        if number % 40 == 39 {
+            store.sweep().await.unwrap();
+        }
+    }
+    // No more than necessary is evicted.
+    for id in &ids[JOBS - 250..] {
+        find(&store, id).await;
+    }
+    if database.url.starts_with("sqlite") {
+        assert_eq!(store.get(&ids[0], None).await.unwrap(), Lookup::Expired);
+    }
 }
 
 async fn a_sweep_of_many_steps_removes_everything_due(database: Database) {

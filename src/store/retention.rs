@@ -12,6 +12,11 @@ use super::{Result, Store, batches, jobs, milliseconds, results};
 const SWEEP_STEP: i64 = 50;
 /// Number of jobs that one transaction expires to get below the byte budget.
 const EVICTION_STEP: i64 = 10;
+/// Space that the row of a job takes in an SQLite database beside its long texts, with its entries in the indexes, in bytes.
+/// Measured on a database of 10,000 strips.
+const ROW_BYTES: i64 = 700;
+/// Space that the identifier of an expired job takes there with its entries in the indexes, in bytes.
+const EXPIRED_BYTES: i64 = 200;
 /// Number of results without a job that one query returns.
 const ORPHANS_STEP: usize = 200;
 /// Number of incremental-vacuum steps after a sweep that deleted rows.
@@ -42,8 +47,8 @@ enum Choice {
     /// Jobs beyond the newest `max_jobs` finished ones. The fields are the expiry and identifier of the newest such
     /// job.
     Surplus { expires_at: i64, id: String },
-    /// Jobs with a result, oldest first.
-    Oldest,
+    /// Finished jobs, oldest first.
+    Oldest { with_result: bool },
 }
 
 impl Choice {
@@ -54,10 +59,14 @@ impl Choice {
                 "expires_at <= $2 AND (expires_at < $2 OR id <= $3)",
                 vec![step.into(), (*expires_at).into(), id.into()],
             ),
-            Self::Oldest => ("artefact IS NOT NULL AND expires_at IS NOT NULL", vec![step.into()]),
+            Self::Oldest { with_result: true } => {
+                ("artefact IS NOT NULL AND expires_at IS NOT NULL", vec![step.into()])
+            }
+            Self::Oldest { with_result: false } => ("expires_at IS NOT NULL", vec![step.into()]),
         };
         let text = format!(
-            "SELECT id, artefact FROM jobs WHERE {condition} ORDER BY expires_at, id LIMIT $1 /* skip locked */"
+            "SELECT id, artefact, CAST(coalesce(length(statistics), 0) + coalesce(length(metadata), 0) \
+             + coalesce(length(error), 0) + length(warnings) + length(history) AS BIGINT) AS text_bytes FROM jobs WHERE {condition} ORDER BY expires_at, id LIMIT $1 /* skip locked */"
         );
         tx.rows(&text, &values)
     }
@@ -69,6 +78,8 @@ struct Expired {
     jobs: usize,
     /// Bytes of the results that no job has after this step.
     bytes: i64,
+    /// Space that is free in an SQLite database after this step and after these results have been removed, in bytes.
+    space: i64,
     /// Number of results that were removed.
     results: u64,
 }
@@ -112,33 +123,37 @@ fn surplus(tx: &mut Tx<'_>, max_jobs: i64) -> Result<Option<Choice>> {
 
 /// Expires some of the selected jobs, and removes the results that no job has afterwards.
 fn expire(tx: &mut Tx<'_>, choice: &Choice, step: i64, orphan_age: Duration) -> Result<Expired> {
-    let mut expired = Expired { jobs: 0, bytes: 0, results: 0 };
+    let mut expired = Expired { jobs: 0, bytes: 0, space: 0, results: 0 };
     let mut orphans = BTreeSet::new();
     for row in choice.rows(tx, step)? {
         let id: String = row.get("id")?;
-        let remember = "INSERT INTO expired_jobs (id, owner, expired_at) \
-                        SELECT id, owner, now_ms() FROM jobs WHERE id = $1 ON CONFLICT DO NOTHING";
-        tx.execute(remember, &[(&id).into()])?;
-        tx.execute("DELETE FROM jobs WHERE id = $1", &[(&id).into()])?;
+        // A full database first needs the space of the row.
+        let Some(removed) = tx.row("DELETE FROM jobs WHERE id = $1 RETURNING owner", &[(&id).into()])? else { continue };
+        let owner: String = removed.get("owner")?;
+        let remember =
+            "INSERT INTO expired_jobs (id, owner, expired_at) VALUES ($1, $2, now_ms()) ON CONFLICT DO NOTHING";
+        tx.execute(remember, &[(&id).into(), (&owner).into()])?;
         tx.changed(&id);
         expired.jobs += 1;
+        expired.space += ROW_BYTES - EXPIRED_BYTES + row.get::<i64>("text_bytes")?;
         orphans.extend(row.get::<Option<Vec<u8>>>("artefact")?);
     }
     for hash in orphans {
-        if let Some(bytes) = results::orphan_size(tx, &hash)? {
+        if let Some((bytes, in_database)) = results::orphan_size(tx, &hash)? {
             expired.bytes += bytes;
+            expired.space += if in_database { bytes } else { 0 };
             expired.results += u64::from(results::remove(tx, &hash, orphan_age)?);
         }
     }
     Ok(expired)
 }
 
-async fn expire_some(store: &Store, choice: &Choice, step: i64, swept: &mut Swept) -> Result<(usize, i64)> {
+async fn expire_some(store: &Store, choice: &Choice, step: i64, swept: &mut Swept) -> Result<Expired> {
     let (choice, orphan_age) = (choice.clone(), store.options().orphan_age);
     let expired = store.write(move |tx| expire(tx, &choice, step, orphan_age)).await?;
     swept.expired += expired.jobs as u64;
     swept.artefacts += expired.results;
-    Ok((expired.jobs, expired.bytes))
+    Ok(expired)
 }
 
 async fn expire_all(store: &Store, choice: &Choice, swept: &mut Swept) -> Result<()> {
@@ -146,7 +161,7 @@ async fn expire_all(store: &Store, choice: &Choice, swept: &mut Swept) -> Result
         let begun = Instant::now();
         // The loop ends only at 0, because a smaller number than a step may mean that another instance has locked some
         // rows.
-        if expire_some(store, choice, SWEEP_STEP, swept).await?.0 == 0 {
+        if expire_some(store, choice, SWEEP_STEP, swept).await?.jobs == 0 {
             return Ok(());
         }
         pause_as_long_as(begun).await;
@@ -168,24 +183,58 @@ async fn forget(store: &Store) -> Result<()> {
     }
 }
 
-/// Expires the oldest jobs until the results of the remaining jobs take at most `max_bytes`.
+/// Expires the oldest jobs until the results of the remaining jobs, and on SQLite the database itself, take at most
+/// `max_bytes`.
 async fn evict(store: &Store, max_bytes: i64, swept: &mut Swept) -> Result<()> {
     loop {
-        // This query scans all results, so it does not run after every step.
+        // These queries scan all results, so they do not run after every step.
         let mut surplus = store.read(results::bytes_in_use).await?.saturating_sub(max_bytes);
-        if surplus <= 0 {
+        let mut space = store.read(database_bytes).await?.saturating_sub(max_bytes);
+        if surplus <= 0 && space <= 0 {
             return Ok(());
         }
-        while surplus > 0 {
+        forget_beyond(store, max_bytes / 10 / EXPIRED_BYTES).await?;
+        while surplus > 0 || space > 0 {
             let begun = Instant::now();
-            let (count, bytes) = expire_some(store, &Choice::Oldest, EVICTION_STEP, swept).await?;
-            if count == 0 {
+            let choice = Choice::Oldest { with_result: space <= 0 };
+            let expired = expire_some(store, &choice, EVICTION_STEP, swept).await?;
+            if expired.jobs == 0 {
                 return Ok(());
             }
-            surplus -= bytes;
+            surplus -= expired.bytes;
+            space -= expired.space;
             pause_as_long_as(begun).await;
         }
     }
+}
+
+/// Returns the bytes of an SQLite database in which there is something, without results that no job has. Those results are
+/// removed when they are older than `orphan_age`. Returns 0 on PostgreSQL, whose size has no limit.
+fn database_bytes(tx: &mut Tx<'_>) -> Result<i64> {
+    if tx.is_postgres() {
+        return Ok(0);
+    }
+    let text = "SELECT (page_count - freelist_count) * page_size \
+                - (SELECT coalesce(sum(size), 0) FROM artefacts WHERE file IS NULL \
+                   AND NOT EXISTS (SELECT 1 FROM jobs WHERE artefact = hash)) AS used \
+                FROM pragma_page_count, pragma_freelist_count, pragma_page_size";
+    tx.one(text, &[])?.get("used")
+}
+
+/// Deletes the oldest identifiers of expired jobs if there are more than `kept`, so that they leave room for jobs.
+async fn forget_beyond(store: &Store, kept: i64) -> Result<()> {
+    let oldest = "DELETE FROM expired_jobs WHERE id IN (SELECT id FROM expired_jobs ORDER BY expired_at LIMIT $1)";
+    let count = |tx: &mut Tx<'_>| tx.one("SELECT count(*) AS count FROM expired_jobs", &[])?.get("count");
+    let mut surplus: i64 = store.read(count).await?;
+    surplus -= kept;
+    while surplus > 0 {
+        let begun = Instant::now();
+        let step = surplus.min(SWEEP_STEP);
+        store.write(move |tx| tx.execute(oldest, &[step.into()])).await?;
+        surplus -= step;
+        pause_as_long_as(begun).await;
+    }
+    Ok(())
 }
 
 /// Removes results without a job. Their jobs were deleted, or expired when the result was younger than `orphan_age`.
