@@ -46,9 +46,9 @@ fn examples() -> Vec<Value> {
             value["max_iterations"] = serde_json::json!(40);
         }
         if value["kind"] == "uniform_mesh"
-            && let Some(length) = value["length"].as_f64()
+            && let Some(length) = value["edge_length"].as_f64()
         {
-            value["length"] = serde_json::json!(2.0 * length);
+            value["edge_length"] = serde_json::json!(2.0 * length);
         }
         value
     };

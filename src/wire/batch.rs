@@ -65,11 +65,13 @@ impl BatchRequest {
                 Err(Rejection::TooLarge(errors)) => too_large.extend(within(index, errors)),
             }
             if invalid.len() > MAX_ERRORS {
-                invalid.truncate(MAX_ERRORS + 1);
                 break;
             }
         }
         if !invalid.is_empty() {
+            // What is too large in other requests is named too, because the client corrects both.
+            invalid.extend(too_large);
+            invalid.truncate(MAX_ERRORS + 1);
             return Err(Rejection::Invalid(invalid));
         }
         if !too_large.is_empty() {
@@ -216,6 +218,32 @@ mod tests {
         };
         let pointers: Vec<&str> = errors.iter().map(|error| error.pointer.as_str()).collect();
         assert_eq!(pointers, ["/requests/1/directrices/0/1/2", "/requests/2/directrices"]);
+    }
+
+    #[test]
+    fn more_errors_than_are_listed_show_in_their_number() {
+        let wrong = |count: usize| {
+            let mut strip = strip();
+            strip["directrices"][0] = (0..count).map(|_| json!([0, 0, "x"])).collect();
+            strip
+        };
+        for requests in [vec![wrong(60)], vec![wrong(30), strip(), wrong(30)], vec![wrong(50), wrong(1)]] {
+            let Err(Rejection::Invalid(errors)) = read(&json!({ "requests": requests })) else { panic!("invalid") };
+            assert_eq!(errors.len(), MAX_ERRORS + 1);
+        }
+    }
+
+    #[test]
+    fn what_is_too_large_is_named_beside_what_is_invalid() {
+        let limits = LimitsConfig { points: 10, ..LimitsConfig::default() };
+        let mut large = strip();
+        large["directrices"][0] = (0..11).map(|k| json!([k, 0, 0])).collect();
+        let mut invalid = strip();
+        invalid["directrices"][1] = invalid["directrices"][0].clone();
+        let body = json!({ "requests": [large, invalid] }).to_string();
+        let Err(Rejection::Invalid(errors)) = BatchRequest::read(body.as_bytes(), &limits) else { panic!("invalid") };
+        let named = |request: &str| errors.iter().any(|error| error.pointer.starts_with(request));
+        assert!(named("/requests/0/") && named("/requests/1/"), "{errors:?}");
     }
 
     #[test]

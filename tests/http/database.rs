@@ -1,6 +1,7 @@
 //! PostgreSQL over TLS, and the start of the server while the database cannot be used.
 
 use crate::app::{MINIMAL, TestApp, binary, small_film};
+use crate::hold::until;
 use crate::postgres::Postgres;
 use rcgen::{BasicConstraints, CertificateParams, CertifiedIssuer, IsCa, KeyPair};
 use std::fmt::Write as _;
@@ -120,7 +121,7 @@ async fn connections_to_postgresql_are_encrypted_as_sslmode_says() {
         assert_eq!(server.postgres.execute(connections).await, [if encrypted { "t" } else { "f" }], "{url}");
         app.kill().await;
         // The database takes a moment to notice that the connections are closed.
-        while !server.postgres.execute(connections).await.is_empty() {}
+        until("no connection is left", async || server.postgres.execute(connections).await.is_empty()).await;
     }
     let refusals = [
         ("anyone", HOST, "&sslmode=require&sslrootcert=ROOTS/other.pem", "invalid peer certificate"),

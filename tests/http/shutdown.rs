@@ -2,6 +2,7 @@
 //! delay the end.
 
 use crate::app::{MINIMAL, TestApp, problem, small_film};
+use crate::hold::until;
 use reqwest::{Method, StatusCode};
 use serde_json::{Value, json};
 
@@ -26,7 +27,8 @@ async fn a_waiting_client_gets_the_current_state_of_its_job() {
     let waiting = wait(Method::GET, this).send();
     let stop = async {
         // Both submissions wait once their jobs are listed.
-        while app.get_json("/v1/jobs").await["jobs"].as_array().unwrap().len() < 3 {}
+        let listed = async || app.get_json("/v1/jobs").await["jobs"].as_array().unwrap().len();
+        until("three jobs are listed", async || listed().await == 3).await;
         app.terminate().await;
     };
     let (submitted, batch, waited, ()) = tokio::join!(submission, batch, waiting, stop);
@@ -62,13 +64,8 @@ async fn readiness_goes_off_before_the_listener_closes() {
         let client = crate::app::client();
         client.get(format!("{}/health/ready", app.url)).send().await.expect("the listener is open")
     };
-    let refused = loop {
-        let response = look().await;
-        if response.status() != StatusCode::OK {
-            break response;
-        }
-    };
-    problem(refused, 503).await;
+    until("the server is not ready", async || look().await.status() != StatusCode::OK).await;
+    problem(look().await, 503).await;
     assert_eq!(app.get("/health/live").await.status(), StatusCode::OK);
     app.kill().await;
 }
