@@ -510,6 +510,14 @@ impl Store {
         self.write(move |tx| claims::claim(tx, &worker, lease)).await
     }
 
+    /// Returns the job that an earlier claim under this name has claimed, if it did, with a new lease. A worker asks this
+    /// after a claim that failed, because the claim may have been committed although its answer was lost. The name must
+    /// belong to one claim only.
+    pub async fn claimed_by(&self, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
+        let worker = worker.to_owned();
+        self.write(move |tx| claims::claimed_by(tx, &worker, lease)).await
+    }
+
     /// Extends the lease if the worker still holds the job.
     pub async fn renew(&self, id: &str, attempt: i64, lease: Duration) -> Result<Renewed> {
         let id = id.to_owned();

@@ -1,8 +1,9 @@
 //! Hooks for tests, compiled only with the cargo feature `test-hooks`. A release build with the feature does not compile.
 //! Every hook is set by environment variables that begin with `PLATEAU_TEST_`. CONTRIBUTING.md says how a test uses them.
 
-use std::cell::Cell;
-use std::path::PathBuf;
+use std::cell::{Cell, RefCell};
+use std::io::Write;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 #[cfg(not(debug_assertions))]
@@ -20,6 +21,11 @@ const STAGES: [&str; 4] = ["claimed", "first_progress", "half", "storing"];
 /// Name of the file that lets a solver wait after each report of progress until it has been taken to be stored. Otherwise
 /// only the latest report of each interval is stored.
 const EACH_PROGRESS: &str = "each_progress";
+/// Name of the file with the fault of a statement of SQLite: a JSON array of the fault and the texts of the statement before
+/// it in the transaction and of the statement. The file is removed when the fault happens.
+const FAULT: &str = "fault";
+/// Name of a file to which every statement of SQLite is written, as a JSON array of the statement before it and itself.
+const STATEMENTS: &str = "statements";
 /// Pause between two looks at a hold.
 const PAUSE: Duration = Duration::from_millis(5);
 
@@ -95,4 +101,57 @@ fn is_held(stage: &str, kind: &str) -> bool {
 
 fn folder() -> Option<PathBuf> {
     std::env::var_os(HOLD_DIR).map(PathBuf::from)
+}
+
+/// A place at which a statement of SQLite can fail.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// Before the statement runs.
+    Before,
+    /// After the statement ran. After a COMMIT, the failure means that its answer is lost.
+    After,
+}
+
+thread_local! {
+    /// Last statement of this thread's transaction. It is empty at its beginning.
+    static PREVIOUS: RefCell<String> = const { RefCell::new(String::new()) };
+}
+
+/// Returns true if a statement of SQLite must fail at this place. The faults `fail_before` and `fail_after` make it fail,
+/// and `die_before` and `die_after` end the process as a kill does. A statement outside of a transaction has none before it.
+pub(crate) fn statement_fails(text: &str, place: Place, in_transaction: bool) -> bool {
+    let Some(folder) = folder() else { return false };
+    if text.starts_with("BEGIN") {
+        PREVIOUS.set(String::new());
+    }
+    let previous = if in_transaction { PREVIOUS.with_borrow(Clone::clone) } else { String::new() };
+    let fails = fails(&folder, &previous, text, place);
+    if place == Place::Before && folder.join(STATEMENTS).exists() {
+        let line = serde_json::json!([previous, text]).to_string() + "\n";
+        let written = std::fs::OpenOptions::new().append(true).open(folder.join(STATEMENTS));
+        // A test that has ended removes its folder.
+        let _ = written.and_then(|mut file| file.write_all(line.as_bytes()));
+    }
+    if place == Place::After {
+        PREVIOUS.set(text.to_owned());
+    }
+    fails
+}
+
+fn fails(folder: &Path, previous: &str, text: &str, place: Place) -> bool {
+    let file = folder.join(FAULT);
+    let Ok(fault) = std::fs::read(&file) else { return false };
+    let Ok([fault, before, statement]) = serde_json::from_slice::<[String; 3]>(&fault) else { return false };
+    let name = if place == Place::Before { "before" } else { "after" };
+    if (before.as_str(), statement.as_str()) != (previous, text) || !fault.ends_with(name) {
+        return false;
+    }
+    // Of several threads, the one that removes the file has the fault.
+    if std::fs::remove_file(&file).is_err() {
+        return false;
+    }
+    if fault.starts_with("die") {
+        std::process::abort();
+    }
+    true
 }

@@ -19,6 +19,8 @@ use tracing::{Instrument, Span};
 /// Pause after the first failed try to store an outcome. Each further pause is twice as long, up to a third of the
 /// lease.
 const FIRST_PAUSE: Duration = Duration::from_millis(50);
+/// Time for which a shutdown tries to hand a job back. A job that is not handed back loses an attempt.
+const HAND_BACK_PATIENCE: Duration = Duration::from_secs(5);
 /// Number of tries to store an outcome if the store reports a defect. Other failures of the store pass, so they are
 /// retried without limit.
 const DEFECT_TRIES: usize = 5;
@@ -224,12 +226,20 @@ impl Attempt {
     }
 
     async fn hand_back(&self) -> End {
-        match self.jobs.store().hand_back(&self.id, self.number).await {
-            Ok(true) => tracing::info!("handed back"),
-            Ok(false) => return End::Dropped,
-            Err(error) => tracing::warn!(%error, "cannot hand the job back; its lease will run out"),
+        let given_up = Instant::now() + HAND_BACK_PATIENCE;
+        loop {
+            match self.jobs.store().hand_back(&self.id, self.number).await {
+                Ok(true) => tracing::info!("handed back"),
+                Ok(false) => return End::Dropped,
+                Err(error) if Instant::now() < given_up => {
+                    tracing::warn!(%error, "cannot hand the job back; it is tried again");
+                    tokio::time::sleep(FIRST_PAUSE).await;
+                    continue;
+                }
+                Err(error) => tracing::warn!(%error, "cannot hand the job back; its lease will run out"),
+            }
+            return End::HandedBack;
         }
-        End::HandedBack
     }
 
     fn lease(&self) -> Duration {

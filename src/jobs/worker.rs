@@ -2,6 +2,7 @@
 //! and solves the next job, so that solvers do not wait for the disk.
 
 use super::{Jobs, attempt};
+use crate::store::{Claimed, StoreError};
 use std::time::Duration;
 
 /// Stack size of the runtime's threads, which run solvers, and of the converters. Sparse orderings and Delaunay walks
@@ -16,6 +17,8 @@ pub(super) async fn run(jobs: Jobs, name: String) {
     let Some(_working) = jobs.under_way() else { return };
     let lease = Duration::from_millis(jobs.config().jobs.lease_ms);
     let mut work = jobs.store().work_signal();
+    // Each claim has a name of its own, by which it is found if its answer is lost.
+    let (mut number, mut uncertain) = (0_u64, false);
     loop {
         // Submissions that are solved at once take the same slots as jobs from the queue.
         let Ok(slot) = jobs.slots().acquire_owned().await else { return };
@@ -25,11 +28,13 @@ pub(super) async fn run(jobs: Jobs, name: String) {
         work.borrow_and_update();
         // No job is started while the store could not take its result.
         let claimed = match jobs.store().check_room_for_results() {
-            Ok(()) => jobs.store().claim(&name, lease).await,
+            Ok(()) => claim(&jobs, &format!("{name}/{number}"), lease, uncertain).await,
             Err(_) => Ok(None),
         };
+        uncertain = claimed.is_err();
         match claimed {
             Ok(Some(claimed)) => {
+                number += 1;
                 tokio::spawn(attempt::run(jobs.clone(), claimed, slot));
                 continue;
             }
@@ -43,4 +48,12 @@ pub(super) async fn run(jobs: Jobs, name: String) {
             () = jobs.shutdown() => {}
         }
     }
+}
+
+/// Claims a job. After a claim under this name that failed, returns the job that it has claimed nevertheless.
+async fn claim(jobs: &Jobs, name: &str, lease: Duration, uncertain: bool) -> Result<Option<Claimed>, StoreError> {
+    if uncertain && let Some(claimed) = jobs.store().claimed_by(name, lease).await? {
+        return Ok(Some(claimed));
+    }
+    jobs.store().claim(name, lease).await
 }

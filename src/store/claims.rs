@@ -8,7 +8,7 @@ use serde_json::json;
 
 use super::jobs::{Outcome, Sharing, drop_request, ending, history_line};
 use super::results::{self, Prepared};
-use super::tx::{Tx, Value};
+use super::tx::{Row, Tx, Value};
 use super::{Result, StoreError, StoreOptions, milliseconds};
 use crate::status::Status;
 
@@ -58,18 +58,30 @@ pub(super) fn claim(tx: &mut Tx<'_>, worker: &str, lease: Duration) -> Result<Op
         history_line("(attempt + 1)", Status::Running)
     );
     let Some(row) = tx.row(&text, &[worker.into(), milliseconds(lease).into()])? else { return Ok(None) };
+    claimed(tx, &row).map(Some)
+}
+
+/// Returns the job that a claim under this name has claimed, if it did, and extends its lease.
+pub(super) fn claimed_by(tx: &mut Tx<'_>, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
+    let text = "UPDATE jobs SET lease_until = now_ms() + $2, lease_ms = $2 WHERE worker = $1 AND status = 'running' \
+                RETURNING id, kind, attempt, now_ms() - created_at AS waited";
+    let Some(row) = tx.row(text, &[worker.into(), milliseconds(lease).into()])? else { return Ok(None) };
+    claimed(tx, &row).map(Some)
+}
+
+fn claimed(tx: &mut Tx<'_>, row: &Row) -> Result<Claimed> {
     let id: String = row.get("id")?;
     let request = tx
         .row("SELECT body FROM requests WHERE job_id = $1", &[(&id).into()])?
         .ok_or_else(|| StoreError::Internal(format!("job {id} has no request")))?;
     tx.changed(&id);
-    Ok(Some(Claimed {
+    Ok(Claimed {
         id,
         kind: row.get("kind")?,
         request: request.get("body")?,
         attempt: row.get("attempt")?,
         waited_ms: row.get::<i64>("waited")?.max(0),
-    }))
+    })
 }
 
 /// Extends the lease if the worker still holds the job.

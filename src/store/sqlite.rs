@@ -17,8 +17,12 @@ use tokio::sync::{mpsc, oneshot};
 
 use super::migrations::migrate;
 use super::pool::{Pool, closed};
+#[cfg(feature = "test-hooks")]
+use super::tx::fail_if_asked;
 use super::tx::{AfterCommit, Tx};
 use super::{Result, StoreError, StoreOptions};
+#[cfg(feature = "test-hooks")]
+use crate::test_hooks::Place;
 
 /// Upper bound of the writes that share one commit.
 const GROUP_SIZE: usize = 128;
@@ -167,6 +171,8 @@ fn transact<T>(connection: &Sqlite, work: impl FnOnce(&mut Tx<'_>) -> Result<T>)
 }
 
 fn execute(connection: &Sqlite, text: &str) -> Result<()> {
+    #[cfg(feature = "test-hooks")]
+    fail_if_asked(connection, text, Place::Before)?;
     connection.prepare_cached(text)?.execute([])?;
     Ok(())
 }
@@ -243,11 +249,15 @@ fn write_in_groups(connection: Sqlite, copier: Copier, mut messages: mpsc::Recei
 fn commit(connection: &Sqlite, mut group: Vec<Box<dyn Write>>) {
     let together = transact(connection, |_| group.iter_mut().try_for_each(|write| write.run(connection)));
     if together.is_ok() || group.len() == 1 {
+        #[cfg(feature = "test-hooks")]
+        let together = together.and_then(|()| fail_if_asked(connection, "COMMIT", Place::After));
         group.into_iter().for_each(|write| write.answer(together.clone()));
         return;
     }
     for mut write in group {
         let committed = transact(connection, |_| write.run(connection));
+        #[cfg(feature = "test-hooks")]
+        let committed = committed.and_then(|()| fail_if_asked(connection, "COMMIT", Place::After));
         write.answer(committed);
     }
 }

@@ -11,6 +11,8 @@ use rusqlite::types::{FromSql as FromSqlite, ToSqlOutput, Value as SqliteValue, 
 
 use super::postgres::{FromPostgres, PgRow, Session};
 use super::{Result, StoreError};
+#[cfg(feature = "test-hooks")]
+use crate::test_hooks::{Place, statement_fails};
 
 const CLOCK: &str = "now_ms()";
 const SQLITE_CLOCK: &str = "CAST(unixepoch('subsec') * 1000 AS INTEGER)";
@@ -122,6 +124,8 @@ impl<'c> Tx<'c> {
     pub(super) fn rows(&mut self, text: &str, values: &[Value<'_>]) -> Result<Vec<Row>> {
         match &mut self.connection {
             Connection::Sqlite(connection) => {
+                #[cfg(feature = "test-hooks")]
+                fail_if_asked(connection, text, Place::Before)?;
                 let mut statement = prepared(connection, text, values)?;
                 let names: Rc<[String]> = statement.column_names().into_iter().map(str::to_owned).collect();
                 let mut rows = statement.raw_query();
@@ -130,6 +134,8 @@ impl<'c> Tx<'c> {
                     let values = (0..names.len()).map(|column| row.get(column)).collect::<rusqlite::Result<_>>()?;
                     read.push(Row::Sqlite { names: Rc::clone(&names), values });
                 }
+                #[cfg(feature = "test-hooks")]
+                fail_if_asked(connection, text, Place::After)?;
                 Ok(read)
             }
             Connection::Postgres(session) => {
@@ -156,7 +162,14 @@ impl<'c> Tx<'c> {
     /// Runs a statement and returns the number of rows that it changed.
     pub(super) fn execute(&mut self, text: &str, values: &[Value<'_>]) -> Result<u64> {
         match &mut self.connection {
-            Connection::Sqlite(connection) => Ok(prepared(connection, text, values)?.raw_execute()? as u64),
+            Connection::Sqlite(connection) => {
+                #[cfg(feature = "test-hooks")]
+                fail_if_asked(connection, text, Place::Before)?;
+                let changed = prepared(connection, text, values)?.raw_execute()? as u64;
+                #[cfg(feature = "test-hooks")]
+                fail_if_asked(connection, text, Place::After)?;
+                Ok(changed)
+            }
             Connection::Postgres(session) => session.execute(&for_postgres(text), values),
         }
     }
@@ -206,6 +219,17 @@ impl<'c> Tx<'c> {
     pub(super) fn is_postgres(&self) -> bool {
         matches!(self.connection, Connection::Postgres(_))
     }
+}
+
+/// Fails if a test has asked for a failure of this statement of SQLite.
+#[cfg(feature = "test-hooks")]
+pub(super) fn fail_if_asked(connection: &rusqlite::Connection, text: &str, place: Place) -> Result<()> {
+    // A transaction has ended after its COMMIT.
+    let in_transaction = !connection.is_autocommit() || text == "COMMIT";
+    if statement_fails(text, place, in_transaction) {
+        return Err(StoreError::Unavailable("a test asked for this failure".into()));
+    }
+    Ok(())
 }
 
 fn prepared<'c>(

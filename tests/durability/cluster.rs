@@ -3,6 +3,7 @@
 use crate::hold::{self, Hold};
 use reqwest::{Client, Response, StatusCode};
 use serde_json::{Value, json};
+use std::path::Path;
 use std::process::Stdio;
 use std::time::Duration;
 use tempfile::TempDir;
@@ -52,6 +53,11 @@ impl Cluster {
         command
     }
 
+    /// Folder of the embedded store, or of the results beside another database.
+    pub fn data(&self) -> &Path {
+        Path::new(&self.data)
+    }
+
     /// Starts `plateau serve` with this number of workers.
     pub async fn serve(&self, workers: usize) -> Process {
         let mut child = self.command("serve", workers).stdout(Stdio::piped()).spawn().expect("the binary starts");
@@ -78,6 +84,11 @@ impl Process {
     pub async fn terminate(&self) {
         let id = self.child.id().expect("the process runs").to_string();
         assert!(Command::new("kill").args(["-TERM", &id]).status().await.expect("kill runs").success());
+    }
+
+    /// Returns true if the process has ended.
+    pub fn has_ended(&mut self) -> bool {
+        self.child.try_wait().expect("the process is a child").is_some()
     }
 
     /// Waits for the end of the process after `terminate`.

@@ -1,0 +1,301 @@
+//! Faults at each boundary between two statements of everything that the service does with its database: on PostgreSQL a
+//! connection that closes before the statement or before its answer, on SQLite a statement that fails and a process that
+//! dies. At the end nothing is lost and nothing doubled, no file is without a row and no row without its file. Each test
+//! takes some of the boundaries, or all of them with `PLATEAU_LONG=1`.
+
+use crate::cluster::{self, Cluster, Process};
+use crate::kills::{Load, every_job_ended_once, hardened};
+use crate::postgres::Postgres;
+use crate::proxy::{Boundary, Fault, Proxy};
+use plateau::store::{Filter, NewJob, Outcome, Store, StoreOptions};
+use serde_json::json;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// Time for which a fault waits for its statement. Some statements are rare, such as those of a submission that is
+/// repeated.
+const RARE: Duration = Duration::from_secs(3);
+/// Time in which the load shows the statements.
+const WATCHED: Duration = Duration::from_secs(4);
+/// Number of boundaries between those that a short run takes.
+const SHORT_RUN_STEP: usize = 4;
+
+fn step() -> usize {
+    if std::env::var_os("PLATEAU_LONG").is_some() { 1 } else { SHORT_RUN_STEP }
+}
+
+/// Returns processes that keep every result in a file and solve so slowly that leases are renewed.
+fn with_files(database: Option<String>, results: &Path) -> Cluster {
+    hardened(database)
+        .set("PLATEAU_STORE__INLINE_BYTES", 0)
+        .set("PLATEAU_STORE__RESULTS", results.display())
+        .set("PLATEAU_JOBS__PROGRESS_INTERVAL_MS", 50)
+        .set("PLATEAU_TEST_DELAY_MS", 400)
+}
+
+/// Sweeps, and compares the files with the rows. `files` returns the names of the files that rows name.
+async fn files_and_rows_are_equal(url: &str, results: &Path, files: impl AsyncFn() -> Vec<String>) {
+    let options = StoreOptions {
+        results: Some(results.display().to_string()),
+        orphan_age: Duration::ZERO,
+        ..StoreOptions::default()
+    };
+    let store = Store::open(url, options).await.unwrap();
+    store.sweep().await.unwrap();
+    store.close().await;
+    let found = std::fs::read_dir(results).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    assert_eq!(found.collect::<BTreeSet<_>>(), files().await.into_iter().collect::<BTreeSet<_>>());
+}
+
+/// Returns the name of the operation to which a statement belongs, for the report.
+fn operation(boundary: &Boundary) -> &'static str {
+    let text = format!("{} {}", boundary.previous, boundary.statement);
+    let marks = [
+        ("DELETE FROM requests", "finish"),
+        ("INSERT INTO artefacts", "finish"),
+        ("FROM artefacts", "finish"),
+        ("statistics = $4", "finish"),
+        ("INSERT INTO", "submit"),
+        ("AS served_next", "submit"),
+        ("SET lease_until", "renew"),
+        ("SET progress", "progress"),
+        ("worker = $1", "claim"),
+        ("FROM requests", "claim"),
+    ];
+    marks.iter().find(|(mark, _)| text.contains(mark)).map_or("other", |(_, name)| name)
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_connection_cut_at_any_statement_loses_and_doubles_nothing() {
+    let Some(postgres) = Postgres::start() else { return };
+    let url = postgres.database().await;
+    let proxy = Proxy::start(&url);
+    let results = tempfile::tempdir().unwrap();
+    let cluster = with_files(Some(proxy.url()), results.path());
+    let mut server = cluster.serve(2).await;
+    let load = Load::start(&server.url);
+    load.some_are_accepted().await;
+    proxy.forget();
+    tokio::time::sleep(WATCHED).await;
+    let boundaries: Vec<Boundary> = proxy.seen().into_iter().filter(|boundary| boundary.statement != "ROLLBACK").collect();
+    let (mut happened, mut missed) = (BTreeMap::<&str, usize>::new(), 0);
+    for (number, boundary) in boundaries.iter().enumerate() {
+        // Statements of operations that the load is about are never left out.
+        if number % step() != 0 && operation(boundary) == "other" {
+            continue;
+        }
+        for fault in [Fault::CutBefore, Fault::CutAfter] {
+            let fired = proxy.disturb_at(boundary.clone(), fault, 1);
+            let begun = Instant::now();
+            while !fired.yet() && begun.elapsed() < RARE {
+                tokio::time::sleep(Duration::from_millis(5)).await;
+            }
+            proxy.calm();
+            if fired.yet() {
+                *happened.entry(operation(boundary)).or_default() += 1;
+            } else {
+                missed += 1;
+            }
+        }
+    }
+    let accepted = load.finish().await;
+    println!("{} boundaries; cuts by operation: {happened:?}; {missed} did not come", boundaries.len());
+    for name in ["submit", "claim", "renew", "progress", "finish"] {
+        assert!(happened.contains_key(name), "no statement of {name} was cut: {happened:?}");
+    }
+    every_job_ended_once(&server, &accepted, "connections cut").await;
+    server.kill().await;
+    let named = async || {
+        let url = url.clone();
+        let read = move || {
+            let (server, folder) = url.split_once("?host=").unwrap();
+            let mut config = ::postgres::Config::new();
+            config.user("postgres").dbname(server.rsplit_once('/').unwrap().1).host_path(folder);
+            let mut client = config.connect(::postgres::NoTls).unwrap();
+            let rows = client.query("SELECT file FROM artefacts", &[]).unwrap();
+            rows.iter().map(|row| row.get(0)).collect()
+        };
+        tokio::task::spawn_blocking(read).await.unwrap()
+    };
+    files_and_rows_are_equal(&url, results.path(), named).await;
+}
+
+/// Statements of SQLite, as the file of the hooks has them.
+fn recorded(cluster: &Cluster) -> Vec<Boundary> {
+    let text = std::fs::read_to_string(cluster.hold.folder.join("statements")).unwrap();
+    let read = |line| serde_json::from_str::<[String; 2]>(line).ok();
+    let lines: BTreeSet<Boundary> =
+        text.lines().filter_map(read).map(|[previous, statement]| Boundary { previous, statement }).collect();
+    lines.into_iter().filter(|boundary| boundary.statement != "ROLLBACK").collect()
+}
+
+/// Sets a fault and waits until it has happened. Returns false if its statement did not come.
+async fn happens(cluster: &Cluster, fault: &str, boundary: &Boundary) -> bool {
+    let file = cluster.hold.folder.join("fault");
+    let text = json!([fault, boundary.previous, boundary.statement]).to_string();
+    // The file appears as a whole, because the hooks may look at any moment.
+    std::fs::write(file.with_extension("new"), text).unwrap();
+    std::fs::rename(file.with_extension("new"), &file).unwrap();
+    let begun = Instant::now();
+    while file.exists() {
+        if begun.elapsed() > RARE {
+            // It may happen at this moment.
+            return std::fs::remove_file(&file).is_err();
+        }
+        tokio::time::sleep(Duration::from_millis(5)).await;
+    }
+    true
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_failure_or_a_death_at_any_statement_of_sqlite_loses_and_doubles_nothing() {
+    let results = tempfile::tempdir().unwrap();
+    let cluster = with_files(None, results.path());
+    let mut server = cluster.serve(2).await;
+    let load = Load::start(&server.url);
+    load.some_are_accepted().await;
+    std::fs::write(cluster.hold.folder.join("statements"), []).unwrap();
+    tokio::time::sleep(WATCHED).await;
+    let boundaries = recorded(&cluster);
+    std::fs::remove_file(cluster.hold.folder.join("statements")).unwrap();
+    let (mut happened, mut missed, mut deaths) = (BTreeMap::<&str, usize>::new(), 0, 0);
+    for (number, boundary) in boundaries.iter().enumerate() {
+        let is_commit = boundary.statement == "COMMIT";
+        if number % step() != 0 && !is_commit {
+            continue;
+        }
+        // Other statements change nothing when their process dies before the COMMIT.
+        let faults: &[&str] =
+            if is_commit { &["fail_before", "fail_after", "die_before", "die_after"] } else { &["fail_before"] };
+        for fault in faults {
+            if happens(&cluster, fault, boundary).await {
+                *happened.entry(operation(boundary)).or_default() += 1;
+            } else {
+                missed += 1;
+            }
+            if fault.starts_with("die") && restarted(&cluster, &mut server, &load).await {
+                deaths += 1;
+                // A job may die four times in a row.
+                if deaths % 4 == 0 {
+                    load.all_have_ended(&server).await;
+                }
+            }
+        }
+    }
+    let accepted = load.finish().await;
+    println!(
+        "{} boundaries; faults by operation: {happened:?}, {deaths} deaths; {missed} did not come",
+        boundaries.len()
+    );
+    for name in ["submit", "claim", "renew", "progress", "finish"] {
+        assert!(happened.contains_key(name), "no statement of {name} failed: {happened:?}");
+    }
+    every_job_ended_once(&server, &accepted, "faults of SQLite").await;
+    server.kill().await;
+    let path = cluster.data().join("plateau.db");
+    let named = async || {
+        let connection = rusqlite::Connection::open(&path).unwrap();
+        let mut statement = connection.prepare("SELECT file FROM artefacts").unwrap();
+        let files = statement.query_map([], |row| row.get(0)).unwrap().map(Result::unwrap).collect();
+        files
+    };
+    files_and_rows_are_equal(&format!("sqlite://{}", path.display()), results.path(), named).await;
+}
+
+/// Starts the server again if it dies within a moment.
+async fn restarted(cluster: &Cluster, server: &mut Process, load: &Load) -> bool {
+    for _ in 0..200 {
+        if server.has_ended() {
+            *server = cluster.serve(2).await;
+            load.moved_to(&server.url);
+            return true;
+        }
+        tokio::time::sleep(Duration::from_millis(5)).await;
+    }
+    false
+}
+
+/// Stores a job with a result of its own.
+async fn succeeded_job(store: &Store, number: usize) {
+    let result = number.to_le_bytes();
+    let job = NewJob {
+        id: format!("{number:026}"),
+        kind: "ruled_surface".into(),
+        owner: None,
+        request: b"{}".to_vec(),
+        request_hash: [0; 32],
+        idempotency_key: None,
+        body_hash: [0; 32],
+        callback_url: None,
+        label: None,
+        metadata: None,
+        supersede: None,
+        reuse: false,
+    };
+    store.submit(job).await.unwrap();
+    let claimed = store.claim("worker", Duration::from_secs(60)).await.unwrap().expect("the job");
+    let outcome = Outcome::Succeeded {
+        statistics: "{}".into(),
+        summary: "{}".into(),
+        warnings: "[]".into(),
+        artefact: result.to_vec(),
+        artefact_hash: std::array::from_fn(|byte| result[byte % result.len()]),
+        reusable: false,
+    };
+    assert!(store.finish(&claimed.id, claimed.attempt, Arc::new(outcome)).await.unwrap());
+}
+
+/// Jobs that expire in each sweep of the test below.
+const EXPIRING: usize = 3;
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_sweep_that_is_cut_at_any_statement_is_completed_by_the_next_one() {
+    let Some(postgres) = Postgres::start() else { return };
+    let url = postgres.database().await;
+    let proxy = Proxy::start(&url);
+    let results = tempfile::tempdir().unwrap();
+    let options = |max_jobs| StoreOptions {
+        results: Some(results.path().display().to_string()),
+        inline_bytes: 0,
+        orphan_age: Duration::ZERO,
+        expired_retention: Duration::ZERO,
+        max_jobs,
+        ..StoreOptions::default()
+    };
+    let filling = Store::open(&url, options(u64::MAX)).await.unwrap();
+    let sweeping = Store::open(&proxy.url(), options(EXPIRING as u64)).await.unwrap();
+    let mut number = 0;
+    let mut fill = async || {
+        for _ in 0..EXPIRING {
+            number += 1;
+            succeeded_job(&filling, number).await;
+        }
+    };
+    fill().await;
+    fill().await;
+    proxy.forget();
+    sweeping.sweep().await.unwrap();
+    let boundaries: Vec<Boundary> = proxy.seen().into_iter().collect();
+    assert!(boundaries.iter().any(|boundary| boundary.statement.starts_with("DELETE FROM jobs")), "{boundaries:?}");
+    let mut cuts = 0;
+    for boundary in &boundaries {
+        for fault in [Fault::CutBefore, Fault::CutAfter] {
+            fill().await;
+            let fired = proxy.disturb_at(boundary.clone(), fault, 1);
+            let cut = sweeping.sweep().await;
+            proxy.calm();
+            cuts += usize::from(fired.yet());
+            sweeping.sweep().await.unwrap_or_else(|error| panic!("after {fault:?} at {boundary:?}, {cut:?}: {error}"));
+            let (left, _) = filling.list(Filter::default(), 100, None).await.unwrap();
+            assert_eq!(left.len(), EXPIRING, "after {fault:?} at {boundary:?}");
+            for job in left {
+                assert!(filling.artefact(&job.id, None).await.unwrap().is_some(), "after {fault:?} at {boundary:?}");
+            }
+            let files = std::fs::read_dir(results.path()).unwrap().count();
+            assert_eq!(files, EXPIRING, "after {fault:?} at {boundary:?}");
+        }
+    }
+    println!("{} boundaries of a sweep, {cuts} cuts", boundaries.len());
+}
