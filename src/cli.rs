@@ -221,7 +221,7 @@ fn new_key(name: &str) -> ExitCode {
 fn webhook_secret(config: &Config, name: Option<&str>) -> ExitCode {
     match Secret::load(&config.webhooks) {
         Ok(Some(secret)) => {
-            println!("{}", secret.of(name));
+            secret.of(name).iter().for_each(|secret| println!("{secret}"));
             ExitCode::SUCCESS
         }
         Ok(None) => fail(USAGE, "webhooks.secret_file is not set: webhooks are off"),

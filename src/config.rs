@@ -271,7 +271,8 @@ impl std::fmt::Debug for AuthConfig {
 #[serde(deny_unknown_fields, default)]
 pub struct WebhooksConfig {
     /// Path of a file with `whsec_` and 24 to 64 random bytes in base64. Each key's signing secret is derived from it
-    /// (`plateau key webhooks NAME` prints that secret). If empty, requests may not name a `callback_url`.
+    /// (`plateau key webhooks NAME` prints that secret). A second line may have the secret before it, which then signs
+    /// too. If empty, requests may not name a `callback_url`.
     pub secret_file: PathBuf,
     /// Networks to which messages may be sent although they are not public, such as `10.1.0.0/16`.
     pub allowed_networks: Vec<String>,

@@ -71,6 +71,8 @@ pub enum JobsError {
     NoPattern,
     /// The request did not ask for a lower bound of the area, or none could be computed.
     NoCertificate,
+    /// The request of the job or batch named no callback URL.
+    NoCallback,
     /// The answer is larger than one file can hold. The text says what to do instead.
     TooMuch(String),
     /// The mesh cannot be written in the format.

@@ -48,7 +48,7 @@ use tokio::sync::watch as signal;
 
 use ballast::Ballast;
 pub use batches::{BatchJob, BatchLookup, BatchRow, NewBatch, SubmittedBatch};
-pub use callbacks::{Callback, Subject};
+pub use callbacks::{Attempted, Busy, Callback, CallbackRow, Delivery, Subject};
 pub use claims::{Claimed, Renewed};
 use contact::Contact;
 use files::Files;
@@ -591,18 +591,32 @@ impl Store {
 impl Store {
     /// Claims a callback that is due, counts an attempt, and keeps it from other claimers for the time `lease`. If the
     /// claimer dies, the callback is due again after the lease. A message may therefore arrive twice, but it is not
-    /// lost.
-    pub async fn claim_callback(&self, lease: Duration) -> Result<Option<Callback>> {
-        if !self.read(callbacks::any_due).await? {
+    /// lost. Callbacks of `busy` owners and hosts are passed over.
+    pub async fn claim_callback(&self, lease: Duration, busy: &Busy) -> Result<Option<Callback>> {
+        let (asked, busy) = (busy.clone(), busy.clone());
+        if !self.read(move |tx| callbacks::any_due(tx, &asked)).await? {
             return Ok(None);
         }
-        self.write(move |tx| callbacks::claim(tx, lease)).await
+        self.write(move |tx| callbacks::claim(tx, lease, &busy)).await
     }
 
-    /// Deletes a callback that was delivered or is given up.
-    pub async fn settle_callback(&self, callback: &Callback) -> Result<()> {
+    /// Settles a callback that was delivered or is given up. Its URL stays, so that it can be sent again.
+    pub async fn settle_callback(&self, callback: &Callback, delivery: Delivery) -> Result<()> {
         let callback = callback.clone();
-        self.write(move |tx| callbacks::settle(tx, &callback)).await
+        self.write(move |tx| callbacks::settle(tx, &callback, delivery)).await
+    }
+
+    /// Returns the callback of a job or batch, or `None` if there is no such job or batch.
+    pub async fn callback(&self, subject: Subject, id: &str, owner: Option<&str>) -> Result<Option<CallbackRow>> {
+        let (id, owner) = owned(id, owner);
+        self.read(move |tx| callbacks::find(tx, subject, &id, owner.as_deref())).await
+    }
+
+    /// Makes the callback of a job or batch due at once, with all of its attempts if it was settled. A callback that is due
+    /// only later, because its job or batch has not ended, stays so. Returns false if there is none.
+    pub async fn send_callback_again(&self, subject: Subject, id: &str, owner: Option<&str>) -> Result<bool> {
+        let (id, owner) = owned(id, owner);
+        self.write(move |tx| callbacks::send_again(tx, subject, &id, owner.as_deref())).await
     }
 
     /// Makes a callback due again after `pause`, because its attempt failed.

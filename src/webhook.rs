@@ -36,8 +36,12 @@ const SECRET_PREFIX: &str = "whsec_";
 /// Range of secret lengths that Standard Webhooks allows.
 const SECRET_BYTES: std::ops::RangeInclusive<usize> = 24..=64;
 
-/// The operator's secret, from which the secret of each key is derived.
-pub struct Secret(Vec<u8>);
+/// The operator's secret, from which the secret of each key is derived, and an older one while it is being replaced.
+/// Messages are signed with both, so that receivers can change to the newer one at any time meanwhile.
+pub struct Secret(Vec<Vec<u8>>);
+
+/// Largest number of secrets in the file.
+const SECRETS_MAX: usize = 2;
 
 // Logs must not contain the secret.
 impl fmt::Debug for Secret {
@@ -58,12 +62,18 @@ impl Secret {
         }
         let error = |reason: &str| format!("webhooks.secret_file {}: {reason}", file.display());
         let text = std::fs::read_to_string(file).map_err(|io| error(&io.to_string()))?;
-        let encoded = text.trim().strip_prefix(SECRET_PREFIX).unwrap_or(text.trim());
-        let secret = BASE64.decode(encoded).map_err(|_| error("expected whsec_ and base64"))?;
-        if SECRET_BYTES.contains(&secret.len()) {
-            Ok(Some(Self(secret)))
-        } else {
-            Err(error("expected 24 to 64 bytes in base64"))
+        let mut secrets = Vec::new();
+        for line in text.lines().map(str::trim).filter(|line| !line.is_empty()) {
+            let encoded = line.strip_prefix(SECRET_PREFIX).unwrap_or(line);
+            let secret = BASE64.decode(encoded).map_err(|_| error("expected whsec_ and base64"))?;
+            if !SECRET_BYTES.contains(&secret.len()) {
+                return Err(error("expected 24 to 64 bytes in base64"));
+            }
+            secrets.push(secret);
+        }
+        match secrets.len() {
+            1..=SECRETS_MAX => Ok(Some(Self(secrets))),
+            count => Err(error(&format!("expected one secret, or a new one and the one before it; it has {count}"))),
         }
     }
 
@@ -73,21 +83,25 @@ impl Secret {
         mac.finalize().into_bytes().into()
     }
 
-    fn bytes_of(&self, owner: Option<&str>) -> [u8; 32] {
-        Self::mac(&self.0, &[b"webhooks of ", owner.unwrap_or_default().as_bytes()])
+    /// Returns the secrets of a key, the newest first.
+    fn bytes_of(&self, owner: Option<&str>) -> impl Iterator<Item = [u8; 32]> {
+        let derived = move |secret: &Vec<u8>| {
+            Self::mac(secret, &[b"webhooks of ", owner.unwrap_or_default().as_bytes()])
+        };
+        self.0.iter().map(derived)
     }
 
-    /// Returns the secret that signs messages about this key's jobs, in the form that a Standard Webhooks library
-    /// takes. Without a name, returns the secret for the jobs of a server without keys.
+    /// Returns the secrets that sign messages about this key's jobs, the newest first, in the form that a Standard Webhooks
+    /// library takes. Without a name, returns those for the jobs of a server without keys.
     #[must_use]
-    pub fn of(&self, owner: Option<&str>) -> String {
-        format!("{SECRET_PREFIX}{}", BASE64.encode(self.bytes_of(owner)))
+    pub fn of(&self, owner: Option<&str>) -> Vec<String> {
+        self.bytes_of(owner).map(|secret| format!("{SECRET_PREFIX}{}", BASE64.encode(secret))).collect()
     }
 
     fn signature(&self, message: &Message<'_>, timestamp_s: &str) -> String {
-        let secret = self.bytes_of(message.owner);
         let parts = [message.id.as_bytes(), b".", timestamp_s.as_bytes(), b".", message.body];
-        format!("v1,{}", BASE64.encode(Self::mac(&secret, &parts)))
+        let sign = |secret: [u8; 32]| format!("v1,{}", BASE64.encode(Self::mac(&secret, &parts)));
+        self.bytes_of(message.owner).map(sign).collect::<Vec<_>>().join(" ")
     }
 }
 
@@ -323,6 +337,16 @@ mod tests {
     }
 
     #[test]
+    fn while_a_secret_is_replaced_messages_are_signed_with_both() {
+        let [old, new] = [[1_u8; 24], [2; 24]].map(|bytes| Secret(vec![bytes.to_vec()]));
+        let both = Secret(vec![new.0[0].clone(), old.0[0].clone()]);
+        let message = Message { id: "m", owner: Some("alice"), body: b"{}" };
+        let signatures = [&new, &old].map(|secret| secret.signature(&message, "1614265330"));
+        assert_eq!(both.signature(&message, "1614265330"), signatures.join(" "));
+        assert_eq!(both.of(Some("alice")), [new.of(Some("alice")), old.of(Some("alice"))].concat());
+    }
+
+    #[test]
     fn only_https_urls_of_public_hosts_are_accepted() {
         let strict = sender(&[]);
         for good in ["https://example.org/hook?a=b", "https://93.184.216.34/", "https://[2606:2800:220:1::1]:8443/x"] {
@@ -392,6 +416,10 @@ mod tests {
         };
         assert!(load("whsec_AAAA").unwrap_err().contains("webhooks.secret_file"));
         assert!(load("whsec_?").unwrap_err().contains("base64"));
+        assert!(load("\n").unwrap_err().contains("webhooks.secret_file"));
+        let lines = |count: usize| "whsec_MfKQ9r8GKYqrTwjUPD8ILPZIo2LaLaSw\n".repeat(count);
+        assert!(load(&lines(3)).unwrap_err().contains("it has 3"));
+        assert_eq!(load(&lines(2)).unwrap().unwrap().of(None).len(), 2);
         let config = WebhooksConfig { allowed_networks: vec!["10.0.0.0/33".into()], ..WebhooksConfig::default() };
         assert!(allowed(&config).unwrap_err().contains("webhooks.allowed_networks"));
         assert!(Secret::load(&WebhooksConfig::default()).unwrap().is_none());

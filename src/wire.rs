@@ -11,6 +11,7 @@
 pub mod batch;
 pub mod body;
 pub mod cable_net;
+pub mod callback;
 pub mod common;
 pub mod components;
 pub mod explain;

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use plateau::status::Status;
 use plateau::store::{
-    BatchLookup, BatchRow, EventId, Filter, JobRow, Lookup, NewBatch, NewJob, Outcome, Renewed, Solved, Store,
+    BatchLookup, BatchRow, Busy, Delivery, EventId, Filter, JobRow, Lookup, NewBatch, NewJob, Outcome, Renewed, Solved, Store,
     StoreError, StoreOptions, Subject, Submitted, SubmittedBatch,
 };
 use sha2::{Digest, Sha256};
@@ -142,6 +142,9 @@ cases! {
     a_callback_is_due_from_the_end_until_it_is_settled,
     a_batchs_callback_is_due_after_its_last_job,
     concurrent_claimers_get_every_callback_once,
+    callbacks_of_busy_owners_and_hosts_are_passed_over,
+    a_settled_callback_has_a_log_and_can_be_sent_again,
+    a_claim_whose_answer_was_lost_is_found_by_its_name,
 }
 
 fn job(number: usize) -> NewJob {
@@ -672,6 +675,7 @@ async fn a_result_is_not_shared_with_other_owners_versions_or_bypassing_requests
     create(&store, job(50)).await;
     while let Some(claimed) = store.claim("worker", LEASE).await.unwrap() {
         let outcome = Outcome::Succeeded {
+            summary: "{}".into(),
             statistics: "{}".into(),
             warnings: "[]".into(),
             artefact: b"partial".to_vec(),
@@ -1392,26 +1396,26 @@ async fn cancelling_a_batch_cancels_every_unfinished_job(database: Database) {
 async fn a_callback_is_due_from_the_end_until_it_is_settled(database: Database) {
     let store = database.open(StoreOptions::default()).await;
     create(&store, NewJob { callback_url: Some("https://example.org".into()), ..job_of("me", 1) }).await;
-    assert_eq!(store.claim_callback(LEASE).await.unwrap(), None, "it has not ended");
+    assert_eq!(store.claim_callback(LEASE, &Busy::default()).await.unwrap(), None, "it has not ended");
     let claimed = store.claim("w", LEASE).await.unwrap().unwrap();
     assert!(store.finish(&claimed.id, claimed.attempt, success(b"mesh")).await.unwrap());
-    let first = store.claim_callback(NO_LEASE).await.unwrap().unwrap();
+    let first = store.claim_callback(NO_LEASE, &Busy::default()).await.unwrap().unwrap();
     assert_eq!(
         (first.subject, first.id.as_str(), first.owner.as_deref()),
         (Subject::Job, claimed.id.as_str(), Some("me"))
     );
     assert_eq!((first.url.as_str(), first.attempts), ("https://example.org", 1));
     // The first claimer died. The callback now belongs to the second, so the first cannot settle it any more.
-    let second = store.claim_callback(LEASE).await.unwrap().unwrap();
+    let second = store.claim_callback(LEASE, &Busy::default()).await.unwrap().unwrap();
     assert_eq!(second.attempts, 2);
-    assert_eq!(store.claim_callback(LEASE).await.unwrap(), None);
-    store.settle_callback(&first).await.unwrap();
+    assert_eq!(store.claim_callback(LEASE, &Busy::default()).await.unwrap(), None);
+    store.settle_callback(&first, Delivery::Delivered).await.unwrap();
     store.put_off_callback(&second, Duration::ZERO).await.unwrap();
-    let third = store.claim_callback(LEASE).await.unwrap().unwrap();
+    let third = store.claim_callback(LEASE, &Busy::default()).await.unwrap().unwrap();
     assert_eq!(third.attempts, 3);
-    store.settle_callback(&third).await.unwrap();
+    store.settle_callback(&third, Delivery::Delivered).await.unwrap();
     store.put_off_callback(&third, Duration::ZERO).await.unwrap();
-    assert_eq!(store.claim_callback(LEASE).await.unwrap(), None);
+    assert_eq!(store.claim_callback(LEASE, &Busy::default()).await.unwrap(), None);
     // A callback is also due after a reused result and after a cancel.
     create(
         &store,
@@ -1421,7 +1425,7 @@ async fn a_callback_is_due_from_the_end_until_it_is_settled(database: Database) 
     create(&store, NewJob { callback_url: Some("https://b.example".into()), ..job_of("me", 3) }).await;
     store.cancel(&job(3).id, None).await.unwrap();
     let mut urls = Vec::new();
-    while let Some(callback) = store.claim_callback(LEASE).await.unwrap() {
+    while let Some(callback) = store.claim_callback(LEASE, &Busy::default()).await.unwrap() {
         urls.push(callback.url);
     }
     urls.sort();
@@ -1433,17 +1437,17 @@ async fn a_batchs_callback_is_due_after_its_last_job(database: Database) {
     let new = NewBatch { callback_url: Some("https://example.org".into()), ..batch_of(Some("me"), 1, 0..2) };
     let batch = create_batch(&store, new).await;
     for _ in 0..2 {
-        assert_eq!(store.claim_callback(LEASE).await.unwrap(), None);
+        assert_eq!(store.claim_callback(LEASE, &Busy::default()).await.unwrap(), None);
         let claimed = store.claim("w", LEASE).await.unwrap().unwrap();
         assert!(store.finish(&claimed.id, claimed.attempt, success(b"mesh")).await.unwrap());
     }
-    let callback = store.claim_callback(LEASE).await.unwrap().unwrap();
+    let callback = store.claim_callback(LEASE, &Busy::default()).await.unwrap().unwrap();
     assert_eq!(
         (callback.subject, callback.id.as_str(), callback.owner.as_deref()),
         (Subject::Batch, batch.id.as_str(), Some("me"))
     );
-    store.settle_callback(&callback).await.unwrap();
-    assert_eq!(store.claim_callback(NO_LEASE).await.unwrap(), None);
+    store.settle_callback(&callback, Delivery::Delivered).await.unwrap();
+    assert_eq!(store.claim_callback(NO_LEASE, &Busy::default()).await.unwrap(), None);
 }
 
 async fn concurrent_claimers_get_every_callback_once(database: Database) {
@@ -1457,8 +1461,8 @@ async fn concurrent_claimers_get_every_callback_once(database: Database) {
         let store = store.clone();
         claimers.spawn(async move {
             let mut taken = Vec::new();
-            while let Some(callback) = store.claim_callback(LEASE).await.unwrap() {
-                store.settle_callback(&callback).await.unwrap();
+            while let Some(callback) = store.claim_callback(LEASE, &Busy::default()).await.unwrap() {
+                store.settle_callback(&callback, Delivery::Delivered).await.unwrap();
                 taken.push(callback.url);
             }
             taken
@@ -1469,4 +1473,80 @@ async fn concurrent_claimers_get_every_callback_once(database: Database) {
     taken.sort();
     taken.dedup();
     assert_eq!((count, taken.len()), (40, 40));
+}
+
+async fn callbacks_of_busy_owners_and_hosts_are_passed_over(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    let to = |owner: &str, number: usize, url: &str| NewJob { callback_url: Some(url.into()), ..job_of(owner, number) };
+    for job in [
+        to("many", 1, "https://a.example/1"),
+        to("many", 2, "https://b.example/2"),
+        to("few", 3, "https://Dead.example:8443?x"),
+        to("few", 4, "https://c.example"),
+    ] {
+        let id = create(&store, job).await.id;
+        store.cancel(&id, None).await.unwrap();
+    }
+    let busy = Busy { owners: vec![Some("many".into())], hosts: vec!["dead.example:8443".into()] };
+    let only = store.claim_callback(LEASE, &busy).await.unwrap().expect("one is left");
+    assert_eq!((only.id.as_str(), only.host.as_str()), (job(4).id.as_str(), "c.example"));
+    assert_eq!(store.claim_callback(LEASE, &busy).await.unwrap(), None);
+    let mut others = BTreeSet::new();
+    while let Some(callback) = store.claim_callback(LEASE, &Busy::default()).await.unwrap() {
+        others.insert(callback.id);
+    }
+    assert_eq!(others, BTreeSet::from([job(1).id, job(2).id, job(3).id]));
+    // The owner of a server without keys has no name.
+    let unnamed = NewJob { callback_url: Some("https://a.example".into()), ..job(5) };
+    let id = create(&store, unnamed).await.id;
+    store.cancel(&id, None).await.unwrap();
+    let busy = Busy { owners: vec![None], hosts: Vec::new() };
+    assert_eq!(store.claim_callback(LEASE, &busy).await.unwrap(), None);
+}
+
+async fn a_settled_callback_has_a_log_and_can_be_sent_again(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    let (none, of_me) = (Busy::default(), Some("me"));
+    let id = create(&store, NewJob { callback_url: Some("https://a.example".into()), ..job_of("me", 1) }).await.id;
+    let log = async || {
+        let row = store.callback(Subject::Job, &id, of_me).await.unwrap().unwrap();
+        assert_eq!(row.url.as_deref(), Some("https://a.example"));
+        (row.next_ms.is_some(), row.attempted.iter().map(|one| (one.number, one.delivery)).collect::<Vec<_>>())
+    };
+    assert_eq!(log().await, (true, Vec::new()));
+    store.cancel(&id, None).await.unwrap();
+    let first = store.claim_callback(LEASE, &none).await.unwrap().unwrap();
+    store.put_off_callback(&first, Duration::ZERO).await.unwrap();
+    let second = store.claim_callback(LEASE, &none).await.unwrap().unwrap();
+    assert_eq!(second.attempts, 2);
+    store.settle_callback(&second, Delivery::GivenUp).await.unwrap();
+    // An attempt that is late changes nothing.
+    store.settle_callback(&first, Delivery::Delivered).await.unwrap();
+    assert_eq!(log().await, (false, vec![(1, Delivery::Failed), (2, Delivery::GivenUp)]));
+    assert_eq!(store.claim_callback(LEASE, &none).await.unwrap(), None);
+    // Another owner neither sees nor sends it.
+    assert_eq!(store.callback(Subject::Job, &id, Some("you")).await.unwrap(), None);
+    assert!(!store.send_callback_again(Subject::Job, &id, Some("you")).await.unwrap());
+    assert!(store.send_callback_again(Subject::Job, &id, of_me).await.unwrap());
+    let third = store.claim_callback(LEASE, &none).await.unwrap().unwrap();
+    assert_eq!((third.attempts, third.url.as_str()), (1, "https://a.example"), "all attempts are left again");
+    store.settle_callback(&third, Delivery::Delivered).await.unwrap();
+    let expected = vec![(1, Delivery::Failed), (2, Delivery::GivenUp), (3, Delivery::Delivered)];
+    assert_eq!(log().await, (false, expected));
+    let without = create(&store, job_of("me", 2)).await.id;
+    assert!(!store.send_callback_again(Subject::Job, &without, of_me).await.unwrap());
+}
+
+async fn a_claim_whose_answer_was_lost_is_found_by_its_name(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    create(&store, job(1)).await;
+    assert_eq!(store.claimed_by("worker/1", LEASE).await.unwrap(), None);
+    let claimed = store.claim("worker/1", LEASE).await.unwrap();
+    assert!(claimed.is_some());
+    let found = store.claimed_by("worker/1", LEASE).await.unwrap().unwrap();
+    let claimed = claimed.unwrap();
+    assert_eq!((&found.id, found.attempt, &found.request), (&claimed.id, claimed.attempt, &claimed.request));
+    assert_eq!(store.claimed_by("worker/2", LEASE).await.unwrap(), None);
+    assert!(store.finish(&found.id, found.attempt, success(b"mesh")).await.unwrap());
+    assert_eq!(store.claimed_by("worker/1", LEASE).await.unwrap(), None);
 }

@@ -44,6 +44,7 @@ failures! {
     not_acceptable: NOT_ACCEPTABLE, "not-acceptable", "None of the accepted media types is offered";
     body_timeout: REQUEST_TIMEOUT, "body-timeout", "The body did not arrive in time";
     no_mesh: CONFLICT, "no-mesh", "The job has no mesh";
+    no_callback: CONFLICT, "no-callback", "The request named no callback URL";
     expired: GONE, "expired", "The job has expired";
     lost: GONE, "mesh-lost", "The stored mesh is lost";
     too_large: PAYLOAD_TOO_LARGE, "too-large", "The request is larger than this server accepts";
@@ -173,6 +174,7 @@ impl From<JobsError> for Failure {
             JobsError::Expired => Self::expired("the job and its mesh were removed when their retention time ended"),
             JobsError::NoMesh(status) => Self::no_mesh(format!("the job is {}", status.name())),
             JobsError::Lost => Self::lost("the stored mesh was damaged and has been removed; submit the request again"),
+            JobsError::NoCallback => Self::no_callback("there is no message to send; name a `callback_url` in the request"),
             JobsError::NoCertificate => Self::not_found(
                 "only minimal surfaces whose request has `certify` have a certificate; the job's warnings say why if it is missing",
             ),

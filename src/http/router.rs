@@ -34,6 +34,9 @@ pub fn resources(with_metrics: bool) -> Vec<Resource> {
         Resource::at("/v1/jobs").get(jobs::list, jobs::list_entry()),
         Resource::at("/v1/jobs/{id}").get(jobs::get, jobs::get_entry()).delete(jobs::delete, jobs::delete_entry()),
         Resource::at("/v1/jobs/{id}/cancel").post(jobs::cancel, jobs::cancel_entry()),
+        Resource::at("/v1/jobs/{id}/callbacks")
+            .get(jobs::callbacks, jobs::callbacks_entry())
+            .post(jobs::send_callback_again, jobs::send_callback_again_entry()),
         Resource::at("/v1/jobs/{id}/mesh").get(mesh::mesh, mesh::mesh_entry()),
         Resource::at("/v1/jobs/{id}/certificate").get(mesh::certificate, mesh::certificate_entry()),
         Resource::at("/v1/jobs/{id}/pattern").get(mesh::pattern, mesh::pattern_entry()),
@@ -44,6 +47,9 @@ pub fn resources(with_metrics: bool) -> Vec<Resource> {
             .get(batches::get, batches::get_entry())
             .delete(batches::delete, batches::delete_entry()),
         Resource::at("/v1/batches/{id}/cancel").post(batches::cancel, batches::cancel_entry()),
+        Resource::at("/v1/batches/{id}/callbacks")
+            .get(batches::callbacks, batches::callbacks_entry())
+            .post(batches::send_callback_again, batches::send_callback_again_entry()),
         Resource::at("/v1/batches/{id}/meshes").get(batches::meshes, batches::meshes_entry()),
         Resource::at("/v1/objectives").get(catalogue::objectives, catalogue::objectives_entry()),
         Resource::at("/v1/limits").get(catalogue::limits, catalogue::limits_entry()),

@@ -4,37 +4,107 @@
 //! A message says what ended and with which status. It carries no result, because the client fetches that with its key.
 //! Any number of processes may send callbacks at once.
 
+use super::view::timestamp;
 use super::{Jobs, JobsError};
 use crate::config::WebhooksConfig;
-use crate::store::{Callback, Subject};
+use crate::store::{Attempted, Busy, Callback, CallbackRow, Delivery, Subject};
 use crate::telemetry::metric;
 use crate::webhook::{Message, Sender, Undelivered};
+use crate::wire::callback::{self, Callbacks, Outcome};
 use serde_json::json;
-use std::sync::Arc;
-use std::time::{Duration, SystemTime};
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant, SystemTime};
 use tokio::sync::Semaphore;
 
 /// Interval between two looks for callbacks that are due.
 const POLL: Duration = Duration::from_secs(1);
 /// Number of attempts that may run at once.
-const MAX_CONCURRENT: usize = 8;
+const MAX_CONCURRENT: usize = 16;
+/// Number of attempts that may run at once for one owner, so that one whose receivers are slow leaves room for others.
+const MAX_OF_OWNER: usize = 8;
+/// Number of attempts that may run at once to one host. A host that did not answer last time gets one.
+const MAX_OF_HOST: usize = 4;
 /// Upper bound of the pause between two attempts.
 const MAX_PAUSE: Duration = Duration::from_secs(24 * 3600);
+/// Upper bound of the time for which a host that fails gets no message of this process.
+const MAX_REST: Duration = Duration::from_secs(300);
+
+/// Attempts that run in this process, and hosts that have failed.
+#[derive(Debug, Default)]
+struct Traffic {
+    owners: HashMap<Option<String>, usize>,
+    hosts: HashMap<String, Host>,
+}
+
+#[derive(Debug, Default)]
+struct Host {
+    under_way: usize,
+    /// Number of failed attempts since the last successful one.
+    failures: u32,
+    rests_until: Option<Instant>,
+}
+
+impl Traffic {
+    /// Returns what gets no further attempt at present.
+    fn busy(&self, now: Instant) -> Busy {
+        let owners = self.owners.iter().filter(|(_, count)| **count >= MAX_OF_OWNER).map(|(owner, _)| owner.clone());
+        let hosts = self.hosts.iter().filter(|(_, host)| {
+            let most = if host.failures > 0 { 1 } else { MAX_OF_HOST };
+            host.under_way >= most || host.rests_until.is_some_and(|until| now < until)
+        });
+        Busy { owners: owners.collect(), hosts: hosts.map(|(name, _)| name.clone()).collect() }
+    }
+
+    fn begin(&mut self, callback: &Callback) {
+        *self.owners.entry(callback.owner.clone()).or_default() += 1;
+        self.hosts.entry(callback.host.clone()).or_default().under_way += 1;
+    }
+
+    /// Notes the end of an attempt. A host that failed rests for `retry`, and twice as long after each further failure.
+    fn end(&mut self, callback: &Callback, succeeded: Option<bool>, retry: Duration, now: Instant) {
+        if let Some(count) = self.owners.get_mut(&callback.owner) {
+            *count -= 1;
+        }
+        self.owners.retain(|_, count| *count > 0);
+        if let Some(host) = self.hosts.get_mut(&callback.host) {
+            host.under_way -= 1;
+            match succeeded {
+                Some(true) => (host.failures, host.rests_until) = (0, None),
+                Some(false) => {
+                    let rest = retry.saturating_mul(2u32.saturating_pow(host.failures)).min(MAX_REST);
+                    (host.failures, host.rests_until) = (host.failures.saturating_add(1), Some(now + rest));
+                }
+                None => {}
+            }
+        }
+        // A host that has rested for a long time is forgotten.
+        self.hosts.retain(|_, host| {
+            host.under_way > 0 || host.rests_until.is_some_and(|until| now < until + MAX_REST)
+        });
+    }
+}
 
 /// Sends callbacks until a shutdown is asked for. Returns at once if webhooks are off.
 pub async fn run(jobs: Jobs) {
     let Some(sender) = jobs.webhooks().cloned() else { return };
     let slots = Arc::new(Semaphore::new(MAX_CONCURRENT));
+    let traffic = Arc::new(Mutex::new(Traffic::default()));
     // The lease is longer than the time limit of an attempt, so an attempt ends before another process can claim its
     // callback.
-    let lease = Duration::from_millis(jobs.config().webhooks.timeout_ms) + Duration::from_secs(30);
+    let config = &jobs.config().webhooks;
+    let (lease, retry) =
+        (Duration::from_millis(config.timeout_ms) + Duration::from_secs(30), Duration::from_millis(config.retry_ms));
     while !jobs.is_shutting_down() {
         let Ok(slot) = slots.clone().acquire_owned().await else { return };
-        match jobs.store().claim_callback(lease).await {
+        let busy = locked(&traffic).busy(Instant::now());
+        match jobs.store().claim_callback(lease, &busy).await {
             Ok(Some(callback)) => {
-                let (jobs, sender) = (jobs.clone(), sender.clone());
+                locked(&traffic).begin(&callback);
+                let (jobs, sender, traffic) = (jobs.clone(), sender.clone(), traffic.clone());
                 tokio::spawn(async move {
-                    attempt(&jobs, &sender, &callback).await;
+                    let succeeded = attempt(&jobs, &sender, &callback).await;
+                    locked(&traffic).end(&callback, succeeded, retry, Instant::now());
                     drop(slot);
                 });
                 continue;
@@ -50,6 +120,11 @@ pub async fn run(jobs: Jobs) {
     }
 }
 
+fn locked(traffic: &Mutex<Traffic>) -> MutexGuard<'_, Traffic> {
+    // No thread panics while it holds the lock.
+    traffic.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// Returns the pause after attempt number `attempts`, or `None` if that attempt was the last.
 fn pause(config: &WebhooksConfig, attempts: i64) -> Option<Duration> {
     let attempts = u32::try_from(attempts).unwrap_or(u32::MAX);
@@ -58,7 +133,8 @@ fn pause(config: &WebhooksConfig, attempts: i64) -> Option<Duration> {
     (attempts < config.attempts_max).then(|| first.saturating_mul(factor).min(MAX_PAUSE))
 }
 
-async fn attempt(jobs: &Jobs, sender: &Sender, callback: &Callback) {
+/// Sends a message and stores the outcome. Returns whether the receiver answered, or `None` if nothing was sent.
+async fn attempt(jobs: &Jobs, sender: &Sender, callback: &Callback) -> Option<bool> {
     let store = &jobs.store();
     let (id, attempts) = (&callback.id, callback.attempts);
     let body = match body(jobs, callback).await {
@@ -67,29 +143,30 @@ async fn attempt(jobs: &Jobs, sender: &Sender, callback: &Callback) {
         // later.
         Err(error) => {
             tracing::debug!(?error, id, "no callback");
-            return;
+            return None;
         }
     };
     let message = Message { id, owner: callback.owner.as_deref(), body: body.as_bytes() };
     let now_s = unix_time_s();
-    let (outcome, settled) = match sender.send(&callback.url, message, now_s).await {
-        Ok(()) => ("delivered", store.settle_callback(callback).await),
-        Err(Undelivered::Unwanted) => ("unwanted", store.settle_callback(callback).await),
+    let (delivery, settled) = match sender.send(&callback.url, message, now_s).await {
+        Ok(()) => (Delivery::Delivered, store.settle_callback(callback, Delivery::Delivered).await),
+        Err(Undelivered::Unwanted) => (Delivery::Unwanted, store.settle_callback(callback, Delivery::Unwanted).await),
         Err(Undelivered::Failed(reason)) => match pause(&jobs.config().webhooks, attempts) {
             Some(pause) => {
                 tracing::info!(id, attempts, reason, next_s = pause.as_secs(), "a callback failed");
-                ("failed", store.put_off_callback(callback, pause).await)
+                (Delivery::Failed, store.put_off_callback(callback, pause).await)
             }
             None => {
                 tracing::warn!(id, attempts, reason, "a callback is given up");
-                ("given_up", store.settle_callback(callback).await)
+                (Delivery::GivenUp, store.settle_callback(callback, Delivery::GivenUp).await)
             }
         },
     };
-    metrics::counter!(metric::CALLBACKS, "outcome" => outcome).increment(1);
+    metrics::counter!(metric::CALLBACKS, "outcome" => delivery.name()).increment(1);
     if let Err(error) = settled {
         tracing::warn!(%error, id, "cannot store the outcome of a callback; it will be attempted again");
     }
+    Some(matches!(delivery, Delivery::Delivered | Delivery::Unwanted))
 }
 
 /// Returns the message with the fields of Standard Webhooks: `type`, `timestamp` (when the job or batch ended) and
@@ -111,6 +188,27 @@ async fn body(jobs: &Jobs, callback: &Callback) -> Result<String, JobsError> {
     Ok(message.to_string())
 }
 
+/// Returns the callback of a job or batch in the form that clients see. It says whether an attempt succeeded but not why it
+/// failed, because that would tell about hosts that only this server can reach.
+pub(super) fn view(row: CallbackRow) -> Callbacks {
+    let seen = |attempted: &Attempted| callback::Delivery {
+        attempt: attempted.number.unsigned_abs(),
+        at: timestamp(attempted.at_ms),
+        outcome: match attempted.delivery {
+            Delivery::Delivered => Outcome::Delivered,
+            Delivery::Failed => Outcome::Failed,
+            Delivery::GivenUp => Outcome::GivenUp,
+            Delivery::Unwanted => Outcome::Unwanted,
+        },
+    };
+    Callbacks {
+        callback_url: row.url,
+        next_attempt_at: row.next_ms.filter(|at_ms| *at_ms > 0).map(timestamp),
+        pending: row.next_ms.is_some(),
+        deliveries: row.attempted.iter().map(seen).collect(),
+    }
+}
+
 /// Returns the seconds since 1970 by this process's clock.
 fn unix_time_s() -> i64 {
     let since_1970 = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
@@ -120,6 +218,44 @@ fn unix_time_s() -> i64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn callback(owner: &str, host: &str) -> Callback {
+        Callback::to(Some(owner.into()), &format!("https://{host}/hook"))
+    }
+
+    #[test]
+    fn one_owner_or_host_gets_a_share_of_the_attempts() {
+        let (now, mut traffic) = (Instant::now(), Traffic::default());
+        for number in 0..MAX_OF_OWNER {
+            assert_eq!(traffic.busy(now).owners, []);
+            traffic.begin(&callback("many", &format!("host{}", number % 3)));
+        }
+        assert_eq!(traffic.busy(now), Busy { owners: vec![Some("many".into())], hosts: Vec::new() });
+        for _ in 0..MAX_OF_HOST {
+            traffic.begin(&callback("one", "one.example"));
+        }
+        assert_eq!(traffic.busy(now).hosts, ["one.example"]);
+        traffic.end(&callback("one", "one.example"), Some(true), POLL, now);
+        assert_eq!(traffic.busy(now).hosts, [""; 0]);
+    }
+
+    #[test]
+    fn a_host_that_fails_rests_longer_each_time_and_then_gets_one_attempt() {
+        let (start, mut traffic) = (Instant::now(), Traffic::default());
+        let (retry, dead) = (Duration::from_secs(5), callback("me", "dead.example"));
+        let is_busy = |traffic: &Traffic, s: u64| !traffic.busy(start + Duration::from_secs(s)).hosts.is_empty();
+        for (begun_s, rest_s) in [(0, 5), (5, 10), (15, 20)] {
+            assert!(!is_busy(&traffic, begun_s));
+            traffic.begin(&dead);
+            traffic.end(&dead, Some(false), retry, start + Duration::from_secs(begun_s));
+            assert!(is_busy(&traffic, begun_s + rest_s - 1) && !is_busy(&traffic, begun_s + rest_s));
+        }
+        traffic.begin(&dead);
+        assert!(is_busy(&traffic, 100), "one attempt at a time");
+        traffic.end(&dead, Some(true), retry, start + Duration::from_secs(100));
+        traffic.begin(&dead);
+        assert!(!is_busy(&traffic, 100), "the host has answered");
+    }
 
     #[test]
     fn pauses_grow_up_to_a_day_and_end() {

@@ -7,14 +7,17 @@ use super::files::{File, Files};
 use super::memory::MemoryBudget;
 use super::progress::Running;
 use super::submission::{self, Accepted, Submitted, Submitter};
-use super::{Filter, JobsError, batch, view, worker};
+use super::{Filter, JobsError, batch, callbacks, view, worker};
 use crate::config::Config;
 use crate::status::Status;
-use crate::store::{Artefact, BatchLookup, BatchRow, Filter as StoredFilter, JobRow, JobWatch, Lookup, Store};
+use crate::store::{
+    Artefact, BatchLookup, BatchRow, Filter as StoredFilter, JobRow, JobWatch, Lookup, Store, Subject,
+};
 use crate::telemetry::metric;
 use crate::webhook::Sender;
 use crate::wire::Kind;
 use crate::wire::batch::Batch;
+use crate::wire::callback::Callbacks;
 use crate::wire::job::{Job, JobList};
 use bytes::Bytes;
 use plateau_archive::{Archive, Defect};
@@ -223,6 +226,61 @@ impl Jobs {
         let base = &self.0.config.http.public_base_path;
         let jobs = rows.iter().filter_map(|row| view::listed(base, row)).collect();
         Ok(JobList { jobs, next_cursor })
+    }
+
+    /// Returns what became of the message to a job's callback URL.
+    ///
+    /// # Errors
+    /// Returns the errors of [`Jobs::get`].
+    pub async fn callbacks(&self, id: &str, owner: Option<&str>) -> Result<Callbacks, JobsError> {
+        self.callbacks_of(Subject::Job, id, owner).await
+    }
+
+    /// Sends the message to a job's callback URL again, or at once if an attempt is due later. The message of a job that has
+    /// not ended is still sent at the end.
+    ///
+    /// # Errors
+    /// Returns the errors of [`Jobs::get`], and [`JobsError::NoCallback`] if the request named no URL.
+    pub async fn send_callback_again(&self, id: &str, owner: Option<&str>) -> Result<Callbacks, JobsError> {
+        self.send_again(Subject::Job, id, owner).await
+    }
+
+    /// Returns what became of the message to a batch's callback URL.
+    ///
+    /// # Errors
+    /// Returns the errors of [`Jobs::batch`].
+    pub async fn batch_callbacks(&self, id: &str, owner: Option<&str>) -> Result<Callbacks, JobsError> {
+        self.callbacks_of(Subject::Batch, id, owner).await
+    }
+
+    /// Does for a batch what [`Jobs::send_callback_again`] does for a job.
+    ///
+    /// # Errors
+    /// Returns the errors of [`Jobs::batch`], and [`JobsError::NoCallback`] if the request named no URL.
+    pub async fn send_batch_callback_again(&self, id: &str, owner: Option<&str>) -> Result<Callbacks, JobsError> {
+        self.send_again(Subject::Batch, id, owner).await
+    }
+
+    async fn callbacks_of(&self, of: Subject, id: &str, owner: Option<&str>) -> Result<Callbacks, JobsError> {
+        match self.0.store.callback(of, id, owner).await? {
+            Some(row) => Ok(callbacks::view(row)),
+            None => Err(self.missing(of, id, owner).await),
+        }
+    }
+
+    async fn send_again(&self, of: Subject, id: &str, owner: Option<&str>) -> Result<Callbacks, JobsError> {
+        let due = self.0.store.send_callback_again(of, id, owner).await?;
+        let callbacks = self.callbacks_of(of, id, owner).await?;
+        if due { Ok(callbacks) } else { Err(JobsError::NoCallback) }
+    }
+
+    /// Returns the error for a job or batch without a row.
+    async fn missing(&self, of: Subject, id: &str, owner: Option<&str>) -> JobsError {
+        let found = match of {
+            Subject::Job => self.get(id, owner).await.map(drop).and(Err(JobsError::NotFound)),
+            Subject::Batch => self.batch(id, owner).await.map(drop).and(Err(JobsError::NoBatch)),
+        };
+        found.map_or_else(|error| error, |()| JobsError::NotFound)
     }
 
     /// Cancels a queued or running job at once. Returns a finished job unchanged.

@@ -101,7 +101,7 @@ pub(super) fn read<T: DeserializeOwned>(text: Option<&str>) -> Result<Option<T>,
 
 /// Formats milliseconds since 1970 as RFC 3339 in UTC. Times outside the years 1970 to 9999 become the nearest time
 /// inside.
-fn timestamp(at_ms: i64) -> String {
+pub(super) fn timestamp(at_ms: i64) -> String {
     const LAST_MS: u64 = 253_402_300_799_999;
     let since_1970 = Duration::from_millis(u64::try_from(at_ms).unwrap_or(0).min(LAST_MS));
     humantime::format_rfc3339_millis(SystemTime::UNIX_EPOCH + since_1970).to_string()

@@ -1,6 +1,7 @@
 //! Batches: jobs that were submitted together. Each is an ordinary job whose row names its batch. A batch disappears
 //! with its last job.
 
+use super::callbacks::host_of;
 use super::jobs::{self, BatchPlace, COLUMNS, JobRow, NewJob, Submitted, drop_request, ending, limit};
 use super::tx::{Row, Tx};
 use super::{Result, StoreError, StoreOptions, milliseconds};
@@ -91,6 +92,7 @@ pub(super) fn submit(tx: &mut Tx<'_>, batch: &NewBatch, options: &StoreOptions) 
             ("idempotency_key", batch.idempotency_key.as_deref().into()),
             ("body_hash", (&batch.body_hash).into()),
             ("callback_url", batch.callback_url.as_deref().into()),
+            ("callback_host", batch.callback_url.as_deref().map(host_of).as_deref().into()),
         ],
     )?;
     for (index, job) in batch.jobs.iter().enumerate() {

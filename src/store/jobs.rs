@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use sha2::{Digest, Sha256};
 
+use super::callbacks::host_of;
 use super::queue;
 use super::results::{self, Prepared};
 use super::tx::{Row, Tx, Value};
@@ -518,6 +519,7 @@ fn insert(
             ("content_hash", content.into()),
             ("sharing", sharing.name().into()),
             ("callback_url", job.callback_url.as_deref().into()),
+            ("callback_host", job.callback_url.as_deref().map(host_of).as_deref().into()),
             ("label", job.label.as_deref().into()),
             ("metadata", job.metadata.as_deref().into()),
             ("supersede", job.supersede.as_deref().into()),

@@ -251,6 +251,7 @@ pub(super) fn schemas(generator: &mut SchemaGenerator) {
     generator.subschema_for::<JobList>();
     generator.subschema_for::<EventTicket>();
     generator.subschema_for::<super::batch::Batch>();
+    generator.subschema_for::<super::callback::Callbacks>();
     generator.subschema_for::<Problem>();
     generator.subschema_for::<super::mesh::Mesh>();
     generator.subschema_for::<super::objectives::ObjectiveList>();

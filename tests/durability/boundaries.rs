@@ -3,7 +3,7 @@
 //! dies. At the end nothing is lost and nothing doubled, no file is without a row and no row without its file. Each test
 //! takes some of the boundaries, or all of them with `PLATEAU_LONG=1`.
 
-use crate::cluster::{self, Cluster, Process};
+use crate::cluster::{Cluster, Process};
 use crate::kills::{Load, every_job_ended_once, hardened};
 use crate::postgres::Postgres;
 use crate::proxy::{Boundary, Fault, Proxy};
@@ -194,7 +194,7 @@ async fn a_failure_or_a_death_at_any_statement_of_sqlite_loses_and_doubles_nothi
     }
     every_job_ended_once(&server, &accepted, "faults of SQLite").await;
     server.kill().await;
-    let path = cluster.data().join("plateau.db");
+    let path = cluster.data().join("plateau.sqlite");
     let named = async || {
         let connection = rusqlite::Connection::open(&path).unwrap();
         let mut statement = connection.prepare("SELECT file FROM artefacts").unwrap();

@@ -234,6 +234,63 @@ async fn a_message_that_is_refused_or_fails_too_often_is_given_up() {
 }
 
 #[tokio::test]
+async fn a_receiver_that_never_answers_does_not_delay_the_messages_to_others() {
+    let mut receiver = Receiver::start(&["200 OK"]).await;
+    let app = receiver.app(&[]).await;
+    // Connections are accepted by the operating system, and nobody answers. An attempt lasts 60 s.
+    let silent = TcpListener::bind("127.0.0.1:0").await.unwrap();
+    let url = format!("https://localhost:{}/", silent.local_addr().unwrap().port());
+    app.solve(MINIMAL, &film(&url)).await;
+    for _ in 0..40 {
+        assert_eq!(app.post(MINIMAL, &film(&url)).await.status(), 202);
+    }
+    let job: Value = app.post(MINIMAL, &film(&receiver.url)).await.json().await.unwrap();
+    assert_eq!(receiver.next().await.json()["data"]["id"], job["id"]);
+}
+
+#[tokio::test]
+async fn a_callback_has_a_log_and_is_sent_again_on_request() {
+    let mut receiver = Receiver::start(&["500 Oops", "410 Gone", "200 OK"]).await;
+    let app = receiver.app(&[]).await;
+    let job = app.solve(MINIMAL, &film(&receiver.url)).await;
+    let path = format!("{}/callbacks", job["links"]["self"].as_str().unwrap());
+    let outcomes = async || {
+        let callbacks = app.get_json(&path).await;
+        assert_eq!(callbacks["callback_url"], receiver.url.as_str());
+        let outcomes = callbacks["deliveries"].as_array().unwrap().iter().map(|one| one["outcome"].clone());
+        (callbacks["pending"].clone(), Value::from_iter(outcomes))
+    };
+    crate::hold::until("the message is settled", async || outcomes().await.0 == false).await;
+    assert_eq!(outcomes().await.1, json!(["failed", "unwanted"]));
+    let again = app.request(Method::POST, &path).send().await.unwrap();
+    assert_eq!(again.status(), 202);
+    assert_eq!(again.json::<Value>().await.unwrap()["pending"], true);
+    crate::hold::until("the message is delivered", async || outcomes().await.0 == false).await;
+    assert_eq!(outcomes().await.1, json!(["failed", "unwanted", "delivered"]));
+    for _ in 0..3 {
+        assert_eq!(receiver.next().await.json()["data"]["id"], job["id"]);
+    }
+
+    let without = app.solve(MINIMAL, &small_film(0.5)).await;
+    let path = format!("{}/callbacks", without["links"]["self"].as_str().unwrap());
+    let nothing = json!({ "callback_url": null, "pending": false, "next_attempt_at": null, "deliveries": [] });
+    assert_eq!(app.get_json(&path).await, nothing);
+    problem(app.request(Method::POST, &path).send().await.unwrap(), 409).await;
+    for path in ["/v1/jobs/01J00000000000000000000000/callbacks", "/v1/batches/01J00000000000000000000000/callbacks"] {
+        problem(app.get(path).await, 404).await;
+        problem(app.request(Method::POST, path).send().await.unwrap(), 404).await;
+    }
+    let mut named = small_film(0.5);
+    named["kind"] = "minimal_surface".into();
+    let batch = json!({ "requests": [named], "callback_url": receiver.url });
+    let batch: Value = app.post("/v1/batches", &batch).await.json().await.unwrap();
+    let path = format!("{}/callbacks", batch["links"]["self"].as_str().unwrap());
+    assert_eq!(receiver.next().await.json()["data"]["id"], batch["id"]);
+    assert_eq!(app.request(Method::POST, &path).send().await.unwrap().status(), 202);
+    assert_eq!(receiver.next().await.json()["data"]["id"], batch["id"]);
+}
+
+#[tokio::test]
 async fn a_receiver_with_an_untrusted_certificate_gets_no_message() {
     let mut stranger = Receiver::start(&["200 OK"]).await;
     let trusted = Receiver::start(&["200 OK"]).await;

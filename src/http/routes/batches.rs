@@ -5,7 +5,7 @@ use super::submit::{answer, granted_wait_s, idempotency_key, submission_entry, w
 use crate::http::access::Caller;
 use crate::http::body;
 use crate::http::entry::{
-    id_parameter, json_response, prefer_parameter, query_parameter, representation, with_problems,
+    id_parameter, json_response, prefer_parameter, problem, query_parameter, representation, with_problems,
 };
 use crate::http::negotiate::none_match_hits;
 use crate::http::parameters::{checked, parameters};
@@ -13,6 +13,7 @@ use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::jobs::submission::{Submitted, Submitter};
 use crate::wire::batch::Batch;
+use crate::wire::callback::Callbacks;
 use crate::wire::components::BATCH;
 use axum::Json;
 use axum::body::Body;
@@ -107,6 +108,36 @@ pub async fn cancel(State(app): State<App>, caller: Caller, Path(id): Path<Strin
 pub fn cancel_entry() -> Value {
     let ok = json!({ "200": json_response("The batch", "Batch") });
     one("cancelBatch", "Cancels every job that has not ended", &[], ok, &[])
+}
+
+pub async fn callbacks(
+    State(app): State<App>,
+    caller: Caller,
+    Path(id): Path<String>,
+) -> Result<Json<Callbacks>, Failure> {
+    Ok(Json(app.jobs.batch_callbacks(&checked_batch(&id)?, caller.owner()).await?))
+}
+
+pub fn callbacks_entry() -> Value {
+    let ok = json!({ "200": json_response("The callback and its attempts", "Callbacks") });
+    one("getBatchCallbacks", "What became of the message to the batch's callback URL", &[], ok, &[])
+}
+
+pub async fn send_callback_again(
+    State(app): State<App>,
+    caller: Caller,
+    Path(id): Path<String>,
+) -> Result<(StatusCode, Json<Callbacks>), Failure> {
+    let callbacks = app.jobs.send_batch_callback_again(&checked_batch(&id)?, caller.owner()).await?;
+    Ok((StatusCode::ACCEPTED, Json(callbacks)))
+}
+
+pub fn send_callback_again_entry() -> Value {
+    let accepted = json!({ "202": json_response("The callback, which is sent after the last job", "Callbacks") });
+    let summary = "Sends the message to the batch's callback URL again";
+    let mut entry = one("sendBatchCallbackAgain", summary, &[], accepted, &[]);
+    entry["responses"]["409"] = problem("The request named no callback URL", &[]);
+    entry
 }
 
 pub async fn delete(State(app): State<App>, caller: Caller, Path(id): Path<String>) -> Result<StatusCode, Failure> {

@@ -2,13 +2,14 @@
 
 use super::submit::{granted_wait_s, is_idempotency_key, with_wait};
 use crate::http::access::Caller;
-use crate::http::entry::{ULID, id_parameter, json_response, prefer_parameter, query_parameter, with_problems};
+use crate::http::entry::{ULID, id_parameter, json_response, prefer_parameter, problem, query_parameter, with_problems};
 use crate::http::parameters::{checked, parameters};
 use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::jobs::Filter;
 use crate::status::Status;
 use crate::wire::Kind;
+use crate::wire::callback::Callbacks;
 use crate::wire::job::{Job, JobList};
 use axum::Json;
 use axum::extract::{Path, RawQuery, State};
@@ -103,6 +104,35 @@ pub async fn cancel(State(app): State<App>, caller: Caller, Path(id): Path<Strin
 pub fn cancel_entry() -> Value {
     let ok = json!({ "200": json_response("The job", "Job") });
     one("cancelJob", "Cancels a queued or running job; a finished job stays unchanged", &[], ok)
+}
+
+pub async fn callbacks(
+    State(app): State<App>,
+    caller: Caller,
+    Path(id): Path<String>,
+) -> Result<Json<Callbacks>, Failure> {
+    Ok(Json(app.jobs.callbacks(&checked(&id)?, caller.owner()).await?))
+}
+
+pub fn callbacks_entry() -> Value {
+    let ok = json!({ "200": json_response("The callback and its attempts", "Callbacks") });
+    one("getJobCallbacks", "What became of the message to the job's callback URL", &[], ok)
+}
+
+pub async fn send_callback_again(
+    State(app): State<App>,
+    caller: Caller,
+    Path(id): Path<String>,
+) -> Result<(StatusCode, Json<Callbacks>), Failure> {
+    let callbacks = app.jobs.send_callback_again(&checked(&id)?, caller.owner()).await?;
+    Ok((StatusCode::ACCEPTED, Json(callbacks)))
+}
+
+pub fn send_callback_again_entry() -> Value {
+    let accepted = json!({ "202": json_response("The callback, which is sent once the job has ended", "Callbacks") });
+    let mut entry = one("sendJobCallbackAgain", "Sends the message to the job's callback URL again", &[], accepted);
+    entry["responses"]["409"] = problem("The request named no callback URL", &[]);
+    entry
 }
 
 pub async fn delete(State(app): State<App>, caller: Caller, Path(id): Path<String>) -> Result<StatusCode, Failure> {
