@@ -85,9 +85,8 @@ impl Secret {
 
     /// Returns the secrets of a key, the newest first.
     fn bytes_of(&self, owner: Option<&str>) -> impl Iterator<Item = [u8; 32]> {
-        let derived = move |secret: &Vec<u8>| {
-            Self::mac(secret, &[b"webhooks of ", owner.unwrap_or_default().as_bytes()])
-        };
+        let derived =
+            move |secret: &Vec<u8>| Self::mac(secret, &[b"webhooks of ", owner.unwrap_or_default().as_bytes()]);
         self.0.iter().map(derived)
     }
 

@@ -6,8 +6,8 @@ mod proxy;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use plateau::store::{Lookup, NewJob, Outcome, Renewed, Store, StoreOptions, Submitted};
 use plateau::status::Status;
+use plateau::store::{Lookup, NewJob, Outcome, Renewed, Store, StoreOptions, Submitted};
 use postgres::Postgres;
 use proxy::{Fault, Proxy};
 use sha2::{Digest, Sha256};

@@ -174,7 +174,9 @@ impl From<JobsError> for Failure {
             JobsError::Expired => Self::expired("the job and its mesh were removed when their retention time ended"),
             JobsError::NoMesh(status) => Self::no_mesh(format!("the job is {}", status.name())),
             JobsError::Lost => Self::lost("the stored mesh was damaged and has been removed; submit the request again"),
-            JobsError::NoCallback => Self::no_callback("there is no message to send; name a `callback_url` in the request"),
+            JobsError::NoCallback => {
+                Self::no_callback("there is no message to send; name a `callback_url` in the request")
+            }
             JobsError::NoCertificate => Self::not_found(
                 "only minimal surfaces whose request has `certify` have a certificate; the job's warnings say why if it is missing",
             ),

@@ -1,9 +1,9 @@
 //! One attempt at a job. The solver runs on its own thread, so that it does not stall the async runtime. Meanwhile the
 //! attempt renews the claim and stores progress. When the solver has ended, the attempt stores the outcome.
 
-use super::{Jobs, view};
 use super::progress::{Line, Signal};
 use super::solve::{self, Solved, Unsolved};
+use super::{Jobs, view};
 use crate::status::Status;
 use crate::store::{Claimed, Outcome, Renewed, StoreError};
 use crate::telemetry::metric;

@@ -79,9 +79,7 @@ impl Traffic {
             }
         }
         // A host that has rested for a long time is forgotten.
-        self.hosts.retain(|_, host| {
-            host.under_way > 0 || host.rests_until.is_some_and(|until| now < until + MAX_REST)
-        });
+        self.hosts.retain(|_, host| host.under_way > 0 || host.rests_until.is_some_and(|until| now < until + MAX_REST));
     }
 }
 

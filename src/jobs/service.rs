@@ -10,9 +10,7 @@ use super::submission::{self, Accepted, Submitted, Submitter};
 use super::{Filter, JobsError, batch, callbacks, view, worker};
 use crate::config::Config;
 use crate::status::Status;
-use crate::store::{
-    Artefact, BatchLookup, BatchRow, Filter as StoredFilter, JobRow, JobWatch, Lookup, Store, Subject,
-};
+use crate::store::{Artefact, BatchLookup, BatchRow, Filter as StoredFilter, JobRow, JobWatch, Lookup, Store, Subject};
 use crate::telemetry::metric;
 use crate::webhook::Sender;
 use crate::wire::Kind;

@@ -164,9 +164,7 @@ pub(super) fn claim(tx: &mut Tx<'_>, lease: Duration, busy: &Busy) -> Result<Opt
              RETURNING id, owner, callback_url, callback_attempts, callback_attempts - callback_base AS attempts"
         );
         let values = [busy.owners(), busy.hosts()];
-        if let Some(row) =
-            tx.row(&text, &[(&values[0]).into(), (&values[1]).into(), milliseconds(lease).into()])?
-        {
+        if let Some(row) = tx.row(&text, &[(&values[0]).into(), (&values[1]).into(), milliseconds(lease).into()])? {
             let url: String = row.get("callback_url")?;
             return Ok(Some(Callback {
                 subject,
@@ -198,9 +196,8 @@ pub(super) fn settle(tx: &mut Tx<'_>, callback: &Callback, delivery: Delivery) -
 /// Makes a callback due again after `pause`, because its attempt failed.
 pub(super) fn put_off(tx: &mut Tx<'_>, callback: &Callback, pause: Duration) -> Result<()> {
     let table = callback.subject.table();
-    let text = format!(
-        "UPDATE {table} SET callback_at = now_ms() + $4, {LOGGED} WHERE id = $1 AND callback_attempts = $2"
-    );
+    let text =
+        format!("UPDATE {table} SET callback_at = now_ms() + $4, {LOGGED} WHERE id = $1 AND callback_attempts = $2");
     let failed = Delivery::Failed.name();
     let values = [(&callback.id).into(), callback.number.into(), failed.into(), milliseconds(pause).into()];
     tx.execute(&text, &values).map(|_| ())

@@ -35,7 +35,8 @@ pub enum Renewed {
 
 /// SQL condition for running jobs whose lease, of at most `$1` ms, has run out. A lease that ends more than twice its length in the future
 /// was given by a clock that has since been set back, so it counts as run out too. Smaller steps back do no harm.
-const LEASE_EXPIRED: &str = "status = 'running' AND ((lease_until <= now_ms() AND lease_ms <= $1) OR lease_until > now_ms() + 2 * lease_ms)";
+const LEASE_EXPIRED: &str =
+    "status = 'running' AND ((lease_until <= now_ms() AND lease_ms <= $1) OR lease_until > now_ms() + 2 * lease_ms)";
 
 /// Number of lost leases that one transaction handles.
 const RECOVERY_STEP: i64 = 100;

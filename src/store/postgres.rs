@@ -6,17 +6,22 @@ use std::error::Error as _;
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use postgres::config::{Host, SslMode};
-use postgres::error::SqlState;
-use postgres::fallible_iterator::FallibleIterator;
-use postgres::types::private::BytesMut;
-use postgres::types::{IsNull, ToSql, Type, to_sql_checked};
-use postgres::{Client, Config, NoTls, Statement};
+use futures_util::stream::{StreamExt, poll_fn};
+use tokio::io::{AsyncRead, AsyncWrite};
+use tokio::runtime::{Builder, Runtime};
+use tokio::sync::mpsc::{UnboundedReceiver, UnboundedSender, unbounded_channel};
+use tokio::time::timeout;
+use tokio_postgres::config::{Host, SslMode};
+use tokio_postgres::error::SqlState;
+use tokio_postgres::tls::MakeTlsConnect;
+use tokio_postgres::types::private::BytesMut;
+use tokio_postgres::types::{IsNull, ToSql, Type, to_sql_checked};
+use tokio_postgres::{AsyncMessage, Client, Config, NoTls, Socket, Statement};
 
-pub(super) use postgres::Row as PgRow;
-pub(super) use postgres::types::FromSql as FromPostgres;
+pub(super) use tokio_postgres::Row as PgRow;
+pub(super) use tokio_postgres::types::FromSql as FromPostgres;
 
 use super::migrations::migrate;
 use super::pool::Pool;
@@ -28,7 +33,24 @@ use super::{Result, StoreError, StoreOptions};
 const PATIENCE: Duration = Duration::from_secs(5);
 /// Number of tries of a transaction that fails because of a deadlock or of two equal idempotency keys at once.
 const TRIES: usize = 5;
-const SESSION_OPTIONS: &str = "-c statement_timeout=60s -c idle_in_transaction_session_timeout=60s";
+/// Time after which the server ends a statement, and a transaction whose client is silent. The second frees the rows that
+/// a client behind a broken network has locked.
+const SESSION_OPTIONS: &str = "-c statement_timeout=8s -c idle_in_transaction_session_timeout=8s";
+/// Time limit for the answer to a statement. The server's own limit is shorter, so that only a broken network or server
+/// reaches this one. A lease of 15 s, the default, is renewed every 5 s: a renewal whose connection is silent fails early
+/// enough to be repeated before the lease ends.
+const STATEMENT_LIMIT: Duration = Duration::from_secs(9);
+/// Time after which the operating system gives up a connection whose data the server's machine does not acknowledge.
+const UNACKNOWLEDGED_LIMIT: Duration = Duration::from_secs(9);
+/// Time without traffic after which the operating system asks the server's machine for a sign of life, and the interval
+/// and number of further questions.
+const KEEPALIVE_IDLE: Duration = Duration::from_secs(10);
+const KEEPALIVE_INTERVAL: Duration = Duration::from_secs(3);
+const KEEPALIVE_RETRIES: u32 = 3;
+/// Time limit for each statement of a migration.
+const MIGRATION_LIMIT: Duration = Duration::from_secs(600);
+/// Interval at which the listening connection is tested. Nothing else would show that it is silent.
+const LISTEN_TEST_INTERVAL: Duration = Duration::from_secs(10);
 const CHANNEL: &str = "plateau_changes";
 const RECONNECT_DELAY: Duration = Duration::from_secs(1);
 /// Interval at which the listening thread checks whether the store has been closed.
@@ -48,7 +70,7 @@ impl Database {
         let session_server = server.clone();
         let open = move || Ok(Session::new(session_server.clone()));
         let sessions = Pool::start("postgres", threads, Some(PATIENCE), open)?;
-        sessions.run(|session| session.transact(&migrate)).await?;
+        sessions.run(|session| session.migrate()).await?;
         Ok(Self { server, sessions })
     }
 
@@ -106,17 +128,21 @@ impl Database {
 
 /// Listens until the connection breaks or the store is closed.
 fn listen_once(server: &Server, stopped: &Receiver<()>, heard: &impl Fn(Option<&str>)) -> Result<()> {
-    let mut client = server.connect()?;
-    client.batch_execute(&format!("LISTEN {CHANNEL}"))?;
+    let mut connection = Connection::open(server)?;
+    connection.run(STATEMENT_LIMIT, async |client| client.batch_execute(&format!("LISTEN {CHANNEL}")).await)?;
     // Notifications sent before this connection was opened are lost.
     heard(None);
+    let mut tested_at = Instant::now();
     while stopped.recv_timeout(Duration::ZERO) != Err(RecvTimeoutError::Disconnected) {
-        client.notifications().timeout_iter(LISTEN_STEP).for_each(|notification| {
-            heard(Some(notification.payload()));
-            Ok(())
-        })?;
-        if client.is_closed() {
-            return Err(StoreError::Unavailable("the server closed the connection".into()));
+        let Connection { runtime, notifications, .. } = &mut connection;
+        match runtime.block_on(async { timeout(LISTEN_STEP, notifications.recv()).await }) {
+            Ok(Some(payload)) => heard(Some(&payload)),
+            Ok(None) => return Err(StoreError::Unavailable("the server closed the connection".into())),
+            Err(_) if tested_at.elapsed() >= LISTEN_TEST_INTERVAL => {
+                connection.run(STATEMENT_LIMIT, async |client| client.check_connection().await)?;
+                tested_at = Instant::now();
+            }
+            Err(_) => {}
         }
     }
     Ok(())
@@ -144,13 +170,13 @@ impl Server {
         Ok(Self { config, encryption })
     }
 
-    fn connect(&self) -> Result<Client> {
-        let Some(encryption) = &self.encryption else { return self.config.connect(NoTls).map_err(refusal) };
-        match self.config.connect(encryption.clone()) {
+    async fn connect(&self) -> Result<(Client, UnboundedReceiver<String>)> {
+        let Some(encryption) = &self.encryption else { return connect(&self.config, NoTls).await.map_err(refusal) };
+        match connect(&self.config, encryption.clone()).await {
             // The server offers TLS, but it does not work, or the server lets this user in only without it. `prefer`
             // then means a plain connection, as it does to libpq.
             Err(error) if self.config.get_ssl_mode() == SslMode::Prefer && needs_plain(&error) => {
-                self.config.clone().ssl_mode(SslMode::Disable).connect(NoTls)
+                connect(self.config.clone().ssl_mode(SslMode::Disable), NoTls).await
             }
             connected => connected,
         }
@@ -158,82 +184,179 @@ impl Server {
     }
 }
 
-fn needs_plain(error: &postgres::Error) -> bool {
+/// Connects, and starts the task that carries the connection. Returns the notifications with the client.
+async fn connect<T>(
+    config: &Config,
+    tls: T,
+) -> std::result::Result<(Client, UnboundedReceiver<String>), tokio_postgres::Error>
+where
+    T: MakeTlsConnect<Socket>,
+    T::Stream: Send + 'static,
+{
+    let (client, connection) = config.connect(tls).await?;
+    let (sender, notifications) = unbounded_channel();
+    tokio::spawn(carry(connection, sender));
+    Ok((client, notifications))
+}
+
+/// Carries a connection until it ends, and passes its notifications on.
+async fn carry<S>(mut connection: tokio_postgres::Connection<Socket, S>, notifications: UnboundedSender<String>)
+where
+    S: AsyncRead + AsyncWrite + Unpin,
+{
+    let mut messages = poll_fn(|context| connection.poll_message(context));
+    // Every statement gets the error with which a connection ends, so it is not reported here.
+    while let Some(Ok(message)) = messages.next().await {
+        if let AsyncMessage::Notification(notification) = message {
+            // Only the listening connection has a receiver that reads.
+            let _ = notifications.send(notification.payload().to_owned());
+        }
+    }
+}
+
+fn needs_plain(error: &tokio_postgres::Error) -> bool {
     error.code() == Some(&SqlState::INVALID_AUTHORIZATION_SPECIFICATION)
         || error.source().is_some_and(|source| source.is::<Disagreement>())
 }
 
 /// Returns the error of an attempt to connect. Unless the server may be reachable later, it is a refusal.
-fn refusal(error: postgres::Error) -> StoreError {
+fn refusal(error: tokio_postgres::Error) -> StoreError {
     match StoreError::from(error) {
         StoreError::Internal(text) => StoreError::Refused(text),
         other => other,
     }
 }
 
+/// An open connection. It moves only while one of its statements or a notification is awaited. Dropping it closes it
+/// without waiting for the server.
+struct Connection {
+    /// Runs the task that carries the connection.
+    runtime: Runtime,
+    client: Client,
+    notifications: UnboundedReceiver<String>,
+}
+
+impl Connection {
+    fn open(server: &Server) -> Result<Self> {
+        let runtime = Builder::new_current_thread().enable_all().build()?;
+        let opening = runtime.block_on(async { timeout(PATIENCE, server.connect()).await });
+        let (client, notifications) = opening.map_err(|_| silent(PATIENCE))??;
+        Ok(Self { runtime, client, notifications })
+    }
+
+    /// Runs one exchange with the server, which must answer within `limit`.
+    fn run<T>(
+        &self,
+        limit: Duration,
+        exchange: impl AsyncFnOnce(&Client) -> std::result::Result<T, tokio_postgres::Error>,
+    ) -> Result<T> {
+        let answer = self.runtime.block_on(async { timeout(limit, exchange(&self.client)).await });
+        Ok(answer.map_err(|_| silent(limit))??)
+    }
+}
+
+fn silent(limit: Duration) -> StoreError {
+    StoreError::Unavailable(format!("the server did not answer for {} s", limit.as_secs()))
+}
+
 /// One connection, which is opened at the first use and again after it broke.
 pub(super) struct Session {
     server: Server,
-    client: Option<Client>,
+    connection: Option<Connection>,
     /// Prepared statements of this connection, by their text.
     statements: HashMap<String, Statement>,
+    /// Time limit for the answer to a statement.
+    limit: Duration,
+    /// True while a transaction is open. Its statements must not run on another connection.
+    in_transaction: bool,
 }
 
 impl std::fmt::Debug for Session {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        formatter.debug_struct("Session").field("connected", &self.client.is_some()).finish_non_exhaustive()
+        formatter.debug_struct("Session").field("connected", &self.connection.is_some()).finish_non_exhaustive()
     }
 }
 
 impl Session {
     fn new(server: Server) -> Self {
-        Self { server, client: None, statements: HashMap::new() }
+        Self { server, connection: None, statements: HashMap::new(), limit: STATEMENT_LIMIT, in_transaction: false }
     }
 
-    fn client(&mut self) -> Result<&mut Client> {
-        match &mut self.client {
-            Some(client) => Ok(client),
+    /// Runs one exchange with the server. A connection that did not answer in time is closed, because its next answer
+    /// would belong to this exchange.
+    fn run<T>(
+        &mut self,
+        exchange: impl AsyncFnOnce(&Client) -> std::result::Result<T, tokio_postgres::Error>,
+    ) -> Result<T> {
+        let connection = match &mut self.connection {
+            Some(connection) => connection,
+            None if self.in_transaction => {
+                return Err(StoreError::Unavailable("the connection of this transaction is closed".into()));
+            }
             none => {
                 self.statements.clear();
-                Ok(none.insert(self.server.connect()?))
+                none.insert(Connection::open(&self.server)?)
             }
+        };
+        let mut in_time = false;
+        let ran = connection.run(self.limit, async |client| {
+            let ran = exchange(client).await;
+            in_time = true;
+            ran
+        });
+        if !in_time {
+            self.connection = None;
+        }
+        ran
+    }
+
+    /// Closes the connection if it is broken, so that the next statement opens another one. This asks the server, so it
+    /// runs only after an error.
+    fn drop_broken(&mut self) {
+        if self.connection.is_some() && self.run(async |client| client.check_connection().await).is_err() {
+            self.connection = None;
         }
     }
 
-    /// Closes a connection that is broken, so that the next statement opens another one.
-    fn drop_broken(&mut self) {
-        if self.client.as_mut().is_some_and(|client| client.check_connection().is_err() || client.is_closed()) {
-            self.client = None;
-        }
+    /// Migrates the tables. A new index over a long table takes longer than any other statement.
+    fn migrate(&mut self) -> Result<()> {
+        self.limit = MIGRATION_LIMIT;
+        let migrated = self.transact(&|tx| {
+            tx.script("SET LOCAL statement_timeout = 0")?;
+            migrate(tx)
+        });
+        self.limit = STATEMENT_LIMIT;
+        migrated.map(|((), _)| ())
     }
 
     fn transact<T>(&mut self, work: &impl Fn(&mut Tx<'_>) -> Result<T>) -> Result<(T, AfterCommit)> {
-        self.drop_broken();
         if let Err(error) = self.script("BEGIN") {
-            // The server closed the connection since the last statement, and nothing of this transaction has happened.
+            // The server may have closed the connection since the last statement, and nothing of this transaction has
+            // happened.
             self.drop_broken();
-            if self.client.is_some() {
+            if self.connection.is_some() {
                 return Err(error);
             }
             self.script("BEGIN")?;
         }
+        self.in_transaction = true;
         let mut tx = Tx::postgres(self);
         let worked = work(&mut tx);
         let after_commit = tx.into_after_commit();
         let ended = worked.and_then(|value| self.script("COMMIT").map(|()| (value, after_commit)));
-        if ended.is_err() && self.script("ROLLBACK").is_err() {
+        if ended.is_err() && self.connection.is_some() && self.script("ROLLBACK").is_err() {
             // The server rolls back when the connection closes.
-            self.client = None;
+            self.connection = None;
         }
+        self.in_transaction = false;
         ended
     }
 
     fn read<T>(&mut self, work: &impl Fn(&mut Tx<'_>) -> Result<T>) -> Result<T> {
-        self.drop_broken();
         let read = work(&mut Tx::postgres(self));
         if read.is_err() {
             self.drop_broken();
-            if self.client.is_none() {
+            if self.connection.is_none() {
                 return work(&mut Tx::postgres(self));
             }
         }
@@ -241,27 +364,27 @@ impl Session {
     }
 
     pub(super) fn script(&mut self, text: &str) -> Result<()> {
-        Ok(self.client()?.batch_execute(text)?)
+        self.run(async |client| client.batch_execute(text).await)
     }
 
     pub(super) fn rows(&mut self, text: &str, values: &[Value<'_>]) -> Result<Vec<PgRow>> {
         let statement = self.prepared(text, values)?;
-        Ok(self.client()?.query(&statement, &parameters(values))?)
+        self.run(async |client| client.query(&statement, &parameters(values)).await)
     }
 
     pub(super) fn execute(&mut self, text: &str, values: &[Value<'_>]) -> Result<u64> {
         let statement = self.prepared(text, values)?;
-        Ok(self.client()?.execute(&statement, &parameters(values))?)
+        self.run(async |client| client.execute(&statement, &parameters(values)).await)
     }
 
     fn prepared(&mut self, text: &str, values: &[Value<'_>]) -> Result<Statement> {
-        if self.client.is_some()
+        if self.connection.is_some()
             && let Some(statement) = self.statements.get(text)
         {
             return Ok(statement.clone());
         }
         let types: Vec<Type> = values.iter().map(Value::postgres_type).collect();
-        let statement = self.client()?.prepare_typed(text, &types)?;
+        let statement = self.run(async |client| client.prepare_typed(text, &types).await)?;
         self.statements.insert(text.to_owned(), statement.clone());
         Ok(statement)
     }
@@ -302,8 +425,8 @@ impl ToSql for Value<'_> {
     to_sql_checked!();
 }
 
-impl From<postgres::Error> for StoreError {
-    fn from(error: postgres::Error) -> Self {
+impl From<tokio_postgres::Error> for StoreError {
+    fn from(error: tokio_postgres::Error) -> Self {
         let text = match error.source() {
             Some(source) => format!("{error}: {source}"),
             None => error.to_string(),
@@ -330,8 +453,9 @@ impl From<postgres::Error> for StoreError {
 /// before the path. A password that is not in the URL comes from `PGPASSWORD` or from the file `PGPASSFILE`
 /// (`~/.pgpass`).
 fn config(url: &str) -> Result<Config> {
-    let unusable =
-        |error: postgres::Error| StoreError::Url(error.source().map_or_else(|| error.to_string(), ToString::to_string));
+    let unusable = |error: tokio_postgres::Error| {
+        StoreError::Url(error.source().map_or_else(|| error.to_string(), ToString::to_string))
+    };
     let mut config = Config::from_str(&with_one_host(url)).map_err(unusable)?;
     if config.get_user().is_none() {
         let user = std::env::var("PGUSER").or_else(|_| std::env::var("USER"));
@@ -343,6 +467,8 @@ fn config(url: &str) -> Result<Config> {
     }
     let options = config.get_options().map_or(SESSION_OPTIONS.into(), |own| format!("{SESSION_OPTIONS} {own}"));
     config.application_name("plateau").options(&options).connect_timeout(PATIENCE);
+    config.tcp_user_timeout(UNACKNOWLEDGED_LIMIT).keepalives_idle(KEEPALIVE_IDLE);
+    config.keepalives_interval(KEEPALIVE_INTERVAL).keepalives_retries(KEEPALIVE_RETRIES);
     Ok(config)
 }
 

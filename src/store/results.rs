@@ -127,7 +127,8 @@ pub(super) fn remove(tx: &mut Tx<'_>, hash: &[u8], orphan_age: Duration) -> Resu
 
 /// Returns the size of a result without a job and whether its bytes are in the database, or `None` if a job has the result.
 pub(super) fn orphan_size(tx: &mut Tx<'_>, hash: &[u8]) -> Result<Option<(i64, bool)>> {
-    let text = "SELECT size, file FROM artefacts WHERE hash = $1 AND NOT EXISTS (SELECT 1 FROM jobs WHERE artefact = $1)";
+    let text =
+        "SELECT size, file FROM artefacts WHERE hash = $1 AND NOT EXISTS (SELECT 1 FROM jobs WHERE artefact = $1)";
     let Some(row) = tx.row(text, &[hash.into()])? else { return Ok(None) };
     Ok(Some((row.get("size")?, row.get::<Option<String>>("file")?.is_none())))
 }

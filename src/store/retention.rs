@@ -128,7 +128,9 @@ fn expire(tx: &mut Tx<'_>, choice: &Choice, step: i64, orphan_age: Duration) -> 
     for row in choice.rows(tx, step)? {
         let id: String = row.get("id")?;
         // A full database first needs the space of the row.
-        let Some(removed) = tx.row("DELETE FROM jobs WHERE id = $1 RETURNING owner", &[(&id).into()])? else { continue };
+        let Some(removed) = tx.row("DELETE FROM jobs WHERE id = $1 RETURNING owner", &[(&id).into()])? else {
+            continue;
+        };
         let owner: String = removed.get("owner")?;
         let remember =
             "INSERT INTO expired_jobs (id, owner, expired_at) VALUES ($1, $2, now_ms()) ON CONFLICT DO NOTHING";

@@ -236,6 +236,8 @@ fn write_in_groups(connection: Sqlite, copier: Copier, mut messages: mpsc::Recei
             let _ = done.send(cut.map_err(StoreError::from));
         }
     }
+    // Writes fail from now on, and `check_writer` says so.
+    drop(messages);
     drop(copier);
     if let Err((_, error)) = connection.close() {
         tracing::warn!(%error, "cannot close the database");

@@ -79,7 +79,8 @@ async fn a_connection_cut_at_any_statement_loses_and_doubles_nothing() {
     load.some_are_accepted().await;
     proxy.forget();
     tokio::time::sleep(WATCHED).await;
-    let boundaries: Vec<Boundary> = proxy.seen().into_iter().filter(|boundary| boundary.statement != "ROLLBACK").collect();
+    let boundaries: Vec<Boundary> =
+        proxy.seen().into_iter().filter(|boundary| boundary.statement != "ROLLBACK").collect();
     let (mut happened, mut missed) = (BTreeMap::<&str, usize>::new(), 0);
     for (number, boundary) in boundaries.iter().enumerate() {
         // Statements of operations that the load is about are never left out.

@@ -51,7 +51,8 @@ async fn an_outage_of_one_worker_hands_its_job_over_and_costs_no_attempt() {
     let url = postgres.database().await;
     let proxy = Proxy::start(&url);
     let settings = [("PLATEAU_JOBS__LEASE_MS", 1000), ("PLATEAU_JOBS__ATTEMPTS_MAX", 2)];
-    let cluster = |url| settings.iter().fold(Cluster::new(Some(url)), |cluster, (name, value)| cluster.set(name, value));
+    let cluster =
+        |url| settings.iter().fold(Cluster::new(Some(url)), |cluster, (name, value)| cluster.set(name, value));
     let (cut_off, direct) = (cluster(proxy.url()), cluster(url));
     let server = direct.serve(0).await;
     let _worker = cut_off.worker(1);

@@ -2,7 +2,9 @@
 
 use super::submit::{granted_wait_s, is_idempotency_key, with_wait};
 use crate::http::access::Caller;
-use crate::http::entry::{ULID, id_parameter, json_response, prefer_parameter, problem, query_parameter, with_problems};
+use crate::http::entry::{
+    ULID, id_parameter, json_response, prefer_parameter, problem, query_parameter, with_problems,
+};
 use crate::http::parameters::{checked, parameters};
 use crate::http::problem::Failure;
 use crate::http::state::App;
