@@ -12,10 +12,10 @@ use super::{Result, Store, batches, jobs, milliseconds, results};
 const SWEEP_STEP: i64 = 50;
 /// Number of jobs that one transaction expires to get below the byte budget.
 const EVICTION_STEP: i64 = 10;
-/// Space that the row of a job takes in an SQLite database beside its long texts, with its entries in the indexes, in bytes.
-/// Measured on a database of 10,000 strips.
+/// Estimate of the space that the row of a job takes in an SQLite database beside its long texts, with its entries in the
+/// indexes, in bytes. The size of the database is read again after the eviction, so an error costs another round at most.
 const ROW_BYTES: i64 = 700;
-/// Space that the identifier of an expired job takes there with its entries in the indexes, in bytes.
+/// Estimate of the space that the identifier of an expired job takes there, in bytes.
 const EXPIRED_BYTES: i64 = 200;
 /// Number of results without a job that one query returns.
 const ORPHANS_STEP: usize = 200;

@@ -69,7 +69,7 @@ impl BatchRequest {
             }
         }
         if !invalid.is_empty() {
-            // What is too large in other requests is named too, because the client corrects both.
+            // Requests that are too large are named too, because the client corrects both.
             invalid.extend(too_large);
             invalid.truncate(MAX_ERRORS + 1);
             return Err(Rejection::Invalid(invalid));

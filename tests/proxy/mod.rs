@@ -16,7 +16,7 @@ use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-/// What happens to the connection of a statement.
+/// Disturbance of the connection that carries a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {
     /// The connection closes, and the server never gets the statement.
@@ -135,7 +135,7 @@ impl Proxy {
     pub fn silence(&self, silent: bool) {
         self.state.silent.store(silent, Ordering::SeqCst);
         if !silent {
-            // What was sent during the silence is lost, so its connections cannot go on.
+            // Statements that were sent during the silence are lost, so their connections cannot go on.
             self.cut_all();
         }
     }
