@@ -19,19 +19,27 @@ pub(super) async fn run(jobs: Jobs, name: String) {
     let mut work = jobs.store().work_signal();
     // Each claim has a name of its own, by which it is found if its answer is lost.
     let (mut number, mut uncertain) = (0_u64, false);
+    let claim_name = |number: u64| format!("{name}/{number}");
     loop {
         // Submissions that are solved at once take the same slots as jobs from the queue.
         let Ok(slot) = jobs.slots().acquire_owned().await else { return };
         if jobs.is_shutting_down() {
+            if uncertain && let Ok(Some(claimed)) = jobs.store().claimed_by(&claim_name(number), lease).await {
+                // If this fails too, the lease runs out.
+                let _ = jobs.store().hand_back(&claimed.id, claimed.attempt).await;
+            }
             return;
         }
         work.borrow_and_update();
         // No job is started while the store could not take its result.
         let claimed = match jobs.store().check_room_for_results() {
-            Ok(()) => claim(&jobs, &format!("{name}/{number}"), lease, uncertain).await,
+            Ok(()) => {
+                let claimed = claim(&jobs, &claim_name(number), lease, uncertain).await;
+                uncertain = claimed.is_err();
+                claimed
+            }
             Err(_) => Ok(None),
         };
-        uncertain = claimed.is_err();
         match claimed {
             Ok(Some(claimed)) => {
                 number += 1;
