@@ -87,6 +87,24 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/batches/{id}/callbacks": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** What became of the message to the batch's callback URL */
+        get: operations["getBatchCallbacks"];
+        put?: never;
+        /** Sends the message to the batch's callback URL again */
+        post: operations["sendBatchCallbackAgain"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/batches/{id}/cancel": {
         parameters: {
             query?: never;
@@ -205,6 +223,24 @@ export interface paths {
         post?: never;
         /** Cancels the job if needed, and removes it with its mesh */
         delete: operations["deleteJob"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/jobs/{id}/callbacks": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** What became of the message to the job's callback URL */
+        get: operations["getJobCallbacks"];
+        put?: never;
+        /** Sends the message to the job's callback URL again */
+        post: operations["sendJobCallbackAgain"];
+        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -788,6 +824,17 @@ export interface components {
          * @enum {string}
          */
         Cache: "reuse" | "bypass";
+        /** @description Message to the callback URL of a job or batch. */
+        Callbacks: {
+            /** @description Null if the request named no URL. */
+            callback_url: string | null;
+            /** @description Attempts so far, oldest first. */
+            deliveries: components["schemas"]["Delivery"][];
+            /** @description Time of the next attempt (RFC 3339, UTC). Null if it is not known yet or if there is none. */
+            next_attempt_at: string | null;
+            /** @description True until the message has been delivered or given up. */
+            pending: boolean;
+        };
         /** @enum {string} */
         Caps: "none" | "flat";
         /**
@@ -955,6 +1002,20 @@ export interface components {
             /** Format: double */
             radius: number;
         };
+        /** @description An attempt to deliver a message. */
+        Delivery: {
+            /** @description Time at which the attempt ended (RFC 3339, UTC). */
+            at: string;
+            /** @description Number of the attempt, counted from 1. */
+            attempt: number;
+            outcome: components["schemas"]["DeliveryOutcome"];
+        };
+        /**
+         * @description How an attempt ended: `delivered` if the receiver answered 2xx, `unwanted` if it answered 410, `failed` if the attempt
+         *     will be repeated, and `given_up` if it was the last.
+         * @enum {string}
+         */
+        DeliveryOutcome: "delivered" | "unwanted" | "failed" | "given_up";
         /** @enum {string} */
         Direction: "as_given" | "auto";
         /** @description Domain of the mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs` and `boundaries`. */
@@ -3519,6 +3580,77 @@ export interface operations {
             503: components["responses"]["Unavailable"];
         };
     };
+    getBatchCallbacks: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the batch. */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The callback and its attempts */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Callbacks"];
+                };
+            };
+            401: components["responses"]["Unauthorized"];
+            404: components["responses"]["NotFound"];
+            410: components["responses"]["Gone"];
+            421: components["responses"]["Misdirected"];
+            429: components["responses"]["RateLimited"];
+            500: components["responses"]["Failed"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    sendBatchCallbackAgain: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the batch. */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The callback, which is sent after the last job */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Callbacks"];
+                };
+            };
+            401: components["responses"]["Unauthorized"];
+            403: components["responses"]["ForeignPage"];
+            404: components["responses"]["NotFound"];
+            /** @description The request named no callback URL */
+            409: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            410: components["responses"]["Gone"];
+            421: components["responses"]["Misdirected"];
+            429: components["responses"]["RateLimited"];
+            500: components["responses"]["Failed"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
     cancelBatch: {
         parameters: {
             query?: never;
@@ -3838,6 +3970,77 @@ export interface operations {
             401: components["responses"]["Unauthorized"];
             403: components["responses"]["ForeignPage"];
             404: components["responses"]["NotFound"];
+            410: components["responses"]["Gone"];
+            421: components["responses"]["Misdirected"];
+            429: components["responses"]["RateLimited"];
+            500: components["responses"]["Failed"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    getJobCallbacks: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the job. */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The callback and its attempts */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Callbacks"];
+                };
+            };
+            401: components["responses"]["Unauthorized"];
+            404: components["responses"]["NotFound"];
+            410: components["responses"]["Gone"];
+            421: components["responses"]["Misdirected"];
+            429: components["responses"]["RateLimited"];
+            500: components["responses"]["Failed"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    sendJobCallbackAgain: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Identifier of the job. */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The callback, which is sent once the job has ended */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Callbacks"];
+                };
+            };
+            401: components["responses"]["Unauthorized"];
+            403: components["responses"]["ForeignPage"];
+            404: components["responses"]["NotFound"];
+            /** @description The request named no callback URL */
+            409: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             410: components["responses"]["Gone"];
             421: components["responses"]["Misdirected"];
             429: components["responses"]["RateLimited"];

@@ -28,6 +28,9 @@ Cache = Literal['reuse', 'bypass']
 Caps = Literal['none', 'flat']
 Certify = Union[bool, "CertifyOptions"]
 """Whether and how to prove a lower bound of the area."""
+DeliveryOutcome = Literal['delivered', 'unwanted', 'failed', 'given_up']
+"""How an attempt ended: `delivered` if the receiver answered 2xx, `unwanted` if it answered 410, `failed` if the attempt
+will be repeated, and `given_up` if it was the last."""
 Direction = Literal['as_given', 'auto']
 ForceUnit = Literal['N', 'kN', 'MN', 'lbf', 'kip']
 """Unit of the client's forces. A film's tension is a force per unit of length, and a pressure a force per unit of area."""
@@ -377,6 +380,18 @@ class CableNetStatistics(TypedDict):
     vertices: int
 
 
+class Callbacks(TypedDict):
+    """Message to the callback URL of a job or batch."""
+    callback_url: Optional[str]
+    """Null if the request named no URL."""
+    deliveries: List[Delivery]
+    """Attempts so far, oldest first."""
+    next_attempt_at: Optional[str]
+    """Time of the next attempt (RFC 3339, UTC). Null if it is not known yet or if there is none."""
+    pending: bool
+    """True until the message has been delivered or given up."""
+
+
 class Certificate(TypedDict):
     """A proven lower bound of the area of all oriented surfaces with this boundary. With more than six boundaries it covers
     only the surfaces that run along them in the directions of the film."""
@@ -485,6 +500,15 @@ class CylinderGuide(TypedDict):
     point: Sequence[float]
     """A point of the axis."""
     radius: float
+
+
+class Delivery(TypedDict):
+    """An attempt to deliver a message."""
+    at: str
+    """Time at which the attempt ended (RFC 3339, UTC)."""
+    attempt: int
+    """Number of the attempt, counted from 1."""
+    outcome: DeliveryOutcome
 
 
 class Domain(TypedDict):
