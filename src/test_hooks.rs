@@ -21,11 +21,15 @@ const STAGES: [&str; 4] = ["claimed", "first_progress", "half", "storing"];
 /// Name of the file that lets a solver wait after each report of progress until it has been taken to be stored. Otherwise
 /// only the latest report of each interval is stored.
 const EACH_PROGRESS: &str = "each_progress";
-/// Name of the file with the fault of a statement of SQLite: a JSON array of the fault and the texts of the statement before
-/// it in the transaction and of the statement. The file is removed when the fault happens.
+/// Name of the file with the fault of a statement of SQLite: the fault, the text of the statement before it in the
+/// transaction, and the text of the statement, with [`BETWEEN`] between them. The file is removed when the fault happens.
 const FAULT: &str = "fault";
-/// Name of a file to which every statement of SQLite is written, as a JSON array of the statement before it and itself.
+/// Name of a file to which every statement of SQLite is written: the text of the statement before it and its own, with
+/// [`BETWEEN`] between them and [`END`] behind them.
 const STATEMENTS: &str = "statements";
+/// Characters that no statement has.
+const BETWEEN: char = '\u{1}';
+const END: char = '\u{2}';
 /// Pause between two looks at a hold.
 const PAUSE: Duration = Duration::from_millis(5);
 
@@ -127,7 +131,7 @@ pub(crate) fn statement_fails(text: &str, place: Place, in_transaction: bool) ->
     let previous = if in_transaction { PREVIOUS.with_borrow(Clone::clone) } else { String::new() };
     let fails = fails(&folder, &previous, text, place);
     if place == Place::Before && folder.join(STATEMENTS).exists() {
-        let line = serde_json::json!([previous, text]).to_string() + "\n";
+        let line = format!("{previous}{BETWEEN}{text}{END}");
         let written = std::fs::OpenOptions::new().append(true).open(folder.join(STATEMENTS));
         // A test that has ended removes its folder.
         let _ = written.and_then(|mut file| file.write_all(line.as_bytes()));
@@ -140,10 +144,10 @@ pub(crate) fn statement_fails(text: &str, place: Place, in_transaction: bool) ->
 
 fn fails(folder: &Path, previous: &str, text: &str, place: Place) -> bool {
     let file = folder.join(FAULT);
-    let Ok(fault) = std::fs::read(&file) else { return false };
-    let Ok([fault, before, statement]) = serde_json::from_slice::<[String; 3]>(&fault) else { return false };
+    let Ok(asked) = std::fs::read_to_string(&file) else { return false };
+    let Some((fault, place_asked)) = asked.split_once(BETWEEN) else { return false };
     let name = if place == Place::Before { "before" } else { "after" };
-    if (before.as_str(), statement.as_str()) != (previous, text) || !fault.ends_with(name) {
+    if place_asked.split_once(BETWEEN) != Some((previous, text)) || !fault.ends_with(name) {
         return false;
     }
     // Of several threads, the one that removes the file has the fault.

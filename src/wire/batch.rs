@@ -239,7 +239,7 @@ mod tests {
         let mut large = strip();
         large["directrices"][0] = (0..11).map(|k| json!([k, 0, 0])).collect();
         let mut invalid = strip();
-        invalid["directrices"][1] = json!([[0, 0, 0], [0, 0, 0]]);
+        invalid["sampling"] = json!({ "by": "chord_height" });
         let body = json!({ "requests": [large, invalid] }).to_string();
         let Err(Rejection::Invalid(errors)) = BatchRequest::read(body.as_bytes(), &limits) else { panic!("invalid") };
         let named = |request: &str| errors.iter().any(|error| error.pointer.starts_with(request));

@@ -8,7 +8,6 @@ use crate::kills::{Load, every_job_ended_once, hardened};
 use crate::postgres::Postgres;
 use crate::proxy::{Boundary, Fault, Proxy};
 use plateau::store::{Filter, NewJob, Outcome, Store, StoreOptions};
-use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Arc;
@@ -126,16 +125,16 @@ async fn a_connection_cut_at_any_statement_loses_and_doubles_nothing() {
 /// Statements of SQLite, as the file of the hooks has them.
 fn recorded(cluster: &Cluster) -> Vec<Boundary> {
     let text = std::fs::read_to_string(cluster.hold.folder.join("statements")).unwrap();
-    let read = |line| serde_json::from_str::<[String; 2]>(line).ok();
-    let lines: BTreeSet<Boundary> =
-        text.lines().filter_map(read).map(|[previous, statement]| Boundary { previous, statement }).collect();
-    lines.into_iter().filter(|boundary| boundary.statement != "ROLLBACK").collect()
+    let read =
+        |(previous, statement): (&str, &str)| Boundary { previous: previous.into(), statement: statement.into() };
+    let seen: BTreeSet<Boundary> = text.split('\u{2}').filter_map(|line| line.split_once('\u{1}')).map(read).collect();
+    seen.into_iter().filter(|boundary| boundary.statement != "ROLLBACK").collect()
 }
 
 /// Sets a fault and waits until it has happened. Returns false if its statement did not come.
 async fn happens(cluster: &Cluster, fault: &str, boundary: &Boundary) -> bool {
     let file = cluster.hold.folder.join("fault");
-    let text = json!([fault, boundary.previous, boundary.statement]).to_string();
+    let text = [fault, &boundary.previous, &boundary.statement].join("\u{1}");
     // The file appears as a whole, because the hooks may look at any moment.
     std::fs::write(file.with_extension("new"), text).unwrap();
     std::fs::rename(file.with_extension("new"), &file).unwrap();
