@@ -375,7 +375,7 @@ mod tests {
         let insert = |tx: &mut Tx<'_>| {
             tx.insert("expired_jobs", &[("id", "a".into()), ("owner", "".into()), ("expired_at", 0.into())])
         };
-        let panicked = database.write(move |tx| insert(tx).and_then(|()| -> Result<()> { panic!("as asked") })).await;
+        let panicked = database.write(move |tx| insert(tx).map(|()| panic!("as asked"))).await;
         assert!(matches!(panicked, Err(StoreError::Internal(_))), "{panicked:?}");
         assert!(!database.read(|tx| tx.exists("SELECT 1 FROM expired_jobs", &[])).await.unwrap(), "rolled back");
         database.check_writer().unwrap();

@@ -201,8 +201,7 @@ async fn a_failure_or_a_death_at_any_statement_of_sqlite_loses_and_doubles_nothi
     let named = async || {
         let connection = rusqlite::Connection::open(&path).unwrap();
         let mut statement = connection.prepare("SELECT file FROM artefacts").unwrap();
-        let files = statement.query_map([], |row| row.get(0)).unwrap().map(Result::unwrap).collect();
-        files
+        statement.query_map([], |row| row.get(0)).unwrap().map(Result::unwrap).collect()
     };
     files_and_rows_are_equal(&format!("sqlite://{}", path.display()), results.path(), named).await;
 }

@@ -282,11 +282,7 @@ fn swallow(mut client: &TcpStream) -> std::io::Result<bool> {
 fn carry_answers(state: &State, mode: &AtomicU8, mut server: UnixStream, mut client: TcpStream) {
     while let Ok((kind, bytes)) = message(&mut server) {
         match mode.load(Ordering::SeqCst) {
-            FORWARD if !state.silent.load(Ordering::SeqCst) => {
-                if client.write_all(&bytes).is_err() {
-                    break;
-                }
-            }
+            FORWARD if !state.silent.load(Ordering::SeqCst) && client.write_all(&bytes).is_err() => break,
             // `Z` says that the server has run the statement.
             CUT if kind == b'Z' => break,
             _ => {}
