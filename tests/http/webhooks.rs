@@ -286,6 +286,8 @@ async fn a_callback_has_a_log_and_is_sent_again_on_request() {
     let batch: Value = app.post("/v1/batches", &batch).await.json().await.unwrap();
     let path = format!("{}/callbacks", batch["links"]["self"].as_str().unwrap());
     assert_eq!(receiver.next().await.json()["data"]["id"], batch["id"]);
+    let pending = async || app.get_json(&path).await["pending"] == true;
+    crate::hold::until("the batch's message is delivered", async || !pending().await).await;
     assert_eq!(app.request(Method::POST, &path).send().await.unwrap().status(), 202);
     assert_eq!(receiver.next().await.json()["data"]["id"], batch["id"]);
 }
