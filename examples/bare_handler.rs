@@ -10,9 +10,9 @@ use axum::http::header;
 use axum::response::IntoResponse;
 use axum::routing::post;
 use plateau::config::LimitsConfig;
-use plateau::jobs::progress::Signal;
-use plateau::jobs::solve;
-use plateau::wire::{Kind, Request};
+use plateau::wire::incoming::Incoming;
+use plateau_forms::kind::Kind;
+use plateau_forms::solved::Signal;
 use std::error::Error;
 
 /// Answer to every request: a finished job in the form that the service returns.
@@ -25,8 +25,8 @@ async fn bare(State(answer): State<Answer>, body: Bytes) -> impl IntoResponse {
 
 async fn solved(State(answer): State<Answer>, body: Bytes) -> impl IntoResponse {
     let limits = LimitsConfig::default();
-    let (request, _) = Request::read(Kind::RuledSurface, &body, &limits).expect("the benchmark posts good requests");
-    let solving = tokio::task::spawn_blocking(move || solve::solve(&request, &|| Signal::Continue, &|_| {}));
+    let incoming = Incoming::read(Kind::RuledSurface, &body, &limits).expect("the benchmark posts good requests");
+    let solving = tokio::task::spawn_blocking(move || incoming.request.solve(&|| Signal::Continue, &|_| {}));
     let solved = solving.await.expect("no panic").expect("a result");
     assert!(solved.archive.to_bytes().is_ok_and(|bytes| !bytes.is_empty()));
     ([(header::CONTENT_TYPE, "application/json")], answer)

@@ -4,16 +4,16 @@ use crate::app;
 use crate::auth;
 use crate::config::Config;
 use crate::http::openapi;
-use crate::jobs::progress::Signal;
-use crate::jobs::solve::{self, Unsolved};
 use crate::jobs::worker::STACK_BYTES;
 use crate::telemetry;
 use crate::webhook::Secret;
-use crate::wire::job::Progress;
-use crate::wire::{FieldError, MAX_ERRORS, Rejection, Request};
+use crate::wire::incoming::Incoming;
 use clap::{Args, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
 use plateau_archive::formats::MeshFormat;
+use plateau_forms::rejection::{FieldError, MAX_ERRORS, Rejection};
+use plateau_forms::report::Progress;
+use plateau_forms::solved::{Signal, Unsolved};
 use std::io::{Read, Write};
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr, TcpStream};
 use std::path::PathBuf;
@@ -244,8 +244,8 @@ fn solve_file(config: &Config, request: &PathBuf, output: &PathBuf) -> ExitCode 
     if let Err(error) = read {
         return fail(USAGE, &format!("{}: {error}", request.display()));
     }
-    let request = match Request::read_with_kind(&body, &config.limits) {
-        Ok(request) => request,
+    let request = match Incoming::read_with_kind(&body, &config.limits) {
+        Ok(incoming) => incoming.request,
         Err(rejection) => return fail(1, &rejection_text(&rejection)),
     };
     let bar = ProgressBar::new(1000);
@@ -256,7 +256,7 @@ fn solve_file(config: &Config, request: &PathBuf, output: &PathBuf) -> ExitCode 
         bar.set_position((progress.fraction * 1000.0) as u64);
         bar.set_message(format!("{} {}", progress.phase, progress.iteration));
     };
-    let solved = solve::solve(&request, &|| Signal::Continue, &report);
+    let solved = request.solve(&|| Signal::Continue, &report);
     bar.finish_and_clear();
     let solved = match solved {
         Ok(solved) => solved,

@@ -6,6 +6,7 @@
 //! `[section] key` is also read from `PLATEAU_SECTION__KEY`; four of them have short names too (`PLATEAU_LISTEN`,
 //! `_DATA`, `_DATABASE`, `_WORKERS`).
 
+use plateau_forms::limits::Limits;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::net::SocketAddr;
@@ -226,6 +227,15 @@ impl Default for LimitsConfig {
             memory_bytes: 4 << 30,
             batch_requests: 100,
         }
+    }
+}
+
+impl LimitsConfig {
+    /// Returns the limits of one request.
+    #[must_use]
+    pub fn requests(&self) -> Limits {
+        let Self { points, triangles, grid_cells, iterations, memory_bytes, .. } = *self;
+        Limits { points, triangles, grid_cells, iterations, memory_bytes }
     }
 }
 

@@ -13,7 +13,6 @@ pub(crate) mod files;
 mod memory;
 pub mod progress;
 pub(crate) mod service;
-pub mod solve;
 pub(crate) mod submission;
 mod view;
 pub(crate) mod worker;
@@ -23,9 +22,10 @@ pub(crate) use service::Jobs;
 
 use crate::status::Status;
 use crate::store::StoreError;
-use crate::wire::{Kind, Rejection};
 use plateau_archive::archive::VERSION;
 use plateau_archive::formats::Error as ExportError;
+use plateau_forms::kind::Kind;
+use plateau_forms::rejection::Rejection;
 
 /// Revision of everything that makes a result of a request: the solvers, the defaults of requests, the statistics and
 /// the warnings. Raise it by one with every change after which some request has another result, even if

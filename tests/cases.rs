@@ -3,9 +3,8 @@
 //! The requests are in `tests/cases`. References are closed forms, or Surface Evolver's results on the same boundary.
 
 use plateau::config::LimitsConfig;
-use plateau::jobs::progress::Signal;
-use plateau::jobs::solve::solve;
-use plateau::wire::Request;
+use plateau::wire::incoming::Incoming;
+use plateau_forms::solved::Signal;
 use serde_json::Value;
 
 fn body(name: &str) -> Vec<u8> {
@@ -19,9 +18,10 @@ fn solved(name: &str) -> (Value, Vec<String>) {
 
 /// The same for a request that is made from a case.
 fn solved_body(name: &str, body: &[u8]) -> (Value, Vec<String>) {
-    let request = Request::read_with_kind(body, &LimitsConfig::default())
+    let incoming = Incoming::read_with_kind(body, &LimitsConfig::default())
         .unwrap_or_else(|rejection| panic!("{name} is refused: {rejection:?}"));
-    let solved = solve(&request, &|| Signal::Continue, &|_| {}).unwrap_or_else(|failed| panic!("{name}: {failed:?}"));
+    let solved =
+        incoming.request.solve(&|| Signal::Continue, &|_| {}).unwrap_or_else(|failed| panic!("{name}: {failed:?}"));
     let statistics = serde_json::from_str(&solved.statistics).expect("statistics are JSON");
     (statistics, solved.warnings.iter().map(|warning| warning.code.to_string()).collect())
 }
@@ -94,7 +94,7 @@ fn a_strip_is_accepted_by_the_cells_that_its_search_visits() {
         let request = serde_json::json!({
             "kind": "ruled_surface", "directrices": [rail(0.3, 0.0), rail(1.9, 3.0)], "objective": objective
         });
-        Request::read_with_kind(request.to_string().as_bytes(), &LimitsConfig::default())
+        Incoming::read_with_kind(request.to_string().as_bytes(), &LimitsConfig::default())
     };
     // The grid has 2.5e9 cells, more than are accepted. Least area visits a thousandth of them.
     read("minimal_area").unwrap_or_else(|rejection| panic!("{rejection:?}"));
@@ -135,7 +135,7 @@ fn the_extrapolated_area_at_a_notch_allows_for_what_finer_meshes_reach() {
 
 #[test]
 fn a_film_with_one_side_is_refused_in_words() {
-    let refused = Request::read_with_kind(&body("moebius_own"), &LimitsConfig::default()).unwrap_err();
+    let refused = Incoming::read_with_kind(&body("moebius_own"), &LimitsConfig::default()).unwrap_err();
     assert!(format!("{refused:?}").contains("has one side only, as a Möbius band"), "{refused:?}");
 }
 

@@ -3,13 +3,13 @@
 #[path = "export/sample.rs"]
 mod sample;
 
-use plateau::wire::mesh::{LineValues, Mesh as JsonMesh, MeshLines};
 use plateau_archive::archive::Certificate;
 use plateau_archive::formats::{
     Choices, Colors, Error, MeshFormat, Origin, PatternFormat, Quantity, dxf, picture, svg,
 };
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_archive::{Archive, Contents, LineSet, Lines, MeanCurvature, SegmentValues};
+use plateau_forms::mesh::{LineValues, Mesh as JsonMesh, MeshLines};
 use plateau_mesh::{DVec3, Mesh};
 use serde_json::{Value, json};
 

@@ -19,10 +19,9 @@
 //! again in a separate commit.
 
 use plateau::config::LimitsConfig;
-use plateau::jobs::progress::Signal;
-use plateau::jobs::solve::{Solved, solve};
 use plateau::jobs::{SOLVER_REVISION, result_version};
-use plateau::wire::Request;
+use plateau::wire::incoming::Incoming;
+use plateau_forms::solved::{Signal, Solved};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -96,9 +95,9 @@ fn platform() -> String {
 fn solved(file: &Path) -> Solved {
     let body = std::fs::read(file).expect("an example");
     let name = file.display();
-    let request = Request::read_with_kind(&body, &LimitsConfig::default())
+    let incoming = Incoming::read_with_kind(&body, &LimitsConfig::default())
         .unwrap_or_else(|rejection| panic!("{name} is refused: {rejection:?}"));
-    let solved = solve(&request, &|| Signal::Continue, &|_| {});
+    let solved = incoming.request.solve(&|| Signal::Continue, &|_| {});
     solved.unwrap_or_else(|unsolved| panic!("{name} fails: {unsolved:?}"))
 }
 

@@ -210,31 +210,20 @@ fn expand<'a>(mut base: Vec<String>, mut rest: &'a str, paths: &mut Vec<Vec<Stri
     }
 }
 
-/// Returns the files that know wire names and geometry types although only `wire` and `jobs/solve.rs` may.
-fn know_wire_and_geometry(files: &[Source]) -> Vec<&str> {
-    let knows = |file: &&Source| {
-        names_geometry(&file.code) && file.named().iter().any(|path| path.first().is_some_and(|part| part == "wire"))
-    };
-    let allowed = |file: &Source| file.part() == "wire" || file.path == "jobs/solve.rs";
-    files.iter().filter(|file| !allowed(file)).filter(knows).map(|file| file.path.as_str()).collect()
+/// Returns the files that name a crate of the geometry.
+fn know_geometry(files: &[Source]) -> Vec<&str> {
+    files.iter().filter(|file| names_geometry(&file.code)).map(|file| file.path.as_str()).collect()
 }
 
 #[test]
-fn nothing_but_wire_and_solve_knows_wire_and_geometry() {
+fn the_service_knows_no_crate_of_the_geometry() {
     let offences = made_up(&[
-        ("jobs/worker.rs", "use crate::wire::{Kind, Request};\nuse plateau_mesh::Signal;"),
-        ("cli.rs", "fn f() -> crate::wire::Kind { plateau_film::solve() }"),
-        ("wire/common.rs", "use super::Kind;\nuse plateau_mesh::DVec3;"),
-        ("jobs/solve.rs", "use crate::wire::Request;\nuse plateau_mesh::Execution;"),
-        ("export/gltf.rs", "use plateau_mesh::Mesh;"),
-        ("jobs/batch.rs", "use crate::wire::Kind;"),
+        ("jobs/worker.rs", "use plateau_forms::kind::Kind;\nuse plateau_mesh::Signal;"),
+        ("cli.rs", "fn f() -> Kind { plateau_film::solve() }"),
+        ("jobs/batch.rs", "use plateau_forms::kind::Kind;"),
     ]);
-    assert_eq!(know_wire_and_geometry(&offences), ["jobs/worker.rs", "cli.rs"]);
-    assert_eq!(
-        know_wire_and_geometry(&service()),
-        [""; 0],
-        "only wire and jobs/solve.rs may know wire names and geometry types"
-    );
+    assert_eq!(know_geometry(&offences), ["jobs/worker.rs", "cli.rs"]);
+    assert_eq!(know_geometry(&service()), [""; 0], "plateau_forms turns requests into results for the service");
 }
 
 /// Returns re-exports of items of another part. They hide an arrow from readers and from the check of the arrows.
@@ -365,7 +354,7 @@ fn reasons(code: &str) -> BTreeSet<String> {
 /// Returns the types of failed jobs' errors that the code names, without the path before them.
 fn types(code: &str) -> BTreeSet<String> {
     let name = |rest: &str| rest.trim_start().trim_start_matches('"').split('"').next().map(str::to_owned);
-    ["JobError::new(", "\"/problems/"]
+    ["SolveError::new(", "failure(", "\"/problems/"]
         .iter()
         .flat_map(|word| code.split(word).skip(1))
         .filter_map(name)
@@ -379,17 +368,18 @@ fn every_reason_for_a_failed_job_is_in_the_catalogue() {
         "Err(Error::no_result(\n  \"too_large\", detail)) NoResult { reason: \"torn\", detail } reason: &'static str";
     assert_eq!(reasons(made_up), BTreeSet::from(["too_large".into(), "torn".into()]));
     assert_eq!(
-        types(r#"JobError::new("deadline", "late", errors); "type": "/problems/worker-lost", "/problems/{name}""#),
+        types(r#"SolveError::new("deadline", "late", errors); "type": "/problems/worker-lost", "/problems/{name}""#),
         BTreeSet::from(["deadline".into(), "worker-lost".into()])
     );
-    let known: BTreeSet<&str> = plateau::wire::job::FAILURES.iter().map(|(name, _)| *name).collect();
+    let known: BTreeSet<&str> = plateau::wire::job::failures().iter().map(|(name, _)| *name).collect();
     let check = |path: &str, kind: &str| {
-        assert!(known.contains(kind), "{path}: {kind} is missing in FAILURES of wire/job.rs");
+        assert!(known.contains(kind), "{path}: {kind} is in no list of FAILURES");
     };
-    for path in geometry().into_iter().chain([root().join("src/jobs/solve.rs")]) {
+    for path in geometry().into_iter().chain(sources(&root().join("crates/forms/src"))) {
         for reason in reasons(&code(&path).join("\n")) {
             check(&path.display().to_string(), &reason.replace('_', "-"));
         }
+        types(&code(&path).join("\n")).iter().for_each(|kind| check(&path.display().to_string(), kind));
     }
     for file in service().iter().filter(|file| ["jobs", "store", "wire"].contains(&file.part().as_str())) {
         types(&file.code).iter().for_each(|kind| check(&file.path, kind));
@@ -408,7 +398,7 @@ fn the_arrows_between_modules_are_the_committed_ones() {
         for to in named.filter(|to| *to != from) {
             arrows.insert(format!("{from} -> {to}"));
         }
-        let crates = GEOMETRY.iter().map(|(name, _)| *name).chain(["archive", "opennurbs"]);
+        let crates = GEOMETRY.iter().map(|(name, _)| *name).chain(["archive", "forms", "opennurbs"]);
         for name in crates.filter(|name| file.code.contains(&library(name))) {
             arrows.insert(format!("{from} -> crates/{name}"));
         }

@@ -13,7 +13,7 @@ use std::path::Path;
 /// The crates of the geometry, and the files and folders of each, earliest layer first. A file belongs to the longest
 /// entry that its path starts with. In a crate without entries only circles are faults. The order of the crates
 /// themselves stands in their manifests, which `laws.rs` reads.
-const CRATES: [(&str, &[&str]); 5] = [
+const CRATES: [(&str, &[&str]); 6] = [
     (
         "mesh",
         &[
@@ -45,6 +45,7 @@ const CRATES: [(&str, &[&str]); 5] = [
             "equilibrium",
             "minimal_surface/options",
             "minimal_surface/estimate",
+            "minimal_surface/initial_mesh/first_point",
             "minimal_surface/request",
             "minimal_surface/run",
             "minimal_surface/curvature",
@@ -78,6 +79,28 @@ const CRATES: [(&str, &[&str]); 5] = [
     ("ruled-surface", &["graph", "strip", "pattern", "stack", "lib"]),
     ("uniform-mesh", &[]),
     ("lower-bound", &[]),
+    (
+        "forms",
+        &[
+            "rejection",
+            "limits",
+            "common",
+            "kind",
+            "json",
+            "body",
+            "explain",
+            "report",
+            "objective",
+            "mesh",
+            "solved",
+            "checked",
+            "kinds",
+            "components",
+            "schema",
+            "request",
+            "lib",
+        ],
+    ),
 ];
 
 /// One file of the crate: its path below `src` without `.rs`, and its text.

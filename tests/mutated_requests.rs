@@ -4,13 +4,17 @@
 //! `PLATEAU_LONG=1` tries twenty times as many requests. `PLATEAU_SEED` selects other mutations.
 
 use plateau::config::LimitsConfig;
-use plateau::jobs::progress::Signal;
-use plateau::jobs::solve::{Unsolved, solve};
-use plateau::wire::{Kind, Rejection, Request, json};
+use plateau::wire::envelope::MEMBERS;
+use plateau::wire::incoming::Incoming;
 use plateau_archive::Archive;
 use plateau_archive::formats::MeshFormat;
+use plateau_forms::json;
+use plateau_forms::kind::Kind;
+use plateau_forms::rejection::Rejection;
+use plateau_forms::request::Request;
+use plateau_forms::solved::{Signal, Unsolved};
 use plateau_mesh::random::SplitMix64;
-use serde_json::Value;
+use serde_json::{Map, Value};
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -160,13 +164,17 @@ const CHECKS_UNTIL_HANGING: u64 = 10 * CHECKS_BEFORE_DEADLINE;
 fn both_ways_agree(body: &[u8], limits: &LimitsConfig) -> Result<(), String> {
     let value = json::parse(body).map_err(|rejection| format!("{rejection:?}"))?;
     let Some(kind) = value["kind"].as_str().and_then(Kind::from_name) else { return Ok(()) };
-    match (Request::read(kind, body, limits), Request::from_value(kind, &value, limits)) {
-        (Ok((one, read)), Ok(other)) => {
-            let written = serde_json::to_vec(&read).map_err(|error| error.to_string())?;
-            let same = format!("{one:?}") == format!("{other:?}") && json::parse(&written) == Ok(value);
+    match (Incoming::read(kind, body, limits), Incoming::from_value(value.clone(), limits)) {
+        (Ok(one), Ok(other)) => {
+            let written = serde_json::to_vec(&one.body).map_err(|error| error.to_string())?;
+            let rest = value.as_object().into_iter().flatten().filter(|(name, _)| !MEMBERS.contains(&name.as_str()));
+            let rest: Value = rest.map(|(name, value)| (name.clone(), value.clone())).collect::<Map<_, _>>().into();
+            let same =
+                format!("{:?}", one.request) == format!("{:?}", other.request) && json::parse(&written) == Ok(rest);
             // A worker reads the serialized request without the schema.
-            let stored = Request::read_stored(kind, &written, limits).map_err(|error| format!("stored: {error:?}"))?;
-            let same = same && format!("{stored:?}") == format!("{one:?}");
+            let stored = Request::read_stored(kind, &written, &limits.requests());
+            let stored = stored.map_err(|error| format!("stored: {error:?}"))?;
+            let same = same && format!("{stored:?}") == format!("{:?}", one.request);
             if same { Ok(()) } else { Err("two ways of reading differ".into()) }
         }
         (Err(one), Err(other)) if one == other => Ok(()),
@@ -177,8 +185,8 @@ fn both_ways_agree(body: &[u8], limits: &LimitsConfig) -> Result<(), String> {
 /// Returns how a request ended, or an error if it shows a defect.
 fn outcome(body: &[u8], limits: &LimitsConfig) -> Result<&'static str, String> {
     both_ways_agree(body, limits)?;
-    let request = match Request::read_with_kind(body, limits) {
-        Ok(request) => request,
+    let incoming = match Incoming::read_with_kind(body, limits) {
+        Ok(incoming) => incoming,
         Err(Rejection::Malformed(detail)) => return Err(format!("called malformed: {detail}")),
         Err(Rejection::Invalid(errors) | Rejection::TooLarge(errors)) => {
             let document: Value = serde_json::from_slice(body).unwrap();
@@ -198,7 +206,7 @@ fn outcome(body: &[u8], limits: &LimitsConfig) -> Result<&'static str, String> {
         assert!(looks.get() < CHECKS_UNTIL_HANGING, "the solver continues after its deadline");
         if looks.get() > CHECKS_BEFORE_DEADLINE { Signal::Deadline } else { Signal::Continue }
     };
-    match solve(&request, &signal, &|_| {}) {
+    match incoming.request.solve(&signal, &|_| {}) {
         Ok(solved) => {
             let bytes = solved.archive.to_bytes().map_err(|defect| format!("its archive: {defect}"))?;
             Archive::from_bytes(&bytes).map_err(|defect| format!("its archive: {defect}"))?;

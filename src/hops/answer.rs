@@ -2,10 +2,11 @@
 
 use super::component::{Component, Geometry, Output, Source, Type};
 use crate::hops::envelope;
-use crate::wire::job::{Job, JobWarning};
+use crate::wire::job::Job;
 use plateau_archive::Pattern;
 use plateau_archive::archive::{Archive, CABLES, LineSet, Lines};
 use plateau_archive::formats::Error;
+use plateau_forms::report::Warning;
 use plateau_opennurbs::write;
 use serde::Serialize;
 use serde::ser::SerializeMap;
@@ -109,7 +110,7 @@ impl<'a> Answer<'a> {
         };
         let tree = |output: &Output| Tree { name: output.name, items: items(output) };
         // Meshes of openNURBS are in double precision, so a warning about STL files does not concern them.
-        let warnings = job.warnings.iter().filter(|warning| warning.code != JobWarning::FAR_FROM_ZERO);
+        let warnings = job.warnings.iter().filter(|warning| warning.code != Warning::FAR_FROM_ZERO);
         Self {
             values: component.outputs.iter().map(tree).collect(),
             errors: Vec::new(),

@@ -1,7 +1,7 @@
 //! The components with their inputs and outputs, as Grasshopper shows them.
 
-use crate::wire::Kind;
 use base64::Engine as _;
+use plateau_forms::kind::Kind;
 use serde_json::{Value, json};
 use std::sync::LazyLock;
 

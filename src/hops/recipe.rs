@@ -3,9 +3,10 @@
 use super::Refusal;
 use super::component::Recipe;
 use super::values::{Values, nth};
-use crate::wire::common::Point;
-use crate::wire::{FieldError, Kind};
 use plateau_archive::units::Unit;
+use plateau_forms::common::Point;
+use plateau_forms::kind::Kind;
+use plateau_forms::rejection::FieldError;
 use plateau_opennurbs::Mesh;
 use plateau_opennurbs::curve::Curve;
 use serde_json::{Map, Value, json};

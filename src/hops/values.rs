@@ -3,7 +3,7 @@
 use super::Refusal;
 use super::component::{Component, Input, Type, find};
 use crate::hops::envelope;
-use crate::wire::common::Point;
+use plateau_forms::common::Point;
 use plateau_opennurbs::curve::Curve;
 use plateau_opennurbs::{Mesh, Object};
 use serde::de::{Deserializer, IgnoredAny, MapAccess, Visitor};

@@ -16,10 +16,12 @@ use crate::jobs::submission::{Submitted, Submitter};
 use crate::status::Status;
 use crate::wire::job::{Job, JobSummary};
 use crate::wire::objectives::{self, Limits};
-use crate::wire::{FieldError, Kind, Rejection, schema};
 use axum::http::uri::Authority;
 use base64::Engine as _;
 use plateau_archive::formats::{MeshFormat, picture};
+use plateau_forms::kind::Kind;
+use plateau_forms::rejection::{FieldError, Rejection};
+use plateau_forms::schema;
 use rmcp::model::{
     CallToolRequestParams, CallToolResponse, CallToolResult, ContentBlock, Implementation, ListToolsResult,
     PaginatedRequestParams, ServerCapabilities, ServerConfig,

@@ -4,10 +4,10 @@ use crate::hops;
 use crate::hops::answer::Answer;
 use crate::jobs::JobsError;
 use crate::wire::job::Problem;
-use crate::wire::{FieldError, MAX_ERRORS, Rejection};
 use axum::body::Body;
 use axum::http::{HeaderName, HeaderValue, Response, StatusCode, header};
 use axum::response::IntoResponse;
+use plateau_forms::rejection::{FieldError, MAX_ERRORS, Rejection};
 
 /// A failed request. [`write_problem`] fills in `instance`.
 #[derive(Debug)]
@@ -157,7 +157,9 @@ impl From<Rejection> for Failure {
         match rejection {
             Rejection::Malformed(detail) => Self::malformed(detail),
             Rejection::Invalid(errors) => Self::invalid(summary(&errors)).with_errors(errors),
-            Rejection::TooLarge(errors) => Self::too_large(summary(&errors)).with_errors(errors),
+            Rejection::TooLarge(errors) => {
+                Self::too_large(format!("{}; see GET /v1/limits", summary(&errors))).with_errors(errors)
+            }
         }
     }
 }

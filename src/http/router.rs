@@ -6,8 +6,6 @@ use crate::http::routes::{batches, catalogue, docs, events, health, hops, jobs, 
 use crate::http::state::App;
 use crate::http::{access, compress, observe};
 use crate::jobs::Jobs;
-use crate::wire::Kind;
-use crate::wire::explain::edit_distance;
 use axum::Router;
 use axum::extract::{MatchedPath, Request};
 use axum::http::{HeaderName, HeaderValue, Method, Uri, header};
@@ -15,6 +13,8 @@ use axum::middleware;
 use axum::response::Redirect;
 use axum::routing::get;
 use metrics_exporter_prometheus::PrometheusHandle;
+use plateau_forms::explain::edit_distance;
+use plateau_forms::kind::Kind;
 use std::sync::{Arc, LazyLock};
 use std::time::Duration;
 use tower::util::MapRequest;

@@ -1,15 +1,18 @@
 //! One attempt at a job. The solver runs on its own thread, so that it does not stall the async runtime. Meanwhile the
 //! attempt renews the claim and stores progress. When the solver has ended, the attempt stores the outcome.
 
-use super::progress::{Line, Signal};
-use super::solve::{self, Solved, Unsolved};
+use super::progress::Line;
 use super::{Jobs, view};
 use crate::status::Status;
 use crate::store::{Claimed, Outcome, Renewed, StoreError};
 use crate::telemetry::metric;
-use crate::wire::job::JobError;
-use crate::wire::{Kind, Rejection, Request};
+use crate::wire::job::failure;
 use plateau_archive::Archive;
+use plateau_forms::kind::Kind;
+use plateau_forms::rejection::Rejection;
+use plateau_forms::report::SolveError;
+use plateau_forms::request::Request;
+use plateau_forms::solved::{self, Signal, Solved, Unsolved};
 use std::pin::Pin;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -257,9 +260,9 @@ impl Drop for Attempt {
 fn read_and_solve(jobs: &Jobs, claimed: &Claimed, line: &Line) -> Ended {
     let Some(kind) = Kind::from_name(&claimed.kind) else {
         let detail = "this version does not know this kind of job";
-        return Ended::Unsolved(Unsolved::Failed(JobError::new("unknown-kind", detail, Vec::new())));
+        return Ended::Unsolved(Unsolved::Failed(failure("unknown-kind", detail, Vec::new())));
     };
-    let request = match Request::read_stored(kind, &claimed.request, &jobs.config().limits) {
+    let request = match Request::read_stored(kind, &claimed.request, &jobs.config().limits.requests()) {
         Ok(request) => request,
         Err(rejection) => return Ended::Rejected(rejection),
     };
@@ -279,12 +282,12 @@ fn solve(id: &str, request: &Request, line: &Line) -> Ended {
     #[cfg(feature = "test-hooks")]
     let holds = crate::test_hooks::Holds::claimed(id, request.kind().name(), || line.signal() == Signal::Continue);
     #[cfg(feature = "test-hooks")]
-    let report = |progress: crate::wire::job::Progress| {
+    let report = |progress: plateau_forms::report::Progress| {
         let fraction = progress.fraction;
         report(progress);
         holds.progress(fraction, || line.is_taken());
     };
-    let solved = solve::solve(request, &|| line.signal(), &report);
+    let solved = request.solve(&|| line.signal(), &report);
     #[cfg(feature = "test-hooks")]
     holds.solved();
     match solved {
@@ -317,20 +320,20 @@ fn outcome(ended: Ended) -> Option<Outcome> {
                     reusable: solved.reproducible,
                 });
             }
-            Err(defect) => JobError::new("internal", defect.to_string(), Vec::new()),
+            Err(defect) => SolveError::new("internal", defect.to_string(), Vec::new()),
         },
         Ended::Unsolved(Unsolved::Cancelled) => return None,
         Ended::Unsolved(Unsolved::Failed(error)) => error,
         Ended::Rejected(rejection) => {
             let (detail, errors) = match rejection {
                 Rejection::Malformed(detail) => (detail, Vec::new()),
-                Rejection::Invalid(errors) | Rejection::TooLarge(errors) => (solve::causes(&errors), errors),
+                Rejection::Invalid(errors) | Rejection::TooLarge(errors) => (solved::causes(&errors), errors),
             };
-            JobError::new("refused", detail, errors)
+            failure("refused", detail, errors)
         }
         Ended::Panicked => {
             let detail = "the solver hit a defect of this server; the request is not the cause";
-            JobError::new("solver-panicked", detail, Vec::new())
+            failure("solver-panicked", detail, Vec::new())
         }
     };
     // Serialization cannot fail because an error has only strings.
@@ -340,13 +343,13 @@ fn outcome(ended: Ended) -> Option<Outcome> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wire::FieldError;
+    use plateau_forms::rejection::FieldError;
 
     #[test]
     fn a_panic_of_the_solver_makes_the_job_fail_with_the_type_solver_panicked() {
         let ended = guarded(|| panic!("a defect"));
         let Some(Outcome::Failed { error }) = outcome(ended) else { panic!("should have failed") };
-        let error: JobError = serde_json::from_str(&error).unwrap();
+        let error: SolveError = serde_json::from_str(&error).unwrap();
         assert_eq!(error.kind, "/problems/solver-panicked");
     }
 
@@ -358,7 +361,7 @@ mod tests {
             (Rejection::Malformed("the body is UTF-16".into()), "the body is UTF-16"),
         ] {
             let Some(Outcome::Failed { error }) = outcome(Ended::Rejected(rejection)) else { panic!("failed") };
-            let error: JobError = serde_json::from_str(&error).unwrap();
+            let error: SolveError = serde_json::from_str(&error).unwrap();
             assert_eq!((error.kind.as_str(), error.detail.as_str()), ("/problems/refused", detail));
         }
     }

@@ -1,20 +1,11 @@
 //! Connection between a solver's thread and its attempt: progress goes out, and a cancel goes in.
 
-use crate::wire::job::Progress;
+use plateau_forms::report::Progress;
+use plateau_forms::solved::Signal;
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
-
-/// Instruction to a solver, which the solver asks for regularly.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Signal {
-    Continue,
-    /// Stop without a result, because the job was cancelled or taken over.
-    Cancel,
-    /// Stop, and return the best result so far.
-    Deadline,
-}
 
 /// State that a running solver shares with its attempt.
 #[derive(Debug)]

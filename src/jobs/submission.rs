@@ -10,13 +10,17 @@ use super::{Jobs, JobsError, view};
 use crate::store::{NewBatch, NewJob, Solved, StoreError, Submitted as Stored, SubmittedBatch as StoredBatch};
 use crate::telemetry::metric;
 use crate::wire::batch::{Batch, BatchRequest};
-use crate::wire::body::{Body, Field};
-use crate::wire::common::{Cache, Point};
+use crate::wire::envelope::{Cache, Envelope};
+use crate::wire::incoming::Incoming;
 use crate::wire::job::Job;
-use crate::wire::json::integral;
-use crate::wire::{FieldError, Kind, Rejection, Request};
 use bytes::Bytes;
-use serde_json::Value;
+use plateau_forms::body::{Body, Field};
+use plateau_forms::common::Point;
+use plateau_forms::json::integral;
+use plateau_forms::kind::Kind;
+use plateau_forms::rejection::{FieldError, Rejection};
+use plateau_forms::request::Request;
+use serde_json::{Map, Value};
 use sha2::{Digest, Sha256};
 use std::time::Instant;
 
@@ -86,12 +90,13 @@ async fn read_and_store(
     let limits = jobs.config().limits.clone();
     let inline = body.len() <= INLINE_BYTES;
     let read = move || {
-        let (request, body) = Request::read(kind, &body, &limits).map_err(JobsError::Rejected)?;
-        Ok::<_, JobsError>((submission(&request, body, from), request))
+        let Incoming { request, envelope, body } = Incoming::read(kind, &body, &limits).map_err(JobsError::Rejected)?;
+        let waits = envelope.cancel_on_disconnect;
+        Ok::<_, JobsError>((submission(&request, envelope, body, from), request, waits))
     };
-    let (submission, request) = if inline { read()? } else { jobs.off_runtime(read).await?? };
+    let (submission, request, waits) = if inline { read()? } else { jobs.off_runtime(read).await?? };
     check_callback(jobs, "", submission.job.callback_url.as_deref())?;
-    *cancel_on_disconnect = request.marks.cancel_on_disconnect;
+    *cancel_on_disconnect = waits;
     if *cancel_on_disconnect && !waited_for {
         return Err(invalid("/cancel_on_disconnect", "needs a request that waits: send `Prefer: wait=N`"));
     }
@@ -163,21 +168,20 @@ async fn read_and_store_batch(jobs: &Jobs, body: Bytes, from: Submitter) -> Resu
     let read = move || BatchRequest::read(&body, &limits).map_err(JobsError::Rejected);
     let BatchRequest { requests, callback_url, value } = jobs.off_runtime(read).await??;
     check_callback(jobs, "", callback_url.as_deref())?;
-    let body_hash = hash(&value.into());
+    let body_hash = hash(&value.into(), &Map::new());
     let Submitter { owner, idempotency_key } = from;
     let mut new_jobs = Vec::with_capacity(requests.len());
-    for (index, (request, value)) in requests.into_iter().enumerate() {
-        check_callback(jobs, &format!("/requests/{index}"), request.callback_url.as_deref())?;
-        let marks = &request.marks;
+    for (index, Incoming { request, envelope, body }) in requests.into_iter().enumerate() {
+        check_callback(jobs, &format!("/requests/{index}"), envelope.callback_url.as_deref())?;
         for (name, given) in
-            [("supersede", marks.supersede.is_some()), ("cancel_on_disconnect", marks.cancel_on_disconnect)]
+            [("supersede", envelope.supersede.is_some()), ("cancel_on_disconnect", envelope.cancel_on_disconnect)]
         {
             if given {
                 return Err(invalid(&format!("/requests/{index}/{name}"), "is not allowed in a batch"));
             }
         }
         let from = Submitter { owner: owner.clone(), idempotency_key: None };
-        new_jobs.push(submission(&request, value.into(), from).written()?);
+        new_jobs.push(submission(&request, envelope, body, from).written()?);
     }
     let id = ulid::Ulid::generate().to_string();
     let batch = NewBatch { id, owner, idempotency_key, body_hash, callback_url, jobs: new_jobs };
@@ -221,8 +225,9 @@ fn milliseconds(duration: std::time::Duration) -> i64 {
     i64::try_from(duration.as_millis()).unwrap_or(i64::MAX)
 }
 
-/// Returns the hash of a body. The order of the keys does not change the hash, and numbers are compared as f64.
-fn hash(body: &Body) -> [u8; 32] {
+/// Returns the hash of a body and of the members that were taken out of it. The order of the keys does not change the
+/// hash, and numbers are compared as f64.
+fn hash(body: &Body, members: &Map<String, Value>) -> [u8; 32] {
     let mut bytes = Vec::new();
     match body.fields() {
         None => write(body.outline(), &mut bytes),
@@ -236,6 +241,10 @@ fn hash(body: &Body) -> [u8; 32] {
                 }
             }
         }
+    }
+    for (name, member) in members {
+        write_text(name, &mut bytes);
+        write(member, &mut bytes);
     }
     Sha256::digest(bytes).into()
 }
@@ -296,28 +305,26 @@ fn write(value: &Value, out: &mut Vec<u8>) {
     }
 }
 
-/// Returns the submission of a request that was read from `body`. Fields that do not change the result are removed from
-/// the body.
-fn submission(request: &Request, mut body: Body, from: Submitter) -> Submission {
+/// Returns the submission of a request that was read from `body`.
+fn submission(request: &Request, envelope: Envelope, mut body: Body, from: Submitter) -> Submission {
     let Submitter { owner, idempotency_key } = from;
     // The hash is only compared between submissions with an idempotency key.
-    let body_hash = if idempotency_key.is_some() { hash(&body) } else { [0; 32] };
-    for name in ["kind", "cache", "callback_url", "label", "metadata", "supersede", "cancel_on_disconnect"] {
-        body.remove(name);
-    }
+    let body_hash = if idempotency_key.is_some() { hash(&body, &envelope.members) } else { [0; 32] };
+    // The kind does not change the result, because it is a part of what is compared beside the hash.
+    body.take("kind");
     let job = NewJob {
         id: ulid::Ulid::generate().to_string(),
         kind: request.kind().name().into(),
         owner,
         request: Vec::new(),
-        request_hash: hash(&body),
+        request_hash: hash(&body, &Map::new()),
         body_hash,
         idempotency_key,
-        callback_url: request.callback_url.clone(),
-        label: request.marks.label.clone(),
-        metadata: request.marks.metadata.clone(),
-        supersede: request.marks.supersede.clone(),
-        reuse: request.cache == Cache::Reuse,
+        callback_url: envelope.callback_url,
+        label: envelope.label,
+        metadata: envelope.metadata,
+        supersede: envelope.supersede,
+        reuse: envelope.cache == Cache::Reuse,
     };
     Submission { job, body }
 }
@@ -325,7 +332,7 @@ fn submission(request: &Request, mut body: Body, from: Submitter) -> Submission 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wire::json::parse;
+    use plateau_forms::json::parse;
 
     #[test]
     fn a_body_has_the_same_hash_whether_its_points_were_read_apart_or_not() {
@@ -333,12 +340,15 @@ mod tests {
             br#"{"up": "y", "directrices": [[[0, 1.0, -0.0], [1.5, 2e3, 1e30], [1, 2, 3], [0.1, -7, 9007199254740991]],
             [[0, 5, 0], [4, 5, 1], [4, 5, 2], [5, 5, 9]]], "normals": null, "cache": "bypass"}"#;
         let limits = crate::config::LimitsConfig::default();
-        let (request, read) = Request::read(Kind::RuledSurface, body, &limits).unwrap();
+        let Incoming { request, envelope, body: read } = Incoming::read(Kind::RuledSurface, body, &limits).unwrap();
         assert_eq!(read.lists().len(), 1);
-        let whole = Body::from(parse(body).unwrap());
-        assert_eq!(hash(&read), hash(&whole));
+        let mut whole = Body::from(parse(body).unwrap());
+        whole.take("cache");
+        let none = Map::new();
+        assert_eq!(hash(&read, &none), hash(&whole, &none));
+        assert_ne!(hash(&read, &envelope.members), hash(&read, &none));
         let from = || Submitter { owner: None, idempotency_key: None };
-        let [apart, together] = [read, whole].map(|body| submission(&request, body, from()));
+        let [apart, together] = [read, whole].map(|body| submission(&request, envelope.clone(), body, from()));
         assert_eq!(apart.job.request_hash, together.job.request_hash);
         let stored = [apart, together].map(|job| parse(&job.written().unwrap().request).unwrap());
         assert_eq!(stored[0], stored[1]);
@@ -347,7 +357,7 @@ mod tests {
 
     #[test]
     fn equal_bodies_have_equal_hashes_and_different_bodies_different_ones() {
-        let of = |text: &str| hash(&parse(text.as_bytes()).unwrap().into());
+        let of = |text: &str| hash(&parse(text.as_bytes()).unwrap().into(), &Map::new());
         for (one, other) in [
             (r#"{"a":1,"b":[2,3]}"#, r#"{ "b": [2.0, 3e0], "a": 1.00 }"#),
             (r#"{"a":0.1}"#, r#"{"a":1e-1}"#),

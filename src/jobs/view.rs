@@ -3,9 +3,10 @@
 use super::JobsError;
 use crate::status::Status;
 use crate::store::{BatchRow, JobRow};
-use crate::wire::Kind;
 use crate::wire::batch::{Batch, BatchCounts, BatchJob, BatchLinks};
-use crate::wire::job::{Files, Job, JobError, JobSummary, JobWarning, Links, Progress};
+use crate::wire::job::{Files, Job, JobSummary, Links};
+use plateau_forms::kind::Kind;
+use plateau_forms::report::{Progress, SolveError, Warning};
 use serde::de::{DeserializeOwned, IgnoredAny};
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::value::RawValue;
@@ -20,9 +21,9 @@ pub(super) fn job(base: &str, row: &JobRow) -> Result<Job, JobsError> {
     let summary = row.summary.as_deref().or(statistics);
     let figures: Option<Figures> = read(summary).map_err(|()| unreadable("summary"))?;
     let progress: Option<Progress> = read(row.progress.as_deref()).map_err(|()| unreadable("progress"))?;
-    let warnings: Vec<JobWarning> = read(Some(&row.warnings)).map_err(|()| unreadable("warnings"))?.unwrap_or_default();
+    let warnings: Vec<Warning> = read(Some(&row.warnings)).map_err(|()| unreadable("warnings"))?.unwrap_or_default();
     let metadata = read(row.metadata.as_deref()).map_err(|()| unreadable("metadata"))?;
-    let mut error: Option<JobError> = read(row.error.as_deref()).map_err(|()| unreadable("error"))?;
+    let mut error: Option<SolveError> = read(row.error.as_deref()).map_err(|()| unreadable("error"))?;
     if let Some(error) = &mut error {
         error.kind.insert_str(0, base);
     }

@@ -1,22 +1,28 @@
 //! `POST /v1/batches`: many requests at once, each with its `kind`.
 
-use super::components::{self, REQUEST_WITH_KIND};
+use super::envelope::URL_BYTES;
+use super::incoming::Incoming;
 use super::job::Links;
-use super::{FieldError, Kind, MAX_ERRORS, Rejection, Request, common, json, schema};
 use crate::config::LimitsConfig;
 use crate::status::Status;
+use plateau_forms::components::{REQUEST_WITH_KIND, reference};
+use plateau_forms::explain::Schemas;
+use plateau_forms::json;
+use plateau_forms::kind::Kind;
+use plateau_forms::limits::{check_count, refuse_too_many_values};
+use plateau_forms::rejection::{FieldError, MAX_ERRORS, Rejection};
 use schemars::JsonSchema;
 use serde::Serialize;
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
+use std::sync::LazyLock;
 
-/// Largest length of a `callback_url` in bytes.
-pub const URL_BYTES: usize = 2000;
+/// Component name of a batch's body.
+pub const BATCH: &str = "BatchRequest";
 
 /// A batch's body that passed every check before solving.
 #[derive(Debug)]
 pub struct BatchRequest {
-    /// Each request with the JSON value that it was read from.
-    pub requests: Vec<(Request, Value)>,
+    pub requests: Vec<Incoming>,
     pub callback_url: Option<String>,
     /// The whole body.
     pub value: Value,
@@ -31,7 +37,7 @@ pub(super) fn request_schema() -> Value {
         "additionalProperties": false,
         "properties": {
             "requests": {
-                "type": "array", "minItems": 1, "items": components::reference(REQUEST_WITH_KIND),
+                "type": "array", "minItems": 1, "items": reference(REQUEST_WITH_KIND),
                 "description": "Each request names its `kind`. `GET /v1/limits` shows how many requests a batch may have.",
             },
             "callback_url": {
@@ -46,18 +52,18 @@ impl BatchRequest {
     /// Reads and checks all requests of a batch.
     ///
     /// # Errors
-    /// Returns the errors of [`Request::read`] for all requests, with pointers from the body's root.
+    /// Returns the errors of [`Incoming::from_value`] for all requests, with pointers from the body's root.
     pub fn read(body: &[u8], limits: &LimitsConfig) -> Result<Self, Rejection> {
-        super::refuse_too_many_values(body, limits)?;
-        let mut value = json::parse(body)?;
+        refuse_too_many_values(body, &limits.requests())?;
+        let value = json::parse(body)?;
         let count = value["requests"].as_array().map_or(0, Vec::len);
-        common::check_count("/requests", count, limits.batch_requests, "requests")?;
-        schema::validate_batch(&value)?;
-        let items = value["requests"].as_array_mut().map(std::mem::take).unwrap_or_default();
+        check_count("/requests", count, limits.batch_requests, "requests")?;
+        refuse_shell(&value)?;
+        let items = value["requests"].as_array().map(Vec::as_slice).unwrap_or_default();
         let (mut requests, mut invalid, mut too_large) = (Vec::with_capacity(items.len()), Vec::new(), Vec::new());
-        for (index, item) in items.into_iter().enumerate() {
-            match Request::from_valid(&item, limits) {
-                Ok(request) => requests.push((request, item)),
+        for (index, item) in items.iter().enumerate() {
+            match Incoming::from_value(item.clone(), limits) {
+                Ok(incoming) => requests.push(incoming),
                 Err(Rejection::Malformed(detail)) => {
                     invalid.push(FieldError::new(format!("/requests/{index}"), detail))
                 }
@@ -79,9 +85,19 @@ impl BatchRequest {
             return Err(Rejection::TooLarge(too_large));
         }
         let callback_url = value["callback_url"].as_str().map(str::to_owned);
-        value["requests"] = requests.iter().map(|(_, item)| item.clone()).collect();
         Ok(Self { requests, callback_url, value })
     }
+}
+
+/// Refuses a body whose members are wrong. Each request is checked by itself.
+pub(super) fn refuse_shell(value: &Value) -> Result<(), Rejection> {
+    static SCHEMAS: LazyLock<Schemas> = LazyLock::new(|| {
+        let mut shell = request_schema();
+        shell["properties"]["requests"]["items"] = json!({});
+        Schemas::new(&Map::from_iter([(BATCH.to_owned(), shell)]))
+    });
+    let errors = SCHEMAS.errors(BATCH, value);
+    if errors.is_empty() { Ok(()) } else { Err(Rejection::Invalid(errors)) }
 }
 
 fn within(index: usize, errors: Vec<FieldError>) -> impl Iterator<Item = FieldError> {

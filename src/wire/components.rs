@@ -1,19 +1,12 @@
-//! Component schemas of the API document.
-//!
-//! schemars makes them from the Rust types. They are then rewritten into the forms that client generators understand,
-//! without a change of meaning: shapes that occur often get names, an enumeration is a list of values, and a union
-//! whose parts have a tag names it.
-//!
-//! | schemars writes | the document has | because otherwise |
-//! | --- | --- | --- |
-//! | `default` | `x-default`, and a sentence in the description | openapi-typescript makes the field required, and other generators send every default |
-//! | `default: null` | nothing | the default of a field without null violates its own type |
-//! | `oneOf` of `const` | `enum`, with `x-enum-descriptions` | openapi-generator cannot parse a value |
-//! | `true` as a schema | `{}` | openapi-python-client writes nothing at all |
-//! | formats of unsigned integers | nothing | tools warn about unknown formats; type and minimum say the same |
+//! Component schemas of the API document: those of `plateau_forms`, with the fields that concern the job added to each
+//! request, and those of the answers.
 
-use super::{Kind, batch, cable_net, job, minimal_surface, ruled_surface, tensile_structure, uniform_mesh};
-use schemars::generate::{SchemaGenerator, SchemaSettings};
+use super::{batch, envelope, job};
+use plateau_forms::components::{
+    by_kind, only_kind, reference, request_component, rewritten, statistics_component, with_kind_component,
+};
+use plateau_forms::kind::Kind;
+use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
 use std::sync::LazyLock;
 
@@ -21,38 +14,29 @@ use std::sync::LazyLock;
 #[must_use]
 pub fn components() -> &'static Map<String, Value> {
     static COMPONENTS: LazyLock<Map<String, Value>> = LazyLock::new(|| {
-        let mut components = definitions(SchemaSettings::draft2020_12(), requests);
+        let mut components = plateau_forms::components::components().clone();
+        add_envelope(&mut components);
         // The answers always have the fields that are null, so those are required.
-        components.extend(definitions(SchemaSettings::draft2020_12().for_serialize(), job::schemas));
-        components.insert(BATCH.into(), batch::request_schema());
-        for schema in components.values_mut() {
-            for_each_schema(schema, &mut plain);
-        }
-        for shape in &SHAPES {
-            components.insert(shape.name.into(), (shape.schema)());
-        }
-        with_kinds(&mut components);
+        components.extend(rewritten(SchemaSettings::draft2020_12().for_serialize(), job::schemas));
+        components.insert(batch::BATCH.into(), batch::request_schema());
         jobs_of_each_kind(&mut components);
         components
     });
     &COMPONENTS
 }
 
-/// Component name of a batch's body.
-pub const BATCH: &str = "BatchRequest";
-
-/// Component name of a request that names its kind.
-pub const REQUEST_WITH_KIND: &str = "RequestWithKind";
-
-/// Returns the component name of a kind's request.
-#[must_use]
-pub fn request_component(kind: Kind) -> &'static str {
-    match kind {
-        Kind::RuledSurface => "RuledSurfaceRequest",
-        Kind::MinimalSurface => "MinimalSurfaceRequest",
-        Kind::UniformMesh => "UniformMeshRequest",
-        Kind::TensileStructure => "TensileStructureRequest",
-        Kind::CableNet => "CableNetRequest",
+/// Adds the members of the envelope to each request.
+fn add_envelope(components: &mut Map<String, Value>) {
+    let mut schemas = envelope::schemas();
+    let Some(Value::Object(mut envelope)) = schemas.remove(envelope::COMPONENT) else { return };
+    components.extend(schemas);
+    let Some(Value::Object(members)) = envelope.remove("properties") else { return };
+    for kind in Kind::ALL {
+        for name in [request_component(kind).to_owned(), with_kind_component(kind)] {
+            if let Some(properties) = components[&name]["properties"].as_object_mut() {
+                properties.extend(members.clone());
+            }
+        }
     }
 }
 
@@ -66,186 +50,6 @@ pub fn job_component(kind: Kind) -> &'static str {
         Kind::TensileStructure => "TensileStructureJob",
         Kind::CableNet => "CableNetJob",
     }
-}
-
-fn statistics_component(kind: Kind) -> &'static str {
-    match kind {
-        Kind::RuledSurface => "RuledStatistics",
-        Kind::MinimalSurface => "MinimalStatistics",
-        Kind::UniformMesh => "UniformStatistics",
-        Kind::TensileStructure => "TensileStatistics",
-        Kind::CableNet => "CableNetStatistics",
-    }
-}
-
-/// Returns a reference to a component schema.
-#[must_use]
-pub fn reference(component: &str) -> Value {
-    json!({ "$ref": format!("#/components/schemas/{component}") })
-}
-
-fn requests(generator: &mut SchemaGenerator) {
-    generator.subschema_for::<ruled_surface::RuledSurfaceRequest>();
-    generator.subschema_for::<minimal_surface::MinimalSurfaceRequest>();
-    generator.subschema_for::<uniform_mesh::UniformMeshRequest>();
-    generator.subschema_for::<tensile_structure::TensileStructureRequest>();
-    generator.subschema_for::<cable_net::CableNetRequest>();
-}
-
-fn definitions(settings: SchemaSettings, add: impl FnOnce(&mut SchemaGenerator)) -> Map<String, Value> {
-    let mut generator = settings
-        .with(|settings| {
-            settings.definitions_path = "/components/schemas".into();
-            settings.meta_schema = None;
-        })
-        .into_generator();
-    add(&mut generator);
-    generator.take_definitions(true)
-}
-
-/// Calls `change` for a schema and every schema inside it, the inner ones first.
-fn for_each_schema(schema: &mut Value, change: &mut impl FnMut(&mut Value)) {
-    if let Some(keywords) = schema.as_object_mut() {
-        for (keyword, value) in keywords.iter_mut() {
-            match (keyword.as_str(), value) {
-                ("properties", Value::Object(properties)) => {
-                    properties.values_mut().for_each(|property| for_each_schema(property, change));
-                }
-                ("anyOf" | "oneOf" | "allOf", Value::Array(parts)) => {
-                    parts.iter_mut().for_each(|part| for_each_schema(part, change));
-                }
-                ("items", items) => for_each_schema(items, change),
-                ("additionalProperties", values) if values.is_object() => for_each_schema(values, change),
-                _ => {}
-            }
-        }
-    }
-    change(schema);
-}
-
-/// Rewrites one schema whose inner schemas are rewritten already.
-fn plain(schema: &mut Value) {
-    if *schema == Value::Bool(true) {
-        *schema = json!({});
-    }
-    let Some(keywords) = schema.as_object_mut() else { return };
-    if keywords.get("format").and_then(Value::as_str).is_some_and(|format| format.starts_with("uint")) {
-        keywords.remove("format");
-    }
-    describe_default(keywords);
-    list_values(keywords);
-    if let Some(shape) = SHAPES.iter().find(|shape| schema.as_object() == Some(&shape.bare())) {
-        *schema = reference(shape.name);
-    }
-}
-
-fn describe_default(keywords: &mut Map<String, Value>) {
-    let Some(default) = keywords.remove("default").filter(|default| !default.is_null()) else { return };
-    let written = default.as_str().map_or_else(|| default.to_string(), str::to_owned);
-    add_text(keywords, &format!(" Default: `{written}`."));
-    keywords.insert("x-default".into(), default);
-}
-
-fn add_text(keywords: &mut Map<String, Value>, text: &str) {
-    let description = keywords.get("description").and_then(Value::as_str).unwrap_or_default();
-    let description = format!("{description}{text}").trim_start().to_owned();
-    keywords.insert("description".into(), description.into());
-}
-
-/// Replaces a union of named strings by a list of them. The names' descriptions become part of the description, and of
-/// `x-enum-descriptions` in the order of the names.
-fn list_values(keywords: &mut Map<String, Value>) {
-    let Some(parts) = keywords.get("oneOf").and_then(Value::as_array) else { return };
-    let mut values = Vec::new();
-    for part in parts {
-        let text = part.get("description").and_then(Value::as_str).unwrap_or_default();
-        match (part.get("const"), part.get("enum").and_then(Value::as_array)) {
-            (Some(value), _) => values.push((value.clone(), text.to_owned())),
-            (None, Some(list)) => values.extend(list.iter().map(|value| (value.clone(), text.to_owned()))),
-            (None, None) => return,
-        }
-    }
-    if values.iter().any(|(value, _)| !value.is_string()) {
-        return;
-    }
-    let described = values.iter().filter(|(_, text)| !text.is_empty());
-    let list: String =
-        described.map(|(value, text)| format!("\n- `{}`: {text}", value.as_str().unwrap_or_default())).collect();
-    let (values, descriptions): (Vec<Value>, Vec<String>) = values.into_iter().unzip();
-    keywords.remove("oneOf");
-    keywords.insert("type".into(), "string".into());
-    keywords.insert("enum".into(), values.into());
-    if !list.is_empty() {
-        add_text(keywords, &format!("\n{list}"));
-        keywords.insert("x-enum-descriptions".into(), descriptions.into());
-    }
-}
-
-/// A shape that occurs in many places and has a name in the document.
-struct Shape {
-    name: &'static str,
-    schema: fn() -> Value,
-}
-
-/// The named shapes. A shape comes after those that it contains.
-const SHAPES: [Shape; 3] = [
-    Shape {
-        name: "Point",
-        schema: || {
-            json!({ "type": "array", "items": { "type": "number", "format": "double" }, "minItems": 3, "maxItems": 3,
-                "description": "A point or vector `[x, y, z]` in the client's axes and unit." })
-        },
-    },
-    Shape {
-        name: "Polyline",
-        schema: || json!({ "type": "array", "items": reference("Point"), "minItems": 2, "description": "Points in order." }),
-    },
-    Shape {
-        name: "Polygon",
-        schema: || {
-            json!({ "type": "array", "items": reference("Point"), "minItems": 3,
-                "description": "The points of a closed polygon in order. The first point is not repeated." })
-        },
-    },
-];
-
-impl Shape {
-    /// Returns the schema without its description, as it stands inside other schemas before it gets a name.
-    fn bare(&self) -> Map<String, Value> {
-        let Value::Object(mut keywords) = (self.schema)() else { return Map::new() };
-        keywords.remove("description");
-        keywords
-    }
-}
-
-/// Returns a union of components that are told apart by their `kind`.
-fn by_kind(description: &str, component: impl Fn(Kind) -> String) -> Value {
-    let path = |kind| format!("#/components/schemas/{}", component(kind));
-    let mapping: Map<String, Value> =
-        Kind::ALL.into_iter().map(|kind| (kind.name().to_owned(), path(kind).into())).collect();
-    json!({
-        "description": description,
-        "oneOf": Kind::ALL.map(|kind| json!({ "$ref": path(kind) })),
-        "discriminator": { "propertyName": "kind", "mapping": mapping },
-    })
-}
-
-fn only_kind(kind: Kind) -> Value {
-    json!({ "type": "string", "enum": [kind.name()], "description": "Kind of the request." })
-}
-
-/// Adds the requests with a required `kind`, and their union.
-fn with_kinds(components: &mut Map<String, Value>) {
-    let name = |kind| format!("{}WithKind", request_component(kind));
-    for kind in Kind::ALL {
-        let mut request = components[request_component(kind)].clone();
-        request["properties"]["kind"] = only_kind(kind);
-        if let Some(required) = request["required"].as_array_mut() {
-            required.insert(0, "kind".into());
-        }
-        components.insert(name(kind), request);
-    }
-    components.insert(REQUEST_WITH_KIND.into(), by_kind("A request that names its kind.", name));
 }
 
 /// Replaces the schema of any job by a union of one schema for each kind, so that each kind has its own statistics.
@@ -268,53 +72,12 @@ fn jobs_of_each_kind(components: &mut Map<String, Value>) {
 mod tests {
     use super::*;
 
-    fn rewritten(mut schema: Value) -> Value {
-        for_each_schema(&mut schema, &mut plain);
-        schema
-    }
-
-    #[test]
-    fn defaults_are_described_and_null_is_no_default() {
-        let schema = json!({ "properties": {
-            "default": { "type": ["number", "null"], "default": null },
-            "up": { "$ref": "#/x", "description": "Axis.", "default": "z" },
-            "seed": { "type": "integer", "format": "uint32", "default": 1 },
-        } });
-        let expected = json!({ "properties": {
-            "default": { "type": ["number", "null"] },
-            "up": { "$ref": "#/x", "description": "Axis. Default: `z`.", "x-default": "z" },
-            "seed": { "type": "integer", "description": "Default: `1`.", "x-default": 1 },
-        } });
-        assert_eq!(rewritten(schema), expected);
-    }
-
-    #[test]
-    fn a_union_of_names_is_a_list_of_values() {
-        let schema = json!({ "description": "Aim.", "oneOf": [
-            { "type": "string", "enum": ["a", "b"] }, { "type": "string", "const": "c", "description": "The third." },
-        ] });
-        let expected = json!({ "type": "string", "enum": ["a", "b", "c"], "description": "Aim.\n\n- `c`: The third.",
-            "x-enum-descriptions": ["", "", "The third."] });
-        assert_eq!(rewritten(schema), expected);
-        let mixed = json!({ "oneOf": [{ "const": "a" }, { "type": "object" }] });
-        assert_eq!(rewritten(mixed.clone()), mixed);
-    }
-
-    #[test]
-    fn points_and_polygons_have_names() {
-        let point =
-            json!({ "type": "array", "items": { "type": "number", "format": "double" }, "minItems": 3, "maxItems": 3 });
-        let polygons = json!({ "type": "array", "items": { "type": "array", "items": point, "minItems": 3 } });
-        assert_eq!(rewritten(polygons), json!({ "type": "array", "items": reference("Polygon") }));
-        assert_eq!(rewritten(json!({ "type": "array", "items": true })), json!({ "type": "array", "items": {} }));
-    }
-
     /// Requests and answers are made separately. A name that both use must mean the same in both.
     #[test]
     fn every_name_means_one_thing() {
-        let requests = definitions(SchemaSettings::draft2020_12(), requests);
-        let answers = definitions(SchemaSettings::draft2020_12().for_serialize(), job::schemas);
-        for (name, schema) in &requests {
+        let requests = plateau_forms::components::components();
+        let answers = rewritten(SchemaSettings::draft2020_12().for_serialize(), job::schemas);
+        for (name, schema) in requests {
             assert!(answers.get(name).is_none_or(|other| other == schema), "{name} is two different types");
         }
         // schemars adds a number to the name of a second type with the same name.

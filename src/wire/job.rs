@@ -1,81 +1,37 @@
 //! Jobs in the form that clients see.
 
-use super::{FieldError, Kind};
 use crate::status::Status;
+use plateau_forms::kind::Kind;
+use plateau_forms::rejection::FieldError;
+use plateau_forms::report::{self, Progress, SolveError, Warning};
 use schemars::JsonSchema;
 use schemars::generate::SchemaGenerator;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use serde_json::value::RawValue;
 use serde_json::{Map, Value};
 
-/// Progress of a job.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Progress {
-    /// Fraction of the work that is done, from 0 to 1. It never falls within one attempt.
-    #[schemars(range(min = 0, max = 1))]
-    pub fraction: f64,
-    /// Name of the solver's current phase.
-    pub phase: String,
-    pub iteration: u64,
-    pub objective_value: Option<f64>,
-    pub residual: Option<f64>,
-}
-
-/// A warning about the input or the result of a job that succeeded.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub struct JobWarning {
-    /// Stable name in snake case.
-    pub code: String,
-    pub detail: String,
-}
-
-impl JobWarning {
-    /// Code of the warning that STL files are not in the request's coordinates.
-    pub const FAR_FROM_ZERO: &str = "far_from_zero";
-}
-
-/// Reason for a failure: what was wrong with the geometry, and what to try.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub struct JobError {
-    /// Stable URI reference that identifies the kind of failure.
-    #[serde(rename = "type")]
-    pub kind: String,
-    pub title: String,
-    pub detail: String,
-    pub errors: Vec<FieldError>,
-}
-
-/// Kinds of failed jobs: the last part of an error's `type`, and its title.
-pub const FAILURES: &[(&str, &str)] = &[
-    ("deadline", "The deadline passed"),
-    ("degenerate-boundary", "The boundary has no usable initial mesh"),
-    ("internal", "The server failed"),
-    ("invalid-geometry", "The geometry is invalid"),
-    ("invalid-mesh", "The solver produced an invalid mesh"),
-    ("no-connected-film", "No minimal film connects the boundaries"),
-    ("no-equilibrium", "The structure has no equilibrium"),
-    ("no-initial-mesh", "The boundary has no initial mesh"),
-    ("no-room-for-interior-vertices", "The boundary is too small for the interior vertices"),
-    ("not-flattenable", "The surface cannot be flattened"),
+/// Kinds of failures that have nothing to do with the geometry: the last part of an error's `type`, and its title.
+const FAILURES: &[(&str, &str)] = &[
     ("refused", "The request exceeds this worker's limits or is unknown to its version"),
-    ("self-intersecting-boundary", "The boundary crosses itself"),
-    ("slack-cable", "A cable would be slack"),
     ("solver-panicked", "The solver failed"),
-    ("too-large", "The mesh is too large"),
     ("unknown-kind", "This version does not know this kind of job"),
     ("worker-lost", "The workers of this job died"),
 ];
 
-impl JobError {
-    /// Creates an error of one of the kinds of [`FAILURES`].
-    #[must_use]
-    pub fn new(kind: &str, detail: impl Into<String>, errors: Vec<FieldError>) -> Self {
-        let title = FAILURES
-            .iter()
-            .find(|(name, _)| *name == kind)
-            .map_or("The solver found no valid mesh", |(_, title)| title);
-        Self { kind: format!("/problems/{kind}"), title: title.into(), detail: detail.into(), errors }
-    }
+/// Returns the kinds of failed jobs with their titles, in the order of their names.
+#[must_use]
+pub fn failures() -> Vec<(&'static str, &'static str)> {
+    let mut failures: Vec<_> = FAILURES.iter().chain(report::FAILURES).copied().collect();
+    failures.sort_unstable();
+    failures
+}
+
+/// Creates an error of one of the [`failures`].
+#[must_use]
+pub fn failure(kind: &str, detail: impl Into<String>, errors: Vec<FieldError>) -> SolveError {
+    let title = FAILURES.iter().find(|(name, _)| *name == kind).map(|(_, title)| *title);
+    let failure = SolveError::new(kind, detail, errors);
+    SolveError { title: title.map_or(failure.title, str::to_owned), ..failure }
 }
 
 /// Addresses that belong to a job.
@@ -150,11 +106,11 @@ pub struct Job {
     pub expires_at: Option<String>,
     pub progress: Progress,
     /// Null until the job has succeeded. The fields depend on the kind.
-    #[schemars(schema_with = "statistics_schema")]
+    #[schemars(schema_with = "plateau_forms::components::statistics")]
     pub statistics: Option<Box<RawValue>>,
-    pub warnings: Vec<JobWarning>,
+    pub warnings: Vec<Warning>,
     /// Null unless the job has failed.
-    pub error: Option<JobError>,
+    pub error: Option<SolveError>,
     pub links: Links,
 }
 
@@ -181,9 +137,9 @@ pub struct JobSummary {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Map<String, Value>")]
     pub statistics: Option<Box<RawValue>>,
-    pub warnings: Vec<JobWarning>,
+    pub warnings: Vec<Warning>,
     /// Null unless the job has failed.
-    pub error: Option<JobError>,
+    pub error: Option<SolveError>,
     pub links: Links,
 }
 
@@ -206,15 +162,6 @@ impl From<Job> for JobSummary {
             links: job.links,
         }
     }
-}
-
-fn statistics_schema(generator: &mut SchemaGenerator) -> schemars::Schema {
-    let ruled = generator.subschema_for::<super::ruled_surface::RuledStatistics>();
-    let minimal = generator.subschema_for::<super::minimal_surface::MinimalStatistics>();
-    let uniform = generator.subschema_for::<super::uniform_mesh::UniformStatistics>();
-    let tensile = generator.subschema_for::<super::tensile_structure::TensileStatistics>();
-    let net = generator.subschema_for::<super::cable_net::CableNetStatistics>();
-    schemars::json_schema!({ "anyOf": [ruled, minimal, uniform, tensile, net, { "type": "null" }] })
 }
 
 /// One page of jobs, newest first.
@@ -253,7 +200,7 @@ pub(super) fn schemas(generator: &mut SchemaGenerator) {
     generator.subschema_for::<super::batch::Batch>();
     generator.subschema_for::<super::callback::Callbacks>();
     generator.subschema_for::<Problem>();
-    generator.subschema_for::<super::mesh::Mesh>();
+    generator.subschema_for::<plateau_forms::mesh::Mesh>();
     generator.subschema_for::<super::objectives::ObjectiveList>();
     generator.subschema_for::<super::objectives::Limits>();
     generator.subschema_for::<super::objectives::ExampleList>();

@@ -1,26 +1,13 @@
 //! Catalogue of the service: objectives, limits and example requests.
 
-use super::Kind;
 use crate::config::Config;
+use plateau_forms::kind::Kind;
+use plateau_forms::kinds;
+use plateau_forms::objective::Objective;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
 use serde_json::Value;
 use std::sync::LazyLock;
-
-/// One objective of one kind of request.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct Objective {
-    pub name: &'static str,
-    pub kind: Kind,
-    /// Quantity that is minimised or maximised, as a formula in words and symbols.
-    pub minimises: &'static str,
-    /// Unit of the objective's value, where `u` is the client's unit.
-    pub unit: &'static str,
-    /// Author, section and equation.
-    pub source: &'static str,
-    /// Names of the request's fields that change the solution.
-    pub options: Vec<&'static str>,
-}
 
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ObjectiveList {
@@ -29,12 +16,7 @@ pub struct ObjectiveList {
 
 #[must_use]
 pub fn objectives() -> ObjectiveList {
-    let mut objectives = super::ruled_surface::objectives();
-    objectives.extend(super::minimal_surface::objectives());
-    objectives.extend(super::uniform_mesh::objectives());
-    objectives.extend(super::tensile_structure::objectives());
-    objectives.extend(super::cable_net::objectives());
-    ObjectiveList { objectives }
+    ObjectiveList { objectives: kinds::objectives() }
 }
 
 /// Limits of one request on this server.

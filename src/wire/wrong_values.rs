@@ -2,8 +2,15 @@
 //! points to that place in plain words. The schemas are read here as JSON, apart from the code that explains them, and the
 //! crate jsonschema says independently which bodies are valid.
 
-use super::components::{BATCH, components, request_component};
-use super::{FieldError, Kind, Rejection, objectives, schema};
+use super::batch::{BATCH, refuse_shell};
+use super::components::components;
+use super::envelope::Envelope;
+use super::objectives;
+use plateau_forms::body::Body;
+use plateau_forms::components::request_component;
+use plateau_forms::kind::Kind;
+use plateau_forms::rejection::{FieldError, Rejection};
+use plateau_forms::schema;
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 
@@ -265,6 +272,22 @@ fn reference_validator(component: &str) -> jsonschema::Validator {
     jsonschema::validator_for(&json!({ "$ref": reference, "components": { "schemas": components() } })).unwrap()
 }
 
+/// Reads the envelope of a request, and validates the rest.
+fn refused(body: &Value, validate: impl Fn(&Value) -> Result<(), Rejection>) -> Result<(), Rejection> {
+    let mut rest = Body::from(body.clone());
+    Envelope::take(&mut rest).map(drop).and_then(|()| validate(rest.outline()))
+}
+
+fn refused_batch(body: &Value) -> Result<(), Rejection> {
+    refuse_shell(body)?;
+    let requests = body["requests"].as_array().into_iter().flatten().enumerate();
+    for (index, request) in requests {
+        refused(request, schema::validate_with_kind)
+            .map_err(|rejection| rejection.within(&format!("/requests/{index}")))?;
+    }
+    Ok(())
+}
+
 /// Checks every wrong value at every place of valid bodies. Returns the places and the number of wrong values.
 fn check(
     component: &str,
@@ -325,7 +348,8 @@ fn the_error_for_each_wrong_value_points_to_it_in_plain_words() {
         let examples = objectives::examples().iter().filter(|example| example.kind == kind);
         let mut bodies: Vec<Value> = examples.map(|example| shortened(&example.request)).collect();
         bodies.extend(samples(&components()[component]));
-        let (places, count) = check(component, &bodies, |body| schema::validate(kind, body), &mut defects);
+        let (places, count) =
+            check(component, &bodies, |body| refused(body, |request| schema::validate(kind, request)), &mut defects);
         tried += count;
         let expected: &[&str] = match kind {
             Kind::RuledSurface => &["/objective/weights/minimal_twist", "/sampling/tolerance", "/normals/0/0/2"],
@@ -359,7 +383,7 @@ fn the_error_for_each_wrong_value_points_to_it_in_plain_words() {
             objectives::examples().iter().find(|example| example.kind == kind).expect("an example of each kind");
         json!({ "requests": [shortened(&example.request)], "callback_url": "https://example.org" })
     });
-    let (places, count) = check(BATCH, &batches, schema::validate_batch, &mut defects);
+    let (places, count) = check(BATCH, &batches, refused_batch, &mut defects);
     tried += count;
     assert!(places.contains("/requests/0/boundaries/0/0/2") && places.contains("/requests/0/supports/0"), "{places:?}");
     println!("{tried} wrong values");

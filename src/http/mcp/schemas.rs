@@ -1,15 +1,18 @@
 //! The list of tools with their arguments and results. The tools' schemas are made from these types and from the types of
 //! [`wire`](crate::wire).
 
-use crate::wire::cable_net::{CableNetRequest, CableNetStatistics};
+use crate::wire::envelope::JobFields;
 use crate::wire::job::JobSummary;
-use crate::wire::minimal_surface::{MinimalStatistics, MinimalSurfaceRequest};
-use crate::wire::objectives::{Example, ExampleSummary, Limits, Objective};
-use crate::wire::ruled_surface::{RuledStatistics, RuledSurfaceRequest};
-use crate::wire::tensile_structure::{TensileStatistics, TensileStructureRequest};
-use crate::wire::uniform_mesh::{UniformMeshRequest, UniformStatistics};
-use crate::wire::{Kind, schema};
+use crate::wire::objectives::{Example, ExampleSummary, Limits};
 use plateau_archive::formats::MeshFormat;
+use plateau_forms::kind::Kind;
+use plateau_forms::kinds::cable_net::{CableNetRequest, CableNetStatistics};
+use plateau_forms::kinds::minimal_surface::{MinimalStatistics, MinimalSurfaceRequest};
+use plateau_forms::kinds::ruled_surface::{RuledStatistics, RuledSurfaceRequest};
+use plateau_forms::kinds::tensile_structure::{TensileStatistics, TensileStructureRequest};
+use plateau_forms::kinds::uniform_mesh::{UniformMeshRequest, UniformStatistics};
+use plateau_forms::objective::Objective;
+use plateau_forms::schema;
 use rmcp::model::{JsonObject, Tool, ToolAnnotations};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::DeserializeOwned;
@@ -153,13 +156,23 @@ fn format_name(_: &mut SchemaGenerator) -> Schema {
 /// Returns the schema of a kind's request.
 #[must_use]
 pub fn request(kind: Kind) -> Value {
-    Value::Object(match kind {
+    let mut request = match kind {
         Kind::RuledSurface => schema::standalone::<RuledSurfaceRequest>(),
         Kind::MinimalSurface => schema::standalone::<MinimalSurfaceRequest>(),
         Kind::UniformMesh => schema::standalone::<UniformMeshRequest>(),
         Kind::TensileStructure => schema::standalone::<TensileStructureRequest>(),
         Kind::CableNet => schema::standalone::<CableNetRequest>(),
-    })
+    };
+    // A request may have the fields that concern its job.
+    let mut envelope = schema::standalone::<JobFields>();
+    for part in ["properties", "$defs"] {
+        if let (Some(Value::Object(members)), Some(Value::Object(of_request))) =
+            (envelope.remove(part), request.get_mut(part))
+        {
+            of_request.extend(members);
+        }
+    }
+    Value::Object(request)
 }
 
 /// Returns the schema of the statistics of a kind's jobs.

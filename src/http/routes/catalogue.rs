@@ -3,7 +3,7 @@
 use crate::http::entry::{json_response, name_parameter, plain_get, reference, with_problems};
 use crate::http::problem::Failure;
 use crate::http::state::App;
-use crate::wire::job::FAILURES;
+use crate::wire::job::failures;
 use crate::wire::objectives::{self, Example, ExampleList, Limits, ObjectiveList};
 use axum::Json;
 use axum::extract::{Path, State};
@@ -77,7 +77,7 @@ pub async fn problem_kind(Path(name): Path<String>) -> Result<String, Failure> {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{status} {title}");
     }
-    for (_, title) in FAILURES.iter().filter(|(kind, _)| *kind == name) {
+    for (_, title) in failures().iter().filter(|(kind, _)| *kind == name) {
         let _ = writeln!(text, "failed job: {title}");
     }
     if text.is_empty() { Err(Failure::not_found("no such kind of problem")) } else { Ok(text) }

@@ -15,13 +15,15 @@ use crate::http::state::App;
 use crate::jobs::JobsError;
 use crate::jobs::submission::{Submitted, Submitter};
 use crate::status::Status;
-use crate::wire::job::{Job, JobError};
-use crate::wire::{FieldError, Kind, Rejection};
+use crate::wire::job::Job;
 use axum::Json;
 use axum::body::Body;
 use axum::extract::{Path, State};
 use axum::http::{HeaderValue, Request, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use plateau_forms::kind::Kind;
+use plateau_forms::rejection::{FieldError, Rejection};
+use plateau_forms::report::SolveError;
 use serde_json::Value;
 use std::time::Duration;
 
@@ -176,7 +178,7 @@ impl Run<'_> {
 }
 
 /// Returns the failure for a job that has failed. Only a defect of the server is a server's error.
-fn failed(error: &JobError) -> Failure {
+fn failed(error: &SolveError) -> Failure {
     let detail = format!("{}: {}", error.title, error.detail);
     let kind = error.kind.trim_start_matches("/problems/");
     if ["internal", "invalid-mesh", "solver-panicked", "worker-lost"].contains(&kind) {

@@ -10,13 +10,13 @@ use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::jobs::Filter;
 use crate::status::Status;
-use crate::wire::Kind;
 use crate::wire::callback::Callbacks;
 use crate::wire::job::{Job, JobList};
 use axum::Json;
 use axum::extract::{Path, RawQuery, State};
 use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use plateau_forms::kind::Kind;
 use serde_json::{Value, json};
 use std::time::Duration;
 

@@ -9,12 +9,12 @@ use crate::http::body;
 use crate::http::mcp::Tools;
 use crate::http::problem::Failure;
 use crate::http::state::App;
-use crate::wire::refuse_too_many_values;
 use axum::body::{Body, Bytes};
 use axum::extract::State;
 use axum::http::{HeaderMap, HeaderName, Method, Request, Uri, header};
 use axum::response::Response;
 use http_body_util::{BodyExt, Full};
+use plateau_forms::limits::refuse_too_many_values;
 use rmcp::transport::streamable_http_server::session::never::NeverSessionManager;
 use rmcp::transport::{StreamableHttpServerConfig, StreamableHttpService};
 use std::sync::Arc;
@@ -30,7 +30,7 @@ pub async fn post(State(app): State<App>, caller: Caller, request: Request<Body>
     // The library logs requests at the level debug, and logs must not contain keys.
     headers.remove(header::AUTHORIZATION);
     let received = body::read_json(&app, request).await?;
-    refuse_too_many_values(&received.bytes, &app.config.limits)?;
+    refuse_too_many_values(&received.bytes, &app.config.limits.requests())?;
     let mut forwarded = Request::new(Full::new(Bytes::from_owner(received)));
     *forwarded.method_mut() = Method::POST;
     *forwarded.uri_mut() = uri;

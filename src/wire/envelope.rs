@@ -1,13 +1,16 @@
-//! Types that requests of every kind share: points, and the fields that concern the job.
+//! The fields that every request has because they concern the job and not its result. The service reads them, and
+//! `plateau_forms` the rest.
 
-use super::{FieldError, Rejection};
-use plateau_mesh::DVec3;
+use plateau_forms::body::Body;
+use plateau_forms::components::rewritten;
+use plateau_forms::explain::Schemas;
+use plateau_forms::rejection::{FieldError, Rejection};
+use plateau_forms::schema;
 use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
 use serde::Deserialize;
 use serde_json::{Map, Value};
-
-/// A point `[x, y, z]` in the client's axes and unit.
-pub type Point = [f64; 3];
+use std::sync::LazyLock;
 
 /// Whether the result of an equal earlier request may be returned. Results are deterministic, so it has the same bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
@@ -20,8 +23,12 @@ pub enum Cache {
     Bypass,
 }
 
+/// Largest length of a `callback_url` in bytes.
+pub const URL_BYTES: usize = 2000;
+
 /// Fields that requests of every kind have because they concern the job and not its result.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct JobFields {
     /// Whether the stored result of an equal earlier request may be returned.
     #[serde(default)]
@@ -29,7 +36,7 @@ pub struct JobFields {
     /// URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     /// `webhooks` of `GET /v1/limits`.
     #[serde(default)]
-    #[schemars(length(max = 2000))]
+    #[schemars(length(max = URL_BYTES))]
     pub callback_url: Option<String>,
     /// Name of the job for people. The job and lists of jobs show it.
     #[serde(default)]
@@ -48,33 +55,63 @@ pub struct JobFields {
     pub cancel_on_disconnect: bool,
 }
 
-/// What a checked request says of its job.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Marks {
+/// Component name of the schema of [`JobFields`].
+pub const COMPONENT: &str = "JobFields";
+
+/// Names of the members of [`JobFields`].
+pub const MEMBERS: [&str; 6] = ["cache", "callback_url", "label", "metadata", "supersede", "cancel_on_disconnect"];
+
+/// Returns the schema of [`JobFields`], and those to which it refers, by name.
+pub fn schemas() -> Map<String, Value> {
+    rewritten(SchemaSettings::draft2020_12(), |generator| {
+        generator.subschema_for::<JobFields>();
+    })
+}
+
+/// What a request says of its job.
+#[derive(Clone, Debug, Default)]
+pub struct Envelope {
+    /// Whether the kept result of an equal request may be reused.
+    pub cache: Cache,
+    /// The URL that receives a message when the job ends.
+    pub callback_url: Option<String>,
     pub label: Option<String>,
     /// A JSON object as text.
     pub metadata: Option<String>,
     pub supersede: Option<String>,
     pub cancel_on_disconnect: bool,
+    /// The members as they were in the body.
+    pub members: Map<String, Value>,
 }
 
 /// Largest length of a job's metadata as JSON text in bytes.
 const METADATA_BYTES: usize = 4096;
 
-impl Marks {
-    /// Makes the checks that the schema cannot express.
+impl Envelope {
+    /// Takes the members that concern the job out of a body.
     ///
     /// # Errors
     /// Returns every offending value.
-    pub(super) fn new(job: &JobFields) -> Result<Self, Rejection> {
-        let mut errors = Vec::new();
-        for (pointer, text) in [("/label", &job.label), ("/supersede", &job.supersede)] {
+    pub fn take(body: &mut Body) -> Result<Self, Rejection> {
+        static SCHEMAS: LazyLock<Schemas> = LazyLock::new(|| Schemas::new(&schemas()));
+        let taken = MEMBERS.iter().filter_map(|&name| Some((name.to_owned(), body.take(name)?)));
+        let members: Map<String, Value> = taken.collect();
+        if members.is_empty() {
+            return Ok(Self::default());
+        }
+        let value = Value::Object(members.clone());
+        let mut errors = SCHEMAS.errors(COMPONENT, &value);
+        if !errors.is_empty() {
+            return Err(Rejection::Invalid(errors));
+        }
+        let fields: JobFields = schema::deserialize(&value)?;
+        for (pointer, text) in [("/label", &fields.label), ("/supersede", &fields.supersede)] {
             // PostgreSQL cannot store a NUL, and no other control character belongs on one line.
             if text.as_ref().is_some_and(|text| text.chars().any(char::is_control)) {
                 errors.push(FieldError::new(pointer, "must not contain control characters"));
             }
         }
-        let metadata = job.metadata.as_ref().map(|fields| Value::Object(fields.clone()).to_string());
+        let metadata = fields.metadata.map(|fields| Value::Object(fields).to_string());
         if let Some(text) = metadata.as_ref().filter(|text| text.len() > METADATA_BYTES) {
             let detail = format!("has {} bytes as JSON text, more than {METADATA_BYTES}", text.len());
             errors.push(FieldError::new("/metadata", detail));
@@ -83,53 +120,13 @@ impl Marks {
             return Err(Rejection::Invalid(errors));
         }
         Ok(Self {
-            label: job.label.clone(),
+            cache: fields.cache,
+            callback_url: fields.callback_url,
+            label: fields.label,
             metadata,
-            supersede: job.supersede.clone(),
-            cancel_on_disconnect: job.cancel_on_disconnect,
+            supersede: fields.supersede,
+            cancel_on_disconnect: fields.cancel_on_disconnect,
+            members,
         })
     }
-}
-
-/// Converts points of the wire to points of the geometry.
-#[must_use]
-pub fn points(polyline: &[Point]) -> Vec<DVec3> {
-    polyline.iter().map(|&point| DVec3::from_array(point)).collect()
-}
-
-#[must_use]
-pub fn polylines(polylines: &[Vec<Point>]) -> Vec<Vec<DVec3>> {
-    polylines.iter().map(|polyline| points(polyline)).collect()
-}
-
-/// Refuses polylines that together have more than `max_points` points.
-///
-/// # Errors
-/// Returns [`Rejection::TooLarge`] at the field.
-pub fn check_point_count(field: &str, polylines: &[Vec<Point>], max_points: usize) -> Result<(), Rejection> {
-    check_count(field, polylines.iter().map(Vec::len).sum(), max_points, "points")
-}
-
-/// Refuses a field with more than `most` entries. `what` says in the plural what is counted.
-///
-/// # Errors
-/// Returns [`Rejection::TooLarge`] at the field.
-pub fn check_count(field: &str, count: usize, most: usize, what: &str) -> Result<(), Rejection> {
-    if count > most {
-        let detail = format!("has more {what} than this server accepts ({most}); see GET /v1/limits");
-        return Err(Rejection::TooLarge(vec![FieldError::new(field, detail)]));
-    }
-    Ok(())
-}
-
-/// Refuses a number above `most`.
-///
-/// # Errors
-/// Returns [`Rejection::TooLarge`] at the field.
-pub fn check_number(field: &str, number: Option<u32>, most: usize) -> Result<(), Rejection> {
-    if number.is_some_and(|number| number as usize > most) {
-        let detail = format!("is more than this server allows ({most}); see GET /v1/limits");
-        return Err(Rejection::TooLarge(vec![FieldError::new(field, detail)]));
-    }
-    Ok(())
 }

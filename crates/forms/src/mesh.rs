@@ -1,6 +1,6 @@
-//! A mesh as JSON, as `export::json` writes it.
+//! A mesh as JSON, as `plateau_archive::formats::json` writes it.
 
-use super::common::Point;
+use crate::common::Point;
 use plateau_archive::units::{Unit, UpAxis};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

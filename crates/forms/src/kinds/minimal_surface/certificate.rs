@@ -1,7 +1,6 @@
 //! The lower bound of the area: its figures in the statistics, and the document that proves it.
 
-use super::MinimalStatistics;
-use crate::wire::common::Point;
+use crate::common::Point;
 use plateau_lower_bound as lower_bound;
 use plateau_lower_bound::{Field, LowerBound};
 use schemars::JsonSchema;
@@ -40,7 +39,7 @@ pub struct Certificate {
     pub statement: String,
 }
 
-fn gap(area: f64, bound: f64) -> Option<f64> {
+pub(super) fn gap(area: f64, bound: f64) -> Option<f64> {
     Some(area / bound - 1.0).filter(|gap| bound > 0.0 && gap.is_finite()).map(|gap| gap.max(0.0))
 }
 
@@ -105,22 +104,6 @@ impl Certificate {
             orientations: found.fields.len(),
             statement,
         }
-    }
-}
-
-impl MinimalStatistics {
-    /// Adds the bound, and how far each compared topology is from the least area at most. Another topology may run along
-    /// the loops in other directions than the film, so that it is compared only with a bound for every orientation.
-    #[must_use]
-    pub fn certified(mut self, found: &LowerBound) -> Self {
-        self.certificate = Some(Certificate::of(found, self.area));
-        if !found.every_orientation {
-            return self;
-        }
-        for topology in self.spanning.iter_mut().flat_map(|spanning| &mut spanning.topologies) {
-            topology.gap = topology.area.and_then(|area| gap(area, found.area));
-        }
-        self
     }
 }
 

@@ -1,8 +1,11 @@
 //! Body of a request: a JSON value, with its long lists of points stored separately. In a JSON value every point is a
 //! separate allocation, and these allocations take longer than all other steps of reading a strip.
 
-use super::common::Point;
-use super::json::Strict;
+use crate::common::Point;
+use crate::json::{self, Strict};
+use crate::kind::Kind;
+use crate::limits::{Limits, refuse_too_many_values};
+use crate::rejection::Rejection;
 use serde::de::{Deserializer as _, MapAccess, Visitor};
 use serde::{Serialize, Serializer, ser::SerializeMap};
 use serde_json::{Map, Value};
@@ -41,9 +44,22 @@ impl From<Value> for Body {
 }
 
 impl Body {
+    /// Reads the JSON of a request of a known kind.
+    ///
+    /// # Errors
+    /// Returns the errors of [`json::parse`], and [`Rejection::TooLarge`] for a body with very many values.
+    pub fn read(kind: Kind, body: &[u8], limits: &Limits) -> Result<Self, Rejection> {
+        refuse_too_many_values(body, limits)?;
+        // The fast reader gives no reason for refusing a body. The strict reader then reports every error.
+        match Self::with_lists(body, kind.point_fields()) {
+            Some(read) => Ok(read),
+            None => json::parse(body).map(Self::from),
+        }
+    }
+
     /// Reads an object whose `fields` are lists of polylines. Returns `None` for every other body;
-    /// [`super::json::parse`] then finds the errors, if there are any.
-    pub(super) fn read(body: &[u8], fields: &'static [&'static str]) -> Option<Self> {
+    /// [`json::parse`] then finds the errors, if there are any.
+    fn with_lists(body: &[u8], fields: &'static [&'static str]) -> Option<Self> {
         let mut deserializer = serde_json::Deserializer::from_slice(body);
         let read = deserializer.deserialize_map(Reader { fields }).ok()?;
         deserializer.end().ok()?;
@@ -61,11 +77,22 @@ impl Body {
         &self.lists
     }
 
-    /// Removes a field that is not a list of points.
-    pub fn remove(&mut self, field: &str) {
-        if let Some(fields) = self.outline.as_object_mut() {
-            fields.remove(field);
+    /// Takes a field that is not a list of points out of the body.
+    pub fn take(&mut self, field: &str) -> Option<Value> {
+        self.outline.as_object_mut()?.remove(field)
+    }
+
+    /// Returns the whole body as one value.
+    pub(crate) fn whole(&self) -> Value {
+        let mut whole = self.outline.clone();
+        for list in &self.lists {
+            whole[list.field] = list
+                .polylines
+                .iter()
+                .map(|line| line.iter().map(|p| Value::from(p.to_vec())).collect::<Value>())
+                .collect();
         }
+        whole
     }
 
     /// Returns the fields of an object in the order of their names, or `None` if the body is not an object.
@@ -127,12 +154,10 @@ impl<'de> Visitor<'de> for Reader {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wire::Kind;
-    use crate::wire::components::{components, request_component};
-    use crate::wire::json;
+    use crate::components::{components, request_component};
 
     fn read(body: &str) -> Option<Body> {
-        Body::read(body.as_bytes(), &["rails", "normals"])
+        Body::with_lists(body.as_bytes(), &["rails", "normals"])
     }
 
     #[test]

@@ -1,17 +1,20 @@
-//! `POST /v1/minimal-surfaces`: the request and its conversion to the geometry's types. [`statistics`] converts the
+//! Minimal surfaces: the request and its conversion to the geometry's types. `statistics` converts the
 //! result.
 
 mod certificate;
+mod solve;
 mod statistics;
 
 pub use certificate::{Certificate, CertificateDocument};
 pub use statistics::{AngleRange, MinimalStatistics, Spread};
 
-use super::body::PointList;
-use super::common::{self, JobFields, Point};
-use super::objectives::Objective as ObjectiveDoc;
-use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
-use crate::config::LimitsConfig;
+use crate::body::PointList;
+use crate::checked::{Checked, KindRequest};
+use crate::common::{self, Point};
+use crate::kind::Kind;
+use crate::limits::{self, Limits};
+use crate::objective::Objective as ObjectiveDoc;
+use crate::rejection::{FieldError, Rejection};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_film::minimal_surface as geometry;
 use plateau_lower_bound as lower_bound;
@@ -25,8 +28,6 @@ pub struct MinimalSurfaceRequest {
     /// Optional here, because the path names the kind. `plateau solve` needs it.
     #[serde(default)]
     pub kind: Option<MinimalSurfaceKind>,
-    #[serde(flatten)]
-    pub job: JobFields,
     /// Unit of the coordinates.
     #[serde(default)]
     pub units: Unit,
@@ -213,13 +214,13 @@ const DEFAULT_TRIANGLES: usize = 2000;
 const DEFAULT_TRIANGLES_PER_POINT: usize = 4;
 
 impl Resolution {
-    /// Refuses numbers above the limits of this server.
+    /// Refuses numbers above the limits.
     ///
     /// # Errors
     /// Returns [`Rejection::TooLarge`] at the number.
-    pub fn check(&self, limits: &LimitsConfig) -> Result<(), Rejection> {
-        common::check_number("/resolution/triangles", self.triangles, limits.triangles)?;
-        common::check_number("/resolution/interior_vertices", self.interior_vertices, limits.triangles / 2)
+    pub fn check(&self, limits: &Limits) -> Result<(), Rejection> {
+        limits::check_number("/resolution/triangles", self.triangles, limits.triangles)?;
+        limits::check_number("/resolution/interior_vertices", self.interior_vertices, limits.triangles / 2)
     }
 
     /// Converts the resolution to the geometry's type, for boundaries with so many points.
@@ -359,10 +360,6 @@ pub enum Process {
 }
 
 impl KindRequest for MinimalSurfaceRequest {
-    fn job(&self) -> &JobFields {
-        &self.job
-    }
-
     fn axes(&self) -> (Unit, UpAxis) {
         (self.units, self.up)
     }
@@ -373,18 +370,18 @@ impl KindRequest for MinimalSurfaceRequest {
         }
     }
 
-    fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
-        common::check_point_count("/boundaries", &self.boundaries, limits.points)?;
+    fn check(&self, limits: &Limits) -> Result<Checked, Rejection> {
+        limits::check_point_count("/boundaries", &self.boundaries, limits.points)?;
         self.resolution.check(limits)?;
-        common::check_point_count("/constraints/polylines", &self.constraints.polylines, limits.points)?;
-        common::check_count("/constraints/points", self.constraints.points.len(), limits.points, "points")?;
+        limits::check_point_count("/constraints/polylines", &self.constraints.polylines, limits.points)?;
+        limits::check_count("/constraints/points", self.constraints.points.len(), limits.points, "points")?;
         if let InitialMesh::Given(mesh) = &self.initial_mesh
             && mesh.triangles.len().max(mesh.vertices.len()) > limits.triangles
         {
-            let detail = format!("is larger than this server accepts ({} triangles)", limits.triangles);
+            let detail = format!("is larger than is allowed ({} triangles)", limits.triangles);
             return Err(Rejection::TooLarge(vec![FieldError::new("/initial_mesh", detail)]));
         }
-        common::check_number("/max_iterations", self.max_iterations, limits.iterations as usize)?;
+        limits::check_number("/max_iterations", self.max_iterations, limits.iterations as usize)?;
         let errors = self.combinations();
         if !errors.is_empty() {
             return Err(Rejection::Invalid(errors));
@@ -399,7 +396,7 @@ impl KindRequest for MinimalSurfaceRequest {
         let estimate = geometry::estimate(&boundaries, &options);
         if estimate.triangles > limits.triangles as f64 {
             let detail = format!(
-                "asks for about {:.0} triangles, more than this server allows ({})",
+                "asks for about {:.0} triangles, more than are allowed ({})",
                 estimate.triangles, limits.triangles
             );
             return Err(Rejection::TooLarge(vec![FieldError::new("/resolution", detail)]));
@@ -408,7 +405,7 @@ impl KindRequest for MinimalSurfaceRequest {
         Ok(Checked {
             memory_bytes: estimate.bytes.saturating_add(bound),
             quick: false,
-            problem: Problem::MinimalSurface { boundaries, options, certify },
+            problem: Box::new(solve::Problem { boundaries, options, certify }),
         })
     }
 }

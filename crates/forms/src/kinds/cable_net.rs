@@ -1,18 +1,23 @@
-//! `POST /v1/cable-nets`: the request, its statistics, and their conversion to and from the geometry's types.
+//! Cable nets: the request, its statistics, and their conversion to and from the geometry's types.
 
-use super::common::{self, JobFields, Point};
-use super::minimal_surface::Spread;
-use super::objectives::Objective as ObjectiveDoc;
-use super::tensile_structure::{ForceBalance, LengthAndForce};
-use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
-use crate::config::LimitsConfig;
-use plateau_archive::units::{ForceUnit, Unit, UpAxis};
+mod solve;
+mod statistics;
+
+pub use statistics::{CableNetStatistics, CableResult, Group, NetReaction, ValueRange};
+
+use super::tensile_structure::LengthAndForce;
+use crate::checked::{Checked, KindRequest};
+use crate::common::Point;
+use crate::kind::Kind;
+use crate::limits::{self, Limits};
+use crate::objective::Objective as ObjectiveDoc;
+use crate::rejection::{FieldError, Rejection};
+use plateau_archive::units::{Unit, UpAxis};
 use plateau_film::cable_net as geometry;
 use plateau_mesh::error::Step;
-use plateau_mesh::measure;
 use plateau_mesh::{DVec3, Error as GeometryError, InputError};
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 /// Largest number of cables, and of loads, of a request.
 const MAX_CABLES: u32 = 1000;
@@ -29,8 +34,6 @@ pub struct CableNetRequest {
     /// Optional here, because the path names the kind. `plateau solve` needs it.
     #[serde(default)]
     pub kind: Option<CableNetKind>,
-    #[serde(flatten)]
-    pub job: JobFields,
     #[serde(default)]
     pub units: LengthAndForce,
     /// Axis that points up.
@@ -150,28 +153,15 @@ impl Default for TargetWeights {
     }
 }
 
-/// Groups of a net's edges for statistics and files.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Group {
-    pub name: String,
-    /// Numbers of its edges in increasing order.
-    pub edges: Vec<usize>,
-    pub axial_stiffness: Option<f64>,
-}
-
 impl KindRequest for CableNetRequest {
-    fn job(&self) -> &JobFields {
-        &self.job
-    }
-
     fn axes(&self) -> (Unit, UpAxis) {
         (self.units.into(), self.up)
     }
 
-    fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
-        common::check_count("/vertices", self.vertices.len(), limits.points, "points")?;
-        common::check_count("/edges", self.edges.len(), limits.triangles, "edges")?;
-        common::check_number("/max_iterations", self.max_iterations, limits.iterations as usize)?;
+    fn check(&self, limits: &Limits) -> Result<Checked, Rejection> {
+        limits::check_count("/vertices", self.vertices.len(), limits.points, "points")?;
+        limits::check_count("/edges", self.edges.len(), limits.triangles, "edges")?;
+        limits::check_number("/max_iterations", self.max_iterations, limits.iterations as usize)?;
         let mut errors = Vec::new();
         let of_edge = self.check_cables(&mut errors);
         let loads = self.check_loads(&mut errors);
@@ -184,7 +174,7 @@ impl KindRequest for CableNetRequest {
         Ok(Checked {
             memory_bytes: geometry::estimate(&net).bytes,
             quick: false,
-            problem: Problem::CableNet { net, options, groups: self.groups(&of_edge), force: self.units.force },
+            problem: Box::new(solve::Problem { net, options, groups: self.groups(&of_edge), force: self.units.force }),
         })
     }
 }
@@ -379,150 +369,4 @@ pub fn objectives() -> Vec<ObjectiveDoc> {
             "max_iterations",
         ],
     }]
-}
-
-/// Smallest and largest value.
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct ValueRange {
-    pub min: f64,
-    pub max: f64,
-}
-
-impl ValueRange {
-    fn of(values: impl Iterator<Item = f64>) -> Self {
-        let empty = Self { min: f64::INFINITY, max: f64::NEG_INFINITY };
-        values.fold(empty, |range, value| Self { min: range.min.min(value), max: range.max.max(value) })
-    }
-}
-
-/// A cable of the found net: all its edges together.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-#[schemars(rename = "NetCableResult")]
-pub struct CableResult {
-    pub name: String,
-    /// Number of its edges.
-    pub edges: usize,
-    /// Mean force, weighted by length.
-    pub force: f64,
-    pub force_min: f64,
-    pub force_max: f64,
-    /// Sum of the edges' lengths.
-    pub length: f64,
-    /// Sum of the edges' unstressed lengths, length / (1 + force / axial stiffness) each; null without an axial stiffness.
-    pub unstressed_length: Option<f64>,
-    pub edge_lengths: ValueRange,
-    pub force_densities: ValueRange,
-    /// Largest |force / target - 1|; null without a target.
-    pub force_deviation: Option<f64>,
-    /// Largest |length / target - 1|; null without a target.
-    pub length_deviation: Option<f64>,
-    /// Number of edges to which the targets leave no force, so that only `least_force_density` keeps them in tension.
-    pub slack_edges: usize,
-}
-
-/// A support of the net.
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct NetReaction {
-    pub vertex: u32,
-    /// Force of the support on the net.
-    pub force: Point,
-}
-
-/// Statistics of a cable net.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct CableNetStatistics {
-    /// Middle of the net's bounding box, which files with `origin=local` are relative to.
-    pub origin: Point,
-    pub objective: &'static str,
-    /// Loss: the weighted sum of the mean squared deviations from the targets and of the load path. 0 without targets.
-    pub objective_value: f64,
-    /// Unit of the forces.
-    pub force_unit: &'static str,
-    pub vertices: usize,
-    pub edges: usize,
-    /// Always 0: a net has no triangles.
-    pub triangles: usize,
-    /// Cables in the order of the request, and `other` for edges that no cable lists.
-    pub cables: Vec<CableResult>,
-    /// Supports in the order of the request.
-    pub reactions: Vec<NetReaction>,
-    pub balance: ForceBalance,
-    /// Σ force · length.
-    pub load_path: f64,
-    /// Largest force on a free vertex that is not balanced, over the largest force of a cable.
-    pub residual: f64,
-    /// Largest derivative of the loss by the logarithm of a force density.
-    pub gradient: f64,
-    pub converged: bool,
-    pub stop_reason: &'static str,
-    pub iterations: u32,
-    pub edge_lengths: Spread,
-}
-
-impl CableNetStatistics {
-    #[must_use]
-    pub fn of(
-        found: &geometry::CableNet,
-        net: &geometry::Net,
-        groups: &[Group],
-        force: ForceUnit,
-        origin: Point,
-    ) -> Self {
-        let reaction = |(vertex, force): (&u32, &DVec3)| NetReaction { vertex: *vertex, force: force.to_array() };
-        let largest = found.forces.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-        Self {
-            origin,
-            objective: "nearest_to_targets",
-            objective_value: found.loss,
-            force_unit: force.symbol(),
-            vertices: found.vertices.len(),
-            edges: net.edges.len(),
-            triangles: 0,
-            cables: groups.iter().map(|group| CableResult::of(found, net, group)).collect(),
-            reactions: net.supports.iter().zip(&found.reactions).map(reaction).collect(),
-            balance: ForceBalance {
-                loads: found.loads.to_array(),
-                reactions: found.reactions.iter().sum::<DVec3>().to_array(),
-                magnitudes: found.magnitudes,
-                imbalance: found.imbalance,
-                residual_force: found.residual_force,
-            },
-            load_path: found.load_path,
-            residual: found.residual_force / largest,
-            gradient: found.gradient,
-            converged: found.converged(),
-            stop_reason: found.stop_reason.name(),
-            iterations: found.iterations,
-            edge_lengths: measure::Spread::of(found.lengths.iter().copied()).into(),
-        }
-    }
-}
-
-impl CableResult {
-    fn of(found: &geometry::CableNet, net: &geometry::Net, group: &Group) -> Self {
-        let edges = || group.edges.iter().copied();
-        let length: f64 = edges().map(|k| found.lengths[k]).sum();
-        let path: f64 = edges().map(|k| found.forces[k] * found.lengths[k]).sum();
-        let forces = ValueRange::of(edges().map(|k| found.forces[k]));
-        let deviation = |values: &[f64], target: fn(&geometry::Edge) -> Option<f64>| {
-            let of = |k: usize| Some((values[k] / target(&net.edges[k])? - 1.0).abs());
-            edges().filter_map(of).reduce(f64::max)
-        };
-        Self {
-            name: group.name.clone(),
-            edges: group.edges.len(),
-            force: path / length,
-            force_min: forces.min,
-            force_max: forces.max,
-            length,
-            unstressed_length: group
-                .axial_stiffness
-                .map(|stiffness| edges().map(|k| found.lengths[k] / (1.0 + found.forces[k] / stiffness)).sum()),
-            edge_lengths: ValueRange::of(edges().map(|k| found.lengths[k])),
-            force_densities: ValueRange::of(edges().map(|k| found.densities[k])),
-            force_deviation: deviation(&found.forces, |edge| edge.force),
-            length_deviation: deviation(&found.lengths, |edge| edge.length),
-            slack_edges: edges().filter(|&k| found.slack[k]).count(),
-        }
-    }
 }

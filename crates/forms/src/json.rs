@@ -4,7 +4,7 @@
 //! becomes an integer however it was written (`2050.0` becomes 2050), except that -0.0 stays a float. serde_json limits
 //! the nesting to 128 levels.
 
-use super::{FieldError, Rejection};
+use crate::rejection::{FieldError, Rejection};
 use serde::de::{DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Number, Value};
 use std::fmt;

@@ -5,7 +5,7 @@
 //! others. In a union, the type of the JSON value decides which branch it is compared with. Objects of several kinds are
 //! told apart by the member that the keyword `discriminator` names. So all errors are those of one branch.
 
-use super::{FieldError, MAX_ERRORS};
+use crate::rejection::{FieldError, MAX_ERRORS};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::fmt;

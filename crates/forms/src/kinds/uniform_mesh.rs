@@ -1,20 +1,23 @@
-//! `POST /v1/uniform-meshes`: the request, its statistics, and their conversion to and from the geometry's types.
+//! Uniform meshes: the request, its statistics, and their conversion to and from the geometry's types.
 
-use super::common::{self, JobFields, Point};
-use super::minimal_surface::{AngleRange, Spread};
-use super::objectives::Objective as ObjectiveDoc;
-use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
-use crate::config::LimitsConfig;
+mod solve;
+mod statistics;
+
+pub use statistics::{
+    GroupLengths, LengthHistogram, OutOfRange, SharedLengths, Stage, StageGroup, SurfaceFit, UniformStatistics,
+};
+
+use crate::checked::{Checked, KindRequest};
+use crate::common::{self, Point};
+use crate::kind::Kind;
+use crate::limits::{self, Limits};
+use crate::objective::Objective as ObjectiveDoc;
+use crate::rejection::{FieldError, Rejection};
 use plateau_archive::units::{Unit, UpAxis};
-use plateau_mesh::self_intersections::Skipped;
 use plateau_uniform_mesh as geometry;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use serde_json::Value;
-use std::collections::BTreeMap;
-
-/// Number of members outside [ℓ, 2ℓ] that are listed individually. `out_of_range_edges` counts all of them.
-const LISTED_EDGES: usize = 200;
 
 /// A domain and the edge length of its mesh.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -23,8 +26,6 @@ pub struct UniformMeshRequest {
     /// Optional here, because the path names the kind. `plateau solve` needs it.
     #[serde(default)]
     pub kind: Option<UniformMeshKind>,
-    #[serde(flatten)]
-    pub job: JobFields,
     /// Unit of the coordinates.
     #[serde(default)]
     pub units: Unit,
@@ -221,18 +222,14 @@ impl Domain {
 }
 
 impl KindRequest for UniformMeshRequest {
-    fn job(&self) -> &JobFields {
-        &self.job
-    }
-
     fn axes(&self) -> (Unit, UpAxis) {
         (self.units, self.up)
     }
 
-    fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
+    fn check(&self, limits: &Limits) -> Result<Checked, Rejection> {
         self.domain.check()?;
         let (points, field) = self.domain.point_count();
-        common::check_count(field, points, limits.points, "points")?;
+        limits::check_count(field, points, limits.points, "points")?;
         let invalid = |pointer: &str, detail: &str| Err(Rejection::Invalid(vec![FieldError::new(pointer, detail)]));
         if self.optimise == Optimise::Lengths && !self.optimise_nodes {
             return invalid(
@@ -253,13 +250,17 @@ impl KindRequest for UniformMeshRequest {
         let estimate = geometry::estimate(&domain, &options)?;
         if estimate.triangles > limits.triangles as f64 {
             let detail = format!(
-                "asks for up to {:.0} triangles, more than this server allows ({}); see GET /v1/limits",
+                "asks for up to {:.0} triangles, more than are allowed ({})",
                 estimate.triangles, limits.triangles
             );
             return Err(Rejection::TooLarge(vec![FieldError::new("/edge_length", detail)]));
         }
         geometry::check(&domain, &options)?;
-        Ok(Checked { memory_bytes: estimate.bytes, quick: false, problem: Problem::UniformMesh { domain, options } })
+        Ok(Checked {
+            memory_bytes: estimate.bytes,
+            quick: false,
+            problem: Box::new(solve::Problem { domain, options }),
+        })
     }
 }
 
@@ -289,16 +290,6 @@ impl UniformMeshRequest {
     }
 }
 
-/// Returns the vertices that the points of each polyline of a polygon became. The list is empty for other domains,
-/// because their points are not nodes.
-#[must_use]
-pub fn input_vertices(domain: &geometry::Domain, mesh: &geometry::UniformMesh) -> Vec<Vec<u32>> {
-    let geometry::Domain::Polygon { outer, holes } = domain else { return Vec::new() };
-    let mut vertices = mesh.input_vertices.iter().copied().flatten();
-    let lengths = std::iter::once(outer.len()).chain(holes.iter().map(Vec::len));
-    lengths.map(|length| vertices.by_ref().take(length).collect()).collect()
-}
-
 /// Returns the objectives of this kind.
 #[must_use]
 pub fn objectives() -> Vec<ObjectiveDoc> {
@@ -321,207 +312,4 @@ pub fn objectives() -> Vec<ObjectiveDoc> {
             ],
         })
         .collect()
-}
-
-/// Count, minimum, mean, maximum and standard deviation of a group of lengths. All are 0 for an empty group.
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct GroupLengths {
-    pub count: usize,
-    pub min: f64,
-    pub mean: f64,
-    pub max: f64,
-    pub std_dev: f64,
-}
-
-impl From<plateau_mesh::measure::Spread> for GroupLengths {
-    fn from(spread: plateau_mesh::measure::Spread) -> Self {
-        let Spread { min, mean, max, std_dev } = spread.into();
-        Self { count: spread.count, min, mean, max, std_dev }
-    }
-}
-
-/// One group of members at one stage.
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct StageGroup {
-    #[serde(flatten)]
-    pub lengths: GroupLengths,
-    /// Number of members within the tolerance of the edge length.
-    pub equal_edges: usize,
-    /// Smallest number of lengths for all members if lengths that differ by at most the tolerance count as one.
-    pub distinct_lengths: usize,
-}
-
-impl From<geometry::statistics::Group> for StageGroup {
-    fn from(group: geometry::statistics::Group) -> Self {
-        Self { lengths: group.lengths.into(), equal_edges: group.equal_edges, distinct_lengths: group.distinct_lengths }
-    }
-}
-
-/// One stage of the computation: a pair of rows of Katoh, Ohsaki and Xu's Table 1.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct Stage {
-    /// Name of the stage: `auxiliary_surface`, `auxiliary_plane`, `plane`, `surface`, `optimised_nodes` or
-    /// `shared_lengths`.
-    pub name: &'static str,
-    pub all: StageGroup,
-    /// Null for the auxiliary triangulation.
-    pub lattice: Option<StageGroup>,
-}
-
-/// Histogram of lengths. Bin k counts lengths from `from` + k · `width` up to the next bin.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct LengthHistogram {
-    pub from: f64,
-    pub width: f64,
-    pub counts: Vec<usize>,
-}
-
-/// Deviation of the members for one number of distinct lengths.
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct SharedLengths {
-    pub lengths: usize,
-    /// Largest difference between a member's length and the shared length that replaces it.
-    pub deviation: f64,
-    /// The same difference before the nodes moved.
-    pub deviation_before: f64,
-}
-
-/// A member outside the range from the edge length to its double.
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct OutOfRange {
-    pub vertices: [u32; 2],
-    pub length: f64,
-    /// Reason: `short_side`, `sharp_corner`, `narrow`, `curvature`, `optimised` or `unfinished`.
-    pub why: &'static str,
-}
-
-/// The mesh beside the curved surface that it stands for. All nodes lie on the surface.
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct SurfaceFit {
-    /// `flattened`: laid into the plane, meshed there and carried back. `on_surface`: meshed on the surface itself, because
-    /// it cannot be laid into the plane with a bounded distortion.
-    pub method: &'static str,
-    /// The surface's own area.
-    pub area: f64,
-    /// The mesh's area less the surface's, relative to the surface's.
-    pub area_error: f64,
-    /// Largest distance from the middle of a triangle to the surface.
-    pub distance_max: f64,
-    /// Largest angle between the normals of a triangle and of the surface below its middle.
-    pub normal_deviation_max_deg: f64,
-}
-
-impl From<geometry::SurfaceFit> for SurfaceFit {
-    fn from(fit: geometry::SurfaceFit) -> Self {
-        Self {
-            method: fit.method.name(),
-            area: fit.area,
-            area_error: fit.area_error,
-            distance_max: fit.distance_max,
-            normal_deviation_max_deg: fit.normal_deviation_max.to_degrees(),
-        }
-    }
-}
-
-/// Statistics of a uniform mesh. Lengths are in the request's unit, and angles are in degrees.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct UniformStatistics {
-    /// Middle of the mesh's bounding box, which files with `origin=local` are relative to.
-    pub origin: Point,
-    pub objective: &'static str,
-    /// Number of nodes for `fewest_nodes`, and number of lattice edges for `most_equal_edges`.
-    pub objective_value: usize,
-    pub nodes: usize,
-    pub triangles: usize,
-    pub edges: usize,
-    pub edge_lengths: Spread,
-    /// Lengths of the members of the lattice.
-    pub lattice_edges: GroupLengths,
-    /// Number of members within the tolerance of the edge length.
-    pub equal_edges: usize,
-    pub distinct_lengths: usize,
-    /// Tolerance of `equal_edges` and `distinct_lengths`.
-    pub length_tolerance: f64,
-    pub out_of_range_edges: usize,
-    /// Number of members that are out of range, for each reason.
-    pub out_of_range_reasons: BTreeMap<&'static str, usize>,
-    /// The first 200 members that are out of range.
-    pub out_of_range: Vec<OutOfRange>,
-    /// Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded mesh.
-    /// Null if not all pairs were looked at.
-    pub self_intersections: Option<u64>,
-    /// Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`.
-    pub self_intersections_skipped: Option<&'static str>,
-    /// False if the deadline cut the work short, or if the surface is curved too strongly for this edge length: the area is
-    /// off by more than 1%, a triangle faces away, or edges or angles are far out of range. `not_converged` says by how much.
-    pub converged: bool,
-    /// Curved domains: the mesh beside its surface. Null for polygons.
-    pub surface: Option<SurfaceFit>,
-    pub angles_deg: AngleRange,
-    pub length_histogram: LengthHistogram,
-    /// Entry k is the number of nodes with k members.
-    pub valence_histogram: Vec<usize>,
-    /// For polygons, a lower bound of the number of nodes of any mesh with members of at most twice the edge length.
-    /// Null for curved domains.
-    pub node_lower_bound: Option<usize>,
-    /// Rows of Katoh, Ohsaki and Xu's Table 1, stage by stage.
-    pub stages: Vec<Stage>,
-    /// With `optimise: lengths`, the deviation for each number of lengths that was tried.
-    pub shared_lengths: Vec<SharedLengths>,
-}
-
-impl UniformStatistics {
-    #[must_use]
-    pub fn of(mesh: &geometry::UniformMesh, options: &geometry::Options, origin: Point) -> Self {
-        let statistics = &mesh.statistics;
-        let mut reasons = BTreeMap::new();
-        for edge in &mesh.out_of_range {
-            *reasons.entry(edge.why.name()).or_default() += 1;
-        }
-        let listed = mesh.out_of_range.iter().take(LISTED_EDGES).map(|edge| OutOfRange {
-            vertices: mesh.members[edge.member],
-            length: edge.length,
-            why: edge.why.name(),
-        });
-        let stage = |stage: &geometry::statistics::Stage| Stage {
-            name: stage.name,
-            all: stage.all.into(),
-            lattice: stage.lattice.map(Into::into),
-        };
-        let shared = |row: &geometry::LengthsRow| SharedLengths {
-            lengths: row.lengths,
-            deviation: row.deviation,
-            deviation_before: row.deviation_before,
-        };
-        Self {
-            origin,
-            objective: options.objective.name(),
-            objective_value: statistics.objective_value,
-            nodes: statistics.nodes,
-            triangles: statistics.triangles,
-            edges: statistics.edges,
-            edge_lengths: statistics.edge_lengths.into(),
-            lattice_edges: statistics.lattice_edges.into(),
-            equal_edges: statistics.equal_edges,
-            distinct_lengths: statistics.distinct_lengths,
-            length_tolerance: statistics.length_tolerance,
-            out_of_range_edges: statistics.out_of_range_edges,
-            out_of_range_reasons: reasons,
-            out_of_range: listed.collect(),
-            self_intersections: statistics.self_intersections.pairs,
-            self_intersections_skipped: statistics.self_intersections.skipped.map(Skipped::name),
-            converged: mesh.converged,
-            surface: statistics.surface.map(Into::into),
-            angles_deg: AngleRange { min: statistics.angles.0.to_degrees(), max: statistics.angles.1.to_degrees() },
-            length_histogram: LengthHistogram {
-                from: statistics.length_histogram.from,
-                width: statistics.length_histogram.width,
-                counts: statistics.length_histogram.counts.clone(),
-            },
-            valence_histogram: statistics.valence_histogram.clone(),
-            node_lower_bound: statistics.node_lower_bound,
-            stages: mesh.stages.iter().map(stage).collect(),
-            shared_lengths: mesh.shared_lengths.iter().map(shared).collect(),
-        }
-    }
 }

@@ -1,8 +1,9 @@
 //! Validation of bodies against the schemas of the API document, and schemas that stand alone.
 
-use super::components::{BATCH, REQUEST_WITH_KIND, components, request_component};
-use super::explain::Schemas;
-use super::{FieldError, Kind, Rejection};
+use crate::components::{REQUEST_WITH_KIND, components, request_component};
+use crate::explain::Schemas;
+use crate::kind::Kind;
+use crate::rejection::{FieldError, Rejection};
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::de::DeserializeOwned;
@@ -60,14 +61,6 @@ fn refuse(errors: Vec<FieldError>) -> Result<(), Rejection> {
     if errors.is_empty() { Ok(()) } else { Err(Rejection::Invalid(errors)) }
 }
 
-/// Validates a batch's body with all its requests.
-///
-/// # Errors
-/// Returns the errors of [`validate`].
-pub fn validate_batch(value: &Value) -> Result<(), Rejection> {
-    validate_component(BATCH, value)
-}
-
 /// Validates a request that names its kind.
 ///
 /// # Errors
@@ -79,7 +72,7 @@ pub fn validate_with_kind(value: &Value) -> Result<(), Rejection> {
 /// Validates a body against the published schema of its kind.
 ///
 /// # Errors
-/// Returns every violation with its pointer, at most [`MAX_ERRORS`](super::MAX_ERRORS) + 1.
+/// Returns every violation with its pointer, at most [`MAX_ERRORS`](crate::rejection::MAX_ERRORS) + 1.
 pub fn validate(kind: Kind, value: &Value) -> Result<(), Rejection> {
     validate_component(request_component(kind), value)
 }
@@ -110,7 +103,7 @@ pub fn deserialize<T: DeserializeOwned>(value: &Value) -> Result<T, Rejection> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wire::MAX_ERRORS;
+    use crate::rejection::MAX_ERRORS;
     use serde_json::json;
 
     fn errors(kind: Kind, body: &Value) -> Vec<(String, String)> {

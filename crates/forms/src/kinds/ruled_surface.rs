@@ -1,16 +1,22 @@
-//! `POST /v1/ruled-surfaces`: the request, its statistics, and their conversion to and from the geometry's types.
+//! Ruled surfaces: the request, its statistics, and their conversion to and from the geometry's types.
 
-use super::body::PointList;
-use super::common::{self, JobFields, Point};
-use super::objectives::Objective as ObjectiveDoc;
-use super::{Checked, FieldError, Kind, KindRequest, Problem, Rejection};
-use crate::config::LimitsConfig;
+mod solve;
+mod statistics;
+
+pub use statistics::{Comparison, FlatPatternStatistics, RuledStatistics, StripStatistics};
+
+use crate::body::PointList;
+use crate::checked::{Checked, KindRequest};
+use crate::common::{self, Point};
+use crate::kind::Kind;
+use crate::limits::{self, Limits};
+use crate::objective::Objective as ObjectiveDoc;
+use crate::rejection::{FieldError, Rejection};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_mesh::Execution;
-use plateau_mesh::self_intersections::Skipped;
 use plateau_ruled_surface as geometry;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 /// Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -19,8 +25,6 @@ pub struct RuledSurfaceRequest {
     /// Optional here, because the path names the kind. `plateau solve` needs it.
     #[serde(default)]
     pub kind: Option<RuledSurfaceKind>,
-    #[serde(flatten)]
-    pub job: JobFields,
     /// Unit of the coordinates.
     #[serde(default)]
     pub units: Unit,
@@ -194,10 +198,6 @@ pub enum Objective {
 }
 
 impl KindRequest for RuledSurfaceRequest {
-    fn job(&self) -> &JobFields {
-        &self.job
-    }
-
     fn axes(&self) -> (Unit, UpAxis) {
         (self.units, self.up)
     }
@@ -212,8 +212,8 @@ impl KindRequest for RuledSurfaceRequest {
         }
     }
 
-    fn check(&self, limits: &LimitsConfig) -> Result<Checked, Rejection> {
-        common::check_point_count("/directrices", &self.directrices, limits.points)?;
+    fn check(&self, limits: &Limits) -> Result<Checked, Rejection> {
+        limits::check_point_count("/directrices", &self.directrices, limits.points)?;
         self.check_sampling(limits)?;
         let (directrices, options) = self.to_geometry();
         let points: Vec<usize> = directrices.iter().map(Vec::len).collect();
@@ -224,7 +224,7 @@ impl KindRequest for RuledSurfaceRequest {
             cells = geometry::estimate_for(&directrices, &options, &Execution::default())?.cells;
         }
         if cells > limits.grid_cells {
-            let detail = format!("needs {cells} grid cells, more than this server accepts ({})", limits.grid_cells);
+            let detail = format!("needs {cells} grid cells, more than are allowed ({})", limits.grid_cells);
             return Err(Rejection::TooLarge(vec![FieldError::new("/directrices", detail)]));
         }
         geometry::check(&directrices, &options)?;
@@ -232,13 +232,13 @@ impl KindRequest for RuledSurfaceRequest {
         Ok(Checked {
             memory_bytes: estimate.bytes,
             quick: self.is_quick(points, cells),
-            problem: Problem::RuledSurface { directrices, options },
+            problem: Box::new(solve::Problem { directrices, options }),
         })
     }
 }
 
 impl RuledSurfaceRequest {
-    fn check_sampling(&self, limits: &LimitsConfig) -> Result<(), Rejection> {
+    fn check_sampling(&self, limits: &Limits) -> Result<(), Rejection> {
         let Some(sampling) = self.sampling else { return Ok(()) };
         let invalid = |pointer: &str, detail: &str| Err(Rejection::Invalid(vec![FieldError::new(pointer, detail)]));
         match (sampling.by, sampling.samples, sampling.tolerance) {
@@ -252,7 +252,7 @@ impl RuledSurfaceRequest {
         }
         let points = sampling.samples.unwrap_or(0).saturating_mul(self.directrices.len());
         if sampling.by != SamplingRule::ChordHeight && points > limits.points {
-            let detail = format!("makes more points than this server accepts ({}); see GET /v1/limits", limits.points);
+            let detail = format!("makes more points than are allowed ({})", limits.points);
             return Err(Rejection::TooLarge(vec![FieldError::new("/sampling/samples", detail)]));
         }
         Ok(())
@@ -352,139 +352,4 @@ pub fn objectives() -> Vec<ObjectiveDoc> {
             ],
         })
         .collect()
-}
-
-/// Statistics of one strip, or of all strips of a stack together. Lengths are in the request's unit, areas in its
-/// square, and angles in degrees.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct StripStatistics {
-    /// Value of the objective. For `maximal_convexity` it is the number of convex bridges.
-    pub objective_value: f64,
-    /// Value of the secondary objective. Null without one.
-    pub secondary_value: Option<f64>,
-    pub triangles: usize,
-    pub bridges: usize,
-    pub area: f64,
-    /// Sum of 1 - n_p·n_q over the bridges (Wang-Tang, eq. 4).
-    pub total_normal_twist: f64,
-    /// Number of bridges that are locally convex.
-    pub convex_bridges: usize,
-    pub convex_bridge_ratio: f64,
-    pub bending_energy: f64,
-    pub mean_curvature_variation: f64,
-    /// Value of `minimal_normal_variation`. Null without normals.
-    pub normal_variation: Option<f64>,
-    /// Largest angle between the normals of neighbouring triangles.
-    pub largest_fold_deg: f64,
-    /// Largest angle between the normals of neighbouring triangles at bridges that are not locally convex. It is 0 for
-    /// a strip that can be developed.
-    pub developability_deviation_deg: f64,
-    pub shortest_bridge: f64,
-    pub longest_bridge: f64,
-}
-
-/// Quality of the strips' flat pattern.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct FlatPatternStatistics {
-    /// Largest relative difference between an edge's length in space and in the plane.
-    pub edge_length_error_max: f64,
-    /// Whether an unrolled strip overlaps itself.
-    pub self_overlap: bool,
-    pub width: f64,
-    pub height: f64,
-}
-
-/// Statistics of a ruled surface.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct RuledStatistics {
-    /// Middle of the mesh's bounding box, which files with `origin=local` are relative to.
-    pub origin: Point,
-    /// Name of the objective, or `weighted` for a weighted sum.
-    pub objective: &'static str,
-    /// Number of vertices of the mesh.
-    pub vertices: usize,
-    #[serde(flatten)]
-    pub total: StripStatistics,
-    /// Statistics of each strip, in order.
-    pub strips: Vec<StripStatistics>,
-    /// Null for closed strips, which cannot be unrolled.
-    pub flat_pattern: Option<FlatPatternStatistics>,
-    /// Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
-    /// mesh. Null if not all pairs were looked at.
-    pub self_intersections: Option<u64>,
-    /// Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`.
-    pub self_intersections_skipped: Option<&'static str>,
-    /// For each directrix, whether `direction: auto` reversed it.
-    pub reversed: Vec<bool>,
-    /// For each directrix, what decided its direction under `direction: auto`: `area_vectors` of closed contours,
-    /// `folds`, `ends` or `objective`. Null for the first directrix, beside an apex, and with `as_given`.
-    pub direction_decided_by: Vec<Option<&'static str>>,
-    /// Statistics of each objective's optimum (Wang-Tang's Table 1). Null without `all_objectives`.
-    pub comparison: Option<Vec<Comparison>>,
-}
-
-/// Statistics of one objective's optimum.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct Comparison {
-    pub objective: &'static str,
-    pub secondary_objective: Option<&'static str>,
-    #[serde(flatten)]
-    pub statistics: StripStatistics,
-}
-
-impl From<&geometry::Statistics> for StripStatistics {
-    fn from(strip: &geometry::Statistics) -> Self {
-        Self {
-            objective_value: strip.objective_value,
-            secondary_value: strip.secondary_value,
-            triangles: strip.triangles,
-            bridges: strip.bridges,
-            area: strip.area,
-            total_normal_twist: strip.total_normal_twist,
-            convex_bridges: strip.convex_bridges,
-            convex_bridge_ratio: strip.convex_bridge_ratio,
-            bending_energy: strip.bending_energy,
-            mean_curvature_variation: strip.mean_curvature_variation,
-            normal_variation: strip.normal_variation,
-            largest_fold_deg: strip.largest_fold.to_degrees(),
-            developability_deviation_deg: strip.developability_deviation.to_degrees(),
-            shortest_bridge: strip.shortest_bridge,
-            longest_bridge: strip.longest_bridge,
-        }
-    }
-}
-
-impl RuledStatistics {
-    #[must_use]
-    pub fn of(surface: &geometry::RuledSurface, options: &geometry::Options, origin: Point) -> Self {
-        Self {
-            origin,
-            objective: options.objective.name(),
-            vertices: surface.mesh.vertices.len(),
-            total: (&surface.statistics).into(),
-            strips: surface.strips.iter().map(Into::into).collect(),
-            flat_pattern: surface.flat_pattern.as_ref().map(|pattern| FlatPatternStatistics {
-                edge_length_error_max: pattern.edge_length_error_max,
-                self_overlap: pattern.self_overlap,
-                width: pattern.width,
-                height: pattern.height,
-            }),
-            self_intersections: surface.self_intersections.pairs,
-            self_intersections_skipped: surface.self_intersections.skipped.map(Skipped::name),
-            reversed: surface.reversed.clone(),
-            direction_decided_by: surface
-                .direction_decided_by
-                .iter()
-                .map(|criterion| criterion.map(geometry::DirectionCriterion::name))
-                .collect(),
-            comparison: surface.comparison.as_ref().map(|rows| {
-                let row = |row: &geometry::Comparison| Comparison {
-                    objective: row.objective.name(),
-                    secondary_objective: row.secondary.map(geometry::Secondary::name),
-                    statistics: (&row.statistics).into(),
-                };
-                rows.iter().map(row).collect()
-            }),
-        }
-    }
 }

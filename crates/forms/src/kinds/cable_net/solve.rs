@@ -1,0 +1,80 @@
+//! From a checked request for a cable net to its stored result.
+
+use super::{CableNetStatistics, Group};
+use crate::solved::{self, Frame, Solved, archive, generator, line_set, reactions, to_json, warnings};
+use plateau_archive::archive::{CABLES, Contents, middle};
+use plateau_archive::units::ForceUnit;
+use plateau_archive::{LineSet, Lines, SegmentValues};
+use plateau_film::cable_net;
+use plateau_mesh::error::Warning;
+use plateau_mesh::{Error, Execution, Mesh};
+
+#[derive(Debug)]
+pub(super) struct Problem {
+    pub net: cable_net::Net,
+    pub options: cable_net::Options,
+    pub groups: Vec<Group>,
+    pub force: ForceUnit,
+}
+
+/// Number of edges that a warning names.
+const NAMED_EDGES: usize = 10;
+
+impl solved::Problem for Problem {
+    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Solved, Error> {
+        let Self { net, options, groups, force } = self;
+        let force = *force;
+        let found = cable_net::solve(net, options, exec)?;
+        let statistics =
+            to_json(&CableNetStatistics::of(&found, net, groups, force, middle(&found.vertices).to_array()))?;
+        let forces =
+            |values: Vec<f64>| Some(SegmentValues { name: "force".into(), unit: force.symbol().into(), values });
+        let lines = |group: &Group| Lines::Segments {
+            pairs: group.edges.iter().map(|&k| net.edges[k].ends).collect(),
+            values: forces(group.edges.iter().map(|&k| found.forces[k]).collect()),
+        };
+        let set = |group: &Group| LineSet { name: CABLES.into(), group: group.name.clone(), lines: lines(group) };
+        let mut line_sets: Vec<LineSet> = groups.iter().map(set).collect();
+        let feet = net.supports.iter().map(|&v| found.vertices[v as usize]).zip(found.reactions.iter().copied());
+        line_sets.push(line_set("reactions", reactions(feet.collect(), &found.vertices, forces)));
+        let warnings = warnings(net_warnings(&found));
+        let archive = archive(Contents {
+            generator: generator(),
+            title: "cable net".into(),
+            unit: frame.unit,
+            up: frame.up,
+            input_vertices: vec![(0..found.vertices.len() as u32).collect()],
+            mesh: Mesh::new(found.vertices, Vec::new()),
+            mean_curvature: None,
+            line_sets,
+            statistics: statistics.clone(),
+            unrolls: false,
+            certificate: None,
+        })?;
+        let reproducible = found.stop_reason != cable_net::StopReason::Deadline;
+        Ok(Solved { statistics, warnings, archive, reproducible })
+    }
+}
+
+fn net_warnings(found: &cable_net::CableNet) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    if !found.converged() {
+        let detail = format!(
+            "the net is in equilibrium, but the loss still fell when the solver stopped ({}): allow more iterations",
+            found.stop_reason.name()
+        );
+        warnings.push(Warning::new("not_converged", detail));
+    }
+    let slack: Vec<usize> = (0..found.slack.len()).filter(|&k| found.slack[k]).collect();
+    if !slack.is_empty() {
+        let names: Vec<String> = slack.iter().take(NAMED_EDGES).map(|k| format!("/edges/{k}")).collect();
+        let more = slack.len() - names.len();
+        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        let detail = format!(
+            "the targets leave these edges no force; least_force_density keeps them in tension: {}{more}",
+            names.join(", ")
+        );
+        warnings.push(Warning::new("slack_cable", detail));
+    }
+    warnings
+}

@@ -1,0 +1,78 @@
+//! From a checked request for a film to its stored result.
+
+use super::{CertificateDocument, MinimalStatistics};
+use crate::solved::{self, Frame, Solved, archive, generator, line_set, origin, polylines, to_json, warnings};
+use plateau_archive::MeanCurvature;
+use plateau_archive::archive::{Certificate, Contents};
+use plateau_film::minimal_surface::{self, StopReason};
+use plateau_lower_bound as lower_bound;
+use plateau_mesh::error::Warning;
+use plateau_mesh::{DVec3, Error, Execution, polyline};
+
+#[derive(Debug)]
+pub(super) struct Problem {
+    pub boundaries: Vec<Vec<DVec3>>,
+    pub options: minimal_surface::Options,
+    /// Whether and how to prove a lower bound of the area.
+    pub certify: Option<lower_bound::Options>,
+}
+
+/// Lower bound of the end of the default colour scale of the mean curvature, times the boundary's radius. 95% of the
+/// vertices of a converged film of usual resolution are below it, so that its discretisation is no rainbow.
+const LEAST_RANGE: f64 = 0.01;
+
+impl solved::Problem for Problem {
+    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Solved, Error> {
+        let Self { boundaries, options, certify } = self;
+        let share = if certify.is_some() { 0.5 } else { 1.0 };
+        let mut surface = exec.part([0.0, share], |exec| minimal_surface::solve(boundaries, options, exec))?;
+        let mut statistics = MinimalStatistics::of(&surface.statistics, origin(&surface.mesh));
+        let mut reproducible = surface.statistics.stop_reason != StopReason::Deadline;
+        let mut certificate = None;
+        if let Some(certify) = certify {
+            let bound = |exec: &Execution| lower_bound::certify(boundaries, &surface.mesh, certify, exec);
+            let bound = if surface.statistics.junctions.is_some() {
+                Err("the film has triple junctions, and the bound holds for oriented surfaces only")
+            } else {
+                let bound = exec.part([share, 1.0], bound)?;
+                bound.ok_or("the coordinates are too large for the boundary's size, or the film has no area")
+            };
+            match bound {
+                Ok(bound) => {
+                    statistics = statistics.certified(&bound);
+                    reproducible &= !bound.interrupted;
+                    let proof = to_json(&CertificateDocument::of(&bound))?;
+                    certificate = Some(Certificate { slack: bound.slack, proof });
+                }
+                Err(reason) => surface
+                    .warnings
+                    .push(Warning::new("no_certificate", format!("no lower bound was computed: {reason}"))),
+            }
+        }
+        let statistics = to_json(&statistics)?;
+        let points: Vec<DVec3> = boundaries.iter().flatten().copied().collect();
+        let centre = polyline::mean(&points);
+        let radius = points.iter().map(|point| point.distance(centre)).fold(0.0, f64::max);
+        let mut line_sets = vec![line_set("boundaries", polylines(&surface.boundaries, true))];
+        if let Some(junctions) = &surface.statistics.junctions {
+            line_sets.push(line_set("junctions", polylines(&junctions.curves, false)));
+        }
+        let archive = archive(Contents {
+            generator: generator(),
+            title: "minimal surface".into(),
+            unit: frame.unit,
+            up: frame.up,
+            mesh: surface.mesh,
+            mean_curvature: Some(MeanCurvature {
+                values: surface.mean_curvature,
+                least_range: if radius > 0.0 { LEAST_RANGE / radius } else { 0.0 },
+            }),
+            line_sets,
+            input_vertices: surface.input_vertices,
+            statistics: statistics.clone(),
+            unrolls: false,
+            certificate,
+        })?;
+        Ok(Solved { statistics, warnings: warnings(surface.warnings), archive, reproducible })
+    }
+}

@@ -1,0 +1,142 @@
+//! Statistics of strips.
+
+use crate::common::Point;
+use plateau_mesh::self_intersections::Skipped;
+use plateau_ruled_surface as geometry;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Statistics of one strip, or of all strips of a stack together. Lengths are in the request's unit, areas in its
+/// square, and angles in degrees.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct StripStatistics {
+    /// Value of the objective. For `maximal_convexity` it is the number of convex bridges.
+    pub objective_value: f64,
+    /// Value of the secondary objective. Null without one.
+    pub secondary_value: Option<f64>,
+    pub triangles: usize,
+    pub bridges: usize,
+    pub area: f64,
+    /// Sum of 1 - n_p·n_q over the bridges (Wang-Tang, eq. 4).
+    pub total_normal_twist: f64,
+    /// Number of bridges that are locally convex.
+    pub convex_bridges: usize,
+    pub convex_bridge_ratio: f64,
+    pub bending_energy: f64,
+    pub mean_curvature_variation: f64,
+    /// Value of `minimal_normal_variation`. Null without normals.
+    pub normal_variation: Option<f64>,
+    /// Largest angle between the normals of neighbouring triangles.
+    pub largest_fold_deg: f64,
+    /// Largest angle between the normals of neighbouring triangles at bridges that are not locally convex. It is 0 for
+    /// a strip that can be developed.
+    pub developability_deviation_deg: f64,
+    pub shortest_bridge: f64,
+    pub longest_bridge: f64,
+}
+
+/// Quality of the strips' flat pattern.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct FlatPatternStatistics {
+    /// Largest relative difference between an edge's length in space and in the plane.
+    pub edge_length_error_max: f64,
+    /// Whether an unrolled strip overlaps itself.
+    pub self_overlap: bool,
+    pub width: f64,
+    pub height: f64,
+}
+
+/// Statistics of a ruled surface.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct RuledStatistics {
+    /// Middle of the mesh's bounding box, which files with `origin=local` are relative to.
+    pub origin: Point,
+    /// Name of the objective, or `weighted` for a weighted sum.
+    pub objective: &'static str,
+    /// Number of vertices of the mesh.
+    pub vertices: usize,
+    #[serde(flatten)]
+    pub total: StripStatistics,
+    /// Statistics of each strip, in order.
+    pub strips: Vec<StripStatistics>,
+    /// Null for closed strips, which cannot be unrolled.
+    pub flat_pattern: Option<FlatPatternStatistics>,
+    /// Pairs of triangles that cross, touch or overlap beyond the vertices and edges that they share; 0 for an embedded
+    /// mesh. Null if not all pairs were looked at.
+    pub self_intersections: Option<u64>,
+    /// Why `self_intersections` is null: `too_many_triangles`, `too_many_pairs`, `deadline_passed`.
+    pub self_intersections_skipped: Option<&'static str>,
+    /// For each directrix, whether `direction: auto` reversed it.
+    pub reversed: Vec<bool>,
+    /// For each directrix, what decided its direction under `direction: auto`: `area_vectors` of closed contours,
+    /// `folds`, `ends` or `objective`. Null for the first directrix, beside an apex, and with `as_given`.
+    pub direction_decided_by: Vec<Option<&'static str>>,
+    /// Statistics of each objective's optimum (Wang-Tang's Table 1). Null without `all_objectives`.
+    pub comparison: Option<Vec<Comparison>>,
+}
+
+/// Statistics of one objective's optimum.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Comparison {
+    pub objective: &'static str,
+    pub secondary_objective: Option<&'static str>,
+    #[serde(flatten)]
+    pub statistics: StripStatistics,
+}
+
+impl From<&geometry::Statistics> for StripStatistics {
+    fn from(strip: &geometry::Statistics) -> Self {
+        Self {
+            objective_value: strip.objective_value,
+            secondary_value: strip.secondary_value,
+            triangles: strip.triangles,
+            bridges: strip.bridges,
+            area: strip.area,
+            total_normal_twist: strip.total_normal_twist,
+            convex_bridges: strip.convex_bridges,
+            convex_bridge_ratio: strip.convex_bridge_ratio,
+            bending_energy: strip.bending_energy,
+            mean_curvature_variation: strip.mean_curvature_variation,
+            normal_variation: strip.normal_variation,
+            largest_fold_deg: strip.largest_fold.to_degrees(),
+            developability_deviation_deg: strip.developability_deviation.to_degrees(),
+            shortest_bridge: strip.shortest_bridge,
+            longest_bridge: strip.longest_bridge,
+        }
+    }
+}
+
+impl RuledStatistics {
+    #[must_use]
+    pub fn of(surface: &geometry::RuledSurface, options: &geometry::Options, origin: Point) -> Self {
+        Self {
+            origin,
+            objective: options.objective.name(),
+            vertices: surface.mesh.vertices.len(),
+            total: (&surface.statistics).into(),
+            strips: surface.strips.iter().map(Into::into).collect(),
+            flat_pattern: surface.flat_pattern.as_ref().map(|pattern| FlatPatternStatistics {
+                edge_length_error_max: pattern.edge_length_error_max,
+                self_overlap: pattern.self_overlap,
+                width: pattern.width,
+                height: pattern.height,
+            }),
+            self_intersections: surface.self_intersections.pairs,
+            self_intersections_skipped: surface.self_intersections.skipped.map(Skipped::name),
+            reversed: surface.reversed.clone(),
+            direction_decided_by: surface
+                .direction_decided_by
+                .iter()
+                .map(|criterion| criterion.map(geometry::DirectionCriterion::name))
+                .collect(),
+            comparison: surface.comparison.as_ref().map(|rows| {
+                let row = |row: &geometry::Comparison| Comparison {
+                    objective: row.objective.name(),
+                    secondary_objective: row.secondary.map(geometry::Secondary::name),
+                    statistics: (&row.statistics).into(),
+                };
+                rows.iter().map(row).collect()
+            }),
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! From a checked request for a tensile structure to its stored result.
+
+use super::TensileStatistics;
+use crate::solved::{
+    self, Frame, Solved, archive, generator, line_set, origin, polylines, reactions, to_json, warnings,
+};
+use plateau_archive::archive::{CABLES, Contents};
+use plateau_archive::units::ForceUnit;
+use plateau_archive::{LineSet, Lines, SegmentValues};
+use plateau_film::minimal_surface::StopReason;
+use plateau_film::tensile_structure;
+use plateau_mesh::{Error, Execution};
+
+#[derive(Debug)]
+pub(super) struct Problem {
+    pub structure: tensile_structure::Structure,
+    pub options: tensile_structure::Options,
+    pub force: ForceUnit,
+}
+
+impl solved::Problem for Problem {
+    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Solved, Error> {
+        let Self { structure, options, force } = self;
+        let force = *force;
+        let found = tensile_structure::solve(structure, options, exec)?;
+        let statistics = to_json(&TensileStatistics::of(&found, structure, force, origin(&found.mesh)))?;
+        let forces =
+            |values: Vec<f64>| Some(SegmentValues { name: "force".into(), unit: force.symbol().into(), values });
+        let mut line_sets = vec![line_set("boundaries", polylines(&found.boundaries, true))];
+        for (cable, result) in structure.cables.iter().zip(&found.cables) {
+            let pairs = result.vertices.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+            let lines = Lines::Segments { pairs, values: forces(result.segment_forces.clone()) };
+            let name = if cable.course.is_mast() { "masts" } else { CABLES };
+            line_sets.push(LineSet { name: name.into(), group: cable.name.clone(), lines });
+        }
+        let feet =
+            found.reactions.iter().map(|reaction| (found.mesh.vertices[reaction.vertex as usize], reaction.force));
+        line_sets.push(line_set("reactions", reactions(feet.collect(), &found.mesh.vertices, forces)));
+        let archive = archive(Contents {
+            generator: generator(),
+            title: "tensile structure".into(),
+            unit: frame.unit,
+            up: frame.up,
+            input_vertices: found.input_vertices,
+            mesh: found.mesh,
+            mean_curvature: None,
+            line_sets,
+            statistics: statistics.clone(),
+            unrolls: false,
+            certificate: None,
+        })?;
+        let reproducible = found.statistics.stop_reason != StopReason::Deadline;
+        Ok(Solved { statistics, warnings: warnings(found.warnings), archive, reproducible })
+    }
+}

@@ -1,0 +1,360 @@
+//! Statistics of a tensile structure.
+
+use crate::common::Point;
+use crate::kinds::minimal_surface::{AngleRange, Spread};
+use plateau_archive::units::ForceUnit;
+use plateau_film::tensile_structure as geometry;
+use plateau_mesh::self_intersections::Skipped;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Quantity that the stresses of warp and weft hold constant. Requires `warp` and `weft`.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum WeaveHold {
+    /// Their ratio. Both vary by a common factor with the mean 1, so that the forces within the film can balance.
+    #[default]
+    Ratio,
+    /// Their magnitudes. Two unequal ones cannot be in equilibrium on most shapes. The returned stresses then deviate
+    /// from them, and the job has the warning `stress_deviates`.
+    Magnitudes,
+}
+
+/// A cable of the found shape.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct CableForce {
+    pub name: String,
+    pub mode: &'static str,
+    /// Mean force, weighted by length.
+    pub force: f64,
+    pub force_min: f64,
+    pub force_max: f64,
+    pub length: f64,
+    /// Length / (1 + force / axial stiffness); null without an axial stiffness.
+    pub unstressed_length: Option<f64>,
+    /// Largest distance from the chord between the ends.
+    pub sag: f64,
+    /// Whether it carries no force.
+    pub slack: bool,
+}
+
+/// A mast of the found shape.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct MastForce {
+    pub name: String,
+    pub mode: &'static str,
+    /// Force with which the mast pushes; negative if it pulls.
+    pub force: f64,
+    pub length: f64,
+}
+
+/// A ring of the found shape.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct RingPosition {
+    pub boundary: usize,
+    /// Distance that the ring has moved along its axis.
+    pub travel: f64,
+}
+
+/// A support at the end of a cable.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct SupportReaction {
+    pub vertex: u32,
+    /// Number of the boundary, or null for a support in the air.
+    pub boundary: Option<usize>,
+    /// Number of the boundary's point.
+    pub point: Option<usize>,
+    /// Force of the support on the structure.
+    pub force: Point,
+}
+
+/// The supports along the fixed parts of a boundary together.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct EdgeReaction {
+    pub boundary: usize,
+    /// Force of the supports on the structure.
+    pub force: Point,
+}
+
+/// Sums of the forces.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct ForceBalance {
+    /// Sum of all loads: weights and pressure.
+    pub loads: Point,
+    /// Sum of all reactions.
+    pub reactions: Point,
+    /// Sum of the reactions' magnitudes, vertex by vertex.
+    pub magnitudes: f64,
+    /// |loads + reactions| / magnitudes.
+    pub imbalance: f64,
+    /// Largest force on a vertex that is not balanced.
+    pub residual_force: f64,
+}
+
+/// Principal stresses of the film.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct FilmStress {
+    pub min: f64,
+    pub max: f64,
+    /// Largest deviation of a principal stress from the required tension, as a fraction of it. It falls with the edge
+    /// length. With warp and weft that of their stresses from those required at the same place.
+    pub deviation: f64,
+    /// Null for an isotropic tension.
+    pub weave: Option<WeaveStress>,
+}
+
+/// A layer of the found shape. In the mesh its triangles follow those of the layers before it.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct LayerFigures {
+    pub triangles: usize,
+    pub area: f64,
+    /// Null if the forces could not be balanced.
+    pub stress: Option<FilmStress>,
+}
+
+/// A chamber of the found shape.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct ChamberState {
+    /// Number of the layer above it.
+    pub below: usize,
+    /// Pressure above that outside, given or found.
+    pub pressure: f64,
+    /// Volume up to the next layer, or up to fans from each boundary to its mean.
+    pub volume: f64,
+}
+
+/// Stresses along warp and weft.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct WeaveStress {
+    pub hold: WeaveHold,
+    pub warp: StressRange,
+    pub weft: StressRange,
+    /// Stress of the weft over that of the warp.
+    pub ratio: StressRange,
+    pub required_ratio: f64,
+    /// Root mean square over the area of ratio / required ratio - 1.
+    pub ratio_deviation_rms: f64,
+    /// Root mean square over the area of each stress over the one required at the same place, less 1. Above 0.05 the
+    /// job has the warning `stress_deviates`.
+    pub deviation_rms: f64,
+}
+
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct StressRange {
+    pub min: f64,
+    pub max: f64,
+    /// Mean over the area.
+    pub mean: f64,
+}
+
+impl From<geometry::StressRange> for StressRange {
+    fn from(range: geometry::StressRange) -> Self {
+        Self { min: range.min, max: range.max, mean: range.mean }
+    }
+}
+
+impl From<geometry::Stress> for FilmStress {
+    fn from(stress: geometry::Stress) -> Self {
+        let geometry::Stress { min, max, deviation, weave } = stress;
+        Self { min, max, deviation, weave: weave.map(WeaveStress::from) }
+    }
+}
+
+impl From<geometry::WeaveStress> for WeaveStress {
+    fn from(stress: geometry::WeaveStress) -> Self {
+        Self {
+            hold: match stress.hold {
+                geometry::WeaveHold::Ratio => WeaveHold::Ratio,
+                geometry::WeaveHold::Magnitudes => WeaveHold::Magnitudes,
+            },
+            warp: stress.warp.into(),
+            weft: stress.weft.into(),
+            ratio: stress.ratio.into(),
+            required_ratio: stress.required_ratio,
+            ratio_deviation_rms: stress.ratio_deviation_rms,
+            deviation_rms: stress.deviation_rms,
+        }
+    }
+}
+
+/// Second variation of the energy.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct EquilibriumStability {
+    /// Whether the Morse index is 0: a true local minimum.
+    pub stable: bool,
+    pub morse_index: usize,
+    /// Lowest eigenvalue with respect to the lumped mass, in 1/unit².
+    pub lowest_eigenvalue: f64,
+}
+
+/// Water that stands on the film after rain, in all hollows from which it cannot run off over an edge.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct Ponding {
+    /// Depth of the water at its deepest place.
+    pub depth: f64,
+    /// Deepest place.
+    pub at: Point,
+    /// Area of the water's surface.
+    pub area: f64,
+    /// Volume of the water. Times 9.81 kN/m³ it is the water's weight.
+    pub volume: f64,
+}
+
+/// Statistics of a tensile structure.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct TensileStatistics {
+    /// Middle of the mesh's bounding box, which files with `origin=local` are relative to.
+    pub origin: Point,
+    pub objective: &'static str,
+    /// Energy of the found shape. With warp and weft the film counts with half the sum of its stresses times its area.
+    pub objective_value: f64,
+    /// Unit of the forces.
+    pub force_unit: &'static str,
+    pub vertices: usize,
+    pub triangles: usize,
+    /// Area of all layers.
+    pub area: f64,
+    /// Volume of the first of `chambers`. Null without a pressure.
+    pub volume: Option<f64>,
+    /// Pressure in the first of `chambers`, given or found; 0 for none.
+    pub pressure: f64,
+    /// The layers. A single film is one.
+    pub layers: Vec<LayerFigures>,
+    /// The chambers. The space below a single film with a pressure is one.
+    pub chambers: Vec<ChamberState>,
+    pub cables: Vec<CableForce>,
+    pub masts: Vec<MastForce>,
+    pub rings: Vec<RingPosition>,
+    /// Supports at the ends of cables.
+    pub reactions: Vec<SupportReaction>,
+    /// Supports along the fixed parts of the boundaries.
+    pub edge_reactions: Vec<EdgeReaction>,
+    /// Null if the forces could not be balanced.
+    pub balance: Option<ForceBalance>,
+    /// Stresses of all layers. Null if the forces could not be balanced.
+    pub stress: Option<FilmStress>,
+    /// Angle between the film's pull on sliding edges and their surface; of edges with a given angle that on their left.
+    /// Null without such an edge.
+    pub contact_angle_deg: Option<AngleRange>,
+    /// Null where the solve did not converge, and with warp and weft, because no energy has their shape as its minimum.
+    pub stability: Option<EquilibriumStability>,
+    /// Smallest slope of a triangle against the horizontal, in degrees. The middle of a saddle and a crown have 0.
+    pub minimum_slope_deg: f64,
+    /// Centroid of the triangle with the smallest slope.
+    pub minimum_slope_at: Point,
+    /// Water that would stand on the film after rain. Null if it runs off over the film's edges.
+    pub ponding: Option<Ponding>,
+    pub residual: f64,
+    pub converged: bool,
+    pub stop_reason: &'static str,
+    pub iterations: u32,
+    pub edge_lengths: Spread,
+    pub angles_deg: AngleRange,
+    pub flipped_triangles: usize,
+    pub degenerate_triangles: usize,
+    /// Number of pairs of triangles of the film that intersect. Null if not all pairs were looked at.
+    pub self_intersections: Option<u64>,
+    /// Why `self_intersections` is null: `too_many_pairs`, `deadline_passed`.
+    pub self_intersections_skipped: Option<&'static str>,
+}
+
+impl TensileStatistics {
+    #[must_use]
+    pub fn of(
+        result: &geometry::TensileStructure,
+        structure: &geometry::Structure,
+        force: ForceUnit,
+        origin: Point,
+    ) -> Self {
+        let statistics = &result.statistics;
+        let cable = |(cable, found): (&geometry::Cable, &geometry::CableResult)| CableForce {
+            name: cable.name.clone(),
+            mode: cable.mode.name(),
+            force: found.force,
+            force_min: found.segment_forces.iter().copied().fold(f64::INFINITY, f64::min),
+            force_max: found.segment_forces.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            length: found.length,
+            unstressed_length: found.unstressed_length,
+            sag: found.sag,
+            slack: found.slack,
+        };
+        let members = || structure.cables.iter().zip(&result.cables);
+        let mast = |(mast, found): (&geometry::Cable, &geometry::CableResult)| MastForce {
+            name: mast.name.clone(),
+            mode: mast.mode.name(),
+            force: -found.force,
+            length: found.length,
+        };
+        let layer = |layer: &geometry::LayerResult| LayerFigures {
+            triangles: layer.triangles,
+            area: layer.area,
+            stress: layer.stress.map(FilmStress::from),
+        };
+        let chamber = |(chamber, found): (&geometry::Chamber, &geometry::ChamberResult)| ChamberState {
+            below: chamber.below,
+            pressure: found.pressure,
+            volume: found.volume,
+        };
+        let ring = |(ring, &travel): (&geometry::Ring, &f64)| RingPosition { boundary: ring.boundary, travel };
+        let reaction = |reaction: &geometry::Reaction| SupportReaction {
+            vertex: reaction.vertex,
+            boundary: reaction.point.map(|point| point.boundary),
+            point: reaction.point.map(|point| point.point),
+            force: reaction.force.to_array(),
+        };
+        let edge =
+            |edge: &geometry::EdgeReaction| EdgeReaction { boundary: edge.boundary, force: edge.force.to_array() };
+        Self {
+            origin,
+            objective: "equilibrium",
+            objective_value: statistics.energy,
+            force_unit: force.symbol(),
+            vertices: statistics.vertices,
+            triangles: statistics.triangles,
+            area: statistics.area,
+            volume: statistics.chambers.first().map(|chamber| chamber.volume),
+            pressure: statistics.chambers.first().map_or(0.0, |chamber| chamber.pressure),
+            layers: statistics.layers.iter().map(layer).collect(),
+            chambers: structure.chambers.iter().zip(&statistics.chambers).map(chamber).collect(),
+            cables: members().filter(|(member, _)| !member.course.is_mast()).map(cable).collect(),
+            masts: members().filter(|(member, _)| member.course.is_mast()).map(mast).collect(),
+            rings: structure.rings.iter().zip(&result.ring_travels).map(ring).collect(),
+            reactions: result.reactions.iter().map(reaction).collect(),
+            edge_reactions: result.edge_reactions.iter().map(edge).collect(),
+            balance: statistics.balance.map(|balance| ForceBalance {
+                loads: balance.loads.to_array(),
+                reactions: balance.reactions.to_array(),
+                magnitudes: balance.magnitudes,
+                imbalance: balance.imbalance,
+                residual_force: balance.residual_force,
+            }),
+            stress: statistics.stress.map(FilmStress::from),
+            contact_angle_deg: statistics
+                .contact_angle
+                .map(|(min, max)| AngleRange { min: min.to_degrees(), max: max.to_degrees() }),
+            stability: statistics.stability.map(|stability| EquilibriumStability {
+                stable: stability.stable,
+                morse_index: stability.morse_index,
+                lowest_eigenvalue: stability.lowest_eigenvalue,
+            }),
+            minimum_slope_deg: statistics.minimum_slope.to_degrees(),
+            minimum_slope_at: statistics.flattest_place.to_array(),
+            ponding: statistics.ponding.map(|ponding| Ponding {
+                depth: ponding.depth,
+                at: ponding.place.to_array(),
+                area: ponding.area,
+                volume: ponding.volume,
+            }),
+            residual: statistics.residual,
+            converged: statistics.converged,
+            stop_reason: statistics.stop_reason.name(),
+            iterations: statistics.iterations,
+            edge_lengths: statistics.edge_lengths.into(),
+            angles_deg: AngleRange { min: statistics.angles.0.to_degrees(), max: statistics.angles.1.to_degrees() },
+            flipped_triangles: statistics.flipped_triangles,
+            degenerate_triangles: statistics.degenerate_triangles,
+            self_intersections: statistics.self_intersections.pairs,
+            self_intersections_skipped: statistics.self_intersections.skipped.map(Skipped::name),
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! From a checked request for a lattice to its stored result.
+
+use super::UniformStatistics;
+use crate::solved::{self, Frame, Solved, archive, generator, origin, to_json, warnings};
+use plateau_archive::archive::Contents;
+use plateau_archive::{LineSet, Lines, SegmentValues};
+use plateau_mesh::{Error, Execution};
+use plateau_uniform_mesh as uniform_mesh;
+
+#[derive(Debug)]
+pub(super) struct Problem {
+    pub domain: uniform_mesh::Domain,
+    pub options: uniform_mesh::Options,
+}
+
+impl solved::Problem for Problem {
+    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Solved, Error> {
+        let Self { domain, options } = self;
+        let solved = uniform_mesh::solve(domain, options, exec)?;
+        let statistics = to_json(&UniformStatistics::of(&solved, options, origin(&solved.mesh)))?;
+        // Lattice and rim members are separate groups with their own material, so that a viewer can tell them apart.
+        let group = |name: &str, lattice: bool| {
+            let of = || (0..solved.members.len()).filter(|&member| solved.lattice_group[member] == lattice);
+            let unit = frame.unit.symbol().into();
+            let values = of().map(|member| solved.lengths[member]).collect();
+            let pairs = of().map(|member| solved.members[member]).collect();
+            let values = Some(SegmentValues { name: "length".into(), unit, values });
+            LineSet { name: "members".into(), group: name.into(), lines: Lines::Segments { pairs, values } }
+        };
+        let line_sets = vec![group("lattice", true), group("rim", false)];
+        let archive = archive(Contents {
+            generator: generator(),
+            title: "uniform mesh".into(),
+            unit: frame.unit,
+            up: frame.up,
+            input_vertices: input_vertices(domain, &solved),
+            mesh: solved.mesh,
+            mean_curvature: None,
+            line_sets,
+            statistics: statistics.clone(),
+            unrolls: false,
+            certificate: None,
+        })?;
+        Ok(Solved { statistics, warnings: warnings(solved.warnings), archive, reproducible: solved.converged })
+    }
+}
+
+/// Returns the vertices that the points of each polyline of a polygon became. The list is empty for other domains,
+/// because their points are not nodes.
+fn input_vertices(domain: &uniform_mesh::Domain, mesh: &uniform_mesh::UniformMesh) -> Vec<Vec<u32>> {
+    let uniform_mesh::Domain::Polygon { outer, holes } = domain else { return Vec::new() };
+    let mut vertices = mesh.input_vertices.iter().copied().flatten();
+    let lengths = std::iter::once(outer.len()).chain(holes.iter().map(Vec::len));
+    lengths.map(|length| vertices.by_ref().take(length).collect()).collect()
+}

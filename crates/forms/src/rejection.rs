@@ -1,0 +1,86 @@
+//! Reasons for which a request is refused.
+
+use plateau_mesh::error::Step;
+use plateau_mesh::{Error as GeometryError, InputError};
+use serde_json::Value;
+
+/// Number of errors of one body that are listed.
+pub const MAX_ERRORS: usize = 50;
+
+/// One offending value of a body. Values are never echoed.
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+pub struct FieldError {
+    /// JSON Pointer (RFC 6901) to the offending value.
+    pub pointer: String,
+    /// Description of the error.
+    pub detail: String,
+}
+
+impl FieldError {
+    pub fn new(pointer: impl Into<String>, detail: impl Into<String>) -> Self {
+        Self { pointer: pointer.into(), detail: detail.into() }
+    }
+}
+
+/// Names of geometry options whose request fields have other names, because the request has angles in degrees.
+const RENAMED: [(&str, &str); 2] =
+    [("convexity_tolerance", "convexity_tolerance_deg"), ("degenerate_angle", "degenerate_angle_deg")];
+
+impl From<&InputError> for FieldError {
+    fn from(error: &InputError) -> Self {
+        let step = |step: &Step| match *step {
+            Step::Field(field) => {
+                let name = RENAMED.iter().find(|(option, _)| *option == field).map_or(field, |(_, name)| name);
+                format!("/{name}")
+            }
+            Step::Index(index) => format!("/{index}"),
+        };
+        Self::new(error.place.0.iter().map(step).collect::<String>(), error.detail.clone())
+    }
+}
+
+/// Reason for refusing a body.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Rejection {
+    /// The body is not JSON, or an object repeats a key.
+    Malformed(String),
+    /// The body is JSON but not a valid request.
+    Invalid(Vec<FieldError>),
+    /// The request is valid but exceeds a limit.
+    TooLarge(Vec<FieldError>),
+}
+
+impl Rejection {
+    /// Prefixes each pointer, for a request that lies at `pointer` of a larger body.
+    #[must_use]
+    pub fn within(mut self, pointer: &str) -> Self {
+        if let Self::Invalid(errors) | Self::TooLarge(errors) = &mut self {
+            errors.iter_mut().for_each(|error| error.pointer.insert_str(0, pointer));
+        }
+        self
+    }
+
+    /// Shortens each pointer to the first member that the body lacks, if it leads through one. The default of that
+    /// member is then the wrong value.
+    pub(crate) fn placed_in(mut self, body: &Value) -> Self {
+        if let Self::Invalid(errors) | Self::TooLarge(errors) = &mut self {
+            for error in errors {
+                let ends = error.pointer.match_indices('/').map(|(at, _)| at).skip(1).chain([error.pointer.len()]);
+                let lacking = ends.into_iter().find(|&end| body.pointer(&error.pointer[..end]).is_none());
+                if let Some(end) = lacking {
+                    error.pointer.truncate(end);
+                }
+            }
+        }
+        self
+    }
+}
+
+impl From<GeometryError> for Rejection {
+    fn from(error: GeometryError) -> Self {
+        match error {
+            GeometryError::Input(errors) => Self::Invalid(errors.iter().map(FieldError::from).collect()),
+            other => Self::Invalid(vec![FieldError::new("", other.to_string())]),
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! What a solver says besides its result: progress, warnings and the reason for a failure.
+
+use crate::rejection::FieldError;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Progress of a job.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Progress {
+    /// Fraction of the work that is done, from 0 to 1. It never falls within one attempt.
+    #[schemars(range(min = 0, max = 1))]
+    pub fraction: f64,
+    /// Name of the solver's current phase.
+    pub phase: String,
+    pub iteration: u64,
+    pub objective_value: Option<f64>,
+    pub residual: Option<f64>,
+}
+
+/// A warning about the input or the result of a job that succeeded.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "JobWarning")]
+pub struct Warning {
+    /// Stable name in snake case.
+    pub code: String,
+    pub detail: String,
+}
+
+impl Warning {
+    /// Code of the warning that STL files are not in the request's coordinates.
+    pub const FAR_FROM_ZERO: &str = "far_from_zero";
+}
+
+/// Reason for a failure: what was wrong with the geometry, and what to try.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[schemars(rename = "JobError")]
+pub struct SolveError {
+    /// Stable URI reference that identifies the kind of failure.
+    #[serde(rename = "type")]
+    pub kind: String,
+    pub title: String,
+    pub detail: String,
+    pub errors: Vec<FieldError>,
+}
+
+/// Kinds of failures: the last part of an error's `type`, and its title.
+pub const FAILURES: &[(&str, &str)] = &[
+    ("deadline", "The deadline passed"),
+    ("degenerate-boundary", "The boundary has no usable initial mesh"),
+    ("internal", "The server failed"),
+    ("invalid-geometry", "The geometry is invalid"),
+    ("invalid-mesh", "The solver produced an invalid mesh"),
+    ("no-connected-film", "No minimal film connects the boundaries"),
+    ("no-equilibrium", "The structure has no equilibrium"),
+    ("no-initial-mesh", "The boundary has no initial mesh"),
+    ("no-room-for-interior-vertices", "The boundary is too small for the interior vertices"),
+    ("not-flattenable", "The surface cannot be flattened"),
+    ("self-intersecting-boundary", "The boundary crosses itself"),
+    ("slack-cable", "A cable would be slack"),
+    ("too-large", "The mesh is too large"),
+];
+
+impl SolveError {
+    /// Creates an error of one of the kinds of [`FAILURES`].
+    #[must_use]
+    pub fn new(kind: &str, detail: impl Into<String>, errors: Vec<FieldError>) -> Self {
+        let title = FAILURES
+            .iter()
+            .find(|(name, _)| *name == kind)
+            .map_or("The solver found no valid mesh", |(_, title)| title);
+        Self { kind: format!("/problems/{kind}"), title: title.into(), detail: detail.into(), errors }
+    }
+}

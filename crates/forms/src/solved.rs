@@ -1,0 +1,168 @@
+//! Results of requests, and what every kind needs to make one of a solver's result.
+
+use crate::rejection::{FieldError, MAX_ERRORS};
+use crate::report::{Progress, SolveError, Warning};
+use plateau_archive::archive::{Contents, middle};
+use plateau_archive::units::{Unit, UpAxis};
+use plateau_archive::{Archive, LineSet, Lines, Polyline, SegmentValues};
+use plateau_mesh::{DVec3, Error, Execution, Interruption, Mesh, polyline};
+use serde::Serialize;
+
+/// A solved request.
+#[derive(Debug)]
+pub struct Solved {
+    /// Statistics as JSON text.
+    pub statistics: String,
+    pub warnings: Vec<Warning>,
+    pub archive: Archive,
+    /// Whether the same request always gives this result. False if a deadline cut the solver short.
+    pub reproducible: bool,
+}
+
+/// Reason for having no result.
+#[derive(Debug)]
+pub enum Unsolved {
+    /// The job was cancelled.
+    Cancelled,
+    /// The solver found no valid mesh.
+    Failed(SolveError),
+}
+
+impl Unsolved {
+    /// Returns the error for a deadline that passed before the solver had a valid mesh.
+    #[must_use]
+    pub fn deadline() -> Self {
+        let detail = "the deadline passed before there was a valid mesh; ask for a coarser one";
+        Self::Failed(SolveError::new("deadline", detail, Vec::new()))
+    }
+}
+
+impl From<Error> for Unsolved {
+    fn from(error: Error) -> Self {
+        let fields = |errors: &[plateau_mesh::InputError]| -> Vec<FieldError> {
+            errors.iter().take(MAX_ERRORS).map(FieldError::from).collect()
+        };
+        Self::Failed(match error {
+            Error::Interrupted(Interruption::Cancelled) => return Self::Cancelled,
+            Error::Interrupted(Interruption::DeadlinePassed) => return Self::deadline(),
+            Error::Input(errors) => {
+                let fields = fields(&errors);
+                SolveError::new("invalid-geometry", causes(&fields), fields)
+            }
+            Error::NoResult { reason, detail, places } => {
+                SolveError::new(&reason.replace('_', "-"), detail, fields(&places))
+            }
+        })
+    }
+}
+
+/// Returns the first error as text, with the number of the others.
+#[must_use]
+pub fn causes(errors: &[FieldError]) -> String {
+    let Some(first) = errors.first() else { return "the request was refused".into() };
+    let first_one = format!("{} {}", first.pointer, first.detail);
+    match errors.len() - 1 {
+        0 => first_one,
+        1 => format!("{first_one}; one more error is listed in errors"),
+        more => format!("{first_one}; {more} more errors are listed in errors"),
+    }
+}
+
+/// Unit and upward axis of a request's coordinates.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Frame {
+    pub unit: Unit,
+    pub up: UpAxis,
+}
+
+/// A checked request in the geometry's types.
+pub(crate) trait Problem: std::fmt::Debug + Send + Sync {
+    /// Solves the problem on the calling thread.
+    ///
+    /// # Errors
+    /// Returns the error of the solver.
+    fn solve(&self, frame: Frame, exec: &Execution) -> Result<Solved, Error>;
+}
+
+/// Instruction to a solver, which the solver asks for regularly.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Signal {
+    Continue,
+    /// Stop without a result.
+    Cancel,
+    /// Stop, and return the best result so far.
+    Deadline,
+}
+
+/// Warns of a mesh whose STL file is not in the request's coordinates.
+pub(crate) fn far_from_zero(archive: &Archive) -> Option<Warning> {
+    let detail = "the mesh is so far from zero, compared with its size, that 32-bit numbers cannot hold its coordinates: \
+        STL files are relative to `origin` of the statistics, unless they are asked for with `origin=given`";
+    let warning = || Warning { code: Warning::FAR_FROM_ZERO.into(), detail: detail.into() };
+    archive.contents().is_far_from_zero().then(warning)
+}
+
+pub(crate) fn origin(mesh: &Mesh) -> [f64; 3] {
+    middle(&mesh.vertices).to_array()
+}
+
+/// Returns a solver's progress as JSON can hold it.
+pub(crate) fn on_the_wire(progress: plateau_mesh::Progress) -> Progress {
+    // JSON has no NaN, so a residual that is not finite becomes null.
+    let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
+    Progress {
+        fraction: progress.fraction.clamp(0.0, 1.0),
+        phase: progress.phase.into(),
+        iteration: progress.iteration,
+        objective_value: finite(progress.objective_value),
+        residual: finite(progress.residual),
+    }
+}
+
+pub(crate) fn warnings(warnings: Vec<plateau_mesh::error::Warning>) -> Vec<Warning> {
+    warnings.into_iter().map(|warning| Warning { code: warning.code.into(), detail: warning.detail }).collect()
+}
+
+pub(crate) fn generator() -> String {
+    concat!("plateau ", env!("CARGO_PKG_VERSION")).into()
+}
+
+pub(crate) fn line_set(name: &str, lines: Lines) -> LineSet {
+    LineSet { name: name.into(), group: String::new(), lines }
+}
+
+/// Returns the polylines with two or more vertices. An apex has one vertex and is left out.
+pub(crate) fn polylines(of: &[Vec<u32>], closed: bool) -> Lines {
+    let lines = of.iter().filter(|vertices| vertices.len() > 1);
+    Lines::Polylines(lines.map(|vertices| Polyline { vertices: vertices.clone(), closed }).collect())
+}
+
+/// Returns the statistics as JSON. A figure that is not finite would be a solver's defect and becomes null, because
+/// JSON cannot hold it.
+pub(crate) fn to_json(statistics: &impl Serialize) -> Result<String, Error> {
+    serde_json::to_string(statistics).map_err(|error| Error::no_result("internal", error.to_string()))
+}
+
+pub(crate) fn archive(contents: Contents) -> Result<Archive, Error> {
+    Archive::new(contents).map_err(|defect| Error::no_result("invalid_mesh", defect.to_string()))
+}
+
+/// Length of the longest arrow of a reaction, as a fraction of the radius of the mesh.
+const LONGEST_ARROW: f64 = 0.25;
+
+/// Returns an arrow for each support and its force on the structure, from the support in the direction of the force. The
+/// longest arrow has [`LONGEST_ARROW`] of the radius of the vertices.
+pub(crate) fn reactions(
+    supports: Vec<(DVec3, DVec3)>,
+    vertices: &[DVec3],
+    forces: impl Fn(Vec<f64>) -> Option<SegmentValues>,
+) -> Lines {
+    let largest = supports.iter().map(|(_, force)| force.length()).fold(0.0, f64::max);
+    let radius = LONGEST_ARROW * polyline::radius(vertices);
+    // Dividing first keeps the arrows finite however small the forces are.
+    let arrow = |force: DVec3| if largest > 0.0 { radius * (force / largest) } else { DVec3::ZERO };
+    Lines::Arrows {
+        ends: supports.iter().map(|&(foot, force)| [foot, foot + arrow(force)].map(|end| end.to_array())).collect(),
+        values: forces(supports.iter().map(|(_, force)| force.length()).collect()),
+    }
+}
