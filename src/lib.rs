@@ -3,6 +3,8 @@
 //! The library exists for the program and for the tests that look below HTTP. Everything that they do not use is
 //! private, so that the compiler reports dead code.
 
+#![forbid(unsafe_code)]
+
 mod app;
 mod auth;
 pub mod cli;

@@ -5,6 +5,8 @@
 //!
 //! This crate knows no kind of request, no job and no HTTP. It depends on `plateau-mesh` and on the unrolling of strips.
 
+#![forbid(unsafe_code)]
+
 pub mod archive;
 pub mod formats;
 pub mod pattern;

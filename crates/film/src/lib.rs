@@ -31,6 +31,7 @@
 //! Each module knows only those above it: [`energy`], [`equilibrium`], [`minimal_surface`], [`tensile_structure`],
 //! [`cable_net`].
 
+#![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
 pub mod cable_net;

@@ -9,6 +9,8 @@
 //! The crate knows no job, no store, no HTTP, no clock and no thread. The service, the command line and a web page are
 //! its hosts.
 
+#![forbid(unsafe_code)]
+
 pub mod body;
 mod checked;
 pub mod common;

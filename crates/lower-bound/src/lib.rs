@@ -28,6 +28,8 @@
 //! This crate knows no clock. The budget in seconds is converted to work by fixed rates, so the same request always
 //! gives the same bytes; a deadline of the caller only stops it earlier.
 
+#![forbid(unsafe_code)]
+
 mod bisection;
 mod conic;
 mod dissection;

@@ -16,6 +16,7 @@
 //! Lengths are in the caller's unit, angles in radians, curvatures in 1/unit. Nothing here assumes metres or an up
 //! axis. Every result is deterministic to the byte and depends on no clock, thread pool, file, or random source.
 
+#![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
 pub mod check;

@@ -8,6 +8,8 @@
 //! The layouts are those of openNURBS 8 for archives of version 60 (Rhino 6). Later versions read them too. They were
 //! found in the sources of openNURBS and checked against rhino3dm by `scripts/check_hops.py`.
 
+#![forbid(unsafe_code)]
+
 mod chunk;
 pub mod curve;
 pub mod read;

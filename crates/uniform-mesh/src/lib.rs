@@ -36,6 +36,7 @@
 //! # Ok::<(), plateau_mesh::Error>(())
 //! ```
 
+#![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
 mod edges;
