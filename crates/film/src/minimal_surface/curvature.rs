@@ -2,7 +2,7 @@
 
 use crate::energy::area;
 use crate::equilibrium::residual::curvature;
-use crate::equilibrium::{FilmState, film_state};
+use crate::equilibrium::{self, FilmState, film_state};
 use plateau_mesh::DVec3;
 use plateau_mesh::film::Film;
 use plateau_mesh::sparse::pattern::FreeVertices;
@@ -16,13 +16,20 @@ pub struct Curvature {
     pub residual: f64,
     /// See [`Statistics::residual_full`](super::statistics::Statistics::residual_full).
     pub residual_full: f64,
+    /// The residual of those vertices at which it is more than rounding.
+    pub(super) residual_beyond_rounding: f64,
 }
+
+/// Rounding of a sum of forces, in units in the last place of the largest coordinate times the sum's sensitivity to the
+/// coordinates.
+const ROUNDING: f64 = 8.0;
 
 impl Curvature {
     /// The residual is that of [`film_state`], which also ends Newton's iteration.
     pub(crate) fn of(film: &Film) -> Self {
         let (free, radius) = (FreeVertices::new(&film.fixed), film.radius());
-        let FilmState { mass, residual, .. } = film_state(&free, &film.vertices, film.triangles(), radius);
+        let FilmState { mass, residual, gradient: forces, .. } =
+            film_state(&free, &film.vertices, film.triangles(), radius);
         let mut gradient = vec![DVec3::ZERO; film.vertices.len()];
         area::add_gradient(film.triangles(), 1.0, &film.vertices, &mut gradient);
         let mut mean_curvature = vec![0.0; film.vertices.len()];
@@ -32,6 +39,27 @@ impl Curvature {
             mean_curvature[v as usize] = full;
             largest = largest.max(full);
         }
-        Self { mean_curvature, residual, residual_full: largest * radius }
+        let rounding = force_rounding(film);
+        let beyond =
+            |((&v, &force), &mass): ((&u32, &f64), &f64)| (force.abs() > rounding[v as usize]).then_some((force, mass));
+        let pairs = free.vertex.iter().zip(&forces).zip(&mass).filter_map(beyond);
+        let residual_beyond_rounding = equilibrium::residual::residual(pairs, radius).min(residual);
+        Self { mean_curvature, residual, residual_full: largest * radius, residual_beyond_rounding }
     }
+}
+
+/// For each vertex the largest force that rounding of the coordinates alone can put on it. A triangle's force on a corner
+/// is |n × e| / 2, with e the opposite edge. Moving a corner by δ changes it by up to δ (1 + l / h) / 2, with l the longest
+/// edge and h the altitude over it.
+fn force_rounding(film: &Film) -> Vec<f64> {
+    let largest = film.vertices.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
+    let step = ROUNDING * f64::EPSILON * largest;
+    let mut rounding = vec![0.0; film.vertices.len()];
+    for &triangle in film.triangles() {
+        let [a, b, c] = film.corners(triangle);
+        let longest_squared = [b - a, c - b, a - c].map(DVec3::length_squared).into_iter().fold(0.0, f64::max);
+        let ratio = longest_squared / (b - a).cross(c - a).length();
+        triangle.iter().for_each(|&v| rounding[v as usize] += 0.5 * step * (1.0 + ratio));
+    }
+    rounding
 }
