@@ -3,7 +3,7 @@
 use super::files::File;
 use super::view::{self, Figures};
 use super::zip::Zip;
-use super::{Jobs, JobsError};
+use super::{Jobs, JobsError, result_version};
 use crate::status::Status;
 use crate::store::{BatchRow, JobRow};
 use bytes::Bytes;
@@ -47,17 +47,23 @@ fn part_name(index: i64, kind: &str) -> String {
     format!("{index:04}-{kind}")
 }
 
+/// Returns a name for the file of a batch. The version of the results is a part of it, because another version of the
+/// service may write another file for the same jobs.
+fn tag(format: &str, batch: &str, jobs: &[(i64, JobRow)]) -> String {
+    let mut hash = Sha256::new();
+    hash.update(format!("{} {format} {batch}\n", result_version()));
+    for (index, row) in jobs {
+        hash.update(format!("{index} {} {}\n", row.id, row.status.name()));
+        hash.update(row.artefact.as_deref().unwrap_or_default());
+    }
+    hash.finalize().iter().take(16).map(|byte| format!("{byte:02x}")).collect()
+}
+
 impl BatchMeshes {
     /// Returns a name for the content of the file: equal tags mean equal bytes.
     #[must_use]
     pub fn tag(&self, format: &str) -> String {
-        let mut hash = Sha256::new();
-        hash.update(format!("{} {format} {}\n", env!("CARGO_PKG_VERSION"), self.id));
-        for (index, row) in &self.jobs {
-            hash.update(format!("{index} {} {}\n", row.id, row.status.name()));
-            hash.update(row.artefact.as_deref().unwrap_or_default());
-        }
-        hash.finalize().iter().take(16).map(|byte| format!("{byte:02x}")).collect()
+        tag(format, &self.id, &self.jobs)
     }
 
     fn refuse_more_than(&self, maximum: u64, instead: &str) -> Result<(), JobsError> {
@@ -236,5 +242,13 @@ mod tests {
         assert!(waited.is_err(), "no converter is free");
         drop(reserved);
         assert!(matches!(scene.await, Err(JobsError::Unavailable(_))));
+    }
+
+    #[test]
+    fn the_tag_of_a_batch_changes_with_the_version_of_the_results() {
+        let digest = Sha256::digest(format!("{} glb b\n", result_version()));
+        let expected: String = digest.iter().take(16).map(|byte| format!("{byte:02x}")).collect();
+        assert_eq!(tag("glb", "b", &[]), expected);
+        assert!(result_version().contains(&format!("solvers {}", crate::jobs::SOLVER_REVISION)));
     }
 }
