@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import hashlib
-from typing import Callable, Iterator, List
+import json
+from typing import Any, Callable, Iterator, List
 
 import httpx
 import pytest
@@ -81,6 +82,52 @@ def test_a_stream_that_breaks_goes_on_where_it_was(server: Server, monkeypatch: 
         client.solve(request, on_progress=lambda progress: seen.append(progress["phase"]))
     assert len(listened) >= 2 and listened[0] == "" and "." in listened[1]
     assert seen[-1] == "finished"
+
+
+def test_a_job_is_followed_to_its_end_where_no_stream_passes(
+    server: Server, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(flows, "RECONNECT_S", 0.01)
+    monkeypatch.setattr(flows, "POLL_S", 0.01)
+    looks: List[str] = []
+
+    def no_streams(number: int, request: httpx.Request, response: httpx.Response) -> httpx.Response:
+        if request.url.path.endswith("/events"):
+            response.close()
+            raise httpx.ReadError("cut")
+        if request.method == "GET":
+            looks.append(request.url.path)
+            if len(looks) > flows.STREAMS + 1:
+                server.hold.release("claimed")
+        return response
+
+    seen: List[str] = []
+    lossy = Lossy(no_streams)
+    request = {"kind": "minimal_surface", "boundaries": [TENT], "cache": "bypass"}
+    with server.hold.at("claimed"):
+        film = Plateau(transport=lossy).solve(request, on_progress=lambda progress: seen.append(progress["phase"]))
+    assert film.statistics["converged"] and seen[-1] == "finished"
+    assert sum(request.url.path.endswith("/events") for request in lossy.seen) == flows.STREAMS
+
+
+@pytest.mark.parametrize("ending", ["closed", "broken"])
+def test_after_a_stream_the_job_is_asked_for_and_the_next_stream_waits(ending: str) -> None:
+    running: Any = {"id": "j", "status": "running", "progress": {"phase": "newton", "fraction": 0.5}}
+    seen: List[Any] = []
+    flow = flows.wait(running, seen.append, None, 60.0)
+    for last_id in ["", "7", "7"]:
+        listen = next(flow) if not last_id else flow.send(None)
+        assert isinstance(listen, flows.Listen) and listen.headers.get("Last-Event-ID", "") == last_id
+        assert not listen.hear("progress", "7", json.dumps({"progress": running["progress"]}))
+        look = flow.send(None) if ending == "closed" else flow.throw(httpx.ReadError("cut"))
+        assert isinstance(look, flows.Call) and look.path == "v1/jobs/j"
+        assert flow.send(httpx.Response(200, json=running)) == flows.Pause(flows.RECONNECT_S)
+    ended = {**running, "status": "succeeded"}
+    assert isinstance(flow.send(None), flows.Listen)
+    assert isinstance(flow.send(None), flows.Call)
+    with pytest.raises(StopIteration) as end:
+        flow.send(httpx.Response(200, json=ended))
+    assert end.value.value == ended and len(seen) == 4
 
 
 def test_a_busy_server_is_asked_again_for_as_long_as_the_patience_lasts() -> None:

@@ -1,5 +1,5 @@
-// Holds a server's jobs at a stage, so that no test depends on how long a solver takes. src/test_hooks.rs has the other side:
-// the server needs the feature `test-hooks`.
+// Holds a server's jobs at a stage, so that no test depends on how long a solver takes.
+// src/test_hooks.rs has the other side: the server needs the feature `test-hooks`.
 import assert from 'node:assert/strict';
 import { mkdirSync } from 'node:fs';
 import { readdir, rm, writeFile } from 'node:fs/promises';

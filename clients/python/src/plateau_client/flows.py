@@ -37,6 +37,10 @@ LONG_POLL_S = 20
 SILENCE_S = 45.0
 """An event stream that says nothing for so long is opened again. The server sends a comment every 15 s."""
 RECONNECT_S = 1.0
+"""Seconds from the end of an event stream to the next one."""
+STREAMS = 2
+"""Number of streams without any event in a row after which the job is polled instead."""
+POLL_S = 2.0
 ATTEMPTS = 4
 """How often a request that got no answer is sent. Submissions carry an Idempotency-Key, so none is done twice."""
 
@@ -200,44 +204,50 @@ def _left(deadline: Optional[float]) -> Optional[float]:
 
 
 def _listen(job: Job, watch: Watch, deadline: Optional[float], patience_s: float) -> Flow[Job]:
-    """Follows the events of a job and passes its progress on. Reconnects where the stream breaks."""
+    """Follows the events of a job and passes its progress on.
+
+    After a stream has ended or broken, the job is asked for, and after a pause the stream is opened again from the last
+    event on. Where no stream passes, the job is asked for every other second.
+    """
     newest: List[Job] = [job]
     last_id: List[str] = [""]
-    heard: List[bool] = [False]
+    streams: List[int] = [STREAMS]
 
     def hear(event: str, event_id: str, data: str) -> bool:
         said = json.loads(data)
         last_id[0] = event_id
-        heard[0] = True
+        streams[0] = STREAMS
         if event == "status":
             newest[0] = cast("Job", said)
         watch(cast("Progress", said["progress"]))
         _left(deadline)
         return newest[0]["status"] in ENDED
 
-    broken = 0
     while newest[0]["status"] not in ENDED:
         left = _left(deadline)
-        silence_s = SILENCE_S if left is None else min(SILENCE_S, left)
-        headers = {"Accept": "text/event-stream"}
-        if last_id[0]:
-            headers["Last-Event-ID"] = last_id[0]
-        heard[0] = False
-        try:
-            refused: Optional[httpx.Response] = yield Listen(f"v1/jobs/{job['id']}/events", headers, hear, silence_s)
-        except httpx.TransportError as error:
+        if streams[0] > 0:
+            streams[0] -= 1
+            silence_s = SILENCE_S if left is None else min(SILENCE_S, left)
+            headers = {"Accept": "text/event-stream"}
+            if last_id[0]:
+                headers["Last-Event-ID"] = last_id[0]
+            listen = Listen(f"v1/jobs/{job['id']}/events", headers, hear, silence_s)
+            try:
+                refused: Optional[httpx.Response] = yield listen
+                if refused is not None and refused.status_code == 204:
+                    # No event follows the last one.
+                    streams[0] = 0
+            except httpx.TransportError:
+                pass
+            if newest[0]["status"] in ENDED:
+                break
             _left(deadline)
-            broken = 0 if heard[0] else broken + 1
-            if broken >= ATTEMPTS:
-                raise errors.ConnectionFailed(f"{type(error).__name__}: {error}") from error
-            yield Pause(RECONNECT_S)
-            continue
-        if refused is not None and refused.status_code in (429, 503):
-            yield Pause(RECONNECT_S)
-        elif refused is not None and refused.status_code >= 400:
-            raise problem(refused)
-        elif newest[0]["status"] not in ENDED:
-            newest[0] = cast("Job", (yield from get_json(f"v1/jobs/{job['id']}", patience_s)))
+        newest[0] = cast("Job", (yield from get_json(f"v1/jobs/{job['id']}", patience_s)))
+        if newest[0]["status"] in ENDED or streams[0] == 0:
+            watch(newest[0]["progress"])
+        if newest[0]["status"] not in ENDED:
+            left, pause_s = _left(deadline), RECONNECT_S if streams[0] > 0 else POLL_S
+            yield Pause(pause_s if left is None else min(pause_s, left))
     return newest[0]
 
 
