@@ -136,8 +136,8 @@ pub enum StoreError {
     /// The database cannot be reached or did not answer in time. Trying again later may help.
     #[error("the database is unavailable: {0}")]
     Unavailable(String),
-    /// The database does not let this program in with the settings that it has: a wrong password, an unknown database, or
-    /// no agreement on encryption.
+    /// The database does not let this program in with the settings that it has: a wrong password,
+    /// an unknown database, or no agreement on encryption.
     #[error("the database refuses the connection: {0}")]
     Refused(String),
     /// The transaction lost against concurrent transactions in every try.

@@ -1,5 +1,6 @@
-//! Hooks for tests, compiled only with the cargo feature `test-hooks`. A release build with the feature does not compile.
-//! Every hook is set by environment variables that begin with `PLATEAU_TEST_`. CONTRIBUTING.md says how a test uses them.
+//! Hooks for tests, compiled only with the cargo feature `test-hooks`. A release build with the
+//! feature does not compile. Every hook is set by environment variables that begin with
+//! `PLATEAU_TEST_`. CONTRIBUTING.md says how a test uses them.
 
 use std::cell::{Cell, RefCell};
 use std::io::Write;
@@ -9,17 +10,19 @@ use std::time::{Duration, Instant};
 #[cfg(not(debug_assertions))]
 compile_error!("the feature test-hooks is for tests only, so it cannot be built with --release");
 
-/// Variable that names a folder. While it has a file `STAGE` or `STAGE.KIND`, a job that reaches the stage is held there.
+/// Variable that names a folder. While it has a file `STAGE` or `STAGE.KIND`, a job that reaches
+/// the stage is held there.
 const HOLD_DIR: &str = "PLATEAU_TEST_HOLD_DIR";
 /// Variable that gives a number of milliseconds by which every solve is delayed.
 const DELAY_MS: &str = "PLATEAU_TEST_DELAY_MS";
 
-/// Stages at which a job can be held, in the order in which it reaches them: before its solver starts, after the
-/// solver's first report of progress, after its first report of a half or more, and after its end, before the outcome is
-/// stored. A job whose solver reports no progress reaches all of them at its end.
+/// Stages at which a job can be held, in the order in which it reaches them: before its solver
+/// starts, after the solver's first report of progress, after its first report of a half or more,
+/// and after its end, before the outcome is stored. A job whose solver reports no progress reaches
+/// all of them at its end.
 const STAGES: [&str; 4] = ["claimed", "first_progress", "half", "storing"];
-/// Name of the file that lets a solver wait after each report of progress until it has been taken to be stored. Otherwise
-/// only the latest report of each interval is stored.
+/// Name of the file that lets a solver wait after each report of progress until it has been taken
+/// to be stored. Otherwise only the latest report of each interval is stored.
 const EACH_PROGRESS: &str = "each_progress";
 /// Name of the file with the fault of a statement of SQLite: the fault, the text of the statement before it in the
 /// transaction, and the text of the statement, with [`BETWEEN`] between them. The file is removed when the fault happens.

@@ -305,7 +305,8 @@ fn a_quantity_that_the_file_does_not_have_is_an_error_that_names_those_it_has() 
         refused(MeshFormat::Gltf, &bare, force),
         "this file has no force to be coloured by; it has none of the quantities"
     );
-    // The quantities of lines are missing in a file without lines. They are missing in PLY too, whose colours are at vertices.
+    // The quantities of lines are missing in a file without lines. They are missing in PLY too,
+    // whose colours are at vertices.
     let length = colors(Quantity::Length, None);
     let only = "this file has no length to be coloured by; it has mean_curvature";
     assert_eq!(refused(MeshFormat::Glb, &full, Choices { lines: false, ..length }), only);

@@ -1,6 +1,7 @@
-// Builds the studio: the bundle and the list of licences into dist/. With `--check` it leaves the committed files alone and
-// fails if one differs from what it would write. The service's TypeScript client is bundled from its sources
-// (`paths` of tsconfig.json), so that it need not be built or installed first.
+// Builds the studio: the bundle and the list of licences into dist/. With `--check` it leaves the
+// committed files alone and fails if one differs from what it would write. The service's TypeScript
+// client is bundled from its sources (`paths` of tsconfig.json), so that it need not be built or
+// installed first.
 
 import { build } from 'esbuild';
 import { readFile, readdir, writeFile } from 'node:fs/promises';

@@ -24,7 +24,8 @@ test('every kind is solved and shown with its own figures', async () => {
 
 test('a live drag never shows an older film after a newer one, and ends with that of the last points', async () => {
   const { page } = studio;
-  // Drawings that are slow to solve are solved when the drag ends. By this page's clock none is, however busy the machine is.
+  // Drawings that are slow to solve are solved when the drag ends. By this page's clock none is,
+  // however busy the machine is.
   await page.addInitScript(() => { performance.now = () => 0; });
   await studio.open('tent');
   const area = (boundaries) => JSON.stringify(boundaries);

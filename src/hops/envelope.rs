@@ -1,5 +1,5 @@
-//! The JSON object around an object's bytes: `{"version", "archive3dm", "opennurbs", "data"}`, where the data is base64.
-//! RhinoCommon and rhino3dm write and read it.
+//! The JSON object around an object's bytes: `{"version", "archive3dm", "opennurbs", "data"}`,
+//! where the data is base64. RhinoCommon and rhino3dm write and read it.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;

@@ -1,10 +1,11 @@
 //! Budget for the request bodies in memory. A body takes its share of it as its bytes arrive, whatever its header
 //! declares.
 //!
-//! A body that finds no room waits until another one is dropped. Bodies never wait for each other in a circle: a part of
-//! the budget that holds the largest body is kept in reserve, and one body at a time may use it. That body can always be
-//! read to its end. Each owner's part of the budget has such a reserve too. Only the body that holds its owner's reserve
-//! may take the reserve of the whole budget.
+//! A body that finds no room waits until another one is dropped. Bodies never wait for each other
+//! in a circle: a part of the budget that holds the largest body is kept in reserve, and one body
+//! at a time may use it. That body can always be read to its end. Each owner's part of the budget
+//! has such a reserve too. Only the body that holds its owner's reserve may take the reserve of the
+//! whole budget.
 
 use std::collections::HashMap;
 use std::mem;
@@ -50,8 +51,8 @@ pub struct Share {
 }
 
 impl Budget {
-    /// Returns a budget of `limit` bytes for bodies of at most `largest` bytes. One owner may take `owner_percent` of it,
-    /// and in any case one body.
+    /// Returns a budget of `limit` bytes for bodies of at most `largest` bytes. One owner may take
+    /// `owner_percent` of it, and in any case one body.
     #[must_use]
     pub fn new(limit: usize, owner_percent: u32, largest: usize) -> Self {
         let owner_limit = (limit as u64 * u64::from(owner_percent) / 100) as usize;
@@ -75,7 +76,8 @@ impl Share {
     pub async fn grow_to(&mut self, bytes: usize) {
         let budget = self.budget.clone();
         loop {
-            // Created before the attempt, so that it misses nothing that is given back after it.
+            // Waiting begins before the attempt. Bytes that are given back after the attempt then end
+            // the wait.
             let given_back = budget.given_back.notified();
             if self.try_grow_to(bytes) {
                 return;

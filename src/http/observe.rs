@@ -42,8 +42,9 @@ fn trace(request: &Request) -> Option<(&str, &str)> {
     (known && valid).then_some((trace, span))
 }
 
-/// Returns the label of a method in metrics. A client may send any word as a method, and any path. Methods that no route
-/// has share one label, as unknown paths do, so that the number of time series is bounded.
+/// Returns the label of a method in metrics. A client may send any word as a method, and any path.
+/// Methods that no route has share one label, as unknown paths do, so that the number of time
+/// series is bounded.
 fn method_label(method: &Method) -> &'static str {
     match *method {
         Method::GET => "GET",

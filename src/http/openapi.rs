@@ -1,5 +1,6 @@
-//! The OpenAPI 3.1 document of the API: `/v1`, the health checks and the metrics. Its paths come from the [`router`], which
-//! lists each handler of the API with its entry, and its schemas from the Rust types ([`wire::components`](crate::wire::components)).
+//! The OpenAPI 3.1 document of the API: `/v1`, the health checks and the metrics. Its paths come
+//! from the [`router`], which lists each handler of the API with its entry, and its schemas from
+//! the Rust types ([`wire::components`](crate::wire::components)).
 //!
 //! `api/openapi.json` is the committed copy of this document. `plateau openapi` prints it, and a test compares both.
 

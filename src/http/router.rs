@@ -20,8 +20,8 @@ use std::time::Duration;
 use tower::util::MapRequest;
 use tower_http::cors::{AllowOrigin, Any, CorsLayer};
 
-/// Returns every path with its handlers, and the entries in the API document of those that belong to the API: `/v1`, the
-/// health checks and the metrics. `with_metrics` adds `/metrics`.
+/// Returns every path with its handlers, and the entries in the API document of those that belong
+/// to the API: `/v1`, the health checks and the metrics. `with_metrics` adds `/metrics`.
 #[must_use]
 pub fn resources(with_metrics: bool) -> Vec<Resource> {
     let mut resources = vec![

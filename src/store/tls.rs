@@ -1,5 +1,5 @@
-//! TLS for connections to PostgreSQL. The parameters `sslmode` and `sslrootcert` of the database's URL mean what they mean
-//! to libpq:
+//! TLS for connections to PostgreSQL. The parameters `sslmode` and `sslrootcert` of the database's
+//! URL mean what they mean to libpq:
 //!
 //! | `sslmode` | encrypted | certificate checked | host name checked |
 //! | --- | --- | --- | --- |
@@ -61,8 +61,9 @@ pub(super) struct Parameters {
 }
 
 impl Parameters {
-    /// Takes these parameters out of a URL, because the driver does not know them. Returns the rest of the URL and their
-    /// values. Parameters that the URL lacks come from the variables `PGSSLMODE` and `PGSSLROOTCERT`.
+    /// Takes these parameters out of a URL, because the driver does not know them. Returns the rest
+    /// of the URL and their values. Parameters that the URL lacks come from the variables
+    /// `PGSSLMODE` and `PGSSLROOTCERT`.
     pub(super) fn split(url: &str) -> (String, Self) {
         let mut own = Self::default();
         let (address, query) = url.split_once('?').unwrap_or((url, ""));
@@ -161,8 +162,8 @@ fn client_config(roots: Option<RootCertStore>, check_name: bool) -> Result<Clien
     Ok(config.dangerous().with_custom_certificate_verifier(Arc::new(verifier)).with_no_client_auth())
 }
 
-/// Checks that the server has the key of its certificate, who issued the certificate (unless `issuer` is `None`), and its
-/// host name (if `check_name` is true).
+/// Checks that the server has the key of its certificate, who issued the certificate (unless
+/// `issuer` is `None`), and its host name (if `check_name` is true).
 #[derive(Debug)]
 struct Verifier {
     issuer: Option<Arc<WebPkiServerVerifier>>,

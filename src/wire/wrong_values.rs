@@ -1,6 +1,7 @@
-//! Puts a wrong value at every place of the examples and of bodies made from the schemas, and checks that the first error
-//! points to that place in plain words. The schemas are read here as JSON, apart from the code that explains them, and the
-//! crate jsonschema says independently which bodies are valid.
+//! Puts a wrong value at every place of the examples and of bodies made from the schemas, and
+//! checks that the first error points to that place in plain words. The schemas are read here as
+//! JSON, apart from the code that explains them, and the crate jsonschema says independently which
+//! bodies are valid.
 
 use super::batch::{BATCH, refuse_shell};
 use super::components::components;
@@ -69,7 +70,7 @@ fn resolved(schema: &'static Value) -> &'static Value {
     }
 }
 
-/// Returns the schemas of which a value satisfies one.
+/// Returns the schemas of a union, or the schema itself.
 fn branches(schema: &'static Value) -> Vec<&'static Value> {
     let schema = resolved(schema);
     match schema.get("anyOf").or(schema.get("oneOf")).and_then(Value::as_array) {
@@ -235,8 +236,8 @@ fn wrong_values(schema: &'static Value, value: &Value) -> Vec<Wrong> {
     wrong
 }
 
-/// Calls `visit` with the pointer, the schema and the value at every place of a valid value. Of the elements of an array
-/// it visits the first and the last.
+/// Calls `visit` with the pointer, the schema and the value at every place of a valid value. Of the
+/// elements of an array it visits the first and the last.
 fn walk(schema: &'static Value, value: &Value, pointer: &str, visit: &mut impl FnMut(&str, &'static Value, &Value)) {
     visit(pointer, schema, value);
     let branch = branch_of(schema, value);

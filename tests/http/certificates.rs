@@ -69,8 +69,9 @@ async fn every_compared_topology_says_how_far_it_is_from_the_minimum() {
     }
 }
 
-/// Eight rings in pairs, of which two are given clockwise. The film of eight discs that run round them counter-clockwise
-/// has the area 24, while four annuli, which run along one ring of each pair in the other direction, have less than 5.
+/// Eight rings in pairs, of which two are given clockwise. The film of eight discs that run round
+/// them counter-clockwise has the area 24, while four annuli, which run along one ring of each pair
+/// in the other direction, have less than 5.
 #[tokio::test]
 async fn with_more_than_six_loops_the_certificate_says_which_directions_it_covers() {
     let app = TestApp::start().await;

@@ -35,8 +35,8 @@ struct Server {
 }
 
 impl Server {
-    /// Starts a server with these lines of `pg_hba.conf` for connections over TCP. Returns `None` if this machine has no
-    /// PostgreSQL.
+    /// Starts a server with these lines of `pg_hba.conf` for connections over TCP. Returns `None`
+    /// if this machine has no PostgreSQL.
     async fn start(number: u8, with_tls: bool, lines: &str) -> Option<Self> {
         let (address, roots) = (address(number), tempfile::tempdir().unwrap());
         let postgres = Postgres::start_with(|folder| {
@@ -63,8 +63,8 @@ impl Server {
     }
 }
 
-/// Writes a certificate for [`HOST`] with its key into the server's folder, and the certificates of its authority and of
-/// another one into `roots`.
+/// Writes a certificate for [`HOST`] with its key into the server's folder, and the certificates of
+/// its authority and of another one into `roots`.
 fn write_certificates(folder: &Path, roots: &Path) {
     let authority = || {
         let mut params = CertificateParams::default();
@@ -81,8 +81,8 @@ fn write_certificates(folder: &Path, roots: &Path) {
     fs::write(roots.join("other.pem"), other.as_ref().pem()).unwrap();
 }
 
-/// Starts Plateau on a database that it cannot use, and returns what it said. It must end with `status` without a second
-/// try.
+/// Starts Plateau on a database that it cannot use, and returns what it said. It must end with
+/// `status` without a second try.
 async fn refused(url: &str, password: &str, status: i32) -> String {
     let folder = tempfile::tempdir().unwrap();
     let mut command = binary();

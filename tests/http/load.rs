@@ -1,6 +1,7 @@
 //! Many clients at once: no job is lost, every mesh is right, memory is bounded, and a full queue is answered with 429.
 //!
-//! The test of 64 clients runs for five seconds, because memory is observed over time. `scripts/load` runs it for a minute (PLATEAU_LOAD_S).
+//! The test of 64 clients runs for five seconds, because memory is observed over time.
+//! `scripts/load` runs it for a minute (PLATEAU_LOAD_S).
 
 use crate::app::{MINIMAL, RULED, TestApp, small_film};
 use futures_util::StreamExt;

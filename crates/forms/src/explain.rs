@@ -1,9 +1,10 @@
-//! Explains why a JSON value does not satisfy a schema: the pointer to each wrong value, and a phrase that can follow the
-//! pointer, such as "must be a number". Values are never echoed.
+//! Explains why a JSON value does not satisfy a schema: the pointer to each wrong value, and a
+//! phrase that can follow the pointer, such as "must be a number". Values are never echoed.
 //!
-//! [`Schemas`] are made once from the JSON Schemas of the API document. They know the keywords that those use, and no
-//! others. In a union, the type of the JSON value decides which branch it is compared with. Objects of several kinds are
-//! told apart by the member that the keyword `discriminator` names. So all errors are those of one branch.
+//! [`Schemas`] are made once from the JSON Schemas of the API document. They know the keywords that
+//! those use, and no others. In a union, the type of the JSON value decides which branch it is
+//! compared with. Objects of several kinds are told apart by the member that the keyword
+//! `discriminator` names. So all errors are those of one branch.
 
 use crate::rejection::{FieldError, MAX_ERRORS};
 use serde_json::{Map, Value};
@@ -22,7 +23,7 @@ enum Schema {
     Number(Number),
     /// A string with a number of characters in this range.
     Text(Count),
-    /// One of these strings.
+    /// A string out of a list.
     Names(Vec<String>),
     List {
         items: Box<Schema>,
@@ -85,7 +86,7 @@ impl Schema {
         compiled
     }
 
-    /// Compiles keywords and removes those that the result contains.
+    /// Compiles keywords. Each keyword that the result contains is removed from the map.
     fn of(keywords: &mut Map<String, Value>) -> Self {
         if let Some(reference) = keywords.remove("$ref") {
             return Self::Reference(name_of(&reference));
@@ -214,7 +215,8 @@ impl fmt::Display for Place<'_> {
     }
 }
 
-/// Longest name of a member that is not known and to which an error points. An error of a longer one points to the object.
+/// Longest name of a member that is not known and to which an error points. An error of a longer
+/// one points to the object.
 const MAX_NAME: usize = 200;
 
 impl Schemas {
@@ -227,8 +229,8 @@ impl Schemas {
         Self(schemas.iter().map(|(name, schema)| (name.clone(), Schema::new(schema))).collect())
     }
 
-    /// Returns the errors of a value in the order of its members, at most [`MAX_ERRORS`] + 1. The value satisfies the schema
-    /// if there are none.
+    /// Returns the errors of a value in the order of its members, at most [`MAX_ERRORS`] + 1. The
+    /// value satisfies the schema if there are none.
     ///
     /// # Panics
     /// Panics if there is no schema of this name.
@@ -320,7 +322,8 @@ impl Schemas {
         }
     }
 
-    /// Returns what is wrong with a whole list of coordinates or points, so that its elements need no errors of their own.
+    /// Returns what is wrong with a whole list of coordinates or points, so that its elements need
+    /// no errors of their own.
     fn violation_of_form(&self, schema: &Schema, values: &[Value]) -> Option<String> {
         if schema.is_point() {
             return (values.len() != 3).then(|| {
@@ -344,8 +347,8 @@ impl Schemas {
         }
     }
 
-    /// Returns the number of levels of arrays around the numbers of points: 1 for a point, 2 for a list of points, 3 for a
-    /// list of polylines, and 0 for a schema without points.
+    /// Returns the number of levels of arrays around the numbers of points: 1 for a point, 2 for a
+    /// list of points, 3 for a list of polylines, and 0 for a schema without points.
     fn levels(&self, schema: &Schema) -> usize {
         match self.resolved(schema) {
             point if point.is_point() => 1,
@@ -480,7 +483,7 @@ impl Object {
         }
     }
 
-    /// Returns how many of its members an object has of which it needs one.
+    /// Returns the phrase for an object that needs a member of a group: "exactly" or "at least" one of the names.
     fn one_of(&self) -> String {
         let words = if self.count.at_most == 1 { "exactly" } else { "at least" };
         format!("{words} one of the members {}", list(self.members.keys()))

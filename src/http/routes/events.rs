@@ -45,8 +45,9 @@ pub async fn events(
     Ok(response)
 }
 
-/// Converts events to server-sent events. The reconnection time goes before them, so that every stream says something at
-/// once. A client that hears nothing knows that a proxy holds the stream back.
+/// Converts events to server-sent events. The reconnection time goes before them, so that every
+/// stream says something at once. A client that hears nothing knows that a proxy holds the stream
+/// back.
 fn written(events: Events) -> impl Stream<Item = Result<Event, Infallible>> {
     let opening = stream::once(async { Ok(Event::default().retry(RETRY)) });
     opening.chain(stream::unfold(events, |mut events| async move {

@@ -1,5 +1,5 @@
-// What went wrong: said once, counted from 1, and marked in the drawing. The late answer to something that was asked for earlier
-// neither hides nor replaces a newer one.
+// Problems are told once, counted from 1, and marked in the drawing. The late answer to an earlier
+// request neither hides nor replaces a newer problem.
 
 import { ConnectionFailed, type FieldError } from 'plateau-client';
 import { $, el } from '../dom';
