@@ -84,9 +84,7 @@ def test_a_stream_that_breaks_goes_on_where_it_was(server: Server, monkeypatch: 
     assert seen[-1] == "finished"
 
 
-def test_a_job_is_followed_to_its_end_where_no_stream_passes(
-    server: Server, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_job_is_followed_to_its_end_where_no_stream_passes(server: Server, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(flows, "RECONNECT_S", 0.01)
     monkeypatch.setattr(flows, "POLL_S", 0.01)
     looks: List[str] = []
