@@ -237,19 +237,6 @@ mod tests {
     }
 
     #[test]
-    fn more_errors_than_are_listed_show_in_their_number() {
-        let wrong = |count: usize| {
-            let mut strip = strip();
-            strip["directrices"][0] = (0..count).map(|_| json!([0, 0, "x"])).collect();
-            strip
-        };
-        for requests in [vec![wrong(60)], vec![wrong(30), strip(), wrong(30)], vec![wrong(50), wrong(1)]] {
-            let Err(Rejection::Invalid(errors)) = read(&json!({ "requests": requests })) else { panic!("invalid") };
-            assert_eq!(errors.len(), MAX_ERRORS + 1);
-        }
-    }
-
-    #[test]
     fn what_is_too_large_is_named_beside_what_is_invalid() {
         let limits = LimitsConfig { points: 10, ..LimitsConfig::default() };
         let mut large = strip();
