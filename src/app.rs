@@ -4,6 +4,7 @@ use crate::auth::tickets::Tickets;
 use crate::auth::{self, Keys};
 use crate::config::Config;
 use crate::http::budget::Budget;
+use crate::http::seats::Seats;
 use crate::http::state::App;
 use crate::http::{mcp, openapi, router, serve};
 use crate::jobs::{self, Jobs, callbacks};
@@ -51,21 +52,10 @@ const BALLAST_BYTES: u64 = 32 << 20;
 /// A store that cannot be opened, or an address that cannot be bound.
 pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     let config = Arc::new(config);
-    let keys = Arc::new(Keys::load(&config.auth).map_err(StartError::Configuration)?);
-    let address = config.http.listen;
-    if role == Role::Mcp && keys.required() {
-        return Err(StartError::Configuration(
-            "plateau mcp serves one user, whose links carry no key: remove auth.keys and auth.keys_file, or use the setting \
-             http.mcp of plateau serve"
-                .into(),
-        ));
-    }
-    if role != Role::Worker && !keys.required() && !address.ip().is_loopback() && !config.auth.open_without_keys {
-        return Err(StartError::Configuration(format!(
-            "http.listen {address} is open to others: configure auth.keys or auth.keys_file, or set auth.open_without_keys"
-        )));
-    }
-    let webhooks = Sender::load(&config.webhooks).map_err(StartError::Configuration)?;
+    let (keys, webhooks) = check(&config, role).map_err(StartError::Configuration)?;
+    let (keys, address) = (Arc::new(keys), config.http.listen);
+    // Jobs and results belong to their clients, so no other user of this machine may read the files of this process.
+    rustix::process::umask(rustix::fs::Mode::RWXG | rustix::fs::Mode::RWXO);
     let metrics = telemetry::init_metrics().map_err(StartError::Failed)?;
     let store = open_store(&config).await?;
     let listener = match role {
@@ -86,9 +76,6 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         tokio::spawn(async move { serve::serve(listener, routes, &config.http, jobs.shutdown()).await });
     }
     let count = jobs.solvers();
-    if role == Role::Worker && count == 0 {
-        return Err(StartError::Configuration("jobs.workers is 0: this process would do nothing".into()));
-    }
     jobs.spawn_workers();
     let callbacks = tokio::spawn(callbacks::run(jobs.clone()));
     let sweeper = tokio::spawn(sweep(store.clone()));
@@ -112,10 +99,11 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         tracing::info!(%address, workers = count, "open http://{address}/ in a browser");
         let (http, limits) = (&config.http, &config.limits);
         let bodies = Budget::new(http.bodies_in_flight_bytes, http.bodies_share_percent, limits.body_bytes);
+        let seats = Arc::new(Seats::new(config.open_requests()));
         let document = openapi::served_at(&config.http.public_base_path).into();
         let tickets = Arc::new(tickets(&store).await?);
         let (own_config, own_jobs, bodies) = (config.clone(), jobs.clone(), Arc::new(bodies));
-        let app = App { config: own_config, jobs: own_jobs, metrics, bodies, keys, tickets, document };
+        let app = App { config: own_config, jobs: own_jobs, metrics, bodies, seats, keys, tickets, document };
         let tools = (role == Role::Mcp).then(|| tokio::spawn(mcp::serve_stdio(app.clone(), address)));
         let until_input_ends = async {
             if let Some(tools) = tools {
@@ -136,10 +124,35 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
     Ok(())
 }
 
+/// Checks everything that a start needs of the settings, without changing anything and without reaching the database.
+/// Returns the keys and the sender of messages, which are read from files.
+///
+/// # Errors
+/// Returns a message that names the setting.
+pub fn check(config: &Config, role: Role) -> Result<(Keys, Option<Sender>), String> {
+    let (keys, address) = (Keys::load(&config.auth)?, config.http.listen);
+    telemetry::filter(&config.log)?;
+    Store::check_places(&config.database_url(), &config.store.results)
+        .map_err(|error| format!("store.database or store.results: {error}"))?;
+    if role == Role::Worker && config.jobs.workers == Some(0) && config.small_workers() == 0 {
+        return Err("jobs.workers is 0: this process would do nothing".into());
+    }
+    if role == Role::Mcp && keys.required() {
+        return Err(
+            "plateau mcp serves one user, whose links carry no key: remove auth.keys and auth.keys_file, or use the setting \
+             http.mcp of plateau serve"
+                .into(),
+        );
+    }
+    if role != Role::Worker && !keys.required() && !address.ip().is_loopback() && !config.auth.open_without_keys {
+        return Err(format!(
+            "http.listen {address} is open to others: configure auth.keys or auth.keys_file, or set auth.open_without_keys"
+        ));
+    }
+    Ok((keys, Sender::load(&config.webhooks)?))
+}
+
 async fn open_store(config: &Config) -> Result<Store, StartError> {
-    // A server with a keys file has several owners even if the file is empty now, because keys may be added to it
-    // later.
-    let one_owner = config.auth.keys.is_empty() && config.auth.keys_file.as_os_str().is_empty();
     if config.store.database.is_empty() {
         let folder = &config.store.data;
         std::fs::create_dir_all(folder)
@@ -154,11 +167,9 @@ async fn open_store(config: &Config) -> Result<Store, StartError> {
     };
     let forever_s = 100 * 365 * 24 * 3600;
     let retention_s = if config.jobs.retention_s == 0 { forever_s } else { config.jobs.retention_s };
-    let queue_length = config.jobs.queue_length as u64;
-    let share = (queue_length * u64::from(config.auth.queue_share_percent)).div_ceil(100);
     let options = StoreOptions {
-        queue_limit: queue_length,
-        owner_queue_limit: if one_owner { queue_length } else { share },
+        queue_limit: config.jobs.queue_length as u64,
+        owner_queue_limit: config.owner_queue_length() as u64,
         max_attempts: config.jobs.attempts_max,
         lease: Duration::from_millis(config.jobs.lease_ms),
         retention: Duration::from_secs(retention_s),

@@ -7,11 +7,14 @@
 pub mod tickets;
 
 use crate::config::AuthConfig;
+use futures_util::FutureExt;
+use futures_util::future::{BoxFuture, Shared};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError, RwLock};
 use std::time::{Duration, Instant};
+use tokio::sync::watch;
 
 const PREFIX: &str = "plateau_";
 const KEY_BYTES: usize = 32;
@@ -64,7 +67,12 @@ pub fn is_key_name(name: &str) -> bool {
 pub struct Keys {
     config: AuthConfig,
     known: RwLock<Known>,
+    /// Changes whenever the known keys have been replaced.
+    replaced: watch::Sender<()>,
 }
+
+/// Future that ends when a key is no longer known.
+pub type Removal = Shared<BoxFuture<'static, ()>>;
 
 /// Content of the configuration and of the keys file when they were last read.
 #[derive(Debug, Default)]
@@ -146,7 +154,7 @@ impl Keys {
     /// Returns a message that names the setting and, for the keys file, the line.
     pub fn load(config: &AuthConfig) -> Result<Self, String> {
         let text = read_file(&config.keys_file)?;
-        let keys = Self { config: config.clone(), known: RwLock::default() };
+        let keys = Self { config: config.clone(), known: RwLock::default(), replaced: watch::Sender::new(()) };
         keys.replace(&text)?;
         Ok(keys)
     }
@@ -168,18 +176,26 @@ impl Keys {
         let keys: Vec<_> = keys.collect();
         known.required |= !keys.is_empty();
         known.keys = keys;
+        drop(known);
+        self.replaced.send_replace(());
         Ok(())
     }
 
     /// Reads the keys file again whenever its text changes, and never returns. An invalid file leaves the keys as they
-    /// were.
+    /// were. A file that was mounted by itself and replaced outside of its mount never changes here, which is logged.
     pub async fn follow_file(&self) {
         let path = &self.config.keys_file;
         if path.as_os_str().is_empty() {
             return std::future::pending().await;
         }
-        let mut last = None;
+        let (mut last, mut detached) = (None, false);
         loop {
+            if !std::mem::replace(&mut detached, is_detached(path)) && detached {
+                tracing::error!(
+                    "auth.keys_file {} was replaced outside of its mount and is never read again here: mount its folder",
+                    path.display()
+                );
+            }
             let read = tokio::fs::read_to_string(path).await.map_err(|error| file_error(path, &error));
             if last.as_ref() != Some(&read) {
                 // In the first round the text normally equals the one loaded at the start, so only later rounds are
@@ -193,6 +209,25 @@ impl Keys {
             }
             tokio::time::sleep(RELOAD_INTERVAL).await;
         }
+    }
+
+    /// Returns a future that ends when the key that has this name now is removed or replaced by another one.
+    pub fn removal(self: &Arc<Self>, name: Arc<str>) -> Removal {
+        let keys = self.clone();
+        let mut replaced = self.replaced.subscribe();
+        let digest = self.digest(&name);
+        let removed = async move {
+            while digest.is_some() && keys.digest(&name) == digest {
+                // Waiting cannot fail, because `keys` owns the sender.
+                let _ = replaced.changed().await;
+            }
+        };
+        removed.boxed().shared()
+    }
+
+    fn digest(&self, name: &str) -> Option<[u8; 32]> {
+        let known = self.known.read().unwrap_or_else(PoisonError::into_inner);
+        known.keys.iter().find(|key| *key.name == *name).map(|key| key.digest)
     }
 
     fn count(&self) -> usize {
@@ -293,6 +328,12 @@ fn read_file(path: &Path) -> Result<String, String> {
     std::fs::read_to_string(path).map_err(|error| file_error(path, &error))
 }
 
+/// Returns true if the file has no name in any folder: its folder has another file by this name, or none.
+fn is_detached(path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    std::fs::metadata(path).is_ok_and(|file| file.nlink() == 0)
+}
+
 fn file_error(path: &Path, error: &std::io::Error) -> String {
     format!("auth.keys_file {}: {error}", path.display())
 }
@@ -376,6 +417,34 @@ mod tests {
         assert!(keys.admit(Some(&key)).unwrap().name.is_some());
         keys.replace("").unwrap();
         assert_eq!((keys.admit(Some(&key)), keys.admit(None)), (Err(Refusal::Unknown), Err(Refusal::Unknown)));
+    }
+
+    #[tokio::test]
+    async fn a_removal_ends_with_its_key_only() {
+        let (first, second) = (new_key().unwrap().1, new_key().unwrap().1);
+        let keys = Arc::new(Keys::load(&AuthConfig::default()).unwrap());
+        keys.replace(&format!("me {first}\nyou {first}")).unwrap();
+        let [mine, yours] = ["me", "you"].map(|name| keys.removal(name.into()));
+        keys.replace(&format!("me {first}\nyou {second}")).unwrap();
+        yours.await;
+        assert!(mine.clone().now_or_never().is_none());
+        keys.replace("").unwrap();
+        mine.await;
+        keys.removal("me".into()).await;
+    }
+
+    #[test]
+    fn a_file_that_was_replaced_outside_of_its_mount_is_noticed() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("keys");
+        let file = std::fs::File::create(&path).unwrap();
+        // This path leads to the file whatever its name is, as a mount of a single file does.
+        let mounted = std::path::PathBuf::from(format!("/proc/self/fd/{}", std::os::fd::AsRawFd::as_raw_fd(&file)));
+        assert!(!is_detached(&mounted) && !is_detached(&path));
+        std::fs::rename(folder.path().join("keys"), folder.path().join("other")).unwrap();
+        assert!(!is_detached(&mounted));
+        std::fs::remove_file(folder.path().join("other")).unwrap();
+        assert!(is_detached(&mounted) && !is_detached(&path));
     }
 
     #[test]

@@ -94,7 +94,7 @@ struct Settings {
     /// TOML file with settings.
     #[arg(long, global = true, env = "PLATEAU_CONFIG", value_name = "FILE")]
     config: Option<PathBuf>,
-    /// Check the settings and exit.
+    /// Check whether the command could start with these settings, and exit. The database is not reached.
     #[arg(long, global = true)]
     check_config: bool,
 }
@@ -121,6 +121,14 @@ impl Settings {
     }
 }
 
+fn role(command: &Command) -> app::Role {
+    match command {
+        Command::Worker => app::Role::Worker,
+        Command::Mcp => app::Role::Mcp,
+        _ => app::Role::Serve,
+    }
+}
+
 /// Exit status for wrong usage or configuration.
 const USAGE: u8 = 2;
 
@@ -132,8 +140,14 @@ pub fn main() -> ExitCode {
         Err(message) => return fail(USAGE, &message),
     };
     if cli.settings.check_config {
-        println!("the configuration is valid");
-        return ExitCode::SUCCESS;
+        let role = cli.command.as_ref().map_or(app::Role::Serve, role);
+        return match app::check(&config, role) {
+            Ok(_) => {
+                println!("the configuration is valid");
+                ExitCode::SUCCESS
+            }
+            Err(message) => fail(USAGE, &message),
+        };
     }
     match cli.command.unwrap_or(Command::Serve) {
         Command::Openapi => {
@@ -157,11 +171,7 @@ pub fn main() -> ExitCode {
                 Ok(runtime) => runtime,
                 Err(error) => return fail(1, &error.to_string()),
             };
-            let role = match command {
-                Command::Worker => app::Role::Worker,
-                Command::Mcp => app::Role::Mcp,
-                _ => app::Role::Serve,
-            };
+            let role = role(&command);
             let ended = runtime.block_on(app::run(config, role));
             if role == app::Role::Mcp {
                 // A thread may still wait for standard input, which nothing can interrupt.

@@ -6,6 +6,8 @@
 //! `[section] key` is also read from `PLATEAU_SECTION__KEY`; four of them have short names too (`PLATEAU_LISTEN`,
 //! `_DATA`, `_DATABASE`, `_WORKERS`).
 
+mod memory;
+
 use plateau_forms::limits::Limits;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -45,6 +47,11 @@ pub struct HttpConfig {
     /// Period over which the rate of a body is measured. Each period until the body is complete must bring its share of
     /// bytes, so this is also the pause that a client may make.
     pub body_rate_grace_ms: u64,
+    /// Lowest rate at which a client may take an answer, in bytes per second. A connection whose client is slower is closed.
+    /// 0 means no lowest rate.
+    pub answer_rate_bytes_per_s: u64,
+    /// Period over which the rate of an answer is measured. Only the time counts in which the server waits for the client.
+    pub answer_rate_grace_ms: u64,
     /// Interval at which a comment is sent on every event stream, so that proxies keep the stream open.
     pub event_keep_alive_ms: u64,
     /// Time between the moment when readiness goes off and the moment when the listener closes, so that a load balancer
@@ -54,8 +61,13 @@ pub struct HttpConfig {
     /// notice).
     pub shutdown_grace_ms: u64,
     /// Number of connections that may be open at once. A further connection replaces the one that has been idle for
-    /// longest. If no connection is idle, the new one waits.
+    /// longest. If no connection is idle, requests of the new one wait for a second and are then answered with 503. Health
+    /// checks are always answered.
     pub connections: usize,
+    /// Share of `connections` that the open requests of one key may take, in percent: event streams, waits, downloads and
+    /// uploads. A further request is answered with 429. On a server without keys it is the share of one client's address,
+    /// or of the proxy that all clients come through.
+    pub requests_share_percent: u32,
     /// Number of bytes that the request bodies of all clients together may take while they are read. The first 16 KiB of
     /// each body are not counted, so that small bodies never wait.
     pub bodies_in_flight_bytes: usize,
@@ -70,8 +82,13 @@ pub struct HttpConfig {
     /// Path below which a proxy serves this server (`/plateau`). Every link begins with it. The proxy may remove it
     /// from the paths that it passes on or keep it. Workers need the same value: they send links to callback URLs.
     pub public_base_path: String,
-    /// Number of bytes for a cache of files that were made from results (meshes in a format, flat patterns).
+    /// Number of bytes of memory for a cache of files that were made from results (meshes in a format, flat patterns).
+    /// Files above 256 KiB are on disk and do not count.
     pub files_kept_bytes: usize,
+    /// Number of bytes that the files above 256 KiB may take on disk. They have no name and are in `store.data`, or in the
+    /// system's folder for temporary files if `store.data` cannot be written. If all of them are being downloaded, a
+    /// further file is answered with 503.
+    pub files_disk_bytes: u64,
     /// Whether long answers are compressed with zstd or gzip for clients that accept it. Turn it off if a proxy does it.
     pub compression: bool,
     /// Whether `/mcp` offers this server's operations as tools for language models (Model Context Protocol, streamable
@@ -96,16 +113,20 @@ impl Default for HttpConfig {
             body_timeout_ms: 30_000,
             body_rate_bytes_per_s: 1024,
             body_rate_grace_ms: 5000,
+            answer_rate_bytes_per_s: 8192,
+            answer_rate_grace_ms: 10_000,
             event_keep_alive_ms: 15_000,
             shutdown_notice_ms: 1000,
             shutdown_grace_ms: 10_000,
             connections: 4096,
+            requests_share_percent: 25,
             bodies_in_flight_bytes: 256 << 20,
             bodies_share_percent: 50,
             hosts: Vec::new(),
             cors_origins: Vec::new(),
             public_base_path: String::new(),
             files_kept_bytes: 64 << 20,
+            files_disk_bytes: 4 << 30,
             compression: true,
             mcp: false,
             hops: true,
@@ -133,9 +154,10 @@ pub struct StoreConfig {
     /// Largest size in bytes of a result that is kept in the database.
     pub inline_bytes: usize,
     /// Number of bytes that all results together may take (with SQLite including the database file). If they take more,
-    /// the oldest jobs expire early. 0 means no limit.
+    /// the oldest jobs of the keys with the largest results expire early. 0 means no limit.
     pub max_bytes: u64,
-    /// Number of finished jobs that are kept. If there are more, the oldest jobs expire early.
+    /// Number of finished jobs that are kept. If there are more, the oldest jobs of the keys with the most jobs expire early,
+    /// so that a key with few jobs loses none.
     pub max_jobs: u64,
     /// Number of connections to PostgreSQL that one process opens for its statements. The process opens one more to
     /// listen for notifications.
@@ -163,6 +185,10 @@ pub struct JobsConfig {
     /// Number of solvers that run at once. If absent, one for each core. 0 means that this process solves no jobs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub workers: Option<usize>,
+    /// Number of further solvers for jobs that need at most 16 MiB of memory, so that these do not wait until a long job has
+    /// ended. If absent, 1 if `jobs.workers` is absent too, and otherwise 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub small_workers: Option<usize>,
     /// Number of jobs that may wait in the queue. A further submission is answered with 429.
     pub queue_length: usize,
     /// Time limit of a solver. After it the solver returns the best mesh that it has reached.
@@ -174,8 +200,10 @@ pub struct JobsConfig {
     /// Shortest interval between two writes of a job's progress to the store.
     pub progress_interval_ms: u64,
     /// Number of bytes of memory that all running solvers together may take, by estimate. A job that would exceed it
-    /// waits until others have ended.
-    pub memory_bytes: u64,
+    /// stays queued, and up to 16 smaller jobs pass it. If absent, three quarters of the memory limit of the container
+    /// (cgroup), or of the machine's memory if that is less.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub memory_bytes: Option<u64>,
     /// Time in seconds after which a finished job and its mesh are removed. 0 means never.
     pub retention_s: u64,
 }
@@ -184,12 +212,13 @@ impl Default for JobsConfig {
     fn default() -> Self {
         Self {
             workers: None,
+            small_workers: None,
             queue_length: 1000,
             deadline_ms: 600_000,
             lease_ms: 15_000,
             attempts_max: 5,
             progress_interval_ms: 250,
-            memory_bytes: 8 << 30,
+            memory_bytes: None,
             retention_s: 7 * 24 * 3600,
         }
     }
@@ -210,7 +239,8 @@ pub struct LimitsConfig {
     pub grid_cells: u64,
     /// Largest `max_iterations` that a request may ask for.
     pub iterations: u32,
-    /// Number of bytes of memory that solving one request may take, by estimate.
+    /// Number of bytes of memory that solving one request may take, by estimate. A server with workers accepts no request for
+    /// more than `jobs.memory_bytes`.
     pub memory_bytes: u64,
     /// Number of requests that one batch may have.
     pub batch_requests: usize,
@@ -390,8 +420,11 @@ impl Config {
             merge(&mut merged, layer);
         }
         merge(&mut merged, flags);
-        let config = Self::deserialize(merged).map_err(|error| error.to_string())?;
+        let mut config = Self::deserialize(merged).map_err(|error| error.to_string())?;
         config.check()?;
+        if config.jobs.workers != Some(0) {
+            config.limits.memory_bytes = config.limits.memory_bytes.min(config.solver_memory_bytes());
+        }
         Ok(config)
     }
 
@@ -403,6 +436,7 @@ impl Config {
             ("http.header_timeout_ms", self.http.header_timeout_ms),
             ("http.body_timeout_ms", self.http.body_timeout_ms),
             ("http.body_rate_grace_ms", self.http.body_rate_grace_ms),
+            ("http.answer_rate_grace_ms", self.http.answer_rate_grace_ms),
             ("http.event_keep_alive_ms", self.http.event_keep_alive_ms),
             ("http.connections", self.http.connections as u64),
             ("limits.body_bytes", self.limits.body_bytes as u64),
@@ -420,6 +454,7 @@ impl Config {
         }
         let percentages = [
             ("auth.queue_share_percent", self.auth.queue_share_percent),
+            ("http.requests_share_percent", self.http.requests_share_percent),
             ("http.bodies_share_percent", self.http.bodies_share_percent),
         ];
         if let Some((name, _)) = percentages.iter().find(|(_, value)| !(1..=100).contains(value)) {
@@ -428,7 +463,7 @@ impl Config {
         if self.jobs.lease_ms < 1000 {
             return Err("jobs.lease_ms must be at least 1000: a claim is renewed three times in it".into());
         }
-        if self.jobs.memory_bytes < self.limits.memory_bytes {
+        if self.jobs.memory_bytes.is_some_and(|bytes| bytes < self.limits.memory_bytes) {
             return Err("jobs.memory_bytes must be at least limits.memory_bytes".into());
         }
         if self.store.connections < 2 {
@@ -448,6 +483,40 @@ impl Config {
             return Err("http.bodies_in_flight_bytes must be at least limits.body_bytes".into());
         }
         Ok(())
+    }
+
+    /// Returns true if jobs may belong to several keys. A server with a keys file has several owners even if the file is
+    /// empty, because keys may be added to it later.
+    #[must_use]
+    pub fn has_owners(&self) -> bool {
+        !self.auth.keys.is_empty() || !self.auth.keys_file.as_os_str().is_empty()
+    }
+
+    /// Returns the number of jobs of one owner that may wait in the queue.
+    #[must_use]
+    pub fn owner_queue_length(&self) -> usize {
+        let share = self.jobs.queue_length.saturating_mul(self.auth.queue_share_percent as usize).div_ceil(100);
+        if self.has_owners() { share } else { self.jobs.queue_length }
+    }
+
+    /// Returns `jobs.small_workers`, or its default.
+    #[must_use]
+    pub fn small_workers(&self) -> usize {
+        self.jobs.small_workers.unwrap_or(usize::from(self.jobs.workers.is_none()))
+    }
+
+    /// Returns the number of requests that one client may have open.
+    #[must_use]
+    pub fn open_requests(&self) -> usize {
+        (self.http.connections.saturating_mul(self.http.requests_share_percent as usize) / 100).max(1)
+    }
+
+    /// Returns `jobs.memory_bytes`, or its default on this machine.
+    #[must_use]
+    pub fn solver_memory_bytes(&self) -> u64 {
+        // Outside Linux, most machines have more than this.
+        const UNKNOWN: u64 = 8 << 30;
+        self.jobs.memory_bytes.unwrap_or_else(|| memory::limit_bytes().map_or(UNKNOWN, |bytes| bytes / 4 * 3))
     }
 
     /// Returns the configured URL of the database, or the URL of SQLite in the data folder.
@@ -576,7 +645,10 @@ mod tests {
                 match defaults[section].get(name) {
                     Some(Value::Table(_)) => tables.push_str(&format!("\n{}[{section}.{name}]\n", comment(doc))),
                     Some(value) => text.push_str(&format!("{}{name} = {value}\n", comment(doc))),
-                    None => text.push_str(&format!("{}# {name} = 2\n", comment(doc))),
+                    None => {
+                        let example: u64 = if name.ends_with("_bytes") { 8 << 30 } else { 2 };
+                        text.push_str(&format!("{}# {name} = {example}\n", comment(doc)));
+                    }
                 }
             }
             text.push_str(&tables);

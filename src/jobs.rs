@@ -14,6 +14,7 @@ mod memory;
 pub mod progress;
 pub(crate) mod service;
 pub(crate) mod submission;
+mod turns;
 mod view;
 pub(crate) mod worker;
 mod zip;

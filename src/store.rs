@@ -49,7 +49,7 @@ use tokio::sync::watch as signal;
 use ballast::Ballast;
 pub use batches::{BatchJob, BatchLookup, BatchRow, NewBatch, SubmittedBatch};
 pub use callbacks::{Attempted, Busy, Callback, CallbackRow, Delivery, Subject};
-pub use claims::{Claimed, Renewed};
+pub use claims::{Claimed, Renewed, Room};
 use contact::Contact;
 use files::Files;
 pub use jobs::{EventId, Filter, JobRow, Lookup, NewJob, Outcome, Solved, StatusEvent, Submitted};
@@ -60,6 +60,8 @@ pub use retention::Swept;
 use tx::{AfterCommit, Tx};
 use watch::Changes;
 pub use watch::JobWatch;
+
+const URL_FORMS: &str = "expected sqlite://PATH or postgres://USER@HOST/DATABASE";
 
 pub(crate) type Result<T> = std::result::Result<T, StoreError>;
 
@@ -208,7 +210,7 @@ impl Store {
         let files = options.results.as_deref().map(Files::open).transpose()?;
         let is_postgres = url.starts_with("postgres://") || url.starts_with("postgresql://");
         if !is_postgres && !url.starts_with("sqlite:") {
-            return Err(StoreError::Url("expected sqlite://PATH or postgres://USER@HOST/DATABASE".into()));
+            return Err(StoreError::Url(URL_FORMS.into()));
         }
         let (engine, ballast) = if is_postgres {
             let database = postgres::Database::open(url, &options).await?;
@@ -243,6 +245,22 @@ impl Store {
         };
         store.probe_results().await;
         Ok(store)
+    }
+
+    /// Checks the form of a database's URL and of the place of its results (empty for the default), without reaching either.
+    pub fn check_places(url: &str, results: &str) -> Result<()> {
+        if url.starts_with("postgres://") || url.starts_with("postgresql://") {
+            postgres::check_url(url)?;
+        } else if url.starts_with("sqlite:") {
+            let path = sqlite::path(url)?;
+            let above = path.ancestors().skip(1).find(|folder| folder.exists());
+            if let Some(file) = above.filter(|above| !above.is_dir()) {
+                return Err(StoreError::Url(format!("{} is not a folder", file.display())));
+            }
+        } else {
+            return Err(StoreError::Url(URL_FORMS.into()));
+        }
+        Files::check(results)
     }
 
     /// Waits for running writes, then closes every connection. Later calls fail with `Unavailable`.
@@ -501,13 +519,19 @@ impl Store {
     /// Claims the job whose turn it is for the time `lease`. Returns `None` if no job waits. Jobs whose lease ran out
     /// go back to the queue first.
     pub async fn claim(&self, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
+        self.claim_within(worker, lease, Room::ANY).await
+    }
+
+    /// Same as [`Store::claim`], for a worker with this room. Jobs that fit may overtake a job that does not fit into the
+    /// free memory, but only a limited number of them. After that nothing is claimed until the job fits.
+    pub async fn claim_within(&self, worker: &str, lease: Duration, room: Room) -> Result<Option<Claimed>> {
         // Idle workers only read, so that they do not occupy SQLite's one writer.
-        let (recovered, waiting) = self.recover().await?;
+        let (recovered, waiting) = self.recover_for(room).await?;
         if recovered == 0 && !waiting {
             return Ok(None);
         }
         let worker = worker.to_owned();
-        self.write(move |tx| claims::claim(tx, &worker, lease)).await
+        self.write(move |tx| claims::claim(tx, &worker, lease, room)).await
     }
 
     /// Returns the job that an earlier claim under this name has claimed, if it did, with a new lease. A worker asks this
@@ -666,11 +690,16 @@ impl Store {
     /// recovered, and whether a job waits. Every process calls this more often than half of a lease, because a long pause
     /// looks like an outage.
     pub async fn recover(&self) -> Result<(usize, bool)> {
+        self.recover_for(Room::ANY).await
+    }
+
+    /// Same as [`Store::recover`], for a worker that looks for jobs for which it has room.
+    async fn recover_for(&self, room: Room) -> Result<(usize, bool)> {
         if self.inner.contact.is_broken() {
             self.write(|_| Ok(())).await?;
         }
         let lease_max_ms = milliseconds(self.inner.contact.unbroken());
-        let (lost, waiting) = self.read(move |tx| claims::pending_work(tx, lease_max_ms)).await?;
+        let (lost, waiting) = self.read(move |tx| claims::pending_work(tx, lease_max_ms, room)).await?;
         if !lost {
             return Ok((0, waiting));
         }

@@ -7,12 +7,20 @@ use tracing_subscriber::filter::Targets;
 use tracing_subscriber::layer::{Layer, SubscriberExt};
 use tracing_subscriber::util::SubscriberInitExt;
 
+/// Reads the levels of the parts of the program.
+///
+/// # Errors
+/// Fails if the text is no list of levels.
+pub fn filter(config: &LogConfig) -> Result<Targets, String> {
+    config.level.parse().map_err(|error| format!("log.level: {error}"))
+}
+
 /// Sends logs to standard error, filtered and formatted as configured.
 ///
 /// # Errors
 /// Fails if the filter does not parse, or if a subscriber is already set.
 pub fn init_logs(config: &LogConfig) -> Result<(), String> {
-    let filter: Targets = config.level.parse().map_err(|error| format!("log.level: {error}"))?;
+    let filter = filter(config)?;
     let layer =
         tracing_subscriber::fmt::layer().with_writer(std::io::stderr).with_ansi(std::io::stderr().is_terminal());
     let layer = match config.format {
@@ -30,6 +38,8 @@ pub mod metric {
     pub const SUBMISSIONS: &str = "plateau_submissions_total";
     /// Counter of attempts to send a message to a callback URL, by outcome (delivered, failed, given_up, unwanted).
     pub const CALLBACKS: &str = "plateau_callbacks_total";
+    /// Counter of files made from results.
+    pub const CONVERSIONS: &str = "plateau_conversions_total";
     /// Histogram of the seconds from claim to finish, by kind and objective.
     pub const SOLVE_SECONDS: &str = "plateau_solve_seconds";
     /// Histogram of the seconds from submission to claim, by kind.
@@ -60,6 +70,7 @@ pub fn init_metrics() -> Result<PrometheusHandle, String> {
     metrics::describe_counter!(metric::JOBS, "Finished jobs by kind and final status");
     metrics::describe_counter!(metric::SUBMISSIONS, "Submissions by kind and outcome");
     metrics::describe_counter!(metric::CALLBACKS, "Attempts to send a message to a callback URL, by outcome");
+    metrics::describe_counter!(metric::CONVERSIONS, "Files made from results");
     metrics::describe_histogram!(metric::SOLVE_SECONDS, "Seconds from claim to finish");
     metrics::describe_histogram!(metric::WAIT_SECONDS, "Seconds from submission to claim");
     metrics::describe_gauge!(metric::QUEUE_LENGTH, "Jobs that wait");

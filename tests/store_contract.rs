@@ -9,8 +9,8 @@ use std::time::Duration;
 
 use plateau::status::Status;
 use plateau::store::{
-    BatchLookup, BatchRow, Busy, Delivery, EventId, Filter, JobRow, Lookup, NewBatch, NewJob, Outcome, Renewed, Solved,
-    Store, StoreError, StoreOptions, Subject, Submitted, SubmittedBatch,
+    BatchLookup, BatchRow, Busy, Delivery, EventId, Filter, JobRow, Lookup, NewBatch, NewJob, Outcome, Renewed, Room,
+    Solved, Store, StoreError, StoreOptions, Subject, Submitted, SubmittedBatch,
 };
 use sha2::{Digest, Sha256};
 use tempfile::TempDir;
@@ -100,6 +100,8 @@ cases! {
     a_worker_that_returns_after_its_lease_costs_no_attempt,
     a_job_that_was_handed_back_keeps_its_place_and_loses_no_lease,
     an_owner_with_many_jobs_does_not_delay_other_owners,
+    a_job_that_does_not_fit_into_the_memory_is_overtaken_a_limited_number_of_times,
+    a_worker_for_small_jobs_takes_them_in_order_and_overtakes_no_job_for_lack_of_memory,
     a_full_queue_refuses_further_jobs,
     a_full_share_refuses_only_its_owner,
     an_idempotency_key_makes_one_job,
@@ -117,6 +119,7 @@ cases! {
     a_result_of_a_bypassing_request_is_not_shared,
     expired_jobs_are_remembered_as_expired_and_then_forgotten,
     finished_jobs_beyond_max_jobs_expire,
+    an_owner_with_many_jobs_or_bytes_expires_no_result_of_another,
     a_shared_result_outlives_the_job_that_made_it,
     a_large_result_is_a_file_and_goes_with_its_job,
     a_file_without_a_job_is_swept,
@@ -160,6 +163,7 @@ fn job(number: usize) -> NewJob {
         label: None,
         metadata: None,
         supersede: None,
+        memory_bytes: 0,
         reuse: true,
     }
 }
@@ -354,6 +358,49 @@ async fn an_owner_with_many_jobs_does_not_delay_other_owners(database: Database)
     let flood: Vec<_> = order.iter().filter(|id| **id != small && !pair.contains(id)).collect();
     assert_eq!(flood.len(), 3);
     assert!(flood.is_sorted());
+}
+
+async fn a_job_that_does_not_fit_into_the_memory_is_overtaken_a_limited_number_of_times(database: Database) {
+    const FREE: u64 = 1000;
+    let within = |free_bytes| Room { free_bytes, most_bytes: u64::MAX };
+    let store = database.open(StoreOptions::default()).await;
+    let large = create(&store, NewJob { memory_bytes: FREE + 1, ..job(1) }).await.id;
+    let larger = create(&store, NewJob { memory_bytes: 2 * FREE, ..job(2) }).await.id;
+    for number in 100..200 {
+        create(&store, NewJob { memory_bytes: FREE, ..job(number) }).await;
+    }
+    for number in 100..116 {
+        let claimed = store.claim_within("worker", LEASE, within(FREE)).await.unwrap().unwrap();
+        assert_eq!((claimed.id, claimed.memory_bytes), (job(number).id, FREE));
+    }
+    assert_eq!(store.claim_within("worker", LEASE, within(FREE)).await.unwrap(), None);
+    let claimed = store.claim_within("worker", LEASE, within(FREE + 1)).await.unwrap().unwrap();
+    assert_eq!((claimed.id, claimed.memory_bytes), (large, FREE + 1));
+    // The next job that does not fit is overtaken as often.
+    for number in 116..132 {
+        assert_eq!(store.claim_within("worker", LEASE, within(FREE)).await.unwrap().unwrap().id, job(number).id);
+    }
+    assert_eq!(store.claim_within("worker", LEASE, within(FREE)).await.unwrap(), None);
+    assert_eq!(store.claim("worker", LEASE).await.unwrap().unwrap().id, larger);
+}
+
+async fn a_worker_for_small_jobs_takes_them_in_order_and_overtakes_no_job_for_lack_of_memory(database: Database) {
+    let store = database.open(StoreOptions::default()).await;
+    let room = Room { free_bytes: 1000, most_bytes: 10 };
+    create(&store, NewJob { memory_bytes: 500, ..job(1) }).await;
+    for number in 2..20 {
+        create(&store, NewJob { memory_bytes: 10, ..job(number) }).await;
+    }
+    let later = create(&store, NewJob { memory_bytes: 2000, ..job(20) }).await.id;
+    for number in 2..20 {
+        assert_eq!(store.claim_within("small", LEASE, room).await.unwrap().unwrap().id, job(number).id);
+    }
+    assert_eq!(store.claim_within("small", LEASE, room).await.unwrap(), None);
+    // Neither of the larger jobs has waited for memory so far, so small jobs still pass the last one.
+    create(&store, NewJob { memory_bytes: 10, ..job(21) }).await;
+    assert_eq!(store.claim_within("small", LEASE, room).await.unwrap().unwrap().id, job(21).id);
+    assert_eq!(store.claim("worker", LEASE).await.unwrap().unwrap().id, job(1).id);
+    assert_eq!(store.claim("worker", LEASE).await.unwrap().unwrap().id, later);
 }
 
 async fn a_full_queue_refuses_further_jobs(database: Database) {
@@ -730,6 +777,34 @@ async fn finished_jobs_beyond_max_jobs_expire(database: Database) {
     assert_eq!(left.len(), 3);
     assert!(left.iter().any(|job| job.status == Status::Queued));
     assert_eq!(store.sweep().await.unwrap().expired, 0);
+}
+
+async fn an_owner_with_many_jobs_or_bytes_expires_no_result_of_another(database: Database) {
+    let of = async |store: &Store, owner: &str| -> usize {
+        let filter = Filter { owner: Some(owner.into()), ..Filter::default() };
+        store.list(filter, 100, None).await.unwrap().0.len()
+    };
+    let store = database.open(StoreOptions { max_jobs: 10, ..StoreOptions::default() }).await;
+    // The oldest results belong to an owner with few of them.
+    for (owner, numbers) in [("few", 0..3), ("many", 10..30), ("more", 40..70)] {
+        for number in numbers {
+            create(&store, job_of(owner, number)).await;
+            work_one(&store, &[number as u8; 1000]).await;
+        }
+    }
+    store.sweep().await.unwrap();
+    assert_eq!([of(&store, "few").await, of(&store, "many").await, of(&store, "more").await], [3, 3, 3]);
+
+    for number in 100..108 {
+        create(&store, job_of("large", number)).await;
+        work_one(&store, &vec![number as u8; 300_000]).await;
+    }
+    store.close().await;
+    let options = StoreOptions { max_bytes: Some(2_500_000), orphan_age: Duration::ZERO, ..StoreOptions::default() };
+    let store = database.open(options).await;
+    assert!(store.sweep().await.unwrap().expired >= 2);
+    assert_eq!([of(&store, "few").await, of(&store, "many").await, of(&store, "more").await], [3, 3, 3]);
+    assert!(of(&store, "large").await < 8);
 }
 
 async fn a_shared_result_outlives_the_job_that_made_it(database: Database) {

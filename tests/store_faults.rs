@@ -57,6 +57,7 @@ fn job(number: usize) -> NewJob {
         label: None,
         metadata: None,
         supersede: None,
+        memory_bytes: 0,
         reuse: true,
     }
 }

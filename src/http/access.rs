@@ -4,6 +4,7 @@ use crate::auth::{Left, Refusal};
 use crate::config::HttpConfig;
 use crate::hops;
 use crate::http::problem::Failure;
+use crate::http::seats::{self, NoConnection};
 use crate::http::state::App;
 use axum::extract::{FromRequestParts, Request, State};
 use axum::http::request::Parts;
@@ -50,6 +51,12 @@ pub fn is_public(path: &str) -> bool {
         || (below("/hops") && !hops::is_solve(path))
 }
 
+/// Returns true for the health checks, which no limit of requests applies to.
+#[must_use]
+pub fn is_health(path: &str) -> bool {
+    path.strip_prefix("/health/").is_some_and(|check| ["live", "ready"].contains(&check))
+}
+
 /// Numbers of requests that a key has left, as in the IETF's draft-ietf-httpapi-ratelimit-headers-10.
 pub const RATE_LIMIT: HeaderName = HeaderName::from_static("ratelimit");
 /// Number of requests that a key may make in a minute, as in the same draft.
@@ -79,8 +86,12 @@ fn with_rate_limit(mut response: Response, per_minute: u32, left: Left) -> Respo
 /// Lets a request with a known key through, and a request for a job's events with a ticket. Otherwise answers 401 or 429
 /// before the body is read.
 pub async fn authenticate(State(app): State<App>, mut request: Request, next: Next) -> Response {
-    if is_public(request.uri().path()) {
+    if is_health(request.uri().path()) {
         return next.run(request).await;
+    }
+    if is_public(request.uri().path()) {
+        let client = seats::address(request.extensions());
+        return seated(&app, &client, request, next).await;
     }
     let presented = presented_key(request.headers(), request.uri().path());
     let per_minute = app.config.auth.requests_per_minute;
@@ -96,8 +107,22 @@ pub async fn authenticate(State(app): State<App>, mut request: Request, next: Ne
             if let Some(name) = &admitted.name {
                 tracing::Span::current().record("key", &**name);
             }
-            request.extensions_mut().insert(Caller(admitted.name));
-            let response = next.run(request).await;
+            let response = match admitted.name {
+                None => {
+                    let client = seats::address(request.extensions());
+                    seated(&app, &client, request, next).await
+                }
+                Some(name) => {
+                    let removal = app.keys.removal(name.clone());
+                    request.extensions_mut().insert(Caller(Some(name.clone())));
+                    let mut response = tokio::select! {
+                        response = seated(&app, &name, request, next) => response,
+                        () = removal.clone() => Failure::unauthorized("the key was removed").into_response(),
+                    };
+                    response.extensions_mut().insert(removal);
+                    response
+                }
+            };
             match admitted.left {
                 Some(left) => with_rate_limit(response, per_minute, left),
                 None => response,
@@ -115,6 +140,19 @@ pub async fn authenticate(State(app): State<App>, mut request: Request, next: Ne
             with_rate_limit(refused, per_minute, Left { requests: 0, full_in_s: wait_s })
         }
     }
+}
+
+/// Passes a request on if its client may have one more request open. The seat stays with the response until its body has
+/// ended.
+async fn seated(app: &App, client: &str, request: Request, next: Next) -> Response {
+    let Some(seat) = app.seats.take(client) else {
+        let most = app.seats.most();
+        return Failure::too_many_open(format!("one client may have {most} requests open; wait until one has ended"))
+            .into_response();
+    };
+    let mut response = next.run(request).await;
+    response.extensions_mut().insert(Arc::new(seat));
+    response
 }
 
 /// Returns the key of a request: from `Authorization: Bearer` or, in a message of Hops, from Hops's own header.
@@ -166,8 +204,16 @@ fn is_foreign(headers: &HeaderMap, host: Option<&str>, allowed: &[String]) -> bo
 
 /// Refuses requests to a foreign host name on a loopback address. An attacker can make the name of a site resolve to a
 /// loopback address; pages of that site must not reach this server. Loopback names and the names of `http.hosts` are
-/// allowed.
+/// allowed. Requests with several hosts are refused, because a proxy may have checked another one.
 pub async fn check_host(State(app): State<App>, request: Request, next: Next) -> Response {
+    if request.extensions().get::<NoConnection>().is_some() {
+        return Failure::unavailable("all connections of this server are in use; try again")
+            .with_header(header::CONNECTION, HeaderValue::from_static("close"))
+            .into_response();
+    }
+    if request.headers().get_all(header::HOST).iter().count() > 1 {
+        return Failure::bad_header("a request has one Host").into_response();
+    }
     let http = &app.config.http;
     let named = request
         .uri()

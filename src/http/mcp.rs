@@ -222,9 +222,10 @@ impl Tools {
                 .app
                 .jobs
                 .convert(&job.id, self.owner(), "png", |archive| picture::to_png(archive).map_err(JobsError::Internal));
-            match drawn.await {
-                Ok(file) => {
-                    let data = base64::engine::general_purpose::STANDARD.encode(&file.bytes);
+            let picture = async { drawn.await?.bytes().await };
+            match picture.await {
+                Ok(bytes) => {
+                    let data = base64::engine::general_purpose::STANDARD.encode(&bytes);
                     further.push(ContentBlock::image(data, "image/png"));
                 }
                 Err(error) => {

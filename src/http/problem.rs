@@ -54,6 +54,7 @@ failures! {
     invalid: UNPROCESSABLE_ENTITY, "invalid-request", "The request is invalid";
     key_conflict: UNPROCESSABLE_ENTITY, "idempotency-key-conflict", "The idempotency key was used with another body";
     rate_limited: TOO_MANY_REQUESTS, "rate-limited", "Too many requests with this key";
+    too_many_open: TOO_MANY_REQUESTS, "too-many-open-requests", "Too many requests of this client are open";
     misdirected: MISDIRECTED_REQUEST, "misdirected", "The request is for another host";
     queue_full: TOO_MANY_REQUESTS, "queue-full", "The queue is full";
     internal: INTERNAL_SERVER_ERROR, "internal", "The server failed";
@@ -173,7 +174,9 @@ impl From<JobsError> for Failure {
             JobsError::KeyConflict => Self::key_conflict("this idempotency key was already used with another body"),
             JobsError::NotFound => Self::not_found("no such job"),
             JobsError::NoBatch => Self::not_found("no such batch"),
-            JobsError::Expired => Self::expired("the job and its mesh were removed when their retention time ended"),
+            JobsError::Expired => Self::expired(
+                "the job and its mesh were removed: their retention time ended, or the server needed the place for newer jobs",
+            ),
             JobsError::NoMesh(status) => Self::no_mesh(format!("the job is {}", status.name())),
             JobsError::Lost => Self::lost("the stored mesh was damaged and has been removed; submit the request again"),
             JobsError::NoCallback => {

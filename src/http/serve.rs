@@ -2,13 +2,19 @@
 //!
 //! If the maximum number of connections is open, a new one replaces the connection that has been idle for longest. A
 //! connection is idle while no request of it is being answered. A connection that has not sent its request's headers
-//! yet counts as idle.
+//! yet counts as idle. If none is idle, the new connection is an extra one: it is answered health checks, and its other
+//! requests wait for [`PATIENCE`] until another connection ends.
 
+use crate::auth::Removal;
 use crate::config::HttpConfig;
+use crate::http::access::is_health;
+use crate::http::pace::Paced;
+use crate::http::seats::{NoConnection, Seat};
 use axum::Router;
 use axum::body::{Body, Bytes};
 use axum::extract::ConnectInfo;
 use axum::http::{Request, Response};
+use futures_util::FutureExt;
 use hyper::body::{Body as HttpBody, Frame, Incoming, SizeHint};
 use hyper::server::conn::http1;
 use hyper::service::service_fn;
@@ -50,8 +56,8 @@ async fn accept(listener: &TcpListener, connections: &Connections) {
             Ok((stream, peer)) => {
                 // This disables Nagle's algorithm, so that small answers are not delayed.
                 let _ = stream.set_nodelay(true);
-                let permit = connections.permit().await;
-                connections.start(stream, peer, permit);
+                let place = connections.place().await;
+                connections.start(stream, peer, place);
             }
             Err(error) => {
                 // The most likely cause is a lack of file descriptors, so other connections must close first.
@@ -69,8 +75,24 @@ struct Connections {
     /// One permit for each connection that may be open.
     permits: Arc<Semaphore>,
     max_open: u32,
+    /// One permit for each extra connection.
+    extra: Arc<Semaphore>,
+    /// Lowest rate and period of [`Paced`].
+    pace: (u64, Duration),
     open: Arc<Open>,
     closing: watch::Sender<bool>,
+}
+
+/// Permit of an open connection.
+#[derive(Debug)]
+enum Place {
+    Ordinary {
+        _permit: OwnedSemaphorePermit,
+    },
+    /// Beyond the maximum number.
+    Extra {
+        _permit: OwnedSemaphorePermit,
+    },
 }
 
 /// Activity of each open connection.
@@ -88,16 +110,34 @@ struct Activity {
     fresh: AtomicBool,
     /// Value of [`Open::clock`] when the connection became idle, or [`BUSY`], or [`DISMISSED`].
     idle_since: AtomicU64,
+    place: Mutex<Place>,
     /// Wakes the connection's task when the connection has been dismissed.
     dismissed: Notify,
 }
 
+impl Activity {
+    fn place(&self) -> MutexGuard<'_, Place> {
+        self.place.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn is_extra(&self) -> bool {
+        matches!(*self.place(), Place::Extra { .. })
+    }
+}
+
+/// Number of connections beyond the maximum that may be open.
+const EXTRA: usize = 64;
+/// Time that a request on an extra connection waits until another connection ends. Health checks may wait as long if all
+/// extra connections are waiting too.
+const PATIENCE: Duration = Duration::from_secs(1);
 /// Marks a connection that is answering a request.
 const BUSY: u64 = u64::MAX;
 /// Marks an idle connection that must close to make room for another one.
 const DISMISSED: u64 = u64::MAX - 1;
 /// Time that a dismissed connection has to send the end of its last response, which may still be in a buffer.
 const FLUSH_TIMEOUT: Duration = Duration::from_secs(1);
+/// Size in bytes of a request's longest head, and of the part of an answer that waits for its client in memory.
+const BUFFER_BYTES: usize = 128 << 10;
 /// Size in bytes of the pieces in which hyper gets large bodies. A connection thus stays busy until all but the last
 /// pieces are sent.
 const PIECE_BYTES: usize = 64 << 10;
@@ -111,19 +151,20 @@ impl Open {
         self.clock.fetch_add(1, Ordering::Relaxed)
     }
 
-    /// Dismisses the connection that has been idle for longest. Returns false if none is idle.
-    fn dismiss_longest_idle(&self) -> bool {
+    /// Dismisses the connection that has been idle for longest. Returns whether it is an extra one, or `None` if none is
+    /// idle.
+    fn dismiss_longest_idle(&self) -> Option<bool> {
         let connections = self.connections();
         loop {
             let since = |activity: &Arc<Activity>| activity.idle_since.load(Ordering::Relaxed);
             let idle =
                 connections.values().map(|activity| (since(activity), activity)).filter(|(at, _)| *at < DISMISSED);
-            let Some((at, activity)) = idle.min_by_key(|(at, _)| *at) else { return false };
+            let (at, activity) = idle.min_by_key(|(at, _)| *at)?;
             // If a request arrived in between, the loop chooses another connection.
             let dismissed = activity.idle_since.compare_exchange(at, DISMISSED, Ordering::Relaxed, Ordering::Relaxed);
             if dismissed.is_ok() {
                 activity.dismissed.notify_one();
-                return true;
+                return Some(activity.is_extra());
             }
         }
     }
@@ -132,58 +173,75 @@ impl Open {
 impl Connections {
     fn new(config: &HttpConfig, router: Router) -> Self {
         let mut http = http1::Builder::new();
-        http.timer(TokioTimer::new()).header_read_timeout(Duration::from_millis(config.header_timeout_ms));
+        http.timer(TokioTimer::new())
+            .header_read_timeout(Duration::from_millis(config.header_timeout_ms))
+            .max_buf_size(BUFFER_BYTES);
         let max_open = u32::try_from(config.connections).unwrap_or(u32::MAX).min(Semaphore::MAX_PERMITS as u32);
         Self {
             http,
             router,
             permits: Arc::new(Semaphore::new(max_open as usize)),
             max_open,
+            extra: Arc::new(Semaphore::new(EXTRA)),
+            pace: (config.answer_rate_bytes_per_s, Duration::from_millis(config.answer_rate_grace_ms)),
             open: Arc::default(),
             closing: watch::Sender::new(false),
         }
     }
 
-    /// Waits for a permit for one more connection. If none is free, dismisses the connection that has been idle for
-    /// longest.
-    async fn permit(&self) -> OwnedSemaphorePermit {
+    /// Waits for a place for one more connection. If none is free, dismisses the connection that has been idle for
+    /// longest. If none is idle, the new connection is an extra one.
+    async fn place(&self) -> Place {
         if let Ok(permit) = self.permits.clone().try_acquire_owned() {
-            return permit;
+            return Place::Ordinary { _permit: permit };
         }
         let mut permit = std::pin::pin!(self.permits.clone().acquire_owned());
+        let mut extra = std::pin::pin!(self.extra.clone().acquire_owned());
+        const OPEN: &str = "the semaphore is never closed";
         loop {
             let dismissed = self.open.dismiss_longest_idle();
             tokio::select! {
-                permit = &mut permit => return permit.expect("the semaphore is never closed"),
-                () = self.open.became_idle.notified(), if !dismissed => {}
+                biased;
+                permit = &mut permit => return Place::Ordinary { _permit: permit.expect(OPEN) },
+                extra = &mut extra, if dismissed != Some(false) => return Place::Extra { _permit: extra.expect(OPEN) },
+                () = self.open.became_idle.notified(), if dismissed.is_none() => {}
                 // The dismissed connection may have received a request at the same moment, so another one is tried
                 // after a while.
-                () = tokio::time::sleep(FLUSH_TIMEOUT), if dismissed => {}
+                () = tokio::time::sleep(FLUSH_TIMEOUT), if dismissed.is_some() => {}
             }
         }
     }
 
     /// Serves a connection of this peer in its own task.
-    fn start(&self, stream: TcpStream, peer: SocketAddr, permit: OwnedSemaphorePermit) {
+    fn start(&self, stream: TcpStream, peer: SocketAddr, place: Place) {
         let open = self.open.clone();
         let number = open.tick();
         let activity = Arc::new(Activity {
             fresh: AtomicBool::new(true),
             idle_since: AtomicU64::new(number),
+            place: Mutex::new(place),
             dismissed: Notify::new(),
         });
         open.connections().insert(number, activity.clone());
         let router = self.router.clone();
         let service = {
-            let (open, activity) = (open.clone(), activity.clone());
+            let (open, activity, permits) = (open.clone(), activity.clone(), self.permits.clone());
             service_fn(move |mut request: Request<Incoming>| {
                 request.extensions_mut().insert(ConnectInfo(peer));
                 activity.fresh.store(false, Ordering::Relaxed);
                 activity.idle_since.store(BUSY, Ordering::Relaxed);
                 let busy = Busy { open: open.clone(), activity: activity.clone() };
-                answer(router.clone(), request, busy)
+                let (router, permits) = (router.clone(), permits.clone());
+                async move {
+                    if !wait_for_place(&busy.activity, permits, request.uri().path()).await {
+                        request.extensions_mut().insert(NoConnection);
+                    }
+                    answer(router, request, busy).await
+                }
             })
         };
+        let (bytes_per_s, period) = self.pace;
+        let stream = Paced::new(stream, bytes_per_s, period);
         let connection = self.http.serve_connection(TokioIo::new(stream), service);
         let mut closing = self.closing.subscribe();
         tokio::spawn(async move {
@@ -211,8 +269,8 @@ impl Connections {
                 leaving = true;
                 connection.as_mut().graceful_shutdown();
             }
+            // This drops the place, unless a request is still being answered.
             open.connections().remove(&number);
-            drop(permit);
         });
     }
 
@@ -220,7 +278,12 @@ impl Connections {
     /// dropped.
     async fn close(&self, grace: Duration) {
         self.closing.send_replace(true);
-        if tokio::time::timeout(grace, self.permits.acquire_many(self.max_open)).await.is_err() {
+        let all = async {
+            // Acquiring cannot fail, because the semaphores are never closed.
+            let _ = self.permits.acquire_many(self.max_open).await;
+            let _ = self.extra.acquire_many(EXTRA as u32).await;
+        };
+        if tokio::time::timeout(grace, all).await.is_err() {
             tracing::warn!("some requests were still open after the grace time");
         }
     }
@@ -239,9 +302,25 @@ impl Drop for Busy {
     }
 }
 
+/// Makes an extra connection an ordinary one, for a request that is no health check. Returns false if no connection
+/// ends within [`PATIENCE`].
+async fn wait_for_place(activity: &Activity, permits: Arc<Semaphore>, path: &str) -> bool {
+    // The path may begin with the base path of this server.
+    let last_part = path.rfind("/health/").map_or(path, |at| &path[at..]);
+    if !activity.is_extra() || is_health(last_part) {
+        return true;
+    }
+    match tokio::time::timeout(PATIENCE, permits.acquire_owned()).await {
+        Ok(Ok(permit)) => *activity.place() = Place::Ordinary { _permit: permit },
+        Ok(Err(_)) | Err(_) => return false,
+    }
+    true
+}
+
 async fn answer(router: Router, request: Request<Incoming>, busy: Busy) -> Result<Response<Answering>, Infallible> {
-    let response = router.oneshot(request).await?;
-    Ok(response.map(|body| Answering { body, rest: Bytes::new(), _busy: busy }))
+    let mut response = router.oneshot(request).await?;
+    let (seat, removal) = (response.extensions_mut().remove(), response.extensions_mut().remove());
+    Ok(response.map(|body| Answering { body, rest: Bytes::new(), removal, _seat: seat, _busy: busy }))
 }
 
 /// Body of a response, in pieces. The connection is busy until hyper has taken all of it.
@@ -249,6 +328,9 @@ struct Answering {
     body: Body,
     /// Part of the body's last frame that hyper has not taken yet.
     rest: Bytes,
+    /// Ends when the client's key is removed, and with it the body.
+    removal: Option<Removal>,
+    _seat: Option<Arc<Seat>>,
     _busy: Busy,
 }
 
@@ -261,7 +343,14 @@ impl HttpBody for Answering {
         context: &mut Context<'_>,
     ) -> Poll<Option<Result<Frame<Bytes>, axum::Error>>> {
         if self.rest.is_empty() {
-            match ready!(Pin::new(&mut self.body).poll_frame(context)) {
+            let next = Pin::new(&mut self.body).poll_frame(context);
+            if next.is_pending()
+                && let Some(removal) = &mut self.removal
+                && removal.poll_unpin(context).is_ready()
+            {
+                return Poll::Ready(Some(Err(axum::Error::new("the key was removed"))));
+            }
+            match ready!(next) {
                 Some(Ok(frame)) => match frame.into_data() {
                     Ok(data) => self.rest = data,
                     Err(frame) => return Poll::Ready(Some(Ok(frame))),

@@ -4,6 +4,7 @@ use crate::auth::Keys;
 use crate::auth::tickets::Tickets;
 use crate::config::Config;
 use crate::http::budget::Budget;
+use crate::http::seats::Seats;
 use crate::jobs::Jobs;
 use metrics_exporter_prometheus::PrometheusHandle;
 use std::sync::Arc;
@@ -16,6 +17,8 @@ pub struct App {
     pub metrics: PrometheusHandle,
     /// Budget for request bodies that are being read.
     pub bodies: Arc<Budget>,
+    /// Limits of the requests that each client has open.
+    pub seats: Arc<Seats>,
     pub keys: Arc<Keys>,
     pub tickets: Arc<Tickets>,
     /// API document as a server below this base path serves it.

@@ -1,6 +1,7 @@
 //! One attempt at a job. The solver runs on its own thread, so that it does not stall the async runtime. Meanwhile the
 //! attempt renews the claim and stores progress. When the solver has ended, the attempt stores the outcome.
 
+use super::memory::Share;
 use super::progress::Line;
 use super::{Jobs, view};
 use crate::status::Status;
@@ -12,7 +13,7 @@ use plateau_forms::kind::Kind;
 use plateau_forms::rejection::Rejection;
 use plateau_forms::report::SolveError;
 use plateau_forms::request::Request;
-use plateau_forms::solved::{self, Signal, Solved, Unsolved};
+use plateau_forms::solved::{self, Solved, Unsolved};
 use std::pin::Pin;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -62,17 +63,24 @@ enum Ended {
 /// has panicked.
 type Solver = oneshot::Receiver<Option<Outcome>>;
 
-/// Runs one attempt at a claimed job.
-pub(super) async fn run(jobs: Jobs, claimed: Claimed, slot: OwnedSemaphorePermit) {
+/// Runs one attempt at a claimed job, whose memory is reserved.
+pub(super) async fn run(jobs: Jobs, claimed: Claimed, slot: OwnedSemaphorePermit, share: Share) {
     let attempt = Attempt::begin(&jobs, &claimed.id, &claimed.kind, claimed.attempt, claimed.waited_ms);
     let span = attempt.span.clone();
-    let solver = attempt.spawn_solver(claimed);
+    let solver = attempt.spawn_solver(claimed, share);
     async {
         let end = attempt.supervise(solver, slot).await;
         attempt.end(end);
     }
     .instrument(span)
     .await;
+}
+
+/// Puts a job back into the queue that was claimed and cannot be started.
+pub(super) async fn hand_back(jobs: &Jobs, claimed: &Claimed) {
+    if let Err(error) = jobs.store().hand_back(&claimed.id, claimed.attempt).await {
+        tracing::warn!(%error, job_id = claimed.id, "cannot hand the job back; its lease will run out");
+    }
 }
 
 impl Attempt {
@@ -112,18 +120,19 @@ impl Attempt {
         metrics::histogram!(metric::SOLVE_SECONDS, "kind" => self.kind.clone()).record(elapsed.as_secs_f64());
     }
 
-    /// Solves the request on this thread. The caller must have reserved the memory for it.
+    /// Solves the request on this thread. It must be a quick one, because its memory is not reserved.
     pub(super) fn solve(&self, request: &Request) -> Option<Outcome> {
         let _entered = self.span.enter();
         outcome(guarded(|| solve(&self.id, request, &self.line)))
     }
 
-    fn spawn_solver(&self, claimed: Claimed) -> Solver {
+    fn spawn_solver(&self, claimed: Claimed, mut share: Share) -> Solver {
         let (sender, receiver) = oneshot::channel();
         let (jobs, line, span) = (self.jobs.clone(), self.line.clone(), self.span.clone());
         let run = move || {
             let _entered = span.enter();
-            let ended = guarded(|| read_and_solve(&jobs, &claimed, &line));
+            let ended = guarded(|| read_and_solve(&jobs, &claimed, &line, &mut share));
+            drop(share);
             // The receiver is gone if the server is shutting down.
             let _ = sender.send(outcome(ended));
         };
@@ -257,7 +266,7 @@ impl Drop for Attempt {
     }
 }
 
-fn read_and_solve(jobs: &Jobs, claimed: &Claimed, line: &Line) -> Ended {
+fn read_and_solve(jobs: &Jobs, claimed: &Claimed, line: &Line, share: &mut Share) -> Ended {
     let Some(kind) = Kind::from_name(&claimed.kind) else {
         let detail = "this version does not know this kind of job";
         return Ended::Unsolved(Unsolved::Failed(failure("unknown-kind", detail, Vec::new())));
@@ -266,13 +275,7 @@ fn read_and_solve(jobs: &Jobs, claimed: &Claimed, line: &Line) -> Ended {
         Ok(request) => request,
         Err(rejection) => return Ended::Rejected(rejection),
     };
-    let wanted = || line.signal() == Signal::Continue;
-    let Some(_share) = jobs.memory().share(request.memory_bytes, wanted) else {
-        return Ended::Unsolved(match line.signal() {
-            Signal::Deadline => Unsolved::deadline(),
-            Signal::Cancel | Signal::Continue => Unsolved::Cancelled,
-        });
-    };
+    share.raise_to(request.memory_bytes);
     solve(&claimed.id, &request, line)
 }
 
@@ -280,7 +283,8 @@ fn read_and_solve(jobs: &Jobs, claimed: &Claimed, line: &Line) -> Ended {
 fn solve(id: &str, request: &Request, line: &Line) -> Ended {
     let report = |progress| line.report(progress);
     #[cfg(feature = "test-hooks")]
-    let holds = crate::test_hooks::Holds::claimed(id, request.kind().name(), || line.signal() == Signal::Continue);
+    let holds =
+        crate::test_hooks::Holds::claimed(id, request.kind().name(), || line.signal() == solved::Signal::Continue);
     #[cfg(feature = "test-hooks")]
     let report = |progress: plateau_forms::report::Progress| {
         let fraction = progress.fraction;

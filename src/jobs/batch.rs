@@ -1,5 +1,6 @@
 //! One file with all meshes of a batch.
 
+use super::converters::Length;
 use super::files::File;
 use super::view::{self, Figures};
 use super::zip::Zip;
@@ -7,7 +8,7 @@ use super::{Jobs, JobsError, result_version};
 use crate::status::Status;
 use crate::store::{BatchRow, JobRow};
 use bytes::Bytes;
-use futures_util::stream::{self, Stream};
+use futures_util::stream::{self, BoxStream, Stream, StreamExt, TryStreamExt};
 use plateau_archive::Archive;
 use plateau_archive::formats::{MeshFormat, gltf};
 use serde_json::{Value, json};
@@ -81,7 +82,8 @@ impl BatchMeshes {
     pub async fn scene(self) -> Result<File, JobsError> {
         self.refuse_more_than(self.service.config().limits.triangles as u64, "take the ZIP")?;
         // The thread comes first, so that scenes that wait for one hold no meshes meanwhile.
-        let thread = self.service.reserve_converter().await?;
+        let owner = self.jobs.first().and_then(|(_, row)| row.owner.as_deref());
+        let thread = self.service.reserve_converter(owner, Length::Long).await?;
         let mut parts = Vec::new();
         for (index, row) in &self.jobs {
             if row.status == Status::Succeeded {
@@ -90,6 +92,7 @@ impl BatchMeshes {
             }
         }
         let title = format!("batch {}", self.id);
+        let service = self.service.clone();
         let write = move || {
             let mut read = Vec::with_capacity(parts.len());
             for (name, artefact) in parts {
@@ -98,7 +101,8 @@ impl BatchMeshes {
                     Err(defect) => return Err((defect, artefact)),
                 }
             }
-            Ok(gltf::to_glb_scene(&title, &read).map(File::new).map_err(JobsError::Unwritable))
+            let scene = gltf::to_glb_scene(&title, &read).map_err(JobsError::Unwritable);
+            Ok(scene.and_then(|scene| service.files().file(scene)))
         };
         match thread.run(write).await? {
             Ok(scene) => scene,
@@ -125,11 +129,18 @@ impl BatchMeshes {
             zip: Some(Zip::default()),
             listed: Vec::new(),
             pending: VecDeque::new(),
+            file: None,
         };
         Ok(stream::try_unfold(writing, |mut writing| async move {
             loop {
                 if let Some(bytes) = writing.pending.pop_front() {
                     return Ok(Some((bytes, writing)));
+                }
+                if let Some(file) = &mut writing.file {
+                    match file.try_next().await.map_err(|error| JobsError::Unavailable(error.to_string()))? {
+                        Some(bytes) => return Ok(Some((bytes, writing))),
+                        None => writing.file = None,
+                    }
                 }
                 match (writing.jobs.pop_front(), writing.zip.is_some()) {
                     (Some((index, row)), _) => writing.job(index, &row).await?,
@@ -152,27 +163,26 @@ struct Writing {
     /// Entries of `batch.json`.
     listed: Vec<Value>,
     pending: VecDeque<Bytes>,
+    /// Rest of the current entry, which follows the pending bytes.
+    file: Option<BoxStream<'static, std::io::Result<Bytes>>>,
 }
 
 impl Writing {
-    fn entry(&mut self, name: &str, bytes: Bytes) -> Result<(), JobsError> {
-        if let Some(zip) = &mut self.zip {
-            let header = zip.entry(name, &bytes).map_err(JobsError::Unwritable)?;
-            self.pending.extend([header.into(), bytes]);
-        }
-        Ok(())
-    }
-
     async fn job(&mut self, index: i64, row: &JobRow) -> Result<(), JobsError> {
         let job = self.service.view(row)?;
         let (mut file, mut file_error) = (None, None);
         if job.status == Status::Succeeded {
             let format = self.format;
             let encode = move |archive: &Archive| format.encode(archive).map_err(JobsError::Unwritable);
-            match self.service.convert(&row.id, None, format.name(), encode).await {
+            match self.service.convert(&row.id, row.owner.as_deref(), format.name(), encode).await {
                 Ok(converted) => {
                     let name = format!("{}.{}", part_name(index, &row.kind), format.name());
-                    self.entry(&name, converted.bytes)?;
+                    if let Some(zip) = &mut self.zip {
+                        let header = zip.entry_of(&name, converted.length, converted.checksum);
+                        self.pending.push_back(header.map_err(JobsError::Unwritable)?.into());
+                    }
+                    let whole = 0..converted.length;
+                    self.file = Some(converted.stream(whole).boxed());
                     file = Some(name);
                 }
                 // A mesh that the format cannot hold is reported in `batch.json`, and the other meshes are still
@@ -191,8 +201,9 @@ impl Writing {
     fn end(&mut self) -> Result<(), JobsError> {
         let listing = json!({ "id": self.id, "jobs": self.listed });
         let text = serde_json::to_vec_pretty(&listing).map_err(|error| JobsError::Internal(error.to_string()))?;
-        self.entry("batch.json", text.into())?;
-        if let Some(zip) = self.zip.take() {
+        if let Some(mut zip) = self.zip.take() {
+            let header = zip.entry("batch.json", &text).map_err(JobsError::Unwritable)?;
+            self.pending.extend([header.into(), text.into()]);
             self.pending.push_back(zip.end().map_err(JobsError::Unwritable)?.into());
         }
         Ok(())
@@ -225,13 +236,14 @@ mod tests {
             label: None,
             metadata: None,
             supersede: None,
+            memory_bytes: 0,
             reuse: false,
         };
         let Submitted::Created(row, _) = store.submit(job).await.unwrap() else { panic!("a new job") };
         let row = JobRow { status: Status::Succeeded, ..*row };
         let jobs = Jobs::new(store.clone(), Arc::new(Config::default()), None);
         let mut reserved = Vec::new();
-        while let Some(reservation) = jobs.reserve_converter().now_or_never() {
+        while let Some(reservation) = jobs.reserve_converter(None, Length::Long).now_or_never() {
             reserved.push(reservation.unwrap());
         }
         // Loading a mesh fails from now on.

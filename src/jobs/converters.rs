@@ -1,51 +1,72 @@
 //! Threads for computations that take long but are no solvers: reading large bodies and writing meshes in a format.
 //! Their number is small, so that conversions cannot take every core from the solvers and the server, nor much memory.
 //! They are never replaced, because an allocator keeps for each thread the memory that the thread once needed.
+//!
+//! The owners who wait for a thread get one in turn. One more thread is only for short work, which therefore does not wait
+//! for long work.
 
 use super::JobsError;
+use super::turns::{Turn, Turns};
 use super::worker::STACK_BYTES;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
-use tokio::sync::{OwnedSemaphorePermit, Semaphore, oneshot};
+use tokio::sync::oneshot;
 
 type Work = Box<dyn FnOnce() + Send>;
 
 #[derive(Debug)]
 pub struct Converters {
-    /// One permit for each thread.
-    threads: Arc<Semaphore>,
+    /// One permit for each thread, except for the one for short work.
+    threads: Arc<Turns>,
+    /// The permit of the thread for short work. `None` if no thread could be started.
+    short: Option<Arc<Turns>>,
     /// Queue of work. A sender holds a permit, so the queue is never longer than the number of threads.
     work: Sender<Work>,
+}
+
+/// Expected length of a computation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Length {
+    /// Up to some tenths of a second.
+    Short,
+    Long,
 }
 
 /// Reservation of one thread, until it is used or dropped.
 #[derive(Debug)]
 pub struct Reservation<'c> {
-    permit: OwnedSemaphorePermit,
+    permit: Turn,
     converters: &'c Converters,
 }
 
 impl Converters {
+    /// Starts `threads` threads, and one for short work.
     #[must_use]
     pub fn new(threads: usize) -> Self {
         let (work, received) = channel();
         let received = Arc::new(Mutex::new(received));
-        let started = (0..threads).filter(|_| start(received.clone())).count();
-        let threads = Semaphore::new(started);
-        if started == 0 {
-            threads.close();
-        }
-        Self { threads: Arc::new(threads), work }
+        let started = (0..threads + 1).filter(|_| start(received.clone())).count();
+        let turns = |permits: usize| Arc::new(Turns::new(permits));
+        Self { threads: turns(started.saturating_sub(1)), short: (started > 0).then(|| turns(1)), work }
     }
 
     /// Waits for a free thread and reserves it.
     ///
     /// # Errors
     /// Returns [`JobsError::Internal`] if no thread could be started.
-    pub async fn reserve(&self) -> Result<Reservation<'_>, JobsError> {
-        let permit = self.threads.clone().acquire_owned().await.map_err(|_| no_threads())?;
-        Ok(Reservation { permit, converters: self })
+    pub async fn reserve(&self, owner: Option<&str>, length: Length) -> Result<Reservation<'_>, JobsError> {
+        let owner = owner.unwrap_or_default();
+        let short = self.short.as_ref().ok_or_else(no_threads)?;
+        let permit = match length {
+            Length::Long => self.threads.take(owner).await,
+            Length::Short => tokio::select! {
+                biased;
+                permit = self.threads.take(owner) => permit,
+                permit = short.take(owner) => permit,
+            },
+        };
+        Ok(Reservation { permit: permit.ok_or_else(no_threads)?, converters: self })
     }
 }
 
@@ -98,12 +119,13 @@ mod tests {
     #[tokio::test]
     async fn work_keeps_its_thread_reserved_when_its_caller_goes_away() {
         let converters = Converters::new(2);
+        let reserve = || converters.reserve(None, Length::Long);
         let (closed, gate) = channel::<()>();
         let gate = Arc::new(Mutex::new(gate));
         for _ in 0..2 {
             let (begun, beginning) = oneshot::channel();
             let gate = gate.clone();
-            let run = converters.reserve().await.unwrap().run(move || {
+            let run = reserve().await.unwrap().run(move || {
                 begun.send(()).unwrap();
                 gate.lock().unwrap().recv()
             });
@@ -112,16 +134,18 @@ mod tests {
                 begun = beginning => begun.unwrap(),
             }
         }
-        assert!(converters.reserve().now_or_never().is_none());
+        assert!(reserve().now_or_never().is_none());
+        // Short work has a thread of its own.
+        assert_eq!(converters.reserve(None, Length::Short).await.unwrap().run(|| 5).await.unwrap(), 5);
         drop(closed);
-        assert_eq!(converters.reserve().await.unwrap().run(|| 7).await.unwrap(), 7);
+        assert_eq!(reserve().await.unwrap().run(|| 7).await.unwrap(), 7);
     }
 
     #[tokio::test]
     async fn a_panic_returns_an_error_and_leaves_the_thread_usable() {
         let converters = Converters::new(1);
-        let panicked = converters.reserve().await.unwrap().run(|| panic!("as asked")).await;
+        let panicked = converters.reserve(None, Length::Long).await.unwrap().run(|| panic!("as asked")).await;
         assert!(matches!(panicked, Err(JobsError::Internal(_))));
-        assert_eq!(converters.reserve().await.unwrap().run(|| 7).await.unwrap(), 7);
+        assert_eq!(converters.reserve(None, Length::Long).await.unwrap().run(|| 7).await.unwrap(), 7);
     }
 }

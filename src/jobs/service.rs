@@ -2,7 +2,7 @@
 //! imports.
 
 use super::batch::BatchMeshes;
-use super::converters::{Converters, Reservation};
+use super::converters::{Converters, Length, Reservation};
 use super::files::{File, Files};
 use super::memory::MemoryBudget;
 use super::progress::Running;
@@ -39,7 +39,7 @@ struct Inner {
     shutdown: watch::Sender<bool>,
     memory: MemoryBudget,
     converters: Converters,
-    /// Cache of files that conversions have made.
+    /// Files that conversions have made.
     files: Files,
     /// One permit for each solver that may run in this process at once. Permits are given out in the order of requests.
     slots: Arc<Semaphore>,
@@ -59,8 +59,12 @@ impl Jobs {
         let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
         let solvers = config.jobs.workers.unwrap_or(cores);
         Self(Arc::new(Inner {
-            memory: MemoryBudget::new(config.jobs.memory_bytes),
-            files: Files::new(config.http.files_kept_bytes),
+            memory: MemoryBudget::new(config.solver_memory_bytes()),
+            files: Files::new(
+                config.http.files_kept_bytes,
+                config.http.files_disk_bytes,
+                vec![config.store.data.clone(), std::env::temp_dir()],
+            ),
             store,
             config,
             webhooks: webhooks.map(Arc::new),
@@ -77,7 +81,12 @@ impl Jobs {
     /// Starts the workers of this process. They end after a shutdown was asked for.
     pub fn spawn_workers(&self) {
         for number in 0..self.0.solvers {
-            tokio::spawn(worker::run(self.clone(), format!("{}/{number}", self.0.process)));
+            tokio::spawn(worker::run(self.clone(), format!("{}/{number}", self.0.process), self.slots(), u64::MAX));
+        }
+        let slots = Arc::new(Semaphore::new(self.0.config.small_workers()));
+        for number in 0..self.0.config.small_workers() {
+            let name = format!("{}/small{number}", self.0.process);
+            tokio::spawn(worker::run(self.clone(), name, slots.clone(), worker::SMALL_BYTES));
         }
     }
 
@@ -345,20 +354,22 @@ impl Jobs {
         if let Some(file) = self.0.files.get(&key) {
             return Ok(file);
         }
-        let thread = self.reserve_converter().await?;
+        let thread = self.reserve_converter(owner, length(row.statistics.as_deref())).await?;
         // Another conversion may have made the file while this one waited.
         if let Some(file) = self.0.files.get(&key) {
             return Ok(file);
         }
         let artefact = self.0.store.artefact(id, owner).await?.ok_or(JobsError::Lost)?;
+        let service = self.clone();
         let run = move || match Archive::from_bytes(&artefact.bytes) {
-            Ok(archive) => Ok(convert(&archive).map(File::new)),
+            Ok(archive) => Ok(convert(&archive).and_then(|bytes| service.files().file(bytes))),
             Err(defect) => Err((defect, artefact)),
         };
         let file = match thread.run(run).await? {
             Ok(converted) => converted?,
             Err((defect, artefact)) => return Err(self.unreadable(&defect, &artefact).await),
         };
+        metrics::counter!(metric::CONVERSIONS).increment(1);
         self.0.files.put(key, file.clone());
         Ok(file)
     }
@@ -450,6 +461,10 @@ impl Jobs {
         &self.0.memory
     }
 
+    pub(super) fn files(&self) -> &Files {
+        &self.0.files
+    }
+
     pub(super) fn slots(&self) -> Arc<Semaphore> {
         self.0.slots.clone()
     }
@@ -476,16 +491,21 @@ impl Jobs {
     }
 
     /// Waits for a converter's thread and reserves it.
-    pub(super) async fn reserve_converter(&self) -> Result<Reservation<'_>, JobsError> {
-        self.0.converters.reserve().await
+    pub(super) async fn reserve_converter(
+        &self,
+        owner: Option<&str>,
+        length: Length,
+    ) -> Result<Reservation<'_>, JobsError> {
+        self.0.converters.reserve(owner, length).await
     }
 
-    /// Runs a long computation on a converter's thread, so that it does not stall the async runtime.
+    /// Runs a computation of some tenths of a second at most on a converter's thread, so that it does not stall the async
+    /// runtime.
     pub async fn off_runtime<T: Send + 'static>(
         &self,
         work: impl FnOnce() -> T + Send + 'static,
     ) -> Result<T, JobsError> {
-        self.reserve_converter().await?.run(work).await
+        self.reserve_converter(None, Length::Short).await?.run(work).await
     }
 
     /// Returns the error for a stored mesh that cannot be read. If the mesh is damaged, it is removed, so that the next
@@ -525,6 +545,21 @@ impl Drop for CancelOnDrop {
                 tracing::warn!(?error, job_id = id, "a job whose client went away was not cancelled");
             }
         });
+    }
+}
+
+/// Returns how long converting a mesh with these statistics takes.
+fn length(statistics: Option<&str>) -> Length {
+    /// Largest number of triangles of a mesh that is converted in some tenths of a second.
+    const SHORT_TRIANGLES: u64 = 20_000;
+    #[derive(serde::Deserialize)]
+    struct Size {
+        triangles: Option<u64>,
+    }
+    let size = statistics.and_then(|text| serde_json::from_str::<Size>(text).ok());
+    match size.and_then(|size| size.triangles) {
+        Some(triangles) if triangles > SHORT_TRIANGLES => Length::Long,
+        _ => Length::Short,
     }
 }
 

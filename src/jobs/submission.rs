@@ -123,8 +123,9 @@ async fn store(
     answer(jobs, jobs.store().submit(job).await)
 }
 
-/// Solves a small job on this thread if a solver's slot and the memory are free at once. A free slot also means that no
-/// job waits for a solver of this process, so this job overtakes none.
+/// Solves a small job on this thread if a solver's slot is free at once. A free slot also means that no job waits for a
+/// solver of this process, except for jobs that wait for memory. A quick job needs a few megabytes at most, which the
+/// budget does not count.
 fn solve_here(jobs: &Jobs, job: &NewJob, request: &Request, submitted_at: Instant) -> Option<(Attempt, Solved)> {
     if !request.quick || jobs.is_shutting_down() {
         return None;
@@ -134,7 +135,6 @@ fn solve_here(jobs: &Jobs, job: &NewJob, request: &Request, submitted_at: Instan
         return None;
     }
     let _slot = jobs.slots().try_acquire_owned().ok()?;
-    let _share = jobs.memory().share(request.memory_bytes, || false)?;
     let started_at = Instant::now();
     let waited_ms = milliseconds(started_at - submitted_at);
     let attempt = Attempt::begin(jobs, &job.id, &job.kind, 1, waited_ms);
@@ -324,6 +324,7 @@ fn submission(request: &Request, envelope: Envelope, mut body: Body, from: Submi
         label: envelope.label,
         metadata: envelope.metadata,
         supersede: envelope.supersede,
+        memory_bytes: request.memory_bytes,
         reuse: envelope.cache == Cache::Reuse,
     };
     Submission { job, body }

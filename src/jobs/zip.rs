@@ -28,14 +28,22 @@ impl Zip {
     /// # Errors
     /// Returns [`Error::TooLarge`] from 4 GiB or 65,535 entries.
     pub fn entry(&mut self, name: &str, bytes: &[u8]) -> Result<Vec<u8>, Error> {
+        self.entry_of(name, bytes.len(), crc32fast::hash(bytes))
+    }
+
+    /// Same as [`Zip::entry`], for a content of this length and CRC-32.
+    ///
+    /// # Errors
+    /// Returns the errors of [`Zip::entry`].
+    pub fn entry_of(&mut self, name: &str, length: usize, checksum: u32) -> Result<Vec<u8>, Error> {
         let too_large = || Error::TooLarge { format: "ZIP" };
-        let size = u32::try_from(bytes.len()).map_err(|_| too_large())?;
+        let size = u32::try_from(length).map_err(|_| too_large())?;
         let name_length = u16::try_from(name.len()).map_err(|_| too_large())?;
         let mut common = Vec::with_capacity(26);
         for word in [VERSION, FLAGS, STORED, 0, DATE] {
             common.extend_from_slice(&word.to_le_bytes());
         }
-        for word in [crc32fast::hash(bytes), size, size] {
+        for word in [checksum, size, size] {
             common.extend_from_slice(&word.to_le_bytes());
         }
         common.extend_from_slice(&name_length.to_le_bytes());

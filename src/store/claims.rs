@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use serde_json::json;
 
-use super::jobs::{Outcome, Sharing, drop_request, ending, history_line};
+use super::jobs::{Outcome, Sharing, drop_request, ending, history_line, limit};
 use super::results::{self, Prepared};
 use super::tx::{Row, Tx, Value};
 use super::{Result, StoreError, StoreOptions, milliseconds};
@@ -21,6 +21,8 @@ pub struct Claimed {
     pub attempt: i64,
     /// Time since the job was submitted.
     pub waited_ms: i64,
+    /// Estimate of the memory that solving takes.
+    pub memory_bytes: u64,
 }
 
 /// Result of renewing a lease or reporting progress.
@@ -41,31 +43,83 @@ const LEASE_EXPIRED: &str =
 /// Number of lost leases that one transaction handles.
 const RECOVERY_STEP: i64 = 100;
 
-/// Returns whether a lease of at most `lease_max_ms` has run out, and whether a job waits.
-pub(super) fn pending_work(tx: &mut Tx<'_>, lease_max_ms: i64) -> Result<(bool, bool)> {
-    let lost = format!("SELECT 1 FROM jobs WHERE {LEASE_EXPIRED} LIMIT 1");
-    let lost = tx.exists(&lost, &[lease_max_ms.into()])?;
-    Ok((lost, tx.exists("SELECT 1 FROM jobs WHERE status = 'queued' LIMIT 1", &[])?))
+/// Number of jobs that may be claimed before a job that does not fit into the free memory. After that many, memory is left
+/// free until the job fits.
+const MAX_OVERTAKEN: i64 = 16;
+
+/// Memory of the jobs that a worker may claim.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Room {
+    /// Largest number of bytes that the worker's process has left.
+    pub free_bytes: u64,
+    /// Largest number of bytes of a job that this worker solves.
+    pub most_bytes: u64,
 }
 
-/// Claims the job whose turn it is, if any.
-pub(super) fn claim(tx: &mut Tx<'_>, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
+impl Room {
+    /// Room for every job.
+    pub const ANY: Self = Self { free_bytes: u64::MAX, most_bytes: u64::MAX };
+
+    fn bytes(self) -> i64 {
+        limit(self.free_bytes.min(self.most_bytes))
+    }
+}
+
+/// Returns whether a lease of at most `lease_max_ms` has run out, and whether a job waits for which there is room.
+pub(super) fn pending_work(tx: &mut Tx<'_>, lease_max_ms: i64, room: Room) -> Result<(bool, bool)> {
+    let lost = format!("SELECT 1 FROM jobs WHERE {LEASE_EXPIRED} LIMIT 1");
+    let lost = tx.exists(&lost, &[lease_max_ms.into()])?;
+    let waiting = "SELECT 1 FROM jobs WHERE status = 'queued' AND memory_bytes <= $1 LIMIT 1";
+    Ok((lost, tx.exists(waiting, &[room.bytes().into()])?))
+}
+
+/// Claims the first job in the queue for which there is room. It may overtake a job that does not fit into the free
+/// memory, but only [`MAX_OVERTAKEN`] jobs may.
+pub(super) fn claim(tx: &mut Tx<'_>, worker: &str, lease: Duration, room: Room) -> Result<Option<Claimed>> {
+    let first = "SELECT id FROM jobs WHERE status = 'queued' ORDER BY turn, id LIMIT 1 /* skip locked */";
+    if let Some(claimed) = claim_chosen(tx, first, worker, lease, room)? {
+        return Ok(Some(claimed));
+    }
+    let fitting = |columns: &str, bytes: &str| {
+        format!(
+            "SELECT {columns} FROM jobs WHERE status = 'queued' AND memory_bytes <= {bytes} \
+             ORDER BY turn, id LIMIT 1 /* skip locked */"
+        )
+    };
+    let Some(row) = tx.row(&fitting("id, turn", "$1"), &[room.bytes().into()])? else { return Ok(None) };
+    let (id, turn): (String, i64) = (row.get("id")?, row.get("turn")?);
+    let too_large = "SELECT id, overtaken FROM jobs WHERE status = 'queued' AND memory_bytes > $1 AND (turn, id) < ($2, $3) \
+                     ORDER BY turn, id LIMIT 1 /* skip locked */";
+    let overtaken = tx.row(too_large, &[limit(room.free_bytes).into(), turn.into(), (&id).into()])?;
+    if let Some(row) = overtaken {
+        if row.get::<i64>("overtaken")? >= MAX_OVERTAKEN {
+            return Ok(None);
+        }
+        let overtaken: String = row.get("id")?;
+        tx.execute("UPDATE jobs SET overtaken = overtaken + 1 WHERE id = $1", &[(&overtaken).into()])?;
+    }
+    claim_chosen(tx, &fitting("id", "$3"), worker, lease, room)
+}
+
+/// Claims the job that the query `chosen` selects, if there is room for it (`$3`).
+fn claim_chosen(tx: &mut Tx<'_>, chosen: &str, worker: &str, lease: Duration, room: Room) -> Result<Option<Claimed>> {
     let text = format!(
         "UPDATE jobs SET status = 'running', attempt = attempt + 1, sequence = sequence + 1, worker = $1, \
          lease_until = now_ms() + $2, lease_ms = $2, started_at = now_ms(), progress = NULL, progress_sequence = 0, \
          history = {} \
-         WHERE id = (SELECT id FROM jobs WHERE status = 'queued' ORDER BY turn, id LIMIT 1 /* skip locked */) \
-         RETURNING id, kind, attempt, now_ms() - created_at AS waited",
+         WHERE id = ({chosen}) AND memory_bytes <= $3 \
+         RETURNING id, kind, attempt, memory_bytes, now_ms() - created_at AS waited",
         history_line("(attempt + 1)", Status::Running)
     );
-    let Some(row) = tx.row(&text, &[worker.into(), milliseconds(lease).into()])? else { return Ok(None) };
+    let values = [worker.into(), milliseconds(lease).into(), room.bytes().into()];
+    let Some(row) = tx.row(&text, &values)? else { return Ok(None) };
     claimed(tx, &row).map(Some)
 }
 
 /// Returns the job that a claim under this name has claimed, if it did, and extends its lease.
 pub(super) fn claimed_by(tx: &mut Tx<'_>, worker: &str, lease: Duration) -> Result<Option<Claimed>> {
     let text = "UPDATE jobs SET lease_until = now_ms() + $2, lease_ms = $2 WHERE worker = $1 AND status = 'running' \
-                RETURNING id, kind, attempt, now_ms() - created_at AS waited";
+                RETURNING id, kind, attempt, memory_bytes, now_ms() - created_at AS waited";
     let Some(row) = tx.row(text, &[worker.into(), milliseconds(lease).into()])? else { return Ok(None) };
     claimed(tx, &row).map(Some)
 }
@@ -82,6 +136,7 @@ fn claimed(tx: &mut Tx<'_>, row: &Row) -> Result<Claimed> {
         request: request.get("body")?,
         attempt: row.get("attempt")?,
         waited_ms: row.get::<i64>("waited")?.max(0),
+        memory_bytes: row.get::<i64>("memory_bytes")?.unsigned_abs(),
     })
 }
 

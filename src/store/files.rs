@@ -29,16 +29,23 @@ pub(super) enum Files {
 impl Files {
     /// Opens a folder, which is created if missing, or `s3://BUCKET/PREFIX`.
     pub(super) fn open(place: &str) -> Result<Self> {
+        Self::check(place)?;
+        #[cfg(feature = "s3")]
         if let Some(bucket) = place.strip_prefix(BUCKET_SCHEME) {
-            #[cfg(feature = "s3")]
             return Bucket::open(bucket).map(Self::Bucket);
-            #[cfg(not(feature = "s3"))]
-            return Err(StoreError::Url(format!(
-                "{BUCKET_SCHEME}{bucket}: this program was built without support for buckets (cargo build --features s3)"
-            )));
         }
         fs::create_dir_all(place)?;
         Ok(Self::Folder(place.into()))
+    }
+
+    /// Checks whether this program supports such a place.
+    pub(super) fn check(place: &str) -> Result<()> {
+        if cfg!(feature = "s3") || !place.starts_with(BUCKET_SCHEME) {
+            return Ok(());
+        }
+        Err(StoreError::Url(format!(
+            "{place}: this program was built without support for buckets (cargo build --features s3)"
+        )))
     }
 
     /// Returns the bytes of a file, or `None` if it does not exist.

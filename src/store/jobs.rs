@@ -35,6 +35,8 @@ pub struct NewJob {
     pub metadata: Option<String>,
     /// Key of a series of jobs of which only the newest counts.
     pub supersede: Option<String>,
+    /// Estimate of the memory that solving takes.
+    pub memory_bytes: u64,
     /// True if this job may reuse a kept result of the same owner, request and result version, and if later jobs may
     /// reuse this job's result.
     pub reuse: bool,
@@ -523,6 +525,7 @@ fn insert(
             ("label", job.label.as_deref().into()),
             ("metadata", job.metadata.as_deref().into()),
             ("supersede", job.supersede.as_deref().into()),
+            ("memory_bytes", limit(job.memory_bytes).into()),
             ("batch", place.map(|place| place.batch).into()),
             ("batch_index", place.map_or(0, |place| place.index).into()),
         ],

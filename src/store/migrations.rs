@@ -9,7 +9,7 @@ use sha2::{Digest, Sha384};
 use super::tx::Tx;
 use super::{Result, StoreError};
 
-const MIGRATIONS: [(i64, &str, &str); 8] = [
+const MIGRATIONS: [(i64, &str, &str); 10] = [
     (1, "jobs", include_str!("../../migrations/0001_jobs.sql")),
     (2, "batches and callbacks", include_str!("../../migrations/0002_batches_and_callbacks.sql")),
     (3, "sharing and leases", include_str!("../../migrations/0003_sharing_and_leases.sql")),
@@ -18,6 +18,8 @@ const MIGRATIONS: [(i64, &str, &str); 8] = [
     (6, "summaries", include_str!("../../migrations/0006_summaries.sql")),
     (7, "leaders", include_str!("../../migrations/0007_leaders.sql")),
     (8, "deliveries", include_str!("../../migrations/0008_deliveries.sql")),
+    (9, "memory of jobs", include_str!("../../migrations/0009_memory_of_jobs.sql")),
+    (10, "lists", include_str!("../../migrations/0010_lists.sql")),
 ];
 
 /// SQL that takes the advisory lock, so that only one process at a time migrates a PostgreSQL database.

@@ -518,6 +518,11 @@ fn password_for(text: &str, wanted: [&str; 4]) -> Option<String> {
     })
 }
 
+/// Checks a URL and the files that it names.
+pub(super) fn check_url(url: &str) -> Result<()> {
+    Server::at(url).map(drop)
+}
+
 /// Returns `url` without its passwords, for logs and errors.
 #[must_use]
 pub fn redacted(url: &str) -> Cow<'_, str> {

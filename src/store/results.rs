@@ -148,6 +148,18 @@ pub(super) fn bytes_in_use(tx: &mut Tx<'_>) -> Result<i64> {
     tx.one(text, &[])?.get("total")
 }
 
+/// Returns the owner whose finished jobs have the largest results, and by how many bytes they exceed those of the next
+/// owner. Returns `None` if no finished job has a result.
+pub(super) fn largest_owner(tx: &mut Tx<'_>) -> Result<Option<(String, i64)>> {
+    let text = "SELECT owner, CAST(sum(size) AS BIGINT) AS total \
+                FROM (SELECT DISTINCT owner, artefact FROM jobs WHERE artefact IS NOT NULL AND expires_at IS NOT NULL) AS own \
+                JOIN artefacts ON hash = artefact GROUP BY owner ORDER BY total DESC LIMIT 2";
+    let rows = tx.rows(text, &[])?;
+    let Some(largest) = rows.first() else { return Ok(None) };
+    let next: i64 = rows.get(1).map_or(Ok(0), |row| row.get("total"))?;
+    Ok(Some((largest.get("owner")?, largest.get::<i64>("total")? - next)))
+}
+
 /// Returns the name of every file that a row names.
 pub(super) fn files(tx: &mut Tx<'_>) -> Result<Vec<String>> {
     tx.rows("SELECT file FROM artefacts WHERE file IS NOT NULL", &[])?.iter().map(|row| row.get("file")).collect()

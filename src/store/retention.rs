@@ -44,25 +44,31 @@ pub struct Swept {
 enum Choice {
     /// Jobs whose time is up.
     Due,
-    /// Jobs beyond the newest `max_jobs` finished ones. The fields are the expiry and identifier of the newest such
-    /// job.
-    Surplus { expires_at: i64, id: String },
-    /// Finished jobs, oldest first.
-    Oldest { with_result: bool },
+    /// Finished jobs of an owner beyond its newest ones that fit into `max_jobs`. The other fields are the expiry and
+    /// identifier of the newest such job.
+    Surplus { owner: String, expires_at: i64, id: String },
+    /// Finished jobs of an owner, or of all owners, oldest first.
+    Oldest { owner: Option<String>, with_result: bool },
 }
 
 impl Choice {
     fn rows(&self, tx: &mut Tx<'_>, step: i64) -> Result<Vec<Row>> {
         let (condition, values): (&str, Vec<Value<'_>>) = match self {
             Self::Due => ("expires_at <= now_ms()", vec![step.into()]),
-            Self::Surplus { expires_at, id } => (
-                "expires_at <= $2 AND (expires_at < $2 OR id <= $3)",
-                vec![step.into(), (*expires_at).into(), id.into()],
+            Self::Surplus { owner, expires_at, id } => (
+                "owner = $4 AND expires_at <= $2 AND (expires_at < $2 OR id <= $3)",
+                vec![step.into(), (*expires_at).into(), id.into(), owner.into()],
             ),
-            Self::Oldest { with_result: true } => {
-                ("artefact IS NOT NULL AND expires_at IS NOT NULL", vec![step.into()])
+            Self::Oldest { owner, with_result } => {
+                let condition = match with_result {
+                    true => "artefact IS NOT NULL AND expires_at IS NOT NULL AND ($2 = 1 OR owner = $3)",
+                    false => "expires_at IS NOT NULL AND ($2 = 1 OR owner = $3)",
+                };
+                (
+                    condition,
+                    vec![step.into(), i64::from(owner.is_none()).into(), owner.as_deref().unwrap_or_default().into()],
+                )
             }
-            Self::Oldest { with_result: false } => ("expires_at IS NOT NULL", vec![step.into()]),
         };
         let text = format!(
             "SELECT id, artefact, CAST(coalesce(length(statistics), 0) + coalesce(length(metadata), 0) \
@@ -88,7 +94,7 @@ pub(super) async fn sweep(store: &Store) -> Result<Swept> {
     let mut swept = Swept { recovered: store.recover().await?.0, ..Swept::default() };
     expire_all(store, &Choice::Due, &mut swept).await?;
     let max_jobs = jobs::limit(store.options().max_jobs);
-    if let Some(surplus) = store.read(move |tx| surplus(tx, max_jobs)).await? {
+    for surplus in store.read(move |tx| surplus(tx, max_jobs)).await? {
         expire_all(store, &surplus, &mut swept).await?;
     }
     store.write(batches::forget_empty).await?;
@@ -113,12 +119,38 @@ async fn pause_as_long_as(begun: Instant) {
     tokio::time::sleep(begun.elapsed().min(MAX_PAUSE)).await;
 }
 
-/// Returns the finished jobs beyond the newest `max_jobs`, or `None` if there are none.
-fn surplus(tx: &mut Tx<'_>, max_jobs: i64) -> Result<Option<Choice>> {
-    let text = "SELECT expires_at, id FROM jobs WHERE expires_at IS NOT NULL ORDER BY expires_at DESC, id DESC \
-                LIMIT 1 OFFSET $1";
-    let Some(row) = tx.row(text, &[max_jobs.into()])? else { return Ok(None) };
-    Ok(Some(Choice::Surplus { expires_at: row.get("expires_at")?, id: row.get("id")? }))
+/// Returns the finished jobs that do not fit into `max_jobs`. The owners with the most jobs give up theirs, until all of
+/// them keep the same number. An owner with few jobs loses none.
+fn surplus(tx: &mut Tx<'_>, max_jobs: i64) -> Result<Vec<Choice>> {
+    let counts =
+        tx.rows("SELECT owner, count(*) AS jobs FROM jobs WHERE expires_at IS NOT NULL GROUP BY owner", &[])?;
+    let counts: Vec<(String, i64)> =
+        counts.iter().map(|row| Ok((row.get("owner")?, row.get("jobs")?))).collect::<Result<_>>()?;
+    let kept = level(counts.iter().map(|(_, jobs)| *jobs).collect(), max_jobs);
+    let mut surplus = Vec::new();
+    for (owner, _) in counts.into_iter().filter(|(_, jobs)| *jobs > kept) {
+        let text = "SELECT expires_at, id FROM jobs WHERE owner = $1 AND expires_at IS NOT NULL \
+                    ORDER BY expires_at DESC, id DESC LIMIT 1 OFFSET $2";
+        if let Some(row) = tx.row(text, &[(&owner).into(), kept.into()])? {
+            surplus.push(Choice::Surplus { owner, expires_at: row.get("expires_at")?, id: row.get("id")? });
+        }
+    }
+    Ok(surplus)
+}
+
+/// Returns the largest number such that the sum of the counts, each cut to this number, is at most `total`. If no count
+/// has to be cut, returns the largest count or more.
+fn level(mut counts: Vec<i64>, total: i64) -> i64 {
+    counts.sort_unstable();
+    let (mut left, mut owners) = (total, counts.len() as i64);
+    for count in counts {
+        if count > left / owners {
+            return left / owners;
+        }
+        left -= count;
+        owners -= 1;
+    }
+    i64::MAX
 }
 
 /// Expires some of the selected jobs, and removes the results that no job has afterwards.
@@ -185,8 +217,8 @@ async fn forget(store: &Store) -> Result<()> {
     }
 }
 
-/// Expires the oldest jobs until the results of the remaining jobs, and on SQLite the database itself, take at most
-/// `max_bytes`.
+/// Expires the oldest jobs of the owners with the largest results until the results of the remaining jobs, and on SQLite
+/// the database itself, take at most `max_bytes`.
 async fn evict(store: &Store, max_bytes: i64, swept: &mut Swept) -> Result<()> {
     loop {
         // These queries scan all results, so they do not run after every step.
@@ -196,10 +228,16 @@ async fn evict(store: &Store, max_bytes: i64, swept: &mut Swept) -> Result<()> {
             return Ok(());
         }
         forget_beyond(store, max_bytes / 10 / EXPIRED_BYTES).await?;
-        while surplus > 0 || space > 0 {
+        // The owner with the largest results gives up jobs until another owner has as much.
+        let (owner, mut ahead) = match store.read(results::largest_owner).await? {
+            Some((owner, ahead)) => (Some(owner), ahead.max(1)),
+            None => (None, i64::MAX),
+        };
+        while ahead > 0 && (surplus > 0 || space > 0) {
             let begun = Instant::now();
-            let choice = Choice::Oldest { with_result: space <= 0 };
+            let choice = Choice::Oldest { owner: owner.clone(), with_result: space <= 0 };
             let expired = expire_some(store, &choice, EVICTION_STEP, swept).await?;
+            ahead = ahead.saturating_sub(expired.bytes.max(1));
             if expired.jobs == 0 {
                 return Ok(());
             }
@@ -288,4 +326,23 @@ fn shrink(tx: &mut Tx<'_>) -> Result<()> {
         tx.rows(&format!("PRAGMA incremental_vacuum({SHRINK_PAGES})"), &[])?;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::level;
+
+    #[test]
+    fn the_owners_with_the_most_jobs_are_cut_to_the_same_number() {
+        for (counts, total, kept) in [
+            (&[100][..], 10, 10),
+            (&[3, 100], 10, 7),
+            (&[3, 4, 100, 100], 27, 10),
+            (&[100, 100], 11, 5),
+            (&[0, 1], 0, 0),
+        ] {
+            assert_eq!(level(counts.to_vec(), total), kept, "{counts:?} {total}");
+        }
+        assert!(level(vec![3, 4], 7) >= 4 && level(vec![], 7) > 0);
+    }
 }

@@ -19,7 +19,8 @@ pub fn objectives() -> ObjectiveList {
     ObjectiveList { objectives: kinds::objectives() }
 }
 
-/// Limits of one request on this server.
+/// Limits of this server: of one request, of one key, and of all keys together. On a server without keys, the client's
+/// address stands for the key.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Limits {
     /// Largest size of a request's body in bytes.
@@ -42,6 +43,15 @@ pub struct Limits {
     pub webhooks: bool,
     /// Number of jobs that may wait in the queue.
     pub queue_length: usize,
+    /// Number of jobs of one key that may wait in the queue.
+    pub queue_length_per_key: usize,
+    /// Number of requests that one key may have open at once: event streams, waits, downloads and uploads.
+    pub open_requests_per_key: usize,
+    /// Number of finished jobs that are kept. If there are more, the keys with the most jobs lose their oldest ones.
+    pub jobs_kept: u64,
+    /// Number of bytes that the results of all finished jobs may take. If they take more, the keys with the largest results
+    /// lose their oldest ones. 0 means no limit.
+    pub bytes_kept: u64,
     /// Time in seconds after its end at which a job is removed with its mesh. 0 means never.
     pub retention_s: u64,
 }
@@ -60,6 +70,10 @@ impl Limits {
             batch_requests: config.limits.batch_requests,
             webhooks: !config.webhooks.secret_file.as_os_str().is_empty(),
             queue_length: config.jobs.queue_length,
+            queue_length_per_key: config.owner_queue_length(),
+            open_requests_per_key: config.open_requests(),
+            jobs_kept: config.store.max_jobs,
+            bytes_kept: config.store.max_bytes,
             retention_s: config.jobs.retention_s,
         }
     }

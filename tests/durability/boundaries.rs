@@ -235,6 +235,7 @@ async fn succeeded_job(store: &Store, number: usize) {
         label: None,
         metadata: None,
         supersede: None,
+        memory_bytes: 0,
         reuse: false,
     };
     store.submit(job).await.unwrap();

@@ -337,3 +337,17 @@ async fn requests_of_a_foreign_page_cannot_change_anything() {
         assert_eq!(response.status(), StatusCode::OK, "{name}: {value}");
     }
 }
+
+#[tokio::test]
+async fn a_request_with_two_hosts_is_refused() {
+    use tokio::io::{AsyncReadExt, AsyncWriteExt};
+    let app = TestApp::start().await;
+    for (hosts, status) in [("Host: localhost\r\nHost: evil.test", "400"), ("Host: localhost", "200")] {
+        let mut stream = tokio::net::TcpStream::connect(app.url.strip_prefix("http://").unwrap()).await.unwrap();
+        let request = format!("GET /health/live HTTP/1.1\r\n{hosts}\r\nConnection: close\r\n\r\n");
+        stream.write_all(request.as_bytes()).await.unwrap();
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).await.unwrap();
+        assert!(answer.starts_with(&format!("HTTP/1.1 {status} ")), "{hosts}: {answer}");
+    }
+}

@@ -96,6 +96,69 @@ async fn a_valid_configuration_passes_its_check() {
     assert!(run.status.success());
 }
 
+#[tokio::test]
+async fn a_configuration_that_cannot_start_fails_its_check_and_names_the_setting() {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, keys) = (folder.path().join("file"), folder.path().join("keys"));
+    std::fs::write(&file, "no keys\n").unwrap();
+    std::fs::write(&keys, format!("me {}\n", "0".repeat(64))).unwrap();
+    let [file, keys] = [&file, &keys].map(|path| path.to_str().unwrap());
+    let below_file = format!("{file}/data");
+    type Case<'a> = (&'a [&'a str], &'a [(&'a str, &'a str)], &'a str);
+    let cases: [Case; 12] = [
+        (&["--listen", "0.0.0.0:0"], &[], "http.listen"),
+        (&["worker", "--workers", "0"], &[], "jobs.workers"),
+        (&["mcp"], &[("PLATEAU_AUTH__KEYS_FILE", keys)], "auth.keys"),
+        (&[], &[("PLATEAU_AUTH__KEYS_FILE", file)], "auth.keys_file"),
+        (&[], &[("PLATEAU_AUTH__KEYS_FILE", "/nowhere")], "auth.keys_file"),
+        (&[], &[("PLATEAU_WEBHOOKS__SECRET_FILE", "/nowhere")], "webhooks.secret_file"),
+        (&[], &[("PLATEAU_LOG__LEVEL", "loud=x=y")], "log.level"),
+        (&["--database", "mysql://x"], &[], "store.database"),
+        (&["--database", "postgres://me@db:x/plateau"], &[], "store.database"),
+        (&["--database", "postgres://me@db/plateau?sslmode=maybe"], &[], "sslmode"),
+        (&["--database", "postgres://me@db/plateau?sslrootcert=/nowhere&sslmode=verify-full"], &[], "sslrootcert"),
+        (&["--data", below_file.as_str()], &[], "store.database"),
+    ];
+    for (arguments, environment, named) in cases {
+        let mut command = binary();
+        let run = command.args(arguments).arg("--check-config").envs(environment.iter().copied());
+        let run = run.current_dir(folder.path()).output().await.unwrap();
+        let message = String::from_utf8_lossy(&run.stderr);
+        assert_eq!(run.status.code(), Some(2), "{arguments:?} {environment:?}: {message}");
+        assert!(message.contains(named), "{arguments:?} {environment:?}: {message}");
+    }
+    let unchanged = std::fs::read_dir(folder.path()).unwrap().count();
+    assert_eq!(unchanged, 2, "the check creates nothing");
+    let database = ("PLATEAU_DATABASE", "postgres://me@db/plateau?sslmode=prefer");
+    let public = [("PLATEAU_AUTH__KEYS_FILE", keys), ("PLATEAU_LISTEN", "0.0.0.0:0"), database];
+    let run = binary().arg("--check-config").envs(public).current_dir(folder.path()).output().await.unwrap();
+    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+}
+
+#[tokio::test]
+async fn only_the_user_of_the_server_can_read_its_files() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::set_permissions(folder.path(), std::fs::Permissions::from_mode(0o755)).unwrap();
+    let app = crate::app::TestApp::start_in(folder, &[("PLATEAU_STORE__INLINE_BYTES", "0")]).await;
+    app.solve(crate::app::MINIMAL, &crate::app::small_film(0.1)).await;
+    let (mut folders, mut files) = (vec![app.folder.path().join("data")], Vec::new());
+    let mut at = 0;
+    while let Some(folder) = folders.get(at).cloned() {
+        for entry in std::fs::read_dir(folder).unwrap().map(Result::unwrap) {
+            if entry.file_type().unwrap().is_dir() { &mut folders } else { &mut files }.push(entry.path());
+        }
+        at += 1;
+    }
+    assert!(folders.len() >= 2 && files.len() >= 3, "{folders:?} {files:?}");
+    for (paths, mode) in [(folders, 0o700), (files, 0o600)] {
+        for path in paths {
+            let found = std::fs::metadata(&path).unwrap().permissions().mode() & 0o777;
+            assert_eq!(found, mode, "{} is {found:o}", path.display());
+        }
+    }
+}
+
 #[cfg(not(feature = "s3"))]
 #[tokio::test]
 async fn a_program_without_bucket_support_refuses_a_bucket() {

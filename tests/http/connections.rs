@@ -2,6 +2,7 @@
 
 use crate::app::{MINIMAL, TestApp, small_film};
 use serde_json::Value;
+use std::time::Duration;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::TcpStream;
 
@@ -13,6 +14,7 @@ async fn start(workers: &str) -> TestApp {
         ("PLATEAU_HTTP__CONNECTIONS", &CONNECTIONS.to_string()),
         // The timeout is so long that no connection ends by itself during the test.
         ("PLATEAU_HTTP__HEADER_TIMEOUT_MS", "600000"),
+        ("PLATEAU_HTTP__REQUESTS_SHARE_PERCENT", "100"),
     ])
     .await
 }
@@ -66,6 +68,39 @@ async fn a_new_connection_replaces_the_longest_idle_one() {
     }
 }
 
+/// Opens a stream of events that has begun.
+async fn watch(app: &TestApp, events: &str) -> TcpStream {
+    let mut stream = connect(app).await;
+    let request = format!("GET {events} HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    stream.write_all(request.as_bytes()).await.unwrap();
+    assert!(stream.read(&mut [0; 64]).await.unwrap() > 0);
+    stream
+}
+
+#[tokio::test]
+async fn health_is_answered_while_every_connection_is_in_use() {
+    /// Time that is longer than any step takes, so that only a defect exceeds it.
+    const TOO_LONG: Duration = Duration::from_secs(30);
+    let app = start("0").await;
+    let job: Value = app.post(MINIMAL, &small_film(0.1)).await.json().await.unwrap();
+    let events = job["links"]["events"].as_str().unwrap();
+    let mut watchers = Vec::new();
+    for _ in 0..CONNECTIONS {
+        watchers.push(watch(&app, events).await);
+    }
+    for _ in 0..3 {
+        let healthy = async { ask(&mut connect(&app).await).await };
+        assert!(tokio::time::timeout(TOO_LONG, healthy).await.expect("an answer"));
+    }
+    // Another request waits for a second and is then told to come back.
+    let refused = tokio::time::timeout(TOO_LONG, app.get("/v1/jobs")).await.expect("an answer");
+    assert_eq!(refused.headers()["connection"], "close");
+    assert!(refused.headers().contains_key("retry-after"));
+    crate::app::problem(refused, 503).await;
+    drop(watchers.pop());
+    assert_eq!(app.get("/v1/jobs").await.status(), 200);
+}
+
 #[tokio::test]
 async fn a_connection_that_is_being_answered_is_not_dropped() {
     let app = start("0").await;
@@ -73,11 +108,7 @@ async fn a_connection_that_is_being_answered_is_not_dropped() {
     let events = job["links"]["events"].as_str().unwrap();
     let mut watchers = Vec::new();
     for _ in 0..CONNECTIONS - 1 {
-        let mut stream = connect(&app).await;
-        let request = format!("GET {events} HTTP/1.1\r\nHost: localhost\r\n\r\n");
-        stream.write_all(request.as_bytes()).await.unwrap();
-        assert!(stream.read(&mut [0; 64]).await.unwrap() > 0);
-        watchers.push(stream);
+        watchers.push(watch(&app, events).await);
     }
     // One connection is left for all of the following, one after the other.
     for _ in 0..20 {

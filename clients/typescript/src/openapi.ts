@@ -1325,22 +1325,36 @@ export interface components {
             /** Format: double */
             width: number;
         };
-        /** @description Limits of one request on this server. */
+        /**
+         * @description Limits of this server: of one request, of one key, and of all keys together. On a server without keys, the client's
+         *     address stands for the key.
+         */
         Limits: {
             /** @description Largest number of requests of one batch. */
             batch_requests: number;
             /** @description Largest size of a request's body in bytes. */
             body_bytes: number;
+            /**
+             * @description Number of bytes that the results of all finished jobs may take. If they take more, the keys with the largest results
+             *     lose their oldest ones. 0 means no limit.
+             */
+            bytes_kept: number;
             /** @description Time that a solver has, in milliseconds. After it the solver returns the best mesh that it has reached. */
             deadline_ms: number;
             /** @description Largest number of cells of the grids of all strips of a ruled surface. */
             grid_cells: number;
             /** @description Largest `max_iterations`. */
             iterations: number;
+            /** @description Number of finished jobs that are kept. If there are more, the keys with the most jobs lose their oldest ones. */
+            jobs_kept: number;
+            /** @description Number of requests that one key may have open at once: event streams, waits, downloads and uploads. */
+            open_requests_per_key: number;
             /** @description Largest number of points of all polylines of a request, and of vertices of a cable net. */
             points: number;
             /** @description Number of jobs that may wait in the queue. */
             queue_length: number;
+            /** @description Number of jobs of one key that may wait in the queue. */
+            queue_length_per_key: number;
             /** @description Time in seconds after its end at which a job is removed with its mesh. 0 means never. */
             retention_s: number;
             /** @description Largest number of triangles of a minimal surface, a uniform mesh or a tensile structure, and of edges of a cable net. */
@@ -4410,7 +4424,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Limits of this server for one request */
+            /** @description Limits of this server for one request, for one key and for all keys */
             200: {
                 headers: {
                     [name: string]: unknown;

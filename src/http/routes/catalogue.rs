@@ -34,7 +34,7 @@ pub fn limits_entry() -> Value {
     plain_get(
         "catalogue",
         "getLimits",
-        "Limits of this server for one request",
+        "Limits of this server for one request, for one key and for all keys",
         "application/json",
         &reference("Limits"),
     )

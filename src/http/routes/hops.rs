@@ -172,8 +172,8 @@ impl Run<'_> {
             .app
             .jobs
             .convert(&job.id, self.caller.owner(), "hops", |archive| geometry(archive).map_err(JobsError::Unwritable));
-        let file = convert.await?;
-        Ok(respond(StatusCode::OK, &Answer::of_job(self.component, &job, &Parts::read(&file.bytes))))
+        let file = convert.await?.bytes().await?;
+        Ok(respond(StatusCode::OK, &Answer::of_job(self.component, &job, &Parts::read(&file))))
     }
 }
 

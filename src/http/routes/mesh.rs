@@ -15,6 +15,7 @@ use axum::response::{IntoResponse, Response};
 use plateau_archive::Archive;
 use plateau_archive::formats::{Choices, Colors, MeshFormat, Origin, PatternFormat, Quantity};
 use serde_json::{Value, json};
+use std::ops::Range;
 
 pub async fn mesh(
     State(app): State<App>,
@@ -245,15 +246,16 @@ pub fn choose(
 /// Answers with the file, with a range of it, or with 304.
 pub fn answer(headers: &HeaderMap, file: &File, media_type: &'static str, name: &str) -> Response {
     let tag = format!("\"{}\"", file.tag);
-    let length = file.bytes.len();
+    let length = file.length;
     let mut response = if none_match_hits(headers, &tag) {
         StatusCode::NOT_MODIFIED.into_response()
     } else {
         match part(headers, length, &tag) {
-            Part::Whole => Response::new(Body::from(file.bytes.clone())),
+            Part::Whole => bytes_of(file, 0..length),
             Part::Range(range) => {
                 let content_range = format!("bytes {}-{}/{length}", range.start, range.end - 1);
-                let mut response = (StatusCode::PARTIAL_CONTENT, Body::from(file.bytes.slice(range))).into_response();
+                let mut response = bytes_of(file, range);
+                *response.status_mut() = StatusCode::PARTIAL_CONTENT;
                 insert(&mut response, header::CONTENT_RANGE, &content_range);
                 response
             }
@@ -269,6 +271,14 @@ pub fn answer(headers: &HeaderMap, file: &File, media_type: &'static str, name: 
         insert(&mut response, header::ACCEPT_RANGES, "bytes");
     }
     describe(&mut response, &tag, media_type, name);
+    response
+}
+
+/// Returns a response with a range of a file's bytes.
+pub fn bytes_of(file: &File, range: Range<usize>) -> Response {
+    let length = HeaderValue::from(range.len());
+    let mut response = Response::new(Body::from_stream(file.clone().stream(range)));
+    response.headers_mut().insert(header::CONTENT_LENGTH, length);
     response
 }
 

@@ -1,6 +1,6 @@
 //! `POST /v1/{kind}`: submits a request, and waits for its job if the client asks for that.
 
-use super::mesh::{describe, mesh_file};
+use super::mesh::{bytes_of, describe, mesh_file};
 use crate::http::access::Caller;
 use crate::http::body;
 use crate::http::entry::{prefer_parameter, reference, with_problems};
@@ -120,7 +120,8 @@ async fn mesh_of(app: &App, caller: &Caller, job: &Job, format: MeshFormat) -> R
     }
     let file = mesh_file(app, caller, &job.id, format, Choices::default()).await?;
     let tag = format!("\"{}\"", file.tag);
-    let mut response = Response::new(Body::from(file.bytes));
+    let whole = 0..file.length;
+    let mut response = bytes_of(&file, whole);
     describe(&mut response, &tag, format.media_type(), &format!("{}.{}", job.id, format.name()));
     let link = format!("<{this}>; rel=\"describedby\"");
     for (name, value) in [(header::LOCATION, this.as_str()), (header::LINK, link.as_str())] {

@@ -758,21 +758,31 @@ LengthHistogram = TypedDict("LengthHistogram", {"counts": "List[int]", "from": "
 
 
 class Limits(TypedDict):
-    """Limits of one request on this server."""
+    """Limits of this server: of one request, of one key, and of all keys together. On a server without keys, the client's
+    address stands for the key."""
     batch_requests: int
     """Largest number of requests of one batch."""
     body_bytes: int
     """Largest size of a request's body in bytes."""
+    bytes_kept: int
+    """Number of bytes that the results of all finished jobs may take. If they take more, the keys with the largest results
+    lose their oldest ones. 0 means no limit."""
     deadline_ms: int
     """Time that a solver has, in milliseconds. After it the solver returns the best mesh that it has reached."""
     grid_cells: int
     """Largest number of cells of the grids of all strips of a ruled surface."""
     iterations: int
     """Largest `max_iterations`."""
+    jobs_kept: int
+    """Number of finished jobs that are kept. If there are more, the keys with the most jobs lose their oldest ones."""
+    open_requests_per_key: int
+    """Number of requests that one key may have open at once: event streams, waits, downloads and uploads."""
     points: int
     """Largest number of points of all polylines of a request, and of vertices of a cable net."""
     queue_length: int
     """Number of jobs that may wait in the queue."""
+    queue_length_per_key: int
+    """Number of jobs of one key that may wait in the queue."""
     retention_s: int
     """Time in seconds after its end at which a job is removed with its mesh. 0 means never."""
     triangles: int
