@@ -181,7 +181,7 @@ pub fn check(net: &Net, options: &Options) -> Result<(), Error> {
 }
 
 /// Number of bytes of memory per edge: most of it for the factor of a step, with six unknowns at every vertex. Square grids
-/// took 6,100 bytes at 20,000 edges and 6,900 at 105,000, and other nets up to 10,800. A larger value refuses more requests.
+/// took 6,100 bytes at 20,000 edges and 6,900 at 105,000. The rest is a margin, because the factor of other nets fills in more.
 const BYTES_PER_EDGE: f64 = 12_000.0;
 
 /// Estimates the memory that solving takes. A net has no triangles.

@@ -61,7 +61,7 @@ pub(crate) fn estimate(lengths: &[usize], options: &Options) -> Estimate {
     }
     total.bytes += BYTES_PER_POINT * lengths.iter().sum::<usize>() as u64;
     if options.all_objectives {
-        // The strips of all objectives took 1.17 times as much as the largest grid.
+        // The strips of all objectives are held at once beside the largest grid.
         total.bytes += total.bytes / 4;
     }
     total
