@@ -1,8 +1,8 @@
 //! Objects of openNURBS, the file format of Rhino: curves and meshes as one object each, without a file around them.
 //! Hops, Rhino.Compute and rhino3dm exchange geometry in this form.
 //!
-//! An object is a [`chunk`] with the identifier of its class, the data of the class and an end mark. [`read`] takes
-//! curves and meshes, and [`write`] makes polyline curves and meshes. [`curve`] turns every curve into a polyline within
+//! An object is a chunk with the identifier of its class, the data of the class and an end mark. [`read`] takes
+//! curves and meshes, and [`mod@write`] makes polyline curves and meshes. [`curve`] turns every curve into a polyline within
 //! a tolerance.
 //!
 //! The layouts are those of openNURBS 8 for archives of version 60 (Rhino 6). Later versions read them too. They were
