@@ -1,5 +1,5 @@
-//! What the service says and hears beside the requests and results of `plateau_forms`: jobs, batches, the catalogue,
-//! the fields of a request that concern its job, and the component schemas of the API document.
+//! The JSON of the service itself: jobs, batches, the catalogue, the fields of a request that concern its job, and the
+//! component schemas of the API document. `plateau_forms` has the requests and their results.
 
 pub mod batch;
 pub mod callback;

@@ -310,7 +310,7 @@ fn submission(request: &Request, envelope: Envelope, mut body: Body, from: Submi
     let Submitter { owner, idempotency_key } = from;
     // The hash is only compared between submissions with an idempotency key.
     let body_hash = if idempotency_key.is_some() { hash(&body, &envelope.members) } else { [0; 32] };
-    // The kind does not change the result, because it is a part of what is compared beside the hash.
+    // The kind is compared beside the hash, and a body whose path names the kind may leave it out.
     body.take("kind");
     let job = NewJob {
         id: ulid::Ulid::generate().to_string(),
