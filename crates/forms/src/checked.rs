@@ -3,7 +3,7 @@
 use crate::body::PointList;
 use crate::limits::Limits;
 use crate::rejection::Rejection;
-use crate::solved::Problem;
+use crate::solved::SolverInput;
 use plateau_archive::units::{Unit, UpAxis};
 use serde::de::DeserializeOwned;
 
@@ -12,7 +12,7 @@ use serde::de::DeserializeOwned;
 pub(crate) struct Checked {
     pub memory_bytes: u64,
     pub quick: bool,
-    pub problem: Box<dyn Problem>,
+    pub input: Box<dyn SolverInput>,
 }
 
 /// A request of one kind as its JSON has it.

@@ -12,7 +12,7 @@ use crate::limits::Limits;
 use crate::rejection::{FieldError, Rejection};
 use crate::report::Progress;
 use crate::schema;
-use crate::solved::{self, Frame, Problem, Signal, Solved, Unsolved};
+use crate::solved::{self, Frame, Signal, Solved, SolverInput, Unsolved};
 use plateau_mesh::Execution;
 use serde_json::Value;
 
@@ -25,7 +25,7 @@ pub struct Request {
     /// True if solving takes at most about a millisecond.
     pub quick: bool,
     kind: Kind,
-    problem: Box<dyn Problem>,
+    input: Box<dyn SolverInput>,
 }
 
 impl Request {
@@ -105,9 +105,9 @@ impl Request {
     }
 
     fn checked<T: KindRequest>(kind: Kind, request: &T, limits: &Limits) -> Result<Self, Rejection> {
-        let Checked { memory_bytes, quick, problem } = request.check(limits)?;
+        let Checked { memory_bytes, quick, input } = request.check(limits)?;
         let (unit, up) = request.axes();
-        Ok(Self { frame: Frame { unit, up }, memory_bytes, quick, kind, problem })
+        Ok(Self { frame: Frame { unit, up }, memory_bytes, quick, kind, input })
     }
 
     /// Refuses a request that needs more memory than the limit of one job.
@@ -136,7 +136,7 @@ impl Request {
             Signal::Deadline => plateau_mesh::Signal::Deadline,
         };
         let report = |progress| report(solved::on_the_wire(progress));
-        let mut solved = self.problem.solve(self.frame, &Execution::new(&signal, &report))?;
+        let mut solved = self.input.solve(self.frame, &Execution::new(&signal, &report))?;
         solved.warnings.extend(solved::far_from_zero(&solved.archive));
         Ok(solved)
     }

@@ -76,8 +76,8 @@ pub(crate) struct Frame {
 }
 
 /// A checked request in the geometry's types.
-pub(crate) trait Problem: std::fmt::Debug + Send + Sync {
-    /// Solves the problem on the calling thread.
+pub(crate) trait SolverInput: std::fmt::Debug + Send + Sync {
+    /// Runs the solver of this input on the calling thread.
     ///
     /// # Errors
     /// Returns the error of the solver.

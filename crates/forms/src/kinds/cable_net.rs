@@ -174,7 +174,12 @@ impl KindRequest for CableNetRequest {
         Ok(Checked {
             memory_bytes: geometry::estimate(&net).bytes,
             quick: false,
-            problem: Box::new(solve::Problem { net, options, groups: self.groups(&of_edge), force: self.units.force }),
+            input: Box::new(solve::SolverInput {
+                net,
+                options,
+                groups: self.groups(&of_edge),
+                force: self.units.force,
+            }),
         })
     }
 }

@@ -405,7 +405,7 @@ impl KindRequest for MinimalSurfaceRequest {
         Ok(Checked {
             memory_bytes: estimate.bytes.saturating_add(bound),
             quick: false,
-            problem: Box::new(solve::Problem { boundaries, options, certify }),
+            input: Box::new(solve::SolverInput { boundaries, options, certify }),
         })
     }
 }

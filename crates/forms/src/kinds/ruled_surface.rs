@@ -232,7 +232,7 @@ impl KindRequest for RuledSurfaceRequest {
         Ok(Checked {
             memory_bytes: estimate.bytes,
             quick: self.is_quick(points, cells),
-            problem: Box::new(solve::Problem { directrices, options }),
+            input: Box::new(solve::SolverInput { directrices, options }),
         })
     }
 }

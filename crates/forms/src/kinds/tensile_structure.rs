@@ -667,7 +667,7 @@ impl KindRequest for TensileStructureRequest {
         Ok(Checked {
             memory_bytes: estimate.bytes,
             quick: false,
-            problem: Box::new(solve::Problem { structure, options, force: self.units.force }),
+            input: Box::new(solve::SolverInput { structure, options, force: self.units.force }),
         })
     }
 }

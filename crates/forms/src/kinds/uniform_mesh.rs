@@ -259,7 +259,7 @@ impl KindRequest for UniformMeshRequest {
         Ok(Checked {
             memory_bytes: estimate.bytes,
             quick: false,
-            problem: Box::new(solve::Problem { domain, options }),
+            input: Box::new(solve::SolverInput { domain, options }),
         })
     }
 }

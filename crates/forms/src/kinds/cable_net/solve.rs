@@ -10,7 +10,7 @@ use plateau_mesh::error::Warning;
 use plateau_mesh::{Error, Execution, Mesh};
 
 #[derive(Debug)]
-pub(super) struct Problem {
+pub(super) struct SolverInput {
     pub net: cable_net::Net,
     pub options: cable_net::Options,
     pub groups: Vec<Group>,
@@ -20,7 +20,7 @@ pub(super) struct Problem {
 /// Number of edges that a warning names.
 const NAMED_EDGES: usize = 10;
 
-impl solved::Problem for Problem {
+impl solved::SolverInput for SolverInput {
     fn solve(&self, frame: Frame, exec: &Execution) -> Result<Solved, Error> {
         let Self { net, options, groups, force } = self;
         let force = *force;

@@ -10,7 +10,7 @@ use plateau_mesh::error::Warning;
 use plateau_mesh::{DVec3, Error, Execution, polyline};
 
 #[derive(Debug)]
-pub(super) struct Problem {
+pub(super) struct SolverInput {
     pub boundaries: Vec<Vec<DVec3>>,
     pub options: minimal_surface::Options,
     /// Whether and how to prove a lower bound of the area.
@@ -21,7 +21,7 @@ pub(super) struct Problem {
 /// vertices of a converged film of usual resolution are below it, so that its discretisation is no rainbow.
 const LEAST_RANGE: f64 = 0.01;
 
-impl solved::Problem for Problem {
+impl solved::SolverInput for SolverInput {
     fn solve(&self, frame: Frame, exec: &Execution) -> Result<Solved, Error> {
         let Self { boundaries, options, certify } = self;
         let share = if certify.is_some() { 0.5 } else { 1.0 };

@@ -9,12 +9,12 @@ use plateau_mesh::{DVec3, Error, Execution};
 use plateau_ruled_surface as ruled_surface;
 
 #[derive(Debug)]
-pub(super) struct Problem {
+pub(super) struct SolverInput {
     pub directrices: Vec<Vec<DVec3>>,
     pub options: ruled_surface::Options,
 }
 
-impl solved::Problem for Problem {
+impl solved::SolverInput for SolverInput {
     fn solve(&self, frame: Frame, exec: &Execution) -> Result<Solved, Error> {
         let Self { directrices, options } = self;
         let surface = ruled_surface::solve(directrices, options, exec)?;

@@ -12,13 +12,13 @@ use plateau_film::tensile_structure;
 use plateau_mesh::{Error, Execution};
 
 #[derive(Debug)]
-pub(super) struct Problem {
+pub(super) struct SolverInput {
     pub structure: tensile_structure::Structure,
     pub options: tensile_structure::Options,
     pub force: ForceUnit,
 }
 
-impl solved::Problem for Problem {
+impl solved::SolverInput for SolverInput {
     fn solve(&self, frame: Frame, exec: &Execution) -> Result<Solved, Error> {
         let Self { structure, options, force } = self;
         let force = *force;

@@ -8,12 +8,12 @@ use plateau_mesh::{Error, Execution};
 use plateau_uniform_mesh as uniform_mesh;
 
 #[derive(Debug)]
-pub(super) struct Problem {
+pub(super) struct SolverInput {
     pub domain: uniform_mesh::Domain,
     pub options: uniform_mesh::Options,
 }
 
-impl solved::Problem for Problem {
+impl solved::SolverInput for SolverInput {
     fn solve(&self, frame: Frame, exec: &Execution) -> Result<Solved, Error> {
         let Self { domain, options } = self;
         let solved = uniform_mesh::solve(domain, options, exec)?;
