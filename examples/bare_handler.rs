@@ -11,7 +11,7 @@ use axum::response::IntoResponse;
 use axum::routing::post;
 use plateau::config::LimitsConfig;
 use plateau::wire::incoming::Incoming;
-use plateau_forms::kind::Kind;
+use plateau_forms::kinds::ruled_surface;
 use plateau_forms::solved::Signal;
 use std::error::Error;
 
@@ -25,7 +25,7 @@ async fn bare(State(answer): State<Answer>, body: Bytes) -> impl IntoResponse {
 
 async fn solved(State(answer): State<Answer>, body: Bytes) -> impl IntoResponse {
     let limits = LimitsConfig::default();
-    let incoming = Incoming::read(Kind::RuledSurface, &body, &limits).expect("the benchmark posts good requests");
+    let incoming = Incoming::read(ruled_surface::KIND, &body, &limits).expect("the benchmark posts good requests");
     let solving = tokio::task::spawn_blocking(move || incoming.request.solve(&|| Signal::Continue, &|_| {}));
     let solved = solving.await.expect("no panic").expect("a result");
     assert!(solved.archive.to_bytes().is_ok_and(|bytes| !bytes.is_empty()));

@@ -85,15 +85,16 @@ const CRATES: [(&str, &[&str]); 6] = [
             "rejection",
             "limits",
             "common",
-            "kind",
+            "resolution",
             "json",
             "body",
             "explain",
             "report",
-            "objective",
             "mesh",
             "solved",
             "checked",
+            "blocks",
+            "kind",
             "kinds",
             "components",
             "schema",
@@ -461,6 +462,8 @@ fn sources(name: &str) -> Vec<Source> {
                 folders.push(path);
             } else if path.extension().is_some_and(|extension| extension == "rs") {
                 let below = path.strip_prefix(&root).expect("a path below src").with_extension("");
+                // A folder's `mod.rs` is the folder's own file.
+                let below = if below.ends_with("mod") { below.parent().expect("a folder").to_owned() } else { below };
                 let text = std::fs::read_to_string(&path).expect("a source file");
                 sources.push(Source { path: below.to_string_lossy().replace('\\', "/"), text });
             }

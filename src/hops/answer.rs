@@ -1,11 +1,12 @@
 //! Makes the outputs of a component.
 
-use super::component::{Component, Geometry, Output, Source, Type};
+use super::component::{Component, Output, Source, result_type};
 use crate::hops::envelope;
 use crate::wire::job::Job;
 use plateau_archive::Pattern;
 use plateau_archive::archive::{Archive, CABLES, LineSet, Lines};
 use plateau_archive::formats::Error;
+use plateau_forms::blocks::{self, Part, Type};
 use plateau_forms::report::Warning;
 use plateau_opennurbs::write;
 use serde::Serialize;
@@ -27,7 +28,7 @@ struct Item {
 
 impl Item {
     fn new(of: Type, data: &Value) -> Self {
-        Self { of: of.result(), data: data.to_string() }
+        Self { of: result_type(of), data: data.to_string() }
     }
 }
 
@@ -91,11 +92,11 @@ impl<'a> Answer<'a> {
             .and_then(|statistics| serde_json::from_str(statistics.get()).ok())
             .unwrap_or_default();
         let items = |output: &Output| match output.source {
-            Source::Geometry(part) => match parts.0.get(name(part)) {
+            Source::Result(blocks::Source::Part(part)) => match parts.0.get(name(part)) {
                 Some(ready) => Items::Ready(ready),
                 None => Items::Made(Vec::new()),
             },
-            Source::Statistic(pointer) => {
+            Source::Result(blocks::Source::Statistic(pointer)) => {
                 let value = statistics.pointer(pointer).filter(|value| !value.is_null());
                 Items::Made(value.map(|value| Item::new(output.of, value)).into_iter().collect())
             }
@@ -153,36 +154,36 @@ fn plain(value: &Value) -> String {
 }
 
 /// Returns the name of a part in the file of [`geometry`].
-fn name(part: Geometry) -> &'static str {
+fn name(part: Part) -> &'static str {
     match part {
-        Geometry::Mesh => "mesh",
-        Geometry::Area => "area",
-        Geometry::Rulings => "rulings",
-        Geometry::Outlines => "outlines",
-        Geometry::Folds => "folds",
-        Geometry::FoldAngles => "fold_angles",
-        Geometry::Members => "members",
-        Geometry::MemberLengths => "member_lengths",
-        Geometry::Cables => "cables",
-        Geometry::CableForces => "cable_forces",
-        Geometry::Anchors => "anchors",
-        Geometry::AnchorForces => "anchor_forces",
+        Part::Mesh => "mesh",
+        Part::Area => "area",
+        Part::Rulings => "rulings",
+        Part::Outlines => "outlines",
+        Part::Folds => "folds",
+        Part::FoldAngles => "fold_angles",
+        Part::Members => "members",
+        Part::MemberLengths => "member_lengths",
+        Part::Cables => "cables",
+        Part::CableForces => "cable_forces",
+        Part::Anchors => "anchors",
+        Part::AnchorForces => "anchor_forces",
     }
 }
 
-const PARTS: [Geometry; 12] = [
-    Geometry::Mesh,
-    Geometry::Area,
-    Geometry::Rulings,
-    Geometry::Outlines,
-    Geometry::Folds,
-    Geometry::FoldAngles,
-    Geometry::Members,
-    Geometry::MemberLengths,
-    Geometry::Cables,
-    Geometry::CableForces,
-    Geometry::Anchors,
-    Geometry::AnchorForces,
+const PARTS: [Part; 12] = [
+    Part::Mesh,
+    Part::Area,
+    Part::Rulings,
+    Part::Outlines,
+    Part::Folds,
+    Part::FoldAngles,
+    Part::Members,
+    Part::MemberLengths,
+    Part::Cables,
+    Part::CableForces,
+    Part::Anchors,
+    Part::AnchorForces,
 ];
 
 impl<'a> Parts<'a> {
@@ -206,20 +207,20 @@ pub fn geometry(archive: &Archive) -> Result<Vec<u8>, Error> {
         return Err(Error::OutOfRange { format: "openNURBS", detail: "a coordinate is beyond 3e38" });
     }
     let mut parts: BTreeMap<&str, Vec<Item>> = BTreeMap::new();
-    let mut add = |part: Geometry, of: Type, data: String| {
-        parts.entry(name(part)).or_default().push(Item { of: of.result(), data });
+    let mut add = |part: Part, of: Type, data: String| {
+        parts.entry(name(part)).or_default().push(Item { of: result_type(of), data });
     };
     if !contents.mesh.triangles.is_empty() {
-        add(Geometry::Mesh, Type::Mesh, envelope::to_json(&write::mesh(vertices, &contents.mesh.triangles)));
+        add(Part::Mesh, Type::Mesh, envelope::to_json(&write::mesh(vertices, &contents.mesh.triangles)));
     }
     let corners = contents.mesh.triangles.iter().map(|&triangle| contents.mesh.corners(triangle));
     let area: f64 = corners.map(|[a, b, c]| (b - a).cross(c - a).length() / 2.0).sum();
-    add(Geometry::Area, Type::Number, Value::from(area).to_string());
+    add(Part::Area, Type::Number, Value::from(area).to_string());
     for set in &contents.line_sets {
         let (lines, numbers) = match set.name.as_str() {
-            "bridges" => (Geometry::Rulings, None),
-            "members" => (Geometry::Members, Some(Geometry::MemberLengths)),
-            CABLES => (Geometry::Cables, Some(Geometry::CableForces)),
+            "bridges" => (Part::Rulings, None),
+            "members" => (Part::Members, Some(Part::MemberLengths)),
+            CABLES => (Part::Cables, Some(Part::CableForces)),
             _ => continue,
         };
         let LineSet { lines: Lines::Segments { pairs, values }, .. } = set else { continue };
@@ -239,8 +240,8 @@ pub fn geometry(archive: &Archive) -> Result<Vec<u8>, Error> {
         let vertex = reaction["vertex"].as_u64().and_then(|vertex| vertices.get(usize::try_from(vertex).ok()?));
         if let (Some(vertex), Some(force)) = (vertex, reaction["force"].as_array()) {
             let numbers: Vec<f64> = force.iter().filter_map(Value::as_f64).collect();
-            add(Geometry::Anchors, Type::Point, xyz(&vertex.to_array()));
-            add(Geometry::AnchorForces, Type::Vector, xyz(&numbers));
+            add(Part::Anchors, Type::Point, xyz(&vertex.to_array()));
+            add(Part::AnchorForces, Type::Vector, xyz(&numbers));
         }
     }
     // Serialization cannot fail because there are only lists and text.
@@ -253,16 +254,16 @@ fn xyz(numbers: &[f64]) -> String {
     serde_json::json!({ "X": number(0), "Y": number(1), "Z": number(2) }).to_string()
 }
 
-fn flat_pattern(pattern: &Pattern, add: &mut impl FnMut(Geometry, Type, String)) {
+fn flat_pattern(pattern: &Pattern, add: &mut impl FnMut(Part, Type, String)) {
     let sheet = pattern.sheet();
     for piece in &sheet.pieces {
         let mut outline: Vec<_> = piece.outline.iter().map(|point| point.extend(0.0)).collect();
         outline.extend(outline.first().copied());
-        add(Geometry::Outlines, Type::Curve, envelope::to_json(&write::polyline_curve(&outline)));
+        add(Part::Outlines, Type::Curve, envelope::to_json(&write::polyline_curve(&outline)));
         for fold in &piece.folds {
             let ends = fold.ends.map(|end| end.extend(0.0));
-            add(Geometry::Folds, Type::Curve, envelope::to_json(&write::polyline_curve(&ends)));
-            add(Geometry::FoldAngles, Type::Number, Value::from(fold.angle_deg).to_string());
+            add(Part::Folds, Type::Curve, envelope::to_json(&write::polyline_curve(&ends)));
+            add(Part::FoldAngles, Type::Number, Value::from(fold.angle_deg).to_string());
         }
     }
 }

@@ -4,8 +4,9 @@ use super::Refusal;
 use super::component::Recipe;
 use super::values::{Values, nth};
 use plateau_archive::units::Unit;
+use plateau_forms::blocks::Block;
 use plateau_forms::common::Point;
-use plateau_forms::kind::Kind;
+use plateau_forms::kind::{Kind, Units};
 use plateau_forms::rejection::FieldError;
 use plateau_opennurbs::Mesh;
 use plateau_opennurbs::curve::Curve;
@@ -36,9 +37,9 @@ pub fn draft(recipe: Recipe, values: &Values, max_points: usize) -> Result<Draft
         values,
         max_points,
         errors: Vec::new(),
-        draft: Draft { kind: recipe.kind(), request: Map::new(), places: BTreeMap::new() },
+        draft: Draft { kind: recipe.kind, request: Map::new(), places: BTreeMap::new() },
     };
-    maker.make(recipe);
+    maker.make(recipe.block);
     maker.add_options();
     maker.add_document_unit();
     if maker.errors.is_empty() { Ok(maker.draft) } else { Err(Refusal::Invalid(maker.errors)) }
@@ -82,41 +83,71 @@ struct Maker<'a> {
     draft: Draft,
 }
 
+/// What is made of the inputs of a block that do not become fields as they are, such as curves.
+type Use = fn(&mut Maker<'_>);
+
+/// Recipes of the blocks that have such inputs, by the names of the blocks.
+const RECIPES: [(&str, Use); 7] = [
+    ("minimal-surface", |maker| maker.minimal_surface()),
+    ("film-from-mesh", |maker| maker.film_from_mesh()),
+    ("ruled-strip", |maker| maker.ruled_strip()),
+    ("uniform-mesh", |maker| maker.uniform_mesh()),
+    ("tensile-structure", |maker| maker.tensile_structure()),
+    ("pneumatic-film", |maker| maker.pneumatic_film()),
+    ("cable-net", |maker| maker.cable_net()),
+];
+
 impl Maker<'_> {
-    fn make(&mut self, recipe: Recipe) {
-        match recipe {
-            Recipe::MinimalSurface => {
-                let boundaries = self.polygons("Boundaries");
-                self.set_curves("boundaries", "Boundaries", &boundaries);
-                self.resolution();
-                self.set("objective", "Objective", self.values.text("Objective"));
-                self.set("topology", "Topology", self.values.text("Topology"));
-            }
-            Recipe::FilmFromMesh => {
-                self.film_from_mesh();
-                self.set("objective", "Objective", self.values.text("Objective"));
-            }
-            Recipe::RuledStrip => self.ruled_strip(),
-            Recipe::UniformMesh => self.uniform_mesh(),
-            Recipe::TensileStructure => {
-                let mut boundaries = self.polygons("Boundaries");
-                let cables = self.cables(&mut boundaries);
-                self.set_curves("boundaries", "Boundaries", &boundaries);
-                self.set("cables", "Anchors", cables);
-                self.film();
-            }
-            Recipe::PneumaticFilm => {
-                let boundaries = self.polygons("Boundaries");
-                self.set_curves("boundaries", "Boundaries", &boundaries);
-                for (field, input) in [("pressure", "Pressure"), ("volume", "Volume")] {
-                    if self.values.number(input) != 0.0 {
-                        self.set(field, input, self.values.number(input));
-                    }
-                }
-                self.film();
-            }
-            Recipe::CableNet => self.cable_net(),
+    /// Uses the inputs that need a recipe, and then makes a field of each other one.
+    fn make(&mut self, block: &Block) {
+        if let Some((_, recipe)) = RECIPES.iter().find(|(name, _)| *name == block.name) {
+            recipe(self);
         }
+        for input in block.inputs {
+            if let Some(pointer) = input.field {
+                self.set_at(pointer, input.name, self.values.value(input.name));
+            }
+        }
+    }
+
+    /// Sets the field at a pointer, whose objects are made if they are missing.
+    fn set_at(&mut self, pointer: &'static str, input: &str, value: Value) {
+        let names: Vec<&str> = pointer.split('/').skip(1).collect();
+        let Some((field, above)) = names.split_last() else { return };
+        let (mut object, mut place) = (&mut self.draft.request, String::new());
+        for &name in above {
+            place = format!("{place}/{name}");
+            self.draft.places.entry(place.clone()).or_insert_with(|| input.to_owned());
+            let Value::Object(below) = object.entry(name).or_insert_with(|| json!({})) else { return };
+            object = below;
+        }
+        object.insert((*field).into(), value);
+        self.place(pointer.into(), input);
+    }
+
+    fn minimal_surface(&mut self) {
+        let boundaries = self.polygons("Boundaries");
+        self.set_curves("boundaries", "Boundaries", &boundaries);
+        self.resolution();
+    }
+
+    fn tensile_structure(&mut self) {
+        let mut boundaries = self.polygons("Boundaries");
+        let cables = self.cables(&mut boundaries);
+        self.set_curves("boundaries", "Boundaries", &boundaries);
+        self.set("cables", "Anchors", cables);
+        self.resolution();
+    }
+
+    fn pneumatic_film(&mut self) {
+        let boundaries = self.polygons("Boundaries");
+        self.set_curves("boundaries", "Boundaries", &boundaries);
+        for (field, input) in [("pressure", "Pressure"), ("volume", "Volume")] {
+            if self.values.number(input) != 0.0 {
+                self.set(field, input, self.values.number(input));
+            }
+        }
+        self.resolution();
     }
 
     /// Joins equal points of the cables to vertices, and makes an edge of each segment.
@@ -188,15 +219,6 @@ impl Maker<'_> {
         self.place(format!("/resolution/{field}"), input);
     }
 
-    /// Sets the film's stress and weight, and the resolution.
-    fn film(&mut self) {
-        let (tension, weight) = (self.values.number("Film Tension"), self.values.number("Film Weight"));
-        self.set("film", "Film Tension", json!({ "tension": tension, "weight": weight }));
-        self.place("/film/tension".into(), "Film Tension");
-        self.place("/film/weight".into(), "Film Weight");
-        self.resolution();
-    }
-
     fn film_from_mesh(&mut self) {
         let Some(mesh) = self.values.mesh("Mesh") else { return };
         let (vertices, triangles) = joined(mesh);
@@ -219,7 +241,6 @@ impl Maker<'_> {
         }
         self.set_curves("directrices", "Rails", &rails);
         self.set("closed", "Rails", closed);
-        self.set("objective", "Objective", self.values.text("Objective"));
         self.set("direction", "Align", if self.values.boolean("Align") { "auto" } else { "as_given" });
         let samples = self.values.integer("Samples");
         if samples != 0 {
@@ -246,8 +267,6 @@ impl Maker<'_> {
             }
         };
         self.set("domain", "Boundaries", domain);
-        self.set("edge_length", "Edge Length", self.values.number("Edge Length"));
-        self.set("objective", "Objective", self.values.text("Objective"));
         let lengths = self.values.integer("Lengths");
         if lengths != 0 {
             self.set("optimise", "Lengths", "lengths");
@@ -396,7 +415,7 @@ impl Maker<'_> {
 
     /// Sets the unit of length to that of the document, unless Options name one.
     fn add_document_unit(&mut self) {
-        let has_forces = matches!(self.draft.kind, Kind::TensileStructure | Kind::CableNet);
+        let has_forces = self.draft.kind.units() == Units::LengthAndForce;
         let units = self.draft.request.get("units");
         if units.is_some_and(|units| !has_forces || !units.is_object() || units.get("length").is_some()) {
             return;
@@ -540,11 +559,12 @@ fn naked_edges(triangles: &[[u32; 3]]) -> Result<Vec<Vec<u32>>, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use plateau_forms::kinds::minimal_surface;
     use plateau_mesh::DVec3;
 
     #[test]
     fn errors_name_inputs_and_points() {
-        let mut draft = Draft { kind: Kind::MinimalSurface, request: Map::new(), places: BTreeMap::new() };
+        let mut draft = Draft { kind: minimal_surface::KIND, request: Map::new(), places: BTreeMap::new() };
         for (pointer, input) in [
             ("/boundaries", "Boundaries"),
             ("/boundaries/1", "Boundaries[1]"),

@@ -1,8 +1,9 @@
 //! Reads the message in which Hops sends the values of a component's inputs.
 
 use super::Refusal;
-use super::component::{Component, Input, Type, find};
+use super::component::{Component, find};
 use crate::hops::envelope;
+use plateau_forms::blocks::{Input, Type};
 use plateau_forms::common::Point;
 use plateau_opennurbs::curve::Curve;
 use plateau_opennurbs::{Mesh, Object};
@@ -140,7 +141,7 @@ pub fn read(message: &Named, max_points: usize) -> Result<Values, Refusal> {
     let mut given = BTreeMap::new();
     let mut errors = Vec::new();
     for input in &component.inputs {
-        match input.read(sent.get(input.name).copied().unwrap_or_default(), max_points) {
+        match Given::read(input, sent.get(input.name).copied().unwrap_or_default(), max_points) {
             Ok(value) => drop(given.insert(input.name, value)),
             Err(more) => errors.extend(more),
         }
@@ -162,25 +163,26 @@ pub fn nth(name: &str, index: usize) -> String {
     format!("{name}[{index}]")
 }
 
-impl Input {
-    fn read(&self, items: &[Item], max_points: usize) -> Result<Given, Vec<String>> {
-        let error = |text: &str| vec![format!("{}: {text}", self.name)];
-        if let Some(least) = self.at_least {
+impl Given {
+    /// Reads the values of an input.
+    fn read(input: &Input, items: &[Item], max_points: usize) -> Result<Self, Vec<String>> {
+        let error = |text: &str| vec![format!("{}: {text}", input.name)];
+        if let Some(least) = input.at_least {
             if items.len() < least as usize {
                 return Err(error(&format!("needs at least {least} values, and has {}", items.len())));
             }
-            return match self.of {
-                Type::Curve => self.all(items, |data| curve(data, max_points)).map(Given::Curves),
-                _ => self.all(items, point).map(Given::Points),
+            return match input.of {
+                Type::Curve => all(input, items, |data| curve(data, max_points)).map(Given::Curves),
+                _ => all(input, items, point).map(Given::Points),
             };
         }
-        let data = match (items, &self.default) {
+        let data = match (items, &input.default) {
             ([item], _) => item.data.clone().unwrap_or_default(),
-            ([], Some(default)) => default.to_string(),
+            ([], Some(default)) => Value::from(*default).to_string(),
             ([], None) => return Err(error("has no value")),
             _ => return Err(error(&format!("takes one value, and has {}", items.len()))),
         };
-        let given = match self.of {
+        let given = match input.of {
             Type::Boolean => boolean(&data).map(Given::Boolean),
             Type::Integer => integer(&data).map(Given::Integer),
             Type::Mesh => mesh(&data, max_points).map(Given::Mesh),
@@ -189,18 +191,18 @@ impl Input {
         };
         given.map_err(|text| error(&text))
     }
+}
 
-    fn all<T>(&self, items: &[Item], read: impl Fn(&str) -> Result<T, String>) -> Result<Vec<T>, Vec<String>> {
-        let mut values = Vec::with_capacity(items.len());
-        let mut errors = Vec::new();
-        for (index, item) in items.iter().enumerate() {
-            match read(item.data.as_deref().unwrap_or_default()) {
-                Ok(value) => values.push(value),
-                Err(text) => errors.push(format!("{}: {text}", nth(self.name, index))),
-            }
+fn all<T>(input: &Input, items: &[Item], read: impl Fn(&str) -> Result<T, String>) -> Result<Vec<T>, Vec<String>> {
+    let mut values = Vec::with_capacity(items.len());
+    let mut errors = Vec::new();
+    for (index, item) in items.iter().enumerate() {
+        match read(item.data.as_deref().unwrap_or_default()) {
+            Ok(value) => values.push(value),
+            Err(text) => errors.push(format!("{}: {text}", nth(input.name, index))),
         }
-        if errors.is_empty() { Ok(values) } else { Err(errors) }
     }
+    if errors.is_empty() { Ok(values) } else { Err(errors) }
 }
 
 fn curve(data: &str, max_points: usize) -> Result<Curve, String> {
@@ -261,6 +263,18 @@ fn point(data: &str) -> Result<Point, String> {
 /// Access by name. The component's table and the recipes agree on names and types, which a test checks by solving with
 /// every component.
 impl Values {
+    /// Returns the value of an input that takes one boolean, number or text.
+    #[must_use]
+    pub fn value(&self, name: &str) -> Value {
+        match self.given.get(name) {
+            Some(Given::Boolean(value)) => (*value).into(),
+            Some(Given::Integer(value)) => (*value).into(),
+            Some(Given::Number(value)) => (*value).into(),
+            Some(Given::Text(value)) => value.as_str().into(),
+            _ => Value::Null,
+        }
+    }
+
     #[must_use]
     pub fn curves(&self, name: &str) -> &[Curve] {
         if let Some(Given::Curves(curves)) = self.given.get(name) { curves } else { &[] }

@@ -35,11 +35,16 @@ use serde_json::Value;
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 use std::time::Duration;
 
-/// Text that a client may give its model before the first call.
-const INSTRUCTIONS: &str = "Plateau finds forms: minimal surfaces over boundary curves, optimal ruled strips between \
-    curves, meshes of surfaces and polygons with as many equal edges as possible, films with cables in equilibrium, and \
-    cable nets. Call describe to see the kinds, and describe with a kind for its request's schema and an example. Then call \
-    solve, or start and get for requests that take minutes. link gives the address of the mesh. Lengths are in the request's unit, and angles are in degrees.";
+/// Returns the text that a client may give its model before the first call.
+fn instructions() -> String {
+    let finds: Vec<&str> = Kind::ALL.iter().map(|kind| kind.finds()).collect();
+    format!(
+        "Plateau finds forms: {}. Call describe to see the kinds, and describe with a kind for its request's schema and an \
+         example. Then call solve, or start and get for requests that take minutes. link gives the address of the mesh. \
+         Lengths are in the request's unit, and angles are in degrees.",
+        finds.join("; ")
+    )
+}
 
 /// Bytes that a message may have besides the body of its request.
 const ENVELOPE_BYTES: usize = 64 << 10;
@@ -123,12 +128,12 @@ impl Tools {
         };
         complete(
             &Description {
-                kinds: Kind::ALL.into_iter().filter(|&kind| wanted(kind)).map(Into::into).collect(),
+                kinds: Kind::ALL.iter().copied().filter(|&kind| wanted(kind)).map(Into::into).collect(),
                 objectives,
                 examples,
                 limits: Limits::of(&self.app.config),
                 request_schema: kind.map(schemas::request),
-                statistics_schema: kind.map(schemas::statistics),
+                statistics_schema: kind.map(|kind| Value::Object(schema::statistics(kind))),
                 example,
             },
             Vec::new(),
@@ -195,8 +200,9 @@ impl Tools {
     /// Submits a request that names its kind. Pointers of errors begin at the tool's arguments.
     async fn submit(&self, request: Value, waited_for: bool) -> Result<Job, Failure> {
         const POINTER: &str = "/request";
+        let kind = request["kind"].as_str().and_then(Kind::from_name);
         // The schema of the arguments requires a known kind.
-        let kind = request["kind"].as_str().and_then(Kind::from_name).unwrap_or(Kind::RuledSurface);
+        let kind = kind.ok_or_else(|| Failure::internal("a request without a kind passed its schema"))?;
         let body = serde_json::to_vec(&request).map_err(|error| Failure::internal(error.to_string()))?;
         drop(request);
         let limit = self.app.config.limits.body_bytes;
@@ -266,7 +272,7 @@ impl ServerHandler for Tools {
         let name = Implementation::new("plateau", env!("CARGO_PKG_VERSION")).with_title("Plateau");
         ServerConfig::new(ServerCapabilities::builder().enable_tools().build())
             .with_server_info(name)
-            .with_instructions(INSTRUCTIONS)
+            .with_instructions(instructions())
     }
 
     async fn list_tools(

@@ -24,13 +24,8 @@ use tower_http::cors::{AllowOrigin, Any, CorsLayer};
 /// to the API: `/v1`, the health checks and the metrics. `with_metrics` adds `/metrics`.
 #[must_use]
 pub fn resources(with_metrics: bool) -> Vec<Resource> {
-    let mut resources = vec![
-        Resource::at(Kind::RuledSurface.path()).post(submit::ruled_surface, submit::entry(Kind::RuledSurface)),
-        Resource::at(Kind::MinimalSurface.path()).post(submit::minimal_surface, submit::entry(Kind::MinimalSurface)),
-        Resource::at(Kind::UniformMesh.path()).post(submit::uniform_mesh, submit::entry(Kind::UniformMesh)),
-        Resource::at(Kind::TensileStructure.path())
-            .post(submit::tensile_structure, submit::entry(Kind::TensileStructure)),
-        Resource::at(Kind::CableNet.path()).post(submit::cable_net, submit::entry(Kind::CableNet)),
+    let mut resources: Vec<Resource> = Kind::ALL.iter().copied().map(submit::resource).collect();
+    resources.extend([
         Resource::at("/v1/jobs").get(jobs::list, jobs::list_entry()),
         Resource::at("/v1/jobs/{id}").get(jobs::get, jobs::get_entry()).delete(jobs::delete, jobs::delete_entry()),
         Resource::at("/v1/jobs/{id}/cancel").post(jobs::cancel, jobs::cancel_entry()),
@@ -69,7 +64,7 @@ pub fn resources(with_metrics: bool) -> Vec<Resource> {
         Resource::at("/docs/{file}").get_beside_api(docs::file),
         Resource::at("/").get_beside_api(studio::page),
         Resource::at("/studio/{file}").get_beside_api(studio::file),
-    ];
+    ]);
     if with_metrics {
         resources.push(Resource::at("/metrics").get(health::metrics, health::metrics_entry()));
     }

@@ -334,6 +334,7 @@ fn submission(request: &Request, envelope: Envelope, mut body: Body, from: Submi
 mod tests {
     use super::*;
     use plateau_forms::json::parse;
+    use plateau_forms::kinds::ruled_surface;
 
     #[test]
     fn a_body_has_the_same_hash_whether_its_points_were_read_apart_or_not() {
@@ -341,7 +342,7 @@ mod tests {
             br#"{"up": "y", "directrices": [[[0, 1.0, -0.0], [1.5, 2e3, 1e30], [1, 2, 3], [0.1, -7, 9007199254740991]],
             [[0, 5, 0], [4, 5, 1], [4, 5, 2], [5, 5, 9]]], "normals": null, "cache": "bypass"}"#;
         let limits = crate::config::LimitsConfig::default();
-        let Incoming { request, envelope, body: read } = Incoming::read(Kind::RuledSurface, body, &limits).unwrap();
+        let Incoming { request, envelope, body: read } = Incoming::read(ruled_surface::KIND, body, &limits).unwrap();
         assert_eq!(read.lists().len(), 1);
         let mut whole = Body::from(parse(body).unwrap());
         whole.take("cache");

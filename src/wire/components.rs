@@ -31,8 +31,8 @@ fn add_envelope(components: &mut Map<String, Value>) {
     let Some(Value::Object(mut envelope)) = schemas.remove(envelope::COMPONENT) else { return };
     components.extend(schemas);
     let Some(Value::Object(members)) = envelope.remove("properties") else { return };
-    for kind in Kind::ALL {
-        for name in [request_component(kind).to_owned(), with_kind_component(kind)] {
+    for &kind in Kind::ALL {
+        for name in [request_component(kind).into_owned(), with_kind_component(kind)] {
             if let Some(properties) = components[&name]["properties"].as_object_mut() {
                 properties.extend(members.clone());
             }
@@ -42,30 +42,24 @@ fn add_envelope(components: &mut Map<String, Value>) {
 
 /// Returns the component name of a kind's job.
 #[must_use]
-pub fn job_component(kind: Kind) -> &'static str {
-    match kind {
-        Kind::RuledSurface => "RuledSurfaceJob",
-        Kind::MinimalSurface => "MinimalSurfaceJob",
-        Kind::UniformMesh => "UniformMeshJob",
-        Kind::TensileStructure => "TensileStructureJob",
-        Kind::CableNet => "CableNetJob",
-    }
+pub fn job_component(kind: Kind) -> String {
+    format!("{}Job", kind.pascal_name())
 }
 
 /// Replaces the schema of any job by a union of one schema for each kind, so that each kind has its own statistics.
 fn jobs_of_each_kind(components: &mut Map<String, Value>) {
     let Some(any) = components.remove("Job") else { return };
-    for kind in Kind::ALL {
+    for &kind in Kind::ALL {
         let mut job = any.clone();
         job["properties"]["kind"] = only_kind(kind);
         job["properties"]["statistics"] = json!({
             "description": "Null until the job has succeeded.",
-            "anyOf": [reference(statistics_component(kind)), { "type": "null" }],
+            "anyOf": [reference(&statistics_component(kind)), { "type": "null" }],
         });
-        components.insert(job_component(kind).into(), job);
+        components.insert(job_component(kind), job);
     }
     let description = any["description"].as_str().unwrap_or_default();
-    components.insert("Job".into(), by_kind(description, |kind| job_component(kind).into()));
+    components.insert("Job".into(), by_kind(description, job_component));
 }
 
 #[cfg(test)]

@@ -4,8 +4,8 @@
 use plateau_forms::body::Body;
 use plateau_forms::components::rewritten;
 use plateau_forms::explain::Schemas;
+use plateau_forms::json;
 use plateau_forms::rejection::{FieldError, Rejection};
-use plateau_forms::schema;
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Deserialize;
@@ -104,7 +104,7 @@ impl Envelope {
         if !errors.is_empty() {
             return Err(Rejection::Invalid(errors));
         }
-        let fields: JobFields = schema::deserialize(&value)?;
+        let fields: JobFields = json::deserialize(&value)?;
         for (pointer, text) in [("/label", &fields.label), ("/supersede", &fields.supersede)] {
             // PostgreSQL cannot store a NUL, and no other control character belongs on one line.
             if text.as_ref().is_some_and(|text| text.chars().any(char::is_control)) {

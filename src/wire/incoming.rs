@@ -25,7 +25,7 @@ impl Incoming {
     /// Returns the errors of [`Body::read`], [`Envelope::take`] and [`Request::read`].
     pub fn read(kind: Kind, body: &[u8], limits: &LimitsConfig) -> Result<Self, Rejection> {
         let limits = limits.requests();
-        Self::of(Body::read(kind, body, &limits)?, |body| Request::read(kind, body, &limits))
+        Self::of(Body::read(kind.point_fields(), body, &limits)?, |body| Request::read(kind, body, &limits))
     }
 
     /// Reads a body that names its own kind, as `plateau solve` accepts it.

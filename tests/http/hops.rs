@@ -163,9 +163,9 @@ async fn components_are_described_as_hops_reads_them() {
         names.push(uri.rsplit('/').next().unwrap().to_owned());
     }
     let solving = [
+        "ruled-strip",
         "minimal-surface",
         "film-from-mesh",
-        "ruled-strip",
         "uniform-mesh",
         "tensile-structure",
         "pneumatic-film",

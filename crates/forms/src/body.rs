@@ -3,7 +3,6 @@
 
 use crate::common::Point;
 use crate::json::{self, Strict};
-use crate::kind::Kind;
 use crate::limits::{Limits, refuse_too_many_values};
 use crate::rejection::Rejection;
 use serde::de::{Deserializer as _, MapAccess, Visitor};
@@ -44,14 +43,14 @@ impl From<Value> for Body {
 }
 
 impl Body {
-    /// Reads the JSON of a request of a known kind.
+    /// Reads the JSON of a request whose fields of the given names are lists of polylines.
     ///
     /// # Errors
     /// Returns the errors of [`json::parse`], and [`Rejection::TooLarge`] for a body with very many values.
-    pub fn read(kind: Kind, body: &[u8], limits: &Limits) -> Result<Self, Rejection> {
+    pub fn read(point_fields: &'static [&'static str], body: &[u8], limits: &Limits) -> Result<Self, Rejection> {
         refuse_too_many_values(body, limits)?;
         // The fast reader gives no reason for refusing a body. The strict reader then reports every error.
-        match Self::with_lists(body, kind.point_fields()) {
+        match Self::with_lists(body, point_fields) {
             Some(read) => Ok(read),
             None => json::parse(body).map(Self::from),
         }
@@ -155,6 +154,7 @@ impl<'de> Visitor<'de> for Reader {
 mod tests {
     use super::*;
     use crate::components::{components, request_component};
+    use crate::kind::Kind;
 
     fn read(body: &str) -> Option<Body> {
         Body::with_lists(body.as_bytes(), &["rails", "normals"])
@@ -212,7 +212,7 @@ mod tests {
                     let name = schema["$ref"].as_str().and_then(|reference| reference.rsplit('/').next());
                     name.map_or(schema, |name| &components()[name])
                 };
-                let list = resolved(&components()[request_component(kind)]["properties"][field]);
+                let list = resolved(&components()[&*request_component(*kind)]["properties"][field]);
                 let line = resolved(&list["items"]);
                 let point = resolved(&line["items"]);
                 assert!(line["minItems"].as_u64().unwrap_or(0) <= OUTLINE_POINTS as u64, "{field}");

@@ -1,6 +1,10 @@
-//! Points of requests.
+//! Types that requests and statistics of several kinds have.
 
+use plateau_archive::units::{ForceUnit, Unit};
 use plateau_mesh::DVec3;
+use plateau_mesh::measure;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 /// A point `[x, y, z]` in the client's axes and unit.
 pub type Point = [f64; 3];
@@ -14,4 +18,57 @@ pub fn points(polyline: &[Point]) -> Vec<DVec3> {
 #[must_use]
 pub fn polylines(polylines: &[Vec<Point>]) -> Vec<Vec<DVec3>> {
     polylines.iter().map(|polyline| points(polyline)).collect()
+}
+
+/// Minimum, mean, maximum and standard deviation.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct Spread {
+    pub min: f64,
+    pub mean: f64,
+    pub max: f64,
+    pub std_dev: f64,
+}
+
+impl From<measure::Spread> for Spread {
+    fn from(spread: measure::Spread) -> Self {
+        Self { min: spread.min, mean: spread.mean, max: spread.max, std_dev: spread.std_dev }
+    }
+}
+
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct AngleRange {
+    pub min: f64,
+    pub max: f64,
+}
+
+/// Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
+/// weight of a cable a force per length, and an axial stiffness a force.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LengthAndForce {
+    #[serde(default)]
+    pub length: Unit,
+    #[serde(default)]
+    pub force: ForceUnit,
+}
+
+impl From<LengthAndForce> for Unit {
+    fn from(units: LengthAndForce) -> Self {
+        units.length
+    }
+}
+
+/// Sums of the forces.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct ForceBalance {
+    /// Sum of all loads: weights and pressure.
+    pub loads: Point,
+    /// Sum of all reactions.
+    pub reactions: Point,
+    /// Sum of the reactions' magnitudes, vertex by vertex.
+    pub magnitudes: f64,
+    /// |loads + reactions| / magnitudes.
+    pub imbalance: f64,
+    /// Largest force on a vertex that is not balanced.
+    pub residual_force: f64,
 }

@@ -13,9 +13,9 @@
 //! | formats of unsigned integers | nothing | tools warn about unknown formats; type and minimum say the same |
 
 use crate::kind::Kind;
-use crate::kinds::{cable_net, minimal_surface, ruled_surface, tensile_structure, uniform_mesh};
 use schemars::generate::{SchemaGenerator, SchemaSettings};
 use serde_json::{Map, Value, json};
+use std::borrow::Cow;
 use std::sync::LazyLock;
 
 /// Returns the component schemas of requests by name.
@@ -34,12 +34,9 @@ pub fn components() -> &'static Map<String, Value> {
 
 /// Adds the statistics of every kind to a generator, and returns the union of their schemas with null.
 pub fn statistics(generator: &mut SchemaGenerator) -> schemars::Schema {
-    let ruled = generator.subschema_for::<ruled_surface::RuledStatistics>();
-    let minimal = generator.subschema_for::<minimal_surface::MinimalStatistics>();
-    let uniform = generator.subschema_for::<uniform_mesh::UniformStatistics>();
-    let tensile = generator.subschema_for::<tensile_structure::TensileStatistics>();
-    let net = generator.subschema_for::<cable_net::CableNetStatistics>();
-    schemars::json_schema!({ "anyOf": [ruled, minimal, uniform, tensile, net, { "type": "null" }] })
+    let of_kinds = Kind::ALL.iter().map(|kind| (kind.types().statistics.reference)(generator).to_value());
+    let parts: Vec<Value> = of_kinds.chain([json!({ "type": "null" })]).collect();
+    schemars::json_schema!({ "anyOf": parts })
 }
 
 /// Returns the definitions that `add` gives to a generator, in the forms of the API document.
@@ -54,26 +51,14 @@ pub const REQUEST_WITH_KIND: &str = "RequestWithKind";
 
 /// Returns the component name of a kind's request.
 #[must_use]
-pub fn request_component(kind: Kind) -> &'static str {
-    match kind {
-        Kind::RuledSurface => "RuledSurfaceRequest",
-        Kind::MinimalSurface => "MinimalSurfaceRequest",
-        Kind::UniformMesh => "UniformMeshRequest",
-        Kind::TensileStructure => "TensileStructureRequest",
-        Kind::CableNet => "CableNetRequest",
-    }
+pub fn request_component(kind: Kind) -> Cow<'static, str> {
+    (kind.types().request.name)()
 }
 
 /// Returns the component name of a kind's statistics.
 #[must_use]
-pub fn statistics_component(kind: Kind) -> &'static str {
-    match kind {
-        Kind::RuledSurface => "RuledStatistics",
-        Kind::MinimalSurface => "MinimalStatistics",
-        Kind::UniformMesh => "UniformStatistics",
-        Kind::TensileStructure => "TensileStatistics",
-        Kind::CableNet => "CableNetStatistics",
-    }
+pub fn statistics_component(kind: Kind) -> Cow<'static, str> {
+    (kind.types().statistics.name)()
 }
 
 /// Returns a reference to a component schema.
@@ -83,11 +68,9 @@ pub fn reference(component: &str) -> Value {
 }
 
 fn requests(generator: &mut SchemaGenerator) {
-    generator.subschema_for::<ruled_surface::RuledSurfaceRequest>();
-    generator.subschema_for::<minimal_surface::MinimalSurfaceRequest>();
-    generator.subschema_for::<uniform_mesh::UniformMeshRequest>();
-    generator.subschema_for::<tensile_structure::TensileStructureRequest>();
-    generator.subschema_for::<cable_net::CableNetRequest>();
+    for kind in Kind::ALL {
+        (kind.types().request.reference)(generator);
+    }
 }
 
 fn definitions(settings: SchemaSettings, add: impl FnOnce(&mut SchemaGenerator)) -> Map<String, Value> {
@@ -221,10 +204,11 @@ impl Shape {
 pub fn by_kind(description: &str, component: impl Fn(Kind) -> String) -> Value {
     let path = |kind| format!("#/components/schemas/{}", component(kind));
     let mapping: Map<String, Value> =
-        Kind::ALL.into_iter().map(|kind| (kind.name().to_owned(), path(kind).into())).collect();
+        Kind::ALL.iter().map(|&kind| (kind.name().to_owned(), path(kind).into())).collect();
+    let references: Vec<Value> = Kind::ALL.iter().map(|&kind| json!({ "$ref": path(kind) })).collect();
     json!({
         "description": description,
-        "oneOf": Kind::ALL.map(|kind| json!({ "$ref": path(kind) })),
+        "oneOf": references,
         "discriminator": { "propertyName": "kind", "mapping": mapping },
     })
 }
@@ -244,8 +228,8 @@ pub fn with_kind_component(kind: Kind) -> String {
 /// Adds the requests with a required `kind`, and their union.
 fn with_kinds(components: &mut Map<String, Value>) {
     let name = with_kind_component;
-    for kind in Kind::ALL {
-        let mut request = components[request_component(kind)].clone();
+    for &kind in Kind::ALL {
+        let mut request = components[&*request_component(kind)].clone();
         request["properties"]["kind"] = only_kind(kind);
         if let Some(required) = request["required"].as_array_mut() {
             required.insert(0, "kind".into());

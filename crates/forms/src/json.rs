@@ -1,11 +1,11 @@
-//! Strict parser of JSON bodies.
+//! Strict parser of JSON bodies, and the reader of values that were validated.
 //!
 //! Duplicate keys are refused. A number that is not finite in f64 is refused with its pointer. An integral number
 //! becomes an integer however it was written (`2050.0` becomes 2050), except that -0.0 stays a float. serde_json limits
 //! the nesting to 128 levels.
 
 use crate::rejection::{FieldError, Rejection};
-use serde::de::{DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor};
+use serde::de::{DeserializeOwned, DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Number, Value};
 use std::fmt;
 
@@ -184,6 +184,29 @@ impl<'de> Visitor<'de> for Strict {
         }
         Ok(Value::Object(map))
     }
+}
+
+/// Deserializes a value that passed its schema.
+///
+/// # Errors
+/// Returns values that passed the schema but that serde refuses, with their pointers.
+pub fn deserialize<T: DeserializeOwned>(value: &Value) -> Result<T, Rejection> {
+    // The path is tracked only after a failure, because tracking takes as long as reading, and failures are rare here.
+    if let Ok(read) = T::deserialize(value) {
+        return Ok(read);
+    }
+    serde_path_to_error::deserialize(value).map_err(|error| {
+        let pointer: String = error
+            .path()
+            .iter()
+            .map(|segment| match segment {
+                serde_path_to_error::Segment::Seq { index } => format!("/{index}"),
+                serde_path_to_error::Segment::Map { key } => format!("/{}", key.replace('~', "~0").replace('/', "~1")),
+                _ => String::new(),
+            })
+            .collect();
+        Rejection::Invalid(vec![FieldError::new(pointer, "must have the form that the schema requires")])
+    })
 }
 
 #[cfg(test)]

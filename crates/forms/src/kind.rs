@@ -1,71 +1,164 @@
-//! Names of the kinds of requests, and what can be said of them without their types.
+//! A kind of request as an entry of the table of kinds, [`Kind::ALL`](crate::kinds).
 
-/// Kind of a request.
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize, schemars::JsonSchema,
-)]
-#[serde(rename_all = "snake_case")]
-pub enum Kind {
-    RuledSurface,
-    MinimalSurface,
-    UniformMesh,
-    TensileStructure,
-    CableNet,
+use crate::blocks::{Block, Output};
+use crate::checked::Types;
+use schemars::JsonSchema;
+use serde::{Serialize, Serializer};
+use std::cmp::Ordering;
+use std::fmt;
+use std::hash::{Hash, Hasher};
+
+/// Kind of a request. Kinds with equal names are equal.
+#[derive(Clone, Copy)]
+pub struct Kind(&'static Entry);
+
+/// What the hosts need to know of a kind.
+pub(crate) struct Entry {
+    /// Name in snake case, as requests have it in their field `kind`.
+    pub name: &'static str,
+    /// Path that accepts requests of this kind.
+    pub path: &'static str,
+    /// What requests of this kind ask for, as a phrase with a verb.
+    pub summary: &'static str,
+    /// What this kind finds, as part of the list with which the service introduces itself to a language model.
+    pub finds: &'static str,
+    /// Names of the request fields that are lists of polylines.
+    pub point_fields: &'static [&'static str],
+    pub units: Units,
+    /// The blocks that make requests of this kind in a visual program. Jobs are named after the first.
+    pub blocks: &'static [Block],
+    /// Outputs of each of the blocks.
+    pub outputs: &'static [Output],
+    pub objectives: fn() -> Vec<Objective>,
+    pub types: Types,
+}
+
+/// Form of the field `units` of a kind's requests.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Units {
+    /// The name of a unit of length.
+    Length,
+    /// An object with `length` and `force`.
+    LengthAndForce,
+}
+
+/// One objective of one kind of request.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Objective {
+    pub name: &'static str,
+    pub kind: Kind,
+    /// Quantity that is minimised or maximised, as a formula in words and symbols.
+    pub minimises: &'static str,
+    /// Unit of the objective's value, where `u` is the client's unit.
+    pub unit: &'static str,
+    /// Author, section and equation.
+    pub source: &'static str,
+    /// Names of the request's fields that change the solution.
+    pub options: Vec<&'static str>,
 }
 
 impl Kind {
-    pub const ALL: [Self; 5] =
-        [Self::RuledSurface, Self::MinimalSurface, Self::UniformMesh, Self::TensileStructure, Self::CableNet];
-
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::RuledSurface => "ruled_surface",
-            Self::MinimalSurface => "minimal_surface",
-            Self::UniformMesh => "uniform_mesh",
-            Self::TensileStructure => "tensile_structure",
-            Self::CableNet => "cable_net",
-        }
+    pub(crate) const fn of(entry: &'static Entry) -> Self {
+        Self(entry)
     }
 
     #[must_use]
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|kind| kind.name() == name)
+    pub fn name(self) -> &'static str {
+        self.0.name
+    }
+
+    /// Returns the name in Pascal case, with which the names of components and operations of the API document begin.
+    #[must_use]
+    pub fn pascal_name(self) -> String {
+        let words = self.0.name.split('_');
+        words.map(|word| word[..1].to_ascii_uppercase() + &word[1..]).collect()
     }
 
     /// Returns the names of the request fields that are lists of polylines.
     #[must_use]
     pub fn point_fields(self) -> &'static [&'static str] {
-        match self {
-            Self::RuledSurface => &["directrices", "normals", "tangents"],
-            Self::MinimalSurface | Self::TensileStructure => &["boundaries"],
-            Self::UniformMesh | Self::CableNet => &[],
-        }
+        self.0.point_fields
     }
 
     /// Returns what requests of this kind ask for, as a phrase with a verb.
     #[must_use]
     pub fn summary(self) -> &'static str {
-        match self {
-            Self::RuledSurface => "Finds the globally optimal ruled strip between directrices for an objective",
-            Self::MinimalSurface => "Finds the minimal surface that spans boundary polylines",
-            Self::UniformMesh => "Finds a mesh of a polygon, patch or film with as many equal edges as possible",
-            Self::TensileStructure => "Finds the shape in equilibrium of a film with cables, pressure and weight",
-            Self::CableNet => {
-                "Finds the shape in equilibrium of a cable net that comes nearest to target forces and lengths"
-            }
-        }
+        self.0.summary
+    }
+
+    /// Returns what this kind finds, as a part of a list.
+    #[must_use]
+    pub fn finds(self) -> &'static str {
+        self.0.finds
     }
 
     /// Returns the path that accepts requests of this kind.
     #[must_use]
     pub fn path(self) -> &'static str {
-        match self {
-            Self::RuledSurface => "/v1/ruled-surfaces",
-            Self::MinimalSurface => "/v1/minimal-surfaces",
-            Self::UniformMesh => "/v1/uniform-meshes",
-            Self::TensileStructure => "/v1/tensile-structures",
-            Self::CableNet => "/v1/cable-nets",
-        }
+        self.0.path
+    }
+
+    #[must_use]
+    pub fn units(self) -> Units {
+        self.0.units
+    }
+
+    /// Returns the blocks that make requests of this kind in a visual program. Jobs are named after the first.
+    #[must_use]
+    pub fn blocks(self) -> &'static [Block] {
+        self.0.blocks
+    }
+
+    /// Returns the outputs of the blocks.
+    #[must_use]
+    pub fn outputs(self) -> &'static [Output] {
+        self.0.outputs
+    }
+
+    #[must_use]
+    pub fn objectives(self) -> Vec<Objective> {
+        (self.0.objectives)()
+    }
+
+    pub(crate) fn types(self) -> &'static Types {
+        &self.0.types
+    }
+}
+
+impl fmt::Debug for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Kind").field(&self.name()).finish()
+    }
+}
+
+impl PartialEq for Kind {
+    fn eq(&self, other: &Self) -> bool {
+        self.name() == other.name()
+    }
+}
+
+impl Eq for Kind {}
+
+impl PartialOrd for Kind {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Kind {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.name().cmp(other.name())
+    }
+}
+
+impl Hash for Kind {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.name().hash(state);
+    }
+}
+
+impl Serialize for Kind {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
     }
 }

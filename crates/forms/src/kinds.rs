@@ -1,4 +1,5 @@
-//! The kinds of requests. Each has a file with its types, its checks and its way to the solver.
+//! The table of the kinds of requests. Each kind is a folder with its types, its checks, its way to the solver and its
+//! words, and a line of the table. The service and the command line offer every kind of the table.
 
 pub mod cable_net;
 pub mod minimal_surface;
@@ -6,15 +7,43 @@ pub mod ruled_surface;
 pub mod tensile_structure;
 pub mod uniform_mesh;
 
-use crate::objective::Objective;
+use crate::kind::{Kind, Objective};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
+use std::borrow::Cow;
+
+impl Kind {
+    /// Every kind, in the order of the API document.
+    pub const ALL: &[Self] =
+        &[ruled_surface::KIND, minimal_surface::KIND, uniform_mesh::KIND, tensile_structure::KIND, cable_net::KIND];
+
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|kind| kind.name() == name)
+    }
+}
 
 /// Returns the objectives of every kind.
 #[must_use]
 pub fn objectives() -> Vec<Objective> {
-    let mut objectives = ruled_surface::objectives();
-    objectives.extend(minimal_surface::objectives());
-    objectives.extend(uniform_mesh::objectives());
-    objectives.extend(tensile_structure::objectives());
-    objectives.extend(cable_net::objectives());
-    objectives
+    Kind::ALL.iter().flat_map(|kind| kind.objectives()).collect()
+}
+
+impl<'de> Deserialize<'de> for Kind {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let name = Cow::<str>::deserialize(deserializer)?;
+        Self::from_name(&name).ok_or_else(|| D::Error::custom("must be the name of a kind"))
+    }
+}
+
+impl JsonSchema for Kind {
+    fn schema_name() -> Cow<'static, str> {
+        "Kind".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let names: Vec<&str> = Self::ALL.iter().map(|kind| kind.name()).collect();
+        json_schema!({ "description": "Kind of a request.", "type": "string", "enum": names })
+    }
 }

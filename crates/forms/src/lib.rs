@@ -11,6 +11,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod blocks;
 pub mod body;
 mod checked;
 pub mod common;
@@ -21,10 +22,10 @@ pub mod kind;
 pub mod kinds;
 pub mod limits;
 pub mod mesh;
-pub mod objective;
 pub mod rejection;
 pub mod report;
 pub mod request;
+pub mod resolution;
 pub mod schema;
 pub mod solved;
 

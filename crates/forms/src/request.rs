@@ -1,13 +1,8 @@
 //! Requests: from JSON to a solved result.
 
 use crate::body::{Body, PointList};
-use crate::checked::{Checked, KindRequest};
+use crate::checked::Checked;
 use crate::kind::Kind;
-use crate::kinds::cable_net::CableNetRequest;
-use crate::kinds::minimal_surface::MinimalSurfaceRequest;
-use crate::kinds::ruled_surface::RuledSurfaceRequest;
-use crate::kinds::tensile_structure::TensileStructureRequest;
-use crate::kinds::uniform_mesh::UniformMeshRequest;
 use crate::limits::Limits;
 use crate::rejection::{FieldError, Rejection};
 use crate::report::Progress;
@@ -48,19 +43,7 @@ impl Request {
     /// # Errors
     /// Fails if this version does not know the body, or if it exceeds the limits.
     pub fn read_stored(kind: Kind, body: &[u8], limits: &Limits) -> Result<Self, Rejection> {
-        let request = match kind {
-            Kind::RuledSurface => Self::stored::<RuledSurfaceRequest>(kind, body, limits),
-            Kind::MinimalSurface => Self::stored::<MinimalSurfaceRequest>(kind, body, limits),
-            Kind::UniformMesh => Self::stored::<UniformMeshRequest>(kind, body, limits),
-            Kind::TensileStructure => Self::stored::<TensileStructureRequest>(kind, body, limits),
-            Kind::CableNet => Self::stored::<CableNetRequest>(kind, body, limits),
-        };
-        request?.within(limits)
-    }
-
-    fn stored<T: KindRequest>(kind: Kind, body: &[u8], limits: &Limits) -> Result<Self, Rejection> {
-        let request: T = serde_json::from_slice(body).map_err(|error| Rejection::Malformed(error.to_string()))?;
-        Self::checked(kind, &request, limits)
+        Self::new(kind, (kind.types().read_stored)(body, limits)?).within(limits)
     }
 
     /// Reads a request that names its own kind.
@@ -82,32 +65,13 @@ impl Request {
     }
 
     fn of_valid(kind: Kind, outline: &Value, lists: &[PointList], limits: &Limits) -> Result<Self, Rejection> {
-        let request = match kind {
-            Kind::RuledSurface => Self::validated::<RuledSurfaceRequest>(kind, outline, lists, limits),
-            Kind::MinimalSurface => Self::validated::<MinimalSurfaceRequest>(kind, outline, lists, limits),
-            Kind::UniformMesh => Self::validated::<UniformMeshRequest>(kind, outline, lists, limits),
-            Kind::TensileStructure => Self::validated::<TensileStructureRequest>(kind, outline, lists, limits),
-            Kind::CableNet => Self::validated::<CableNetRequest>(kind, outline, lists, limits),
-        };
-        request.map_err(|rejection| rejection.placed_in(outline))?.within(limits)
+        let read = (kind.types().read)(outline, lists, limits).map_err(|rejection| rejection.placed_in(outline))?;
+        Self::new(kind, read).within(limits)
     }
 
-    /// Reads an outline that was validated against the schema.
-    fn validated<T: KindRequest>(
-        kind: Kind,
-        outline: &Value,
-        lists: &[PointList],
-        limits: &Limits,
-    ) -> Result<Self, Rejection> {
-        let mut request: T = schema::deserialize(outline)?;
-        lists.iter().for_each(|list| request.take(list));
-        Self::checked(kind, &request, limits)
-    }
-
-    fn checked<T: KindRequest>(kind: Kind, request: &T, limits: &Limits) -> Result<Self, Rejection> {
-        let Checked { memory_bytes, quick, input } = request.check(limits)?;
-        let (unit, up) = request.axes();
-        Ok(Self { frame: Frame { unit, up }, memory_bytes, quick, kind, input })
+    fn new(kind: Kind, (frame, checked): (Frame, Checked)) -> Self {
+        let Checked { memory_bytes, quick, input } = checked;
+        Self { frame, memory_bytes, quick, kind, input }
     }
 
     /// Refuses a request that needs more memory than the limit of one job.

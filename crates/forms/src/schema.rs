@@ -2,10 +2,11 @@
 
 use crate::components::{REQUEST_WITH_KIND, components, request_component};
 use crate::explain::Schemas;
+use crate::json;
 use crate::kind::Kind;
 use crate::rejection::{FieldError, Rejection};
-use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 use std::sync::LazyLock;
@@ -13,8 +14,23 @@ use std::sync::LazyLock;
 /// Returns the schema of one type with every schema that it refers to below `$defs`.
 #[must_use]
 pub fn standalone<T: JsonSchema>() -> Map<String, Value> {
-    let generator = SchemaSettings::draft2020_12().into_generator();
-    let mut schema = generator.into_root_schema_for::<T>().to_value();
+    standing_alone(SchemaGenerator::into_root_schema_for::<T>)
+}
+
+/// Returns the schema of a kind's request as [`standalone`] does.
+#[must_use]
+pub fn request(kind: Kind) -> Map<String, Value> {
+    standing_alone(kind.types().request.root)
+}
+
+/// Returns the schema of the statistics of a kind as [`standalone`] does.
+#[must_use]
+pub fn statistics(kind: Kind) -> Map<String, Value> {
+    standing_alone(kind.types().statistics.root)
+}
+
+fn standing_alone(root: impl FnOnce(SchemaGenerator) -> Schema) -> Map<String, Value> {
+    let mut schema = root(SchemaSettings::draft2020_12().into_generator()).to_value();
     remove_unsigned_formats(&mut schema);
     match schema {
         Value::Object(schema) => schema,
@@ -48,7 +64,7 @@ pub fn read<T: JsonSchema + DeserializeOwned>(value: &Value) -> Result<T, Reject
     let mut schemas = schema.remove("$defs").and_then(|named| named.as_object().cloned()).unwrap_or_default();
     schemas.insert(ROOT.into(), schema.into());
     refuse(Schemas::new(&schemas).errors(ROOT, value))?;
-    deserialize(value)
+    json::deserialize(value)
 }
 
 /// Validates a value against a schema of the API document.
@@ -74,35 +90,13 @@ pub fn validate_with_kind(value: &Value) -> Result<(), Rejection> {
 /// # Errors
 /// Returns every violation with its pointer, at most [`MAX_ERRORS`](crate::rejection::MAX_ERRORS) + 1.
 pub fn validate(kind: Kind, value: &Value) -> Result<(), Rejection> {
-    validate_component(request_component(kind), value)
-}
-
-/// Deserializes a value that passed its schema.
-///
-/// # Errors
-/// Returns values that passed the schema but that serde refuses, with their pointers.
-pub fn deserialize<T: DeserializeOwned>(value: &Value) -> Result<T, Rejection> {
-    // The path is tracked only after a failure, because tracking takes as long as reading, and failures are rare here.
-    if let Ok(read) = T::deserialize(value) {
-        return Ok(read);
-    }
-    serde_path_to_error::deserialize(value).map_err(|error| {
-        let pointer: String = error
-            .path()
-            .iter()
-            .map(|segment| match segment {
-                serde_path_to_error::Segment::Seq { index } => format!("/{index}"),
-                serde_path_to_error::Segment::Map { key } => format!("/{}", key.replace('~', "~0").replace('/', "~1")),
-                _ => String::new(),
-            })
-            .collect();
-        Rejection::Invalid(vec![FieldError::new(pointer, "must have the form that the schema requires")])
-    })
+    validate_component(&request_component(kind), value)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::kinds::{minimal_surface, ruled_surface, uniform_mesh};
     use crate::rejection::MAX_ERRORS;
     use serde_json::json;
 
@@ -114,7 +108,7 @@ mod tests {
     }
 
     fn pointers(body: &Value) -> Vec<String> {
-        errors(Kind::RuledSurface, body).into_iter().map(|(pointer, _)| pointer).collect()
+        errors(ruled_surface::KIND, body).into_iter().map(|(pointer, _)| pointer).collect()
     }
 
     #[test]
@@ -142,7 +136,7 @@ mod tests {
     fn the_error_for_an_unknown_name_lists_the_known_names() {
         let boundary = json!([[0, 0, 0], [1, 0, 0], [0, 1, 0]]);
         let refused = |field: &str, value: Value| {
-            let found = errors(Kind::MinimalSurface, &json!({ "boundaries": [boundary], field: value }));
+            let found = errors(minimal_surface::KIND, &json!({ "boundaries": [boundary], field: value }));
             assert_eq!((found.len(), found[0].0.as_str()), (1, format!("/{field}").as_str()), "{found:?}");
             found[0].1.clone()
         };
@@ -167,7 +161,7 @@ mod tests {
     #[test]
     fn a_point_in_the_plane_and_an_object_are_told_the_form_of_a_point() {
         let found = errors(
-            Kind::MinimalSurface,
+            minimal_surface::KIND,
             &json!({ "boundaries": [[[0, 0], { "x": 1, "y": 0, "z": 0 }, "1 1 0", [1, 1, 0, 1]]] }),
         );
         let point = "must be a point or vector [x, y, z], such as [0, 0, 1.5]";
@@ -187,20 +181,20 @@ mod tests {
     fn a_list_that_lacks_a_level_has_one_error() {
         let points = json!([[0, 0, 0], [1, 0, 0], [1, 1, 0]]);
         for (kind, body, pointer) in [
-            (Kind::MinimalSurface, json!({ "boundaries": points }), "/boundaries"),
-            (Kind::RuledSurface, json!({ "directrices": points }), "/directrices"),
-            (Kind::MinimalSurface, json!({ "boundaries": [0, 0, 0, 1, 0, 0] }), "/boundaries"),
+            (minimal_surface::KIND, json!({ "boundaries": points }), "/boundaries"),
+            (ruled_surface::KIND, json!({ "directrices": points }), "/directrices"),
+            (minimal_surface::KIND, json!({ "boundaries": [0, 0, 0, 1, 0, 0] }), "/boundaries"),
             (
-                Kind::MinimalSurface,
+                minimal_surface::KIND,
                 json!({ "boundaries": [points], "constraints": { "points": [1, 2, 3] } }),
                 "/constraints/points",
             ),
             (
-                Kind::UniformMesh,
+                uniform_mesh::KIND,
                 json!({ "domain": { "polygon": [0, 0, 0, 1, 0, 0] }, "edge_length": 1 }),
                 "/domain/polygon",
             ),
-            (Kind::UniformMesh, json!({ "domain": { "boundaries": points }, "edge_length": 1 }), "/domain/boundaries"),
+            (uniform_mesh::KIND, json!({ "domain": { "boundaries": points }, "edge_length": 1 }), "/domain/boundaries"),
         ] {
             let found = errors(kind, &body);
             assert_eq!((found.len(), found[0].0.as_str()), (1, pointer), "{found:?}");
@@ -211,7 +205,7 @@ mod tests {
     #[test]
     fn points_in_place_of_a_domain_are_told_the_members_of_a_domain() {
         for domain in [json!([[0, 0, 0], [1, 0, 0], [1, 1, 0]]), json!([])] {
-            let found = errors(Kind::UniformMesh, &json!({ "domain": domain, "edge_length": 1 }));
+            let found = errors(uniform_mesh::KIND, &json!({ "domain": domain, "edge_length": 1 }));
             let members = "bezier, boundaries, holes, nurbs, polygon";
             let expected = format!("must be an object with at least one of the members {members}");
             assert_eq!(found, [("/domain".into(), expected)]);
@@ -221,7 +215,7 @@ mod tests {
     #[test]
     fn violations_of_different_members_are_reported_together() {
         let found = errors(
-            Kind::MinimalSurface,
+            minimal_surface::KIND,
             &json!({ "boundaries": [[[0, 0, "x"], [1, 0, 0]]], "colour": 1, "resolution": 5 }),
         );
         let pointers: Vec<&str> = found.iter().map(|(pointer, _)| pointer.as_str()).collect();

@@ -5,13 +5,7 @@ use crate::wire::envelope::JobFields;
 use crate::wire::job::JobSummary;
 use crate::wire::objectives::{Example, ExampleSummary, Limits};
 use plateau_archive::formats::MeshFormat;
-use plateau_forms::kind::Kind;
-use plateau_forms::kinds::cable_net::{CableNetRequest, CableNetStatistics};
-use plateau_forms::kinds::minimal_surface::{MinimalStatistics, MinimalSurfaceRequest};
-use plateau_forms::kinds::ruled_surface::{RuledStatistics, RuledSurfaceRequest};
-use plateau_forms::kinds::tensile_structure::{TensileStatistics, TensileStructureRequest};
-use plateau_forms::kinds::uniform_mesh::{UniformMeshRequest, UniformStatistics};
-use plateau_forms::objective::Objective;
+use plateau_forms::kind::{Kind, Objective};
 use plateau_forms::schema;
 use rmcp::model::{JsonObject, Tool, ToolAnnotations};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -141,7 +135,7 @@ fn request_outline(_: &mut SchemaGenerator) -> Schema {
         "type": "object",
         "description": "The request. `describe` with its kind returns the schema of all fields.",
         "required": ["kind"],
-        "properties": { "kind": { "type": "string", "enum": Kind::ALL.map(Kind::name) } },
+        "properties": { "kind": { "type": "string", "enum": Kind::ALL } },
     })
 }
 
@@ -156,13 +150,7 @@ fn format_name(_: &mut SchemaGenerator) -> Schema {
 /// Returns the schema of a kind's request.
 #[must_use]
 pub fn request(kind: Kind) -> Value {
-    let mut request = match kind {
-        Kind::RuledSurface => schema::standalone::<RuledSurfaceRequest>(),
-        Kind::MinimalSurface => schema::standalone::<MinimalSurfaceRequest>(),
-        Kind::UniformMesh => schema::standalone::<UniformMeshRequest>(),
-        Kind::TensileStructure => schema::standalone::<TensileStructureRequest>(),
-        Kind::CableNet => schema::standalone::<CableNetRequest>(),
-    };
+    let mut request = schema::request(kind);
     // A request may have the fields that concern its job.
     let mut envelope = schema::standalone::<JobFields>();
     for part in ["properties", "$defs"] {
@@ -173,18 +161,6 @@ pub fn request(kind: Kind) -> Value {
         }
     }
     Value::Object(request)
-}
-
-/// Returns the schema of the statistics of a kind's jobs.
-#[must_use]
-pub fn statistics(kind: Kind) -> Value {
-    Value::Object(match kind {
-        Kind::RuledSurface => schema::standalone::<RuledStatistics>(),
-        Kind::MinimalSurface => schema::standalone::<MinimalStatistics>(),
-        Kind::UniformMesh => schema::standalone::<UniformStatistics>(),
-        Kind::TensileStructure => schema::standalone::<TensileStatistics>(),
-        Kind::CableNet => schema::standalone::<CableNetStatistics>(),
-    })
 }
 
 /// Returns the schema of a job with its statistics. The schema of the statistics is left to `describe`, because it is six

@@ -6,6 +6,7 @@ use crate::http::body;
 use crate::http::entry::{prefer_parameter, reference, with_problems};
 use crate::http::negotiate::{accepted, prefer_wait_s};
 use crate::http::problem::Failure;
+use crate::http::resource::Resource;
 use crate::http::state::App;
 use crate::jobs::JobsError;
 use crate::jobs::service::CancelOnDrop;
@@ -28,36 +29,12 @@ use std::time::Duration;
 pub const PREFERENCE_APPLIED: HeaderName = HeaderName::from_static("preference-applied");
 const IDEMPOTENCY_KEY: HeaderName = HeaderName::from_static("idempotency-key");
 
-pub async fn ruled_surface(
-    State(app): State<App>,
-    caller: Caller,
-    request: Request<Body>,
-) -> Result<Response, Failure> {
-    submit(&app, &caller, Kind::RuledSurface, request).await
-}
-
-pub async fn minimal_surface(
-    State(app): State<App>,
-    caller: Caller,
-    request: Request<Body>,
-) -> Result<Response, Failure> {
-    submit(&app, &caller, Kind::MinimalSurface, request).await
-}
-
-pub async fn uniform_mesh(State(app): State<App>, caller: Caller, request: Request<Body>) -> Result<Response, Failure> {
-    submit(&app, &caller, Kind::UniformMesh, request).await
-}
-
-pub async fn tensile_structure(
-    State(app): State<App>,
-    caller: Caller,
-    request: Request<Body>,
-) -> Result<Response, Failure> {
-    submit(&app, &caller, Kind::TensileStructure, request).await
-}
-
-pub async fn cable_net(State(app): State<App>, caller: Caller, request: Request<Body>) -> Result<Response, Failure> {
-    submit(&app, &caller, Kind::CableNet, request).await
+/// Returns the path that accepts requests of a kind, with its handler and its entry in the API document.
+pub fn resource(kind: Kind) -> Resource {
+    let handler = move |State(app): State<App>, caller: Caller, request: Request<Body>| async move {
+        submit(&app, &caller, kind, request).await
+    };
+    Resource::at(kind.path()).post(handler, entry(kind))
 }
 
 async fn submit(app: &App, caller: &Caller, kind: Kind, request: Request<Body>) -> Result<Response, Failure> {
@@ -136,21 +113,14 @@ async fn mesh_of(app: &App, caller: &Caller, job: &Job, format: MeshFormat) -> R
 /// and are only at `GET /v1/examples/{name}`.
 const MAX_EXAMPLE_BYTES: usize = 1200;
 
-pub fn entry(kind: Kind) -> Value {
-    let id = match kind {
-        Kind::RuledSurface => "postRuledSurface",
-        Kind::MinimalSurface => "postMinimalSurface",
-        Kind::UniformMesh => "postUniformMesh",
-        Kind::TensileStructure => "postTensileStructure",
-        Kind::CableNet => "postCableNet",
-    };
+fn entry(kind: Kind) -> Value {
     let examples: Map<String, Value> = ready_requests()
         .iter()
         .filter(|example| example.kind == kind && example.request.to_string().len() <= MAX_EXAMPLE_BYTES)
         .map(|example| (example.name.into(), json!({ "summary": example.title, "value": example.request })))
         .collect();
-    let mut post = submission_entry(request_component(kind), job_component(kind), "job", Value::Object(examples));
-    post["operationId"] = id.into();
+    let mut post = submission_entry(&request_component(kind), &job_component(kind), "job", Value::Object(examples));
+    post["operationId"] = format!("post{}", kind.pascal_name()).into();
     post["summary"] = kind.summary().into();
     post["description"] = "With `Prefer: wait` and an `Accept` that prefers a media type of `getMesh`, such as \
         `model/gltf-binary`, the answer to a job that succeeds in time is the mesh itself. `Location` and `Link` lead to \

@@ -1,8 +1,6 @@
 //! Statistics of a cable net.
 
-use crate::common::Point;
-use crate::kinds::minimal_surface::Spread;
-use crate::kinds::tensile_structure::ForceBalance;
+use crate::common::{ForceBalance, Point, Spread};
 use plateau_archive::units::ForceUnit;
 use plateau_film::cable_net as geometry;
 use plateau_mesh::{DVec3, measure};

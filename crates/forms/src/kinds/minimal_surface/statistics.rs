@@ -1,39 +1,18 @@
 //! Statistics of a minimal surface.
 
 use super::certificate::{Certificate, gap};
-use crate::common::Point;
+use crate::common::{AngleRange, Point, Spread};
 use plateau_film::minimal_surface as geometry;
 use plateau_lower_bound::LowerBound;
 use plateau_mesh::self_intersections::Skipped;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Minimum, mean, maximum and standard deviation.
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct Spread {
-    pub min: f64,
-    pub mean: f64,
-    pub max: f64,
-    pub std_dev: f64,
-}
-
-impl From<plateau_mesh::measure::Spread> for Spread {
-    fn from(spread: plateau_mesh::measure::Spread) -> Self {
-        Self { min: spread.min, mean: spread.mean, max: spread.max, std_dev: spread.std_dev }
-    }
-}
-
 #[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
 pub struct MeanCurvature {
     pub max: f64,
     pub mean: f64,
     pub rms: f64,
-}
-
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct AngleRange {
-    pub min: f64,
-    pub max: f64,
 }
 
 /// One iteration of the solver.

@@ -1,7 +1,6 @@
 //! Statistics of a tensile structure.
 
-use crate::common::Point;
-use crate::kinds::minimal_surface::{AngleRange, Spread};
+use crate::common::{AngleRange, ForceBalance, Point, Spread};
 use plateau_archive::units::ForceUnit;
 use plateau_film::tensile_structure as geometry;
 use plateau_mesh::self_intersections::Skipped;
@@ -74,21 +73,6 @@ pub struct EdgeReaction {
     pub boundary: usize,
     /// Force of the supports on the structure.
     pub force: Point,
-}
-
-/// Sums of the forces.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct ForceBalance {
-    /// Sum of all loads: weights and pressure.
-    pub loads: Point,
-    /// Sum of all reactions.
-    pub reactions: Point,
-    /// Sum of the reactions' magnitudes, vertex by vertex.
-    pub magnitudes: f64,
-    /// |loads + reactions| / magnitudes.
-    pub imbalance: f64,
-    /// Largest force on a vertex that is not balanced.
-    pub residual_force: f64,
 }
 
 /// Principal stresses of the film.

@@ -1,7 +1,6 @@
 //! Statistics of a lattice.
 
-use crate::common::Point;
-use crate::kinds::minimal_surface::{AngleRange, Spread};
+use crate::common::{AngleRange, Point, Spread};
 use plateau_mesh::self_intersections::Skipped;
 use plateau_uniform_mesh as geometry;
 use schemars::JsonSchema;

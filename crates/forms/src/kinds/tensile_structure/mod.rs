@@ -4,24 +4,110 @@ mod solve;
 mod statistics;
 
 pub use statistics::{
-    CableForce, ChamberState, EdgeReaction, EquilibriumStability, FilmStress, ForceBalance, LayerFigures, MastForce,
-    Ponding, RingPosition, StressRange, SupportReaction, TensileStatistics, WeaveHold, WeaveStress,
+    CableForce, ChamberState, EdgeReaction, EquilibriumStability, FilmStress, LayerFigures, MastForce, Ponding,
+    RingPosition, StressRange, SupportReaction, TensileStatistics, WeaveHold, WeaveStress,
 };
 
-use super::minimal_surface::Resolution;
+use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
 use crate::body::PointList;
-use crate::checked::{Checked, KindRequest};
-use crate::common::{self, Point};
-use crate::kind::Kind;
+use crate::checked::{Checked, KindRequest, Types};
+use crate::common::{self, LengthAndForce, Point};
+use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
-use crate::objective::Objective as ObjectiveDoc;
 use crate::rejection::{FieldError, Rejection};
-use plateau_archive::units::{ForceUnit, Unit, UpAxis};
+use crate::resolution::Resolution;
+use plateau_archive::units::{Unit, UpAxis};
 use plateau_film::equilibrium::Support;
 use plateau_film::tensile_structure as geometry;
 use plateau_mesh::DVec3;
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+pub const KIND: Kind = Kind::of(&ENTRY);
+
+static ENTRY: Entry = Entry {
+    name: "tensile_structure",
+    path: "/v1/tensile-structures",
+    summary: "Finds the shape in equilibrium of a film with cables, pressure and weight",
+    finds: "films with cables in equilibrium",
+    point_fields: &["boundaries"],
+    units: Units::LengthAndForce,
+    blocks: &[
+        Block {
+            name: "tensile-structure",
+            title: "Tensile Structure",
+            description: "Film in equilibrium with cables along its edges between anchors.",
+            inputs: &[
+                blocks::BOUNDARIES,
+                Input::list(
+                    "Anchors",
+                    "A",
+                    Type::Point,
+                    2,
+                    "Fixed points on the boundaries. A cable runs along the edge between neighbouring anchors. A boundary \
+                     without anchors is fixed as a whole.",
+                ),
+                Input::required(
+                    "Cable Value",
+                    "C",
+                    Type::Number,
+                    "Value that the mode holds constant for every cable.",
+                ),
+                Input::optional(
+                    "Cable Mode",
+                    "M",
+                    Preset::Text("force"),
+                    "force, end_tension, horizontal_component, force_density, length or sag.",
+                ),
+                TENSION,
+                WEIGHT,
+                blocks::TRIANGLES,
+            ],
+        },
+        Block {
+            name: "pneumatic-film",
+            title: "Pneumatic Film",
+            description: "Film in equilibrium with a pressure or around a volume, on fixed edges.",
+            inputs: &[
+                blocks::BOUNDARIES,
+                Input::optional(
+                    "Pressure",
+                    "P",
+                    Preset::Number(0.0),
+                    "Force per area, towards the side from which the first boundary runs counter-clockwise.",
+                ),
+                Input::optional(
+                    "Volume",
+                    "V",
+                    Preset::Number(0.0),
+                    "Volume under the film in place of the pressure, unless 0.",
+                ),
+                TENSION,
+                WEIGHT,
+                blocks::TRIANGLES,
+            ],
+        },
+    ],
+    outputs: &[
+        blocks::MESH,
+        blocks::AREA,
+        blocks::CONVERGED,
+        Output::figure("/pressure", "Pressure", "P", Type::Number, "Pressure, given or found."),
+        Output::part(Part::Cables, "Cables", "Ca", Type::Curve, "Segments of the cables."),
+        blocks::CABLE_FORCES,
+        Output::part(Part::Anchors, "Anchor Points", "AP", Type::Point, "Supports at the ends of cables."),
+        blocks::ANCHOR_FORCES,
+    ],
+    objectives,
+    types: Types::of::<TensileStructureRequest>(),
+};
+
+const TENSION: Input =
+    Input::optional("Film Tension", "S", Preset::Number(1.0), "Tension of the film, a force per length.")
+        .to("/film/tension");
+const WEIGHT: Input =
+    Input::optional("Film Weight", "W", Preset::Number(0.0), "Weight of the film per area, against the z axis.")
+        .to("/film/weight");
 
 /// Largest number of cables, and of free points, of a request.
 const MAX_CABLES: u32 = 1000;
@@ -119,23 +205,6 @@ fn default_tolerance() -> f64 {
 #[serde(rename_all = "snake_case")]
 pub enum TensileStructureKind {
     TensileStructure,
-}
-
-/// Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
-/// weight of a cable a force per length, and an axial stiffness a force.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct LengthAndForce {
-    #[serde(default)]
-    pub length: Unit,
-    #[serde(default)]
-    pub force: ForceUnit,
-}
-
-impl From<LengthAndForce> for Unit {
-    fn from(units: LengthAndForce) -> Self {
-        units.length
-    }
 }
 
 /// The film's prestress and weight. The prestress is either `tension`, or `warp` and `weft` with a `direction`.
@@ -586,6 +655,8 @@ impl Cable {
 }
 
 impl KindRequest for TensileStructureRequest {
+    type Statistics = TensileStatistics;
+
     fn axes(&self) -> (Unit, UpAxis) {
         (self.units.into(), self.up)
     }
@@ -756,11 +827,10 @@ impl TensileStructureRequest {
 }
 
 /// Returns the objectives of this kind.
-#[must_use]
-pub fn objectives() -> Vec<ObjectiveDoc> {
+fn objectives() -> Vec<ObjectiveDoc> {
     vec![ObjectiveDoc {
         name: "equilibrium",
-        kind: Kind::TensileStructure,
+        kind: KIND,
         minimises: "Σ σ A + Σ T L + Σ (EA / 2 L0) (L - L0)²₊ - Σ p V - Σ σ cos θ W and the potential energy of the \
                     weights, with lengths and volumes as constraints where they are given and the area W of a support \
                     beside an edge of given contact angle θ",

@@ -5,12 +5,11 @@ mod statistics;
 
 pub use statistics::{CableNetStatistics, CableResult, Group, NetReaction, ValueRange};
 
-use super::tensile_structure::LengthAndForce;
-use crate::checked::{Checked, KindRequest};
-use crate::common::Point;
-use crate::kind::Kind;
+use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
+use crate::checked::{Checked, KindRequest, Types};
+use crate::common::{LengthAndForce, Point};
+use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
-use crate::objective::Objective as ObjectiveDoc;
 use crate::rejection::{FieldError, Rejection};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_film::cable_net as geometry;
@@ -18,6 +17,56 @@ use plateau_mesh::error::Step;
 use plateau_mesh::{DVec3, Error as GeometryError, InputError};
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+pub const KIND: Kind = Kind::of(&ENTRY);
+
+static ENTRY: Entry = Entry {
+    name: "cable_net",
+    path: "/v1/cable-nets",
+    summary: "Finds the shape in equilibrium of a cable net that comes nearest to target forces and lengths",
+    finds: "cable nets that come nearest to target forces and lengths",
+    point_fields: &[],
+    units: Units::LengthAndForce,
+    blocks: &[Block {
+        name: "cable-net",
+        title: "Cable Net",
+        description: "Net of cables in equilibrium that comes nearest to target forces and lengths.",
+        inputs: &[
+            Input::list(
+                "Cables",
+                "C",
+                Type::Curve,
+                1,
+                "Lines and polylines. Each segment is an edge of the net, and equal points are joined.",
+            ),
+            Input::list("Supports", "A", Type::Point, 1, "Points of the cables that do not move."),
+            Input::required("Cable Value", "V", Type::Number, "Target of every edge."),
+            Input::optional(
+                "Cable Mode",
+                "M",
+                Preset::Text("force"),
+                "Meaning of the value: force, length (of each edge) or force_density.",
+            ),
+            Input::optional(
+                "Load",
+                "W",
+                Preset::Number(0.0),
+                "Weight on every point that is no support, against the z axis.",
+            ),
+        ],
+    }],
+    // A net has neither triangles nor an area.
+    outputs: &[
+        blocks::CONVERGED,
+        Output::figure("/objective_value", "Loss", "L", Type::Number, "Deviation from the targets."),
+        Output::part(Part::Cables, "Cables", "Ca", Type::Curve, "Edges of the net."),
+        blocks::CABLE_FORCES,
+        Output::part(Part::Anchors, "Anchor Points", "AP", Type::Point, "The supports."),
+        blocks::ANCHOR_FORCES,
+    ],
+    objectives,
+    types: Types::of::<CableNetRequest>(),
+};
 
 /// Largest number of cables, and of loads, of a request.
 const MAX_CABLES: u32 = 1000;
@@ -154,6 +203,8 @@ impl Default for TargetWeights {
 }
 
 impl KindRequest for CableNetRequest {
+    type Statistics = CableNetStatistics;
+
     fn axes(&self) -> (Unit, UpAxis) {
         (self.units.into(), self.up)
     }
@@ -354,11 +405,10 @@ fn pointer(error: &InputError, of_edge: &[Option<usize>]) -> String {
 }
 
 /// Returns the objectives of this kind.
-#[must_use]
-pub fn objectives() -> Vec<ObjectiveDoc> {
+fn objectives() -> Vec<ObjectiveDoc> {
     vec![ObjectiveDoc {
         name: "nearest_to_targets",
-        kind: Kind::CableNet,
+        kind: KIND,
         minimises: "w_F mean((F / F* - 1)²) + w_L mean((L / L* - 1)²) + w_P Σ F L / (Σ F L at the start), in exact \
                     equilibrium, over the edges' force densities",
         unit: "1",

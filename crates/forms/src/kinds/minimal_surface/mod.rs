@@ -6,20 +6,77 @@ mod solve;
 mod statistics;
 
 pub use certificate::{Certificate, CertificateDocument};
-pub use statistics::{AngleRange, MinimalStatistics, Spread};
+pub use statistics::MinimalStatistics;
 
+use crate::blocks::{self, Block, Input, Preset, Type};
 use crate::body::PointList;
-use crate::checked::{Checked, KindRequest};
+use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, Point};
-use crate::kind::Kind;
+use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
-use crate::objective::Objective as ObjectiveDoc;
 use crate::rejection::{FieldError, Rejection};
+use crate::resolution::Resolution;
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_film::minimal_surface as geometry;
 use plateau_lower_bound as lower_bound;
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+pub const KIND: Kind = Kind::of(&ENTRY);
+
+static ENTRY: Entry = Entry {
+    name: "minimal_surface",
+    path: "/v1/minimal-surfaces",
+    summary: "Finds the minimal surface that spans boundary polylines",
+    finds: "minimal surfaces over boundary curves",
+    point_fields: &["boundaries"],
+    units: Units::Length,
+    blocks: &[
+        Block {
+            name: "minimal-surface",
+            title: "Minimal Surface",
+            description: "Minimal surface that spans closed curves.",
+            inputs: &[
+                blocks::BOUNDARIES,
+                blocks::TRIANGLES,
+                blocks::EDGE_LENGTH,
+                OBJECTIVE,
+                Input::optional(
+                    "Topology",
+                    "G",
+                    Preset::Text("fixed"),
+                    "fixed, free (necks may pinch) or best (the smallest of all ways to span the curves).",
+                )
+                .to("/topology"),
+            ],
+        },
+        Block {
+            name: "film-from-mesh",
+            title: "Film From Mesh",
+            description: "Minimal surface with the topology of a mesh and its naked edges as boundaries. Sheets may meet three by three.",
+            inputs: &[
+                Input::required(
+                    "Mesh",
+                    "M",
+                    Type::Mesh,
+                    "Initial mesh. Equal vertices are joined, and quadrilaterals are split. Its naked edges stay where they are.",
+                ),
+                OBJECTIVE,
+            ],
+        },
+    ],
+    outputs: &[blocks::MESH, blocks::AREA, blocks::CONVERGED],
+    objectives,
+    types: Types::of::<MinimalSurfaceRequest>(),
+};
+
+const OBJECTIVE: Input = Input::optional(
+    "Objective",
+    "O",
+    Preset::Text("minimal_area"),
+    "minimal_area, minimal_dirichlet_energy or minimal_mean_curvature.",
+)
+.to("/objective");
 
 /// Boundary polygons, and options for the surface that spans them.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -187,56 +244,6 @@ pub enum Solver {
     Newton,
 }
 
-/// Resolution of the mesh, given by exactly one of the three fields.
-// None of them stands for a request without a resolution; the schema refuses an empty object.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(extend("minProperties" = 1, "maxProperties" = 1))]
-pub struct Resolution {
-    /// Number of triangles. It is exact for `rings` with `keep`, and otherwise met within 10%.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "u32", range(min = 1, max = 1_000_000_000))]
-    pub triangles: Option<u32>,
-    /// Mean edge length in the request's unit.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "f64", extend("exclusiveMinimum" = 0))]
-    pub edge_length: Option<f64>,
-    /// Number of vertices that are not on the boundary.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "u32", range(min = 1, max = 1_000_000_000))]
-    pub interior_vertices: Option<u32>,
-}
-
-/// Number of triangles if the request has no resolution.
-const DEFAULT_TRIANGLES: usize = 2000;
-/// Smallest number of triangles for each boundary point if the request has no resolution. A larger value grades the
-/// triangles more gently from a boundary of many points to the middle.
-const DEFAULT_TRIANGLES_PER_POINT: usize = 4;
-
-impl Resolution {
-    /// Refuses numbers above the limits.
-    ///
-    /// # Errors
-    /// Returns [`Rejection::TooLarge`] at the number.
-    pub fn check(&self, limits: &Limits) -> Result<(), Rejection> {
-        limits::check_number("/resolution/triangles", self.triangles, limits.triangles)?;
-        limits::check_number("/resolution/interior_vertices", self.interior_vertices, limits.triangles / 2)
-    }
-
-    /// Converts the resolution to the geometry's type, for boundaries with so many points.
-    pub(super) fn to_geometry(self, boundary_points: usize) -> geometry::Resolution {
-        match self {
-            Self { triangles: Some(count), .. } => geometry::Resolution::Triangles(count as usize),
-            Self { edge_length: Some(length), .. } => geometry::Resolution::EdgeLength(length),
-            Self { interior_vertices: Some(count), .. } => geometry::Resolution::InteriorVertices(count as usize),
-            Self { .. } => {
-                let graded = DEFAULT_TRIANGLES_PER_POINT * boundary_points;
-                geometry::Resolution::Triangles(graded.max(DEFAULT_TRIANGLES))
-            }
-        }
-    }
-}
-
 /// Sampling of the boundary. `refine` may add points on its segments, and `keep` uses only the polygon's vertices.
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -360,6 +367,8 @@ pub enum Process {
 }
 
 impl KindRequest for MinimalSurfaceRequest {
+    type Statistics = MinimalStatistics;
+
     fn axes(&self) -> (Unit, UpAxis) {
         (self.units, self.up)
     }
@@ -533,15 +542,14 @@ impl MinimalSurfaceRequest {
 }
 
 /// Returns the objectives of this kind.
-#[must_use]
-pub fn objectives() -> Vec<ObjectiveDoc> {
+fn objectives() -> Vec<ObjectiveDoc> {
     geometry::Objective::ALL
         .iter()
         .map(|objective| {
             let about = objective.describe();
             ObjectiveDoc {
                 name: about.name,
-                kind: Kind::MinimalSurface,
+                kind: KIND,
                 minimises: about.minimises,
                 unit: about.unit,
                 source: about.source,

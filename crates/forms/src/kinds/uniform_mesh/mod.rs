@@ -7,17 +7,68 @@ pub use statistics::{
     GroupLengths, LengthHistogram, OutOfRange, SharedLengths, Stage, StageGroup, SurfaceFit, UniformStatistics,
 };
 
-use crate::checked::{Checked, KindRequest};
+use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
+use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, Point};
-use crate::kind::Kind;
+use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
-use crate::objective::Objective as ObjectiveDoc;
 use crate::rejection::{FieldError, Rejection};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_uniform_mesh as geometry;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
+
+pub const KIND: Kind = Kind::of(&ENTRY);
+
+static ENTRY: Entry = Entry {
+    name: "uniform_mesh",
+    path: "/v1/uniform-meshes",
+    summary: "Finds a mesh of a polygon, patch or film with as many equal edges as possible",
+    finds: "meshes of surfaces and polygons with as many equal edges as possible",
+    point_fields: &[],
+    units: Units::Length,
+    blocks: &[Block {
+        name: "uniform-mesh",
+        title: "Uniform Mesh",
+        description: "Mesh with as many equal edges as possible, of a planar region or of the minimal surface in closed curves.",
+        inputs: &[
+            Input::list(
+                "Boundaries",
+                "B",
+                Type::Curve,
+                1,
+                "Closed curves: an outline and its holes in one plane or, with Film, the boundaries of a minimal surface.",
+            ),
+            Input::required("Edge Length", "L", Type::Number, "Length of as many edges as possible.")
+                .to("/edge_length"),
+            Input::optional(
+                "Film",
+                "F",
+                Preset::Boolean(false),
+                "Whether the minimal surface in the curves is meshed.",
+            ),
+            Input::optional("Objective", "O", Preset::Text("most_equal_edges"), "most_equal_edges or fewest_nodes.")
+                .to("/objective"),
+            Input::optional(
+                "Lengths",
+                "N",
+                Preset::Integer(0),
+                "Largest number of different member lengths. 0 sets no limit.",
+            ),
+        ],
+    }],
+    outputs: &[
+        blocks::MESH,
+        // The statistics of a uniform mesh have no area.
+        Output::part(Part::Area, "Area", "A", Type::Number, "Area of the mesh."),
+        Output::part(Part::Members, "Members", "E", Type::Curve, "Edges of the mesh, those of the lattice first."),
+        Output::part(Part::MemberLengths, "Member Lengths", "L", Type::Number, "Length of each member."),
+        Output::figure("/equal_edges", "Equal Edges", "N", Type::Integer, "Number of members of the edge length."),
+    ],
+    objectives,
+    types: Types::of::<UniformMeshRequest>(),
+};
 
 /// A domain and the edge length of its mesh.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -222,6 +273,8 @@ impl Domain {
 }
 
 impl KindRequest for UniformMeshRequest {
+    type Statistics = UniformStatistics;
+
     fn axes(&self) -> (Unit, UpAxis) {
         (self.units, self.up)
     }
@@ -291,13 +344,12 @@ impl UniformMeshRequest {
 }
 
 /// Returns the objectives of this kind.
-#[must_use]
-pub fn objectives() -> Vec<ObjectiveDoc> {
+fn objectives() -> Vec<ObjectiveDoc> {
     geometry::Objective::ALL
         .iter()
         .map(|objective| ObjectiveDoc {
             name: objective.name(),
-            kind: Kind::UniformMesh,
+            kind: KIND,
             minimises: objective.description(),
             unit: objective.unit(),
             source: objective.source(),

@@ -5,18 +5,72 @@ mod statistics;
 
 pub use statistics::{Comparison, FlatPatternStatistics, RuledStatistics, StripStatistics};
 
+use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
 use crate::body::PointList;
-use crate::checked::{Checked, KindRequest};
+use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, Point};
-use crate::kind::Kind;
+use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
-use crate::objective::Objective as ObjectiveDoc;
 use crate::rejection::{FieldError, Rejection};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_mesh::Execution;
 use plateau_ruled_surface as geometry;
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+pub const KIND: Kind = Kind::of(&ENTRY);
+
+static ENTRY: Entry = Entry {
+    name: "ruled_surface",
+    path: "/v1/ruled-surfaces",
+    summary: "Finds the globally optimal ruled strip between directrices for an objective",
+    finds: "optimal ruled strips between curves",
+    point_fields: &["directrices", "normals", "tangents"],
+    units: Units::Length,
+    blocks: &[Block {
+        name: "ruled-strip",
+        title: "Ruled Strip",
+        description: "Best triangulated strip between two or more curves, with its flat pattern.",
+        inputs: &[
+            Input::list("Rails", "R", Type::Curve, 2, "Curves in order. If all are closed, the strip is closed too."),
+            Input::optional(
+                "Objective",
+                "O",
+                Preset::Text("minimal_area"),
+                "minimal_area, minimal_twist, maximal_convexity, minimal_bending_energy or minimal_mean_curvature_variation.",
+            )
+            .to("/objective"),
+            Input::optional(
+                "Samples",
+                "N",
+                Preset::Integer(0),
+                "Number of points along each rail, at equal distances. 0 takes the points that the tolerance gives.",
+            ),
+            Input::optional(
+                "Align",
+                "A",
+                Preset::Boolean(true),
+                "Whether a rail that runs against the one before it is reversed.",
+            ),
+        ],
+    }],
+    outputs: &[
+        blocks::MESH,
+        blocks::AREA,
+        Output::part(Part::Rulings, "Rulings", "R", Type::Curve, "Lines between the rails."),
+        Output::part(Part::Outlines, "Outlines", "O", Type::Curve, "Outlines of the flat pattern in the xy plane."),
+        Output::part(Part::Folds, "Folds", "F", Type::Curve, "Folds of the flat pattern."),
+        Output::part(
+            Part::FoldAngles,
+            "Fold Angles",
+            "FA",
+            Type::Number,
+            "Angle of each fold in degrees, positive for a mountain fold.",
+        ),
+    ],
+    objectives,
+    types: Types::of::<RuledSurfaceRequest>(),
+};
 
 /// Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -198,6 +252,8 @@ pub enum Objective {
 }
 
 impl KindRequest for RuledSurfaceRequest {
+    type Statistics = RuledStatistics;
+
     fn axes(&self) -> (Unit, UpAxis) {
         (self.units, self.up)
     }
@@ -329,13 +385,12 @@ impl From<Goal> for geometry::Objective {
 
 /// Returns the named objectives of this kind. A request may also ask for a weighted sum of all of them except the
 /// convexity.
-#[must_use]
-pub fn objectives() -> Vec<ObjectiveDoc> {
+fn objectives() -> Vec<ObjectiveDoc> {
     geometry::Objective::NAMED
         .iter()
         .map(|objective| ObjectiveDoc {
             name: objective.name(),
-            kind: Kind::RuledSurface,
+            kind: KIND,
             minimises: objective.minimises(),
             unit: objective.unit(),
             source: objective.source(),
