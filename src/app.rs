@@ -1,7 +1,6 @@
 //! Wires configuration, keys, store, jobs and HTTP together, starts them and shuts them down.
 
-use crate::auth::tickets::Tickets;
-use crate::auth::{self, Keys};
+use crate::auth::Keys;
 use crate::config::Config;
 use crate::http::budget::Budget;
 use crate::http::seats::Seats;
@@ -65,7 +64,8 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
             Some(bound.map_err(|error| StartError::Failed(format!("http.listen {address}: {error}")))?)
         }
     };
-    let jobs = Jobs::new(store.clone(), config.clone(), webhooks);
+    let jobs = Jobs::new(store.clone(), config.clone(), webhooks)
+        .map_err(|error| StartError::Failed(format!("starting the threads for conversions: {error}")))?;
     let own_metrics = !config.http.metrics_listen.is_empty();
     if own_metrics {
         let address = &config.http.metrics_listen;
@@ -101,9 +101,8 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         let bodies = Budget::new(http.bodies_in_flight_bytes, http.bodies_share_percent, limits.body_bytes);
         let seats = Arc::new(Seats::new(config.open_requests()));
         let document = openapi::served_at(&config.http.public_base_path).into();
-        let tickets = Arc::new(tickets(&store).await?);
         let (own_config, own_jobs, bodies) = (config.clone(), jobs.clone(), Arc::new(bodies));
-        let app = App { config: own_config, jobs: own_jobs, metrics, bodies, seats, keys, tickets, document };
+        let app = App { config: own_config, jobs: own_jobs, metrics, bodies, seats, keys, document };
         let tools = (role == Role::Mcp).then(|| tokio::spawn(mcp::serve_stdio(app.clone(), address)));
         let until_input_ends = async {
             if let Some(tools) = tools {
@@ -201,13 +200,6 @@ async fn open_store(config: &Config) -> Result<Store, StartError> {
             }
         }
     }
-}
-
-/// Returns the tickets that every process on this database issues and accepts.
-async fn tickets(store: &Store) -> Result<Tickets, StartError> {
-    let fresh = auth::random_bytes().map_err(StartError::Failed)?;
-    let secret = store.secret("event_tickets", fresh).await;
-    Ok(Tickets::new(secret.map_err(|error| StartError::Failed(format!("store: {error}")))?))
 }
 
 /// Sweeps the store every minute, and every 5 s while the store refuses jobs or results, unless another process on the

@@ -4,8 +4,6 @@
 //! compared with every known digest in full, so that the time taken reveals nothing. Without keys, every client may do
 //! everything.
 
-pub mod tickets;
-
 use crate::config::AuthConfig;
 use futures_util::FutureExt;
 use futures_util::future::{BoxFuture, Shared};
@@ -14,6 +12,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError, RwLock};
 use std::time::{Duration, Instant};
+use subtle::ConstantTimeEq;
 use tokio::sync::watch;
 
 const PREFIX: &str = "plateau_";
@@ -26,19 +25,11 @@ const RELOAD_INTERVAL: Duration = Duration::from_secs(1);
 /// # Errors
 /// Fails if the system provides no random bytes.
 pub fn new_key() -> Result<(String, String), String> {
-    let key = format!("{PREFIX}{}", hex(&random_bytes()?));
-    let digest = hex(&Sha256::digest(key.as_bytes()));
-    Ok((key, digest))
-}
-
-/// Returns as many random bytes as a key has.
-///
-/// # Errors
-/// Fails if the system provides no random bytes.
-pub fn random_bytes() -> Result<Vec<u8>, String> {
     let mut secret = [0; KEY_BYTES];
     getrandom::fill(&mut secret).map_err(|error| error.to_string())?;
-    Ok(secret.to_vec())
+    let key = format!("{PREFIX}{}", hex(&secret));
+    let digest = hex(&Sha256::digest(key.as_bytes()));
+    Ok((key, digest))
 }
 
 fn hex(bytes: &[u8]) -> String {
@@ -245,24 +236,12 @@ impl Keys {
     /// # Errors
     /// Returns a [`Refusal`].
     pub fn admit(&self, presented: Option<&str>) -> Result<Admitted, Refusal> {
-        self.take(|known| presented.and_then(|presented| known.find(presented)))
-    }
-
-    /// Takes one request from the allowance of the key with this name, which a ticket was issued to.
-    ///
-    /// # Errors
-    /// Returns a [`Refusal`]. A key that was removed since then is unknown.
-    pub fn admit_holder(&self, name: &str) -> Result<Admitted, Refusal> {
-        self.take(|known| known.keys.iter().find(|key| *key.name == *name).cloned())
-    }
-
-    fn take(&self, find: impl FnOnce(&Known) -> Option<Arc<Key>>) -> Result<Admitted, Refusal> {
         let key = {
             let known = self.known.read().unwrap_or_else(PoisonError::into_inner);
             if !known.required {
                 return Ok(Admitted { name: None, left: None });
             }
-            find(&known).ok_or(Refusal::Unknown)?
+            presented.and_then(|presented| known.find(presented)).ok_or(Refusal::Unknown)?
         };
         let per_minute = self.config.requests_per_minute;
         let mut left = None;
@@ -281,8 +260,7 @@ impl Known {
         let digest: [u8; 32] = Sha256::digest(presented.as_bytes()).into();
         let mut found = None;
         for key in &self.keys {
-            let difference = key.digest.iter().zip(&digest).fold(0, |all, (a, b)| all | (a ^ b));
-            if std::hint::black_box(difference) == 0 {
+            if key.digest.ct_eq(&digest).into() {
                 found = Some(key);
             }
         }
@@ -360,8 +338,6 @@ mod tests {
             assert_eq!(known.admit(Some(&wrong)), Err(Refusal::Unknown), "{wrong}");
         }
         assert_eq!(known.admit(None), Err(Refusal::Unknown));
-        assert_eq!(known.admit_holder("you").ok().and_then(|admitted| admitted.name).as_deref(), Some("you"));
-        assert_eq!(known.admit_holder("them"), Err(Refusal::Unknown));
         assert!(!format!("{known:?}").contains(&digest[..8]));
     }
 
@@ -370,7 +346,6 @@ mod tests {
         let none = Keys::load(&AuthConfig::default()).unwrap();
         assert!(!none.required());
         assert_eq!(none.admit(None), Ok(Admitted { name: None, left: None }));
-        assert_eq!(none.admit_holder(""), none.admit(None));
     }
 
     #[test]

@@ -17,5 +17,6 @@ pub mod store;
 mod telemetry;
 #[cfg(feature = "test-hooks")]
 mod test_hooks;
+mod threads;
 mod webhook;
 pub mod wire;

@@ -34,7 +34,6 @@ mod postgres;
 mod queue;
 mod results;
 mod retention;
-mod secrets;
 mod sqlite;
 mod tls;
 mod tx;
@@ -460,18 +459,6 @@ impl Store {
     /// Returns the number of jobs that wait.
     pub async fn queue_length(&self) -> Result<i64> {
         self.read(queue::length).await
-    }
-}
-
-/// Secrets.
-impl Store {
-    /// Returns random bytes that all processes on this database share. If none of them has stored some yet, `fresh` are
-    /// stored and returned.
-    pub async fn secret(&self, name: &'static str, fresh: Vec<u8>) -> Result<Vec<u8>> {
-        match self.read(move |tx| secrets::find(tx, name)).await? {
-            Some(known) => Ok(known),
-            None => self.write(move |tx| secrets::keep(tx, name, &fresh)).await,
-        }
     }
 }
 

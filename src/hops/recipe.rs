@@ -1,4 +1,4 @@
-//! Makes an ordinary request of a component's values, and tells which input each field comes from.
+//! Builds an API request from the inputs of a Hops component, and states which input each field comes from.
 
 use super::Refusal;
 use super::component::Recipe;

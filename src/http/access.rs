@@ -11,11 +11,9 @@ use axum::http::request::Parts;
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
-use std::borrow::Cow;
 use std::convert::Infallible;
 use std::net::IpAddr;
 use std::sync::Arc;
-use std::time::SystemTime;
 
 /// Name of the key that came with a request. `None` if this server has no keys.
 #[derive(Clone, Debug, Default)]
@@ -62,13 +60,6 @@ pub const RATE_LIMIT: HeaderName = HeaderName::from_static("ratelimit");
 /// Number of requests that a key may make in a minute, as in the same draft.
 pub const RATE_LIMIT_POLICY: HeaderName = HeaderName::from_static("ratelimit-policy");
 
-/// Returns the job and the ticket of a request for a job's events that carries a ticket.
-fn ticket(request: &Request) -> Option<(&str, Cow<'_, str>)> {
-    let job = request.uri().path().strip_prefix("/v1/jobs/")?.strip_suffix("/events")?;
-    let mut pairs = url::form_urlencoded::parse(request.uri().query()?.as_bytes());
-    pairs.find(|(name, _)| name == "ticket").map(|(_, ticket)| (job, ticket))
-}
-
 /// Adds the headers that tell a client how many requests its key has left.
 fn with_rate_limit(mut response: Response, per_minute: u32, left: Left) -> Response {
     let values = [
@@ -83,8 +74,7 @@ fn with_rate_limit(mut response: Response, per_minute: u32, left: Left) -> Respo
     response
 }
 
-/// Lets a request with a known key through, and a request for a job's events with a ticket. Otherwise answers 401 or 429
-/// before the body is read.
+/// Lets a request with a known key through. Otherwise answers 401 or 429 before the body is read.
 pub async fn authenticate(State(app): State<App>, mut request: Request, next: Next) -> Response {
     if is_health(request.uri().path()) {
         return next.run(request).await;
@@ -95,14 +85,7 @@ pub async fn authenticate(State(app): State<App>, mut request: Request, next: Ne
     }
     let presented = presented_key(request.headers(), request.uri().path());
     let per_minute = app.config.auth.requests_per_minute;
-    let admitted = match ticket(&request).filter(|_| presented.is_none() && app.keys.required()) {
-        Some((job, ticket)) => {
-            let holder = app.tickets.check(&job.to_ascii_uppercase(), &ticket, SystemTime::now());
-            holder.map_or(Err(Refusal::Unknown), |name| app.keys.admit_holder(name))
-        }
-        None => app.keys.admit(presented),
-    };
-    match admitted {
+    match app.keys.admit(presented) {
         Ok(admitted) => {
             if let Some(name) = &admitted.name {
                 tracing::Span::current().record("key", &**name);
@@ -128,10 +111,9 @@ pub async fn authenticate(State(app): State<App>, mut request: Request, next: Ne
                 None => response,
             }
         }
-        Err(Refusal::Unknown) => Failure::unauthorized(
-            "send Authorization: Bearer with a key of this server, or for a job's events a valid ticket",
-        )
-        .into_response(),
+        Err(Refusal::Unknown) => {
+            Failure::unauthorized("send Authorization: Bearer with a key of this server").into_response()
+        }
         Err(Refusal::TooMany { wait_s }) => {
             let wait_s = wait_s.ceil() as u64;
             let refused = Failure::rate_limited(format!("a key may make {per_minute} requests a minute"))

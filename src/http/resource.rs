@@ -10,10 +10,8 @@ use serde_json::{Map, Value};
 /// A path, its handlers, and their entries in the API document if they belong to the API.
 #[derive(Debug)]
 pub struct Resource {
-    path: &'static str,
+    pub path: &'static str,
     handlers: MethodRouter<App>,
-    /// Methods in lower case.
-    methods: Vec<&'static str>,
     /// The path's item in the API document.
     item: Map<String, Value>,
 }
@@ -22,7 +20,7 @@ impl Resource {
     /// Creates a resource at a path in the syntax of axum and OpenAPI: `/v1/jobs/{id}`.
     #[must_use]
     pub fn at(path: &'static str) -> Self {
-        Self { path, handlers: MethodRouter::new(), methods: Vec::new(), item: Map::new() }
+        Self { path, handlers: MethodRouter::new(), item: Map::new() }
     }
 
     #[must_use]
@@ -54,20 +52,8 @@ impl Resource {
 
     fn with(mut self, method: &'static str, handler: MethodRouter<App>, entry: Option<Value>) -> Self {
         self.handlers = self.handlers.merge(handler);
-        self.methods.push(method);
         self.item.extend(entry.map(|entry| (method.into(), entry)));
         self
-    }
-
-    #[must_use]
-    pub fn path(&self) -> &'static str {
-        self.path
-    }
-
-    /// Returns the methods in lower case.
-    #[must_use]
-    pub fn methods(&self) -> &[&'static str] {
-        &self.methods
     }
 
     /// Adds the handlers to a router.

@@ -7,15 +7,14 @@ use crate::http::state::App;
 use crate::http::{access, compress, observe};
 use crate::jobs::Jobs;
 use axum::Router;
-use axum::extract::{MatchedPath, Request};
+use axum::extract::Request;
 use axum::http::{HeaderName, HeaderValue, Method, Uri, header};
 use axum::middleware;
 use axum::response::Redirect;
 use axum::routing::get;
 use metrics_exporter_prometheus::PrometheusHandle;
-use plateau_forms::explain::edit_distance;
 use plateau_forms::kind::Kind;
-use std::sync::{Arc, LazyLock};
+use std::sync::Arc;
 use std::time::Duration;
 use tower::util::MapRequest;
 use tower_http::cors::{AllowOrigin, Any, CorsLayer};
@@ -36,7 +35,6 @@ pub fn resources(with_metrics: bool) -> Vec<Resource> {
         Resource::at("/v1/jobs/{id}/certificate").get(mesh::certificate, mesh::certificate_entry()),
         Resource::at("/v1/jobs/{id}/pattern").get(mesh::pattern, mesh::pattern_entry()),
         Resource::at("/v1/jobs/{id}/events").get(events::events, events::events_entry()),
-        Resource::at("/v1/jobs/{id}/ticket").post(events::ticket, events::ticket_entry()),
         Resource::at("/v1/batches").post(batches::submit, batches::submit_entry()),
         Resource::at("/v1/batches/{id}")
             .get(batches::get, batches::get_entry())
@@ -79,10 +77,8 @@ pub fn router(app: App) -> Router {
     let routes = resources(!own_metrics)
         .into_iter()
         .fold(Router::new(), |router, resource| resource.route(router))
-        .fallback(|uri: Uri| async move { Failure::not_found(no_resource(uri.path())) })
-        .method_not_allowed_fallback(|path: Option<MatchedPath>| async move {
-            Failure::method_not_allowed(supported_methods(path.as_ref().map_or("", MatchedPath::as_str)))
-        })
+        .fallback(async || Failure::not_found("no resource at this path; GET /docs lists those of the API"))
+        .method_not_allowed_fallback(async || Failure::method_not_allowed("the header Allow lists this path's methods"))
         // The last layer is the outermost. A request is first observed, and then its host is checked. Then CORS answers
         // preflights, which need no key. Then foreign pages are refused, and last the key is checked.
         .layer(middleware::from_fn_with_state(app.clone(), access::authenticate))
@@ -95,57 +91,6 @@ pub fn router(app: App) -> Router {
         .layer(middleware::from_fn_with_state(base.clone(), observe::observe))
         .with_state(app);
     mount_below(&base, routes)
-}
-
-/// Returns the text for a method that the resource at this path does not have.
-fn supported_methods(path: &str) -> String {
-    let resource = resources(true).into_iter().find(|resource| resource.path() == path);
-    let mut methods: Vec<String> =
-        resource.iter().flat_map(Resource::methods).map(|name| name.to_uppercase()).collect();
-    // Whatever can be fetched also answers with its headers alone.
-    if methods.iter().any(|method| method == "GET") {
-        methods.push("HEAD".into());
-    }
-    methods.sort_unstable();
-    match methods.is_empty() {
-        true => "see the Allow header".into(),
-        false => format!("this path supports {}", methods.join(", ")),
-    }
-}
-
-/// Returns the text for a path without a resource. It names the path of this server that is most like it.
-fn no_resource(path: &str) -> String {
-    let asked = path.trim_matches('/').to_ascii_lowercase();
-    // A long path is no typing error, and comparing it would take time.
-    let compared = asked.len() <= 100 && !asked.is_empty();
-    static PATHS: LazyLock<Vec<&str>> = LazyLock::new(|| resources(true).iter().map(Resource::path).collect());
-    let nearest = PATHS
-        .iter()
-        .filter(|_| compared)
-        .flat_map(|&known| {
-            let plain = known.trim_matches('/');
-            // People leave the version out.
-            let unversioned = plain.strip_prefix("v1/").map(|rest| distance(&asked, rest));
-            [Some(distance(&asked, plain)), unversioned].into_iter().flatten().map(move |steps| (steps, known))
-        })
-        .min()
-        .filter(|&(steps, known)| 3 * steps <= known.len());
-    match nearest {
-        Some((_, known)) => format!("no resource at this path; {known} is the most similar one"),
-        None => "no resource at this path; GET /docs lists those of the API".into(),
-    }
-}
-
-/// Returns the number of characters to insert, delete or replace in `path` to reach `known`. Any text may stand for a
-/// parameter of `known`.
-fn distance(path: &str, known: &str) -> usize {
-    let parts: Vec<&str> = path.split('/').collect();
-    let filled: Vec<&str> = known
-        .split('/')
-        .enumerate()
-        .map(|(index, part)| if part.starts_with('{') { parts.get(index).copied().unwrap_or(part) } else { part })
-        .collect();
-    edit_distance(path, &filled.join("/"))
 }
 
 /// Mounts the routes below the public base path too, for proxies that pass paths on unchanged.
@@ -218,29 +163,11 @@ fn cors(origins: &[String]) -> CorsLayer {
 mod tests {
     use super::*;
 
-    #[test]
-    fn an_unknown_path_is_told_the_most_similar_one() {
-        for (path, nearest) in [
-            ("/v1/minimal-surface", "/v1/minimal-surfaces"),
-            ("/minimal-surfaces", "/v1/minimal-surfaces"),
-            ("/v1/minimal_surfaces/", "/v1/minimal-surfaces"),
-            ("/V1/Jobs", "/v1/jobs"),
-            ("/v2/jobs", "/v1/jobs"),
-            ("/v1/jobs/01J00000000000000000000000/meshes", "/v1/jobs/{id}/mesh"),
-            ("/openapi.jsn", "/openapi.json"),
-        ] {
-            assert!(no_resource(path).contains(&format!("; {nearest} is")), "{path}: {}", no_resource(path));
-        }
-        for path in ["/", "/favicon.ico", "/wp-login.php", &format!("/v1/{}", "jobs".repeat(1000))] {
-            assert!(no_resource(path).contains("GET /docs"), "{path}: {}", no_resource(path));
-        }
-    }
-
     /// The pages, their files, and what Hops and other protocols get are no part of the API.
     #[test]
     fn the_api_document_has_exactly_the_api() {
         for resource in resources(true) {
-            let path = resource.path();
+            let path = resource.path;
             let of_api = path.starts_with("/v1/") || path.starts_with("/health/") || path == "/metrics";
             assert_eq!(resource.documented().is_some(), of_api, "{path}");
         }

@@ -1,7 +1,6 @@
 //! State that the handlers share.
 
 use crate::auth::Keys;
-use crate::auth::tickets::Tickets;
 use crate::config::Config;
 use crate::http::budget::Budget;
 use crate::http::seats::Seats;
@@ -20,7 +19,6 @@ pub struct App {
     /// Limits of the requests that each client has open.
     pub seats: Arc<Seats>,
     pub keys: Arc<Keys>,
-    pub tickets: Arc<Tickets>,
     /// API document as a server below this base path serves it.
     pub document: Arc<str>,
 }

@@ -241,7 +241,7 @@ mod tests {
         };
         let Submitted::Created(row, _) = store.submit(job).await.unwrap() else { panic!("a new job") };
         let row = JobRow { status: Status::Succeeded, ..*row };
-        let jobs = Jobs::new(store.clone(), Arc::new(Config::default()), None);
+        let jobs = Jobs::new(store.clone(), Arc::new(Config::default()), None).unwrap();
         let mut reserved = Vec::new();
         while let Some(reservation) = jobs.reserve_converter(None, Length::Long).now_or_never() {
             reserved.push(reservation.unwrap());

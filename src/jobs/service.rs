@@ -54,11 +54,14 @@ struct Inner {
 
 /// Start and shutdown.
 impl Jobs {
-    #[must_use]
-    pub fn new(store: Store, config: Arc<Config>, webhooks: Option<Sender>) -> Self {
+    /// Returns the service, whose workers do not run yet.
+    ///
+    /// # Errors
+    /// Fails if the system cannot start the threads for conversions.
+    pub fn new(store: Store, config: Arc<Config>, webhooks: Option<Sender>) -> std::io::Result<Self> {
         let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
         let solvers = config.jobs.workers.unwrap_or(cores);
-        Self(Arc::new(Inner {
+        Ok(Self(Arc::new(Inner {
             memory: MemoryBudget::new(config.solver_memory_bytes()),
             files: Files::new(
                 config.http.files_kept_bytes,
@@ -74,8 +77,8 @@ impl Jobs {
             process: ulid::Ulid::generate().to_string(),
             running: Running::default(),
             shutdown: watch::Sender::new(false),
-            converters: Converters::new(cores.max(2)),
-        }))
+            converters: Converters::start(cores.max(2))?,
+        })))
     }
 
     /// Starts the workers of this process. They end after a shutdown was asked for.

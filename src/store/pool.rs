@@ -1,37 +1,30 @@
 //! A fixed number of threads, each with its own database connection, which is opened at the first use.
 
-use std::fmt;
-use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::mpsc::{Receiver, Sender, channel};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::thread::JoinHandle;
+use std::sync::Arc;
 use std::time::Duration;
 
-use tokio::sync::{Semaphore, oneshot};
+use tokio::sync::Semaphore;
 
 use super::{Result, StoreError};
+use crate::threads::{Lost, Threads};
 
-/// Work that runs on one of the threads and gets that thread's connection.
-type Work<C> = Box<dyn FnOnce(&mut Option<C>) + Send>;
 type Open<C> = Arc<dyn Fn() -> Result<C> + Send + Sync>;
+
+/// Stack size of the threads, which is what the system gives a thread by default.
+const STACK_BYTES: usize = 2 << 20;
 
 pub(super) struct Pool<C> {
     open: Open<C>,
     /// One permit for each thread.
-    threads: Arc<Semaphore>,
+    permits: Arc<Semaphore>,
     /// Time that a caller waits for a free thread. `None` means no limit.
     patience: Option<Duration>,
-    running: Mutex<Option<Running<C>>>,
+    threads: Threads<Option<C>>,
 }
 
-struct Running<C> {
-    work: Sender<Work<C>>,
-    threads: Vec<JoinHandle<()>>,
-}
-
-impl<C> fmt::Debug for Pool<C> {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.debug_struct("Pool").field("threads", &self.threads).finish_non_exhaustive()
+impl<C> std::fmt::Debug for Pool<C> {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.debug_struct("Pool").field("permits", &self.permits).finish_non_exhaustive()
     }
 }
 
@@ -43,18 +36,11 @@ impl<C: 'static> Pool<C> {
         patience: Option<Duration>,
         open: impl Fn() -> Result<C> + Send + Sync + 'static,
     ) -> Result<Self> {
-        let (work, received) = channel::<Work<C>>();
-        let received = Arc::new(Mutex::new(received));
-        let start = |_| {
-            let received = Arc::clone(&received);
-            std::thread::Builder::new().name(name.into()).spawn(move || run(&received))
-        };
-        let handles = (0..threads).map(start).collect::<std::io::Result<Vec<_>>>()?;
         Ok(Self {
             open: Arc::new(open),
-            threads: Arc::new(Semaphore::new(threads)),
+            permits: Arc::new(Semaphore::new(threads)),
             patience,
-            running: Mutex::new(Some(Running { work, threads: handles })),
+            threads: Threads::start(name, threads, STACK_BYTES)?,
         })
     }
 
@@ -63,7 +49,7 @@ impl<C: 'static> Pool<C> {
         &self,
         work: impl FnOnce(&mut C) -> Result<T> + Send + 'static,
     ) -> Result<T> {
-        let permit = Arc::clone(&self.threads).acquire_owned();
+        let permit = Arc::clone(&self.permits).acquire_owned();
         let permit = match self.patience {
             None => permit.await,
             Some(patience) => tokio::time::timeout(patience, permit).await.map_err(|_| {
@@ -71,59 +57,28 @@ impl<C: 'static> Pool<C> {
             })?,
         };
         let permit = permit.map_err(|_| closed())?;
-        let (answer, answered) = oneshot::channel();
         let open = Arc::clone(&self.open);
         let run = move |connection: &mut Option<C>| {
-            let result = catch_unwind(AssertUnwindSafe(|| {
-                if connection.is_none() {
-                    *connection = Some(open()?);
-                }
-                connection.as_mut().map_or_else(|| Err(closed()), work)
-            }));
-            let result = result.unwrap_or_else(|_| {
-                // The connection may have an open transaction. Closing it rolls the transaction back.
-                *connection = None;
-                Err(StoreError::Internal("a statement of the store panicked".into()))
-            });
-            drop(permit);
-            // If the caller went away, the answer is dropped.
-            let _ = answer.send(result);
+            let _permit = permit;
+            match connection {
+                Some(connection) => work(connection),
+                none => work(none.insert(open()?)),
+            }
         };
-        match &*self.running() {
-            Some(running) => running.work.send(Box::new(run)).map_err(|_| closed())?,
-            None => return Err(closed()),
-        }
-        answered.await.map_err(|_| closed())?
+        // After a panic the connection may have an open transaction. The thread closes it, which rolls it back.
+        self.threads.run(run).await.unwrap_or_else(|lost| match lost {
+            Lost::Panicked => Err(StoreError::Internal("a statement of the store panicked".into())),
+            Lost::Closed => Err(closed()),
+        })
     }
 
     /// Waits for running work and closes every connection. Later work fails with `Unavailable`.
     pub(super) async fn close(&self) {
-        self.threads.close();
-        let Some(Running { work, threads }) = self.running().take() else { return };
-        drop(work);
-        let join = move || threads.into_iter().for_each(|thread| drop(thread.join()));
-        // This fails only while the runtime is shutting down. The threads then end by themselves.
-        let _ = tokio::task::spawn_blocking(join).await;
-    }
-}
-
-impl<C> Pool<C> {
-    fn running(&self) -> MutexGuard<'_, Option<Running<C>>> {
-        // No thread panics while it holds the lock.
-        self.running.lock().unwrap_or_else(PoisonError::into_inner)
+        self.permits.close();
+        self.threads.close().await;
     }
 }
 
 pub(super) fn closed() -> StoreError {
     StoreError::Unavailable("the store is closed".into())
-}
-
-/// Runs work until the sender is dropped.
-fn run<C>(received: &Mutex<Receiver<Work<C>>>) {
-    let mut connection = None;
-    loop {
-        let next = received.lock().unwrap_or_else(PoisonError::into_inner).recv();
-        let Ok(work) = next else { return };
-        work(&mut connection);
-    }
 }

@@ -1,12 +1,12 @@
 //! Component schemas of the API document: those of `plateau_forms`, with the fields that concern the job added to each
 //! request, and those of the answers.
 
-use super::{batch, envelope, job};
+use super::{batch, callback, envelope, job, objectives};
 use plateau_forms::components::{
     by_kind, only_kind, reference, request_component, rewritten, statistics_component, with_kind_component,
 };
 use plateau_forms::kind::Kind;
-use schemars::generate::SchemaSettings;
+use schemars::generate::{SchemaGenerator, SchemaSettings};
 use serde_json::{Map, Value, json};
 use std::sync::LazyLock;
 
@@ -17,12 +17,26 @@ pub fn components() -> &'static Map<String, Value> {
         let mut components = plateau_forms::components::components().clone();
         add_envelope(&mut components);
         // The answers always have the fields that are null, so those are required.
-        components.extend(rewritten(SchemaSettings::draft2020_12().for_serialize(), job::schemas));
+        components.extend(rewritten(SchemaSettings::draft2020_12().for_serialize(), answers));
         components.insert(batch::BATCH.into(), batch::request_schema());
         jobs_of_each_kind(&mut components);
         components
     });
     &COMPONENTS
+}
+
+/// Adds the types of the answers to a generator.
+fn answers(generator: &mut SchemaGenerator) {
+    generator.subschema_for::<job::Job>();
+    generator.subschema_for::<job::JobList>();
+    generator.subschema_for::<batch::Batch>();
+    generator.subschema_for::<callback::Callbacks>();
+    generator.subschema_for::<job::Problem>();
+    generator.subschema_for::<plateau_forms::mesh::Mesh>();
+    generator.subschema_for::<objectives::ObjectiveList>();
+    generator.subschema_for::<objectives::Limits>();
+    generator.subschema_for::<objectives::ExampleList>();
+    generator.subschema_for::<objectives::Example>();
 }
 
 /// Adds the members of the envelope to each request.
@@ -70,9 +84,9 @@ mod tests {
     #[test]
     fn every_name_means_one_thing() {
         let requests = plateau_forms::components::components();
-        let answers = rewritten(SchemaSettings::draft2020_12().for_serialize(), job::schemas);
+        let of_answers = rewritten(SchemaSettings::draft2020_12().for_serialize(), answers);
         for (name, schema) in requests {
-            assert!(answers.get(name).is_none_or(|other| other == schema), "{name} is two different types");
+            assert!(of_answers.get(name).is_none_or(|other| other == schema), "{name} is two different types");
         }
         // schemars adds a number to the name of a second type with the same name.
         for name in components().keys() {

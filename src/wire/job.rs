@@ -5,7 +5,6 @@ use plateau_forms::kind::Kind;
 use plateau_forms::rejection::FieldError;
 use plateau_forms::report::{self, Progress, SolveError, Warning};
 use schemars::JsonSchema;
-use schemars::generate::SchemaGenerator;
 use serde::Serialize;
 use serde_json::value::RawValue;
 use serde_json::{Map, Value};
@@ -76,15 +75,6 @@ impl Links {
             this,
         }
     }
-}
-
-/// Address at which the events of a job can be followed without a key.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct EventTicket {
-    /// Address of the job's events with a ticket in it.
-    pub events: String,
-    /// Time until which the address opens a stream (RFC 3339, UTC).
-    pub expires_at: String,
 }
 
 /// A job: an accepted request and its state.
@@ -191,18 +181,4 @@ pub struct Problem {
     /// True if there were more errors than are listed.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub errors_omitted: bool,
-}
-
-pub(super) fn schemas(generator: &mut SchemaGenerator) {
-    generator.subschema_for::<Job>();
-    generator.subschema_for::<JobList>();
-    generator.subschema_for::<EventTicket>();
-    generator.subschema_for::<super::batch::Batch>();
-    generator.subschema_for::<super::callback::Callbacks>();
-    generator.subschema_for::<Problem>();
-    generator.subschema_for::<plateau_forms::mesh::Mesh>();
-    generator.subschema_for::<super::objectives::ObjectiveList>();
-    generator.subschema_for::<super::objectives::Limits>();
-    generator.subschema_for::<super::objectives::ExampleList>();
-    generator.subschema_for::<super::objectives::Example>();
 }

@@ -202,45 +202,6 @@ async fn the_requests_of_a_key_are_limited_per_minute() {
 }
 
 #[tokio::test]
-async fn a_ticket_opens_the_events_of_one_job_without_a_key() {
-    let guarded = Guarded::start(&[]).await;
-    let (alice, bob) = (&guarded.alice, &guarded.bob);
-    let one = guarded.solve(alice, MINIMAL, &small_film(0.1)).await;
-    let two = guarded.solve(alice, MINIMAL, &small_film(0.2)).await;
-    let ticket_of = |job: &Value| format!("{}/ticket", job["links"]["self"].as_str().unwrap());
-    let issued: Value =
-        guarded.request(alice, Method::POST, &ticket_of(&one)).send().await.unwrap().json().await.unwrap();
-    let events = issued["events"].as_str().unwrap();
-    let followed = guarded.app.get(events).await;
-    assert_eq!(
-        (followed.status(), &followed.headers()["content-type"]),
-        (StatusCode::OK, &"text/event-stream".parse().unwrap())
-    );
-    assert!(followed.text().await.unwrap().contains("succeeded"));
-    // Neither without the ticket, nor another job, nor anything else of this job, nor a ticket of another's job.
-    let ticket = events.split_once('?').unwrap().1;
-    for path in [
-        one["links"]["events"].as_str().unwrap().to_owned(),
-        format!("{}?{ticket}", two["links"]["events"].as_str().unwrap()),
-        format!("{}?{ticket}", one["links"]["self"].as_str().unwrap()),
-        format!("{}?{ticket}", one["links"]["mesh"].as_str().unwrap()),
-        format!("{events}0"),
-    ] {
-        assert_eq!(guarded.app.get(&path).await.status(), StatusCode::UNAUTHORIZED, "{path}");
-    }
-    assert_eq!(guarded.status(bob, Method::POST, &ticket_of(&one)).await, StatusCode::NOT_FOUND);
-    assert_eq!(
-        guarded.app.request(Method::POST, &ticket_of(&one)).send().await.unwrap().status(),
-        StatusCode::UNAUTHORIZED
-    );
-    // A server without keys has tickets too, so that a page need not tell servers apart.
-    let open = TestApp::start().await;
-    let job = open.solve(MINIMAL, &small_film(0.3)).await;
-    let issued: Value = open.request(Method::POST, &ticket_of(&job)).send().await.unwrap().json().await.unwrap();
-    assert_eq!(open.get(issued["events"].as_str().unwrap()).await.status(), StatusCode::OK);
-}
-
-#[tokio::test]
 async fn pages_of_named_origins_may_use_the_server() {
     let guarded = Guarded::start(&[("PLATEAU_HTTP__CORS_ORIGINS", "https://a.example, https://b.example")]).await;
     let preflight = async |origin: &str| {

@@ -331,26 +331,6 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/v1/jobs/{id}/ticket": {
-        parameters: {
-            query?: never;
-            header?: never;
-            path?: never;
-            cookie?: never;
-        };
-        get?: never;
-        put?: never;
-        /**
-         * An address for the EventSource of browsers, which cannot send a key
-         * @description Anyone who has the address can follow the events of this job until it expires, and nothing else. A stream that is open then goes on.
-         */
-        post: operations["postTicket"];
-        delete?: never;
-        options?: never;
-        head?: never;
-        patch?: never;
-        trace?: never;
-    };
     "/v1/limits": {
         parameters: {
             query?: never;
@@ -358,7 +338,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Limits of this server for one request */
+        /** Limits of this server for one request, for one key and for all keys */
         get: operations["getLimits"];
         put?: never;
         post?: never;
@@ -1049,13 +1029,6 @@ export interface components {
             morse_index: number;
             /** @description Whether the Morse index is 0: a true local minimum. */
             stable: boolean;
-        };
-        /** @description Address at which the events of a job can be followed without a key. */
-        EventTicket: {
-            /** @description Address of the job's events with a ticket in it. */
-            events: string;
-            /** @description Time until which the address opens a stream (RFC 3339, UTC). */
-            expires_at: string;
         };
         /** @description An example request. */
         Example: {
@@ -4167,10 +4140,7 @@ export interface operations {
     };
     getEvents: {
         parameters: {
-            query?: {
-                /** @description Stands for the key in browsers, whose `EventSource` cannot send one: `events` of `postTicket` contains it. */
-                ticket?: string;
-            };
+            query?: never;
             header?: {
                 /** @description Identifier of the last event that the client saw, `attempt.sequence`. After the final event the answer is 204. */
                 "Last-Event-ID"?: string;
@@ -4378,37 +4348,6 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            421: components["responses"]["Misdirected"];
-            429: components["responses"]["RateLimited"];
-            500: components["responses"]["Failed"];
-            503: components["responses"]["Unavailable"];
-        };
-    };
-    postTicket: {
-        parameters: {
-            query?: never;
-            header?: never;
-            path: {
-                /** @description Identifier of the job. */
-                id: string;
-            };
-            cookie?: never;
-        };
-        requestBody?: never;
-        responses: {
-            /** @description The address */
-            200: {
-                headers: {
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/json": components["schemas"]["EventTicket"];
-                };
-            };
-            401: components["responses"]["Unauthorized"];
-            403: components["responses"]["ForeignPage"];
-            404: components["responses"]["NotFound"];
-            410: components["responses"]["Gone"];
             421: components["responses"]["Misdirected"];
             429: components["responses"]["RateLimited"];
             500: components["responses"]["Failed"];

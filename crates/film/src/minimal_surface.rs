@@ -57,7 +57,6 @@ pub use options::{
     VertexRelaxation,
 };
 pub use outcome::{ConstraintVertices, MinimalSurface};
-pub use plateau_mesh::remesh::thin_triangles::Pinch;
 pub use run::{
     ExtrapolatedArea, HistoryRow, SpanningComparison, SpanningTopology, Stability, StabilityMethod, StopReason,
 };

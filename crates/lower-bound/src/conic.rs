@@ -40,7 +40,7 @@ const HANDED_ON: f64 = 0.1;
 const PULLED_BACK: f64 = 0.95;
 /// Corrections of a direction at most. Two or three save a quarter to a third of the steps, one saves a tenth.
 const CORRECTIONS: u32 = 2;
-/// A correction is for a step that is longer by this much.
+/// Increase of the step length that a correction aims for.
 const LONGER: f64 = 0.3;
 /// The Jordan products that a corrected step may leave, as multiples of those on the central path.
 const SPREAD: [f64; 2] = [0.1, 10.0];
@@ -258,7 +258,7 @@ pub(super) struct Level<'a> {
     dual: Vec<[Spin; 4]>,
     /// Σ (t + u·v).
     complementarity: f64,
-    /// What is left of the dual constraint's first residual, as a fraction of it.
+    /// Dual residual relative to its value at the start.
     infeasibility: f64,
     film_area: f64,
     /// Whether rounding allows no further step.

@@ -14,7 +14,7 @@ pub(super) const NONE: u32 = u32::MAX;
 /// A part has at least this fraction of the set's tetrahedra. Fractions of 0.1 to 0.3 give factors of the same size
 /// within 6%, and 0.4 gives 10% more.
 const LEAST_PART: f64 = 0.2;
-/// Sets of so many tetrahedra are not cut. The order within them hardly matters.
+/// Largest set that is not cut any further, in tetrahedra. The order within it hardly matters.
 const WHOLE: usize = 2;
 
 /// The rows in their order of elimination. `rows_of` has the rows of each tetrahedron, or [`NONE`].

@@ -3,10 +3,10 @@
 //! **|curl A|.** The curl is linear on a tetrahedron and |·| is convex, so its values at the four vertices suffice. It is
 //! bounded in all tetrahedra that meet the half-spaces' intersection (`hull`).
 //!
-//! **∮A.** A segment of the boundary is followed through the mesh by rounded barycentric coordinates. Coordinates that
-//! do not vanish together stand for an exact point of the tetrahedron, their weighted mean of its vertices, so rounded
-//! coordinates describe *another* polygon exactly: it follows the given one within rounding, and each of its pieces
-//! lies in one tetrahedron, where the integral has a closed form. Where a piece ends and the next one starts, only the
+//! **∮A.** A segment of the boundary is followed through the mesh by rounded barycentric coordinates. Non-negative
+//! weights, not all zero, define an exact point: the weighted mean of the tetrahedron's vertices. Rounded coordinates
+//! therefore describe *another* polygon exactly. It follows the given one within rounding, and each of its pieces lies
+//! in one tetrahedron, where the integral has a closed form. Where a piece ends and the next one starts, only the
 //! coordinates at vertices that both tetrahedra have are kept, so that both mean the same point. Between the two
 //! polygons lies a strip of triangles. It is thinner than the distance of all unconstrained tetrahedra from the polygons (else
 //! there is no bound). As |curl A| <= 1 in the strip, the two circulations differ by at most the strip's area, which is

@@ -1,14 +1,11 @@
-//! `GET /v1/jobs/{id}/events`: a job's events as server-sent events, and tickets for browsers, whose `EventSource` cannot
-//! send a key.
+//! `GET /v1/jobs/{id}/events`: a job's events as server-sent events.
 
 use crate::http::access::Caller;
-use crate::http::entry::{id_parameter, json_response, query_parameter, with_problems};
+use crate::http::entry::{id_parameter, with_problems};
 use crate::http::parameters::{checked, parameters};
 use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::jobs::events::Events;
-use crate::wire::job::EventTicket;
-use axum::Json;
 use axum::extract::{Path, RawQuery, State};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, header};
 use axum::response::sse::{Event, KeepAlive, Sse};
@@ -16,7 +13,7 @@ use axum::response::{IntoResponse, Response};
 use futures_util::stream::{self, Stream, StreamExt};
 use serde_json::{Value, json};
 use std::convert::Infallible;
-use std::time::{Duration, SystemTime};
+use std::time::Duration;
 
 /// Time after which a client that lost the stream should reconnect.
 const RETRY: Duration = Duration::from_secs(2);
@@ -30,8 +27,7 @@ pub async fn events(
     RawQuery(query): RawQuery,
     headers: HeaderMap,
 ) -> Result<Response, Failure> {
-    // The ticket was checked before.
-    let [_ticket] = parameters(query.as_deref(), ["ticket"])?;
+    parameters::<0>(query.as_deref(), [])?;
     let last = headers.get("last-event-id").and_then(|value| value.to_str().ok());
     let Some(events) = app.jobs.events(&checked(&id)?, caller.owner(), last).await? else {
         return Ok(StatusCode::NO_CONTENT.into_response());
@@ -73,41 +69,11 @@ pub fn events_entry() -> Value {
     let last = json!({ "name": "Last-Event-ID", "in": "header", "required": false,
         "description": "Identifier of the last event that the client saw, `attempt.sequence`. After the final event the answer is 204.",
         "schema": { "type": "string" } });
-    let ticket = query_parameter(
-        "ticket",
-        "Stands for the key in browsers, whose `EventSource` cannot send one: `events` of `postTicket` contains it.",
-        json!({ "type": "string" }),
-    );
     let responses =
         json!({ "200": stream, "204": { "description": "The client has seen the final event, so no event follows" } });
     json!({
         "operationId": "getEvents", "tags": ["jobs"], "summary": "Progress as server-sent events",
-        "parameters": [id_parameter("job"), last, ticket],
+        "parameters": [id_parameter("job"), last],
         "responses": with_problems(responses, &[("400", "BadRequest"), ("404", "NotFound"), ("410", "Gone"), ("503", "Unavailable")]),
-    })
-}
-
-/// Answers with an address at which the job's events can be followed without a key for some minutes.
-pub async fn ticket(
-    State(app): State<App>,
-    caller: Caller,
-    Path(id): Path<String>,
-) -> Result<(HeaderMap, Json<EventTicket>), Failure> {
-    let job = app.jobs.get(&checked(&id)?, caller.owner()).await?;
-    let (ticket, expires_at) = app.tickets.issue(&job.id, caller.owner().unwrap_or_default(), SystemTime::now());
-    let events = format!("{}?ticket={ticket}", job.links.events);
-    let expires_at = humantime::format_rfc3339_seconds(expires_at).to_string();
-    let headers = HeaderMap::from_iter([(header::CACHE_CONTROL, HeaderValue::from_static("no-store"))]);
-    Ok((headers, Json(EventTicket { events, expires_at })))
-}
-
-pub fn ticket_entry() -> Value {
-    let ok = json!({ "200": json_response("The address", "EventTicket") });
-    json!({
-        "operationId": "postTicket", "tags": ["jobs"], "summary": "An address for the EventSource of browsers, which cannot send a key",
-        "description": "Anyone who has the address can follow the events of this job until it expires, and nothing else. A stream \
-            that is open then goes on.",
-        "parameters": [id_parameter("job")],
-        "responses": with_problems(ok, &[("404", "NotFound"), ("410", "Gone"), ("503", "Unavailable")]),
     })
 }

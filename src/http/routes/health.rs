@@ -4,7 +4,7 @@ use crate::http::entry::{plain_get, with_problems};
 use crate::http::problem::Failure;
 use crate::http::state::App;
 use crate::jobs::Jobs;
-use crate::telemetry::{metric, process};
+use crate::telemetry::metric;
 use axum::Json;
 use axum::extract::State;
 use axum::http::header;
@@ -51,6 +51,7 @@ pub fn metrics_entry() -> Value {
 /// Returns the metrics of this process and the length of the shared queue.
 pub async fn render(jobs: &Jobs, handle: &PrometheusHandle) -> Result<Response, Failure> {
     metrics::gauge!(metric::QUEUE_LENGTH).set(jobs.queue_length().await? as f64);
-    process::measure();
+    // The figures of this process, under the names that Prometheus uses in every program.
+    metrics_process::Collector::default().collect();
     Ok(([(header::CONTENT_TYPE, "text/plain; version=0.0.4; charset=utf-8")], handle.render()).into_response())
 }

@@ -541,14 +541,6 @@ class EquilibriumStability(TypedDict):
     """Whether the Morse index is 0: a true local minimum."""
 
 
-class EventTicket(TypedDict):
-    """Address at which the events of a job can be followed without a key."""
-    events: str
-    """Address of the job's events with a ticket in it."""
-    expires_at: str
-    """Time until which the address opens a stream (RFC 3339, UTC)."""
-
-
 class Example(TypedDict):
     """An example request."""
     kind: Kind

@@ -172,11 +172,11 @@ pub struct Ring {
 pub struct Chamber {
     /// The number of the layer.
     pub below: usize,
-    /// What holds the pressure in it.
+    /// Prescribed gauge pressure, or prescribed volume.
     pub holds: Pressure,
 }
 
-/// What holds the pressure in a chamber, which is that above the pressure outside.
+/// Prescribed gauge pressure of a chamber, or its prescribed volume.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Pressure {
     /// This pressure, a force per area. It may be negative.

@@ -16,8 +16,8 @@
 //! ∫ |∇δ - (m T)⁻¹ R|² -> min          a Poisson equation with the cotangent Laplacian
 //! ```
 //!
-//! What remains out of balance the last solve of form finding removes by moving vertices within the film, which changes
-//! the stresses by as much as the statistics say.
+//! The last solve of form finding removes the imbalance that remains. It moves vertices within the film. The statistics
+//! state how much this changes the stresses.
 //!
 //! A cable on the film's edge or across it bears the film's pull along the cable: its force changes from segment to
 //! segment by that pull. In an isotropic film there is none.

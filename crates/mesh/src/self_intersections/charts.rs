@@ -299,7 +299,7 @@ struct Boundary {
 }
 
 impl Boundary {
-    /// `edges` are those of patches without one of the same part on the other side.
+    /// `edges` are the half-edges that bound one part.
     fn new(charts: &Charts, direction: DVec3, edges: &[u32]) -> Self {
         let patches = charts.patches;
         let across = direction.any_orthonormal_vector();

@@ -306,7 +306,7 @@ impl<V: Lanes, W: StepWeights<V>> Kernel<V> for SingleLayer<W> {
 pub(crate) struct DualLayer<'a, S, C> {
     pub(crate) simd: S,
     pub(crate) lattice: &'a Lattice,
-    /// Coupled: bending counts at the bridges in this table only, after their number.
+    /// Table of the non-convex bridges if their number is minimised and their bending breaks ties.
     pub(crate) concave: Option<&'a BitTable>,
     pub(crate) cost: std::marker::PhantomData<C>,
 }

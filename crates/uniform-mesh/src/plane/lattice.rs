@@ -305,7 +305,7 @@ fn directions(boundary: &Boundary<'_>) -> Vec<(f64, Vec<u32>)> {
         .map(|&(a, b)| {
             let edge = boundary.nodes[b as usize] - boundary.nodes[a as usize];
             let angle = edge.to_angle().rem_euclid(FRAC_PI_3);
-            // Just below 60° is 0° and rounding.
+            // Angles within 1e-6 of 60° count as 0, because the lattice repeats every 60°.
             (if FRAC_PI_3 - angle < 1e-6 { angle - FRAC_PI_3 } else { angle }, edge.length(), a)
         })
         .collect();

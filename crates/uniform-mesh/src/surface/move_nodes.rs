@@ -22,7 +22,7 @@ const WEIGHT: f64 = 3.0;
 const LARGEST_WEIGHT: f64 = 30.0;
 /// A bound's shift is at most this, in ℓ.
 const LARGEST_SHIFT: f64 = 0.5;
-/// An excess of so little, in ℓ, is none.
+/// Tolerance for the bounds on a length, in ℓ.
 const ENOUGH: f64 = 1e-9;
 const ROUNDS: usize = 16;
 const ATTEMPTS: usize = 3;
@@ -46,11 +46,11 @@ pub(crate) enum Aim {
 /// Bounds of one optimisation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effort {
-    /// Most runs, each with wider bounds for the members that the one before could not bring into theirs.
+    /// Maximum number of attempts. Each has wider bounds for the members that the attempt before could not bring into theirs.
     pub attempts: usize,
-    /// Most rounds of multipliers in each.
+    /// Maximum number of multiplier updates per attempt.
     pub rounds: usize,
-    /// Most steps tried in each of those.
+    /// Maximum number of steps between two updates of the multipliers.
     pub iterations: u64,
     /// The change of energy, relative to it, below which the steps end.
     pub tolerance: f64,

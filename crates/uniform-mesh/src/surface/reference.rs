@@ -116,10 +116,10 @@ pub(crate) struct Reference {
     curvature: Vec<f64>,
     /// The patch, and the parameters of each triangle's corners. `None` for a film.
     patch: Option<(Nurbs, Vec<[DVec2; 3]>)>,
-    /// For each half-edge whether walks end there.
+    /// Marks the half-edges at which a walk ends.
     pub stops: Vec<bool>,
     pub curves: Vec<Curve>,
-    /// For each vertex whether it is a corner.
+    /// Marks the vertices that are corners.
     pub corner: Vec<bool>,
     /// The surface's area.
     pub area: f64,

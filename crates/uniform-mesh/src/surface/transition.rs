@@ -37,7 +37,7 @@ const REBUILDS: usize = 6;
 const ENOUGH_GAIN: f64 = 1e-3;
 /// ... or where there is none to speak of, per member: on a flat patch lengths are off by rounding and by what flattening leaves.
 const NO_MISFIT: f64 = 1e-12;
-/// A rim member out of its range counts as so many lattice members off ℓ by as much.
+/// Weight of a rim member that is out of range, relative to a lattice member.
 const RIM_WEIGHT: f64 = 10.0;
 
 /// Moves the inner nodes ([`refine`]) and, unless the rim is free, rebuilds the rim for where they have come to, as long as

@@ -240,7 +240,7 @@ impl MinimalStatistics {
             area: row.area,
             residual: row.residual,
         };
-        let pinch = |pinch: &geometry::Pinch| Pinch {
+        let pinch = |pinch: &plateau_mesh::remesh::thin_triangles::Pinch| Pinch {
             iteration: pinch.iteration,
             place: pinch.place.to_array(),
             what: pinch.what,
