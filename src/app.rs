@@ -100,8 +100,8 @@ pub async fn run(config: Config, role: Role) -> Result<(), StartError> {
         let (http, limits) = (&config.http, &config.limits);
         let bodies = Budget::new(http.bodies_in_flight_bytes, http.bodies_share_percent, limits.body_bytes);
         let seats = Arc::new(Seats::new(config.open_requests()));
-        let document = openapi::served_at(&config.http.public_base_path).into();
         let (own_config, own_jobs, bodies) = (config.clone(), jobs.clone(), Arc::new(bodies));
+        let document = openapi::served_at;
         let app = App { config: own_config, jobs: own_jobs, metrics, bodies, seats, keys, document };
         let tools = (role == Role::Mcp).then(|| tokio::spawn(mcp::serve_stdio(app.clone(), address)));
         let until_input_ends = async {

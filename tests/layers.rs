@@ -84,10 +84,11 @@ const CRATES: [(&str, &[&str]); 6] = [
         &[
             "rejection",
             "limits",
+            "json",
+            "bounds",
+            "strict",
             "common",
             "resolution",
-            "json",
-            "body",
             "explain",
             "report",
             "mesh",

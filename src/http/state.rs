@@ -19,6 +19,7 @@ pub struct App {
     /// Limits of the requests that each client has open.
     pub seats: Arc<Seats>,
     pub keys: Arc<Keys>,
-    /// API document as a server below this base path serves it.
-    pub document: Arc<str>,
+    /// Returns the API document as a server below a base path serves it. It is made when it is first asked for, because
+    /// its schemas take longer than everything else at the start of the process.
+    pub document: fn(&str) -> String,
 }

@@ -14,9 +14,6 @@ use crate::wire::envelope::{Cache, Envelope};
 use crate::wire::incoming::Incoming;
 use crate::wire::job::Job;
 use bytes::Bytes;
-use plateau_forms::body::{Body, Field};
-use plateau_forms::common::Point;
-use plateau_forms::json::integral;
 use plateau_forms::kind::Kind;
 use plateau_forms::rejection::{FieldError, Rejection};
 use plateau_forms::request::Request;
@@ -51,20 +48,6 @@ pub struct Submitter {
     pub idempotency_key: Option<String>,
 }
 
-/// A job whose request has not been serialized yet. A job that is solved at once is never serialized.
-struct Submission {
-    job: NewJob,
-    body: Body,
-}
-
-impl Submission {
-    /// Returns the job with its request in the form that a worker reads.
-    fn written(mut self) -> Result<NewJob, JobsError> {
-        self.job.request = serde_json::to_vec(&self.body).map_err(|error| JobsError::Internal(error.to_string()))?;
-        Ok(self.job)
-    }
-}
-
 pub(super) async fn job(
     jobs: &Jobs,
     kind: Kind,
@@ -90,36 +73,34 @@ async fn read_and_store(
     let limits = jobs.config().limits.clone();
     let inline = body.len() <= INLINE_BYTES;
     let read = move || {
-        let Incoming { request, envelope, body } = Incoming::read(kind, &body, &limits).map_err(JobsError::Rejected)?;
+        let Incoming { request, envelope, text } = Incoming::read(kind, &body, &limits).map_err(JobsError::Rejected)?;
         let waits = envelope.cancel_on_disconnect;
-        Ok::<_, JobsError>((submission(&request, envelope, body, from), request, waits))
+        Ok::<_, JobsError>((new_job(&request, envelope, text, from), request, waits))
     };
-    let (submission, request, waits) = if inline { read()? } else { jobs.off_runtime(read).await?? };
-    check_callback(jobs, "", submission.job.callback_url.as_deref())?;
+    let (job, request, waits) = if inline { read()? } else { jobs.off_runtime(read).await?? };
+    check_callback(jobs, "", job.callback_url.as_deref())?;
     *cancel_on_disconnect = waits;
     if *cancel_on_disconnect && !waited_for {
         return Err(invalid("/cancel_on_disconnect", "needs a request that waits: send `Prefer: wait=N`"));
     }
-    store(jobs, submission, &request, submitted_at, inline, waited_for).await
+    store(jobs, job, &request, submitted_at, waited_for).await
 }
 
 async fn store(
     jobs: &Jobs,
-    submission: Submission,
+    job: NewJob,
     request: &Request,
     submitted_at: Instant,
-    inline: bool,
     waited_for: bool,
 ) -> Result<Submitted<Job>, JobsError> {
-    if waited_for && let Some((attempt, solved)) = solve_here(jobs, &submission.job, request, submitted_at) {
+    if waited_for && let Some((attempt, solved)) = solve_here(jobs, &job, request, submitted_at) {
         let status = solved.outcome.status();
-        let stored = jobs.store().submit_solved(submission.job, solved).await;
+        let stored = jobs.store().submit_solved(job, solved).await;
         // If the submission was refused, or if an equal submission was stored first, this result is not used.
         let created = matches!(stored, Ok(Stored::Created(..)));
         attempt.end(if created { End::Finished(status) } else { End::Dropped });
         return answer(jobs, stored);
     }
-    let job = if inline { submission.written()? } else { jobs.off_runtime(|| submission.written()).await?? };
     answer(jobs, jobs.store().submit(job).await)
 }
 
@@ -168,10 +149,10 @@ async fn read_and_store_batch(jobs: &Jobs, body: Bytes, from: Submitter) -> Resu
     let read = move || BatchRequest::read(&body, &limits).map_err(JobsError::Rejected);
     let BatchRequest { requests, callback_url, value } = jobs.off_runtime(read).await??;
     check_callback(jobs, "", callback_url.as_deref())?;
-    let body_hash = hash(&value.into(), &Map::new());
+    let body_hash = hash(value.to_string().as_bytes(), &Map::new());
     let Submitter { owner, idempotency_key } = from;
     let mut new_jobs = Vec::with_capacity(requests.len());
-    for (index, Incoming { request, envelope, body }) in requests.into_iter().enumerate() {
+    for (index, Incoming { request, envelope, text }) in requests.into_iter().enumerate() {
         check_callback(jobs, &format!("/requests/{index}"), envelope.callback_url.as_deref())?;
         for (name, given) in
             [("supersede", envelope.supersede.is_some()), ("cancel_on_disconnect", envelope.cancel_on_disconnect)]
@@ -181,7 +162,7 @@ async fn read_and_store_batch(jobs: &Jobs, body: Bytes, from: Submitter) -> Resu
             }
         }
         let from = Submitter { owner: owner.clone(), idempotency_key: None };
-        new_jobs.push(submission(&request, envelope, body, from).written()?);
+        new_jobs.push(new_job(&request, envelope, text, from));
     }
     let id = ulid::Ulid::generate().to_string();
     let batch = NewBatch { id, owner, idempotency_key, body_hash, callback_url, jobs: new_jobs };
@@ -225,99 +206,27 @@ fn milliseconds(duration: std::time::Duration) -> i64 {
     i64::try_from(duration.as_millis()).unwrap_or(i64::MAX)
 }
 
-/// Returns the hash of a body and of the members that were taken out of it. The order of the keys does not change the
-/// hash, and numbers are compared as f64.
-fn hash(body: &Body, members: &Map<String, Value>) -> [u8; 32] {
-    let mut bytes = Vec::new();
-    match body.fields() {
-        None => write(body.outline(), &mut bytes),
-        Some(fields) => {
-            tagged(7, fields.len() as u64, &mut bytes);
-            for (name, field) in fields {
-                write_text(name, &mut bytes);
-                match field {
-                    Field::Value(value) => write(value, &mut bytes),
-                    Field::Points(polylines) => write_polylines(polylines, &mut bytes),
-                }
-            }
-        }
+/// Returns the hash of a request's text and of the members that were taken out of it. A text has only one form.
+fn hash(text: &[u8], members: &Map<String, Value>) -> [u8; 32] {
+    let mut hasher = Sha256::new_with_prefix(text);
+    if !members.is_empty() {
+        // The keys of a map are sorted, and integral numbers are integers (see `json::parse`).
+        hasher.update(Value::Object(members.clone()).to_string());
     }
-    for (name, member) in members {
-        write_text(name, &mut bytes);
-        write(member, &mut bytes);
-    }
-    Sha256::digest(bytes).into()
+    hasher.finalize().into()
 }
 
-fn tagged(tag: u8, value: u64, out: &mut Vec<u8>) {
-    out.push(tag);
-    out.extend_from_slice(&value.to_le_bytes());
-}
-
-fn write_text(text: &str, out: &mut Vec<u8>) {
-    tagged(5, text.len() as u64, out);
-    out.extend_from_slice(text.as_bytes());
-}
-
-/// Writes polylines exactly as [`write`] writes the same arrays in a value.
-fn write_polylines(polylines: &[Vec<Point>], out: &mut Vec<u8>) {
-    tagged(6, polylines.len() as u64, out);
-    for polyline in polylines {
-        tagged(6, polyline.len() as u64, out);
-        for point in polyline {
-            tagged(6, point.len() as u64, out);
-            for &coordinate in point {
-                match integral(coordinate) {
-                    Some(integer) => tagged(2, integer as u64, out),
-                    None => tagged(4, coordinate.to_bits(), out),
-                }
-            }
-        }
-    }
-}
-
-/// Writes a value in its only encoding. The keys are sorted already, and integral numbers are integers (see
-/// `json::parse`).
-fn write(value: &Value, out: &mut Vec<u8>) {
-    match value {
-        Value::Null => out.push(0),
-        Value::Bool(value) => out.extend_from_slice(&[1, u8::from(*value)]),
-        Value::Number(value) => {
-            let (tag, bits) = match (value.as_i64(), value.as_u64()) {
-                (Some(value), _) => (2, value as u64),
-                (None, Some(value)) => (3, value),
-                (None, None) => (4, value.as_f64().unwrap_or_default().to_bits()),
-            };
-            tagged(tag, bits, out);
-        }
-        Value::String(text) => write_text(text, out),
-        Value::Array(items) => {
-            tagged(6, items.len() as u64, out);
-            items.iter().for_each(|item| write(item, out));
-        }
-        Value::Object(fields) => {
-            tagged(7, fields.len() as u64, out);
-            for (name, field) in fields {
-                write_text(name, out);
-                write(field, out);
-            }
-        }
-    }
-}
-
-/// Returns the submission of a request that was read from `body`.
-fn submission(request: &Request, envelope: Envelope, mut body: Body, from: Submitter) -> Submission {
+/// Returns the job of a request that was read.
+fn new_job(request: &Request, envelope: Envelope, text: Vec<u8>, from: Submitter) -> NewJob {
     let Submitter { owner, idempotency_key } = from;
     // The hash is only compared between submissions with an idempotency key.
-    let body_hash = if idempotency_key.is_some() { hash(&body, &envelope.members) } else { [0; 32] };
-    // The kind is compared beside the hash, and a body whose path names the kind may leave it out.
-    body.take("kind");
-    let job = NewJob {
+    let body_hash = if idempotency_key.is_some() { hash(&text, &envelope.members) } else { [0; 32] };
+    NewJob {
         id: ulid::Ulid::generate().to_string(),
         kind: request.kind().name().into(),
         owner,
-        request: Vec::new(),
-        request_hash: hash(&body, &Map::new()),
+        request_hash: hash(&text, &Map::new()),
+        request: text,
         body_hash,
         idempotency_key,
         callback_url: envelope.callback_url,
@@ -326,78 +235,58 @@ fn submission(request: &Request, envelope: Envelope, mut body: Body, from: Submi
         supersede: envelope.supersede,
         memory_bytes: request.memory_bytes,
         reuse: envelope.cache == Cache::Reuse,
-    };
-    Submission { job, body }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use plateau_forms::json::parse;
     use plateau_forms::kinds::ruled_surface;
 
-    #[test]
-    fn a_body_has_the_same_hash_whether_its_points_were_read_apart_or_not() {
-        let body =
-            br#"{"up": "y", "directrices": [[[0, 1.0, -0.0], [1.5, 2e3, 1e30], [1, 2, 3], [0.1, -7, 9007199254740991]],
-            [[0, 5, 0], [4, 5, 1], [4, 5, 2], [5, 5, 9]]], "normals": null, "cache": "bypass"}"#;
+    fn job(body: &str, key: Option<&str>) -> NewJob {
         let limits = crate::config::LimitsConfig::default();
-        let Incoming { request, envelope, body: read } = Incoming::read(ruled_surface::KIND, body, &limits).unwrap();
-        assert_eq!(read.lists().len(), 1);
-        let mut whole = Body::from(parse(body).unwrap());
-        whole.take("cache");
-        let none = Map::new();
-        assert_eq!(hash(&read, &none), hash(&whole, &none));
-        assert_ne!(hash(&read, &envelope.members), hash(&read, &none));
-        let from = || Submitter { owner: None, idempotency_key: None };
-        let [apart, together] = [read, whole].map(|body| submission(&request, envelope.clone(), body, from()));
-        assert_eq!(apart.job.request_hash, together.job.request_hash);
-        let stored = [apart, together].map(|job| parse(&job.written().unwrap().request).unwrap());
-        assert_eq!(stored[0], stored[1]);
-        assert!(stored[0].get("cache").is_none() && stored[0]["directrices"][0][3][1] == -7);
+        let Incoming { request, envelope, text } = Incoming::read(ruled_surface::KIND, body.as_bytes(), &limits)
+            .unwrap_or_else(|error| panic!("{body}: {error:?}"));
+        new_job(&request, envelope, text, Submitter { owner: None, idempotency_key: key.map(Into::into) })
+    }
+
+    const RAILS: &str = r#""directrices": [[[0, 1, -0.0], [1.5, 2e3, 1e30]], [[0, 5, 0], [4, 5, 1]]]"#;
+
+    #[test]
+    fn requests_that_mean_the_same_have_one_hash() {
+        let plain = job(&format!("{{{RAILS}}}"), None);
+        for other in [
+            format!(r#"{{"units": "m", "up": "z", {RAILS}}}"#),
+            format!(r#"{{{RAILS}, "kind": "ruled_surface", "normals": null, "label": "a", "cache": "bypass"}}"#),
+            format!(
+                r#"{{"objective": "minimal_area", "closed": false, {RAILS}, "convexity_tolerance_deg": 0.000001}}"#
+            ),
+            format!(
+                "{{{}}}",
+                RAILS.replace("1.5", "15e-1").replace("[0, 5, 0]", "[0.0, 5.0, -0]").replace("2e3", "2000")
+            ),
+        ] {
+            let other = job(&other, None);
+            assert_eq!(String::from_utf8_lossy(&other.request), String::from_utf8_lossy(&plain.request));
+            assert_eq!(other.request_hash, plain.request_hash);
+        }
+        for other in [
+            format!(r#"{{"units": "mm", {RAILS}}}"#),
+            format!("{{{}}}", RAILS.replace("-0.0", "0")),
+            format!("{{{}}}", RAILS.replace("1.5", "1.5000000000000002")),
+            format!(r#"{{"sampling": {{"by": "arc_length", "samples": 2050.0}}, {RAILS}}}"#),
+        ] {
+            assert_ne!(job(&other, None).request_hash, plain.request_hash, "{other}");
+        }
     }
 
     #[test]
-    fn equal_bodies_have_equal_hashes_and_different_bodies_different_ones() {
-        let of = |text: &str| hash(&parse(text.as_bytes()).unwrap().into(), &Map::new());
-        for (one, other) in [
-            (r#"{"a":1,"b":[2,3]}"#, r#"{ "b": [2.0, 3e0], "a": 1.00 }"#),
-            (r#"{"a":0.1}"#, r#"{"a":1e-1}"#),
-            (r#""\u0041""#, r#""A""#),
-        ] {
-            assert_eq!(of(one), of(other), "{one} {other}");
-        }
-        let different = [
-            "null",
-            "false",
-            "true",
-            "0",
-            "-0.0",
-            "1",
-            "-1",
-            "0.1",
-            "0.2",
-            "9223372036854775808",
-            "1e300",
-            "\"\"",
-            "\"a\"",
-            "[]",
-            "{}",
-            "[[]]",
-            "[[],[]]",
-            "[[[]]]",
-            "[1,2]",
-            "[[1],2]",
-            "[12]",
-            "{\"a\":1}",
-            "{\"a\":{}}",
-            "{\"b\":1}",
-            "[\"a\",1]",
-            "{\"a\":[1,2]}",
-            "{\"a\":[1],\"b\":2}",
-            "\"a1\"",
-        ];
-        let hashes: std::collections::BTreeSet<_> = different.iter().map(|text| of(text)).collect();
-        assert_eq!(hashes.len(), different.len());
+    fn what_a_request_says_of_its_job_counts_for_its_idempotency_key_only() {
+        let [plain, labelled] =
+            ["", r#", "label": "a", "metadata": {"b": 1}"#].map(|more| job(&format!("{{{RAILS}{more}}}"), Some("k")));
+        assert_eq!(plain.request_hash, labelled.request_hash);
+        assert_ne!(plain.body_hash, labelled.body_hash);
+        let reordered = job(&format!(r#"{{"metadata": {{"b": 1.0}}, {RAILS}, "label": "a"}}"#), Some("k"));
+        assert_eq!(reordered.body_hash, labelled.body_hash);
     }
 }

@@ -91,11 +91,12 @@ impl BatchRequest {
 
 /// Refuses a body whose members are wrong. Each request is checked by itself.
 pub(super) fn refuse_shell(value: &Value) -> Result<(), Rejection> {
-    static SCHEMAS: LazyLock<Schemas> = LazyLock::new(|| {
+    static SHELL: LazyLock<Map<String, Value>> = LazyLock::new(|| {
         let mut shell = request_schema();
         shell["properties"]["requests"]["items"] = json!({});
-        Schemas::new(&Map::from_iter([(BATCH.to_owned(), shell)]))
+        Map::from_iter([(BATCH.to_owned(), shell)])
     });
+    static SCHEMAS: LazyLock<Schemas> = LazyLock::new(|| Schemas::new(&SHELL));
     let errors = SCHEMAS.errors(BATCH, value);
     if errors.is_empty() { Ok(()) } else { Err(Rejection::Invalid(errors)) }
 }

@@ -1,11 +1,11 @@
 //! The fields that every request has because they concern the job and not its result. The service reads them, and
 //! `plateau_forms` the rest.
 
-use plateau_forms::body::Body;
+use plateau_forms::bounds::Text;
 use plateau_forms::components::rewritten;
 use plateau_forms::explain::Schemas;
-use plateau_forms::json;
 use plateau_forms::rejection::{FieldError, Rejection};
+use plateau_forms::strict;
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Deserialize;
@@ -36,20 +36,17 @@ pub struct JobFields {
     /// URL (https) that receives a signed POST when the job ends. Requires webhooks to be enabled on this server: see
     /// `webhooks` of `GET /v1/limits`.
     #[serde(default)]
-    #[schemars(length(max = URL_BYTES))]
-    pub callback_url: Option<String>,
+    pub callback_url: Option<Text<0, URL_BYTES>>,
     /// Name of the job for people. The job and lists of jobs show it.
     #[serde(default)]
-    #[schemars(length(max = 200))]
-    pub label: Option<String>,
+    pub label: Option<Text<0, 200>>,
     /// Any fields of the client, at most 4096 bytes as JSON text. The job and lists of jobs show them.
     #[serde(default)]
     pub metadata: Option<Map<String, Value>>,
     /// Key of a series of requests of which only the newest counts, such as those of one drag. Once this request is
     /// accepted, older jobs with the same key that have not ended are cancelled.
     #[serde(default)]
-    #[schemars(length(min = 1, max = 200))]
-    pub supersede: Option<String>,
+    pub supersede: Option<Text<1, 200>>,
     /// Cancel the job if the client closes the connection while it waits for the end. Requires `Prefer: wait`.
     #[serde(default)]
     pub cancel_on_disconnect: bool,
@@ -92,20 +89,30 @@ impl Envelope {
     ///
     /// # Errors
     /// Returns every offending value.
-    pub fn take(body: &mut Body) -> Result<Self, Rejection> {
-        static SCHEMAS: LazyLock<Schemas> = LazyLock::new(|| Schemas::new(&schemas()));
-        let taken = MEMBERS.iter().filter_map(|&name| Some((name.to_owned(), body.take(name)?)));
-        let members: Map<String, Value> = taken.collect();
+    pub fn take(body: &mut Value) -> Result<Self, Rejection> {
+        let Some(body) = body.as_object_mut() else { return Ok(Self::default()) };
+        Self::of(MEMBERS.iter().filter_map(|&name| body.remove_entry(name)).collect())
+    }
+
+    /// Reads the members that concern the job.
+    ///
+    /// # Errors
+    /// Returns every offending value.
+    pub fn of(members: Map<String, Value>) -> Result<Self, Rejection> {
+        static SOURCES: LazyLock<Map<String, Value>> = LazyLock::new(schemas);
+        static SCHEMAS: LazyLock<Schemas> = LazyLock::new(|| Schemas::new(&SOURCES));
         if members.is_empty() {
             return Ok(Self::default());
         }
         let value = Value::Object(members.clone());
-        let mut errors = SCHEMAS.errors(COMPONENT, &value);
-        if !errors.is_empty() {
-            return Err(Rejection::Invalid(errors));
-        }
-        let fields: JobFields = json::deserialize(&value)?;
-        for (pointer, text) in [("/label", &fields.label), ("/supersede", &fields.supersede)] {
+        let fields: JobFields = strict::deserialize(&value).map_err(|rejection| {
+            let errors = SCHEMAS.errors(COMPONENT, &value);
+            if errors.is_empty() { rejection } else { Rejection::Invalid(errors) }
+        })?;
+        let label = fields.label.as_deref().map(str::to_owned);
+        let supersede = fields.supersede.as_deref().map(str::to_owned);
+        let mut errors = Vec::new();
+        for (pointer, text) in [("/label", &label), ("/supersede", &supersede)] {
             // PostgreSQL cannot store a NUL, and no other control character belongs on one line.
             if text.as_ref().is_some_and(|text| text.chars().any(char::is_control)) {
                 errors.push(FieldError::new(pointer, "must not contain control characters"));
@@ -121,10 +128,10 @@ impl Envelope {
         }
         Ok(Self {
             cache: fields.cache,
-            callback_url: fields.callback_url,
-            label: fields.label,
+            callback_url: fields.callback_url.as_deref().map(str::to_owned),
+            label,
             metadata,
-            supersede: fields.supersede,
+            supersede,
             cancel_on_disconnect: fields.cancel_on_disconnect,
             members,
         })

@@ -1,16 +1,18 @@
 //! Puts a wrong value at every place of the examples and of bodies made from the schemas, and
 //! checks that the first error points to that place in plain words. The schemas are read here as
 //! JSON, apart from the code that explains them, and the crate jsonschema says independently which
-//! bodies are valid.
+//! bodies are valid. The types of the requests have to refuse every wrong value without the schema.
 
 use super::batch::{BATCH, refuse_shell};
 use super::components::components;
 use super::envelope::Envelope;
+use super::incoming::Incoming;
 use super::objectives;
-use plateau_forms::body::Body;
+use crate::config::LimitsConfig;
 use plateau_forms::components::request_component;
 use plateau_forms::kind::Kind;
 use plateau_forms::rejection::{FieldError, Rejection};
+use plateau_forms::request::Request;
 use plateau_forms::schema;
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
@@ -186,8 +188,15 @@ fn wrong_values(schema: &'static Value, value: &Value) -> Vec<Wrong> {
             _ => assert!(resolved(schema).get("discriminator").is_some(), "the type does not choose a branch: {all:?}"),
         }
     }
-    if all.iter().any(|branch| branch.get("enum").is_some()) {
+    for names in all.iter().filter_map(|branch| branch["enum"].as_array()) {
         here(UNKNOWN.into());
+        // The derived types of serde would also read these two.
+        if !all.iter().any(|branch| allows_type(branch, &json!({}))) {
+            here(json!({ names[0].as_str().unwrap_or_default(): null }));
+        }
+    }
+    if let Some(members) = value.as_object().filter(|_| !all.iter().any(|branch| allows_type(branch, &json!([])))) {
+        here(members.values().cloned().collect());
     }
     let branch = branch_of(schema, value);
     match value {
@@ -275,8 +284,8 @@ fn reference_validator(component: &str) -> jsonschema::Validator {
 
 /// Reads the envelope of a request, and validates the rest.
 fn refused(body: &Value, validate: impl Fn(&Value) -> Result<(), Rejection>) -> Result<(), Rejection> {
-    let mut rest = Body::from(body.clone());
-    Envelope::take(&mut rest).map(drop).and_then(|()| validate(rest.outline()))
+    let mut rest = body.clone();
+    Envelope::take(&mut rest).map(drop).and_then(|()| validate(&rest))
 }
 
 fn refused_batch(body: &Value) -> Result<(), Rejection> {
@@ -289,11 +298,25 @@ fn refused_batch(body: &Value) -> Result<(), Rejection> {
     Ok(())
 }
 
+/// Returns whether the types and the checks of a kind refuse a body for what is wrong at a place, without its schema.
+fn refused_by_type(kind: Kind, body: &Value, place: &str) -> bool {
+    let mut rest = body.clone();
+    if Envelope::take(&mut rest).is_err() {
+        return true;
+    }
+    match Request::without_schema(kind, &rest, &LimitsConfig::default().requests()) {
+        Err(Some(Rejection::Invalid(errors))) => errors.iter().any(|error| error.pointer == place),
+        Err(None) => true,
+        _ => false,
+    }
+}
+
 /// Checks every wrong value at every place of valid bodies. Returns the places and the number of wrong values.
 fn check(
     component: &str,
     bodies: &[Value],
     validate: impl Fn(&Value) -> Result<(), Rejection>,
+    refused_by_type: impl Fn(&Value, &str) -> bool,
     defects: &mut Vec<String>,
 ) -> (BTreeSet<String>, usize) {
     let root = &components()[component];
@@ -322,6 +345,9 @@ fn check(
                 tried += 1;
                 let changed = with(&wrong);
                 let expected = format!("{pointer}{below}");
+                if !refused_by_type(&changed, pointer) {
+                    defects.push(format!("{component} {expected}: only the schema refuses {wrong}"));
+                }
                 let found = match validate(&changed) {
                     Err(Rejection::Invalid(errors)) => errors,
                     other => {
@@ -376,11 +402,14 @@ fn the_error_for_each_wrong_value_points_to_it_in_plain_words() {
     let mut tried = 0;
     for &kind in Kind::ALL {
         let component = &*request_component(kind);
-        let examples = objectives::examples().iter().filter(|example| example.kind == kind);
-        let mut bodies: Vec<Value> = examples.map(|example| shortened(&example.request)).collect();
-        bodies.extend(samples(&components()[component]));
-        let (places, count) =
-            check(component, &bodies, |body| refused(body, |request| schema::validate(kind, request)), &mut defects);
+        let bodies = valid_bodies(kind);
+        let (places, count) = check(
+            component,
+            &bodies,
+            |body| refused(body, |request| schema::validate(kind, request)),
+            |body, place| refused_by_type(kind, body, place),
+            &mut defects,
+        );
         tried += count;
         let expected = EXPECTED.iter().filter(|(name, _)| *name == kind.name()).flat_map(|(_, places)| *places);
         let missed = expected.filter(|place| !places.contains(**place));
@@ -392,10 +421,78 @@ fn the_error_for_each_wrong_value_points_to_it_in_plain_words() {
         .filter_map(example)
         .map(|example| json!({ "requests": [shortened(&example.request)], "callback_url": "https://example.org" }))
         .collect();
-    let (places, count) = check(BATCH, &batches, refused_batch, &mut defects);
+    let (places, count) = check(BATCH, &batches, refused_batch, |_, _| true, &mut defects);
     tried += count;
     assert!(places.contains("/requests/0/boundaries/0/0/2") && places.contains("/requests/0/supports/0"), "{places:?}");
     println!("{tried} wrong values");
     assert!(tried > 3_000, "{tried}");
     assert!(defects.is_empty(), "{} of {tried}:\n{}", defects.len(), defects.join("\n"));
+}
+
+/// Returns the valid bodies of a kind: its examples, shortened, and bodies made from its schema.
+fn valid_bodies(kind: Kind) -> Vec<Value> {
+    let examples = objectives::examples().iter().filter(|example| example.kind == kind);
+    let mut bodies: Vec<Value> = examples.map(|example| shortened(&example.request)).collect();
+    bodies.extend(samples(&components()[&*request_component(kind)]));
+    bodies
+}
+
+#[test]
+fn an_integer_may_be_written_with_a_point() {
+    let mut tried = 0;
+    for &kind in Kind::ALL {
+        let root = &components()[&*request_component(kind)];
+        for body in valid_bodies(kind) {
+            walk(root, &body, "", &mut |pointer, _, value| {
+                let Some(integer) = value.as_i64() else { return };
+                let mut pointed = body.clone();
+                *pointed.pointer_mut(pointer).expect("a place of the body") = json!(integer as f64);
+                Envelope::take(&mut pointed).expect("the envelope has no integers");
+                let read = Request::without_schema(kind, &pointed, &LimitsConfig::default().requests());
+                assert_ne!(read, Err(None), "{}{pointer}: {integer}.0", kind.name());
+                tried += 1;
+            });
+        }
+    }
+    assert!(tried > 500, "{tried}");
+}
+
+#[test]
+fn a_key_that_any_object_repeats_is_refused() {
+    const HERE: &str = "@here@";
+    let limits = LimitsConfig::default();
+    let mut tried = 0;
+    for example in objectives::examples() {
+        let mut body = example.request.clone();
+        body["metadata"] = json!({ "a": { "b": [] } });
+        let read = |text: &str| Incoming::read(example.kind, text.as_bytes(), &limits);
+        read(&body.to_string()).unwrap_or_else(|error| panic!("{}: {error:?}", example.name));
+        let mut objects = vec![String::new()];
+        walk(&components()[&*request_component(example.kind)], &body, "", &mut |pointer, _, value| {
+            if value.is_object() {
+                objects.push(pointer.to_owned());
+            }
+        });
+        objects.extend(["/metadata".into(), "/metadata/a".into()]);
+        for pointer in objects {
+            let mut marked = body.clone();
+            let object = marked.pointer_mut(&pointer).expect("a place of the body").take();
+            let Some((name, value)) = object.as_object().and_then(|members| members.iter().next()) else { continue };
+            let repeated = object.to_string().replacen('{', &format!("{{{}:{value},", json!(name)), 1);
+            let text = if pointer.is_empty() {
+                repeated
+            } else {
+                *marked.pointer_mut(&pointer).expect("a place of the body") = HERE.into();
+                marked.to_string().replace(&json!(HERE).to_string(), &repeated)
+            };
+            let refused = read(&text);
+            assert!(
+                matches!(&refused, Err(Rejection::Malformed(detail)) if detail.starts_with("an object repeats a key")),
+                "{} {pointer}: {refused:?}",
+                example.name
+            );
+            tried += 1;
+        }
+    }
+    assert!(tried > 60, "{tried}");
 }

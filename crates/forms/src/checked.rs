@@ -1,14 +1,14 @@
 //! What a kind's request must be able to do, and the functions through which the table of kinds reaches it.
 
-use crate::body::PointList;
-use crate::json;
 use crate::limits::Limits;
 use crate::rejection::Rejection;
 use crate::solved::{Frame, SolverInput};
+use crate::strict::{self, Strict};
 use plateau_archive::units::{Unit, UpAxis};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::Serialize;
 use serde::de::DeserializeOwned;
-use serde_json::Value;
+use serde_json::{Map, Value};
 use std::borrow::Cow;
 
 /// Result of the checks of one kind of request.
@@ -20,16 +20,13 @@ pub(crate) struct Checked {
 }
 
 /// A request of one kind as its JSON has it.
-pub(crate) trait KindRequest: DeserializeOwned + JsonSchema {
+pub(crate) trait KindRequest: DeserializeOwned + Serialize + JsonSchema {
     type Statistics: JsonSchema;
 
     /// Returns the unit of the coordinates and the axis that points up.
     fn axes(&self) -> (Unit, UpAxis);
 
-    /// Takes the points of a field that was read separately.
-    fn take(&mut self, _list: &PointList) {}
-
-    /// Makes the checks that the schema cannot express, and converts the request to the geometry's types.
+    /// Makes the checks that the types do not make on reading, and converts the request to the geometry's types.
     ///
     /// # Errors
     /// Returns every offending value.
@@ -37,16 +34,22 @@ pub(crate) trait KindRequest: DeserializeOwned + JsonSchema {
 }
 
 /// A request that passed every check of its kind.
-type Read = Result<(Frame, Checked), Rejection>;
+pub(crate) type Passed = (Frame, Checked);
+/// A request that was read, and how its type writes it.
+pub(crate) type Read = (Passed, Vec<u8>);
 
 /// The types of a kind, as functions that need no type parameter.
 pub(crate) struct Types {
     pub request: TypeSchema,
     pub statistics: TypeSchema,
-    /// Reads an outline that was validated against the schema, and the point lists that were read separately.
-    pub read: fn(&Value, &[PointList], &Limits) -> Read,
-    /// Reads the stored text of a request.
-    pub read_stored: fn(&[u8], &Limits) -> Read,
+    /// Reads the JSON of a request, and the members in the list apart from it. Returns `None` for a body that is refused.
+    pub read: fn(&[u8], &[&str], &Limits) -> Option<(Read, Map<String, Value>)>,
+    /// Reads a request from a JSON value. An error without a rejection means that the type refuses the value.
+    pub read_value: fn(&Value, &Limits) -> Result<Read, Option<Rejection>>,
+    /// Returns the place at which the type refuses a value, for a value that its schema accepts.
+    pub refusal: fn(&Value) -> Rejection,
+    /// Reads a request as its type has written it.
+    pub read_stored: fn(&[u8], &Limits) -> Result<Passed, Rejection>,
 }
 
 impl Types {
@@ -55,6 +58,8 @@ impl Types {
             request: TypeSchema::of::<R>(),
             statistics: TypeSchema::of::<R::Statistics>(),
             read: read::<R>,
+            read_value: read_value::<R>,
+            refusal: strict::refusal::<R>,
             read_stored: read_stored::<R>,
         }
     }
@@ -79,18 +84,29 @@ impl TypeSchema {
     }
 }
 
-fn read<R: KindRequest>(outline: &Value, lists: &[PointList], limits: &Limits) -> Read {
-    let mut request: R = json::deserialize(outline)?;
-    lists.iter().for_each(|list| request.take(list));
-    checked(&request, limits)
+fn read<R: KindRequest>(body: &[u8], aside: &[&str], limits: &Limits) -> Option<(Read, Map<String, Value>)> {
+    let (request, aside) = strict::read::<R>(body, aside).ok()?;
+    Some((written(&request, limits).ok()?, aside))
 }
 
-fn read_stored<R: KindRequest>(body: &[u8], limits: &Limits) -> Read {
-    let request: R = serde_json::from_slice(body).map_err(|error| Rejection::Malformed(error.to_string()))?;
-    checked(&request, limits)
+fn read_value<R: KindRequest>(value: &Value, limits: &Limits) -> Result<Read, Option<Rejection>> {
+    let request = R::deserialize(Strict(value)).map_err(|_| None)?;
+    written(&request, limits).map_err(Some)
 }
 
-fn checked(request: &impl KindRequest, limits: &Limits) -> Read {
+fn read_stored<R: KindRequest>(text: &[u8], limits: &Limits) -> Result<Passed, Rejection> {
+    let read = strict::read::<R>(text, &[]).map_err(|error| Rejection::Malformed(error.to_string()));
+    checked(&read?.0, limits)
+}
+
+fn written(request: &impl KindRequest, limits: &Limits) -> Result<Read, Rejection> {
+    let checked = checked(request, limits)?;
+    // Numbers that were read from JSON are finite, so they can be written.
+    let text = serde_json::to_vec(request).map_err(|error| Rejection::Malformed(error.to_string()))?;
+    Ok((checked, text))
+}
+
+fn checked(request: &impl KindRequest, limits: &Limits) -> Result<Passed, Rejection> {
     let checked = request.check(limits)?;
     let (unit, up) = request.axes();
     Ok((Frame { unit, up }, checked))

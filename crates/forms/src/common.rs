@@ -5,6 +5,7 @@ use plateau_mesh::DVec3;
 use plateau_mesh::measure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::ops::Deref;
 
 /// A point `[x, y, z]` in the client's axes and unit.
 pub type Point = [f64; 3];
@@ -16,8 +17,14 @@ pub fn points(polyline: &[Point]) -> Vec<DVec3> {
 }
 
 #[must_use]
-pub fn polylines(polylines: &[Vec<Point>]) -> Vec<Vec<DVec3>> {
+pub fn polylines(polylines: &[impl Deref<Target = [Point]>]) -> Vec<Vec<DVec3>> {
     polylines.iter().map(|polyline| points(polyline)).collect()
+}
+
+/// Returns the number of points of all polylines together.
+#[must_use]
+pub fn count(polylines: &[impl Deref<Target = [Point]>]) -> usize {
+    polylines.iter().map(|polyline| polyline.len()).sum()
 }
 
 /// Minimum, mean, maximum and standard deviation.
@@ -43,7 +50,7 @@ pub struct AngleRange {
 
 /// Units of lengths and forces. A tension is a force per length, a weight of a film and a pressure a force per area, a
 /// weight of a cable a force per length, and an axial stiffness a force.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LengthAndForce {
     #[serde(default)]

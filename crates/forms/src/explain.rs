@@ -1,8 +1,8 @@
 //! Explains why a JSON value does not satisfy a schema: the pointer to each wrong value, and a
 //! phrase that can follow the pointer, such as "must be a number". Values are never echoed.
 //!
-//! [`Schemas`] are made once from the JSON Schemas of the API document. They know the keywords that
-//! those use, and no others. In a union, the type of the JSON value decides which branch it is
+//! [`Schemas`] are made from the JSON Schemas of the API document, each when a value is first compared with it. They
+//! know the keywords that those use, and no others. In a union, the type of the JSON value decides which branch it is
 //! compared with. Objects of several kinds are told apart by the member that the keyword
 //! `discriminator` names. So all errors are those of one branch.
 
@@ -10,10 +10,11 @@ use crate::rejection::{FieldError, MAX_ERRORS};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::fmt;
+use std::sync::OnceLock;
 
-/// Schemas that refer to each other by their names.
+/// Schemas that refer to each other by their names, and what was compiled of them. Most values need few of them.
 #[derive(Debug)]
-pub struct Schemas(BTreeMap<String, Schema>);
+pub struct Schemas<'a>(BTreeMap<&'a str, (&'a Value, OnceLock<Schema>)>);
 
 #[derive(Debug)]
 enum Schema {
@@ -219,21 +220,18 @@ impl fmt::Display for Place<'_> {
 /// one points to the object.
 const MAX_NAME: usize = 200;
 
-impl Schemas {
-    /// Compiles schemas by their names.
-    ///
-    /// # Panics
-    /// Panics if a schema has a keyword that this module cannot explain.
+impl<'s> Schemas<'s> {
+    /// Takes schemas by their names.
     #[must_use]
-    pub fn new(schemas: &Map<String, Value>) -> Self {
-        Self(schemas.iter().map(|(name, schema)| (name.clone(), Schema::new(schema))).collect())
+    pub fn new(schemas: &'s Map<String, Value>) -> Self {
+        Self(schemas.iter().map(|(name, schema)| (name.as_str(), (schema, OnceLock::new()))).collect())
     }
 
     /// Returns the errors of a value in the order of its members, at most [`MAX_ERRORS`] + 1. The
     /// value satisfies the schema if there are none.
     ///
     /// # Panics
-    /// Panics if there is no schema of this name.
+    /// Panics if there is no schema of this name, or if it has a keyword that this module cannot explain.
     #[must_use]
     pub fn errors(&self, name: &str, value: &Value) -> Vec<FieldError> {
         let mut errors = Vec::new();
@@ -243,7 +241,8 @@ impl Schemas {
     }
 
     fn named(&self, name: &str) -> &Schema {
-        self.0.get(name).unwrap_or_else(|| panic!("there is no schema {name}"))
+        let (source, compiled) = self.0.get(name).unwrap_or_else(|| panic!("there is no schema {name}"));
+        compiled.get_or_init(|| Schema::new(source))
     }
 
     fn resolved<'a>(&'a self, schema: &'a Schema) -> &'a Schema {
@@ -568,7 +567,8 @@ mod tests {
 
     /// Returns the errors of a value against a schema, each as one text.
     fn errors(schema: Value, value: Value) -> Vec<String> {
-        let schemas = Schemas::new(json!({ "S": schema }).as_object().unwrap());
+        let source = json!({ "S": schema });
+        let schemas = Schemas::new(source.as_object().unwrap());
         schemas.errors("S", &value).into_iter().map(|error| format!("{} {}", error.pointer, error.detail)).collect()
     }
 

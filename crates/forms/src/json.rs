@@ -1,11 +1,11 @@
-//! Strict parser of JSON bodies, and the reader of values that were validated.
+//! Strict parser of JSON bodies.
 //!
 //! Duplicate keys are refused. A number that is not finite in f64 is refused with its pointer. An integral number
 //! becomes an integer however it was written (`2050.0` becomes 2050), except that -0.0 stays a float. serde_json limits
 //! the nesting to 128 levels.
 
 use crate::rejection::{FieldError, Rejection};
-use serde::de::{DeserializeOwned, DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor};
+use serde::de::{DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Number, Value};
 use std::fmt;
 
@@ -22,7 +22,7 @@ pub fn parse(body: &[u8]) -> Result<Value, Rejection> {
         return Err(Rejection::Malformed("the body is empty: send a JSON object".into()));
     }
     let mut deserializer = serde_json::Deserializer::from_slice(body);
-    let outcome = Strict.deserialize(&mut deserializer).and_then(|value| deserializer.end().map(|()| value));
+    let outcome = AnyValue.deserialize(&mut deserializer).and_then(|value| deserializer.end().map(|()| value));
     outcome.map_err(|error| {
         let text = error.to_string();
         if text.starts_with("number out of range") {
@@ -129,16 +129,16 @@ fn pointer_at(body: &[u8], end: usize) -> String {
 }
 
 /// Reads any value by the rules of [`parse`].
-pub(super) struct Strict;
+pub(super) struct AnyValue;
 
-impl<'de> DeserializeSeed<'de> for Strict {
+impl<'de> DeserializeSeed<'de> for AnyValue {
     type Value = Value;
     fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Value, D::Error> {
         deserializer.deserialize_any(self)
     }
 }
 
-impl<'de> Visitor<'de> for Strict {
+impl<'de> Visitor<'de> for AnyValue {
     type Value = Value;
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("a JSON value")
@@ -168,7 +168,7 @@ impl<'de> Visitor<'de> for Strict {
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Value, A::Error> {
         // Most arrays are points with three coordinates.
         let mut list = Vec::with_capacity(3);
-        while let Some(value) = seq.next_element_seed(Strict)? {
+        while let Some(value) = seq.next_element_seed(AnyValue)? {
             list.push(value);
         }
         list.shrink_to_fit();
@@ -180,33 +180,10 @@ impl<'de> Visitor<'de> for Strict {
             if map.contains_key(&key) {
                 return Err(serde::de::Error::custom("an object repeats a key"));
             }
-            map.insert(key, entries.next_value_seed(Strict)?);
+            map.insert(key, entries.next_value_seed(AnyValue)?);
         }
         Ok(Value::Object(map))
     }
-}
-
-/// Deserializes a value that passed its schema.
-///
-/// # Errors
-/// Returns values that passed the schema but that serde refuses, with their pointers.
-pub fn deserialize<T: DeserializeOwned>(value: &Value) -> Result<T, Rejection> {
-    // The path is tracked only after a failure, because tracking takes as long as reading, and failures are rare here.
-    if let Ok(read) = T::deserialize(value) {
-        return Ok(read);
-    }
-    serde_path_to_error::deserialize(value).map_err(|error| {
-        let pointer: String = error
-            .path()
-            .iter()
-            .map(|segment| match segment {
-                serde_path_to_error::Segment::Seq { index } => format!("/{index}"),
-                serde_path_to_error::Segment::Map { key } => format!("/{}", key.replace('~', "~0").replace('/', "~1")),
-                _ => String::new(),
-            })
-            .collect();
-        Rejection::Invalid(vec![FieldError::new(pointer, "must have the form that the schema requires")])
-    })
 }
 
 #[cfg(test)]

@@ -22,8 +22,6 @@ pub(crate) struct Entry {
     pub summary: &'static str,
     /// What this kind finds, as part of the list with which the service introduces itself to a language model.
     pub finds: &'static str,
-    /// Names of the request fields that are lists of polylines.
-    pub point_fields: &'static [&'static str],
     pub units: Units,
     /// The blocks that make requests of this kind in a visual program. Jobs are named after the first.
     pub blocks: &'static [Block],
@@ -72,12 +70,6 @@ impl Kind {
     pub fn pascal_name(self) -> String {
         let words = self.0.name.split('_');
         words.map(|word| word[..1].to_ascii_uppercase() + &word[1..]).collect()
-    }
-
-    /// Returns the names of the request fields that are lists of polylines.
-    #[must_use]
-    pub fn point_fields(self) -> &'static [&'static str] {
-        self.0.point_fields
     }
 
     /// Returns what requests of this kind ask for, as a phrase with a verb.

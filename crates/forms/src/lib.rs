@@ -1,10 +1,11 @@
 //! Turns the JSON of a request into statistics and an archive.
 //!
-//! [`Body::read`](body::Body::read) reads the JSON strictly, [`Request::read`](request::Request::read) checks it, and
-//! [`Request::solve`](request::Request::solve) runs the solver. Every error has a JSON Pointer, and a text that says what the
-//! value must be ([`explain`]). The schemas that the service publishes are made from the same types
-//! ([`components`]), and bodies are validated against them before serde reads them ([`schema`]). After the schema come
-//! checks that a schema cannot express, such as too few distinct points. The last checks are the geometry's own.
+//! [`Request::read`](request::Request::read) reads the bytes of a valid request straight into its type and checks it, and
+//! [`Request::solve`](request::Request::solve) runs the solver. The types refuse what their published schemas refuse
+//! (`strict`, [`bounds`]). After them come checks that a schema cannot express, such as too few distinct points. The
+//! last checks are the geometry's own. Only a request that is refused becomes a JSON value and is compared with its
+//! schema ([`components`], [`schema`]), so that every error has a JSON Pointer and a text that says what the value must
+//! be ([`explain`]).
 //!
 //! The crate knows no job, no store, no HTTP, no clock and no thread. The service, the command line and a web page are
 //! its hosts.
@@ -12,7 +13,7 @@
 #![forbid(unsafe_code)]
 
 pub mod blocks;
-pub mod body;
+pub mod bounds;
 mod checked;
 pub mod common;
 pub mod components;
@@ -28,6 +29,7 @@ pub mod request;
 pub mod resolution;
 pub mod schema;
 pub mod solved;
+pub mod strict;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

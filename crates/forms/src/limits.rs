@@ -31,14 +31,6 @@ pub fn refuse_too_many_values(body: &[u8], limits: &Limits) -> Result<(), Reject
     Err(Rejection::TooLarge(vec![FieldError::new("", detail)]))
 }
 
-/// Refuses polylines that together have more than `max_points` points.
-///
-/// # Errors
-/// Returns [`Rejection::TooLarge`] at the field.
-pub fn check_point_count(field: &str, polylines: &[Vec<[f64; 3]>], max_points: usize) -> Result<(), Rejection> {
-    check_count(field, polylines.iter().map(Vec::len).sum(), max_points, "points")
-}
-
 /// Refuses a field with more than `most` entries. `what` says in the plural what is counted.
 ///
 /// # Errors

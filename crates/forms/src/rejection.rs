@@ -20,6 +20,18 @@ impl FieldError {
     pub fn new(pointer: impl Into<String>, detail: impl Into<String>) -> Self {
         Self { pointer: pointer.into(), detail: detail.into() }
     }
+
+    /// Refuses an object at `pointer` unless exactly one of its members is given.
+    ///
+    /// # Errors
+    /// Returns an error that names the members.
+    pub fn unless_one(pointer: &str, members: &[(&str, bool)]) -> Result<(), Self> {
+        if members.iter().filter(|(_, given)| *given).count() == 1 {
+            return Ok(());
+        }
+        let names: Vec<&str> = members.iter().map(|(name, _)| *name).collect();
+        Err(Self::new(pointer, format!("must have exactly one of the members {}", names.join(", "))))
+    }
 }
 
 /// Names of geometry options whose request fields have other names, because the request has angles in degrees.
@@ -73,6 +85,12 @@ impl Rejection {
             }
         }
         self
+    }
+}
+
+impl From<FieldError> for Rejection {
+    fn from(error: FieldError) -> Self {
+        Self::Invalid(vec![error])
     }
 }
 

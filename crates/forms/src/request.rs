@@ -1,7 +1,6 @@
 //! Requests: from JSON to a solved result.
 
-use crate::body::{Body, PointList};
-use crate::checked::Checked;
+use crate::checked::{Checked, Passed, Read};
 use crate::kind::Kind;
 use crate::limits::Limits;
 use crate::rejection::{FieldError, Rejection};
@@ -9,7 +8,7 @@ use crate::report::Progress;
 use crate::schema;
 use crate::solved::{self, Frame, Signal, Solved, SolverInput, Unsolved};
 use plateau_mesh::Execution;
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 /// A request that passed every check before solving.
 #[derive(Debug)]
@@ -23,53 +22,80 @@ pub struct Request {
     input: Box<dyn SolverInput>,
 }
 
+/// A request that passed every check before solving, and its text.
+#[derive(Debug)]
+pub struct Accepted {
+    pub request: Request,
+    /// The request as JSON. Two requests that mean the same have the same text, whatever the order of their members, and
+    /// whether they write defaults out or leave them away. [`Request::read_stored`] reads it.
+    pub text: Vec<u8>,
+}
+
 impl Request {
-    /// Reads a request of a known kind. The stages are schema, types, limits and geometry.
+    /// Reads the JSON of a request of a known kind. The members in `aside` are kept apart from it and returned as they
+    /// are.
+    ///
+    /// Returns `None` if the body is not JSON or the request is not valid. [`json::parse`](crate::json::parse) and
+    /// [`Request::from_value`] then find every error.
+    #[must_use]
+    pub fn read(kind: Kind, body: &[u8], aside: &[&str], limits: &Limits) -> Option<(Accepted, Map<String, Value>)> {
+        let (read, aside) = (kind.types().read)(body, aside, limits)?;
+        Some((Self::accepted(kind, read, limits).ok()?, aside))
+    }
+
+    /// Reads a request of a known kind from a JSON value that [`json::parse`](crate::json::parse) made.
     ///
     /// # Errors
-    /// Returns all errors of the first stage that fails, at most [`MAX_ERRORS`](crate::rejection::MAX_ERRORS) + 1. The
-    /// extra error shows that some were left out.
-    pub fn read(kind: Kind, body: &Body, limits: &Limits) -> Result<Self, Rejection> {
-        match Self::of(kind, body.outline(), body.lists(), limits) {
-            // The outline lacks points to which errors may point.
-            Err(_) if !body.lists().is_empty() => Self::of(kind, &body.whole(), &[], limits),
-            read => read,
+    /// Returns every value that the schema refuses. If there are none, returns all errors of the first check that fails:
+    /// limits, combinations of members, or geometry. There are at most
+    /// [`MAX_ERRORS`](crate::rejection::MAX_ERRORS) + 1 errors. The extra error shows that some were left out.
+    pub fn from_value(kind: Kind, value: &Value, limits: &Limits) -> Result<Accepted, Rejection> {
+        let read = (kind.types().read_value)(value, limits).map_err(|rejection| {
+            schema::validate(kind, value).err().unwrap_or_else(|| match rejection {
+                Some(rejection) => rejection.placed_in(value),
+                None => (kind.types().refusal)(value),
+            })
+        });
+        Self::accepted(kind, read?, limits)
+    }
+
+    /// Reads a JSON value that names its own kind.
+    ///
+    /// # Errors
+    /// Returns the errors of [`Request::from_value`]. A missing or unknown `kind` is an error at `/kind`.
+    pub fn read_with_kind(value: &Value, limits: &Limits) -> Result<Accepted, Rejection> {
+        match value["kind"].as_str().and_then(Kind::from_name) {
+            Some(kind) => Self::from_value(kind, value, limits),
+            None => {
+                schema::validate_with_kind(value)?;
+                Err(FieldError::new("/kind", "is required").into())
+            }
         }
     }
 
-    /// Reads a body that was validated against the schema when it was submitted. The limits of this process may differ
-    /// from those of the process that accepted it.
+    /// Reads the text of a request that was accepted earlier. The limits of this process may differ from those of the
+    /// process that accepted it.
     ///
     /// # Errors
-    /// Fails if this version does not know the body, or if it exceeds the limits.
-    pub fn read_stored(kind: Kind, body: &[u8], limits: &Limits) -> Result<Self, Rejection> {
-        Self::new(kind, (kind.types().read_stored)(body, limits)?).within(limits)
+    /// Fails if this version does not know the request, or if it exceeds the limits.
+    pub fn read_stored(kind: Kind, text: &[u8], limits: &Limits) -> Result<Self, Rejection> {
+        Self::new(kind, (kind.types().read_stored)(text, limits)?).within(limits)
     }
 
-    /// Reads a request that names its own kind.
+    /// Reads a value as [`Request::from_value`] does, but explains nothing by the schema.
     ///
     /// # Errors
-    /// Returns the errors of [`Request::read`]. A missing or unknown `kind` is an error at `/kind`.
-    pub fn read_with_kind(value: &Value, limits: &Limits) -> Result<Self, Rejection> {
-        schema::validate_with_kind(value)?;
-        // The schema requires a known kind.
-        let kind = value["kind"].as_str().and_then(Kind::from_name);
-        let kind = kind.ok_or_else(|| Rejection::Invalid(vec![FieldError::new("/kind", "is required")]))?;
-        Self::of_valid(kind, value, &[], limits)
+    /// Returns the rejection of the checks, or `None` if the type refuses the value.
+    #[doc(hidden)]
+    pub fn without_schema(kind: Kind, value: &Value, limits: &Limits) -> Result<(), Option<Rejection>> {
+        (kind.types().read_value)(value, limits).map(drop)
     }
 
-    /// Reads a request from a body's outline and the point lists that were read separately.
-    fn of(kind: Kind, outline: &Value, lists: &[PointList], limits: &Limits) -> Result<Self, Rejection> {
-        schema::validate(kind, outline)?;
-        Self::of_valid(kind, outline, lists, limits)
+    fn accepted(kind: Kind, (passed, text): Read, limits: &Limits) -> Result<Accepted, Rejection> {
+        Ok(Accepted { request: Self::new(kind, passed).within(limits)?, text })
     }
 
-    fn of_valid(kind: Kind, outline: &Value, lists: &[PointList], limits: &Limits) -> Result<Self, Rejection> {
-        let read = (kind.types().read)(outline, lists, limits).map_err(|rejection| rejection.placed_in(outline))?;
-        Self::new(kind, read).within(limits)
-    }
-
-    fn new(kind: Kind, (frame, checked): (Frame, Checked)) -> Self {
+    fn new(kind: Kind, (frame, checked): Passed) -> Self {
         let Checked { memory_bytes, quick, input } = checked;
         Self { frame, memory_bytes, quick, kind, input }
     }

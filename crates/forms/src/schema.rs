@@ -1,10 +1,10 @@
-//! Validation of bodies against the schemas of the API document, and schemas that stand alone.
+//! Comparison of values with the schemas of the API document, and schemas that stand alone.
 
 use crate::components::{REQUEST_WITH_KIND, components, request_component};
 use crate::explain::Schemas;
-use crate::json;
 use crate::kind::Kind;
 use crate::rejection::{FieldError, Rejection};
+use crate::strict;
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
@@ -64,7 +64,7 @@ pub fn read<T: JsonSchema + DeserializeOwned>(value: &Value) -> Result<T, Reject
     let mut schemas = schema.remove("$defs").and_then(|named| named.as_object().cloned()).unwrap_or_default();
     schemas.insert(ROOT.into(), schema.into());
     refuse(Schemas::new(&schemas).errors(ROOT, value))?;
-    json::deserialize(value)
+    strict::deserialize(value)
 }
 
 /// Validates a value against a schema of the API document.

@@ -67,7 +67,7 @@ pub fn example_entry() -> Value {
 }
 
 pub async fn openapi(State(app): State<App>) -> Response {
-    ([(header::CONTENT_TYPE, "application/json")], app.document.to_string()).into_response()
+    ([(header::CONTENT_TYPE, "application/json")], (app.document)(&app.config.http.public_base_path)).into_response()
 }
 
 /// Describes the `type` of a problem document or of a failed job's error.

@@ -6,6 +6,7 @@ mod statistics;
 pub use statistics::{CableNetStatistics, CableResult, Group, NetReaction, ValueRange};
 
 use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
+use crate::bounds::{Fraction, List, NonNegative, Positive, Text, Whole, is_default, unwritten};
 use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{LengthAndForce, Point};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
@@ -16,7 +17,7 @@ use plateau_film::cable_net as geometry;
 use plateau_mesh::error::Step;
 use plateau_mesh::{DVec3, Error as GeometryError, InputError};
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 pub const KIND: Kind = Kind::of(&ENTRY);
 
@@ -25,7 +26,6 @@ static ENTRY: Entry = Entry {
     path: "/v1/cable-nets",
     summary: "Finds the shape in equilibrium of a cable net that comes nearest to target forces and lengths",
     finds: "cable nets that come nearest to target forces and lengths",
-    point_fields: &[],
     units: Units::LengthAndForce,
     blocks: &[Block {
         name: "cable-net",
@@ -69,7 +69,7 @@ static ENTRY: Entry = Entry {
 };
 
 /// Largest number of cables, and of loads, of a request.
-const MAX_CABLES: u32 = 1000;
+const MAX_CABLES: usize = 1000;
 /// Name of the cable to which the edges that no cable lists belong.
 const OTHER_EDGES: &str = "other";
 
@@ -77,128 +77,114 @@ const OTHER_EDGES: &str = "other";
 ///
 /// The net is given by its vertices and by the edges between them. Every edge is a straight piece of cable in tension.
 /// Cables are groups of edges with common targets.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CableNetRequest {
     /// Optional here, because the path names the kind. `plateau solve` needs it.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "unwritten")]
     pub kind: Option<CableNetKind>,
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub units: LengthAndForce,
     /// Axis that points up.
     #[serde(default)]
     pub up: UpAxis,
     /// Points of the net: supports where they stay, the other vertices where form finding begins.
-    #[schemars(length(min = 2))]
-    pub vertices: Vec<Point>,
+    pub vertices: List<Point, 2>,
     /// Pairs of vertices that a cable joins, counted from 0.
-    #[schemars(length(min = 1), inner(inner(range(min = 0, max = 4_294_967_295u32))))]
-    pub edges: Vec<[u32; 2]>,
+    #[schemars(inner(inner(range(min = 0, max = 4_294_967_295u32))))]
+    pub edges: List<[u32; 2], 1>,
     /// Vertices that do not move, counted from 0.
-    #[schemars(length(min = 1), inner(range(min = 0, max = 4_294_967_295u32)))]
-    pub supports: Vec<u32>,
+    #[schemars(inner(range(min = 0, max = 4_294_967_295u32)))]
+    pub supports: List<u32, 1>,
     /// Loads on vertices. Loads of one vertex are added.
-    #[serde(default)]
-    #[schemars(length(max = MAX_CABLES))]
-    pub loads: Vec<NetLoad>,
+    #[serde(default, skip_serializing_if = "List::is_empty")]
+    pub loads: List<NetLoad, 0, MAX_CABLES>,
     /// Groups of edges with their targets. Edges that no cable lists have no target.
-    #[serde(default)]
-    #[schemars(length(max = MAX_CABLES))]
-    pub cables: Vec<NetCable>,
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "List::is_empty")]
+    pub cables: List<NetCable, 0, MAX_CABLES>,
+    #[serde(default, skip_serializing_if = "is_default")]
     pub weights: TargetWeights,
     /// Lower bound of the force densities that are found, a force per length. If it is above 0, every cable stays in
     /// tension. Otherwise a job fails if its targets leave a cable slack.
     #[serde(default)]
-    #[schemars(range(min = 0, max = 1e50))]
-    pub least_force_density: f64,
+    pub least_force_density: NonNegative,
     /// The shape counts as found when three steps in a row each lower the loss by less than this fraction of it.
     #[serde(default = "default_tolerance")]
-    #[schemars(range(min = 0, max = 1))]
-    pub tolerance: f64,
+    pub tolerance: Fraction,
     /// Maximum number of steps. Null means 200, and 200 more if fitting begins a second time.
     #[serde(default)]
-    #[schemars(range(min = 1, max = 1_000_000_000))]
-    pub max_iterations: Option<u32>,
+    pub max_iterations: Option<Whole<1, 1_000_000_000>>,
 }
 
-fn default_tolerance() -> f64 {
-    1e-4
+fn default_tolerance() -> Fraction {
+    Fraction::new(1e-4)
 }
 
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum CableNetKind {
     CableNet,
 }
 
 /// A load, the same on each of its vertices.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct NetLoad {
     /// Vertices on which the load acts. Null means all vertices that are no supports.
     #[serde(default)]
-    #[schemars(length(min = 1), inner(range(min = 0, max = 4_294_967_295u32)))]
-    pub vertices: Option<Vec<u32>>,
+    #[schemars(inner(range(min = 0, max = 4_294_967_295u32)))]
+    pub vertices: Option<List<u32, 1>>,
     /// Force on each of the vertices.
     pub force: Point,
 }
 
 /// Edges with common targets. Targets are met in least squares, and `force_density` exactly.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct NetCable {
     /// Name in statistics and files. Null means its number, as in `cable 0`.
     #[serde(default)]
-    #[schemars(length(min = 1, max = 100))]
-    pub name: Option<String>,
+    pub name: Option<Text<1, 100>>,
     /// Numbers of its edges, counted from 0. Null means all edges that no other cable lists.
     #[serde(default)]
-    #[schemars(length(min = 1), inner(range(min = 0, max = 4_294_967_295u32)))]
-    pub edges: Option<Vec<u32>>,
+    #[schemars(inner(range(min = 0, max = 4_294_967_295u32)))]
+    pub edges: Option<List<u32, 1>>,
     /// Force that each edge is to have.
     #[serde(default)]
-    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
-    pub force: Option<f64>,
+    pub force: Option<Positive>,
     /// Length that each edge is to have in the found shape.
     #[serde(default)]
-    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
-    pub length: Option<f64>,
+    pub length: Option<Positive>,
     /// Force over length of each edge, which is held. Not together with `force` or `length`.
     #[serde(default)]
-    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
-    pub force_density: Option<f64>,
+    pub force_density: Option<Positive>,
     /// EA, a force. It gives the unstressed length.
     #[serde(default)]
-    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
-    pub axial_stiffness: Option<f64>,
+    pub axial_stiffness: Option<Positive>,
 }
 
 /// Weights of the terms of the loss.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TargetWeights {
     /// Weight of the mean of (force / target - 1)² over the edges with a target force.
     #[serde(default = "one")]
-    #[schemars(range(min = 0, max = 1e50))]
-    pub force: f64,
+    pub force: NonNegative,
     /// Weight of the mean of (length / target - 1)² over the edges with a target length.
     #[serde(default = "one")]
-    #[schemars(range(min = 0, max = 1e50))]
-    pub length: f64,
+    pub length: NonNegative,
     /// Weight of the load path Σ force · length, as a fraction of its value at the start.
     #[serde(default)]
-    #[schemars(range(min = 0, max = 1e50))]
-    pub load_path: f64,
+    pub load_path: NonNegative,
 }
 
-fn one() -> f64 {
-    1.0
+fn one() -> NonNegative {
+    NonNegative::new(1.0)
 }
 
 impl Default for TargetWeights {
     fn default() -> Self {
-        Self { force: 1.0, length: 1.0, load_path: 0.0 }
+        Self { force: one(), length: one(), load_path: NonNegative::default() }
     }
 }
 
@@ -212,7 +198,7 @@ impl KindRequest for CableNetRequest {
     fn check(&self, limits: &Limits) -> Result<Checked, Rejection> {
         limits::check_count("/vertices", self.vertices.len(), limits.points, "points")?;
         limits::check_count("/edges", self.edges.len(), limits.triangles, "edges")?;
-        limits::check_number("/max_iterations", self.max_iterations, limits.iterations as usize)?;
+        limits::check_number("/max_iterations", self.max_iterations.map(Whole::get), limits.iterations as usize)?;
         let mut errors = Vec::new();
         let of_edge = self.check_cables(&mut errors);
         let loads = self.check_loads(&mut errors);
@@ -274,7 +260,7 @@ impl CableNetRequest {
         }
         of_edge.iter_mut().for_each(|cable| *cable = cable.or(rest));
         let asks = |cable: &NetCable| cable.force.is_some() || cable.length.is_some() || cable.force_density.is_some();
-        if !self.cables.iter().any(asks) && self.weights.load_path <= 0.0 {
+        if !self.cables.iter().any(asks) && self.weights.load_path.get() <= 0.0 {
             let detail = "needs a cable with a force, a length or a force density, unless the load path has a weight";
             errors.push(FieldError::new("/cables", detail));
         }
@@ -289,7 +275,7 @@ impl CableNetRequest {
         let count = self.vertices.len();
         let mut loads = vec![DVec3::ZERO; count];
         let mut held = vec![false; count];
-        for &support in &self.supports {
+        for &support in self.supports.iter() {
             if let Some(held) = held.get_mut(support as usize) {
                 *held = true;
             }
@@ -326,28 +312,28 @@ impl CableNetRequest {
     fn to_geometry(&self, of_edge: &[Option<usize>], loads: Vec<DVec3>) -> (geometry::Net, geometry::Options) {
         let edge = |(&ends, cable): (&[u32; 2], &Option<usize>)| {
             let cable = cable.map(|k| &self.cables[k]);
-            let density = cable.and_then(|cable| cable.force_density);
+            let density = cable.and_then(|cable| cable.force_density).map(Positive::get);
             geometry::Edge {
                 ends,
                 density,
                 held: density.is_some(),
-                force: cable.and_then(|cable| cable.force),
-                length: cable.and_then(|cable| cable.length),
+                force: cable.and_then(|cable| cable.force).map(Positive::get),
+                length: cable.and_then(|cable| cable.length).map(Positive::get),
             }
         };
         let net = geometry::Net {
             vertices: self.vertices.iter().copied().map(DVec3::from_array).collect(),
             edges: self.edges.iter().zip(of_edge).map(edge).collect(),
-            supports: self.supports.clone(),
+            supports: self.supports.to_vec(),
             loads,
         };
         let options = geometry::Options {
-            force_weight: self.weights.force,
-            length_weight: self.weights.length,
-            load_path_weight: self.weights.load_path,
-            least_density: self.least_force_density,
-            tolerance: self.tolerance,
-            max_iterations: self.max_iterations,
+            force_weight: self.weights.force.get(),
+            length_weight: self.weights.length.get(),
+            load_path_weight: self.weights.load_path.get(),
+            least_density: self.least_force_density.get(),
+            tolerance: self.tolerance.get(),
+            max_iterations: self.max_iterations.map(Whole::get),
         };
         (net, options)
     }
@@ -359,9 +345,9 @@ impl CableNetRequest {
             .iter()
             .enumerate()
             .map(|(k, cable)| Group {
-                name: cable.name.clone().unwrap_or_else(|| format!("{k}")),
+                name: cable.name.as_deref().map_or_else(|| format!("{k}"), str::to_owned),
                 edges: Vec::new(),
-                axial_stiffness: cable.axial_stiffness,
+                axial_stiffness: cable.axial_stiffness.map(Positive::get),
             })
             .collect();
         groups.push(Group { name: OTHER_EDGES.into(), edges: Vec::new(), axial_stiffness: None });

@@ -9,18 +9,19 @@ pub use certificate::{Certificate, CertificateDocument};
 pub use statistics::MinimalStatistics;
 
 use crate::blocks::{self, Block, Input, Preset, Type};
-use crate::body::PointList;
+use crate::bounds::{Fraction, List, UpTo20, UpTo600, Whole, given_one, is_default, unwritten};
 use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, Point};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
 use crate::rejection::{FieldError, Rejection};
 use crate::resolution::Resolution;
+use crate::strict::union;
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_film::minimal_surface as geometry;
 use plateau_lower_bound as lower_bound;
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 pub const KIND: Kind = Kind::of(&ENTRY);
 
@@ -29,7 +30,6 @@ static ENTRY: Entry = Entry {
     path: "/v1/minimal-surfaces",
     summary: "Finds the minimal surface that spans boundary polylines",
     finds: "minimal surfaces over boundary curves",
-    point_fields: &["boundaries"],
     units: Units::Length,
     blocks: &[
         Block {
@@ -79,11 +79,11 @@ const OBJECTIVE: Input = Input::optional(
 .to("/objective");
 
 /// Boundary polygons, and options for the surface that spans them.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MinimalSurfaceRequest {
     /// Optional here, because the path names the kind. `plateau solve` needs it.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "unwritten")]
     pub kind: Option<MinimalSurfaceKind>,
     /// Unit of the coordinates.
     #[serde(default)]
@@ -92,62 +92,55 @@ pub struct MinimalSurfaceRequest {
     #[serde(default)]
     pub up: UpAxis,
     /// Closed polygons that do not repeat their first point.
-    #[schemars(length(min = 1), inner(length(min = 3)))]
-    pub boundaries: Vec<Vec<Point>>,
-    #[serde(default)]
+    pub boundaries: List<List<Point, 3>, 1>,
+    #[serde(default, skip_serializing_if = "is_default")]
     pub objective: Objective,
     /// Method that minimises the area.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub solver: Solver,
     /// Resolution of the mesh. If absent, 2,000 triangles, or four for each boundary point where those are more.
-    #[serde(default)]
-    pub resolution: Resolution,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given_one", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Resolution")]
+    pub resolution: Option<Resolution>,
+    #[serde(default, skip_serializing_if = "is_default")]
     pub boundary_sampling: BoundarySampling,
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub initial_mesh: InitialMesh,
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub constraints: Constraints,
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub topology: Topology,
     /// Residual (see `statistics.residual`) at which the solvers `newton` and `pinkall_polthier` have converged. A
     /// `minimal_area` film with a larger residual has the warning `not_minimal`.
     #[serde(default = "default_tolerance")]
-    #[schemars(range(min = 0, max = 1))]
-    pub tolerance: f64,
+    pub tolerance: Fraction,
     /// Relative change of area per iteration at which `vertex_relaxation` and `pinkall_polthier` have converged.
     #[serde(default = "default_tolerance")]
-    #[schemars(range(min = 0, max = 1))]
-    pub area_tolerance: f64,
+    pub area_tolerance: Fraction,
     /// Liu and Wang's ε, for lengths divided by the boundary's radius. `minimal_mean_curvature` has converged when the
     /// objective F changes by less than ε (1 + F), its gradient is below ∛ε (1 + F), or the step is below √ε.
     #[serde(default = "default_tolerance")]
-    #[schemars(range(min = 0, max = 1))]
-    pub least_squares_tolerance: f64,
+    pub least_squares_tolerance: Fraction,
     /// Relative change of area at which the Laplacian fairing of `vertex_relaxation` stops. Null means
     /// `area_tolerance`.
     #[serde(default)]
-    #[schemars(range(min = 0, max = 1))]
-    pub fairing_tolerance: Option<f64>,
+    pub fairing_tolerance: Option<Fraction>,
     /// Stages of `vertex_relaxation` in order. Each is repeated until its tolerance is reached. Null means the paper's
     /// stages.
     #[serde(default)]
-    #[schemars(length(min = 1, max = 16))]
-    pub processes: Option<Vec<ProcessStage>>,
+    pub processes: Option<List<ProcessStage, 1, 16>>,
     /// Maximum number of iterations. Null means the solver's default.
     #[serde(default)]
-    #[schemars(range(min = 1, max = 1_000_000_000))]
-    pub max_iterations: Option<u32>,
-    #[serde(default)]
+    pub max_iterations: Option<Whole<1, 1_000_000_000>>,
+    #[serde(default, skip_serializing_if = "is_default")]
     pub on_unstable: OnUnstable,
     /// Method by which `pinkall_polthier` solves its linear systems.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub linear_solver: LinearSolver,
     /// Smallest allowed angle in degrees. `pinkall_polthier` and `topology: free` remove triangles with a smaller
     /// angle. 0 removes none.
     #[serde(default = "default_degenerate_angle_deg")]
-    #[schemars(range(min = 0, max = 20))]
-    pub degenerate_angle_deg: f64,
+    pub degenerate_angle_deg: UpTo20,
     /// Seed of the choice among the candidate points of `initial_mesh: barycentres`.
     #[serde(default = "default_seed")]
     #[schemars(range(min = 0, max = 4_294_967_295u32))]
@@ -159,18 +152,20 @@ pub struct MinimalSurfaceRequest {
     /// Whether to prove a lower bound of the area of all oriented surfaces with this boundary: `true`, or how sharp the
     /// bound is to be and how long the search may take. Only for `minimal_area`. With more than six boundaries the bound
     /// covers only the surfaces that run along them in the directions of the film.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub certify: Certify,
 }
 
 /// Whether and how to prove a lower bound of the area.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Certify {
     /// `true` stands for the default options.
     Default(bool),
     Options(CertifyOptions),
 }
+
+union!(Certify { boolean: Default, object: Options });
 
 impl Default for Certify {
     fn default() -> Self {
@@ -179,48 +174,46 @@ impl Default for Certify {
 }
 
 /// Sharpness of the lower bound, and the limit of the search for it.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CertifyOptions {
     /// The search ends once the film's area is at most this fraction above the bound.
     #[serde(default = "default_gap")]
-    #[schemars(range(min = 0, max = 1))]
-    pub gap: f64,
+    pub gap: Fraction,
     /// Number of nominal seconds of one core that the search may take. They are converted to work by fixed rates, so that
     /// the same request gives the same result on every machine.
     #[serde(default = "default_seconds")]
-    #[schemars(range(min = 0, max = 600))]
-    pub seconds: f64,
+    pub seconds: UpTo600,
 }
 
-fn default_gap() -> f64 {
-    lower_bound::Options::default().gap
+fn default_gap() -> Fraction {
+    Fraction::new(lower_bound::Options::default().gap)
 }
 
-fn default_seconds() -> f64 {
-    lower_bound::Options::default().seconds
+fn default_seconds() -> UpTo600 {
+    UpTo600::new(lower_bound::Options::default().seconds)
 }
 
-fn default_degenerate_angle_deg() -> f64 {
-    1.0
+fn default_degenerate_angle_deg() -> UpTo20 {
+    UpTo20::new(1.0)
 }
 
 fn default_seed() -> u32 {
     1
 }
 
-fn default_tolerance() -> f64 {
-    1e-6
+fn default_tolerance() -> Fraction {
+    Fraction::new(1e-6)
 }
 
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum MinimalSurfaceKind {
     MinimalSurface,
 }
 
 /// Quantity that is minimised. `GET /v1/objectives` has the formulas.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "MinimalSurfaceObjective")]
 #[serde(rename_all = "snake_case")]
 pub enum Objective {
@@ -231,7 +224,7 @@ pub enum Objective {
 }
 
 /// Method that minimises the area. `auto` chooses the best of the others for the request.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Solver {
     #[default]
@@ -245,7 +238,7 @@ pub enum Solver {
 }
 
 /// Sampling of the boundary. `refine` may add points on its segments, and `keep` uses only the polygon's vertices.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum BoundarySampling {
     #[default]
@@ -254,12 +247,14 @@ pub enum BoundarySampling {
 }
 
 /// Mesh that the solver starts from: built by the service, or supplied by the client.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum InitialMesh {
     Made(MadeMesh),
     Given(GivenMesh),
 }
+
+union!(InitialMesh { name: Made, object: Given });
 
 impl Default for InitialMesh {
     fn default() -> Self {
@@ -268,7 +263,7 @@ impl Default for InitialMesh {
 }
 
 /// Construction of the initial mesh. The statistics name the construction that `auto` chose.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum MadeMesh {
     /// Chooses the best of the others for these boundaries.
@@ -287,30 +282,28 @@ pub enum MadeMesh {
 /// without further vertices on their segments, or a film whose sheets meet three by three along edges with three
 /// triangles. In a film, the edges with one triangle must be the segments of `boundaries`, which may share points.
 /// `resolution` has no effect in either case.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GivenMesh {
-    #[schemars(length(min = 3))]
-    pub vertices: Vec<Point>,
+    pub vertices: List<Point, 3>,
     /// Vertex indices of each triangle, counted from 0.
-    #[schemars(length(min = 1), inner(inner(range(min = 0, max = 4_294_967_295u32))))]
-    pub triangles: Vec<[u32; 3]>,
+    #[schemars(inner(inner(range(min = 0, max = 4_294_967_295u32))))]
+    pub triangles: List<[u32; 3], 1>,
 }
 
 /// Fixed points and curves inside the surface. They become vertices and edges of the mesh.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Constraints {
     #[serde(default)]
     pub points: Vec<Point>,
     #[serde(default)]
-    #[schemars(inner(length(min = 2)))]
-    pub polylines: Vec<Vec<Point>>,
+    pub polylines: Vec<List<Point, 2>>,
 }
 
 /// `fixed` keeps the topology of the initial mesh. `free` allows necks to pinch. `best` solves every spanning topology
 /// and returns the surface of least area.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Topology {
     #[default]
@@ -321,7 +314,7 @@ pub enum Topology {
 
 /// Treatment of a stationary surface that is not a local minimum. `report` adds a warning, and `descend` leaves it
 /// along its most unstable mode.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum OnUnstable {
     #[default]
@@ -331,7 +324,7 @@ pub enum OnUnstable {
 
 /// Linear solver. `direct` always uses elimination. `conjugate_gradients` uses elimination only if the conjugate
 /// gradients do not converge.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum LinearSolver {
     #[default]
@@ -341,12 +334,14 @@ pub enum LinearSolver {
 
 /// One process, or several that take turns.
 // The union also has a practical use: openapi-generator's Python cannot read a list of lists of names.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum ProcessStage {
     One(Process),
-    Several(#[schemars(length(min = 1, max = 16))] Vec<Process>),
+    Several(List<Process, 1, 16>),
 }
+
+union!(ProcessStage { name: One, list: Several });
 
 impl ProcessStage {
     fn processes(&self) -> &[Process] {
@@ -358,7 +353,7 @@ impl ProcessStage {
 }
 
 /// A process of vertex relaxation.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Process {
     LaplacianFairing,
@@ -373,16 +368,17 @@ impl KindRequest for MinimalSurfaceRequest {
         (self.units, self.up)
     }
 
-    fn take(&mut self, list: &PointList) {
-        if list.field == "boundaries" {
-            self.boundaries.clone_from(&list.polylines);
-        }
-    }
-
     fn check(&self, limits: &Limits) -> Result<Checked, Rejection> {
-        limits::check_point_count("/boundaries", &self.boundaries, limits.points)?;
-        self.resolution.check(limits)?;
-        limits::check_point_count("/constraints/polylines", &self.constraints.polylines, limits.points)?;
+        limits::check_count("/boundaries", common::count(&self.boundaries), limits.points, "points")?;
+        if let Some(resolution) = self.resolution {
+            resolution.check(limits)?;
+        }
+        limits::check_count(
+            "/constraints/polylines",
+            common::count(&self.constraints.polylines),
+            limits.points,
+            "points",
+        )?;
         limits::check_count("/constraints/points", self.constraints.points.len(), limits.points, "points")?;
         if let InitialMesh::Given(mesh) = &self.initial_mesh
             && mesh.triangles.len().max(mesh.vertices.len()) > limits.triangles
@@ -390,7 +386,7 @@ impl KindRequest for MinimalSurfaceRequest {
             let detail = format!("is larger than is allowed ({} triangles)", limits.triangles);
             return Err(Rejection::TooLarge(vec![FieldError::new("/initial_mesh", detail)]));
         }
-        limits::check_number("/max_iterations", self.max_iterations, limits.iterations as usize)?;
+        limits::check_number("/max_iterations", self.max_iterations.map(Whole::get), limits.iterations as usize)?;
         let errors = self.combinations();
         if !errors.is_empty() {
             return Err(Rejection::Invalid(errors));
@@ -425,13 +421,15 @@ impl MinimalSurfaceRequest {
         match self.certify {
             Certify::Default(false) => None,
             Certify::Default(true) => Some(lower_bound::Options::default()),
-            Certify::Options(CertifyOptions { gap, seconds }) => Some(lower_bound::Options { gap, seconds }),
+            Certify::Options(CertifyOptions { gap, seconds }) => {
+                Some(lower_bound::Options { gap: gap.get(), seconds: seconds.get() })
+            }
         }
     }
 
     /// Converts the request to the geometry's types.
     fn to_geometry(&self) -> (Vec<Vec<plateau_mesh::DVec3>>, geometry::Options) {
-        let resolution = self.resolution.to_geometry(self.boundaries.iter().map(Vec::len).sum());
+        let resolution = Resolution::or_default(self.resolution, common::count(&self.boundaries));
         let options = geometry::Options {
             method: self.method(),
             boundary_sampling: match self.boundary_sampling {
@@ -448,15 +446,15 @@ impl MinimalSurfaceRequest {
                 }
                 InitialMesh::Given(mesh) => geometry::InitialMesh::Given(plateau_mesh::Mesh::new(
                     common::points(&mesh.vertices),
-                    mesh.triangles.clone(),
+                    mesh.triangles.to_vec(),
                 )),
             },
             constraints: geometry::Constraints {
                 points: common::points(&self.constraints.points),
                 polylines: common::polylines(&self.constraints.polylines),
             },
-            tolerance: self.tolerance,
-            max_iterations: self.max_iterations,
+            tolerance: self.tolerance.get(),
+            max_iterations: self.max_iterations.map(Whole::get),
             ..geometry::Options::new(resolution)
         };
         (common::polylines(&self.boundaries), options)
@@ -468,11 +466,12 @@ impl MinimalSurfaceRequest {
             LinearSolver::Direct => geometry::LinearSolver::Direct,
             LinearSolver::ConjugateGradients => geometry::LinearSolver::ConjugateGradients,
         };
-        let degenerate_angle = (self.degenerate_angle_deg > 0.0).then(|| self.degenerate_angle_deg.to_radians());
-        let area_tolerance = self.area_tolerance;
+        let degenerate_angle = self.degenerate_angle_deg.get();
+        let degenerate_angle = (degenerate_angle > 0.0).then(|| degenerate_angle.to_radians());
+        let area_tolerance = self.area_tolerance.get();
         match (self.objective, self.solver) {
             (Objective::MinimalMeanCurvature, _) => geometry::Method::LiuWang(geometry::LiuWang {
-                tolerance: self.least_squares_tolerance,
+                tolerance: self.least_squares_tolerance.get(),
                 boundary_curvature: self.boundary_curvature,
                 seed: u64::from(self.seed),
             }),
@@ -486,7 +485,7 @@ impl MinimalSurfaceRequest {
                 let stages = self.processes.as_ref();
                 geometry::Method::VertexRelaxation(geometry::VertexRelaxation {
                     area_tolerance,
-                    fairing_tolerance: self.fairing_tolerance,
+                    fairing_tolerance: self.fairing_tolerance.map(Fraction::get),
                     processes: stages
                         .map(|all| all.iter().map(|stage| stage.processes().iter().map(process).collect()).collect()),
                 })

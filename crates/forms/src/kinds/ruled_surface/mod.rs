@@ -6,17 +6,18 @@ mod statistics;
 pub use statistics::{Comparison, FlatPatternStatistics, RuledStatistics, StripStatistics};
 
 use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
-use crate::body::PointList;
+use crate::bounds::{AtLeast0, List, UpTo45, Whole, is_default, unwritten};
 use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, Point};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
 use crate::rejection::{FieldError, Rejection};
+use crate::strict::union;
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_mesh::Execution;
 use plateau_ruled_surface as geometry;
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 pub const KIND: Kind = Kind::of(&ENTRY);
 
@@ -25,7 +26,6 @@ static ENTRY: Entry = Entry {
     path: "/v1/ruled-surfaces",
     summary: "Finds the globally optimal ruled strip between directrices for an objective",
     finds: "optimal ruled strips between curves",
-    point_fields: &["directrices", "normals", "tangents"],
     units: Units::Length,
     blocks: &[Block {
         name: "ruled-strip",
@@ -73,11 +73,11 @@ static ENTRY: Entry = Entry {
 };
 
 /// Two or more directrices. Every neighbouring pair forms one strip, and all strips form one mesh.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RuledSurfaceRequest {
     /// Optional here, because the path names the kind. `plateau solve` needs it.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "unwritten")]
     pub kind: Option<RuledSurfaceKind>,
     /// Unit of the coordinates.
     #[serde(default)]
@@ -86,13 +86,12 @@ pub struct RuledSurfaceRequest {
     #[serde(default)]
     pub up: UpAxis,
     /// Polylines in order. A single point is an apex.
-    #[schemars(length(min = 2), inner(length(min = 1)))]
-    pub directrices: Vec<Vec<Point>>,
+    pub directrices: List<List<Point, 1>, 2>,
     /// Whether the directrices are closed polygons (which do not repeat their first point).
     #[serde(default)]
     pub closed: bool,
     /// One of the named objectives, or a weighted sum of them.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub objective: Goal,
     /// Objective that decides among the strips with the most convex bridges. It is used only with `maximal_convexity`.
     #[serde(default)]
@@ -100,19 +99,18 @@ pub struct RuledSurfaceRequest {
     /// Tolerance of the test for local convexity: the angle in degrees by which a direction may reach beyond the
     /// half-plane. 0 is the exact test.
     #[serde(default = "default_convexity_tolerance_deg")]
-    #[schemars(range(min = 0, max = 45))]
-    pub convexity_tolerance_deg: f64,
+    pub convexity_tolerance_deg: UpTo45,
     /// `auto` reverses a directrix that runs against the one before it. Closed contours then have area vectors that
     /// agree. Of the two ways to join open directrices, a way whose strip of least area folds by more than 90° loses to
     /// one whose strip does not; after that the smaller sum of the squared distances between the ends decides, and the
     /// objective if the sums differ by less than 1%. The statistics list the reversed directrices (`reversed`) and what
     /// decided (`direction_decided_by`). `as_given` reverses none, and the warning `opposite_directions` says where
     /// `auto` would.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub direction: Direction,
     /// Treatment of the ends of a closed stack: open, or closed by flat caps. An end contour that is off its plane by at
     /// most a thousandth of its size is projected onto it for the cap, with the warning `projected`.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub caps: Caps,
     /// Surface normals along the directrices, with the same shape as `directrices`. `minimal_normal_variation` requires
     /// them.
@@ -132,25 +130,27 @@ pub struct RuledSurfaceRequest {
 
 /// Rule by which every directrix is resampled. `extras.input_vertices` of the mesh then maps each given point to the
 /// nearest sample.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sampling {
     /// Number of points of each directrix. With `chord_height` it is the largest number of points that are kept; null
     /// then keeps all points that the tolerance requires.
     #[serde(default)]
-    #[schemars(range(min = 2, max = 16_777_216))]
-    pub samples: Option<usize>,
+    pub samples: Option<Whole<2, 16_777_216>>,
     pub by: SamplingRule,
     /// Largest distance, in the request's unit, between the polyline and the chords of the kept points. It is used only
     /// with `chord_height`.
     #[serde(default)]
-    #[schemars(range(min = 0))]
-    pub tolerance: Option<f64>,
+    pub tolerance: Option<AtLeast0>,
+}
+
+fn count(samples: Whole<2, 16_777_216>) -> usize {
+    samples.get() as usize
 }
 
 /// `parameter` spaces the samples uniformly in the number of the point. `arc_length` spaces them uniformly along the
 /// polyline. `chord_height` keeps those of the given points that are needed to stay within `tolerance`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SamplingRule {
     Parameter,
@@ -159,12 +159,14 @@ pub enum SamplingRule {
 }
 
 /// A named objective, or a weighted sum.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Goal {
     Named(Objective),
     Weighted(WeightedSum),
 }
+
+union!(Goal { name: Named, object: Weighted });
 
 impl Default for Goal {
     fn default() -> Self {
@@ -173,7 +175,7 @@ impl Default for Goal {
 }
 
 /// The sum of the named objectives times their weights.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WeightedSum {
     pub weights: Weights,
@@ -187,34 +189,29 @@ fn yes() -> bool {
 }
 
 /// Weights of the objectives. At least one must be positive. `minimal_normal_variation` requires `normals`.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Weights {
-    #[schemars(range(min = 0))]
-    pub minimal_area: f64,
-    #[schemars(range(min = 0))]
-    pub minimal_twist: f64,
-    #[schemars(range(min = 0))]
-    pub minimal_bending_energy: f64,
-    #[schemars(range(min = 0))]
-    pub minimal_mean_curvature_variation: f64,
-    #[schemars(range(min = 0))]
-    pub minimal_normal_variation: f64,
+    pub minimal_area: AtLeast0,
+    pub minimal_twist: AtLeast0,
+    pub minimal_bending_energy: AtLeast0,
+    pub minimal_mean_curvature_variation: AtLeast0,
+    pub minimal_normal_variation: AtLeast0,
 }
 
-fn default_convexity_tolerance_deg() -> f64 {
-    1e-6
+fn default_convexity_tolerance_deg() -> UpTo45 {
+    UpTo45::new(1e-6)
 }
 
 /// Objective that decides among the strips with the most convex bridges, summed over the bridges that are not convex.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SecondaryObjective {
     MinimalBendingEnergy,
     MinimalMeanCurvatureVariation,
 }
 
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Direction {
     #[default]
@@ -222,7 +219,7 @@ pub enum Direction {
     Auto,
 }
 
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Caps {
     #[default]
@@ -230,14 +227,14 @@ pub enum Caps {
     Flat,
 }
 
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum RuledSurfaceKind {
     RuledSurface,
 }
 
 /// Quantity that is minimised. `GET /v1/objectives` has the formulas.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "RuledSurfaceObjective")]
 #[serde(rename_all = "snake_case")]
 pub enum Objective {
@@ -258,18 +255,8 @@ impl KindRequest for RuledSurfaceRequest {
         (self.units, self.up)
     }
 
-    fn take(&mut self, list: &PointList) {
-        let polylines = list.polylines.clone();
-        match list.field {
-            "directrices" => self.directrices = polylines,
-            "normals" => self.normals = Some(polylines),
-            "tangents" => self.tangents = Some(polylines),
-            _ => {}
-        }
-    }
-
     fn check(&self, limits: &Limits) -> Result<Checked, Rejection> {
-        limits::check_point_count("/directrices", &self.directrices, limits.points)?;
+        limits::check_count("/directrices", common::count(&self.directrices), limits.points, "points")?;
         self.check_sampling(limits)?;
         let (directrices, options) = self.to_geometry();
         let points: Vec<usize> = directrices.iter().map(Vec::len).collect();
@@ -306,7 +293,7 @@ impl RuledSurfaceRequest {
             (.., Some(_)) => return invalid("/sampling/tolerance", "is only allowed with chord_height"),
             _ => {}
         }
-        let points = sampling.samples.unwrap_or(0).saturating_mul(self.directrices.len());
+        let points = sampling.samples.map_or(0, count).saturating_mul(self.directrices.len());
         if sampling.by != SamplingRule::ChordHeight && points > limits.points {
             let detail = format!("makes more points than are allowed ({})", limits.points);
             return Err(Rejection::TooLarge(vec![FieldError::new("/sampling/samples", detail)]));
@@ -318,11 +305,12 @@ impl RuledSurfaceRequest {
         let Sampling { samples, by, tolerance } = self.sampling?;
         // Missing values were refused by `check_sampling`, so the zeros below are never used.
         Some(match by {
-            SamplingRule::Parameter => geometry::Sampling::Parameter { samples: samples.unwrap_or_default() },
-            SamplingRule::ArcLength => geometry::Sampling::ArcLength { samples: samples.unwrap_or_default() },
-            SamplingRule::ChordHeight => {
-                geometry::Sampling::ChordHeight { samples, tolerance: tolerance.unwrap_or_default() }
-            }
+            SamplingRule::Parameter => geometry::Sampling::Parameter { samples: samples.map_or(0, count) },
+            SamplingRule::ArcLength => geometry::Sampling::ArcLength { samples: samples.map_or(0, count) },
+            SamplingRule::ChordHeight => geometry::Sampling::ChordHeight {
+                samples: samples.map(count),
+                tolerance: tolerance.unwrap_or_default().get(),
+            },
         })
     }
 
@@ -331,7 +319,7 @@ impl RuledSurfaceRequest {
     fn is_quick(&self, points: usize, cells: u64) -> bool {
         const QUICK_POINTS: usize = 1_000;
         const QUICK_CELLS: u64 = 50_000;
-        let simple = !self.closed && self.convexity_tolerance_deg != 0.0 && self.sampling.is_none();
+        let simple = !self.closed && self.convexity_tolerance_deg.get() != 0.0 && self.sampling.is_none();
         simple && points <= QUICK_POINTS && cells <= QUICK_CELLS
     }
 
@@ -344,7 +332,7 @@ impl RuledSurfaceRequest {
                 SecondaryObjective::MinimalBendingEnergy => geometry::Secondary::BendingEnergy,
                 SecondaryObjective::MinimalMeanCurvatureVariation => geometry::Secondary::MeanCurvatureVariation,
             }),
-            convexity_tolerance: self.convexity_tolerance_deg.to_radians(),
+            convexity_tolerance: self.convexity_tolerance_deg.get().to_radians(),
             direction: match self.direction {
                 Direction::AsGiven => geometry::Direction::AsGiven,
                 Direction::Auto => geometry::Direction::Auto,
@@ -372,11 +360,11 @@ impl From<Goal> for geometry::Objective {
             Goal::Named(Objective::MinimalMeanCurvatureVariation) => Self::MinimalMeanCurvatureVariation,
             Goal::Named(Objective::MinimalNormalVariation) => Self::MinimalNormalVariation,
             Goal::Weighted(WeightedSum { weights, normalise }) => Self::Weighted(geometry::Weights {
-                area: weights.minimal_area,
-                twist: weights.minimal_twist,
-                bending_energy: weights.minimal_bending_energy,
-                mean_curvature_variation: weights.minimal_mean_curvature_variation,
-                normal_variation: weights.minimal_normal_variation,
+                area: weights.minimal_area.get(),
+                twist: weights.minimal_twist.get(),
+                bending_energy: weights.minimal_bending_energy.get(),
+                mean_curvature_variation: weights.minimal_mean_curvature_variation.get(),
+                normal_variation: weights.minimal_normal_variation.get(),
                 normalise,
             }),
         }

@@ -9,7 +9,10 @@ pub use statistics::{
 };
 
 use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
-use crate::body::PointList;
+use crate::bounds::{
+    Below180, Fraction, List, NonNegative, OneOf, Positive, Signed, Text, Whole, given, given_one, is_default, one,
+    unwritten,
+};
 use crate::checked::{Checked, KindRequest, Types};
 use crate::common::{self, LengthAndForce, Point};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
@@ -21,7 +24,7 @@ use plateau_film::equilibrium::Support;
 use plateau_film::tensile_structure as geometry;
 use plateau_mesh::DVec3;
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 pub const KIND: Kind = Kind::of(&ENTRY);
 
@@ -30,7 +33,6 @@ static ENTRY: Entry = Entry {
     path: "/v1/tensile-structures",
     summary: "Finds the shape in equilibrium of a film with cables, pressure and weight",
     finds: "films with cables in equilibrium",
-    point_fields: &["boundaries"],
     units: Units::LengthAndForce,
     blocks: &[
         Block {
@@ -110,136 +112,124 @@ const WEIGHT: Input =
         .to("/film/weight");
 
 /// Largest number of cables, and of free points, of a request.
-const MAX_CABLES: u32 = 1000;
+const MAX_CABLES: usize = 1000;
 /// Largest number of layers, and of chambers, of a request. Cushions have two to five.
-const MAX_LAYERS: u32 = 16;
+const MAX_LAYERS: usize = 16;
 /// Largest number of points of a polyline of directions. Every triangle looks for its nearest point in every round.
-const MAX_DIRECTION_POINTS: u32 = 200;
+const MAX_DIRECTION_POINTS: usize = 200;
 
 /// A film with cables, pressure and weight, whose shape in equilibrium is found.
 ///
 /// Every point of the boundaries is a support, unless it lies strictly inside the stretch of a cable or is listed in
 /// `free_points`.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TensileStructureRequest {
     /// Optional here, because the path names the kind. `plateau solve` needs it.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "unwritten")]
     pub kind: Option<TensileStructureKind>,
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub units: LengthAndForce,
     /// Axis that points up. Weights pull against it.
     #[serde(default)]
     pub up: UpAxis,
     /// Closed polygons that do not repeat their first point: the edges of the film before form finding.
-    #[schemars(length(min = 1), inner(length(min = 3)))]
-    pub boundaries: Vec<Vec<Point>>,
+    pub boundaries: List<List<Point, 3>, 1>,
     /// The film. Required unless there are `layers`.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Film")]
     pub film: Option<Film>,
     /// Two or more films over the same boundaries in place of `film`: a cushion. The first lies on the side from which
     /// the first boundary runs counter-clockwise, each next one below it. Each has a `tension`.
-    #[serde(default)]
-    #[schemars(with = "Vec<Film>", length(min = 2, max = MAX_LAYERS))]
-    pub layers: Option<Vec<Film>>,
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "List<Film, 2, MAX_LAYERS>")]
+    pub layers: Option<List<Film, 2, MAX_LAYERS>>,
     /// Closed spaces below layers. Every space between two layers needs one. Not together with `film`, which has
     /// `pressure` and `volume`.
-    #[serde(default)]
-    #[schemars(length(max = MAX_LAYERS))]
-    pub chambers: Vec<Chamber>,
+    #[serde(default, skip_serializing_if = "List::is_empty")]
+    pub chambers: List<Chamber, 0, MAX_LAYERS>,
     /// Cables along the boundaries and in the air.
-    #[serde(default)]
-    #[schemars(length(max = MAX_CABLES))]
-    pub cables: Vec<Cable>,
+    #[serde(default, skip_serializing_if = "List::is_empty")]
+    pub cables: List<Cable, 0, MAX_CABLES>,
     /// Points of the boundaries that no support holds although cables end there. Each needs a cable along the boundary
     /// on both sides; cables in the air can tie it back.
-    #[serde(default)]
-    #[schemars(length(max = MAX_CABLES))]
-    pub free_points: Vec<BoundaryPoint>,
+    #[serde(default, skip_serializing_if = "List::is_empty")]
+    pub free_points: List<BoundaryPoint, 0, MAX_CABLES>,
     /// Supports on which points or edges of the film slide without friction.
-    #[serde(default)]
-    #[schemars(length(max = MAX_CABLES))]
-    pub supports: Vec<SlidingSupport>,
+    #[serde(default, skip_serializing_if = "List::is_empty")]
+    pub supports: List<SlidingSupport, 0, MAX_CABLES>,
     /// Boundaries that are rigid rings and move along an axis.
-    #[serde(default)]
-    #[schemars(length(max = MAX_CABLES))]
-    pub rings: Vec<Ring>,
+    #[serde(default, skip_serializing_if = "List::is_empty")]
+    pub rings: List<Ring, 0, MAX_CABLES>,
     /// Points in the air at which cables and masts end and which no support holds.
     #[serde(default)]
-    #[schemars(length(max = MAX_CABLES))]
-    pub joints: Vec<Point>,
+    pub joints: List<Point, 0, MAX_CABLES>,
     /// Straight members that may push.
-    #[serde(default)]
-    #[schemars(length(max = MAX_CABLES))]
-    pub masts: Vec<Mast>,
+    #[serde(default, skip_serializing_if = "List::is_empty")]
+    pub masts: List<Mast, 0, MAX_CABLES>,
     /// Pressure, a force per area, towards the side from which the first boundary runs counter-clockwise. Not together
     /// with `volume`, and not with cables along a boundary, `supports`, `rings` or `layers`.
     #[serde(default)]
-    #[schemars(range(min = -1e50, max = 1e50))]
-    pub pressure: Option<f64>,
+    pub pressure: Option<Signed>,
     /// Volume between the film and fans from each boundary to its mean, on the side to which a pressure pushes. The
     /// pressure is found. Not with cables along a boundary, `supports`, `rings` or `layers`.
     #[serde(default)]
-    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
-    pub volume: Option<f64>,
+    pub volume: Option<Positive>,
     /// Resolution of the mesh of each layer. If absent, 2,000 triangles, or four for each boundary point where those are more.
-    #[serde(default)]
-    pub resolution: Resolution,
+    #[serde(default, deserialize_with = "given_one", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Resolution")]
+    pub resolution: Option<Resolution>,
     /// Residual (largest unbalanced force over twice the vertex's share of tension times area, times the radius of the
     /// supports) at which the shape counts as found.
     #[serde(default = "default_tolerance")]
-    #[schemars(range(min = 0, max = 1))]
-    pub tolerance: f64,
+    pub tolerance: Fraction,
     /// Maximum number of linear solves. Null means 400.
     #[serde(default)]
-    #[schemars(range(min = 1, max = 1_000_000_000))]
-    pub max_iterations: Option<u32>,
+    pub max_iterations: Option<Whole<1, 1_000_000_000>>,
 }
 
-fn default_tolerance() -> f64 {
-    1e-8
+fn default_tolerance() -> Fraction {
+    Fraction::new(1e-8)
 }
 
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum TensileStructureKind {
     TensileStructure,
 }
 
 /// The film's prestress and weight. The prestress is either `tension`, or `warp` and `weft` with a `direction`.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "TensileFilm")]
 pub struct Film {
     /// Isotropic tension, a force per length.
-    #[serde(default)]
-    #[schemars(with = "f64", range(max = 1e50), extend("exclusiveMinimum" = 0))]
-    pub tension: Option<f64>,
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Positive")]
+    pub tension: Option<Positive>,
     /// Stress along the warp, a force per length.
-    #[serde(default)]
-    #[schemars(with = "f64", range(max = 1e50), extend("exclusiveMinimum" = 0))]
-    pub warp: Option<f64>,
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Positive")]
+    pub warp: Option<Positive>,
     /// Stress along the weft, at right angles to the warp, a force per length.
-    #[serde(default)]
-    #[schemars(with = "f64", range(max = 1e50), extend("exclusiveMinimum" = 0))]
-    pub weft: Option<f64>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Positive")]
+    pub weft: Option<Positive>,
+    #[serde(default, deserialize_with = "given_one", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "WarpDirection")]
     pub direction: Option<WarpDirection>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "WeaveHold")]
     pub hold: Option<WeaveHold>,
     /// Weight per area of the found shape. An isotropic tension is `tension` at the film's mean height and grows with
     /// the height by the weight.
     #[serde(default)]
-    #[schemars(range(min = 0, max = 1e50))]
-    pub weight: f64,
+    pub weight: NonNegative,
 }
 
 /// A closed space below a layer: up to the next layer, or, below the last layer, up to fans from each boundary to its
 /// mean, which stand for the ground. It has exactly one of `pressure` and `volume`.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Chamber {
     /// Number of the layer, counted from 0.
@@ -247,36 +237,43 @@ pub struct Chamber {
     #[schemars(range(max = 4_294_967_295u32))]
     pub below: u32,
     /// Pressure above that outside, a force per area.
-    #[serde(default)]
-    #[schemars(with = "f64", range(min = -1e50, max = 1e50))]
-    pub pressure: Option<f64>,
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Signed")]
+    pub pressure: Option<Signed>,
     /// Volume. The pressure is found.
-    #[serde(default)]
-    #[schemars(with = "f64", range(max = 1e50), extend("exclusiveMinimum" = 0))]
-    pub volume: Option<f64>,
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Positive")]
+    pub volume: Option<Positive>,
 }
 
 /// Field of directions in space, given by exactly one of its fields. The film's warp is the projection of the field
 /// onto the film. Directions need no unit length.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("minProperties" = 1, "maxProperties" = 1))]
 pub struct WarpDirection {
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "RadialDirection")]
     pub radial: Option<RadialDirection>,
     /// Vector along which the warp runs.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Point")]
     pub parallel: Option<Point>,
     /// Polyline along whose tangent at the nearest point the warp runs.
-    #[serde(default)]
-    #[schemars(with = "Vec<Point>", length(min = 2, max = MAX_DIRECTION_POINTS))]
-    pub along: Option<Vec<Point>>,
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "List<Point, 2, MAX_DIRECTION_POINTS>")]
+    pub along: Option<List<Point, 2, MAX_DIRECTION_POINTS>>,
+}
+
+impl OneOf for WarpDirection {
+    fn given(&self) -> usize {
+        let given = [self.radial.is_some(), self.parallel.is_some(), self.along.is_some()];
+        given.into_iter().filter(|given| *given).count()
+    }
 }
 
 /// The weft runs around an axis and the warp away from it. The axis must not pass through the film.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RadialDirection {
     /// A point of the axis.
@@ -287,13 +284,13 @@ pub struct RadialDirection {
 impl Film {
     /// Converts the film to the geometry's type.
     fn to_geometry(&self, pointer: &str) -> Result<geometry::FilmStress, Vec<FieldError>> {
-        Ok(geometry::FilmStress { prestress: self.prestress(pointer)?, weight: self.weight })
+        Ok(geometry::FilmStress { prestress: self.prestress(pointer)?, weight: self.weight.get() })
     }
 
     /// Converts the prestress to the geometry's type, or returns what is missing or too much. `pointer` is the film's.
     fn prestress(&self, pointer: &str) -> Result<geometry::FilmPrestress, Vec<FieldError>> {
         let (warp, weft, direction) = match (self.tension, self.warp, self.weft, &self.direction, self.hold) {
-            (Some(tension), None, None, None, None) => return Ok(geometry::FilmPrestress::Isotropic(tension)),
+            (Some(tension), None, None, None, None) => return Ok(geometry::FilmPrestress::Isotropic(tension.get())),
             (None, None, None, None, None) => {
                 let detail = "is required, or warp, weft and direction in its place";
                 return Err(vec![FieldError::new(format!("{pointer}/tension"), detail)]);
@@ -321,7 +318,6 @@ impl Film {
             WarpDirection { parallel: Some(vector), .. } => {
                 geometry::WarpDirection::Parallel(unit(*vector, "parallel")?)
             }
-            // The schema demands exactly one of the three.
             WarpDirection { along, .. } => {
                 geometry::WarpDirection::Along(common::points(along.as_deref().unwrap_or_default()))
             }
@@ -330,49 +326,45 @@ impl Film {
             WeaveHold::Ratio => geometry::WeaveHold::Ratio,
             WeaveHold::Magnitudes => geometry::WeaveHold::Magnitudes,
         };
-        Ok(geometry::FilmPrestress::Woven(geometry::Weave { warp, weft, direction, hold }))
+        Ok(geometry::FilmPrestress::Woven(geometry::Weave { warp: warp.get(), weft: weft.get(), direction, hold }))
     }
 }
 
 /// A cable. Its course is exactly one of `along`, `across` and `points`.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Cable {
     /// Name in statistics and warnings. Null means its number, as in `cable 0`.
     #[serde(default)]
-    #[schemars(length(min = 1, max = 100))]
-    pub name: Option<String>,
+    pub name: Option<Text<1, 100>>,
     /// Part of a boundary along which the cable runs. The film's edge hangs on the cable.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Along")]
     pub along: Option<Along>,
     /// Points through which the cable runs across the film before form finding, as a ridge or a valley. The first and
     /// the last are points of the boundaries. Cables across the film may share points but must not cross.
-    #[serde(default)]
-    #[schemars(with = "Vec<Point>", length(min = 2))]
-    pub across: Option<Vec<Point>>,
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "List<Point, 2>")]
+    pub across: Option<List<Point, 2>>,
     /// Two points between which the cable runs in the air. A point that equals a boundary's point, one of `joints` or
     /// the hub of a ring is joined to it; any other point is a support.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "[Point; 2]")]
     pub points: Option<[Point; 2]>,
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub mode: Mode,
     /// Value that the mode holds constant: a force, a force per length (`force_density`) or a length.
-    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
-    pub value: f64,
+    pub value: Positive,
     /// EA, a force. `unstressed_length` needs it; with other modes it gives the unstressed length.
     #[serde(default)]
-    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
-    pub axial_stiffness: Option<f64>,
+    pub axial_stiffness: Option<Positive>,
     /// Weight per length of the found shape.
     #[serde(default)]
-    #[schemars(range(min = 0, max = 1e50))]
-    pub weight: f64,
+    pub weight: NonNegative,
 }
 
 /// A part of a boundary, in the boundary's direction. Points are counted from 0.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Along {
     #[serde(default)]
@@ -387,7 +379,7 @@ pub struct Along {
 }
 
 /// A point of a boundary, counted from 0.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BoundaryPoint {
     #[serde(default)]
@@ -398,31 +390,31 @@ pub struct BoundaryPoint {
 }
 
 /// A support without friction. What slides is exactly one of `along`, `boundary` and `point`.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SlidingSupport {
     /// Part of a boundary, without its two ends.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Along")]
     pub along: Option<Along>,
     /// Number of a boundary that slides as a whole.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "u32", range(max = 4_294_967_295u32))]
     pub boundary: Option<u32>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "BoundaryPoint")]
     pub point: Option<BoundaryPoint>,
+    #[serde(deserialize_with = "one")]
     pub on: Guide,
     /// Angle between the film and the surface, on the left of the edge's direction, as seen from the side to which the
     /// surface's normal points: a plane's `normal`, outside a sphere or cylinder. Null means 90. A given angle needs an
     /// edge on a plane, sphere or cylinder, and a single film with a `tension` and no weight.
     #[serde(default)]
-    #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 180))]
-    pub contact_angle_deg: Option<f64>,
+    pub contact_angle_deg: Option<Below180>,
 }
 
 /// A boundary that is a rigid ring, guided along an axis without friction. It turns nowhere.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Ring {
     #[schemars(range(max = 4_294_967_295u32))]
@@ -431,33 +423,30 @@ pub struct Ring {
     pub axis: Point,
     /// Force on the ring along the axis, from outside.
     #[serde(default)]
-    #[schemars(range(min = -1e50, max = 1e50))]
-    pub force: f64,
+    pub force: Signed,
     /// Point in the air that moves with the ring. Masts and cables may end there.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Point")]
     pub hub: Option<Point>,
 }
 
 /// A straight member between two points that may push. A point that equals a boundary's point, one of `joints` or the
 /// hub of a ring is joined to it; any other point is a support. At least one end is no support.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Mast {
     /// Name in statistics and warnings. Null means its number, as in `mast 0`.
     #[serde(default)]
-    #[schemars(length(min = 1, max = 100))]
-    pub name: Option<String>,
+    pub name: Option<Text<1, 100>>,
     pub points: [Point; 2],
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub mode: MastMode,
     /// Value that the mode holds constant: a length, or the force with which the mast pushes.
-    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
-    pub value: f64,
+    pub value: Positive,
 }
 
 /// Quantity of a mast that is held constant.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum MastMode {
     /// The length. The force is found, and negative if the mast has to pull.
@@ -470,11 +459,11 @@ pub enum MastMode {
 impl Mast {
     fn to_geometry(&self, number: usize) -> geometry::Cable {
         geometry::Cable {
-            name: self.name.clone().unwrap_or_else(|| format!("mast {number}")),
+            name: self.name.as_deref().map_or_else(|| format!("mast {number}"), str::to_owned),
             course: geometry::Course::Mast(self.points.map(DVec3::from_array)),
             mode: match self.mode {
-                MastMode::Length => geometry::CableMode::Length(self.value),
-                MastMode::Force => geometry::CableMode::Force(self.value),
+                MastMode::Length => geometry::CableMode::Length(self.value.get()),
+                MastMode::Force => geometry::CableMode::Force(self.value.get()),
             },
             axial_stiffness: None,
             weight: 0.0,
@@ -484,85 +473,80 @@ impl Mast {
 
 /// A line or surface to slide on, given by exactly one of its fields. Edges slide on surfaces only. Directions need no
 /// unit length.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("minProperties" = 1, "maxProperties" = 1))]
 pub struct Guide {
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "LineGuide")]
     pub line: Option<LineGuide>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "CircleGuide")]
     pub circle: Option<CircleGuide>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "PlaneGuide")]
     pub plane: Option<PlaneGuide>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "SphereGuide")]
     pub sphere: Option<SphereGuide>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "CylinderGuide")]
     pub cylinder: Option<CylinderGuide>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "MeshGuide")]
     pub mesh: Option<MeshGuide>,
 }
 
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LineGuide {
     pub point: Point,
     pub direction: Point,
 }
 
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CircleGuide {
     pub centre: Point,
     /// Normal of the circle's plane.
     pub axis: Point,
-    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
-    pub radius: f64,
+    pub radius: Positive,
 }
 
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlaneGuide {
     pub point: Point,
     pub normal: Point,
 }
 
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SphereGuide {
     pub centre: Point,
-    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
-    pub radius: f64,
+    pub radius: Positive,
 }
 
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CylinderGuide {
     /// A point of the axis.
     pub point: Point,
     pub axis: Point,
-    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
-    pub radius: f64,
+    pub radius: Positive,
 }
 
 /// A smooth surface along the client's own mesh. Neighbouring triangles are oriented alike.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MeshGuide {
-    #[schemars(length(min = 3))]
-    pub vertices: Vec<Point>,
+    pub vertices: List<Point, 3>,
     /// Vertex indices of each triangle, counted from 0.
-    #[schemars(length(min = 1), inner(inner(range(min = 0, max = 4_294_967_295u32))))]
-    pub triangles: Vec<[u32; 3]>,
+    #[schemars(inner(inner(range(min = 0, max = 4_294_967_295u32))))]
+    pub triangles: List<[u32; 3], 1>,
     /// Length within which the mesh's edges are rounded, because a film cannot slide over a sharp edge. For a mesh of a
     /// curved surface two to three times the length of its edges.
-    #[schemars(range(max = 1e50), extend("exclusiveMinimum" = 0))]
-    pub rounding: f64,
+    pub rounding: Positive,
 }
 
 impl MeshGuide {
@@ -572,8 +556,22 @@ impl MeshGuide {
     }
 }
 
+impl OneOf for Guide {
+    fn given(&self) -> usize {
+        let given = [
+            self.line.is_some(),
+            self.circle.is_some(),
+            self.plane.is_some(),
+            self.sphere.is_some(),
+            self.cylinder.is_some(),
+            self.mesh.is_some(),
+        ];
+        given.into_iter().filter(|given| *given).count()
+    }
+}
+
 impl Guide {
-    /// Converts the guide, or returns the place of an error and the error. The schema demands exactly one field.
+    /// Converts the guide, which has one member, or returns the place of an error and the error.
     fn to_geometry(&self) -> Result<Support, (String, String)> {
         let unit = |vector: Point, field: &str| {
             let error = || (field.to_owned(), "must be a vector with a length".to_owned());
@@ -585,16 +583,24 @@ impl Guide {
             return Ok(Support::Line { point: place(point), direction });
         }
         if let Some(CircleGuide { centre, axis, radius }) = self.circle {
-            return Ok(Support::Circle { centre: place(centre), axis: unit(axis, "circle/axis")?, radius });
+            return Ok(Support::Circle {
+                centre: place(centre),
+                axis: unit(axis, "circle/axis")?,
+                radius: radius.get(),
+            });
         }
         if let Some(SphereGuide { centre, radius }) = self.sphere {
-            return Ok(Support::Sphere { centre: place(centre), radius });
+            return Ok(Support::Sphere { centre: place(centre), radius: radius.get() });
         }
         if let Some(CylinderGuide { point, axis, radius }) = self.cylinder {
-            return Ok(Support::Cylinder { point: place(point), axis: unit(axis, "cylinder/axis")?, radius });
+            return Ok(Support::Cylinder {
+                point: place(point),
+                axis: unit(axis, "cylinder/axis")?,
+                radius: radius.get(),
+            });
         }
         if let Some(MeshGuide { vertices, triangles, rounding }) = &self.mesh {
-            return Support::mesh(&common::points(vertices), triangles, *rounding)
+            return Support::mesh(&common::points(vertices), triangles, rounding.get())
                 .map_err(|error| (format!("mesh{}", error.place), error.detail));
         }
         let PlaneGuide { point, normal } = self.plane.ok_or_else(|| ("plane".into(), "is required".into()))?;
@@ -609,7 +615,7 @@ impl BoundaryPoint {
 }
 
 /// Quantity of a cable that is held constant.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(rename = "CableMode")]
 pub enum Mode {
@@ -632,7 +638,7 @@ pub enum Mode {
 
 impl Cable {
     fn to_geometry(&self, number: usize) -> geometry::Cable {
-        let name = self.name.clone().unwrap_or_else(|| format!("{number}"));
+        let name = self.name.as_deref().map_or_else(|| format!("{number}"), str::to_owned);
         let course = match (&self.along, &self.across, &self.points) {
             (_, Some(points), _) => geometry::Course::Across(common::points(points)),
             (Some(Along { boundary, from, to }), ..) => {
@@ -649,8 +655,8 @@ impl Cable {
             Mode::UnstressedLength => geometry::CableMode::UnstressedLength,
             Mode::Sag => geometry::CableMode::Sag,
         };
-        let (axial_stiffness, weight) = (self.axial_stiffness, self.weight);
-        geometry::Cable { name, course, mode: mode(self.value), axial_stiffness, weight }
+        let (axial_stiffness, weight) = (self.axial_stiffness.map(Positive::get), self.weight.get());
+        geometry::Cable { name, course, mode: mode(self.value.get()), axial_stiffness, weight }
     }
 }
 
@@ -661,17 +667,13 @@ impl KindRequest for TensileStructureRequest {
         (self.units.into(), self.up)
     }
 
-    fn take(&mut self, list: &PointList) {
-        if list.field == "boundaries" {
-            self.boundaries.clone_from(&list.polylines);
-        }
-    }
-
     fn check(&self, limits: &Limits) -> Result<Checked, Rejection> {
-        limits::check_point_count("/boundaries", &self.boundaries, limits.points)?;
-        self.resolution.check(limits)?;
-        limits::check_number("/max_iterations", self.max_iterations, limits.iterations as usize)?;
-        let across = self.cables.iter().filter_map(|cable| cable.across.as_ref()).map(Vec::len).sum();
+        limits::check_count("/boundaries", common::count(&self.boundaries), limits.points, "points")?;
+        if let Some(resolution) = self.resolution {
+            resolution.check(limits)?;
+        }
+        limits::check_number("/max_iterations", self.max_iterations.map(Whole::get), limits.iterations as usize)?;
+        let across = self.cables.iter().filter_map(|cable| cable.across.as_deref()).map(<[_]>::len).sum();
         limits::check_count("/cables", across, limits.points, "points")?;
         let meshes = self.supports.iter().filter_map(|support| support.on.mesh.as_ref()).map(MeshGuide::size).sum();
         limits::check_count("/supports", meshes, limits.triangles, "triangles or vertices of meshes")?;
@@ -683,13 +685,12 @@ impl KindRequest for TensileStructureRequest {
             ));
         }
         for (k, cable) in self.cables.iter().enumerate() {
-            let courses = [cable.along.is_some(), cable.across.is_some(), cable.points.is_some()];
-            if courses.into_iter().filter(|given| *given).count() != 1 {
-                errors.push(FieldError::new(
-                    format!("/cables/{k}"),
-                    "must have exactly one of the members along, across, points",
-                ));
-            }
+            let courses = [
+                ("along", cable.along.is_some()),
+                ("across", cable.across.is_some()),
+                ("points", cable.points.is_some()),
+            ];
+            errors.extend(FieldError::unless_one(&format!("/cables/{k}"), &courses).err());
         }
         let mut sliding = Vec::with_capacity(self.supports.len());
         for (k, support) in self.supports.iter().enumerate() {
@@ -706,7 +707,7 @@ impl KindRequest for TensileStructureRequest {
                     continue;
                 }
             };
-            let contact_angle = support.contact_angle_deg.map(f64::to_radians);
+            let contact_angle = support.contact_angle_deg.map(|angle| angle.get().to_radians());
             match support.on.to_geometry() {
                 Ok(on) => sliding.push(geometry::Sliding { part, on, contact_angle }),
                 Err((place, detail)) => errors.push(FieldError::new(format!("/supports/{k}/on/{place}"), detail)),
@@ -716,7 +717,7 @@ impl KindRequest for TensileStructureRequest {
         for (k, ring) in self.rings.iter().enumerate() {
             let (boundary, hub) = (ring.boundary as usize, ring.hub.map(DVec3::from_array));
             match DVec3::from_array(ring.axis).try_normalize() {
-                Some(axis) => rings.push(geometry::Ring { boundary, axis, force: ring.force, hub }),
+                Some(axis) => rings.push(geometry::Ring { boundary, axis, force: ring.force.get(), hub }),
                 None => errors.push(FieldError::new(format!("/rings/{k}/axis"), "must be a vector with a length")),
             }
         }
@@ -770,12 +771,12 @@ impl TensileStructureRequest {
                 let detail = "is not allowed without layers: below a single film it is its pressure or volume";
                 errors.push(FieldError::new("/chambers", detail));
             }
-            let holds = self.pressure.map(geometry::Pressure::Constant);
-            let holds = holds.or(self.volume.map(geometry::Pressure::Volume));
+            let holds = self.pressure.map(|pressure| geometry::Pressure::Constant(pressure.get()));
+            let holds = holds.or(self.volume.map(|volume| geometry::Pressure::Volume(volume.get())));
             return holds.map(|holds| geometry::Chamber { below: 0, holds }).into_iter().collect();
         }
-        for (name, given) in [("pressure", self.pressure), ("volume", self.volume)] {
-            if given.is_some() {
+        for (name, given) in [("pressure", self.pressure.is_some()), ("volume", self.volume.is_some())] {
+            if given {
                 let detail = "is not allowed with layers: each of chambers has its own";
                 errors.push(FieldError::new(format!("/{name}"), detail));
             }
@@ -783,8 +784,8 @@ impl TensileStructureRequest {
         let mut chambers = Vec::with_capacity(self.chambers.len());
         for (k, chamber) in self.chambers.iter().enumerate() {
             let holds = match (chamber.pressure, chamber.volume) {
-                (Some(pressure), None) => geometry::Pressure::Constant(pressure),
-                (None, Some(volume)) => geometry::Pressure::Volume(volume),
+                (Some(pressure), None) => geometry::Pressure::Constant(pressure.get()),
+                (None, Some(volume)) => geometry::Pressure::Volume(volume.get()),
                 _ => {
                     let detail = "must have exactly one of the members pressure, volume";
                     errors.push(FieldError::new(format!("/chambers/{k}"), detail));
@@ -804,7 +805,7 @@ impl TensileStructureRequest {
         sliding: Vec<geometry::Sliding>,
         rings: Vec<geometry::Ring>,
     ) -> (geometry::Structure, geometry::Options) {
-        let resolution = self.resolution.to_geometry(self.boundaries.iter().map(Vec::len).sum());
+        let resolution = Resolution::or_default(self.resolution, common::count(&self.boundaries));
         let cables = self.cables.iter().enumerate().map(|(k, cable)| cable.to_geometry(k));
         let masts = self.masts.iter().enumerate().map(|(k, mast)| mast.to_geometry(k));
         let structure = geometry::Structure {
@@ -822,7 +823,14 @@ impl TensileStructureRequest {
                 UpAxis::Y => DVec3::Y,
             },
         };
-        (structure, geometry::Options { resolution, tolerance: self.tolerance, max_iterations: self.max_iterations })
+        (
+            structure,
+            geometry::Options {
+                resolution,
+                tolerance: self.tolerance.get(),
+                max_iterations: self.max_iterations.map(Whole::get),
+            },
+        )
     }
 }
 

@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Quantity that the stresses of warp and weft hold constant. Requires `warp` and `weft`.
-#[derive(Clone, Copy, Debug, Default, Deserialize, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum WeaveHold {
     /// Their ratio. Both vary by a common factor with the mean 1, so that the forces within the film can balance.

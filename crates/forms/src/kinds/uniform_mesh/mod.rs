@@ -8,15 +8,16 @@ pub use statistics::{
 };
 
 use crate::blocks::{self, Block, Input, Output, Part, Preset, Type};
+use crate::bounds::{Length, List, Tolerance, Whole, given, is_default, unwritten};
 use crate::checked::{Checked, KindRequest, Types};
-use crate::common::{self, Point};
+use crate::common::{self, Point, count};
 use crate::kind::{Entry, Kind, Objective as ObjectiveDoc, Units};
 use crate::limits::{self, Limits};
 use crate::rejection::{FieldError, Rejection};
 use plateau_archive::units::{Unit, UpAxis};
 use plateau_uniform_mesh as geometry;
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 pub const KIND: Kind = Kind::of(&ENTRY);
@@ -26,7 +27,6 @@ static ENTRY: Entry = Entry {
     path: "/v1/uniform-meshes",
     summary: "Finds a mesh of a polygon, patch or film with as many equal edges as possible",
     finds: "meshes of surfaces and polygons with as many equal edges as possible",
-    point_fields: &[],
     units: Units::Length,
     blocks: &[Block {
         name: "uniform-mesh",
@@ -71,11 +71,11 @@ static ENTRY: Entry = Entry {
 };
 
 /// A domain and the edge length of its mesh.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct UniformMeshRequest {
     /// Optional here, because the path names the kind. `plateau solve` needs it.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "unwritten")]
     pub kind: Option<UniformMeshKind>,
     /// Unit of the coordinates.
     #[serde(default)]
@@ -86,96 +86,88 @@ pub struct UniformMeshRequest {
     pub domain: Domain,
     /// Edge length ℓ in the request's unit: the length of as many members as possible, and the smallest length of all
     /// members.
-    #[schemars(range(max = 1e15), extend("exclusiveMinimum" = 0))]
-    pub edge_length: f64,
-    #[serde(default)]
+    pub edge_length: Length,
+    #[serde(default, skip_serializing_if = "is_default")]
     pub objective: Objective,
     /// Whether the inner nodes of a curved domain move on the surface after meshing.
     #[serde(default = "yes")]
     pub optimise_nodes: bool,
     /// Aim of moving the nodes.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub optimise: Optimise,
     /// Largest number of different member lengths. It is used only with `optimise: lengths`.
     #[serde(default)]
-    #[schemars(range(min = 1, max = 1000))]
-    pub max_distinct_lengths: Option<u32>,
+    pub max_distinct_lengths: Option<Whole<1, 1000>>,
     /// Largest difference between lengths that count as equal, in the request's unit. Null means a thousandth of the
     /// edge length.
     #[serde(default)]
-    #[schemars(range(min = 0, max = 1e15))]
-    pub length_tolerance: Option<f64>,
+    pub length_tolerance: Option<Tolerance>,
     /// Lengths that members outside the lattice group may take while the nodes move.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub rim: Rim,
     /// Number of rectangles along u and v in the auxiliary triangulation of a patch.
     #[serde(default = "default_auxiliary_grid")]
-    #[schemars(inner(range(min = 2, max = 400)))]
-    pub auxiliary_grid: [u32; 2],
+    pub auxiliary_grid: [Whole<2, 400>; 2],
 }
 
 fn yes() -> bool {
     true
 }
 
-fn default_auxiliary_grid() -> [u32; 2] {
-    [15, 15]
+fn default_auxiliary_grid() -> [Whole<2, 400>; 2] {
+    [Whole::new(15); 2]
 }
 
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum UniformMeshKind {
     UniformMesh,
 }
 
 /// Domain of the mesh: exactly one of `polygon` (with or without `holes`), `bezier`, `nurbs` and `boundaries`.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("minProperties" = 1, "maxProperties" = 2))]
 pub struct Domain {
     /// A planar polygon in space that does not repeat its first point. If its points or those of its holes are off the
     /// plane by more than rounding, but by at most a thousandth of its size, they are projected onto it, with the warning
     /// `projected`.
-    #[serde(default)]
-    #[schemars(with = "Vec<Point>", length(min = 3))]
-    pub polygon: Option<Vec<Point>>,
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "List<Point, 3>")]
+    pub polygon: Option<List<Point, 3>>,
     /// Holes of the polygon.
     #[serde(default)]
-    #[schemars(inner(length(min = 3)))]
-    pub holes: Vec<Vec<Point>>,
-    #[serde(default)]
+    pub holes: Vec<List<Point, 3>>,
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Bezier")]
     pub bezier: Option<Bezier>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Nurbs")]
     pub nurbs: Option<Nurbs>,
     /// Closed polygons. The domain is the minimal surface that spans them.
-    #[serde(default)]
-    #[schemars(with = "Vec<Vec<Point>>", length(min = 1), inner(length(min = 3)))]
-    pub boundaries: Option<Vec<Vec<Point>>>,
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "List<List<Point, 3>, 1>")]
+    pub boundaries: Option<List<List<Point, 3>, 1>>,
 }
 
 /// A tensor-product Bézier patch.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Bezier {
     /// Control points: rows along u, each with the points along v.
-    #[schemars(length(min = 2), inner(length(min = 2)))]
-    pub control_points: Vec<Vec<Point>>,
+    pub control_points: List<List<Point, 2>, 2>,
 }
 
 /// A NURBS patch.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Nurbs {
     /// Degrees along u and along v.
-    #[schemars(inner(range(min = 1, max = 60)))]
-    pub degrees: [u32; 2],
+    pub degrees: [Whole<1, 60>; 2],
     /// Knots along u and along v: control points + degree + 1 each, in non-decreasing order.
     pub knots: [Vec<f64>; 2],
     /// Control points: rows along u, each with the points along v.
-    #[schemars(length(min = 2), inner(length(min = 2)))]
-    pub control_points: Vec<Vec<Point>>,
+    pub control_points: List<List<Point, 2>, 2>,
     /// Weights in the shape of the control points. Null means equal weights.
     #[serde(default)]
     pub weights: Option<Vec<Vec<f64>>>,
@@ -185,7 +177,7 @@ pub struct Nurbs {
 }
 
 /// Quantity that is optimised. `GET /v1/objectives` has the formulas.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "UniformMeshObjective")]
 #[serde(rename_all = "snake_case")]
 pub enum Objective {
@@ -198,7 +190,7 @@ pub enum Objective {
 
 /// `nodes` brings the members of the lattice as near to the edge length as possible. `lengths` then also reduces all
 /// members to at most `max_distinct_lengths` lengths.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Optimise {
     #[default]
@@ -208,7 +200,7 @@ pub enum Optimise {
 
 /// `bounded` keeps the members between the edge length and its double wherever possible. `free` does not limit them, as
 /// in the paper.
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Rim {
     #[default]
@@ -219,12 +211,11 @@ pub enum Rim {
 impl Domain {
     /// Returns the number of points, and the field for an error if there are too many.
     fn point_count(&self) -> (usize, &'static str) {
-        let count = |rows: &[Vec<Point>]| rows.iter().map(Vec::len).sum::<usize>();
         match self {
             Self { polygon: Some(polygon), .. } => (polygon.len() + count(&self.holes), "/domain/polygon"),
             Self { bezier: Some(patch), .. } => (count(&patch.control_points), "/domain/bezier/control_points"),
             Self { nurbs: Some(patch), .. } => (count(&patch.control_points), "/domain/nurbs/control_points"),
-            Self { boundaries, .. } => (count(boundaries.as_deref().unwrap_or_default()), "/domain/boundaries"),
+            Self { boundaries, .. } => (boundaries.as_deref().map_or(0, count), "/domain/boundaries"),
         }
     }
 
@@ -235,11 +226,8 @@ impl Domain {
             ("nurbs", self.nurbs.is_some()),
             ("boundaries", self.boundaries.is_some()),
         ];
-        let names = given.map(|(name, _)| name).join(", ");
+        FieldError::unless_one("/domain", &given)?;
         let invalid = |pointer: &str, detail: String| Err(Rejection::Invalid(vec![FieldError::new(pointer, detail)]));
-        if given.iter().filter(|(_, given)| *given).count() != 1 {
-            return invalid("/domain", format!("must have exactly one of the members {names}"));
-        }
         if self.polygon.is_none() && !self.holes.is_empty() {
             return invalid("/domain/holes", "is only allowed with a polygon".into());
         }
@@ -260,7 +248,7 @@ impl Domain {
                 geometry::Domain::Bezier { control_points: common::polylines(&patch.control_points) }
             }
             Self { nurbs: Some(patch), .. } => geometry::Domain::Nurbs(geometry::Nurbs {
-                degrees: patch.degrees.map(|degree| degree as usize),
+                degrees: patch.degrees.map(|degree| degree.get() as usize),
                 knots: patch.knots.clone(),
                 control_points: common::polylines(&patch.control_points),
                 weights: patch.weights.clone(),
@@ -322,22 +310,22 @@ impl UniformMeshRequest {
     fn to_geometry(&self) -> (geometry::Domain, geometry::Options) {
         let optimise = match (self.optimise_nodes, self.optimise, self.max_distinct_lengths) {
             (false, ..) => geometry::Optimise::None,
-            (true, Optimise::Lengths, Some(most)) => geometry::Optimise::Lengths { most: most as usize },
+            (true, Optimise::Lengths, Some(most)) => geometry::Optimise::Lengths { most: most.get() as usize },
             (true, ..) => geometry::Optimise::Nodes,
         };
         let options = geometry::Options {
-            edge_length: self.edge_length,
+            edge_length: self.edge_length.get(),
             objective: match self.objective {
                 Objective::FewestNodes => geometry::Objective::FewestNodes,
                 Objective::MostEqualEdges => geometry::Objective::MostEqualEdges,
             },
-            length_tolerance: self.length_tolerance,
+            length_tolerance: self.length_tolerance.map(Tolerance::get),
             optimise,
             transition: match self.rim {
                 Rim::Bounded => geometry::Transition::Bounded,
                 Rim::Free => geometry::Transition::Free,
             },
-            auxiliary_grid: self.auxiliary_grid,
+            auxiliary_grid: self.auxiliary_grid.map(Whole::get),
         };
         (self.domain.to_geometry(), options)
     }
