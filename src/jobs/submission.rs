@@ -263,7 +263,7 @@ mod tests {
             ),
             format!(
                 "{{{}}}",
-                RAILS.replace("1.5", "15e-1").replace("[0, 5, 0]", "[0.0, 5.0, -0]").replace("2e3", "2000")
+                RAILS.replace("1.5", "15e-1").replace("[0, 5, 0]", "[0.0, 5.0, 0e1]").replace("2e3", "2000")
             ),
         ] {
             let other = job(&other, None);
