@@ -37,13 +37,15 @@ pub(crate) trait KindRequest: DeserializeOwned + Serialize + JsonSchema {
 pub(crate) type Passed = (Frame, Checked);
 /// A request that was read, and how its type writes it.
 pub(crate) type Read = (Passed, Vec<u8>);
+/// A request that was read, and the members that were kept apart from it.
+pub(crate) type ReadApart = (Read, Map<String, Value>);
 
 /// The types of a kind, as functions that need no type parameter.
 pub(crate) struct Types {
     pub request: TypeSchema,
     pub statistics: TypeSchema,
     /// Reads the JSON of a request, and the members in the list apart from it. Returns `None` for a body that is refused.
-    pub read: fn(&[u8], &[&str], &Limits) -> Option<(Read, Map<String, Value>)>,
+    pub read: fn(&[u8], &[&str], &Limits) -> Option<ReadApart>,
     /// Reads a request from a JSON value. An error without a rejection means that the type refuses the value.
     pub read_value: fn(&Value, &Limits) -> Result<Read, Option<Rejection>>,
     /// Returns the place at which the type refuses a value, for a value that its schema accepts.
@@ -84,7 +86,7 @@ impl TypeSchema {
     }
 }
 
-fn read<R: KindRequest>(body: &[u8], aside: &[&str], limits: &Limits) -> Option<(Read, Map<String, Value>)> {
+fn read<R: KindRequest>(body: &[u8], aside: &[&str], limits: &Limits) -> Option<ReadApart> {
     let (request, aside) = strict::read::<R>(body, aside).ok()?;
     Some((written(&request, limits).ok()?, aside))
 }
