@@ -361,10 +361,23 @@ mod tests {
         let url = format!("sqlite://{}", path.display());
         Database::open(&url, &StoreOptions::default()).await.unwrap().close().await;
         let change = Sqlite::open(&path).unwrap();
-        change.execute_batch("UPDATE _sqlx_migrations SET checksum = x'00' WHERE version = 1").unwrap();
+        change.execute_batch("UPDATE migrations SET checksum = x'00' WHERE version = 1").unwrap();
         drop(change);
         let opened = Database::open(&url, &StoreOptions::default()).await;
         assert!(matches!(opened, Err(StoreError::Migration(_))), "{opened:?}");
+    }
+
+    #[tokio::test]
+    async fn a_file_with_the_tables_of_another_program_is_refused_and_left_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.db");
+        Sqlite::open(&path).unwrap().execute_batch("CREATE TABLE jobs (name TEXT)").unwrap();
+        let opened = Database::open(&format!("sqlite://{}", path.display()), &StoreOptions::default()).await;
+        let Err(StoreError::Migration(text)) = opened else { panic!("{opened:?}") };
+        assert!(text.contains("table jobs already exists"), "{text}");
+        let tables = "SELECT group_concat(name) FROM sqlite_master WHERE type = 'table'";
+        let tables: String = Sqlite::open(&path).unwrap().query_row(tables, [], |row| row.get(0)).unwrap();
+        assert_eq!(tables, "jobs");
     }
 
     #[tokio::test]
