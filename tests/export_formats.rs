@@ -30,6 +30,7 @@ impl Glb {
 
     fn with(archive: &Archive, choices: Choices) -> Self {
         let bytes = MeshFormat::Glb.encode_with(archive, choices).unwrap();
+        imported(&bytes);
         assert_eq!((&bytes[..4], word(&bytes, 4), word(&bytes, 8) as usize), (&b"glTF"[..], 2, bytes.len()));
         let text = word(&bytes, 12) as usize;
         assert_eq!((&bytes[16..20], text % 4), (&b"JSON"[..], 0));
@@ -82,6 +83,18 @@ impl Glb {
         let positions = self.vectors(&self.primitive(0)["attributes"]["POSITION"]);
         positions.into_iter().map(|position| position + self.translation()).collect()
     }
+}
+
+/// Reads a file and its buffer with the importer of the crate gltf, which checks all references.
+fn imported(file: &[u8]) -> (gltf::Document, Vec<u8>) {
+    let gltf::Gltf { document, blob } = gltf::Gltf::from_slice(file).unwrap();
+    let buffer = document.buffers().next().unwrap();
+    let bytes = match buffer.source() {
+        gltf::buffer::Source::Bin => blob.unwrap(),
+        gltf::buffer::Source::Uri(uri) => base64_decoded(uri.split_once(";base64,").unwrap().1),
+    };
+    assert_eq!((document.buffers().len(), buffer.length()), (1, bytes.len()));
+    (document, bytes)
 }
 
 fn archive(contents: Contents) -> Archive {
@@ -355,6 +368,72 @@ fn gltf_json_is_the_same_document_with_the_buffer_embedded() {
     assert_eq!(base64_decoded(&text), glb.buffer);
     document["buffers"][0].as_object_mut().unwrap().remove("uri");
     assert_eq!(document, glb.document);
+}
+
+/// Returns the values of a custom attribute, such as `MEAN_CURVATURE`.
+fn custom(primitive: &gltf::Primitive<'_>, name: &str, buffer: &[u8]) -> Option<Vec<f32>> {
+    let accessor = primitive.get(&gltf::Semantic::Extras(name.into()))?;
+    Some(gltf::accessor::Iter::new(accessor, |_| Some(buffer)).unwrap().collect())
+}
+
+#[test]
+fn the_importer_of_the_crate_gltf_reads_every_file_back() {
+    let mut net = sample::full().contents().clone();
+    net.mesh.triangles.clear();
+    net.line_sets[1].name = "cables".into();
+    let mut slack = sample::full().contents().clone();
+    slack.certificate = Some(Certificate { slack: vec![0.0, 0.25, 0.5, 0.75, 1.0], proof: "{}".into() });
+    let far = sample::roof(1.0, DVec3::new(1e7, -1e7 + 0.125, 3e6));
+    for contents in [net, slack, far, with_degenerate_parts(1.0).0] {
+        let archive = archive(contents.clone());
+        let colored = contents.mean_curvature.is_some();
+        for (format, colored) in [(MeshFormat::Glb, false), (MeshFormat::Gltf, false), (MeshFormat::Glb, colored)] {
+            let choices = if colored { colors(Quantity::MeanCurvature, Some(0.02)) } else { Choices::default() };
+            let (document, buffer) = imported(&format.encode_with(&archive, choices).unwrap());
+            let mut nodes = document.default_scene().unwrap().nodes();
+            let mesh = nodes.next().unwrap().mesh().unwrap();
+            let primitive = mesh.primitives().next().unwrap();
+            let reader = primitive.reader(|_| Some(&buffer));
+            let (origin, metres) = (contents.origin(), contents.unit.metres());
+            let positions: Vec<[f32; 3]> = reader.read_positions().unwrap().collect();
+            let expected = contents.mesh.vertices.iter().map(|&vertex| {
+                let local = (vertex - origin) * metres;
+                [local.x as f32, local.z as f32, -local.y as f32]
+            });
+            assert_eq!(positions, expected.collect::<Vec<_>>());
+            if contents.mesh.triangles.is_empty() {
+                assert_eq!((primitive.mode(), mesh.name()), (gltf::mesh::Mode::Points, Some("vertices")));
+            } else {
+                let indices: Vec<u32> = reader.read_indices().unwrap().into_u32().collect();
+                assert_eq!((primitive.mode(), indices), (gltf::mesh::Mode::Triangles, contents.mesh.triangles.concat()));
+                assert_eq!(reader.read_normals().unwrap().len(), positions.len());
+            }
+            let curvature = contents.mean_curvature.as_ref().map(|known| &known.values);
+            let per_metre = |values: &Vec<f64>| values.iter().map(|value| (value / metres) as f32).collect();
+            assert_eq!(custom(&primitive, "MEAN_CURVATURE", &buffer), curvature.map(per_metre));
+            let slack = contents.certificate.as_ref().map(|proof| proof.slack.iter().map(|&x| x as f32).collect());
+            assert_eq!(custom(&primitive, "LOWER_BOUND_SLACK", &buffer), slack);
+            let red = reader.read_colors(0).map(|colors| colors.into_rgba_u8().last());
+            assert_eq!(red, colored.then_some(Some(RED)));
+            for set in contents.line_sets.iter().filter(|set| set.name != "directrices") {
+                let mesh = nodes.next().unwrap().mesh().unwrap();
+                assert_eq!(mesh.name(), Some(set.full_name().as_str()));
+                let line = mesh.primitives().next().unwrap();
+                let reader = line.reader(|_| Some(&buffer));
+                let indices: Option<Vec<u32>> = reader.read_indices().map(|indices| indices.into_u32().collect());
+                match &set.lines {
+                    Lines::Polylines(_) => assert_eq!(indices, Some(vec![0, 1, 2, 3, 0])),
+                    Lines::Segments { pairs, values: None } => assert_eq!(indices, Some(pairs.concat())),
+                    _ => assert_eq!(custom(&line, "LENGTH", &buffer), Some(vec![2.5, 2.5, 0.125, 0.125])),
+                }
+            }
+            assert!(nodes.next().is_none());
+        }
+    }
+    let parts = [("one".to_owned(), sample::full()), ("two".to_owned(), archive(sample::roof(1.0, DVec3::ZERO)))];
+    let (document, _) = imported(&plateau_archive::formats::gltf::to_glb_scene("batch", &parts).unwrap());
+    let names = document.default_scene().unwrap().nodes().map(|node| (node.name().unwrap().to_owned(), node.children().len()));
+    assert_eq!(names.collect::<Vec<_>>(), [("one".to_owned(), 4), ("two".to_owned(), 1)]);
 }
 
 fn base64_decoded(text: &str) -> Vec<u8> {
@@ -750,6 +829,7 @@ fn the_khronos_validator_finds_neither_errors_nor_warnings() {
     for (name, archive) in archives {
         for format in [MeshFormat::Glb, MeshFormat::Gltf] {
             let bytes = format.encode(&archive).unwrap();
+            imported(&bytes);
             std::fs::write(folder.join(format!("{name}.{}", format.name())), bytes).unwrap();
         }
     }

@@ -16,9 +16,21 @@
 //! - A mesh is neutral unless colours are asked for. `COLOR_0` then runs from blue at 0 through green to red, interpolated
 //!   linearly between the stops of `asset.extras.color_range`, whose `max` is in the unit of the job's statistics.
 //!
-//! The document is built from JSON values, because the types of the crate gltf-json keep a node's translation in f32.
+//! The document is built from the types of the crate gltf. They keep a node's translation in f32, so the translations are
+//! put into the JSON value of the finished document.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 use base64::Engine as _;
+use gltf::binary::{Glb, Header};
+use gltf::json::accessor::{Accessor, ComponentType, GenericComponentType, Type};
+use gltf::json::buffer::{Buffer, Target, View};
+use gltf::json::extras::RawValue;
+use gltf::json::material::{PbrBaseColorFactor, PbrMetallicRoughness, StrengthFactor};
+use gltf::json::mesh::{Mode, Primitive, Semantic};
+use gltf::json::validation::Checked::{self, Valid};
+use gltf::json::{Asset, Extras, Index, Material, Node, Root};
 use plateau_mesh::measure;
 use plateau_mesh::{DVec3, Mesh};
 use serde_json::{Value, json};
@@ -28,23 +40,13 @@ use super::{Choices, Error, Origin, sheets};
 use crate::archive::{Archive, Contents, LineSet, Lines, Polyline, SegmentValues};
 use crate::units::UpAxis;
 
-const ARRAY_BUFFER: u32 = 34962;
-const ELEMENT_ARRAY_BUFFER: u32 = 34963;
-const UNSIGNED_BYTE: u32 = 5121;
-const UNSIGNED_INT: u32 = 5125;
-const FLOAT: u32 = 5126;
-const POINTS: u32 = 0;
-const LINES: u32 = 1;
-const LINE_STRIP: u32 = 3;
-const TRIANGLES: u32 = 4;
-
 /// Smallest supported size of a mesh. Below it, f32 cannot distinguish a ten-millionth of the mesh from zero.
 const MIN_EXTENT_METRES: f64 = 1e-30;
 
 /// Linear RGB of a surface without colours, a light blue.
-const NEUTRAL: [f64; 4] = [0.55, 0.68, 0.8, 1.0];
+const NEUTRAL: [f32; 4] = [0.55, 0.68, 0.8, 1.0];
 /// Factor of the colours at the vertices.
-const WHITE: [f64; 4] = [1.0; 4];
+const WHITE: [f32; 4] = [1.0; 4];
 
 /// Writes binary glTF: one file that includes the buffer.
 ///
@@ -52,8 +54,7 @@ const WHITE: [f64; 4] = [1.0; 4];
 /// Returns [`Error::OutOfRange`] if f32 cannot hold the positions, [`Error::TooLarge`] from 4 GiB, and [`Error::NoQuantity`]
 /// if the mesh does not have what it is to be coloured by.
 pub fn to_glb(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
-    let (document, buffer) = document(archive, choices)?;
-    binary(document, &buffer)
+    scene(archive, choices)?.into_glb()
 }
 
 /// Writes binary glTF with several meshes in one scene, each at its own coordinates. Each mesh is a named node whose
@@ -67,34 +68,13 @@ pub fn to_glb_scene(title: &str, parts: &[(String, Archive)]) -> Result<Vec<u8>,
     for (name, archive) in parts {
         let frame = Frame::new(archive.contents(), Origin::Given)?;
         let children = scene.add(archive.contents(), &frame, &archive.contents().line_sets, None);
-        roots.push(scene.nodes.len());
-        let extras = asset_extras(archive.contents(), &frame, None);
-        scene.nodes.push(json!({ "name": name, "children": children, "extras": extras }));
+        let extras = raw(&asset_extras(archive.contents(), &frame, None));
+        let node = Node { name: Some(name.clone()), children: Some(children), extras, ..Node::default() };
+        roots.push(scene.node(node, None));
     }
     let generator = parts.first().map_or("", |(_, archive)| archive.contents().generator.as_str());
-    let asset = json!({ "version": "2.0", "generator": generator });
-    let (document, buffer) = scene.document(asset, json!({ "name": title, "nodes": roots }));
-    binary(document, &buffer)
-}
-
-fn binary(mut document: Value, buffer: &[u8]) -> Result<Vec<u8>, Error> {
-    document["buffers"] = json!([{ "byteLength": buffer.len() }]);
-    let mut text = to_text(&document);
-    text.resize(text.len().next_multiple_of(4), b' ');
-    let total = 12 + 8 + text.len() + 8 + buffer.len();
-    let length = |bytes: usize| u32::try_from(bytes).map_err(|_| Error::TooLarge { format: "GLB" });
-
-    let mut glb = Vec::with_capacity(total);
-    glb.extend_from_slice(b"glTF");
-    glb.extend_from_slice(&2u32.to_le_bytes());
-    glb.extend_from_slice(&length(total)?.to_le_bytes());
-    glb.extend_from_slice(&length(text.len())?.to_le_bytes());
-    glb.extend_from_slice(b"JSON");
-    glb.extend_from_slice(&text);
-    glb.extend_from_slice(&length(buffer.len())?.to_le_bytes());
-    glb.extend_from_slice(b"BIN\0");
-    glb.extend_from_slice(buffer);
-    Ok(glb)
+    scene.finish(generator, None, title, roots, None);
+    scene.into_glb()
 }
 
 /// Writes glTF as JSON text with the buffer embedded as a base64 data URI.
@@ -102,10 +82,11 @@ fn binary(mut document: Value, buffer: &[u8]) -> Result<Vec<u8>, Error> {
 /// # Errors
 /// Returns the errors of [`to_glb`].
 pub fn to_gltf_json(archive: &Archive, choices: Choices) -> Result<Vec<u8>, Error> {
-    let (mut document, buffer) = document(archive, choices)?;
+    let scene = scene(archive, choices)?;
+    let mut document = scene.document();
     let mut uri = String::from("data:application/octet-stream;base64,");
-    base64::engine::general_purpose::STANDARD.encode_string(&buffer, &mut uri);
-    document["buffers"] = json!([{ "byteLength": buffer.len(), "uri": uri }]);
+    base64::engine::general_purpose::STANDARD.encode_string(&scene.bytes, &mut uri);
+    document["buffers"][0]["uri"] = uri.into();
     Ok(to_text(&document))
 }
 
@@ -157,181 +138,317 @@ impl Frame {
     }
 }
 
-/// A buffer that is being built, with its views and accessors.
-#[derive(Default)]
-struct Buffer {
-    bytes: Vec<u8>,
-    views: Vec<Value>,
-    accessors: Vec<Value>,
-}
-
-impl Buffer {
-    /// Appends data with its own view and accessor, and returns the accessor's index. Every item is a multiple of four
-    /// bytes, so the data is always aligned as glTF demands.
-    fn push(&mut self, data: impl Iterator<Item = [u8; 4]>, target: u32, mut accessor: Value) -> usize {
-        let offset = self.bytes.len();
-        data.for_each(|word| self.bytes.extend_from_slice(&word));
-        accessor["bufferView"] = self.views.len().into();
-        self.views.push(
-            json!({ "buffer": 0, "byteOffset": offset, "byteLength": self.bytes.len() - offset, "target": target }),
-        );
-        self.accessors.push(accessor);
-        self.accessors.len() - 1
-    }
-
-    fn positions(&mut self, positions: &[[f32; 3]]) -> usize {
-        let start = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
-        let (min, max) = positions.iter().fold(start, |(min, max), p| {
-            ([0, 1, 2].map(|axis| min[axis].min(p[axis])), [0, 1, 2].map(|axis| max[axis].max(p[axis])))
-        });
-        // The bounds are written as f64, so that their text reads back as exactly the f32 values in the buffer.
-        let (min, max) = (min.map(f64::from), max.map(f64::from));
-        let accessor =
-            json!({ "componentType": FLOAT, "type": "VEC3", "count": positions.len(), "min": min, "max": max });
-        self.push(positions.iter().flatten().map(|x| x.to_le_bytes()), ARRAY_BUFFER, accessor)
-    }
-
-    fn vectors(&mut self, vectors: impl ExactSizeIterator<Item = [f32; 3]>) -> usize {
-        let accessor = json!({ "componentType": FLOAT, "type": "VEC3", "count": vectors.len() });
-        self.push(vectors.flat_map(|v| v.map(f32::to_le_bytes)), ARRAY_BUFFER, accessor)
-    }
-
-    fn scalars(&mut self, values: impl ExactSizeIterator<Item = f32>) -> usize {
-        let accessor = json!({ "componentType": FLOAT, "type": "SCALAR", "count": values.len() });
-        self.push(values.map(f32::to_le_bytes), ARRAY_BUFFER, accessor)
-    }
-
-    fn colors(&mut self, colors: impl ExactSizeIterator<Item = [u8; 4]>) -> usize {
-        let accessor = json!({
-            "componentType": UNSIGNED_BYTE, "normalized": true, "type": "VEC4", "count": colors.len()
-        });
-        self.push(colors, ARRAY_BUFFER, accessor)
-    }
-
-    fn indices(&mut self, indices: impl Iterator<Item = u32>) -> usize {
-        let start = self.bytes.len();
-        let index = self.push(
-            indices.map(u32::to_le_bytes),
-            ELEMENT_ARRAY_BUFFER,
-            json!({ "componentType": UNSIGNED_INT, "type": "SCALAR" }),
-        );
-        self.accessors[index]["count"] = ((self.bytes.len() - start) / 4).into();
-        index
-    }
-}
-
-/// Returns the document without `buffers`, and the buffer.
-fn document(archive: &Archive, choices: Choices) -> Result<(Value, Vec<u8>), Error> {
+fn scene(archive: &Archive, choices: Choices) -> Result<Scene, Error> {
     let contents = archive.contents();
     let frame = Frame::new(contents, choices.origin)?;
     let line_sets = choices.line_sets(contents);
     let scale = choices.colors.map(|colors| Scale::new(colors, contents, line_sets)).transpose()?;
     let mut scene = Scene::default();
     let nodes = scene.add(contents, &frame, line_sets, scale.as_ref());
-    let extras = asset_extras(contents, &frame, scale.as_ref());
+    let mut extras = asset_extras(contents, &frame, scale.as_ref());
+    let of_the_asset = raw(&extras);
     // The scene has everything but the list of the input's vertices, which may be as long as the mesh.
-    let mut figures = extras.clone();
-    if let Some(figures) = figures.as_object_mut() {
+    if let Some(figures) = extras.as_object_mut() {
         figures.remove("input_vertices");
     }
-    let asset = json!({ "version": "2.0", "generator": contents.generator, "extras": extras });
-    Ok(scene.document(asset, json!({ "name": contents.title, "nodes": nodes, "extras": figures })))
+    scene.finish(&contents.generator, of_the_asset, &contents.title, nodes, raw(&extras));
+    Ok(scene)
 }
 
-/// A scene that is being built.
+/// A file that is being built: its document and its only buffer.
 #[derive(Default)]
 struct Scene {
-    nodes: Vec<Value>,
-    meshes: Vec<Value>,
-    materials: Vec<Value>,
-    buffer: Buffer,
+    root: Root,
+    bytes: Vec<u8>,
+    /// Translation of each node.
+    translations: Vec<Option<DVec3>>,
 }
 
 impl Scene {
     /// Adds a surface and line sets, and returns their nodes.
-    fn add(&mut self, contents: &Contents, frame: &Frame, line_sets: &[LineSet], scale: Option<&Scale>) -> Vec<usize> {
-        let Self { nodes, meshes, materials, buffer } = self;
-        let first_node = nodes.len();
+    fn add(
+        &mut self,
+        contents: &Contents,
+        frame: &Frame,
+        line_sets: &[LineSet],
+        scale: Option<&Scale>,
+    ) -> Vec<Index<Node>> {
         let split = sheets::split_by_sheet(&contents.mesh);
         let mesh = split.as_ref().map_or(&contents.mesh, |(mesh, _)| mesh);
         let positions: Vec<[f32; 3]> = mesh.vertices.iter().map(|&vertex| frame.position(vertex)).collect();
-        let shared = buffer.positions(&positions);
+        let shared = Shared { accessor: self.positions(&positions), positions: &positions };
 
         // Where sheets meet, each sheet has vertices of its own, which follow the vertices of the mesh.
         let with_split_vertices = |values: &[f64]| -> Vec<f64> {
             let further = split.iter().flat_map(|(_, source)| &source[values.len()..]);
             values.iter().copied().chain(further.map(|&vertex| values[vertex as usize])).collect()
         };
-        let mut attributes = json!({ "POSITION": shared });
+        let mut attributes = BTreeMap::from([(Valid(Semantic::Positions), shared.accessor)]);
         if !mesh.triangles.is_empty() {
-            attributes["NORMAL"] = buffer.vectors(normals(mesh, frame).into_iter()).into();
+            attributes.insert(Valid(Semantic::Normals), self.vectors(&normals(mesh, frame)));
         }
         if let Some(curvature) = &contents.mean_curvature {
             let per_metre = |value: f64| (value / frame.metres).min(f64::from(f32::MAX)) as f32;
             let values = with_split_vertices(&curvature.values);
-            attributes["_MEAN_CURVATURE"] = buffer.scalars(values.iter().map(|&value| per_metre(value))).into();
+            attributes.insert(custom("mean_curvature"), self.scalars(values.into_iter().map(per_metre)));
         }
         if let Some(certificate) = &contents.certificate {
             let slack = with_split_vertices(&certificate.slack);
-            attributes["_LOWER_BOUND_SLACK"] = buffer.scalars(slack.iter().map(|&value| value as f32)).into();
+            attributes.insert(custom("lower_bound_slack"), self.scalars(slack.into_iter().map(|value| value as f32)));
         }
         let base_color = match scale.and_then(|scale| Some((scale, scale.quantity.at_vertices(contents)?))) {
             Some((scale, values)) => {
                 let values = with_split_vertices(values);
-                attributes["COLOR_0"] = buffer.colors(values.iter().map(|&value| scale.color(value))).into();
+                let colors = self.colors(values.into_iter().map(|value| scale.color(value)));
+                attributes.insert(Valid(Semantic::Colors(0)), colors);
                 WHITE
             }
             None => NEUTRAL,
         };
-        let name = if mesh.triangles.is_empty() { "vertices" } else { "surface" };
-        let mut primitive = json!({ "material": materials.len(), "mode": POINTS });
-        if !mesh.triangles.is_empty() {
-            primitive["indices"] = buffer.indices(mesh.triangles.iter().flatten().copied()).into();
-            primitive["mode"] = TRIANGLES.into();
-        }
-        primitive["attributes"] = attributes;
+        let (name, mode, indices) = if mesh.triangles.is_empty() {
+            ("vertices", Mode::Points, None)
+        } else {
+            ("surface", Mode::Triangles, Some(self.indices(mesh.triangles.iter().flatten().copied())))
+        };
 
-        let translation = frame.translation().to_array();
         // Plain values only: Assimp 5.2 ends when it copies a node whose extras have a list or an object.
         let [x, y, z] = frame.origin.to_array();
         let place = json!({
             "origin_x": x, "origin_y": y, "origin_z": z,
             "unit": contents.unit.symbol(), "up": contents.up.symbol(),
         });
-        nodes.push(json!({ "name": name, "mesh": meshes.len(), "translation": translation, "extras": place }));
-        meshes.push(json!({ "name": name, "primitives": [primitive] }));
-        materials.push(material(name, base_color, true));
+        let material = self.material(name, base_color, true);
+        let surface = primitive(mode, attributes, indices, material);
+        let mut nodes = vec![self.placed_mesh(name, vec![surface], frame, raw(&place))];
         for set in line_sets {
             let scale = scale.filter(|scale| scale.quantity.along(set).is_some());
-            let shared = Shared { accessor: shared, positions: &positions };
-            let primitives = line_primitives(set, materials.len(), shared, frame, scale, buffer);
+            let name = set.full_name();
+            // The material follows those of the sets before it, and an empty set has none.
+            let material = Index::new(self.root.materials.len() as u32);
+            let primitives = self.line_primitives(set, material, shared, frame, scale);
             if primitives.is_empty() {
                 continue;
             }
-            let name = set.full_name();
-            let mut node = json!({ "name": name, "mesh": meshes.len(), "translation": translation });
-            if let Lines::Segments { values: Some(values), .. } | Lines::Arrows { values: Some(values), .. } =
-                &set.lines
-            {
-                node["extras"] = json!({ attribute_name(&values.name): { "unit": values.unit } });
-            }
-            nodes.push(node);
-            meshes.push(json!({ "name": name, "primitives": primitives }));
-            materials.push(material(&name, if scale.is_some() { WHITE } else { line_color(set) }, false));
+            self.material(&name, if scale.is_some() { WHITE } else { line_color(set) }, false);
+            let extras = match &set.lines {
+                Lines::Segments { values: Some(values), .. } | Lines::Arrows { values: Some(values), .. } => {
+                    raw(&json!({ custom(&values.name).to_string(): { "unit": values.unit } }))
+                }
+                _ => None,
+            };
+            nodes.push(self.placed_mesh(&name, primitives, frame, extras));
         }
-        (first_node..nodes.len()).collect()
+        nodes
     }
 
-    fn document(self, asset: Value, scene: Value) -> (Value, Vec<u8>) {
-        let document = json!({
-            "asset": asset,
-            "scene": 0,
-            "scenes": [scene],
-            "nodes": self.nodes, "meshes": self.meshes, "materials": self.materials,
-            "accessors": self.buffer.accessors, "bufferViews": self.buffer.views,
-        });
-        (document, self.buffer.bytes)
+    /// Adds a node at the frame's origin with a mesh of these primitives. Both have the same name.
+    fn placed_mesh(&mut self, name: &str, primitives: Vec<Primitive>, frame: &Frame, extras: Extras) -> Index<Node> {
+        let mesh = gltf::json::Mesh {
+            name: Some(name.into()),
+            primitives,
+            weights: None,
+            extensions: None,
+            extras: None,
+        };
+        let mesh = Some(Index::push(&mut self.root.meshes, mesh));
+        let node = Node { name: Some(name.into()), mesh, extras, ..Node::default() };
+        self.node(node, Some(frame.translation()))
     }
+
+    fn node(&mut self, node: Node, translation: Option<DVec3>) -> Index<Node> {
+        self.translations.push(translation);
+        Index::push(&mut self.root.nodes, node)
+    }
+
+    fn material(&mut self, name: &str, base_color: [f32; 4], double_sided: bool) -> Index<Material> {
+        let pbr_metallic_roughness = PbrMetallicRoughness {
+            base_color_factor: PbrBaseColorFactor(base_color),
+            metallic_factor: StrengthFactor(0.0),
+            roughness_factor: StrengthFactor(0.9),
+            ..PbrMetallicRoughness::default()
+        };
+        let name = Some(name.into());
+        let material = Material { name, double_sided, pbr_metallic_roughness, ..Material::default() };
+        Index::push(&mut self.root.materials, material)
+    }
+
+    /// Returns the primitives of a line set, or none for an empty set. `scale` is the scale of the set's own values.
+    fn line_primitives(
+        &mut self,
+        set: &LineSet,
+        material: Index<Material>,
+        shared: Shared<'_>,
+        frame: &Frame,
+        scale: Option<&Scale>,
+    ) -> Vec<Primitive> {
+        let at_shared = || BTreeMap::from([(Valid(Semantic::Positions), shared.accessor)]);
+        match &set.lines {
+            Lines::Polylines(polylines) => polylines
+                .iter()
+                .map(|line| primitive(Mode::LineStrip, at_shared(), Some(self.indices(along(line))), material))
+                .collect(),
+            Lines::Segments { pairs, .. } if pairs.is_empty() => Vec::new(),
+            Lines::Segments { pairs, values: None } => {
+                let indices = self.indices(pairs.iter().flatten().copied());
+                vec![primitive(Mode::Lines, at_shared(), Some(indices), material)]
+            }
+            Lines::Segments { pairs, values: Some(values) } => {
+                let ends: Vec<[f32; 3]> =
+                    pairs.iter().flatten().map(|&vertex| shared.positions[vertex as usize]).collect();
+                vec![self.own_lines(&ends, Some(values), material, scale)]
+            }
+            Lines::Arrows { ends, .. } if ends.is_empty() => Vec::new(),
+            Lines::Arrows { ends, values } => {
+                let ends: Vec<[f32; 3]> =
+                    ends.iter().flatten().map(|&end| frame.position(DVec3::from_array(end))).collect();
+                vec![self.own_lines(&ends, values.as_ref(), material, scale)]
+            }
+        }
+    }
+
+    /// Returns the primitive of lines with their own positions, two for each line, and a value at both ends of each.
+    fn own_lines(
+        &mut self,
+        ends: &[[f32; 3]],
+        values: Option<&SegmentValues>,
+        material: Index<Material>,
+        scale: Option<&Scale>,
+    ) -> Primitive {
+        let mut attributes = BTreeMap::from([(Valid(Semantic::Positions), self.positions(ends))]);
+        if let Some(values) = values {
+            let at_ends = || values.values.iter().flat_map(|&value| [value; 2]);
+            attributes.insert(custom(&values.name), self.scalars(at_ends().map(clamped)));
+            if let Some(scale) = scale {
+                let colors = self.colors(at_ends().map(|value| scale.color(value)));
+                attributes.insert(Valid(Semantic::Colors(0)), colors);
+            }
+        }
+        primitive(Mode::Lines, attributes, None, material)
+    }
+
+    /// Appends data with its own view and accessor. Every item is a multiple of four bytes, so the data is always
+    /// aligned as glTF demands.
+    fn push(
+        &mut self,
+        data: impl Iterator<Item = [u8; 4]>,
+        target: Target,
+        component: ComponentType,
+        type_: Type,
+    ) -> Index<Accessor> {
+        let offset = self.bytes.len();
+        data.for_each(|word| self.bytes.extend_from_slice(&word));
+        let length = self.bytes.len() - offset;
+        let view = View {
+            buffer: Index::new(0),
+            byte_offset: Some(offset.into()),
+            byte_length: length.into(),
+            byte_stride: None,
+            target: Some(Valid(target)),
+            name: None,
+            extensions: None,
+            extras: None,
+        };
+        let accessor = Accessor {
+            buffer_view: Some(Index::push(&mut self.root.buffer_views, view)),
+            byte_offset: None,
+            component_type: Valid(GenericComponentType(component)),
+            type_: Valid(type_),
+            count: (length / (component.size() * type_.multiplicity())).into(),
+            normalized: false,
+            min: None,
+            max: None,
+            sparse: None,
+            name: None,
+            extensions: None,
+            extras: None,
+        };
+        Index::push(&mut self.root.accessors, accessor)
+    }
+
+    fn positions(&mut self, positions: &[[f32; 3]]) -> Index<Accessor> {
+        let start = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+        let (min, max) = positions.iter().fold(start, |(min, max), p| {
+            ([0, 1, 2].map(|axis| min[axis].min(p[axis])), [0, 1, 2].map(|axis| max[axis].max(p[axis])))
+        });
+        let index = self.vectors(positions);
+        let accessor = &mut self.root.accessors[index.value()];
+        // The bounds are written as f64, so that their text reads back as exactly the f32 values in the buffer.
+        accessor.min = Some(json!(min.map(f64::from)));
+        accessor.max = Some(json!(max.map(f64::from)));
+        index
+    }
+
+    fn vectors(&mut self, vectors: &[[f32; 3]]) -> Index<Accessor> {
+        let words = vectors.iter().flatten().map(|x| x.to_le_bytes());
+        self.push(words, Target::ArrayBuffer, ComponentType::F32, Type::Vec3)
+    }
+
+    fn scalars(&mut self, values: impl Iterator<Item = f32>) -> Index<Accessor> {
+        self.push(values.map(f32::to_le_bytes), Target::ArrayBuffer, ComponentType::F32, Type::Scalar)
+    }
+
+    fn colors(&mut self, colors: impl Iterator<Item = [u8; 4]>) -> Index<Accessor> {
+        let index = self.push(colors, Target::ArrayBuffer, ComponentType::U8, Type::Vec4);
+        self.root.accessors[index.value()].normalized = true;
+        index
+    }
+
+    fn indices(&mut self, indices: impl Iterator<Item = u32>) -> Index<Accessor> {
+        self.push(indices.map(u32::to_le_bytes), Target::ElementArrayBuffer, ComponentType::U32, Type::Scalar)
+    }
+
+    /// Adds the asset, the buffer and the scene.
+    fn finish(&mut self, generator: &str, asset: Extras, title: &str, nodes: Vec<Index<Node>>, extras: Extras) {
+        self.root.asset = Asset { generator: Some(generator.into()), extras: asset, ..Asset::default() };
+        let byte_length = self.bytes.len().into();
+        self.root.buffers = vec![Buffer { byte_length, uri: None, name: None, extensions: None, extras: None }];
+        let scene = gltf::json::Scene { name: Some(title.into()), nodes, extras, extensions: None };
+        self.root.scene = Some(Index::push(&mut self.root.scenes, scene));
+    }
+
+    /// Returns the document with the translations of its nodes in f64.
+    fn document(&self) -> Value {
+        // A value made directly would have the long digits of f32 numbers as f64. Their text has the short ones.
+        let text = serde_json::to_vec(&self.root).expect("a document of valid items always has a text");
+        let mut document: Value = serde_json::from_slice(&text).expect("the text of a document is JSON");
+        for (node, translation) in self.translations.iter().enumerate() {
+            if let Some(translation) = translation {
+                document["nodes"][node]["translation"] = json!(translation.to_array());
+            }
+        }
+        document
+    }
+
+    fn into_glb(self) -> Result<Vec<u8>, Error> {
+        let text = to_text(&self.document());
+        let length = 12 + 8 + text.len().next_multiple_of(4) + 8 + self.bytes.len();
+        let header = Header {
+            magic: *b"glTF",
+            version: 2,
+            length: u32::try_from(length).map_err(|_| Error::TooLarge { format: "GLB" })?,
+        };
+        let glb = Glb { header, json: Cow::Owned(text), bin: Some(Cow::Owned(self.bytes)) };
+        glb.to_vec().map_err(|_| Error::Unwritable { format: "GLB" })
+    }
+}
+
+fn primitive(
+    mode: Mode,
+    attributes: BTreeMap<Checked<Semantic>, Index<Accessor>>,
+    indices: Option<Index<Accessor>>,
+    material: Index<Material>,
+) -> Primitive {
+    let (mode, material) = (Valid(mode), Some(material));
+    Primitive { attributes, indices, material, mode, targets: None, extensions: None, extras: None }
+}
+
+/// Returns the semantic of an attribute that glTF does not define, such as `_MEAN_CURVATURE`.
+fn custom(name: &str) -> Checked<Semantic> {
+    Valid(Semantic::Extras(name.to_ascii_uppercase()))
+}
+
+fn raw(extras: &Value) -> Option<Box<RawValue>> {
+    serde_json::value::to_raw_value(extras).ok()
 }
 
 fn asset_extras(contents: &Contents, frame: &Frame, scale: Option<&Scale>) -> Value {
@@ -348,73 +465,11 @@ fn asset_extras(contents: &Contents, frame: &Frame, scale: Option<&Scale>) -> Va
     extras
 }
 
-fn attribute_name(name: &str) -> String {
-    format!("_{}", name.to_ascii_uppercase())
-}
-
 /// Positions that the surface and the lines along it share.
 #[derive(Clone, Copy)]
 struct Shared<'a> {
-    accessor: usize,
+    accessor: Index<Accessor>,
     positions: &'a [[f32; 3]],
-}
-
-/// Returns the primitives of a line set, or none for an empty set. The caller adds the material. `scale` is the scale of the
-/// set's own values.
-fn line_primitives(
-    set: &LineSet,
-    material: usize,
-    shared: Shared<'_>,
-    frame: &Frame,
-    scale: Option<&Scale>,
-    buffer: &mut Buffer,
-) -> Vec<Value> {
-    match &set.lines {
-        Lines::Polylines(polylines) => polylines
-            .iter()
-            .map(|line| {
-                let indices = buffer.indices(along(line));
-                let attributes = json!({ "POSITION": shared.accessor });
-                json!({ "attributes": attributes, "indices": indices, "material": material, "mode": LINE_STRIP })
-            })
-            .collect(),
-        Lines::Segments { pairs, .. } if pairs.is_empty() => Vec::new(),
-        Lines::Segments { pairs, values: None } => {
-            let indices = buffer.indices(pairs.iter().flatten().copied());
-            let attributes = json!({ "POSITION": shared.accessor });
-            vec![json!({ "attributes": attributes, "indices": indices, "material": material, "mode": LINES })]
-        }
-        Lines::Segments { pairs, values: Some(values) } => {
-            let ends: Vec<[f32; 3]> = pairs.iter().flatten().map(|&vertex| shared.positions[vertex as usize]).collect();
-            own_lines(&ends, Some(values), material, scale, buffer)
-        }
-        Lines::Arrows { ends, .. } if ends.is_empty() => Vec::new(),
-        Lines::Arrows { ends, values } => {
-            let ends: Vec<[f32; 3]> =
-                ends.iter().flatten().map(|&end| frame.position(DVec3::from_array(end))).collect();
-            own_lines(&ends, values.as_ref(), material, scale, buffer)
-        }
-    }
-}
-
-/// Returns the primitive of lines with their own positions, two for each line, and a value at both ends of each.
-fn own_lines(
-    ends: &[[f32; 3]],
-    values: Option<&SegmentValues>,
-    material: usize,
-    scale: Option<&Scale>,
-    buffer: &mut Buffer,
-) -> Vec<Value> {
-    let mut attributes = json!({ "POSITION": buffer.positions(ends) });
-    if let Some(values) = values {
-        let at_ends: Vec<f32> = values.values.iter().flat_map(|&value| [clamped(value); 2]).collect();
-        attributes[attribute_name(&values.name)] = buffer.scalars(at_ends.into_iter()).into();
-        if let Some(scale) = scale {
-            let at_ends: Vec<[u8; 4]> = values.values.iter().flat_map(|&value| [scale.color(value); 2]).collect();
-            attributes["COLOR_0"] = buffer.colors(at_ends.into_iter()).into();
-        }
-    }
-    vec![json!({ "attributes": attributes, "material": material, "mode": LINES })]
 }
 
 fn along(line: &Polyline) -> impl Iterator<Item = u32> {
@@ -426,14 +481,7 @@ fn clamped(value: f64) -> f32 {
     value.clamp(f64::from(f32::MIN), f64::from(f32::MAX)) as f32
 }
 
-fn material(name: &str, base_color: [f64; 4], double_sided: bool) -> Value {
-    json!({
-        "name": name, "doubleSided": double_sided,
-        "pbrMetallicRoughness": { "baseColorFactor": base_color, "metallicFactor": 0.0, "roughnessFactor": 0.9 },
-    })
-}
-
-fn line_color(set: &LineSet) -> [f64; 4] {
+fn line_color(set: &LineSet) -> [f32; 4] {
     match set.name.as_str() {
         "boundaries" | "directrices" => [0.01, 0.01, 0.015, 1.0],
         "bridges" => [0.2, 0.22, 0.25, 1.0],
